@@ -1,0 +1,26 @@
+# Warnings, sanitizers, the linker and the compiler cache; the same for every target.
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+add_compile_options(-Wall -Wextra -Wno-unused-parameter -Werror=return-type -Werror=switch)
+
+# Bit-for-bit equal results on every machine: no contraction of a * b + c, no value-changing shortcuts.
+add_compile_options(-ffp-contract=off)
+
+if(FLAIR_SANITIZE)
+  add_compile_options(-fsanitize=${FLAIR_SANITIZE} -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=${FLAIR_SANITIZE})
+endif()
+
+find_program(FLAIR_MOLD mold)
+if(FLAIR_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+find_program(FLAIR_CCACHE ccache)
+if(FLAIR_CCACHE)
+  # Paths relative to the build folder, so that several build folders share one cache.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=/ CCACHE_NOHASHDIR=1
+      CCACHE_SLOPPINESS=pch_defines,time_macros ${FLAIR_CCACHE})
+endif()

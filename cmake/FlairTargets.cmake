@@ -1,0 +1,36 @@
+# flair_library(NAME SOURCES a.cc ... DEPENDS lib ...): a static library whose headers are included from the root.
+function(flair_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  if(arg_SOURCES)
+    add_library(${name} STATIC ${arg_SOURCES})
+    set(visibility PUBLIC)
+  else()
+    add_library(${name} INTERFACE)
+    set(visibility INTERFACE)
+  endif()
+  target_include_directories(${name} ${visibility} ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${name} ${visibility} ${arg_DEPENDS})
+endfunction()
+
+# flair_test(NAME [LABEL unit] SOURCES a_test.cc ... DEPENDS lib ...): one GoogleTest program, one CTest case per test.
+# Labels: unit (default), contract, golden, end_to_end, fuzz, bench.
+function(flair_test name)
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;DEPENDS" ${ARGN})
+  if(NOT arg_LABEL)
+    set(arg_LABEL unit)
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE FLAIR_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FLAIR_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test_bin)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600)
+endfunction()
+
+# flair_program(NAME SOURCES main.cc ... DEPENDS lib ...): an executable in bin/.
+function(flair_program name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS})
+endfunction()
