@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # flair_library(NAME SOURCES a.cc ... DEPENDS lib ...): a static library whose headers are included from the root.
 function(flair_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
@@ -27,10 +28,11 @@ function(flair_test name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600)
 endfunction()
 
-# flair_program(NAME SOURCES main.cc ... DEPENDS lib ...): an executable in bin/.
+# flair_program(NAME SOURCES main.cc ... DEPENDS lib ...): an executable in bin/, part of target `programs`.
 function(flair_program name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS})
+  set_property(GLOBAL APPEND PROPERTY FLAIR_PROGRAMS ${name})
 endfunction()
