@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "flair/config/v1/runtime_config.pb.h"
+#include "spdlog/logger.h"
+#include "worker_runtime/clock/clock.h"
+#include "worker_runtime/executor/bounded_executor.h"
+#include "worker_runtime/metrics/metrics.h"
+
+namespace flair::runtime {
+
+// What every service is given. The references outlive the service. Each service has an executor of its own: a service
+// that calls another one in the same process must not wait for a thread that it holds itself.
+struct WorkerContext {
+  Clock& clock;
+  Metrics& metrics;
+  BoundedExecutor& executor;
+  // Shared because spdlog's sinks and loggers are; never null.
+  std::shared_ptr<spdlog::logger> logger;
+};
+
+// Owns what a WorkerContext refers to. Stop the server and destroy the service before it.
+class WorkerResources {
+ public:
+  // `program` names the log lines, such as "flair-optimizer".
+  WorkerResources(const std::string& program, const config::v1::RuntimeConfig& config, Clock& clock = SystemClock(),
+                  Metrics& metrics = NullMetrics());
+
+  WorkerContext& context() { return context_; }
+
+ private:
+  BoundedExecutor executor_;
+  WorkerContext context_;
+};
+
+// A logger to standard error: "2026-05-01T12:00:00.123Z info flair-optimizer message". An empty level means "info".
+std::shared_ptr<spdlog::logger> MakeLogger(const std::string& program, const std::string& level);
+
+}  // namespace flair::runtime

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "worker_runtime/grpc/server.h"
+
+#include <fmt/format.h>
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
+#include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/security/server_credentials.h>
+#include <grpcpp/server_builder.h>
+
+#include <chrono>
+#include <mutex>
+
+#include "worker_runtime/grpc/channel.h"
+
+namespace flair::runtime {
+namespace {
+
+// Both are switches of the whole process that hold for servers built later.
+void EnableHealthAndReflectionOnce() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    grpc::EnableDefaultHealthCheckService(true);
+    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+  });
+}
+
+absl::Status CheckListenAddress(const std::string& address) {
+  if (address.starts_with("unix:") && address.size() > 5) return absl::OkStatus();
+  const size_t colon = address.rfind(':');
+  const bool has_port = colon != std::string::npos && colon > 0 && colon + 1 < address.size() &&
+                        address.find_first_not_of("0123456789", colon + 1) == std::string::npos;
+  if (has_port && address.size() - colon <= 6 && std::stoi(address.substr(colon + 1)) <= 65535) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      fmt::format("listen_address \"{}\": expected HOST:PORT with a port in [0, 65535], or unix:PATH", address));
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& options,
+                                                      std::vector<NamedService> services) {
+  std::unique_ptr<Server> server(new Server(std::move(services), MaxMessageBytes(options.max_message_mib)));
+  const std::string& listen = options.listen_address;
+  grpc::ServerBuilder builder;
+  int port = 0;
+  if (!listen.empty()) {
+    if (absl::Status status = CheckListenAddress(listen); !status.ok()) return status;
+    EnableHealthAndReflectionOnce();
+    builder.AddListeningPort(listen, grpc::InsecureServerCredentials(), &port);
+  }
+  // Otherwise a second program could take the same port unnoticed and get half of the calls.
+  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+  builder.SetMaxReceiveMessageSize(server->max_message_bytes_);
+  builder.SetMaxSendMessageSize(server->max_message_bytes_);
+  for (const NamedService& service : server->services_) builder.RegisterService(service.service.get());
+  server->server_ = builder.BuildAndStart();
+  if (server->server_ == nullptr || (!listen.empty() && port == 0)) {
+    return absl::UnavailableError(
+        fmt::format("cannot listen on {}: the address is in use, not of this machine, or not permitted", listen));
+  }
+  if (!listen.empty()) {
+    server->address_ =
+        listen.starts_with("unix:") ? listen : fmt::format("{}:{}", listen.substr(0, listen.rfind(':')), port);
+  }
+  server->SetServing(true);
+  return server;
+}
+
+Server::~Server() { Shutdown(absl::ZeroDuration()); }
+
+std::shared_ptr<grpc::Channel> Server::InProcessChannel() {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(max_message_bytes_);
+  arguments.SetMaxSendMessageSize(max_message_bytes_);
+  return server_->InProcessChannel(arguments);
+}
+
+void Server::SetServing(bool serving) {
+  grpc::HealthCheckServiceInterface* health = server_->GetHealthCheckService();
+  if (health == nullptr) return;
+  for (const NamedService& service : services_) health->SetServingStatus(service.name, serving);
+  health->SetServingStatus(serving);
+}
+
+void Server::Shutdown(absl::Duration drain) {
+  if (server_ == nullptr) return;
+  SetServing(false);
+  server_->Shutdown(std::chrono::system_clock::now() + absl::ToChronoMilliseconds(drain));
+  server_->Wait();
+  server_.reset();
+}
+
+}  // namespace flair::runtime

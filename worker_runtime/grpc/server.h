@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <grpcpp/channel.h>
+#include <grpcpp/impl/service_type.h>
+#include <grpcpp/server.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+
+namespace flair::runtime {
+
+// A service and the full name under which its health is reported, such as "flair.v1.OptimizerService".
+struct NamedService {
+  std::string name;
+  std::unique_ptr<grpc::Service> service;
+};
+
+struct ServerOptions {
+  // "HOST:PORT" or "unix:PATH"; port 0 takes a free one. Empty: no port, in-process channels only.
+  std::string listen_address;
+  // Largest message in MiB; 32 when 0.
+  int max_message_mib = 0;
+};
+
+// A running gRPC server that owns its services. A listening one answers health (per service name and for "") and
+// reflection. Thread-safe.
+class Server {
+ public:
+  // INVALID_ARGUMENT for an address of no known form, UNAVAILABLE when it cannot be bound.
+  static absl::StatusOr<std::unique_ptr<Server>> Start(const ServerOptions& options,
+                                                       std::vector<NamedService> services);
+
+  // As Shutdown without drain.
+  ~Server();
+
+  // Where it listens, with the port chosen, such as "127.0.0.1:43211"; empty when in-process only.
+  const std::string& address() const { return address_; }
+
+  // A channel that needs no port. Must not be used after Shutdown.
+  std::shared_ptr<grpc::Channel> InProcessChannel();
+
+  // Reports NOT_SERVING, takes no more calls, gives running ones `drain`, then cancels them and waits until they have
+  // ended. May be called more than once.
+  void Shutdown(absl::Duration drain);
+
+ private:
+  Server(std::vector<NamedService> services, int max_message_bytes)
+      : services_(std::move(services)), max_message_bytes_(max_message_bytes) {}
+  void SetServing(bool serving);
+
+  std::vector<NamedService> services_;
+  const int max_message_bytes_;
+  std::unique_ptr<grpc::Server> server_;
+  std::string address_;
+};
+
+}  // namespace flair::runtime

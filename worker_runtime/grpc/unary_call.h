@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/server_callback.h>
+
+#include <concepts>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "worker_runtime/bootstrap/call_context.h"
+#include "worker_runtime/bootstrap/worker_context.h"
+
+namespace flair::runtime {
+
+// Queues `work` on the worker's executor and finishes the call with what it returns: RESOURCE_EXHAUSTED when the queue
+// is full, CANCELLED or DEADLINE_EXCEEDED without running it when nobody waits any more. `work` may use the call's
+// request and response. Logs one line per call, keyed by `request_id`. `worker` must outlive the server.
+grpc::ServerUnaryReactor* StartUnary(WorkerContext& worker, std::string_view method, std::string request_id,
+                                     grpc::CallbackServerContext& context,
+                                     std::function<absl::Status(CallContext&)> work);
+
+namespace internal {
+template <typename Request>
+std::string RequestIdOf(const Request& request) {
+  if constexpr (requires {
+                  { request.request_id() } -> std::convertible_to<std::string>;
+                }) {
+    return request.request_id();
+  } else {
+    return "";
+  }
+}
+}  // namespace internal
+
+// Answers a unary call of the callback API with a plain handler. `handler` is an object with
+//   absl::StatusOr<Response> Handle(const Request&, CallContext&)
+// or a callable of that form; it is called from several threads at once and must outlive the server. Use:
+//   grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
+//                                   v1::SolveResponse* response) override {
+//     return runtime::ServeUnary(worker_, "Solve", context, request, response, solve_handler_);
+//   }
+template <typename Request, typename Response, typename Handler>
+grpc::ServerUnaryReactor* ServeUnary(WorkerContext& worker, std::string_view method,
+                                     grpc::CallbackServerContext* context, const Request* request, Response* response,
+                                     Handler& handler) {
+  return StartUnary(worker, method, internal::RequestIdOf(*request), *context,
+                    [request, response, &handler](CallContext& call) -> absl::Status {
+                      absl::StatusOr<Response> answer = [&]() -> absl::StatusOr<Response> {
+                        if constexpr (requires { handler.Handle(*request, call); }) {
+                          return handler.Handle(*request, call);
+                        } else {
+                          return handler(*request, call);
+                        }
+                      }();
+                      if (!answer.ok()) return answer.status();
+                      *response = *std::move(answer);
+                      return absl::OkStatus();
+                    });
+}
+
+}  // namespace flair::runtime
