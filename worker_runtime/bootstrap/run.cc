@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 namespace flair::runtime::internal {
@@ -62,6 +63,8 @@ int RunProgram(int argc, char** argv, const Program& program, google::protobuf::
     fmt::print(stderr, "{}: bad config\n{}\n", program.name, std::string(status.message()));
     return 2;
   }
+  // Every failure is reported with its reason below; gRPC would print the same once more, for its authors.
+  setenv("GRPC_VERBOSITY", "NONE", 0);
   const sigset_t signals = BlockStopSignals();
   Worker worker(program.name, runtime());
   absl::Status status = assemble(worker);

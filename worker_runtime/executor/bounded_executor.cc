@@ -13,13 +13,11 @@ BoundedExecutor::~BoundedExecutor() { Stop(); }
 
 bool BoundedExecutor::TrySubmit(std::function<void()> task) {
   std::lock_guard lock(mutex_);
-  const int waiting = static_cast<int>(queue_.size());
-  const int free_threads = idle_ + thread_limit_ - static_cast<int>(threads_.size());
-  if (stopped_ || waiting >= queue_limit_ + free_threads) return false;
+  const int taken = running_ + static_cast<int>(queue_.size());
+  if (stopped_ || taken >= thread_limit_ + queue_limit_) return false;
   queue_.push_back(std::move(task));
-  if (idle_ < static_cast<int>(queue_.size()) && static_cast<int>(threads_.size()) < thread_limit_) {
-    threads_.emplace_back([this] { Work(); });
-  }
+  const int thread_count = static_cast<int>(threads_.size());
+  if (thread_count < thread_limit_ && thread_count <= taken) threads_.emplace_back([this] { Work(); });
   wake_.notify_one();
   return true;
 }
@@ -43,16 +41,16 @@ int BoundedExecutor::queued() const {
 void BoundedExecutor::Work() {
   std::unique_lock lock(mutex_);
   while (true) {
-    ++idle_;
     wake_.wait(lock, [this] { return stopped_ || !queue_.empty(); });
-    --idle_;
     if (queue_.empty()) return;
     std::function<void()> task = std::move(queue_.front());
     queue_.pop_front();
+    ++running_;
     lock.unlock();
     task();
     task = nullptr;
     lock.lock();
+    --running_;
   }
 }
 

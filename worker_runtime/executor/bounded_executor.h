@@ -44,7 +44,7 @@ class BoundedExecutor {
   std::condition_variable wake_;
   std::deque<std::function<void()>> queue_;
   std::vector<std::thread> threads_;
-  int idle_ = 0;
+  int running_ = 0;
   bool stopped_ = false;
 };
 

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "worker_runtime/grpc/server.h"
+
+#include <gmock/gmock.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/support/byte_buffer.h>
+
+#include <future>
+#include <thread>
+
+#include "flair/v1/optimizer_service.grpc.pb.h"
+#include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/grpc/in_process_server.h"
+#include "worker_runtime/grpc/unary_call.h"
+
+namespace flair::runtime {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+using SolveFunction = std::function<absl::StatusOr<v1::SolveResponse>(const v1::SolveRequest&, CallContext&)>;
+
+// An optimizer that does what a test tells it.
+class TestService final : public v1::OptimizerService::CallbackService {
+ public:
+  TestService(WorkerContext& worker, SolveFunction solve) : worker_(worker), solve_(std::move(solve)) {}
+  grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
+                                  v1::SolveResponse* response) override {
+    return ServeUnary(worker_, "Solve", context, request, response, solve_);
+  }
+
+ private:
+  WorkerContext& worker_;
+  SolveFunction solve_;
+};
+
+config::v1::RuntimeConfig SmallConfig() {
+  config::v1::RuntimeConfig config;
+  config.set_worker_thread_count(1);
+  config.set_queue_limit(1);
+  config.set_log_level("error");
+  return config;
+}
+
+std::unique_ptr<InProcessServer> StartInProcess(SolveFunction solve) {
+  auto server = InProcessServer::Start("test", SmallConfig(), v1::OptimizerService::service_full_name(),
+                                       [&](WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
+                                         return std::make_unique<TestService>(context, std::move(solve));
+                                       });
+  return *std::move(server);
+}
+
+absl::StatusOr<v1::SolveResponse> Solve(std::shared_ptr<grpc::Channel> channel, CallContext& call) {
+  const auto stub = v1::OptimizerService::NewStub(channel);
+  v1::SolveRequest request;
+  request.set_request_id("r1");
+  return UnaryRequest(*stub, &v1::OptimizerService::StubInterface::Solve, request, call);
+}
+
+// Answers of the health service, as numbers of grpc.health.v1.HealthCheckResponse.ServingStatus; no health.proto is
+// shipped, so the two messages of one field each are written and read by hand.
+absl::StatusOr<int> Health(std::shared_ptr<grpc::Channel> channel, const std::string& service) {
+  std::string request;
+  if (!service.empty()) request = std::string("\x0a") + static_cast<char>(service.size()) + service;
+  grpc::Slice slice(request);
+  grpc::ByteBuffer in(&slice, 1);
+  grpc::ByteBuffer out;
+  grpc::GenericStub stub(channel);
+  grpc::ClientContext context;
+  std::promise<grpc::Status> done;
+  stub.UnaryCall(&context, "/grpc.health.v1.Health/Check", {}, &in, &out,
+                 [&done](grpc::Status status) { done.set_value(status); });
+  const grpc::Status status = done.get_future().get();
+  if (!status.ok()) return FromGrpcStatus(status);
+  std::vector<grpc::Slice> slices;
+  (void)out.Dump(&slices);
+  return slices.empty() || slices[0].size() < 2 ? 0 : slices[0].begin()[1];
+}
+
+TEST(Server, CarriesCodesAndMessagesOfAHandler) {
+  auto server = StartInProcess([](const v1::SolveRequest& request, CallContext& call) {
+    EXPECT_EQ(call.request_id(), "r1");
+    return absl::InvalidArgumentError("layout_graph.room: missing");
+  });
+  CallContext call;
+  EXPECT_EQ(Solve(server->channel(), call).status(), absl::InvalidArgumentError("layout_graph.room: missing"));
+}
+
+TEST(Server, CarriesTheAnswer) {
+  auto server = StartInProcess([](const v1::SolveRequest& request, CallContext&) {
+    v1::SolveResponse response;
+    response.mutable_solved_layout()->set_total_cost(3);
+    return response;
+  });
+  CallContext call;
+  EXPECT_EQ(Solve(server->channel(), call)->solved_layout().total_cost(), 3);
+}
+
+TEST(Server, AnswersResourceExhaustedWhenTheQueueIsFull) {
+  TestGate running;
+  TestGate release;
+  auto server = StartInProcess([&](const v1::SolveRequest&, CallContext&) {
+    running.Open();
+    release.Wait();
+    return v1::SolveResponse();
+  });
+  auto channel = server->channel();
+  const auto ask = [&] {
+    CallContext call;
+    return Solve(channel, call).status();
+  };
+  auto first = std::async(std::launch::async, ask);
+  running.Wait();
+  // One more waits; of two, one is turned away, whichever comes second, and at once.
+  auto second = std::async(std::launch::async, ask);
+  auto third = std::async(std::launch::async, ask);
+  while (second.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready &&
+         third.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {
+  }
+  release.Open();
+  const absl::Status a = second.get();
+  const absl::Status b = third.get();
+  const absl::Status refused = a.ok() ? b : a;
+  EXPECT_EQ(refused.code(), absl::StatusCode::kResourceExhausted);
+  EXPECT_THAT(std::string(refused.message()), HasSubstr("queue is full"));
+  EXPECT_TRUE(a.ok() || b.ok());
+  EXPECT_TRUE(first.get().ok());
+}
+
+TEST(Server, ACancelledCallReachesTheHandler) {
+  TestGate running;
+  TestGate seen;
+  auto server = StartInProcess([&](const v1::SolveRequest&, CallContext& call) -> absl::StatusOr<v1::SolveResponse> {
+    OnCancel guard(call.cancellation(), [&] { seen.Open(); });
+    running.Open();
+    seen.Wait();
+    return call.CheckAlive();
+  });
+  CallContext call;
+  std::thread canceller([&] {
+    running.Wait();
+    call.cancellation().Cancel();
+  });
+  EXPECT_EQ(Solve(server->channel(), call).status().code(), absl::StatusCode::kCancelled);
+  canceller.join();
+  seen.Wait();
+}
+
+TEST(Server, ADeadlineReachesTheHandler) {
+  auto server = StartInProcess([&](const v1::SolveRequest&, CallContext& call) -> absl::StatusOr<v1::SolveResponse> {
+    while (!call.cancelled()) std::this_thread::yield();
+    return call.CheckAlive();
+  });
+  CallContext call("r1", absl::Now() + absl::Milliseconds(20), SystemClock());
+  EXPECT_EQ(Solve(server->channel(), call).status().code(), absl::StatusCode::kDeadlineExceeded);
+}
+
+class ListeningServer : public ::testing::Test {
+ protected:
+  void SetUp() override { Start("127.0.0.1:0"); }
+  absl::Status Start(const std::string& address) {
+    std::vector<NamedService> services;
+    services.push_back({v1::OptimizerService::service_full_name(),
+                        std::make_unique<TestService>(resources_.context(), [this](const auto&, CallContext& call) {
+                          running_.Open();
+                          release_.Wait();
+                          return absl::StatusOr<v1::SolveResponse>(v1::SolveResponse());
+                        })});
+    auto server = Server::Start({.listen_address = address}, std::move(services));
+    if (!server.ok()) return server.status();
+    server_ = *std::move(server);
+    channel_ = *MakeChannel(server_->address(), v1::OptimizerService::service_full_name());
+    return absl::OkStatus();
+  }
+  TestGate running_;
+  TestGate release_;
+  WorkerResources resources_{"test", SmallConfig()};
+  std::unique_ptr<Server> server_;
+  std::shared_ptr<grpc::Channel> channel_;
+};
+
+TEST_F(ListeningServer, TakesAFreePortAndSaysWhich) {
+  EXPECT_THAT(server_->address(), StartsWith("127.0.0.1:"));
+  EXPECT_NE(server_->address(), "127.0.0.1:0");
+}
+
+TEST_F(ListeningServer, ReportsHealthByServiceName) {
+  constexpr int kServing = 1;
+  EXPECT_EQ(*Health(channel_, ""), kServing);
+  EXPECT_EQ(*Health(channel_, "flair.v1.OptimizerService"), kServing);
+  EXPECT_EQ(Health(channel_, "flair.v1.LanguageService").status().code(), absl::StatusCode::kNotFound);
+}
+
+TEST_F(ListeningServer, RefusesAPortThatIsTaken) {
+  auto second = Server::Start({.listen_address = server_->address()}, {});
+  EXPECT_EQ(second.status().code(), absl::StatusCode::kUnavailable);
+  EXPECT_THAT(std::string(second.status().message()), HasSubstr(server_->address()));
+}
+
+TEST_F(ListeningServer, LetsRunningCallsEndWhenItDrains) {
+  auto answer = std::async(std::launch::async, [&] {
+    CallContext call;
+    return Solve(channel_, call).status();
+  });
+  running_.Wait();
+  auto stopped = std::async(std::launch::async, [&] { server_->Shutdown(absl::Minutes(1)); });
+  release_.Open();
+  EXPECT_TRUE(answer.get().ok());
+  stopped.get();
+}
+
+TEST_F(ListeningServer, CanBeReachedOverAUnixSocket) {
+  const std::string path = "unix:" + ::testing::TempDir() + "flair_server_test.sock";
+  server_->Shutdown(absl::ZeroDuration());
+  ASSERT_TRUE(Start(path).ok());
+  release_.Open();
+  CallContext call;
+  EXPECT_TRUE(Solve(channel_, call).ok());
+}
+
+TEST(Channel, RefusesAddressesOfNoKnownForm) {
+  for (const std::string address : {"", "localhost", "host:", "host:abc", ":50051", "host:70000", "unix:"}) {
+    EXPECT_EQ(MakeChannel(address, "x").status().code(), absl::StatusCode::kInvalidArgument) << address;
+  }
+}
+
+TEST(Server, RefusesListenAddressesOfNoKnownForm) {
+  for (const std::string address : {"localhost", "host:", "host:abc", "host:70000"}) {
+    EXPECT_EQ(Server::Start({.listen_address = address}, {}).status().code(), absl::StatusCode::kInvalidArgument)
+        << address;
+  }
+}
+
+}  // namespace
+}  // namespace flair::runtime
