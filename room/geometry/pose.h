@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an object is: frame O in the room frame R. O has its origin in the object's centre, x to its right and y to its
+// front, as seen by somebody standing behind it and looking the way it faces.
+#pragma once
+
+#include <cmath>
+
+#include "room/geometry/vec2.h"
+
+namespace flair {
+
+template <typename T>
+struct Pose {
+  T x_m{};
+  T y_m{};
+  // Counter-clockwise; 0 faces +y.
+  T theta_rad{};
+
+  friend bool operator==(const Pose& a, const Pose& b) {
+    return a.x_m == b.x_m && a.y_m == b.y_m && a.theta_rad == b.theta_rad;
+  }
+};
+
+// A pose with the sine and cosine of its heading worked out once.
+template <typename T>
+struct Frame {
+  Vec2<T> center;
+  // Unit vector to the right of the object, (cos, sin).
+  Vec2<T> right;
+  // Unit vector to its front, (-sin, cos).
+  Vec2<T> front;
+
+  // p_R = X_RO p_O: a point given in the object's frame, in room frame.
+  Vec2<T> ToRoom(const T& right_m, const T& front_m) const {
+    return {center.x + right_m * right.x + front_m * front.x, center.y + right_m * right.y + front_m * front.y};
+  }
+  // p_O: a point given in room frame, in the object's frame.
+  Vec2<T> ToObject(const Vec2<T>& p) const {
+    const Vec2<T> d = p - center;
+    return {Dot(d, right), Dot(d, front)};
+  }
+};
+
+template <typename T>
+Frame<T> FrameOf(const Pose<T>& pose) {
+  using std::cos;
+  using std::sin;
+  const T c = cos(pose.theta_rad);
+  const T s = sin(pose.theta_rad);
+  return {{pose.x_m, pose.y_m}, {c, s}, {-s, c}};
+}
+
+template <typename T>
+Vec2<T> Center(const Pose<T>& pose) {
+  return {pose.x_m, pose.y_m};
+}
+
+// Unit vector to the front.
+template <typename T>
+Vec2<T> Front(const Pose<T>& pose) {
+  return FrameOf(pose).front;
+}
+
+}  // namespace flair
