@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A field under validation: knows its path and where bad values are reported, so that a check is one line.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "fmt/format.h"
+
+namespace flair::validation {
+
+// Ids and names that references may point to.
+using NameSet = std::set<std::string, std::less<>>;
+
+// What is wrong with a message, in the order found.
+class Problems {
+ public:
+  void Add(std::string problem) { problems_.push_back(std::move(problem)); }
+  bool empty() const { return problems_.empty(); }
+  // OK, or INVALID_ARGUMENT with the first five problems and the number of further ones.
+  absl::Status ToStatus() const;
+
+ private:
+  std::vector<std::string> problems_;
+};
+
+// A range of numbers; its ends belong to it unless said to be open.
+struct Range {
+  double least;
+  double most;
+  bool open_least = false;
+  bool open_most = false;
+
+  bool Holds(double value) const;
+  std::string Text() const;  // "(0, 20]"
+};
+
+// One field. Checks report to `problems` and return whether the value is good. The problems must outlive the field.
+class Field {
+ public:
+  Field(Problems& problems, std::string path) : problems_(&problems), path_(std::move(path)) {}
+
+  Field operator[](int index) const { return Field(*problems_, fmt::format("{}[{}]", path_, index)); }
+  Field operator[](std::string_view name) const { return Field(*problems_, fmt::format("{}.{}", path_, name)); }
+  const std::string& path() const { return path_; }
+
+  // Reports "path: text" and returns false.
+  template <typename... Args>
+  bool Reject(fmt::format_string<Args...> format, Args&&... args) const {
+    problems_->Add(path_ + ": " + fmt::format(format, std::forward<Args>(args)...));
+    return false;
+  }
+
+  // A finite number in the range.
+  bool InRange(double value, const Range& range) const;
+  // Length in characters (UTF-8 code points).
+  bool Text(std::string_view value, int least, int most) const;
+  // How many items or characters something has.
+  bool Count(int count, int least, int most, std::string_view what) const;
+  // 1 to 64 of a-z, 0-9 and "_"; so it can be a file name, a column and a word of a call.
+  bool Id(std::string_view value) const;
+  // A good Id that `seen` does not hold yet; it is put there.
+  bool NewId(std::string_view value, NameSet& seen) const;
+  // One of `known`; `what` is such as "an object".
+  bool Refers(std::string_view value, const NameSet& known, std::string_view what) const;
+  // A 64-character lower-case hex digest.
+  bool Digest(std::string_view value) const;
+  // A value that the enum has, other than 0.
+  bool Enum(int value, bool is_valid) const;
+
+ private:
+  Problems* problems_;
+  std::string path_;
+};
+
+// Code points of valid UTF-8; -1 when it is not valid.
+int CharacterCount(std::string_view text);
+
+}  // namespace flair::validation

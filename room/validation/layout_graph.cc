@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "room/validation/checks.h"
+
+namespace flair::validation {
+namespace {
+
+void CheckArgument(const v1::Argument& argument, const Field& at) {
+  const Field value = at["value"];
+  switch (argument.value().value_case()) {
+    case v1::ArgumentValue::kText:
+      value["text"].Text(argument.value().text(), 1, 200);
+      break;
+    case v1::ArgumentValue::kTexts:
+      if (!value["texts"].Count(argument.value().texts().items_size(), 1, 1000, "items")) break;
+      for (int i = 0; i < argument.value().texts().items_size(); ++i) {
+        value["texts"][i].Text(argument.value().texts().items(i), 1, 200);
+      }
+      break;
+    case v1::ArgumentValue::kNumber:
+      if (!std::isfinite(argument.value().number()))
+        value["number"].Reject("{} is no number", argument.value().number());
+      break;
+    case v1::ArgumentValue::kFlag:
+      break;
+    case v1::ArgumentValue::VALUE_NOT_SET:
+      value.Reject("is not set");
+  }
+}
+
+void CheckEdge(const v1::ConstraintEdge& edge, const NameSet& sentences, const Field& at) {
+  at["type"].Id(edge.type());
+  at["weight"].InRange(edge.weight(), {.least = 0, .most = 100, .open_least = true});
+  if (!edge.sentence_id().empty()) at["sentence_id"].Refers(edge.sentence_id(), sentences, "a sentence");
+  NameSet names;
+  for (int i = 0; i < edge.arguments_size(); ++i) {
+    at["arguments"][i]["name"].NewId(edge.arguments(i).name(), names);
+    CheckArgument(edge.arguments(i), at["arguments"][i]);
+  }
+}
+
+}  // namespace
+
+// The edges' arguments against the catalogue are the optimizer's business: it alone knows the types.
+void Check(const v1::LayoutGraph& graph, const Field& at) {
+  const NameSet zones = ZoneIds(graph.zone_plan());
+  const NameSet objects = ObjectIds(graph.object_list());
+  const NameSet openings = OpeningIds(graph.room());
+  const NameSet sentences = SentenceIds(graph.constraint_list());
+  const Known known{.zones = &zones, .objects = &objects, .openings = &openings, .sentences = &sentences};
+  Check(graph.room(), at["room"]);
+  Check(graph.zone_plan(), at["zone_plan"]);
+  Check(graph.object_list(), known, at["object_list"]);
+  Check(graph.style_sheet(), known, at["style_sheet"]);
+  Check(graph.constraint_list(), known, at["constraint_list"]);
+  for (const std::string& id : openings) {
+    if (objects.contains(id)) at["object_list"].Reject("\"{}\" is an object and an opening; ids differ", id);
+  }
+  if (!at["edges"].Count(graph.edges_size(), 0, 20000, "edges")) return;
+  NameSet seen;
+  for (int i = 0; i < graph.edges_size(); ++i) {
+    at["edges"][i]["id"].NewId(graph.edges(i).id(), seen);
+    CheckEdge(graph.edges(i), sentences, at["edges"][i]);
+  }
+  CheckDiagnostics(graph.diagnostics(), at["diagnostics"]);
+}
+
+NameSet EdgeIds(const v1::LayoutGraph& graph) {
+  NameSet ids;
+  for (const v1::ConstraintEdge& edge : graph.edges()) ids.insert(edge.id());
+  return ids;
+}
+
+}  // namespace flair::validation

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
+#include "room/validation/checks.h"
+
+namespace flair::validation {
+namespace {
+
+constexpr Range kSeed{.least = 0, .most = 9007199254740992.0, .open_most = true};
+constexpr Range kFactor{.least = 0, .most = 1e9};
+
+void CheckLambdas(const v1::Lambdas& lambdas, const Field& at) {
+  if (lambdas.has_door_overlap()) at["door_overlap"].InRange(lambdas.door_overlap(), kFactor);
+  if (lambdas.has_wall_attraction_divisor()) {
+    at["wall_attraction_divisor"].InRange(lambdas.wall_attraction_divisor(),
+                                          {.least = 0, .most = 1e9, .open_least = true});
+  }
+  if (lambdas.has_no_overlap()) at["no_overlap"].InRange(lambdas.no_overlap(), kFactor);
+  if (lambdas.has_balanced()) at["balanced"].InRange(lambdas.balanced(), kFactor);
+  if (lambdas.has_in_bounds()) at["in_bounds"].InRange(lambdas.in_bounds(), kFactor);
+  if (lambdas.has_zone()) at["zone"].InRange(lambdas.zone(), kFactor);
+  if (lambdas.has_tertiary_in_bounds()) at["tertiary_in_bounds"].InRange(lambdas.tertiary_in_bounds(), kFactor);
+  if (lambdas.has_on_wall()) at["on_wall"].InRange(lambdas.on_wall(), kFactor);
+}
+
+}  // namespace
+
+void Check(const v1::SolveOptions& options, const Field& at) {
+  if (options.has_seed()) at["seed"].InRange(static_cast<double>(options.seed()), kSeed);
+  if (options.has_max_restart_count()) {
+    at["max_restart_count"].InRange(options.max_restart_count(), {.least = 1, .most = 10000});
+  }
+  if (options.has_thread_count()) at["thread_count"].InRange(options.thread_count(), {.least = 1, .most = 256});
+  if (options.has_path_width_m()) at["path_width_m"].InRange(options.path_width_m(), {.least = 0, .most = 2});
+  CheckLambdas(options.lambdas(), at["lambdas"]);
+}
+
+void Check(const v1::RenderOptions& options, const Field& at) {
+  if (!v1::PreviewView_IsValid(options.view())) at["view"].Reject("{} is no known value", int{options.view()});
+  if (!v1::PreviewFormat_IsValid(options.format())) at["format"].Reject("{} is no known value", int{options.format()});
+  if (options.has_size_px()) at["size_px"].InRange(options.size_px(), {.least = 256, .most = 8192});
+}
+
+void Check(const v1::JobSpec& spec, const Field& at) {
+  Check(spec.brief(), at["brief"]);
+  Check(spec.solve_options(), at["solve_options"]);
+  Check(spec.render_options(), at["render_options"]);
+}
+
+}  // namespace flair::validation
