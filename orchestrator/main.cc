@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair-orchestrator: serves OrchestratorService.
+#include "orchestrator/service/make_orchestrator_service.h"
+#include "worker_runtime/bootstrap/run.h"
+
+namespace flair::orchestrator {
+namespace {
+
+absl::Status Assemble(const config::v1::OrchestratorConfig& config, runtime::Worker& worker) {
+  absl::StatusOr<StageChannels> channels = ConnectStages(config);
+  if (!channels.ok()) return channels.status();
+  auto service = MakeOrchestratorService(config, worker.context(), *channels);
+  if (!service.ok()) return service.status();
+  worker.OnStop([&stopping = **service] { stopping.Stop(); });
+  worker.Serve(v1::OrchestratorService::service_full_name(), *std::move(service));
+  return absl::OkStatus();
+}
+
+}  // namespace
+}  // namespace flair::orchestrator
+
+int main(int argc, char** argv) {
+  return flair::runtime::Run<flair::config::v1::OrchestratorConfig>(
+      argc, argv, {"flair-orchestrator", "Serves flair.v1.OrchestratorService: runs briefs through the stages."},
+      flair::orchestrator::Assemble, flair::orchestrator::CheckOrchestratorConfig);
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages that make and draw the layout: translation, solve, render.
+#include "orchestrator/pipeline/stage.h"
+#include "orchestrator/store/sha256.h"
+
+namespace flair::orchestrator {
+
+// The catalogue decides what can be translated to, so it counts as the options: another optimizer, another graph.
+absl::StatusOr<std::string> TranslationOptions(const StageRun& run) {
+  auto response = run.clients.ListConstraintTypes({}, run.call);
+  if (!response.ok()) return response.status();
+  return CanonicalBytes(response->catalog());
+}
+
+absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run) {
+  v1::TranslateRequest request;
+  request.set_request_id(RequestId(run, "translation"));
+  *request.mutable_room() = Input(run, v1::ARTIFACT_KIND_ROOM).room();
+  *request.mutable_zone_plan() = Input(run, v1::ARTIFACT_KIND_ZONE_PLAN).zone_plan();
+  *request.mutable_object_list() = Input(run, v1::ARTIFACT_KIND_OBJECT_LIST).object_list();
+  *request.mutable_style_sheet() = Input(run, v1::ARTIFACT_KIND_STYLE_SHEET).style_sheet();
+  *request.mutable_constraint_list() = Input(run, v1::ARTIFACT_KIND_CONSTRAINT_LIST).constraint_list();
+  request.mutable_catalog()->ParseFromString(run.options);
+  auto response = run.clients.Translate(request, run.call);
+  if (!response.ok()) return response.status();
+  v1::Artifact artifact;
+  *artifact.mutable_layout_graph() = std::move(*response->mutable_layout_graph());
+  *artifact.mutable_producer() = response->producer();
+  return artifact;
+}
+
+// With the seed that is used; without the number of threads, which changes no result.
+absl::StatusOr<std::string> SolverOptions(const StageRun& run) {
+  v1::SolveOptions options = run.spec.solve_options();
+  options.clear_thread_count();
+  if (!options.has_seed()) options.set_seed(run.spec.brief().seed());
+  return CanonicalBytes(options);
+}
+
+absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run) {
+  v1::SolveRequest request;
+  request.set_request_id(RequestId(run, "solve"));
+  *request.mutable_layout_graph() = Input(run, v1::ARTIFACT_KIND_LAYOUT_GRAPH).layout_graph();
+  request.mutable_options()->ParseFromString(run.options);
+  if (run.spec.solve_options().has_thread_count()) {
+    request.mutable_options()->set_thread_count(run.spec.solve_options().thread_count());
+  }
+  auto response = run.clients.Solve(request, run.call);
+  if (!response.ok()) return response.status();
+  v1::Artifact artifact;
+  *artifact.mutable_solved_layout() = std::move(*response->mutable_solved_layout());
+  *artifact.mutable_producer() = response->producer();
+  return artifact;
+}
+
+absl::StatusOr<std::string> RendererOptions(const StageRun& run) { return CanonicalBytes(run.spec.render_options()); }
+
+absl::StatusOr<v1::Artifact> RunRender(const StageRun& run) {
+  const v1::Artifact& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT);
+  v1::RenderRequest request;
+  request.set_request_id(RequestId(run, "render"));
+  *request.mutable_solved_layout() = layout.solved_layout();
+  *request.mutable_options() = run.spec.render_options();
+  // Not the job's own id: the same layout must give the same picture, whoever asks for it. The layout's id leads to it.
+  request.set_job_id(layout.id());
+  auto response = run.clients.Render(request, run.call);
+  if (!response.ok()) return response.status();
+  v1::Artifact artifact;
+  *artifact.mutable_preview() = std::move(*response->mutable_preview());
+  *artifact.mutable_producer() = response->producer();
+  return artifact;
+}
+
+}  // namespace flair::orchestrator

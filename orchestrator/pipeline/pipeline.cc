@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/pipeline/pipeline.h"
+
+#include <future>
+#include <optional>
+
+#include "orchestrator/pipeline/stage_runner.h"
+
+namespace flair::orchestrator {
+namespace {
+
+using Output = StageRunner::Output;
+
+// What the stages of one job have made so far, by stage index.
+class Progress {
+ public:
+  Progress() : outputs_(Stages().size()) {}
+
+  // Stages that are not done and whose inputs are.
+  std::vector<int> Ready() const {
+    std::vector<int> ready;
+    for (int i = 0; i < static_cast<int>(outputs_.size()); ++i) {
+      if (!outputs_[i].has_value() && InputsOf(i).size() == Stages()[i].inputs.size()) ready.push_back(i);
+    }
+    return ready;
+  }
+
+  std::vector<const v1::Artifact*> InputsOf(int stage_index) const {
+    std::vector<const v1::Artifact*> inputs;
+    for (const v1::ArtifactKind kind : Stages()[stage_index].inputs) {
+      for (size_t i = 0; i < outputs_.size(); ++i) {
+        if (Stages()[i].output == kind && outputs_[i].has_value()) inputs.push_back(&outputs_[i]->artifact);
+      }
+    }
+    return inputs;
+  }
+
+  std::vector<v1::StageTiming> Timings() const {
+    std::vector<v1::StageTiming> timings;
+    for (const std::optional<Output>& output : outputs_) {
+      if (output.has_value()) timings.push_back(output->timing);
+    }
+    return timings;
+  }
+
+  void Set(int stage_index, Output output) { outputs_[stage_index] = std::move(output); }
+
+ private:
+  std::vector<std::optional<Output>> outputs_;
+};
+
+}  // namespace
+
+PipelineResult Pipeline::Run(const v1::Job& job, runtime::Cancellation& cancellation) const {
+  StageRunner runner(store_, clients_, clock_, options_, job, cancellation);
+  if (absl::Status status = runner.ReadHistory(); !status.ok()) return {status, ""};
+  Progress progress;
+  for (std::vector<int> ready = progress.Ready(); !ready.empty(); ready = progress.Ready()) {
+    const std::vector<v1::StageTiming> timings = progress.Timings();
+    const auto run = [&](int index) { return runner.Run(index, progress.InputsOf(index), timings); };
+    std::vector<std::future<absl::StatusOr<Output>>> others;
+    for (size_t i = 1; i < ready.size(); ++i) others.push_back(std::async(std::launch::async, run, ready[i]));
+    std::vector<absl::StatusOr<Output>> outputs;
+    outputs.push_back(run(ready[0]));
+    for (auto& other : others) outputs.push_back(other.get());
+    for (size_t i = 0; i < ready.size(); ++i) {
+      // Of several failures the first in stage order counts, whichever came first.
+      if (!outputs[i].ok()) return {outputs[i].status(), std::string(Stages()[ready[i]].name)};
+      progress.Set(ready[i], *std::move(outputs[i]));
+    }
+  }
+  return {absl::OkStatus(), std::string(Stages().back().name)};
+}
+
+}  // namespace flair::orchestrator

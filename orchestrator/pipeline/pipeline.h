@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/time/time.h"
+#include "flair/v1/job.pb.h"
+#include "orchestrator/pipeline/backoff_policy.h"
+#include "orchestrator/pipeline/stage_clients.h"
+#include "orchestrator/store/job_store.h"
+#include "worker_runtime/clock/clock.h"
+#include "worker_runtime/executor/cancellation.h"
+
+namespace flair::orchestrator {
+
+struct PipelineOptions {
+  // That one call of a stage may take.
+  absl::Duration stage_deadline = absl::Seconds(600);
+  BackoffPolicy backoff;
+  Waiter wait = WaitUnlessCancelled;
+  // Called after each stored event with the job's id.
+  std::function<void(const std::string&)> notify = [](const std::string&) {};
+};
+
+// Where a run of a job ended. Which stage failed, when one did.
+struct PipelineResult {
+  absl::Status status;
+  std::string stage;
+};
+
+// Runs the stages of a job, as many at once as their inputs allow, and stores what each makes before the next begins. A
+// stage whose inputs and options have been seen before is not run: its stored artifact is used, unless its file is gone
+// or damaged. So a job that was interrupted goes on where it was, by being run again. Several jobs may run at once; the
+// arguments outlive it.
+class Pipeline {
+ public:
+  Pipeline(JobStore& store, StageClients& clients, const runtime::Clock& clock, PipelineOptions options)
+      : store_(store), clients_(clients), clock_(clock), options_(std::move(options)) {}
+
+  // Does not end the job in the store. `cancellation` stops the running calls.
+  PipelineResult Run(const v1::Job& job, runtime::Cancellation& cancellation) const;
+
+ private:
+  JobStore& store_;
+  StageClients& clients_;
+  const runtime::Clock& clock_;
+  const PipelineOptions options_;
+};
+
+}  // namespace flair::orchestrator

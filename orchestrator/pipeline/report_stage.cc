@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/pipeline/stage.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// Counts outcomes of edges, and sentences without an edge.
+v1::ConstraintSummary Summarize(const v1::SolvedLayout& layout, const v1::EvaluateResponse& evaluation) {
+  v1::ConstraintSummary summary;
+  for (const v1::EdgeOutcome& outcome : evaluation.edge_outcomes()) {
+    switch (outcome.status()) {
+      case v1::OUTCOME_STATUS_SATISFIED:
+        summary.set_satisfied_count(summary.satisfied_count() + 1);
+        break;
+      case v1::OUTCOME_STATUS_VIOLATED:
+        summary.set_violated_count(summary.violated_count() + 1);
+        break;
+      default:
+        summary.set_dropped_count(summary.dropped_count() + 1);
+    }
+  }
+  for (const v1::Sentence& sentence : layout.graph().constraint_list().sentences()) {
+    bool translated = false;
+    for (const v1::ConstraintEdge& edge : layout.graph().edges()) translated |= edge.sentence_id() == sentence.id();
+    if (!translated) summary.set_untranslated_count(summary.untranslated_count() + 1);
+  }
+  return summary;
+}
+
+void AddDiagnostics(const google::protobuf::RepeatedPtrField<v1::Diagnostic>& from, v1::Report& report) {
+  report.mutable_diagnostics()->MergeFrom(from);
+}
+
+}  // namespace
+
+// A report belongs to one job and is never used for another.
+absl::StatusOr<std::string> ReportOptions(const StageRun& run) { return run.job_id; }
+
+absl::StatusOr<v1::Artifact> RunReport(const StageRun& run) {
+  const v1::SolvedLayout& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT).solved_layout();
+  v1::EvaluateRequest request;
+  request.set_request_id(RequestId(run, "report"));
+  *request.mutable_layout_graph() = layout.graph();
+  *request.mutable_placements() = layout.placements();
+  *request.mutable_options() = run.spec.solve_options();
+  auto response = run.clients.Evaluate(request, run.call);
+  if (!response.ok()) return response.status();
+
+  v1::Artifact artifact;
+  artifact.mutable_producer()->set_program("flair-orchestrator");
+  artifact.mutable_producer()->set_method("report");
+  artifact.mutable_producer()->set_version("1");
+  v1::Report& report = *artifact.mutable_report();
+  report.set_job_id(run.job_id);
+  *report.mutable_metrics() = response->metrics();
+  *report.mutable_constraints() = Summarize(layout, *response);
+  report.mutable_stage_timings()->Assign(run.timings.begin(), run.timings.end());
+  const v1::LayoutGraph& graph = layout.graph();
+  AddDiagnostics(graph.room().diagnostics(), report);
+  AddDiagnostics(graph.zone_plan().diagnostics(), report);
+  AddDiagnostics(graph.object_list().diagnostics(), report);
+  AddDiagnostics(Input(run, v1::ARTIFACT_KIND_RAW_CONSTRAINT_LIST).raw_constraint_list().diagnostics(), report);
+  AddDiagnostics(graph.constraint_list().diagnostics(), report);
+  AddDiagnostics(graph.diagnostics(), report);
+  AddDiagnostics(layout.diagnostics(), report);
+  return artifact;
+}
+
+}  // namespace flair::orchestrator

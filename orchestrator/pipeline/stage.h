@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "flair/v1/artifact.pb.h"
+#include "flair/v1/job.pb.h"
+#include "orchestrator/pipeline/stage_clients.h"
+#include "worker_runtime/bootstrap/call_context.h"
+
+namespace flair::orchestrator {
+
+// What a stage is given. Valid during the stage only.
+struct StageRun {
+  const std::string& job_id;
+  const v1::JobSpec& spec;
+  // By kind, see Input(); a stage sees only its own inputs.
+  std::span<const v1::Artifact* const> inputs;
+  // What the stage's `options` function returned.
+  std::string options;
+  // What the stages before it took; for the report.
+  std::span<const v1::StageTiming> timings;
+  StageClients& clients;
+  runtime::CallContext& call;
+};
+
+// One step of the way from a brief to a report: a pure function of its inputs and options, made by one RPC, so that it
+// can be made again after a failure and its result used again.
+struct Stage {
+  // As in JobEvent.stage.
+  std::string_view name;
+  v1::ArtifactKind output;
+  // What it is made from, in the order of Artifact.made_from_ids.
+  std::vector<v1::ArtifactKind> inputs;
+  // Canonical bytes of the options that decide the result, "" when it takes none; null when it never takes any.
+  absl::StatusOr<std::string> (*options)(const StageRun&);
+  // The artifact with content and producer.
+  absl::StatusOr<v1::Artifact> (*run)(const StageRun&);
+};
+
+// The stages in order; a stage's inputs are outputs of stages before it. Stages of which none needs another run at the
+// same time.
+std::span<const Stage> Stages();
+
+// The input of that kind; it is there because the stage's table entry says so.
+const v1::Artifact& Input(const StageRun& run, v1::ArtifactKind kind);
+
+// Key of the stage's request, the same whenever the stage is run again for the same job.
+std::string RequestId(const StageRun& run, std::string_view stage);
+
+// The stages' functions, one file each for the worker they ask.
+absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunRoom(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunZones(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunObjects(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunStyle(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunConstraints(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunCleaning(const StageRun& run);
+absl::StatusOr<std::string> TranslationOptions(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run);
+absl::StatusOr<std::string> SolverOptions(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run);
+absl::StatusOr<std::string> RendererOptions(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunRender(const StageRun& run);
+absl::StatusOr<std::string> ReportOptions(const StageRun& run);
+absl::StatusOr<v1::Artifact> RunReport(const StageRun& run);
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/pipeline/stage_runner.h"
+
+#include <fmt/format.h>
+
+#include "google/protobuf/util/time_util.h"
+#include "orchestrator/pipeline/summary.h"
+#include "orchestrator/store/artifact_id.h"
+#include "orchestrator/store/sha256.h"
+#include "room/validation/validate.h"
+
+namespace flair::orchestrator {
+namespace {
+
+google::protobuf::Duration ToProto(absl::Duration duration) {
+  return google::protobuf::util::TimeUtil::MicrosecondsToDuration(absl::ToInt64Microseconds(duration));
+}
+
+// A worker may be anybody's program; an answer that no stage could go on with ends the job here, not somewhere later.
+absl::Status CheckAnswer(const Stage& stage, const v1::Artifact& artifact) {
+  if (KindOf(artifact) != stage.output) {
+    return absl::InternalError(
+        fmt::format("stage \"{}\": the worker's answer has no {}", stage.name, v1::ArtifactKind_Name(stage.output)));
+  }
+  const absl::Status status = Validate(artifact);
+  if (status.ok()) return status;
+  return absl::InternalError(fmt::format("stage \"{}\": the answer of {} is not valid: {}", stage.name,
+                                         artifact.producer().program(), std::string(status.message())));
+}
+
+}  // namespace
+
+absl::Status StageRunner::ReadHistory() {
+  auto events = store_.events().After(job_.id(), 0, 1000);
+  if (!events.ok()) return events.status();
+  for (v1::JobEvent& event : *events) {
+    const bool ended =
+        event.kind() == v1::JOB_EVENT_KIND_STAGE_FINISHED || event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED;
+    if (ended) history_[event.stage()] = std::move(event);
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<const v1::Artifact* const> inputs,
+                                                     std::span<const v1::StageTiming> timings) const {
+  const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
+  runtime::CallContext no_deadline;
+  StageRun run{job_.id(), job_.spec(), inputs, "", timings, clients_, no_deadline};
+  if (stage.options != nullptr) {
+    absl::StatusOr<std::string> options = Retry(stage.options, run);
+    if (!options.ok()) return options.status();
+    run.options = *std::move(options);
+  }
+  const std::string options_digest = run.options.empty() ? "" : Sha256Hex(run.options);
+  std::vector<std::string> input_ids;
+  for (const v1::Artifact* input : inputs) input_ids.push_back(input->id());
+  // The first stage asks nobody: its "input" is the brief itself.
+  const std::string own_input = inputs.empty() ? Sha256Hex(CanonicalBytes(job_.spec().brief())) : options_digest;
+  const std::string key = ResultKey(stage.name, clients_.Revision(), own_input, input_ids);
+  auto known = store_.artifacts().FindResult(key);
+  if (!known.ok()) return known.status();
+  if (known->has_value()) {
+    absl::StatusOr<Output> reused = Reuse(stage_index, **known);
+    // A file that is gone or damaged is made again.
+    if (reused.ok() || (!absl::IsNotFound(reused.status()) && !absl::IsDataLoss(reused.status()))) return reused;
+  }
+
+  if (absl::Status status = Record(stage_index, Event(v1::JOB_EVENT_KIND_STAGE_STARTED, stage), ""); !status.ok()) {
+    return status;
+  }
+  const absl::Duration start = clock_.Elapsed();
+  absl::StatusOr<v1::Artifact> artifact = Make(stage, run);
+  if (!artifact.ok()) return artifact.status();
+  artifact->set_options_digest(options_digest);
+  artifact->mutable_made_from_ids()->Assign(input_ids.begin(), input_ids.end());
+  artifact->set_id(ComputeArtifactId(*artifact));
+  if (absl::Status status = CheckAnswer(stage, *artifact); !status.ok()) return status;
+  absl::StatusOr<v1::ArtifactRef> ref = store_.files().Put(*artifact);
+  if (!ref.ok()) return ref.status();
+  v1::JobEvent event = Event(v1::JOB_EVENT_KIND_STAGE_FINISHED, stage);
+  event.set_message(Summarize(*artifact));
+  *event.mutable_artifact() = *ref;
+  *event.mutable_duration() = ToProto(clock_.Elapsed() - start);
+  if (absl::Status status = Record(stage_index, event, key); !status.ok()) return status;
+  Output output{*std::move(artifact), {}};
+  output.timing.set_stage(std::string(stage.name));
+  *output.timing.mutable_duration() = event.duration();
+  return output;
+}
+
+// Makes the stage's artifact, again where that is safe and useful. Each attempt has the whole deadline.
+template <typename Result>
+absl::StatusOr<Result> StageRunner::Retry(absl::StatusOr<Result> (*function)(const StageRun&), StageRun& run) const {
+  for (int attempt = 0;; ++attempt) {
+    runtime::CallContext call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
+    runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
+    StageRun current{run.job_id, run.spec, run.inputs, run.options, run.timings, run.clients, call};
+    absl::StatusOr<Result> result = cancellation_.cancelled()
+                                        ? absl::StatusOr<Result>(absl::CancelledError("the job was cancelled"))
+                                        : function(current);
+    if (result.ok() || cancellation_.cancelled()) return result;
+    const std::optional<absl::Duration> delay = options_.backoff.DelayAfter(result.status(), attempt, run.job_id);
+    if (!delay.has_value()) return result;
+    options_.wait(*delay, call);
+  }
+}
+
+absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, StageRun& run) const {
+  absl::StatusOr<v1::Artifact> artifact = Retry(stage.run, run);
+  if (absl::IsDeadlineExceeded(artifact.status())) {
+    return absl::DeadlineExceededError(fmt::format("stage \"{}\" did not end within {} (stage_deadline_seconds)",
+                                                   stage.name, absl::FormatDuration(options_.stage_deadline)));
+  }
+  if (!artifact.ok()) return artifact;
+  return artifact;
+}
+
+absl::StatusOr<StageRunner::Output> StageRunner::Reuse(int stage_index, const v1::ArtifactRef& ref) const {
+  const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
+  const absl::Duration start = clock_.Elapsed();
+  absl::StatusOr<v1::Artifact> artifact = store_.files().Get(ref.id());
+  if (!artifact.ok()) return artifact.status();
+  Output output{*std::move(artifact), {}};
+  output.timing.set_stage(std::string(stage.name));
+  const auto before = history_.find(stage.name);
+  if (before != history_.end() && before->second.artifact().id() == ref.id()) {
+    *output.timing.mutable_duration() = before->second.duration();
+    output.timing.set_reused(before->second.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED);
+    return output;
+  }
+  v1::JobEvent event = Event(v1::JOB_EVENT_KIND_STAGE_REUSED, stage);
+  event.set_message(Summarize(output.artifact));
+  *event.mutable_artifact() = ref;
+  *event.mutable_duration() = ToProto(clock_.Elapsed() - start);
+  if (absl::Status status = Record(stage_index, event, ""); !status.ok()) return status;
+  *output.timing.mutable_duration() = event.duration();
+  output.timing.set_reused(true);
+  return output;
+}
+
+// Stores an event with what it stands for, all or nothing.
+absl::Status StageRunner::Record(int stage_index, v1::JobEvent event, const std::string& result_key) const {
+  auto transaction = Transaction::Begin(store_.database());
+  if (!transaction.ok()) return transaction.status();
+  absl::Status status = store_.events().Append(event);
+  if (status.ok()) status = store_.jobs().SetStage(job_.id(), event.stage());
+  if (status.ok() && event.has_artifact()) {
+    status = store_.artifacts().Attach(job_.id(), stage_index, event.artifact());
+  }
+  if (status.ok() && !result_key.empty()) status = store_.artifacts().SetResult(result_key, event.artifact());
+  if (status.ok()) status = transaction->Commit();
+  if (status.ok()) options_.notify(job_.id());
+  return status;
+}
+
+v1::JobEvent StageRunner::Event(v1::JobEventKind kind, const Stage& stage) const {
+  v1::JobEvent event;
+  event.set_job_id(job_.id());
+  event.set_kind(kind);
+  event.set_stage(std::string(stage.name));
+  event.set_state(v1::JOB_STATE_RUNNING);
+  return event;
+}
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "flair/v1/job.pb.h"
+#include "orchestrator/pipeline/pipeline.h"
+#include "orchestrator/pipeline/stage.h"
+
+namespace flair::orchestrator {
+
+// Runs single stages of one job for the Pipeline: finds a stored result or makes and stores one. Run may be called from
+// several threads at once, for different stages. The arguments outlive it.
+class StageRunner {
+ public:
+  StageRunner(JobStore& store, StageClients& clients, const runtime::Clock& clock, const PipelineOptions& options,
+              const v1::Job& job, runtime::Cancellation& cancellation)
+      : store_(store), clients_(clients), clock_(clock), options_(options), job_(job), cancellation_(cancellation) {}
+
+  // Reads what the job did before it was interrupted, so that it is not told twice.
+  absl::Status ReadHistory();
+
+  struct Output {
+    v1::Artifact artifact;
+    v1::StageTiming timing;
+  };
+  absl::StatusOr<Output> Run(int stage_index, std::span<const v1::Artifact* const> inputs,
+                             std::span<const v1::StageTiming> timings) const;
+
+ private:
+  template <typename Result>
+  absl::StatusOr<Result> Retry(absl::StatusOr<Result> (*function)(const StageRun&), StageRun& run) const;
+  absl::StatusOr<v1::Artifact> Make(const Stage& stage, StageRun& run) const;
+  absl::StatusOr<Output> Reuse(int stage_index, const v1::ArtifactRef& ref) const;
+  absl::Status Record(int stage_index, v1::JobEvent event, const std::string& result_key) const;
+  v1::JobEvent Event(v1::JobEventKind kind, const Stage& stage) const;
+
+  JobStore& store_;
+  StageClients& clients_;
+  const runtime::Clock& clock_;
+  const PipelineOptions& options_;
+  const v1::Job& job_;
+  runtime::Cancellation& cancellation_;
+  // The last event with which each stage ended.
+  std::map<std::string, v1::JobEvent, std::less<>> history_;
+};
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/pipeline/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace flair::orchestrator {
+namespace {
+
+std::string Count(int64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+// At most 80 bytes, not cut inside a character.
+std::string Shorten(const std::string& text) {
+  if (text.size() <= 80) return text;
+  size_t end = 77;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return text.substr(0, end) + "...";
+}
+
+std::string OfRoom(const v1::Room& room) {
+  double width = 0;
+  double depth = 0;
+  for (const v1::Point2& vertex : room.floor().vertices()) {
+    width = std::max(width, vertex.x_m());
+    depth = std::max(depth, vertex.y_m());
+  }
+  const auto doors = std::count_if(room.openings().begin(), room.openings().end(),
+                                   [](const v1::Opening& opening) { return opening.kind() == v1::OPENING_KIND_DOOR; });
+  return fmt::format("{}, {:.4g} m x {:.4g} m: {}, {}, {}", room.room_type().empty() ? "room" : room.room_type(), width,
+                     depth, Count(doors, "door"), Count(room.openings_size() - doors, "window"),
+                     Count(room.sockets_size(), "socket"));
+}
+
+std::string OfZones(const v1::ZonePlan& plan) {
+  std::string names;
+  for (const v1::Zone& zone : plan.zones()) names += (names.empty() ? "" : ", ") + zone.name();
+  return fmt::format("{}: {}", Count(plan.zones_size(), "zone"), names);
+}
+
+std::string OfObjects(const v1::ObjectList& list) {
+  int roles[v1::ObjectRole_ARRAYSIZE] = {};
+  for (const v1::Object& object : list.objects()) {
+    if (v1::ObjectRole_IsValid(object.role())) ++roles[object.role()];
+  }
+  std::string text =
+      fmt::format("{}: {} primary, {} secondary, {} tertiary", Count(list.objects_size(), "object"),
+                  roles[v1::OBJECT_ROLE_PRIMARY], roles[v1::OBJECT_ROLE_SECONDARY], roles[v1::OBJECT_ROLE_TERTIARY]);
+  if (list.omissions_size() > 0) text += fmt::format("; {} left out", list.omissions_size());
+  return text;
+}
+
+std::string OfLayout(const v1::SolvedLayout& layout) {
+  const auto held =
+      std::count_if(layout.edge_outcomes().begin(), layout.edge_outcomes().end(),
+                    [](const v1::EdgeOutcome& outcome) { return outcome.status() == v1::OUTCOME_STATUS_SATISFIED; });
+  return fmt::format("{} placed; {} of {} hold", Count(layout.placements_size(), "object"), held,
+                     Count(layout.edge_outcomes_size(), "constraint"));
+}
+
+std::string OfReport(const v1::Report& report) {
+  return fmt::format("OOB {:.3f} %, OOR {:.3f} %; {} held, {} not, {} dropped, {} not understood",
+                     report.metrics().oob_percent(), report.metrics().oor_percent(),
+                     report.constraints().satisfied_count(), report.constraints().violated_count(),
+                     report.constraints().dropped_count(), report.constraints().untranslated_count());
+}
+
+}  // namespace
+
+std::string Summarize(const v1::Artifact& artifact) {
+  switch (artifact.content_case()) {
+    case v1::Artifact::kBrief:
+      return fmt::format("\"{}\"", Shorten(artifact.brief().text()));
+    case v1::Artifact::kRoom:
+      return OfRoom(artifact.room());
+    case v1::Artifact::kZonePlan:
+      return OfZones(artifact.zone_plan());
+    case v1::Artifact::kObjectList:
+      return OfObjects(artifact.object_list());
+    case v1::Artifact::kStyleSheet:
+      return artifact.style_sheet().name();
+    case v1::Artifact::kRawConstraintList:
+      return Count(artifact.raw_constraint_list().sentences_size(), "sentence");
+    case v1::Artifact::kConstraintList:
+      return fmt::format("{} after {}", Count(artifact.constraint_list().sentences_size(), "sentence"),
+                         Count(artifact.constraint_list().cleaning_steps_size(), "step"));
+    case v1::Artifact::kLayoutGraph:
+      return fmt::format("{} of {}", Count(artifact.layout_graph().edges_size(), "constraint"),
+                         Count(artifact.layout_graph().constraint_list().sentences_size(), "sentence"));
+    case v1::Artifact::kSolvedLayout:
+      return OfLayout(artifact.solved_layout());
+    case v1::Artifact::kPreview:
+      return fmt::format("{} x {} px, {} kB", artifact.preview().width_px(), artifact.preview().height_px(),
+                         (artifact.preview().image().size() + 999) / 1000);
+    case v1::Artifact::kReport:
+      return OfReport(artifact.report());
+    case v1::Artifact::CONTENT_NOT_SET:
+      break;
+  }
+  return "";
+}
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/store/artifact_id.h"
+
+#include <algorithm>
+
+#include "orchestrator/store/sha256.h"
+
+namespace flair::orchestrator {
+
+std::string ComputeArtifactId(v1::Artifact artifact) {
+  artifact.clear_id();
+  return Sha256Hex(CanonicalBytes(artifact));
+}
+
+v1::ArtifactKind KindOf(const v1::Artifact& artifact) {
+  // The members of the oneof are numbered from 16 in the order of the enum, which counts from 1.
+  if (artifact.content_case() == v1::Artifact::CONTENT_NOT_SET) return v1::ARTIFACT_KIND_UNSPECIFIED;
+  const int kind = static_cast<int>(artifact.content_case()) - static_cast<int>(v1::Artifact::kBrief) + 1;
+  return static_cast<v1::ArtifactKind>(kind);
+}
+
+bool IsArtifactId(std::string_view id) {
+  return id.size() == 64 &&
+         std::all_of(id.begin(), id.end(), [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+}
+
+std::string ResultKey(std::string_view stage, std::string_view revision, std::string_view options_digest,
+                      const std::vector<std::string>& input_ids) {
+  std::string text;
+  const auto append = [&text](std::string_view part) {
+    text += std::to_string(part.size());
+    text += ':';
+    text += part;
+  };
+  append(stage);
+  append(revision);
+  append(options_digest);
+  for (const std::string& id : input_ids) append(id);
+  return Sha256Hex(text);
+}
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flair/v1/artifact.pb.h"
+
+namespace flair::orchestrator {
+
+// The id that belongs to the artifact's content and origin: SHA-256 of its canonical bytes with `id` empty.
+std::string ComputeArtifactId(v1::Artifact artifact);
+
+// Which content it has; UNSPECIFIED when it has none.
+v1::ArtifactKind KindOf(const v1::Artifact& artifact);
+
+// True for 64 characters 0-9 and a-f: an id that can be a file name.
+bool IsArtifactId(std::string_view id);
+
+// Key of the index for re-use: the stage, what makes it (see StageClients::Revision), its options and its inputs.
+std::string ResultKey(std::string_view stage, std::string_view revision, std::string_view options_digest,
+                      const std::vector<std::string>& input_ids);
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/store/database.h"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <utility>
+
+#include "orchestrator/store/schema_sql.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// How long to wait for another process that writes.
+constexpr int kBusyTimeoutMs = 20000;
+
+absl::Status ToStatus(sqlite3* connection, int code) {
+  const std::string message = fmt::format("job store: {}", sqlite3_errmsg(connection));
+  switch (code & 0xff) {
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return absl::DataLossError(message);
+    case SQLITE_FULL:
+      return absl::ResourceExhaustedError(message);
+    case SQLITE_CONSTRAINT:
+      return absl::AlreadyExistsError(message);
+    case SQLITE_BUSY:
+    case SQLITE_CANTOPEN:
+    case SQLITE_IOERR:
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+      return absl::UnavailableError(message);
+    default:
+      return absl::InternalError(message);
+  }
+}
+
+}  // namespace
+
+Statement::Statement(Statement&& other) noexcept
+    : connection_(other.connection_),
+      statement_(std::exchange(other.statement_, nullptr)),
+      next_parameter_(other.next_parameter_),
+      code_(other.code_) {}
+
+Statement::~Statement() {
+  if (statement_ == nullptr) return;
+  sqlite3_reset(statement_);
+  sqlite3_clear_bindings(statement_);
+}
+
+Statement& Statement::Bind(int64_t value) {
+  if (code_ == SQLITE_OK) code_ = sqlite3_bind_int64(statement_, next_parameter_++, value);
+  return *this;
+}
+
+Statement& Statement::Bind(std::string_view text) {
+  if (code_ == SQLITE_OK) {
+    code_ = sqlite3_bind_text64(statement_, next_parameter_++, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+  }
+  return *this;
+}
+
+Statement& Statement::BindBytes(std::string_view bytes) {
+  // An empty blob must not become NULL.
+  const char* data = bytes.empty() ? "" : bytes.data();
+  if (code_ == SQLITE_OK) {
+    code_ = sqlite3_bind_blob64(statement_, next_parameter_++, data, bytes.size(), SQLITE_TRANSIENT);
+  }
+  return *this;
+}
+
+Statement& Statement::BindNull() {
+  if (code_ == SQLITE_OK) code_ = sqlite3_bind_null(statement_, next_parameter_++);
+  return *this;
+}
+
+absl::StatusOr<bool> Statement::Step() {
+  if (statement_ == nullptr) return Error();
+  if (code_ != SQLITE_OK && code_ != SQLITE_ROW) return Error();
+  code_ = sqlite3_step(statement_);
+  if (code_ == SQLITE_ROW) return true;
+  if (code_ == SQLITE_DONE) return false;
+  return Error();
+}
+
+absl::Status Statement::Run() {
+  while (true) {
+    absl::StatusOr<bool> row = Step();
+    if (!row.ok()) return row.status();
+    if (!*row) return absl::OkStatus();
+  }
+}
+
+int64_t Statement::Int(int column) const { return sqlite3_column_int64(statement_, column); }
+
+std::string Statement::Text(int column) const {
+  const void* data = sqlite3_column_blob(statement_, column);
+  const int size = sqlite3_column_bytes(statement_, column);
+  return data == nullptr ? "" : std::string(static_cast<const char*>(data), static_cast<size_t>(size));
+}
+
+absl::Status Statement::Error() const {
+  return ToStatus(connection_, code_ == SQLITE_OK ? sqlite3_errcode(connection_) : code_);
+}
+
+absl::StatusOr<std::unique_ptr<Database>> Database::Open(const std::string& path) {
+  sqlite3* connection = nullptr;
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
+  const int code = sqlite3_open_v2(path.c_str(), &connection, flags, nullptr);
+  std::unique_ptr<Database> database(new Database(connection));
+  absl::Status status = code == SQLITE_OK ? database->Configure() : ToStatus(connection, code);
+  if (status.ok()) status = database->Migrate();
+  if (!status.ok()) return absl::Status(status.code(), fmt::format("{}: {}", path, std::string(status.message())));
+  return database;
+}
+
+Database::~Database() {
+  for (auto& [sql, statement] : statements_) sqlite3_finalize(statement);
+  sqlite3_close(connection_);
+}
+
+absl::Status Database::Configure() {
+  sqlite3_busy_timeout(connection_, kBusyTimeoutMs);
+  sqlite3_extended_result_codes(connection_, 1);
+  if (absl::Status status = Execute("PRAGMA journal_mode = WAL"); !status.ok()) return status;
+  return Execute("PRAGMA synchronous = NORMAL");
+}
+
+// Each step of the schema's history runs once per file; a new one is added at the end, old ones never change.
+absl::Status Database::Migrate() {
+  const std::string_view migrations[] = {kSchemaSql};
+  constexpr int64_t kVersion = std::size(migrations);
+  absl::StatusOr<Transaction> transaction = Transaction::Begin(*this);
+  if (!transaction.ok()) return transaction.status();
+  int64_t version = 0;
+  {
+    Statement statement = Prepare("PRAGMA user_version");
+    absl::StatusOr<bool> row = statement.Step();
+    if (!row.ok()) return row.status();
+    version = statement.Int(0);
+  }
+  if (version > kVersion) {
+    return absl::FailedPreconditionError(fmt::format(
+        "the job store has version {}, this program knows up to {}; use the newer Flair", version, kVersion));
+  }
+  if (version == kVersion) return absl::OkStatus();
+  for (int64_t i = version; i < kVersion; ++i) {
+    if (absl::Status status = Execute(std::string(migrations[i])); !status.ok()) return status;
+  }
+  if (absl::Status status = Execute(fmt::format("PRAGMA user_version = {}", kVersion)); !status.ok()) return status;
+  return transaction->Commit();
+}
+
+Statement Database::Prepare(std::string_view sql) {
+  auto found = statements_.find(sql);
+  if (found == statements_.end()) {
+    sqlite3_stmt* statement = nullptr;
+    sqlite3_prepare_v3(connection_, sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT, &statement,
+                       nullptr);
+    if (statement == nullptr) return Statement(connection_, nullptr);
+    found = statements_.emplace(std::string(sql), statement).first;
+  }
+  return Statement(connection_, found->second);
+}
+
+int64_t Database::changes() const { return sqlite3_changes64(connection_); }
+
+absl::Status Database::Execute(const std::string& sql) {
+  const int code = sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr);
+  return code == SQLITE_OK ? absl::OkStatus() : ToStatus(connection_, code);
+}
+
+absl::StatusOr<Transaction> Transaction::Begin(Database& database, Durability durability) {
+  std::unique_lock<std::recursive_mutex> lock = database.lock();
+  const bool full = durability == Durability::kPowerLoss;
+  if (absl::Status status = database.Execute(full ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
+      !status.ok()) {
+    return status;
+  }
+  if (absl::Status status = database.Execute("BEGIN IMMEDIATE"); !status.ok()) return status;
+  return Transaction(database, std::move(lock));
+}
+
+Transaction::Transaction(Transaction&& other) noexcept
+    : database_(std::exchange(other.database_, nullptr)), lock_(std::move(other.lock_)) {}
+
+Transaction::~Transaction() {
+  if (database_ != nullptr) (void)database_->Execute("ROLLBACK");
+}
+
+absl::Status Transaction::Commit() {
+  absl::Status status = database_->Execute("COMMIT");
+  if (status.ok()) database_ = nullptr;
+  return status;
+}
+
+}  // namespace flair::orchestrator
