@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Promising poses for one object: where a designer would try it. The discrete guess (which wall, which side of the
+// table) matters more than the local solve, so many are proposed and each is judged by the true cost.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "optimizer_worker/solver/random.h"
+#include "room/scene/scene.h"
+
+namespace flair::optimizer {
+
+// What is known when an object is to be placed.
+struct CandidateContext {
+  const Scene& scene;
+  const Layout& layout;
+  // Objects that have a pose.
+  std::span<const int> placed;
+  // Objects that an edge names together with this one; those without a pose are skipped.
+  std::span<const int> partners;
+  // Means of the zones; far away for empty zones.
+  std::span<const Vec2<double>> zone_centers;
+};
+
+// How many of each kind to propose.
+struct CandidateDensity {
+  int wall_samples = 3;
+  int floor_samples = 20;
+  int partner_samples = 1;
+};
+
+// Appends poses for objects of any kind:
+//  - floor: each side flush on each wall (corners, middle, beside openings and neighbours, before partners), each side
+//    at each side of each partner (touching and at some distance), and spread over the floor, at cardinal headings;
+//  - rugs: under and before each partner, at the middles of the room and of the zone, spread over the floor;
+//  - wall: on each wall at partners' and zones' projections, between and beside openings, spread along it;
+//  - ceiling: above partners, at the middles of the room and the zones, spread;
+//  - surface: at the middle, corners and edges of its host and partners.
+void ProposeCandidates(const CandidateContext& context, int object, const CandidateDensity& density, Random& random,
+                       std::vector<Pose<double>>& out);
+
+// Appends small moves of `pose`: along and across its heading, by 1 to 40 cm.
+void ProposeNudges(const Pose<double>& pose, Random& random, std::vector<Pose<double>>& out);
+
+}  // namespace flair::optimizer

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/solver/problem.h"
+
+#include <algorithm>
+
+namespace flair::optimizer {
+
+Pose<double> FarAway(int object) { return {1e4 + 100.0 * object, 1e4, 0}; }
+
+Problem::Problem(std::span<const Term> terms, std::vector<int> active, int object_count)
+    : terms_(terms),
+      active_(std::move(active)),
+      touching_(object_count),
+      requiring_(object_count),
+      missing_(active_.size(), 0),
+      placed_(object_count, false) {
+  std::stable_partition(active_.begin(), active_.end(), [&](int t) { return terms_[t].hard; });
+  size_t most_operands = 0;
+  for (int slot = 0; slot < static_cast<int>(active_.size()); ++slot) {
+    const Term& term = terms_[active_[slot]];
+    for (int object : term.cost->objects()) touching_[object].push_back(slot);
+    for (int object : term.required) requiring_[object].push_back(slot);
+    missing_[slot] = static_cast<int>(term.required.size());
+    most_operands = std::max(most_operands, term.cost->objects().size());
+  }
+  operands_.resize(most_operands);
+  operand_gradient_.resize(3 * most_operands);
+}
+
+void Problem::SetPlaced(int object, bool placed) {
+  if (static_cast<bool>(placed_[object]) == placed) return;
+  placed_[object] = placed;
+  for (int slot : requiring_[object]) missing_[slot] += placed ? -1 : 1;
+}
+
+std::span<const Pose<double>> Problem::Gather(int slot, std::span<const Pose<double>> poses) {
+  const std::span<const int> objects = terms_[active_[slot]].cost->objects();
+  for (size_t k = 0; k < objects.size(); ++k) operands_[k] = poses[objects[k]];
+  return {operands_.data(), objects.size()};
+}
+
+double Problem::Value(int slot, std::span<const Pose<double>> poses) {
+  ++evaluations_;
+  const Term& term = terms_[active_[slot]];
+  return term.weight * term.cost->Value(Gather(slot, poses));
+}
+
+double Problem::Total(std::span<const Pose<double>> poses) {
+  double sum = 0;
+  for (int slot = 0; slot < static_cast<int>(active_.size()); ++slot) {
+    if (missing_[slot] == 0) sum += Value(slot, poses);
+  }
+  return sum;
+}
+
+double Problem::Around(int object, std::span<const Pose<double>> poses, double limit) {
+  double sum = 0;
+  for (int slot : touching_[object]) {
+    if (missing_[slot] != 0) continue;
+    sum += Value(slot, poses);
+    if (sum > limit) return sum;
+  }
+  return sum;
+}
+
+double Problem::Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) {
+  double sum = 0;
+  for (int slot = 0; slot < static_cast<int>(active_.size()); ++slot) {
+    if (missing_[slot] != 0) continue;
+    ++evaluations_;
+    const Term& term = terms_[active_[slot]];
+    const std::span<const int> objects = term.cost->objects();
+    const std::span<double> part(operand_gradient_.data(), 3 * objects.size());
+    sum += term.weight * term.cost->Gradient(Gather(slot, poses), part);
+    for (size_t k = 0; k < objects.size(); ++k) {
+      for (int c = 0; c < 3; ++c) gradient[3 * objects[k] + c] += term.weight * part[3 * k + c];
+    }
+  }
+  return sum;
+}
+
+double Problem::Hard(std::span<const Pose<double>> poses) {
+  double sum = 0;
+  for (int slot = 0; slot < static_cast<int>(active_.size()); ++slot) {
+    if (missing_[slot] == 0 && terms_[active_[slot]].hard) sum += Value(slot, poses);
+  }
+  return sum;
+}
+
+ProblemObjective::ProblemObjective(Problem& problem, std::vector<Pose<double>>& poses, std::vector<int> free, bool turn)
+    : problem_(problem),
+      poses_(poses),
+      free_(std::move(free)),
+      stride_(turn ? 3 : 2),
+      full_gradient_(3 * poses.size(), 0.0) {}
+
+double ProblemObjective::Evaluate(std::span<const double> x, std::span<double> gradient) {
+  Apply(x);
+  if (gradient.empty()) return problem_.Total(poses_);
+  std::fill(full_gradient_.begin(), full_gradient_.end(), 0.0);
+  const double value = problem_.Gradient(poses_, full_gradient_);
+  for (size_t i = 0; i < free_.size(); ++i) {
+    for (int c = 0; c < stride_; ++c) gradient[i * stride_ + c] = full_gradient_[3 * free_[i] + c];
+  }
+  return value;
+}
+
+std::vector<double> ProblemObjective::Start() const {
+  std::vector<double> x;
+  for (int object : free_) {
+    x.push_back(poses_[object].x_m);
+    x.push_back(poses_[object].y_m);
+    if (stride_ == 3) x.push_back(poses_[object].theta_rad);
+  }
+  return x;
+}
+
+void ProblemObjective::Apply(std::span<const double> x) {
+  for (size_t i = 0; i < free_.size(); ++i) {
+    Pose<double>& pose = poses_[free_[i]];
+    pose.x_m = x[i * stride_];
+    pose.y_m = x[i * stride_ + 1];
+    if (stride_ == 3) pose.theta_rad = x[i * stride_ + 2];
+  }
+}
+
+}  // namespace flair::optimizer

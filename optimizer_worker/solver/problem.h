@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sum of weighted costs over the poses of a scene's objects, of which some are free to move.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "optimizer_worker/constraints/cost.h"
+#include "optimizer_worker/solver/objective.h"
+#include "room/geometry/pose.h"
+
+namespace flair::optimizer {
+
+// One summand. Shared by all problems of a solve.
+struct Term {
+  std::unique_ptr<const Cost> cost;
+  // Factor in the search: lambda or edge weight, times `kHardFactor` for hard terms.
+  double weight = 1;
+  // Objects that must be placed for the term to count; the cost may read others, which stand far away until then.
+  std::vector<int> required;
+  // Overlap, bounds and doors: must be zero in the end.
+  bool hard = false;
+  // Index of the graph's edge, or -1 for a whole-room term called `name`.
+  int edge = -1;
+  std::string name;
+  // The paper's factor of a whole-room term, without `kHardFactor`.
+  double factor = 1;
+};
+
+// The paper's penalties compete with the wishes; the search must not trade a wish for an overlap.
+inline constexpr double kHardFactor = 40;
+
+// Where objects stand that are not placed yet: so far away that no cost between them and the room acts.
+Pose<double> FarAway(int object);
+
+// Evaluates a set of terms. Keeps scratch memory, so one Problem serves one thread; copies are cheap and independent.
+// `terms` must outlive it.
+class Problem {
+ public:
+  // Counts the terms chosen by `active` (indices into `terms`), over `object_count` objects.
+  Problem(std::span<const Term> terms, std::vector<int> active, int object_count);
+
+  // Says that an object has (or has not) a pose; terms that require a missing one do not count.
+  void SetPlaced(int object, bool placed);
+  bool placed(int object) const { return placed_[object]; }
+
+  // Sum of all terms that count.
+  double Total(std::span<const Pose<double>> poses);
+  // Sum of the terms that read `object`; may stop early with any number above `limit`.
+  double Around(int object, std::span<const Pose<double>> poses, double limit);
+  // Sum of all terms that count; adds each gradient into `gradient`, three numbers per object of the scene.
+  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient);
+  // Sum of the hard terms.
+  double Hard(std::span<const Pose<double>> poses);
+
+  int64_t evaluations() const { return evaluations_; }
+  int object_count() const { return static_cast<int>(placed_.size()); }
+  std::span<const Term> terms() const { return terms_; }
+  std::span<const int> active() const { return active_; }
+
+ private:
+  double Value(int slot, std::span<const Pose<double>> poses);
+  std::span<const Pose<double>> Gather(int slot, std::span<const Pose<double>> poses);
+
+  std::span<const Term> terms_;
+  std::vector<int> active_;                 // slot -> term, hard terms first
+  std::vector<std::vector<int>> touching_;  // object -> slots, hard terms first
+  std::vector<std::vector<int>> requiring_;
+  std::vector<int> missing_;  // slot -> required objects without a pose
+  std::vector<char> placed_;
+  std::vector<Pose<double>> operands_;
+  std::vector<double> operand_gradient_;
+  int64_t evaluations_ = 0;
+};
+
+// A Problem as an Objective of chosen objects: x, y and, if asked for, theta of each.
+class ProblemObjective final : public Objective {
+ public:
+  // Both are borrowed; `poses` holds every object, those in `free` are overwritten by Evaluate.
+  ProblemObjective(Problem& problem, std::vector<Pose<double>>& poses, std::vector<int> free, bool turn);
+  int size() const override { return static_cast<int>(free_.size()) * stride_; }
+  double Evaluate(std::span<const double> x, std::span<double> gradient) override;
+
+  std::vector<double> Start() const;
+  void Apply(std::span<const double> x);
+  int stride() const { return stride_; }
+
+ private:
+  Problem& problem_;
+  std::vector<Pose<double>>& poses_;
+  std::vector<int> free_;
+  int stride_;
+  std::vector<double> full_gradient_;
+};
+
+}  // namespace flair::optimizer

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/solver/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "optimizer_worker/solver/separation.h"
+
+namespace flair::optimizer {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+// A re-placement must gain this much, or rounding would move things forever.
+constexpr double kLeastGain = 1e-7;
+// How many of the best poses of an object are also judged by walkability.
+constexpr size_t kWalkChoices = 5;
+constexpr double kBox_m = 0.3;
+
+}  // namespace
+
+LayoutSearch::LayoutSearch(const SearchInput& input, Problem problem, Layout layout)
+    : input_(input), problem_(std::move(problem)), layout_(std::move(layout)) {
+  if (input.walk_grid) walk_grid_.push_back(*input.walk_grid);
+  for (int i = 0; i < problem_.object_count(); ++i) {
+    if (!problem_.placed(i)) layout_[i] = FarAway(i);
+  }
+}
+
+double LayoutSearch::WalkPenalty() {
+  if (walk_grid_.empty()) return 0;
+  obstacles_.clear();
+  for (int i = 0; i < problem_.object_count(); ++i) {
+    if (problem_.placed(i) && IsSolid(input_.scene.objects[i])) {
+      obstacles_.push_back({layout_[i], input_.scene.objects[i].footprint});
+    }
+  }
+  const WalkResult walk = walk_grid_.front().Measure(obstacles_);
+  const WalkWeights& weights = input_.walk_weights;
+  return weights.unreachable_floor * (1 - walk.reachable_share) + weights.blocked_front * walk.blocked_fronts +
+         (walk.door_free ? 0.0 : weights.blocked_door);
+}
+
+double LayoutSearch::Score() { return problem_.Total(layout_) + WalkPenalty(); }
+
+void LayoutSearch::Propose(int object, const CandidateDensity& density, Random& random) {
+  placed_.clear();
+  for (int i = 0; i < problem_.object_count(); ++i) {
+    if (i != object && problem_.placed(i)) placed_.push_back(i);
+  }
+  candidates_.clear();
+  const CandidateContext context{input_.scene, layout_, placed_, input_.partners[object], input_.zone_centers};
+  ProposeCandidates(context, object, density, random, candidates_);
+  // Rooms too small for any proposal still get one: the middle.
+  if (candidates_.empty()) {
+    const Vec2<double> middle = BoundsOf(input_.scene.room.floor).Center();
+    candidates_.push_back({middle.x, middle.y, 0});
+  }
+}
+
+void LayoutSearch::Rank(int object, double limit, double noise, Random& random, size_t keep) {
+  choices_.clear();
+  const Pose<double> before = layout_[object];
+  for (const Pose<double>& candidate : candidates_) {
+    layout_[object] = candidate;
+    const double handicap = noise > 0 ? noise * random.Uniform() : 0.0;
+    const double bound = choices_.size() < keep ? limit : std::min(limit, choices_.back().cost);
+    const double cost = handicap + problem_.Around(object, layout_, bound - handicap);
+    if (cost >= bound) continue;
+    const auto place = std::upper_bound(choices_.begin(), choices_.end(), cost,
+                                        [](double value, const Choice& choice) { return value < choice.cost; });
+    if (choices_.size() == keep && place == choices_.end()) continue;
+    choices_.insert(place, {candidate, cost});
+    if (choices_.size() > keep) choices_.pop_back();
+  }
+  layout_[object] = before;
+}
+
+void LayoutSearch::Construct(std::span<const int> objects, double noise, Random& random) {
+  for (int object : objects) {
+    problem_.SetPlaced(object, true);
+    Propose(object, CandidateDensity{}, random);
+    Rank(object, kNever, noise, random, 1);
+    layout_[object] = choices_.empty() ? candidates_.front() : choices_.front().pose;
+  }
+}
+
+void LayoutSearch::Sweep(std::span<const int> objects, int rounds, const CandidateDensity& density, Random& random) {
+  for (int round = 0; round < rounds; ++round) {
+    bool moved = false;
+    for (int object : objects) {
+      const Pose<double> before = layout_[object];
+      const double cost_before = problem_.Around(object, layout_, kNever);
+      const double walk_before = WalkPenalty();
+      Propose(object, density, random);
+      ProposeNudges(before, random, candidates_);
+      // A pose may cost a little more when it frees the way.
+      Rank(object, cost_before + walk_before, 0, random, walk_grid_.empty() ? 1 : kWalkChoices);
+      double best = cost_before + walk_before - kLeastGain;
+      Pose<double> chosen = before;
+      for (const Choice& choice : choices_) {
+        if (choice.cost >= best) break;
+        layout_[object] = choice.pose;
+        const double score = choice.cost + WalkPenalty();
+        if (score >= best) continue;
+        best = score;
+        chosen = choice.pose;
+        moved = true;
+      }
+      layout_[object] = chosen;
+    }
+    if (!moved) return;
+  }
+}
+
+bool LayoutSearch::MoveTogether(int anchor, std::span<const int> members, const CandidateDensity& density,
+                                Random& random) {
+  const Layout before = layout_;
+  const Frame<double> old_frame = FrameOf(before[anchor]);
+  const double walk_before = WalkPenalty();
+  double best_cost = problem_.Total(layout_);
+  const double score_before = best_cost + walk_before;
+  Propose(anchor, density, random);
+  ProposeNudges(before[anchor], random, candidates_);
+  const std::vector<Pose<double>> candidates = candidates_;
+  Layout best = before;
+  // The best pose by cost, then one look at the way.
+  best_cost += walk_before;
+  bool found = false;
+  for (const Pose<double>& candidate : candidates) {
+    const Frame<double> frame = FrameOf(candidate);
+    layout_[anchor] = candidate;
+    for (int member : members) {
+      const Vec2<double> local = old_frame.ToObject(Center(before[member]));
+      const Vec2<double> p = frame.ToRoom(local.x, local.y);
+      layout_[member] = {p.x, p.y, before[member].theta_rad + candidate.theta_rad - before[anchor].theta_rad};
+    }
+    if (problem_.Around(anchor, layout_, best_cost) >= best_cost) continue;
+    const double cost = problem_.Total(layout_);
+    if (cost >= best_cost) continue;
+    best_cost = cost;
+    best = layout_;
+    found = true;
+  }
+  layout_ = best;
+  if (found && best_cost + WalkPenalty() < score_before - kLeastGain) return true;
+  layout_ = before;
+  return false;
+}
+
+bool LayoutSearch::Replace(std::span<const int> objects, double noise, Random& random) {
+  const Layout before = layout_;
+  const double score_before = Score();
+  for (int object : objects) {
+    problem_.SetPlaced(object, false);
+    layout_[object] = FarAway(object);
+  }
+  Construct(objects, noise, random);
+  if (problem_.Total(layout_) < score_before && Score() < score_before - kLeastGain) return true;
+  layout_ = before;
+  return false;
+}
+
+SolverReport LayoutSearch::Descend(std::span<const int> objects, const SolverLimits& limits) {
+  ProblemObjective objective(problem_, layout_, {objects.begin(), objects.end()}, true);
+  std::vector<double> x = objective.Start();
+  Bounds bounds;
+  const BoundingBox box = BoundsOf(input_.scene.room.floor);
+  for (size_t i = 0; i < objects.size(); ++i) {
+    bounds.lower.insert(bounds.lower.end(), {box.min.x - kBox_m, box.min.y - kBox_m, x[3 * i + 2] - 1.0});
+    bounds.upper.insert(bounds.upper.end(), {box.max.x + kBox_m, box.max.y + kBox_m, x[3 * i + 2] + 1.0});
+  }
+  const SolverReport report = input_.solver.Minimize(objective, bounds, limits, x);
+  objective.Apply(x);
+  return report;
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Places objects by trying candidate poses against the true cost: greedy construction, sweeps that re-place one object
+// at a time, moves of a piece together with what belongs to it, and a gradient descent at the end.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "optimizer_worker/solver/candidates.h"
+#include "optimizer_worker/solver/problem.h"
+#include "optimizer_worker/solver/solver.h"
+#include "optimizer_worker/solver/walk_grid.h"
+
+namespace flair::optimizer {
+
+// What the walkability of a layout is worth, in units of cost: the paper has no term for it. Small against a wish that
+// is missed, large against nearly equal minima.
+struct WalkWeights {
+  double unreachable_floor = 2.0;
+  double blocked_front = 0.15;
+  double blocked_door = 2.0;
+};
+
+// All that a search reads. Borrowed; must outlive it.
+struct SearchInput {
+  const Scene& scene;
+  // Per object, the objects that edges name together with it.
+  const std::vector<std::vector<int>>& partners;
+  std::span<const Vec2<double>> zone_centers;
+  const Solver& solver;
+  // Null when walking does not matter (tertiaries).
+  const WalkGrid* walk_grid = nullptr;
+  WalkWeights walk_weights;
+};
+
+class LayoutSearch {
+ public:
+  // `problem` says what is placed already; `layout` has a pose for those.
+  LayoutSearch(const SearchInput& input, Problem problem, Layout layout);
+
+  // Places `objects` in this order, each where the cost is least; `noise` > 0 adds up to that much to each candidate.
+  void Construct(std::span<const int> objects, double noise, Random& random);
+  // Re-places each of `objects` while that helps, at most `rounds` times round.
+  void Sweep(std::span<const int> objects, int rounds, const CandidateDensity& density, Random& random);
+  // Moves `anchor` and the objects attached to it as one piece to the best candidate, if that helps.
+  bool MoveTogether(int anchor, std::span<const int> members, const CandidateDensity& density, Random& random);
+  // Takes objects out and places them anew; keeps the result only if the score falls.
+  bool Replace(std::span<const int> objects, double noise, Random& random);
+  // Descends along the gradient over x, y, theta of `objects`.
+  SolverReport Descend(std::span<const int> objects, const SolverLimits& limits);
+
+  // Cost plus what bad walkability is worth.
+  double Score();
+  double Cost() { return problem_.Total(layout_); }
+  // Not more than `value`: scores are compared often and are costly.
+  const Layout& layout() const { return layout_; }
+  void set_layout(const Layout& layout) { layout_ = layout; }
+  Problem& problem() { return problem_; }
+  int64_t evaluations() const { return problem_.evaluations(); }
+
+ private:
+  struct Choice {
+    Pose<double> pose;
+    double cost;
+  };
+  double WalkPenalty();
+  // The candidate poses of `object`, given all else, into candidates_.
+  void Propose(int object, const CandidateDensity& density, Random& random);
+  // The best few of candidates_, best first.
+  void Rank(int object, double limit, double noise, Random& random, size_t keep);
+
+  const SearchInput& input_;
+  Problem problem_;
+  Layout layout_;
+  std::vector<WalkGrid> walk_grid_;  // none or one: a private copy
+  std::vector<int> placed_;
+  std::vector<Pose<double>> candidates_;
+  std::vector<Choice> choices_;
+  std::vector<Obstacle> obstacles_;
+};
+
+}  // namespace flair::optimizer

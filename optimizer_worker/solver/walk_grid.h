@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a person can walk in a furnished room: a raster of disc positions, 64 cells to a word.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "room/geometry/footprint.h"
+#include "room/geometry/pose.h"
+#include "room/scene/room.h"
+
+namespace flair::optimizer {
+
+// Something that stands on the floor and is in the way.
+struct Obstacle {
+  Pose<double> pose;
+  Footprint footprint;
+};
+
+struct WalkResult {
+  // Share of the free floor that the disc sweeps when it starts at a door, [0, 1]; 1 when there is no free floor.
+  double reachable_share = 1;
+  // Obstacles whose front cannot be stood at: no reachable disc centre within 0.6 m before it.
+  int blocked_fronts = 0;
+  // False when no disc fits at any door; then nothing is reachable.
+  bool door_free = true;
+};
+
+// Accurate to the cell: 0.05 m, coarser in rooms of more than 15 m. Keeps scratch memory: one grid serves one thread;
+// copies are independent.
+class WalkGrid {
+ public:
+  // `path_width_m` is the diameter of the disc. Without doors the largest connected area counts as reachable.
+  WalkGrid(const Room& room, double path_width_m);
+  WalkResult Measure(std::span<const Obstacle> obstacles);
+  // Per obstacle of the last Measure: whether its front was reachable.
+  const std::vector<char>& front_reachable() const { return front_reachable_; }
+
+ private:
+  // A raster, row by row.
+  using Mask = std::vector<uint64_t>;
+  // Cells [first, last] of a row that hang together, and the set they belong to.
+  struct Run {
+    int row, first, last, parent;
+    bool at_door;
+  };
+
+  void Rasterize(const Room& room);
+  uint64_t* RowOf(Mask& mask, int y) const { return mask.data() + static_cast<size_t>(y) * words_; }
+  void ClearShape(Mask& mask, const Obstacle& obstacle, double radius_m) const;
+  bool TouchesFront(const Obstacle& obstacle) ;
+  void FindRuns();
+  void JoinRows();
+  int RootOf(int run);
+  // The set to walk in; -1 when there is none.
+  int ChooseArea();
+  void Sweep(int area);
+  double SweptShare();
+
+  double cell_m_, radius_m_;
+  int width_, height_, words_;
+  bool has_door_ = false;
+  Mask inside_, roomy_, door_;  // of the empty room: floor, disc fits, before a door
+  Mask free_, open_, reached_, swept_;
+  std::vector<Run> runs_;
+  std::vector<int> row_start_;
+  std::vector<int> area_size_;
+  std::vector<char> front_reachable_;
+};
+
+}  // namespace flair::optimizer

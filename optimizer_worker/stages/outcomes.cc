@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/outcomes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "fmt/format.h"
+#include "optimizer_worker/stages/exact_step.h"
+#include "optimizer_worker/stages/tertiary.h"
+#include "optimizer_worker/zones/voronoi_zones.h"
+#include "room/geometry/angle.h"
+
+namespace flair::optimizer {
+namespace {
+
+constexpr double kFits_m = 1e-6;
+
+double CostOf(const Term& term, const Layout& layout) {
+  std::vector<Pose<double>> poses;
+  for (int object : term.cost->objects()) poses.push_back(layout[object]);
+  return term.cost->Value(poses);
+}
+
+// The first object that the term needs and that has no pose; -1 when all have one.
+int MissingObject(const Term& term, const PartialLayout& state) {
+  for (int object : term.required) {
+    if (!state.placed[object]) return object;
+  }
+  return -1;
+}
+
+std::string HowFarOff(const std::string& type, double cost) {
+  return fmt::format("\"{}\" is not met: its cost is {:.3g}, {} would be met", type, cost, kSatisfiedCost);
+}
+
+double UndersideOf(const SolveInput& input, int object, const PartialLayout& state) {
+  const Scene& scene = input.scene;
+  const Object& what = scene.objects[object];
+  switch (what.kind) {
+    case ObjectKind::kFloor:
+    case ObjectKind::kWall:
+      return what.elevation_m;
+    case ObjectKind::kCeiling:
+      return std::max(0.0, scene.room.height_m - what.height_m);
+    case ObjectKind::kSurface: {
+      const int carrier = CarrierOf(scene, object, state);
+      return what.elevation_m + (carrier >= 0 ? scene.TopOf(carrier) : 0.0);
+    }
+  }
+  return 0;
+}
+
+v1::Diagnostic DoesNotFit(const Scene& scene, const Violation& violation) {
+  v1::Diagnostic diagnostic;
+  diagnostic.set_severity(v1::SEVERITY_WARNING);
+  diagnostic.set_code("does_not_fit");
+  diagnostic.set_subject_id(scene.objects[violation.object].id);
+  const std::string where = violation.other >= 0 ? fmt::format("overlaps \"{}\"", scene.objects[violation.other].id)
+                            : violation.at_door  ? "stands in the way of a door"
+                                                 : "reaches out of the room";
+  const Footprint& footprint = scene.objects[violation.object].footprint;
+  diagnostic.set_message(fmt::format(
+      "\"{}\" ({:.2f} m x {:.2f} m) {} by {:.2f} m: the furniture does not fit; leave something out or take smaller pieces",
+      scene.objects[violation.object].id, footprint.width_m, footprint.depth_m, where, violation.depth_m));
+  return diagnostic;
+}
+
+}  // namespace
+
+std::vector<v1::EdgeOutcome> EdgeOutcomes(const SolveInput& input, const SceneCosts& costs,
+                                          const PartialLayout& state) {
+  std::vector<v1::EdgeOutcome> outcomes(input.graph.edges_size());
+  for (int e = 0; e < input.graph.edges_size(); ++e) {
+    outcomes[e].set_edge_id(input.graph.edges(e).id());
+    outcomes[e].set_status(v1::OUTCOME_STATUS_DROPPED);
+    outcomes[e].set_reason(costs.dropped[e]);
+  }
+  for (const Term& term : costs.terms) {
+    if (term.edge < 0) continue;
+    v1::EdgeOutcome& outcome = outcomes[term.edge];
+    const int missing = MissingObject(term, state);
+    if (missing >= 0) {
+      outcome.set_reason(fmt::format("object \"{}\" is not placed", input.scene.objects[missing].id));
+      continue;
+    }
+    const double cost = CostOf(term, state.layout);
+    const bool satisfied = cost <= kSatisfiedCost;
+    outcome.set_cost(cost);
+    outcome.set_weighted_cost(cost * term.weight);
+    outcome.set_status(satisfied ? v1::OUTCOME_STATUS_SATISFIED : v1::OUTCOME_STATUS_VIOLATED);
+    if (!satisfied) outcome.set_reason(HowFarOff(input.graph.edges(term.edge).type(), cost));
+  }
+  return outcomes;
+}
+
+std::vector<v1::TermOutcome> TermOutcomes(const SolveInput& input, const SceneCosts& costs,
+                                          const PartialLayout& state) {
+  std::map<std::string, v1::TermOutcome> by_name;
+  for (const Term& term : costs.terms) {
+    if (term.edge >= 0 || MissingObject(term, state) >= 0) continue;
+    v1::TermOutcome& outcome = by_name[term.name];
+    outcome.set_term(term.name);
+    outcome.set_cost(outcome.cost() + CostOf(term, state.layout));
+    outcome.set_factor(term.factor);
+  }
+  std::vector<v1::TermOutcome> outcomes;
+  for (auto& [name, outcome] : by_name) outcomes.push_back(std::move(outcome));
+  return outcomes;
+}
+
+std::vector<v1::Placement> MakePlacements(const SolveInput& input, const PartialLayout& state) {
+  std::vector<v1::Placement> placements;
+  for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
+    if (!state.placed[i]) continue;
+    v1::Placement& placement = placements.emplace_back();
+    placement.set_object_id(input.scene.objects[i].id);
+    placement.set_x_m(state.layout[i].x_m);
+    placement.set_y_m(state.layout[i].y_m);
+    placement.set_z_m(UndersideOf(input, i, state));
+    placement.set_theta_rad(WrapHeading(state.layout[i].theta_rad));
+  }
+  return placements;
+}
+
+std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const PartialLayout& state) {
+  const Scene& scene = input.scene;
+  std::vector<v1::Diagnostic> diagnostics;
+  std::vector<int> floor;
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+    if (state.placed[i]) {
+      floor.push_back(i);
+      continue;
+    }
+    v1::Diagnostic& diagnostic = diagnostics.emplace_back();
+    diagnostic.set_severity(v1::SEVERITY_ERROR);
+    diagnostic.set_code("not_placed");
+    diagnostic.set_subject_id(scene.objects[i].id);
+    diagnostic.set_message(fmt::format("\"{}\" was not placed", scene.objects[i].id));
+  }
+  for (const Violation& violation : FindViolations(scene, input.keep_out, floor, state.layout, kFits_m)) {
+    diagnostics.push_back(DoesNotFit(scene, violation));
+  }
+  return diagnostics;
+}
+
+std::vector<v1::ZoneRegion> MakeZoneRegions(const SolveInput& input, const PartialLayout& state) {
+  const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, state.placed, state.layout);
+  const std::vector<ZoneCell> cells = VoronoiZones(input.scene.room.floor, centers);
+  std::vector<v1::ZoneRegion> regions;
+  for (size_t z = 0; z < centers.size(); ++z) {
+    if (centers[z].x >= kEmptyZone_m) continue;
+    v1::ZoneRegion& region = regions.emplace_back();
+    region.set_zone_id(input.scene.zones[z].id);
+    region.mutable_center()->set_x_m(centers[z].x);
+    region.mutable_center()->set_y_m(centers[z].y);
+    for (const Polygon& part : cells[z]) {
+      v1::Polygon* polygon = region.add_parts();
+      for (const Vec2<double>& p : part.vertices) {
+        v1::Point2* vertex = polygon->add_vertices();
+        vertex->set_x_m(p.x);
+        vertex->set_y_m(p.y);
+      }
+    }
+  }
+  return regions;
+}
+
+}  // namespace flair::optimizer

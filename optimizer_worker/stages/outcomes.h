@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a layout amounts to: the outcome of every edge and whole-room term, zone areas, and what does not fit.
+#pragma once
+
+#include <vector>
+
+#include "flair/v1/solved_layout.pb.h"
+#include "optimizer_worker/stages/scene_costs.h"
+#include "optimizer_worker/stages/solve_input.h"
+#include "optimizer_worker/stages/stage.h"
+
+namespace flair::optimizer {
+
+// A cost up to this counts as zero: a distance missed by 3 cm, a direction missed by 3 degrees.
+inline constexpr double kSatisfiedCost = 1e-3;
+
+// One per edge of the graph, in its order.
+std::vector<v1::EdgeOutcome> EdgeOutcomes(const SolveInput& input, const SceneCosts& costs, const PartialLayout& state);
+
+// One per kind of whole-room term, sorted by name, over all placed objects.
+std::vector<v1::TermOutcome> TermOutcomes(const SolveInput& input, const SceneCosts& costs, const PartialLayout& state);
+
+// The poses as messages, with the heights at which the objects stand or hang.
+std::vector<v1::Placement> MakePlacements(const SolveInput& input, const PartialLayout& state);
+
+// One "does_not_fit" per object that still collides, and one "not_placed" per object without a pose.
+std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const PartialLayout& state);
+
+// The Voronoi areas of the zones.
+std::vector<v1::ZoneRegion> MakeZoneRegions(const SolveInput& input, const PartialLayout& state);
+
+}  // namespace flair::optimizer

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One solve's problem and settings, worked out once from the messages.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "flair/v1/layout_graph.pb.h"
+#include "flair/v1/optimizer_service.pb.h"
+#include "optimizer_worker/solver/problem.h"
+#include "optimizer_worker/solver/separation.h"
+#include "optimizer_worker/solver/solver.h"
+#include "optimizer_worker/solver/walk_grid.h"
+#include "room/scene/scene.h"
+
+namespace flair::optimizer {
+
+// The paper's factors of the whole-room terms; names as in flair.v1.Lambdas.
+struct LambdaValues {
+  double door_overlap = 100;
+  double wall_attraction_divisor = 20;
+  double no_overlap = 5;
+  double balanced = 10;
+  double in_bounds = 10;
+  double zone = 10;
+  double tertiary_in_bounds = 500;
+  double on_wall = 500;
+};
+
+struct SolveSettings {
+  uint64_t seed = 0;
+  // 0: each stage's own number.
+  int max_restarts = 0;
+  int threads = 1;
+  double path_width_m = 0.6;
+  LambdaValues lambdas;
+};
+
+// True when nobody waits for the answer any more; polled once per restart, from any thread.
+using CancelCheck = std::function<bool()>;
+
+struct SolveInput {
+  const v1::LayoutGraph& graph;
+  Scene scene;
+  SolveSettings settings;
+  // Per object, the objects that edges name together with it, without repeats.
+  std::vector<std::vector<int>> partners;
+  KeepOut keep_out;
+  WalkGrid walk_grid;
+  const Solver& solver;
+  CancelCheck cancelled;
+};
+
+// The settings with defaults filled in. INVALID_ARGUMENT names the field.
+absl::StatusOr<SolveSettings> ReadSettings(const v1::SolveOptions& options);
+
+// `graph` and `solver` must outlive the result. INVALID_ARGUMENT when the graph does not validate.
+absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1::SolveOptions& options,
+                                          const Solver& solver, CancelCheck cancelled);
+
+// Indices of the objects that an edge's arguments name, in order, without repeats.
+std::vector<int> ObjectsOf(const v1::ConstraintEdge& edge, const Scene& scene);
+
+// Mean centre of the placed floor objects of each zone; far outside the room for a zone that has none. Rugs and
+// tertiaries do not count.
+std::vector<Vec2<double>> ZoneCenters(const Scene& scene, std::span<const char> placed, const Layout& layout);
+inline constexpr double kEmptyZone_m = 1e6;
+
+// Depth of the passage behind a door that no object may enter.
+inline constexpr double kPassage_m = 0.6;
+
+}  // namespace flair::optimizer

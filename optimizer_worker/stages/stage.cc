@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/stage.h"
+
+#include <algorithm>
+
+#include "optimizer_worker/solver/parallel.h"
+#include "optimizer_worker/stages/furnish.h"
+#include "optimizer_worker/stages/polish.h"
+#include "optimizer_worker/stages/tertiary.h"
+
+namespace flair::optimizer {
+namespace {
+
+bool IsFloorPiece(const Object& object) { return object.kind == ObjectKind::kFloor; }
+
+bool Belongs(const Object& object, StageKind kind, int zone) {
+  const bool tertiary = object.role == ObjectRole::kTertiary;
+  switch (kind) {
+    case StageKind::kPrimary:
+      return object.role == ObjectRole::kPrimary && IsFloorPiece(object);
+    case StageKind::kSecondary:
+      return object.role != ObjectRole::kPrimary && object.zone == zone &&
+             (tertiary ? IsSolid(object) : IsFloorPiece(object));
+    case StageKind::kPolish:
+      return tertiary ? IsSolid(object) : IsFloorPiece(object);
+    case StageKind::kTertiary:
+      return tertiary ? !IsSolid(object) : !IsFloorPiece(object);
+  }
+  return false;
+}
+
+RestartResult RunRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart) {
+  switch (stage.kind) {
+    case StageKind::kPolish:
+      return PolishRestart(input, stage, before, restart);
+    case StageKind::kTertiary:
+      return TertiaryRestart(input, stage, before, restart);
+    case StageKind::kPrimary:
+    case StageKind::kSecondary:
+      break;
+  }
+  return FurnishRestart(input, stage, before, restart);
+}
+
+}  // namespace
+
+std::string_view StageName(StageKind kind) {
+  switch (kind) {
+    case StageKind::kPrimary:
+      return "primary";
+    case StageKind::kSecondary:
+      return "secondary";
+    case StageKind::kPolish:
+      return "polish";
+    case StageKind::kTertiary:
+      return "tertiary";
+  }
+  return "";
+}
+
+PartialLayout::PartialLayout(const Scene& scene) : layout(scene.objects.size()), placed(scene.objects.size(), 0) {
+  for (size_t i = 0; i < layout.size(); ++i) layout[i] = FarAway(static_cast<int>(i));
+}
+
+void PartialLayout::Place(int object, const Pose<double>& pose) {
+  layout[object] = pose;
+  placed[object] = 1;
+}
+
+StageSpec MakeStage(const Scene& scene, StageKind kind, int zone) {
+  StageSpec stage{kind, zone, {}};
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+    if (Belongs(scene.objects[i], kind, zone)) stage.objects.push_back(i);
+  }
+  return stage;
+}
+
+int DefaultRestarts(const StageSpec& stage) {
+  const int objects = static_cast<int>(stage.objects.size());
+  switch (stage.kind) {
+    case StageKind::kPrimary:
+      return objects <= 1 ? 6 : 12;
+    case StageKind::kSecondary:
+      return objects <= 1 ? 2 : 4;
+    case StageKind::kPolish:
+      return 4;
+    case StageKind::kTertiary:
+      return 1;
+  }
+  return 1;
+}
+
+uint64_t RestartSeed(const SolveSettings& settings, const StageSpec& stage, int restart) {
+  const uint64_t seed = CombineSeeds({settings.seed, static_cast<uint64_t>(stage.kind),
+                                      static_cast<uint64_t>(stage.zone + 1), static_cast<uint64_t>(restart)});
+  return seed >> 11;  // fits SolvedLayout's 53 bits
+}
+
+absl::StatusOr<std::vector<RestartResult>> RunRestarts(const SolveInput& input, const StageSpec& stage,
+                                                       const PartialLayout& before, int first, int count) {
+  std::vector<RestartResult> results(count, RestartResult{0, 0, 0, before});
+  ForEachIndex(count, input.settings.threads, [&](int i) {
+    if (input.cancelled && input.cancelled()) return;
+    results[i] = RunRestart(input, stage, before, first + i);
+  });
+  if (input.cancelled && input.cancelled()) {
+    return absl::CancelledError(std::string("cancelled in stage ") + std::string(StageName(stage.kind)));
+  }
+  return results;
+}
+
+size_t BestOf(const std::vector<RestartResult>& results) {
+  size_t best = 0;
+  for (size_t i = 1; i < results.size(); ++i) {
+    if (results[i].score < results[best].score) best = i;
+  }
+  return best;
+}
+
+Problem MakeProblem(const SolveInput& input, const SceneCosts& costs, const StageSpec& stage,
+                    const PartialLayout& before) {
+  std::vector<char> free(input.scene.objects.size(), 0), there = before.placed;
+  for (int object : stage.objects) free[object] = there[object] = 1;
+  std::vector<int> active;
+  for (int t = 0; t < static_cast<int>(costs.terms.size()); ++t) {
+    const Term& term = costs.terms[t];
+    if (!CountsIn(term, stage.kind)) continue;
+    const auto is_free = [&](int object) { return free[object] != 0; };
+    const auto is_there = [&](int object) { return there[object] != 0; };
+    const std::span<const int> reads = term.cost->objects();
+    if (std::none_of(reads.begin(), reads.end(), is_free)) continue;
+    if (std::all_of(term.required.begin(), term.required.end(), is_there)) active.push_back(t);
+  }
+  Problem problem(costs.terms, std::move(active), static_cast<int>(input.scene.objects.size()));
+  for (int i = 0; i < static_cast<int>(before.placed.size()); ++i) {
+    if (before.placed[i]) problem.SetPlaced(i, true);
+  }
+  return problem;
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One stage of the solve: some objects are placed, all placed before stay where they are. Restarts are independent and
+// numbered, so they can run on any thread or machine.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "optimizer_worker/solver/search.h"
+#include "optimizer_worker/stages/scene_costs.h"
+#include "optimizer_worker/stages/solve_input.h"
+
+namespace flair::optimizer {
+
+// The stages, in the order in which they run.
+enum class StageKind { kPrimary, kSecondary, kPolish, kTertiary };
+
+// "primary", "secondary", "polish", "tertiary".
+std::string_view StageName(StageKind kind);
+
+struct StageSpec {
+  StageKind kind = StageKind::kPrimary;
+  // For kSecondary; -1 for the objects that belong to no zone.
+  int zone = -1;
+  // What is placed (or, in kPolish, moved), in order.
+  std::vector<int> objects;
+};
+
+// Where everything stands that is placed.
+struct PartialLayout {
+  Layout layout;
+  std::vector<char> placed;
+
+  explicit PartialLayout(const Scene& scene);
+  void Place(int object, const Pose<double>& pose);
+};
+
+// Where one restart ended.
+struct RestartResult {
+  int restart = 0;
+  // Cost, and what bad walkability is worth.
+  double score = 0;
+  int64_t evaluations = 0;
+  PartialLayout state;
+};
+
+// The objects of a stage: primaries; a zone's secondaries with the floor pieces among its tertiaries; all floor objects;
+// tertiaries.
+StageSpec MakeStage(const Scene& scene, StageKind kind, int zone = -1);
+
+// Restarts that a stage gets when the caller does not say.
+int DefaultRestarts(const StageSpec& stage);
+
+// Seed of one restart.
+uint64_t RestartSeed(const SolveSettings& settings, const StageSpec& stage, int restart);
+
+// Runs restarts [first, first + count) on the settings' threads; results in order of restart. Pure: bit-identical for
+// any number of threads and any split of the range. CANCELLED when the caller has gone.
+absl::StatusOr<std::vector<RestartResult>> RunRestarts(const SolveInput& input, const StageSpec& stage,
+                                                       const PartialLayout& before, int first, int count);
+
+// Index of the best by (score, restart); `results` is not empty.
+size_t BestOf(const std::vector<RestartResult>& results);
+
+// The terms that a stage counts, among `costs`.
+Problem MakeProblem(const SolveInput& input, const SceneCosts& costs, const StageSpec& stage,
+                    const PartialLayout& before);
+
+}  // namespace flair::optimizer

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/tertiary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "room/geometry/angle.h"
+
+namespace flair::optimizer {
+namespace {
+
+constexpr int kSweeps = 3;
+constexpr double kNoise = 0.05;
+constexpr CandidateDensity kDense{.wall_samples = 12, .floor_samples = 24, .partner_samples = 2};
+
+// Back exactly on the nearest wall that it is nearly parallel to.
+void PutOnWall(const Scene& scene, const Footprint& footprint, Pose<double>& pose) {
+  const Wall* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Wall& wall : scene.room.walls) {
+    if (footprint.width_m > wall.length_m + 1e-9) continue;
+    const double offset = wall.Offset(Center(pose));
+    const double beyond = std::max({0.0, -offset, offset - wall.length_m});
+    const double off = std::abs(wall.Height(Center(pose)) - footprint.depth_m / 2) + beyond +
+                       AngleBetween(pose.theta_rad, wall.BackHeading());
+    if (off >= least) continue;
+    least = off;
+    best = &wall;
+  }
+  if (!best) return;
+  const double half = footprint.width_m / 2;
+  const double offset = std::clamp(best->Offset(Center(pose)), half, std::max(half, best->length_m - half));
+  const Vec2<double> p = best->PointAt(offset) + (footprint.depth_m / 2) * best->inward_normal;
+  pose = {p.x, p.y, WrapHeading(best->BackHeading())};
+}
+
+void PutInRoom(const KeepOut& keep_out, const Footprint& footprint, Pose<double>& pose) {
+  for (int round = 0; round < 2; ++round) {
+    for (const KeepOut::HalfPlane& plane : keep_out.half_planes()) {
+      double outside = 0;
+      for (const Vec2<double>& corner : Corners(footprint, pose)) {
+        outside = std::max(outside, plane.offset - Dot(plane.normal, corner));
+      }
+      pose.x_m += outside * plane.normal.x;
+      pose.y_m += outside * plane.normal.y;
+    }
+  }
+}
+
+void PutOnTop(const Footprint& top, const Pose<double>& host, const Footprint& footprint, Pose<double>& pose) {
+  const Frame<double> frame = FrameOf(host);
+  Vec2<double> local = frame.ToObject(Center(pose));
+  double reach_u = 0, reach_v = 0;
+  for (const Vec2<double>& corner : Corners(footprint, pose)) {
+    const Vec2<double> c = frame.ToObject(corner) - local;
+    reach_u = std::max(reach_u, std::abs(c.x));
+    reach_v = std::max(reach_v, std::abs(c.y));
+  }
+  const double u = std::max(0.0, top.width_m / 2 - reach_u), v = std::max(0.0, top.depth_m / 2 - reach_v);
+  local = {std::clamp(local.x, -u, u), std::clamp(local.y, -v, v)};
+  const Vec2<double> p = frame.ToRoom(local.x, local.y);
+  pose.x_m = p.x;
+  pose.y_m = p.y;
+}
+
+void Tidy(const SolveInput& input, int object, PartialLayout& state) {
+  const Object& what = input.scene.objects[object];
+  Pose<double>& pose = state.layout[object];
+  switch (what.kind) {
+    case ObjectKind::kWall:
+      return PutOnWall(input.scene, what.footprint, pose);
+    case ObjectKind::kSurface: {
+      const int carrier = CarrierOf(input.scene, object, state);
+      if (carrier >= 0) {
+        return PutOnTop(input.scene.objects[carrier].footprint, state.layout[carrier], what.footprint, pose);
+      }
+      return PutInRoom(input.keep_out, what.footprint, pose);
+    }
+    case ObjectKind::kFloor:
+    case ObjectKind::kCeiling:
+      return PutInRoom(input.keep_out, what.footprint, pose);
+  }
+}
+
+// SLSQP for one piece; kept only when it helps. Wall pieces slide along their wall in the sweeps instead.
+void DescendEach(const SolveInput& input, const StageSpec& stage, LayoutSearch& search) {
+  for (int object : stage.objects) {
+    if (input.scene.objects[object].kind == ObjectKind::kWall) continue;
+    const Layout before = search.layout();
+    const double cost = search.problem().Around(object, before, std::numeric_limits<double>::infinity());
+    if (cost < 1e-6) continue;
+    const int one[] = {object};
+    search.Descend(one, {.max_evaluations = 30, .relative_tolerance = 1e-3, .absolute_tolerance = 1e-5});
+    Layout snapped = search.layout();
+    const double quarter = kPi / 2;
+    double& theta = snapped[object].theta_rad;
+    if (std::abs(theta - std::round(theta / quarter) * quarter) < 0.05) theta = std::round(theta / quarter) * quarter;
+    search.set_layout(snapped);
+    if (search.problem().Around(object, snapped, cost) >= cost) search.set_layout(before);
+  }
+}
+
+}  // namespace
+
+int CarrierOf(const Scene& scene, int object, const PartialLayout& state) {
+  const int host = scene.objects[object].host;
+  if (host >= 0) return state.placed[host] ? host : -1;
+  const Vec2<double> p = Center(state.layout[object]);
+  int best = -1;
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+    const Object& carrier = scene.objects[i];
+    if (i == object || !state.placed[i] || carrier.kind != ObjectKind::kFloor || carrier.walk_over) continue;
+    const Vec2<double> local = FrameOf(state.layout[i]).ToObject(p);
+    const bool under = std::abs(local.x) <= carrier.footprint.width_m / 2 + 1e-6 &&
+                       std::abs(local.y) <= carrier.footprint.depth_m / 2 + 1e-6;
+    if (under && (best < 0 || carrier.height_m > scene.objects[best].height_m)) best = i;
+  }
+  return best;
+}
+
+RestartResult TertiaryRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before,
+                              int restart) {
+  RestartResult result{restart, 0, 0, before};
+  if (stage.objects.empty()) return result;
+  Random random(RestartSeed(input.settings, stage, restart));
+  const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, before.placed, before.layout);
+  const SceneCosts costs = BindCosts(input, centers);
+  const SearchInput search_input{input.scene, input.partners, centers, input.solver, nullptr, {}};
+  LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
+  search.Construct(stage.objects, restart == 0 ? 0.0 : kNoise, random);
+  search.Sweep(stage.objects, kSweeps, kDense, random);
+  DescendEach(input, stage, search);
+  for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
+  for (int object : stage.objects) Tidy(input, object, result.state);
+  search.set_layout(result.state.layout);
+  result.score = search.Cost();
+  result.evaluations = search.evaluations();
+  return result;
+}
+
+}  // namespace flair::optimizer
