@@ -32,8 +32,8 @@ void WaitForSignal(const sigset_t& signals) {
 
 std::string Usage(const Program& program, const google::protobuf::Message& config) {
   return fmt::format(
-      "{0}: {1}\n\nUsage: {0} CONFIG\n       {0} --help\n\nCONFIG is a text proto of {2} with these fields, all "
-      "optional:\n{3}\nServes until SIGTERM or SIGINT, then finishes running calls. A second signal ends it at once.\n",
+      "{0}: {1}\n\nUsage: {0} CONFIG\n       {0} --help\n\nCONFIG is a text proto of {2} with these "
+      "fields:\n{3}\nServes until SIGTERM or SIGINT, then finishes running calls. A second signal ends it at once.\n",
       program.name, program.summary, config.GetDescriptor()->full_name(), DescribeConfig(*config.GetDescriptor()));
 }
 

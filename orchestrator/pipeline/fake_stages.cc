@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/pipeline/fake_stages.h"
+
+#include <google/protobuf/text_format.h>
+
+namespace flair::orchestrator {
+namespace {
+
+template <typename Message>
+Message Parse(const std::string& text) {
+  Message message;
+  google::protobuf::TextFormat::ParseFromString(text, &message);
+  return message;
+}
+
+v1::Room FakeRoom(const std::string& title) {
+  auto room = Parse<v1::Room>(R"pb(
+    room_type: "bedroom"
+    floor {
+      vertices { x_m: 0 y_m: 0 }
+      vertices { x_m: 4 y_m: 0 }
+      vertices { x_m: 4 y_m: 5 }
+      vertices { x_m: 0 y_m: 5 }
+    }
+    walls { name: "south" }
+    walls { name: "east" }
+    walls { name: "north" }
+    walls { name: "west" }
+    height_m: 3
+    openings {
+      id: "door_1"
+      kind: OPENING_KIND_DOOR
+      wall: "south"
+      offset_m: 1
+      width_m: 0.9
+      head_height_m: 2.1
+      leaf { hinge: HINGE_SIDE_START swing: DOOR_SWING_INWARD swing_angle_rad: 1.5707963267948966 }
+    }
+    diagnostics { severity: SEVERITY_NOTE code: "assumed_door" message: "One door was assumed." }
+  )pb");
+  room.set_title(title);
+  return room;
+}
+
+v1::Producer Fake(const char* method) {
+  v1::Producer producer;
+  producer.set_program("fake");
+  producer.set_method(method);
+  producer.set_version("1");
+  return producer;
+}
+
+}  // namespace
+
+absl::Status FakeStages::Begin(std::string_view rpc, Call& call) {
+  {
+    std::lock_guard lock(mutex_);
+    ++calls_[std::string(rpc)];
+  }
+  return hook_ ? hook_(rpc, call) : absl::OkStatus();
+}
+
+int FakeStages::calls(const std::string& rpc) const {
+  std::lock_guard lock(mutex_);
+  const auto found = calls_.find(rpc);
+  return found == calls_.end() ? 0 : found->second;
+}
+
+int FakeStages::all_calls() const {
+  std::lock_guard lock(mutex_);
+  int sum = 0;
+  for (const auto& [rpc, count] : calls_) sum += count;
+  return sum;
+}
+
+absl::StatusOr<v1::DescribeRoomResponse> FakeStages::DescribeRoom(const v1::DescribeRoomRequest& request, Call& call) {
+  if (absl::Status status = Begin("DescribeRoom", call); !status.ok()) return status;
+  v1::DescribeRoomResponse response;
+  *response.mutable_room() = FakeRoom(request.brief().text());
+  *response.mutable_producer() = Fake("room");
+  return response;
+}
+
+absl::StatusOr<v1::PlanZonesResponse> FakeStages::PlanZones(const v1::PlanZonesRequest&, Call& call) {
+  if (absl::Status status = Begin("PlanZones", call); !status.ok()) return status;
+  auto response =
+      Parse<v1::PlanZonesResponse>(R"pb(zone_plan { zones { id: "sleeping" name: "sleeping" purpose: "Sleep." } })pb");
+  *response.mutable_producer() = Fake("zones");
+  return response;
+}
+
+absl::StatusOr<v1::ListObjectsResponse> FakeStages::ListObjects(const v1::ListObjectsRequest&, Call& call) {
+  if (absl::Status status = Begin("ListObjects", call); !status.ok()) return status;
+  auto response = Parse<v1::ListObjectsResponse>(R"pb(
+    object_list {
+      objects {
+        id: "bed_1"
+        name: "bed"
+        role: OBJECT_ROLE_PRIMARY
+        kind: OBJECT_KIND_FLOOR
+        zone_id: "sleeping"
+        width_m: 1.6
+        depth_m: 2
+        height_m: 0.9
+        category: "bed"
+      }
+    })pb");
+  *response.mutable_producer() = Fake("objects");
+  return response;
+}
+
+absl::StatusOr<v1::ChooseStyleResponse> FakeStages::ChooseStyle(const v1::ChooseStyleRequest&, Call& call) {
+  if (absl::Status status = Begin("ChooseStyle", call); !status.ok()) return status;
+  auto response = Parse<v1::ChooseStyleResponse>(R"pb(style_sheet { name: "plain" summary: "Plain." })pb");
+  *response.mutable_producer() = Fake("style");
+  return response;
+}
+
+absl::StatusOr<v1::ListConstraintsResponse> FakeStages::ListConstraints(const v1::ListConstraintsRequest&, Call& call) {
+  if (absl::Status status = Begin("ListConstraints", call); !status.ok()) return status;
+  auto response = Parse<v1::ListConstraintsResponse>(R"pb(
+    constraint_list {
+      sentences {
+        id: "s1"
+        text: "The bed's headboard is against a wall."
+        scope: SENTENCE_SCOPE_INTRA
+        subject_ids: "bed_1"
+        weight: 1
+      }
+    })pb");
+  *response.mutable_producer() = Fake("constraints");
+  return response;
+}
+
+absl::StatusOr<v1::CleanConstraintsResponse> FakeStages::CleanConstraints(const v1::CleanConstraintsRequest& request,
+                                                                          Call& call) {
+  if (absl::Status status = Begin("CleanConstraints", call); !status.ok()) return status;
+  v1::CleanConstraintsResponse response;
+  *response.mutable_constraint_list() = request.constraint_list();
+  *response.mutable_producer() = Fake("cleaning");
+  return response;
+}
+
+absl::StatusOr<v1::ListConstraintTypesResponse> FakeStages::ListConstraintTypes(const v1::ListConstraintTypesRequest&,
+                                                                                Call& call) {
+  if (absl::Status status = Begin("ListConstraintTypes", call); !status.ok()) return status;
+  return Parse<v1::ListConstraintTypesResponse>(R"pb(catalog { library: "fake 1" })pb");
+}
+
+absl::StatusOr<v1::TranslateResponse> FakeStages::Translate(const v1::TranslateRequest& request, Call& call) {
+  if (absl::Status status = Begin("Translate", call); !status.ok()) return status;
+  v1::TranslateResponse response;
+  v1::LayoutGraph& graph = *response.mutable_layout_graph();
+  *graph.mutable_room() = request.room();
+  *graph.mutable_zone_plan() = request.zone_plan();
+  *graph.mutable_object_list() = request.object_list();
+  *graph.mutable_style_sheet() = request.style_sheet();
+  *graph.mutable_constraint_list() = request.constraint_list();
+  *graph.add_edges() = Parse<v1::ConstraintEdge>(R"pb(
+    id: "e1"
+    type: "against_wall"
+    arguments {
+      name: "object"
+      value { text: "bed_1" }
+    }
+    weight: 1
+    sentence_id: "s1"
+  )pb");
+  graph.set_catalog_library(request.catalog().library());
+  *response.mutable_producer() = Fake("translation");
+  return response;
+}
+
+absl::StatusOr<v1::SolveResponse> FakeStages::Solve(const v1::SolveRequest& request, Call& call) {
+  if (absl::Status status = Begin("Solve", call); !status.ok()) return status;
+  auto response = Parse<v1::SolveResponse>(R"pb(
+    solved_layout {
+      placements { object_id: "bed_1" x_m: 2 y_m: 4 theta_rad: 3 }
+      edge_outcomes { edge_id: "e1" status: OUTCOME_STATUS_SATISFIED }
+    })pb");
+  *response.mutable_solved_layout()->mutable_graph() = request.layout_graph();
+  response.mutable_solved_layout()->set_total_cost(static_cast<double>(request.options().seed()));
+  *response.mutable_producer() = Fake("solve");
+  return response;
+}
+
+absl::StatusOr<v1::EvaluateResponse> FakeStages::Evaluate(const v1::EvaluateRequest&, Call& call) {
+  if (absl::Status status = Begin("Evaluate", call); !status.ok()) return status;
+  return Parse<v1::EvaluateResponse>(R"pb(
+    edge_outcomes { edge_id: "e1" status: OUTCOME_STATUS_SATISFIED }
+    metrics { oob_percent: 0.5 reachable_floor_share: 1 reachable_front_share: 1 }
+  )pb");
+}
+
+absl::StatusOr<v1::RenderResponse> FakeStages::Render(const v1::RenderRequest& request, Call& call) {
+  if (absl::Status status = Begin("Render", call); !status.ok()) return status;
+  v1::RenderResponse response;
+  v1::Preview& preview = *response.mutable_preview();
+  preview.set_view(v1::PREVIEW_VIEW_PLAN);
+  preview.set_format(v1::PREVIEW_FORMAT_PNG);
+  preview.set_width_px(1600);
+  preview.set_height_px(1200);
+  preview.set_image("picture of " + request.job_id());
+  *response.mutable_producer() = Fake("render");
+  return response;
+}
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/pipeline/pipeline.h"
+
+#include <gmock/gmock.h>
+#include <google/protobuf/util/time_util.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "orchestrator/pipeline/fake_stages.h"
+#include "orchestrator/pipeline/stage.h"
+#include "orchestrator/store/temporary_folder.h"
+#include "worker_runtime/clock/fake_clock.h"
+#include "worker_runtime/executor/test_gate.h"
+
+namespace flair::orchestrator {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+class PipelineTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    store_ = *JobStore::Open(folder_.path());
+    // Tests do not wait; they count how often they would have and let the clock pass.
+    options_.wait = [this](absl::Duration duration, runtime::CallContext&) {
+      ++waits_;
+      clock_.Advance(duration);
+    };
+  }
+
+  v1::Job NewJob(const std::string& id, const std::string& text = "A bedroom.", int64_t seed = 1) {
+    v1::Job job;
+    job.set_id(id);
+    job.mutable_spec()->mutable_brief()->set_text(text);
+    job.mutable_spec()->mutable_brief()->set_seed(seed);
+    EXPECT_TRUE(store_->jobs().Insert(job, "").ok());
+    return job;
+  }
+
+  PipelineResult Run(StageClients& clients, const v1::Job& job) {
+    return Pipeline(*store_, clients, clock_, options_).Run(job, cancellation_);
+  }
+
+  std::vector<std::string> Ids(const std::string& job_id, bool with_report = false) {
+    std::vector<std::string> ids;
+    const std::vector<v1::ArtifactRef> refs = *store_->artifacts().OfJob(job_id);
+    for (const v1::ArtifactRef& ref : refs) {
+      if (with_report || ref.kind() != v1::ARTIFACT_KIND_REPORT) ids.push_back(ref.id());
+    }
+    return ids;
+  }
+
+  int CountEvents(const std::string& job_id, v1::JobEventKind kind) {
+    int count = 0;
+    const std::vector<v1::JobEvent> events = *store_->events().After(job_id, 0, 1000);
+    for (const v1::JobEvent& event : events) count += event.kind() == kind ? 1 : 0;
+    return count;
+  }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<JobStore> store_;
+  runtime::FakeClock clock_;
+  runtime::Cancellation cancellation_;
+  PipelineOptions options_;
+  int waits_ = 0;
+};
+
+TEST_F(PipelineTest, StoresOneArtifactPerStageInOrder) {
+  FakeStages stages;
+  const PipelineResult result = Run(stages, NewJob("j1"));
+  ASSERT_TRUE(result.status.ok()) << result.status;
+  std::vector<int> kinds;
+  const std::vector<v1::ArtifactRef> refs = *store_->artifacts().OfJob("j1");
+  for (const v1::ArtifactRef& ref : refs) kinds.push_back(ref.kind());
+  EXPECT_THAT(kinds, ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11));
+  EXPECT_EQ(stages.all_calls(), 11);
+}
+
+TEST_F(PipelineTest, SaysWhatEachArtifactWasMadeFrom) {
+  FakeStages stages;
+  ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
+  const std::vector<std::string> ids = Ids("j1", true);
+  for (size_t i = 0; i < ids.size(); ++i) {
+    const v1::Artifact artifact = *store_->files().Get(ids[i]);
+    EXPECT_EQ(artifact.made_from_ids_size(), static_cast<int>(Stages()[i].inputs.size())) << Stages()[i].name;
+    for (const std::string& from : artifact.made_from_ids()) EXPECT_THAT(ids, ::testing::Contains(from));
+    EXPECT_FALSE(artifact.producer().program().empty());
+  }
+}
+
+TEST_F(PipelineTest, MakesTheSameArtifactsInAnotherStore) {
+  FakeStages stages;
+  ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
+  const std::vector<std::string> first = Ids("j1");
+  TemporaryFolder other;
+  store_ = *JobStore::Open(other.path());
+  ASSERT_TRUE(Run(stages, NewJob("j2")).status.ok());
+  EXPECT_EQ(Ids("j2"), first);
+}
+
+TEST_F(PipelineTest, RunsOnlyTheReportForAJobThatWasMadeBefore) {
+  FakeStages stages;
+  ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
+  FakeStages again;
+  ASSERT_TRUE(Run(again, NewJob("j2")).status.ok());
+  EXPECT_EQ(Ids("j2"), Ids("j1"));
+  EXPECT_EQ(again.calls("Evaluate"), 1);
+  EXPECT_EQ(again.calls("ListConstraintTypes"), 1);
+  EXPECT_EQ(again.all_calls(), 2);
+  EXPECT_EQ(CountEvents("j2", v1::JOB_EVENT_KIND_STAGE_REUSED), 10);
+}
+
+TEST_F(PipelineTest, SolvesAgainForOtherOptionsButNotForMoreThreads) {
+  FakeStages stages;
+  ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
+  v1::Job threads = NewJob("j2");
+  threads.mutable_spec()->mutable_solve_options()->set_thread_count(4);
+  ASSERT_TRUE(Run(stages, threads).status.ok());
+  EXPECT_EQ(stages.calls("Solve"), 1);
+  v1::Job restarts = NewJob("j3");
+  restarts.mutable_spec()->mutable_solve_options()->set_max_restart_count(3);
+  ASSERT_TRUE(Run(stages, restarts).status.ok());
+  EXPECT_EQ(stages.calls("Solve"), 2);
+  EXPECT_EQ(stages.calls("Translate"), 1);
+}
+
+TEST_F(PipelineTest, DoesNotUseResultsOfAnotherRevision) {
+  FakeStages stages;
+  ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
+  stages.set_revision("2");
+  ASSERT_TRUE(Run(stages, NewJob("j2")).status.ok());
+  EXPECT_EQ(stages.calls("Solve"), 2);
+}
+
+TEST_F(PipelineTest, GoesOnAfterTheLastStoredArtifactWithoutTellingTwice) {
+  FakeStages broken([](std::string_view rpc, runtime::CallContext&) {
+    return rpc == "Solve" ? absl::InternalError("power cut") : absl::OkStatus();
+  });
+  const v1::Job job = NewJob("j1");
+  EXPECT_FALSE(Run(broken, job).status.ok());
+  FakeStages stages;
+  ASSERT_TRUE(Run(stages, job).status.ok());
+  EXPECT_EQ(stages.calls("DescribeRoom"), 0);
+  EXPECT_EQ(stages.calls("Translate"), 0);
+  EXPECT_EQ(stages.calls("Solve"), 1);
+  EXPECT_EQ(CountEvents("j1", v1::JOB_EVENT_KIND_STAGE_FINISHED), 11);
+  EXPECT_EQ(CountEvents("j1", v1::JOB_EVENT_KIND_STAGE_REUSED), 0);
+  const v1::Artifact report = *store_->files().Get(Ids("j1", true).back());
+  ASSERT_THAT(report.report().stage_timings(), SizeIs(10));
+  EXPECT_FALSE(report.report().stage_timings(1).reused());
+}
+
+TEST_F(PipelineTest, MakesDamagedAndMissingArtifactsAgain) {
+  FakeStages stages;
+  const v1::Job job = NewJob("j1");
+  ASSERT_TRUE(Run(stages, job).status.ok());
+  const std::vector<std::string> ids = Ids("j1");
+  std::ofstream(store_->files().PathOf(ids[8]), std::ios::trunc) << "damaged";
+  std::filesystem::remove(store_->files().PathOf(ids[1]));
+  ASSERT_TRUE(Run(stages, NewJob("j2")).status.ok());
+  EXPECT_EQ(Ids("j2"), ids);
+  EXPECT_EQ(stages.calls("Solve"), 2);
+  EXPECT_EQ(stages.calls("DescribeRoom"), 2);
+  EXPECT_EQ(stages.calls("Translate"), 1);
+  EXPECT_TRUE(store_->files().Get(ids[8]).ok());
+}
+
+TEST_F(PipelineTest, TriesAgainWhenAWorkerIsLost) {
+  int failures = 3;
+  FakeStages stages([&](std::string_view rpc, runtime::CallContext&) {
+    return rpc == "Solve" && failures-- > 0 ? absl::UnavailableError("socket closed") : absl::OkStatus();
+  });
+  EXPECT_TRUE(Run(stages, NewJob("j1")).status.ok());
+  EXPECT_EQ(stages.calls("Solve"), 4);
+  EXPECT_EQ(waits_, 3);
+}
+
+TEST_F(PipelineTest, GivesUpOnAWorkerThatStaysAway) {
+  FakeStages stages([&](std::string_view rpc, runtime::CallContext&) {
+    return rpc == "DescribeRoom" ? absl::UnavailableError("language worker is not reachable") : absl::OkStatus();
+  });
+  const PipelineResult result = Run(stages, NewJob("j1"));
+  EXPECT_EQ(result.status.code(), absl::StatusCode::kUnavailable);
+  EXPECT_EQ(result.stage, "room");
+  EXPECT_EQ(stages.calls("DescribeRoom"), options_.backoff.unavailable_attempt_limit);
+}
+
+TEST_F(PipelineTest, WaitsForAFullQueueAsLongAsItTakes) {
+  int failures = 50;
+  FakeStages stages([&](std::string_view rpc, runtime::CallContext&) {
+    return rpc == "Solve" && failures-- > 0 ? absl::ResourceExhaustedError("the queue is full") : absl::OkStatus();
+  });
+  EXPECT_TRUE(Run(stages, NewJob("j1")).status.ok());
+  EXPECT_EQ(stages.calls("Solve"), 51);
+}
+
+TEST_F(PipelineTest, DoesNotRepeatWhatCannotSucceed) {
+  for (const absl::Status& failure : {absl::InvalidArgumentError("brief.text: 0 m wide"), absl::InternalError("bug"),
+                                      absl::ResourceExhaustedError("Received message larger than max (9 vs. 4)")}) {
+    FakeStages stages([&](std::string_view rpc, runtime::CallContext&) {
+      return rpc == "DescribeRoom" ? failure : absl::OkStatus();
+    });
+    EXPECT_EQ(Run(stages, NewJob("j" + failure.ToString())).status, failure);
+    EXPECT_EQ(stages.calls("DescribeRoom"), 1);
+  }
+}
+
+TEST_F(PipelineTest, GivesEveryCallItsDeadline) {
+  options_.stage_deadline = absl::Seconds(7);
+  FakeStages stages([&](std::string_view rpc, runtime::CallContext& call) {
+    EXPECT_EQ(call.deadline(), clock_.Now() + absl::Seconds(7));
+    return rpc == "Solve" ? absl::DeadlineExceededError("Deadline Exceeded") : absl::OkStatus();
+  });
+  const PipelineResult result = Run(stages, NewJob("j1"));
+  EXPECT_EQ(result.status.code(), absl::StatusCode::kDeadlineExceeded);
+  EXPECT_EQ(result.stage, "solve");
+  EXPECT_THAT(std::string(result.status.message()), HasSubstr("within 7s"));
+}
+
+TEST_F(PipelineTest, CancelReachesTheRunningCall) {
+  FakeStages stages([&](std::string_view rpc, runtime::CallContext& call) {
+    if (rpc == "Solve") cancellation_.Cancel();
+    return call.CheckAlive();
+  });
+  EXPECT_EQ(Run(stages, NewJob("j1")).status.code(), absl::StatusCode::kCancelled);
+  EXPECT_EQ(stages.calls("Solve"), 1);
+  EXPECT_EQ(stages.calls("Render"), 0);
+}
+
+TEST_F(PipelineTest, ChoosesTheStyleWhileConstraintsAreListed) {
+  // Each waits for the other: they end only when they run at once.
+  runtime::TestGate style;
+  runtime::TestGate constraints;
+  FakeStages stages([&](std::string_view rpc, runtime::CallContext&) {
+    if (rpc == "ChooseStyle") style.Open(), constraints.Wait();
+    if (rpc == "ListConstraints") constraints.Open(), style.Wait();
+    return absl::OkStatus();
+  });
+  EXPECT_TRUE(Run(stages, NewJob("j1")).status.ok());
+}
+
+class EmptyRoomStages final : public StageClients {
+ public:
+  absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest&, Call&) override {
+    v1::DescribeRoomResponse response;
+    response.mutable_producer()->set_program("their-language");
+    response.mutable_room()->set_room_type("bedroom");
+    return response;
+  }
+#define NEVER(Rpc)                                                                 \
+  absl::StatusOr<v1::Rpc##Response> Rpc(const v1::Rpc##Request&, Call&) override { \
+    return absl::InternalError("never");                                           \
+  }
+  NEVER(PlanZones)
+  NEVER(ListObjects)
+  NEVER(ChooseStyle) NEVER(ListConstraints) NEVER(CleanConstraints) NEVER(Translate) NEVER(ListConstraintTypes)
+      NEVER(Solve) NEVER(Evaluate) NEVER(Render)
+#undef NEVER
+};
+
+TEST_F(PipelineTest, RefusesAnAnswerThatIsNotValidAndSaysWhose) {
+  EmptyRoomStages stages;
+  const PipelineResult result = Run(stages, NewJob("j1"));
+  EXPECT_EQ(result.status.code(), absl::StatusCode::kInternal);
+  EXPECT_THAT(std::string(result.status.message()), HasSubstr("the answer of their-language is not valid"));
+  EXPECT_THAT(std::string(result.status.message()), HasSubstr("room.floor"));
+}
+
+TEST_F(PipelineTest, ReportsMetricsOutcomesAndRemarks) {
+  FakeStages stages;
+  ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
+  const v1::Artifact artifact = *store_->files().Get(Ids("j1", true).back());
+  const v1::Report& report = artifact.report();
+  EXPECT_EQ(report.job_id(), "j1");
+  EXPECT_EQ(report.metrics().oob_percent(), 0.5);
+  EXPECT_EQ(report.constraints().satisfied_count(), 1);
+  EXPECT_EQ(report.constraints().untranslated_count(), 0);
+  ASSERT_THAT(report.diagnostics(), SizeIs(1));
+  EXPECT_EQ(report.diagnostics(0).code(), "assumed_door");
+}
+
+}  // namespace
+}  // namespace flair::orchestrator

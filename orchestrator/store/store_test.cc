@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <sqlite3.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "orchestrator/store/artifact_id.h"
+#include "orchestrator/store/job_store.h"
+#include "orchestrator/store/sha256.h"
+#include "orchestrator/store/temporary_folder.h"
+
+namespace flair::orchestrator {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+v1::Artifact BriefArtifact(const std::string& text) {
+  v1::Artifact artifact;
+  artifact.mutable_brief()->set_text(text);
+  return artifact;
+}
+
+v1::Job NewJob(const std::string& id) {
+  v1::Job job;
+  job.set_id(id);
+  job.mutable_spec()->mutable_brief()->set_text("A bedroom.");
+  return job;
+}
+
+TEST(Sha256, MatchesThePublishedVectors) {
+  EXPECT_EQ(Sha256Hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(Sha256Hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(ArtifactId, CoversContentAndOriginButNotItself) {
+  v1::Artifact artifact = BriefArtifact("A bedroom.");
+  const std::string id = ComputeArtifactId(artifact);
+  EXPECT_TRUE(IsArtifactId(id));
+  artifact.set_id(id);
+  EXPECT_EQ(ComputeArtifactId(artifact), id);
+  artifact.add_made_from_ids(id);
+  EXPECT_NE(ComputeArtifactId(artifact), id);
+  EXPECT_NE(ComputeArtifactId(BriefArtifact("A kitchen.")), id);
+}
+
+TEST(ArtifactId, KnowsEveryKind) {
+  const google::protobuf::OneofDescriptor* content = v1::Artifact::descriptor()->FindOneofByName("content");
+  for (int i = 0; i < content->field_count(); ++i) {
+    v1::Artifact artifact;
+    artifact.GetReflection()->MutableMessage(&artifact, content->field(i));
+    std::string name = v1::ArtifactKind_Name(KindOf(artifact));
+    std::string expected = "ARTIFACT_KIND_" + content->field(i)->name();
+    for (char& c : expected) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    EXPECT_EQ(name, expected);
+  }
+}
+
+TEST(ResultKey, DiffersWhenAnyPartDoes) {
+  const std::string key = ResultKey("solve", "1", "ab", {"c", "d"});
+  EXPECT_EQ(key, ResultKey("solve", "1", "ab", {"c", "d"}));
+  EXPECT_NE(key, ResultKey("solve", "1", "ab", {"cd"}));
+  EXPECT_NE(key, ResultKey("solve", "1a", "b", {"c", "d"}));
+  EXPECT_NE(key, ResultKey("solve", "1", "ab", {"d", "c"}));
+}
+
+class ArtifactFilesTest : public ::testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  ArtifactFiles files_{folder_.path()};
+};
+
+TEST_F(ArtifactFilesTest, ReturnsWhatWasPutUnderItsId) {
+  v1::Artifact artifact = BriefArtifact("A bedroom.");
+  const v1::ArtifactRef ref = *files_.Put(artifact);
+  EXPECT_EQ(ref.id(), artifact.id());
+  EXPECT_EQ(ref.kind(), v1::ARTIFACT_KIND_BRIEF);
+  EXPECT_EQ(static_cast<uintmax_t>(ref.size_bytes()), std::filesystem::file_size(files_.PathOf(ref.id())));
+  EXPECT_THAT(files_.PathOf(ref.id()), HasSubstr("/" + ref.id().substr(0, 2) + "/" + ref.id() + ".pb"));
+  EXPECT_EQ(files_.Get(ref.id())->brief().text(), "A bedroom.");
+}
+
+TEST_F(ArtifactFilesTest, LeavesNoOtherFilesBehind) {
+  v1::Artifact artifact = BriefArtifact("A bedroom.");
+  ASSERT_TRUE(files_.Put(artifact).ok());
+  ASSERT_TRUE(files_.Put(artifact).ok());
+  int count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path()))
+    count += entry.is_regular_file();
+  EXPECT_EQ(count, 1);
+}
+
+TEST_F(ArtifactFilesTest, RefusesWhatIsNoId) {
+  for (const std::string id : {"", "abc", "../../../../etc/passwd"}) {
+    EXPECT_EQ(files_.Get(id).status().code(), absl::StatusCode::kInvalidArgument);
+  }
+  EXPECT_EQ(files_.Get(std::string(64, 'a')).status().code(), absl::StatusCode::kNotFound);
+}
+
+TEST_F(ArtifactFilesTest, NoticesEveryDamagedByteAndMendsItWhenPutAgain) {
+  v1::Artifact artifact = BriefArtifact("A bedroom.");
+  const std::string path = files_.PathOf(files_.Put(artifact)->id());
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(path));
+  for (std::streamoff at = 0; at < size; ++at) {
+    {
+      std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+      file.seekg(at);
+      const char changed = static_cast<char>(file.get() ^ 0x21);
+      file.seekp(at);
+      file.put(changed);
+    }
+    EXPECT_EQ(files_.Get(artifact.id()).status().code(), absl::StatusCode::kDataLoss) << "byte " << at;
+    ASSERT_TRUE(files_.Put(artifact).ok());
+    EXPECT_TRUE(files_.Get(artifact.id()).ok());
+  }
+  std::filesystem::resize_file(path, 0);
+  EXPECT_EQ(files_.Get(artifact.id()).status().code(), absl::StatusCode::kDataLoss);
+}
+
+class JobStoreTest : public ::testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  std::unique_ptr<JobStore> store_ = *JobStore::Open(folder_.path());
+  JobTable& jobs_ = store_->jobs();
+};
+
+TEST_F(JobStoreTest, KeepsJobsWhenClosedAndOpened) {
+  ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "r1").ok());
+  store_ = nullptr;
+  store_ = *JobStore::Open(folder_.path());
+  EXPECT_EQ(store_->jobs().Get("j1")->spec().brief().text(), "A bedroom.");
+  EXPECT_EQ(store_->jobs().Get("j1")->state(), v1::JOB_STATE_QUEUED);
+  EXPECT_EQ(*store_->jobs().FindByRequest("r1"), "j1");
+  EXPECT_EQ(*store_->jobs().FindByRequest("r2"), "");
+  EXPECT_EQ(store_->jobs().Get("j2").status().code(), absl::StatusCode::kNotFound);
+}
+
+TEST_F(JobStoreTest, RefusesASecondJobOfOneRequest) {
+  ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "r1").ok());
+  EXPECT_EQ(jobs_.Insert(NewJob("j2"), "r1").code(), absl::StatusCode::kAlreadyExists);
+  EXPECT_TRUE(jobs_.Insert(NewJob("j3"), "").ok());
+  EXPECT_TRUE(jobs_.Insert(NewJob("j4"), "").ok());
+}
+
+TEST_F(JobStoreTest, ClaimsTheOldestOnceEach) {
+  ASSERT_TRUE(jobs_.Insert(NewJob("j2"), "").ok());
+  ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
+  EXPECT_EQ(*jobs_.CountQueued(), 2);
+  EXPECT_EQ(**jobs_.ClaimOldest("me"), "j1");
+  EXPECT_FALSE(*jobs_.Claim("j1", "other"));
+  EXPECT_TRUE(*jobs_.Claim("j2", "other"));
+  EXPECT_FALSE(jobs_.ClaimOldest("me")->has_value());
+}
+
+TEST_F(JobStoreTest, ListsNewestFirstByPages) {
+  for (const char* id : {"j1", "j2", "j3"}) ASSERT_TRUE(jobs_.Insert(NewJob(id), "").ok());
+  EXPECT_EQ(jobs_.List(2, "", "")->at(0).id(), "j3");
+  EXPECT_EQ(jobs_.List(2, "j2", "")->at(0).id(), "j1");
+  EXPECT_THAT(*jobs_.List(2, "j1", ""), IsEmpty());
+  EXPECT_THAT(*jobs_.List(2, "", "b1"), IsEmpty());
+}
+
+TEST_F(JobStoreTest, NumbersEventsWithinAJob) {
+  for (const char* id : {"j1", "j1", "j2"}) {
+    v1::JobEvent event;
+    event.set_job_id(id);
+    ASSERT_TRUE(store_->events().Append(event).ok());
+  }
+  EXPECT_EQ(store_->events().After("j1", 0, 10)->size(), 2u);
+  EXPECT_EQ(store_->events().After("j1", 1, 10)->at(0).sequence(), 2);
+  EXPECT_EQ(store_->events().After("j2", 0, 10)->at(0).sequence(), 1);
+}
+
+TEST_F(JobStoreTest, KeepsNothingOfATransactionThatWasNotCommitted) {
+  {
+    auto transaction = *Transaction::Begin(store_->database());
+    ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
+  }
+  EXPECT_EQ(jobs_.Get("j1").status().code(), absl::StatusCode::kNotFound);
+}
+
+TEST_F(JobStoreTest, CountsABatch) {
+  ASSERT_TRUE(store_->batches().Insert("b1", "r1", "digest").ok());
+  for (const char* id : {"j1", "j2", "j3"}) {
+    v1::Job job = NewJob(id);
+    job.set_batch_id("b1");
+    ASSERT_TRUE(jobs_.Insert(job, "").ok());
+  }
+  v1::Job done = NewJob("j1");
+  done.set_state(v1::JOB_STATE_SUCCEEDED);
+  ASSERT_TRUE(jobs_.End(done).ok());
+  ASSERT_TRUE(*jobs_.Claim("j2", "me"));
+  const v1::Batch batch = *store_->batches().Get("b1");
+  EXPECT_EQ(batch.job_count(), 3);
+  EXPECT_EQ(batch.open_count(), 2);
+  EXPECT_EQ(batch.succeeded_count(), 1);
+  EXPECT_EQ(store_->batches().Get("b2").status().code(), absl::StatusCode::kNotFound);
+}
+
+TEST_F(JobStoreTest, LeavesJobsOfLivingOwnersAloneAndTakesThoseOfDeadOnes) {
+  ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
+  ASSERT_TRUE(jobs_.Insert(NewJob("j2"), "").ok());
+  auto other = *JobStore::Open(folder_.path());
+  ASSERT_TRUE(*other->jobs().Claim("j1", other->owner()));
+  ASSERT_TRUE(*other->jobs().Claim("j2", "died-without-a-lock-file"));
+  ASSERT_TRUE(store_->ReleaseDeadOwners().ok());
+  EXPECT_EQ(jobs_.Get("j1")->state(), v1::JOB_STATE_RUNNING);
+  EXPECT_EQ(jobs_.Get("j2")->state(), v1::JOB_STATE_QUEUED);
+  other = nullptr;
+  ASSERT_TRUE(store_->ReleaseDeadOwners().ok());
+  EXPECT_EQ(jobs_.Get("j1")->state(), v1::JOB_STATE_QUEUED);
+}
+
+TEST(JobStore, SaysWhatIsWrongWithItsFolder) {
+  EXPECT_EQ(JobStore::Open("").status().code(), absl::StatusCode::kInvalidArgument);
+  const absl::Status status = JobStore::Open("/proc/no/such/folder").status();
+  EXPECT_EQ(status.code(), absl::StatusCode::kUnavailable);
+  EXPECT_THAT(std::string(status.message()), HasSubstr("/proc/no/such/folder"));
+}
+
+TEST(JobStore, RefusesAFileThatIsNoDatabase) {
+  TemporaryFolder folder;
+  std::ofstream(folder.path() + "/jobs.db") << std::string(5000, 'x');
+  EXPECT_EQ(JobStore::Open(folder.path()).status().code(), absl::StatusCode::kDataLoss);
+}
+
+TEST(JobStore, RefusesAStoreOfANewerVersion) {
+  TemporaryFolder folder;
+  ASSERT_TRUE(JobStore::Open(folder.path()).ok());
+  sqlite3* connection = nullptr;
+  ASSERT_EQ(sqlite3_open((folder.path() + "/jobs.db").c_str(), &connection), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(connection, "PRAGMA user_version = 999", nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(connection);
+  EXPECT_EQ(JobStore::Open(folder.path()).status().code(), absl::StatusCode::kFailedPrecondition);
+}
+
+}  // namespace
+}  // namespace flair::orchestrator
