@@ -94,8 +94,7 @@ class Proposer {
     const double half = SideLength(object_.footprint, side) / 2;
     if (2 * half > wall.length_m + 1e-9) return;
     offset = std::clamp(offset, half, std::max(half, wall.length_m - half));
-    const Vec2<double> p =
-        wall.PointAt(offset) + (ExtentBehind(object_.footprint, side) / 2) * wall.inward_normal;
+    const Vec2<double> p = wall.PointAt(offset) + (ExtentBehind(object_.footprint, side) / 2) * wall.inward_normal;
     out_.push_back({p.x, p.y, wall.BackHeading() + TurnOf(side)});
   }
 
@@ -219,7 +218,8 @@ class Proposer {
       double x = 0, y = 0;
       sequence.Next(x, y);
       const Vec2<double> p{box.min.x + x * box.width_m(), box.min.y + y * box.height_m()};
-      if (Contains(scene_.room.floor, p)) AtHeadings(p, 0, object_.kind == ObjectKind::kFloor && !object_.walk_over ? 4 : 2);
+      if (Contains(scene_.room.floor, p))
+        AtHeadings(p, 0, object_.kind == ObjectKind::kFloor && !object_.walk_over ? 4 : 2);
     }
   }
 

@@ -16,7 +16,8 @@ constexpr double kFeasible = 1e-9;
 
 double ViolationOf(const Bounds& bounds, std::span<const double> x) {
   double worst = 0;
-  for (size_t i = 0; i < bounds.lower.size(); ++i) worst = std::max({worst, bounds.lower[i] - x[i], x[i] - bounds.upper[i]});
+  for (size_t i = 0; i < bounds.lower.size(); ++i)
+    worst = std::max({worst, bounds.lower[i] - x[i], x[i] - bounds.upper[i]});
   for (const LinearInequality& inequality : bounds.inequalities) worst = std::max(worst, inequality.Violation(x));
   return worst;
 }

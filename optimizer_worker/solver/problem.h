@@ -16,7 +16,7 @@ namespace flair::optimizer {
 // One summand. Shared by all problems of a solve.
 struct Term {
   std::unique_ptr<const Cost> cost;
-  // Factor in the search: lambda or edge weight, times `kHardFactor` for hard terms.
+  // Factor in the search: lambda or edge weight, raised by `kHardFactor` for hard terms.
   double weight = 1;
   // Objects that must be placed for the term to count; the cost may read others, which stand far away until then.
   std::vector<int> required;
@@ -29,7 +29,8 @@ struct Term {
   double factor = 1;
 };
 
-// The paper's penalties compete with the wishes; the search must not trade a wish for an overlap.
+// The paper's penalties compete with the wishes; the search must not trade a wish for an overlap. Multiplies factors of
+// hard terms that are smaller than this.
 inline constexpr double kHardFactor = 40;
 
 // Where objects stand that are not placed yet: so far away that no cost between them and the room acts.

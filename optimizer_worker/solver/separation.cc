@@ -15,9 +15,8 @@ std::vector<size_t> HullOf(const Polygon& polygon) {
   const std::vector<Vec2<double>>& v = polygon.vertices;
   std::vector<size_t> order(v.size());
   for (size_t i = 0; i < v.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
-    return v[a].x != v[b].x ? v[a].x < v[b].x : v[a].y < v[b].y;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](size_t a, size_t b) { return v[a].x != v[b].x ? v[a].x < v[b].x : v[a].y < v[b].y; });
   std::vector<size_t> hull;
   const auto extend = [&](size_t floor_size, size_t i) {
     while (hull.size() >= floor_size + 2 &&
@@ -115,8 +114,7 @@ std::vector<Violation> FindViolations(const Scene& scene, const KeepOut& keep_ou
     }
     for (size_t j = 0; j < i; ++j) {
       if (!IsSolid(scene.objects[objects[j]])) continue;
-      const double depth =
-          -WidestGap(Corners(scene.objects[objects[j]].footprint, layout[objects[j]]), corners).gap_m;
+      const double depth = -WidestGap(Corners(scene.objects[objects[j]].footprint, layout[objects[j]]), corners).gap_m;
       if (depth > tolerance_m) found.push_back({object, objects[j], false, depth});
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact feasibility of floor objects: nothing overlaps, nothing is outside the floor or in a door's swing. Rectangles of
-// fixed heading are apart exactly when one of finitely many directions separates them, and along a chosen direction
+// Exact feasibility of floor objects: nothing overlaps, nothing is outside the floor or in a door's swing. Rectangles
+// of fixed heading are apart exactly when one of finitely many directions separates them, and along a chosen direction
 // that is a linear inequality in their centres.
 #pragma once
 

@@ -95,8 +95,8 @@ void WalkGrid::Rasterize(const Room& room) {
     if (opening.kind == OpeningKind::kDoor) landings.push_back(PassageArea(room, opening, kLanding_m));
   }
   has_door_ = !landings.empty();
-  // A quarter of a cell of slack, so that a way of exactly the path's width is open.
-  const double needed = std::max(0.0, radius_m_ - cell_m_ / 4);
+  // Half a cell of slack, so that a way of exactly the path's width is open.
+  const double needed = std::max(0.0, radius_m_ - cell_m_ / 2 - 1e-7);
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
       const Vec2<double> p{(x + 0.5) * cell_m_, (y + 0.5) * cell_m_};
@@ -246,7 +246,7 @@ WalkResult WalkGrid::Measure(std::span<const Obstacle> obstacles) {
   open_ = roomy_;
   std::fill(reached_.begin(), reached_.end(), 0);
   std::fill(swept_.begin(), swept_.end(), 0);
-  const double needed = std::max(0.0, radius_m_ - cell_m_ / 4);
+  const double needed = std::max(0.0, radius_m_ - cell_m_ / 2 - 1e-7);
   for (const Obstacle& obstacle : obstacles) {
     ClearShape(free_, obstacle, 0);
     ClearShape(open_, obstacle, needed);

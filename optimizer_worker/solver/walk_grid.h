@@ -49,7 +49,7 @@ class WalkGrid {
   void Rasterize(const Room& room);
   uint64_t* RowOf(Mask& mask, int y) const { return mask.data() + static_cast<size_t>(y) * words_; }
   void ClearShape(Mask& mask, const Obstacle& obstacle, double radius_m) const;
-  bool TouchesFront(const Obstacle& obstacle) ;
+  bool TouchesFront(const Obstacle& obstacle);
   void FindRuns();
   void JoinRows();
   int RootOf(int run);

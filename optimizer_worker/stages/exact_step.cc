@@ -50,8 +50,7 @@ void SnapHeadings(const Scene& scene, std::span<const int> objects, Layout& layo
   }
 }
 
-std::vector<Violation> MakeExact(const SolveInput& input, Problem& problem, std::span<const int> free,
-                                 Layout& layout) {
+std::vector<Violation> MakeExact(const SolveInput& input, Problem& problem, std::span<const int> free, Layout& layout) {
   std::vector<int> moving, standing, all;
   for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
     if (!problem.placed(i) || !IsSolid(input.scene.objects[i])) continue;
@@ -73,7 +72,8 @@ std::vector<Violation> MakeExact(const SolveInput& input, Problem& problem, std:
     left = FindViolations(input.scene, input.keep_out, all, layout, kTouching_m);
     if (WorstOf(left) <= kTouching_m) break;
   }
-  std::stable_sort(left.begin(), left.end(), [](const Violation& a, const Violation& b) { return a.depth_m > b.depth_m; });
+  std::stable_sort(left.begin(), left.end(),
+                   [](const Violation& a, const Violation& b) { return a.depth_m > b.depth_m; });
   return left;
 }
 

@@ -60,9 +60,10 @@ v1::Diagnostic DoesNotFit(const Scene& scene, const Violation& violation) {
                             : violation.at_door  ? "stands in the way of a door"
                                                  : "reaches out of the room";
   const Footprint& footprint = scene.objects[violation.object].footprint;
-  diagnostic.set_message(fmt::format(
-      "\"{}\" ({:.2f} m x {:.2f} m) {} by {:.2f} m: the furniture does not fit; leave something out or take smaller pieces",
-      scene.objects[violation.object].id, footprint.width_m, footprint.depth_m, where, violation.depth_m));
+  diagnostic.set_message(
+      fmt::format("\"{}\" ({:.2f} m x {:.2f} m) {} by {:.2f} m: the furniture does not fit; leave something out or "
+                  "take smaller pieces",
+                  scene.objects[violation.object].id, footprint.width_m, footprint.depth_m, where, violation.depth_m));
   return diagnostic;
 }
 

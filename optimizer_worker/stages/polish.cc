@@ -51,8 +51,7 @@ void Improve(const SolveInput& input, const StageSpec& stage, LayoutSearch& sear
 
 }  // namespace
 
-RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before,
-                            int restart) {
+RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart) {
   RestartResult result{restart, 0, 0, before};
   if (stage.objects.empty()) return result;
   Random random(RestartSeed(input.settings, stage, restart));

@@ -11,7 +11,7 @@
 
 namespace flair::optimizer {
 
-enum class StageKind;
+enum class StageKind : int;
 
 struct SceneCosts {
   std::vector<Term> terms;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fmt/format.h"
+#include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/solver/parallel.h"
 #include "room/conversion/scene_conversion.h"
 
@@ -41,7 +42,7 @@ absl::Status ReadLambdas(const v1::Lambdas& from, LambdaValues& to) {
 std::vector<std::vector<int>> PartnersOf(const v1::LayoutGraph& graph, const Scene& scene) {
   std::vector<std::vector<int>> partners(scene.objects.size());
   for (const v1::ConstraintEdge& edge : graph.edges()) {
-    const std::vector<int> objects = ObjectsOf(edge, scene);
+    const std::vector<int> objects = NamedObjects(edge, scene);
     for (int a : objects) {
       for (int b : objects) {
         std::vector<int>& list = partners[a];
@@ -72,8 +73,7 @@ absl::StatusOr<SolveSettings> ReadSettings(const v1::SolveOptions& options) {
   settings.threads = ThreadCount(options.thread_count());
   if (options.has_path_width_m()) settings.path_width_m = options.path_width_m();
   if (!std::isfinite(settings.path_width_m) || settings.path_width_m < 0 || settings.path_width_m > 2) {
-    return absl::InvalidArgumentError(
-        fmt::format("options.path_width_m: {} is not in [0, 2]", settings.path_width_m));
+    return absl::InvalidArgumentError(fmt::format("options.path_width_m: {} is not in [0, 2]", settings.path_width_m));
   }
   const absl::Status status = ReadLambdas(options.lambdas(), settings.lambdas);
   if (!status.ok()) return status;
@@ -89,21 +89,16 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
   std::vector<std::vector<int>> partners = PartnersOf(graph, *scene);
   KeepOut keep_out(scene->room, kPassage_m);
   WalkGrid walk_grid(scene->room, settings->path_width_m);
-  return SolveInput{graph,  *std::move(scene), *std::move(settings), std::move(partners), std::move(keep_out),
-                    std::move(walk_grid), solver, std::move(cancelled)};
-}
-
-std::vector<int> ObjectsOf(const v1::ConstraintEdge& edge, const Scene& scene) {
-  std::vector<int> objects;
-  const auto add = [&](const std::string& id) {
-    const int index = scene.IndexOf(id);
-    if (index >= 0 && std::find(objects.begin(), objects.end(), index) == objects.end()) objects.push_back(index);
-  };
-  for (const v1::Argument& argument : edge.arguments()) {
-    add(argument.value().text());
-    for (const std::string& item : argument.value().texts().items()) add(item);
-  }
-  return objects;
+  LinkedPairs linked(*scene, graph.edges());
+  return SolveInput{graph,
+                    *std::move(scene),
+                    *std::move(settings),
+                    std::move(partners),
+                    std::move(linked),
+                    std::move(keep_out),
+                    std::move(walk_grid),
+                    solver,
+                    std::move(cancelled)};
 }
 
 std::vector<Vec2<double>> ZoneCenters(const Scene& scene, std::span<const char> placed, const Layout& layout) {
@@ -111,7 +106,8 @@ std::vector<Vec2<double>> ZoneCenters(const Scene& scene, std::span<const char> 
   std::vector<int> counts(scene.zones.size(), 0);
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    if (!placed[i] || object.zone < 0 || object.kind != ObjectKind::kFloor || object.role == ObjectRole::kTertiary) continue;
+    if (!placed[i] || object.zone < 0 || object.kind != ObjectKind::kFloor || object.role == ObjectRole::kTertiary)
+      continue;
     centers[object.zone] += Center(layout[i]);
     ++counts[object.zone];
   }

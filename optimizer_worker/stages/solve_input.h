@@ -12,6 +12,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/optimizer_service.pb.h"
+#include "optimizer_worker/constraints/linked_pairs.h"
 #include "optimizer_worker/solver/problem.h"
 #include "optimizer_worker/solver/separation.h"
 #include "optimizer_worker/solver/solver.h"
@@ -50,6 +51,8 @@ struct SolveInput {
   SolveSettings settings;
   // Per object, the objects that edges name together with it, without repeats.
   std::vector<std::vector<int>> partners;
+  // Pairs that belong together, for the costs.
+  LinkedPairs linked;
   KeepOut keep_out;
   WalkGrid walk_grid;
   const Solver& solver;
@@ -62,9 +65,6 @@ absl::StatusOr<SolveSettings> ReadSettings(const v1::SolveOptions& options);
 // `graph` and `solver` must outlive the result. INVALID_ARGUMENT when the graph does not validate.
 absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1::SolveOptions& options,
                                           const Solver& solver, CancelCheck cancelled);
-
-// Indices of the objects that an edge's arguments name, in order, without repeats.
-std::vector<int> ObjectsOf(const v1::ConstraintEdge& edge, const Scene& scene);
 
 // Mean centre of the placed floor objects of each zone; far outside the room for a zone that has none. Rugs and
 // tertiaries do not count.

@@ -115,8 +115,7 @@ class Driver {
     const StageSpec stage = MakeStage(input_.scene, kind, zone);
     if (stage.objects.empty()) return absl::OkStatus();
     const absl::Time started = absl::Now();
-    absl::StatusOr<std::vector<RestartResult>> results =
-        RunRestarts(input_, stage, branch.state, 0, RestartsOf(stage));
+    absl::StatusOr<std::vector<RestartResult>> results = RunRestarts(input_, stage, branch.state, 0, RestartsOf(stage));
     if (!results.ok()) return results.status();
     const double floor_score = branch.score;
     Record(branch, stage, *results, BestOf(*results), started);
@@ -127,9 +126,9 @@ class Driver {
   void Report(const Branch& branch) const {
     if (!progress_) return;
     for (const v1::StageOutcome& outcome : branch.outcomes) {
-      progress_(outcome.stage(), fmt::format("{}{}cost {:.3f} after {} restarts", outcome.zone_id(),
-                                             outcome.zone_id().empty() ? "" : ": ", outcome.cost(),
-                                             outcome.restart_count()));
+      progress_(outcome.stage(),
+                fmt::format("{}{}cost {:.3f} after {} restarts", outcome.zone_id(),
+                            outcome.zone_id().empty() ? "" : ": ", outcome.cost(), outcome.restart_count()));
     }
   }
 
@@ -138,8 +137,7 @@ class Driver {
     SolveResult result;
     v1::SolvedLayout& layout = result.layout;
     *layout.mutable_graph() = input_.graph;
-    const SceneCosts costs =
-        BindCosts(input_, ZoneCenters(input_.scene, best.state.placed, best.state.layout));
+    const SceneCosts costs = BindCosts(input_, ZoneCenters(input_.scene, best.state.placed, best.state.layout));
     for (v1::Placement& placement : MakePlacements(input_, best.state)) *layout.add_placements() = std::move(placement);
     for (v1::ZoneRegion& region : MakeZoneRegions(input_, best.state)) *layout.add_zone_regions() = std::move(region);
     double total = 0;
@@ -159,7 +157,8 @@ class Driver {
         *runner_up->add_placements() = std::move(placement);
       }
     }
-    for (v1::Diagnostic& diagnostic : FitDiagnostics(input_, best.state)) *layout.add_diagnostics() = std::move(diagnostic);
+    for (v1::Diagnostic& diagnostic : FitDiagnostics(input_, best.state))
+      *layout.add_diagnostics() = std::move(diagnostic);
     layout.set_total_cost(total);
     result.stage_durations = best.durations;
     return result;
@@ -169,18 +168,18 @@ class Driver {
   const Progress& progress_;
 };
 
-absl::Status ReadPlacements(const SolveInput& input, const google::protobuf::RepeatedPtrField<v1::Placement>& placements,
-                            PartialLayout& state) {
+absl::Status ReadPlacements(const SolveInput& input,
+                            const google::protobuf::RepeatedPtrField<v1::Placement>& placements, PartialLayout& state) {
   for (int i = 0; i < placements.size(); ++i) {
     const v1::Placement& placement = placements[i];
     const int object = input.scene.IndexOf(placement.object_id());
     if (object < 0) {
-      return absl::InvalidArgumentError(fmt::format("placements[{}].object_id: \"{}\" is not an object of the graph", i,
-                                                    placement.object_id()));
+      return absl::InvalidArgumentError(
+          fmt::format("placements[{}].object_id: \"{}\" is not an object of the graph", i, placement.object_id()));
     }
     if (!std::isfinite(placement.x_m()) || !std::isfinite(placement.y_m()) || !std::isfinite(placement.theta_rad())) {
-      return absl::InvalidArgumentError(fmt::format("placements[{}]: the pose of \"{}\" is not finite", i,
-                                                    placement.object_id()));
+      return absl::InvalidArgumentError(
+          fmt::format("placements[{}]: the pose of \"{}\" is not finite", i, placement.object_id()));
     }
     state.Place(object, {placement.x_m(), placement.y_m(), placement.theta_rad()});
   }
@@ -213,11 +212,11 @@ absl::StatusOr<SolveResult> SolveLayout(const v1::LayoutGraph& graph, const v1::
 }
 
 absl::StatusOr<std::vector<v1::RestartOutcome>> SolveStageRestarts(const v1::SolveRestartsRequest& request,
-                                                                   const Solver& solver,
-                                                                   const CancelCheck& cancelled) {
+                                                                   const Solver& solver, const CancelCheck& cancelled) {
   if (request.first_restart() < 0 || request.restart_count() < 1 || request.restart_count() > 1000) {
-    return absl::InvalidArgumentError(fmt::format("first_restart {} and restart_count {}: must be >= 0 and in [1, 1000]",
-                                                  request.first_restart(), request.restart_count()));
+    return absl::InvalidArgumentError(
+        fmt::format("first_restart {} and restart_count {}: must be >= 0 and in [1, 1000]", request.first_restart(),
+                    request.restart_count()));
   }
   absl::StatusOr<SolveInput> input = MakeSolveInput(request.layout_graph(), request.options(), solver, cancelled);
   if (!input.ok()) return input.status();
@@ -257,8 +256,10 @@ absl::StatusOr<v1::EvaluateResponse> EvaluateLayout(const v1::EvaluateRequest& r
   if (absl::Status status = ReadPlacements(*input, request.placements(), state); !status.ok()) return status;
   const SceneCosts costs = BindCosts(*input, ZoneCenters(input->scene, state.placed, state.layout));
   v1::EvaluateResponse response;
-  for (v1::EdgeOutcome& outcome : EdgeOutcomes(*input, costs, state)) *response.add_edge_outcomes() = std::move(outcome);
-  for (v1::TermOutcome& outcome : TermOutcomes(*input, costs, state)) *response.add_term_outcomes() = std::move(outcome);
+  for (v1::EdgeOutcome& outcome : EdgeOutcomes(*input, costs, state))
+    *response.add_edge_outcomes() = std::move(outcome);
+  for (v1::TermOutcome& outcome : TermOutcomes(*input, costs, state))
+    *response.add_term_outcomes() = std::move(outcome);
   return response;
 }
 

@@ -13,7 +13,7 @@
 namespace flair::optimizer {
 
 // The stages, in the order in which they run.
-enum class StageKind { kPrimary, kSecondary, kPolish, kTertiary };
+enum class StageKind : int { kPrimary, kSecondary, kPolish, kTertiary };
 
 // "primary", "secondary", "polish", "tertiary".
 std::string_view StageName(StageKind kind);
@@ -44,8 +44,8 @@ struct RestartResult {
   PartialLayout state;
 };
 
-// The objects of a stage: primaries; a zone's secondaries with the floor pieces among its tertiaries; all floor objects;
-// tertiaries.
+// The objects of a stage: primaries; a zone's secondaries with the floor pieces among its tertiaries; all floor
+// objects; tertiaries.
 StageSpec MakeStage(const Scene& scene, StageKind kind, int zone = -1);
 
 // Restarts that a stage gets when the caller does not say.

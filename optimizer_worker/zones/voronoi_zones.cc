@@ -79,8 +79,8 @@ Polygon ToPolygon(const ExactPolygon& exact) {
   Polygon polygon;
   for (auto it = exact.vertices_begin(); it != exact.vertices_end(); ++it) {
     const Vec2<double> p{CGAL::to_double(it->x()), CGAL::to_double(it->y())};
-    const bool repeats = !polygon.vertices.empty() && std::hypot(p.x - polygon.vertices.back().x,
-                                                                 p.y - polygon.vertices.back().y) < kSmallestEdge_m;
+    const bool repeats = !polygon.vertices.empty() &&
+                         std::hypot(p.x - polygon.vertices.back().x, p.y - polygon.vertices.back().y) < kSmallestEdge_m;
     if (!repeats) polygon.vertices.push_back(p);
   }
   return polygon;

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluation/readers/flairgpt_room.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "evaluation/readers/flairgpt_calls.h"
+#include "fmt/format.h"
+#include "nlohmann/json.hpp"
+
+namespace flair::evaluation {
+namespace {
+
+using nlohmann::json;
+
+// The recordings have no heights. Furniture stands higher than a window sill and lower than what hangs on walls.
+constexpr double kRoomHeight_m = 3.0, kFurniture_m = 1.0, kWallBottom_m = 1.4, kWallPiece_m = 0.5, kLamp_m = 0.5;
+constexpr double kItem_m = 0.3, kRug_m = 0.01, kSill_m = 0.9, kHead_m = 2.1;
+
+bool IsRug(const std::string& name) {
+  static const std::set<std::string> words = {"rug",     "rugs",    "mat",     "mats",      "carpet", "carpets",
+                                              "bathmat", "doormat", "arearug", "runnerrug", "playmat"};
+  std::string spaced;
+  for (char c : name) spaced += std::isalpha(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : ' ';
+  std::istringstream stream(spaced);
+  for (std::string word; stream >> word;) {
+    if (words.count(word) != 0) return true;
+  }
+  return false;
+}
+
+void AddVertex(double x, double y, v1::Room& room) {
+  v1::Point2* vertex = room.mutable_floor()->add_vertices();
+  vertex->set_x_m(x);
+  vertex->set_y_m(y);
+}
+
+std::string FeatureKind(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(c));
+  if (word.rfind("window", 0) == 0) return "window";
+  if (word.rfind("door", 0) == 0 || word == "entrance") return "door";
+  return "socket";
+}
+
+void AddFeature(const json& feature, double width, double length, v1::Room& room) {
+  if (!feature.contains("wall") || !feature["wall"].is_string() || !feature.value("position", json()).is_number())
+    return;
+  const std::string wall = feature["wall"];
+  const bool across = wall == "south" || wall == "north";
+  const double wall_m = across ? width : length;
+  const double size_m = std::min(feature.value("width", 0.0), wall_m);
+  const double low = feature["position"].get<double>() * (wall_m - size_m);
+  // Recorded from the west or south end; walls here run counter-clockwise.
+  const double offset = std::max(0.0, wall == "south" || wall == "east" ? low : wall_m - low - size_m);
+  const std::string kind = FeatureKind(feature.value("kind", ""));
+  if (kind == "socket") {
+    v1::Socket* socket = room.add_sockets();
+    socket->set_id(fmt::format("socket_{}", room.sockets_size()));
+    socket->set_wall(wall);
+    socket->set_offset_m(offset + size_m / 2);
+    socket->set_height_m(0.3);
+    return;
+  }
+  v1::Opening* opening = room.add_openings();
+  opening->set_id(fmt::format("{}_{}", kind, room.openings_size()));
+  opening->set_wall(wall);
+  opening->set_offset_m(offset);
+  opening->set_width_m(size_m);
+  opening->set_head_height_m(kHead_m);
+  if (kind == "window") {
+    opening->set_kind(v1::OPENING_KIND_WINDOW);
+    opening->set_sill_height_m(kSill_m);
+    return;
+  }
+  opening->set_kind(v1::OPENING_KIND_DOOR);
+  // The recorded hinge is the end at which the wall, walked counter-clockwise, begins.
+  opening->mutable_leaf()->set_hinge(v1::HINGE_SIDE_START);
+  opening->mutable_leaf()->set_swing(v1::DOOR_SWING_INWARD);
+  opening->mutable_leaf()->set_swing_angle_rad(1.5707963267948966);
+}
+
+void ReadRoom(const json& problem, v1::Room& room) {
+  const double width = problem["room"]["width"], length = problem["room"]["length"];
+  room.set_room_type("room");
+  room.set_title(problem.value("prompt", problem.value("name", "")));
+  AddVertex(0, 0, room);
+  AddVertex(width, 0, room);
+  AddVertex(width, length, room);
+  AddVertex(0, length, room);
+  for (const char* name : {"south", "east", "north", "west"}) room.add_walls()->set_name(name);
+  room.set_height_m(kRoomHeight_m);
+  for (const json& feature : problem.value("fixed_objects", json::array())) AddFeature(feature, width, length, room);
+}
+
+std::string ZoneId(const std::string& name) {
+  std::string id;
+  for (char c : name) id += std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : '_';
+  return id;
+}
+
+void AddObject(const json& record, v1::ObjectRole role, v1::LayoutGraph& graph) {
+  v1::Object* object = graph.mutable_object_list()->add_objects();
+  const bool tertiary = role == v1::OBJECT_ROLE_TERTIARY;
+  object->set_id(fmt::format("{}_{}", tertiary ? "item" : "floor", record.at("index").get<int>()));
+  object->set_name(record.at("name"));
+  object->set_role(role);
+  object->set_width_m(record.at("width"));
+  object->set_depth_m(record.at("length"));
+  if (!tertiary) object->set_zone_id(ZoneId(record.value("zone", "")));
+  const std::string type = tertiary && record.value("type", json()).is_string() ? record["type"] : "floor";
+  object->set_walk_over(type == "floor" && IsRug(object->name()));
+  object->set_height_m(object->walk_over() ? kRug_m : kFurniture_m);
+  object->set_kind(v1::OBJECT_KIND_FLOOR);
+  if (type == "wall") {
+    object->set_kind(v1::OBJECT_KIND_WALL);
+    object->set_elevation_m(kWallBottom_m);
+    object->set_height_m(kWallPiece_m);
+  } else if (type == "ceiling") {
+    object->set_kind(v1::OBJECT_KIND_CEILING);
+    object->set_elevation_m(kRoomHeight_m - kLamp_m);
+    object->set_height_m(kLamp_m);
+  } else if (type == "table") {
+    object->set_kind(v1::OBJECT_KIND_SURFACE);
+    object->set_height_m(kItem_m);
+  }
+}
+
+void AddCalls(const json& calls, v1::LayoutGraph& graph) {
+  for (const json& call : calls) {
+    absl::StatusOr<v1::ConstraintEdge> edge = ReadFlairGptCall(call, graph);
+    if (!edge.ok()) {
+      v1::Diagnostic* diagnostic = graph.add_diagnostics();
+      diagnostic->set_severity(v1::SEVERITY_WARNING);
+      diagnostic->set_code("unusable_call");
+      diagnostic->set_message(fmt::format("{}: {}", call.dump(), std::string(edge.status().message())));
+      continue;
+    }
+    const std::string content = edge->SerializeAsString();
+    const bool known = std::any_of(graph.edges().begin(), graph.edges().end(), [&](v1::ConstraintEdge other) {
+      other.clear_id();
+      return other.SerializeAsString() == content;
+    });
+    if (known) continue;
+    edge->set_id(fmt::format("e{}", graph.edges_size() + 1));
+    *graph.add_edges() = *std::move(edge);
+  }
+}
+
+v1::LayoutGraph ReadProblem(const json& problem) {
+  v1::LayoutGraph graph;
+  ReadRoom(problem, *graph.mutable_room());
+  for (const json& name : problem.value("zones", json::array())) {
+    v1::Zone* zone = graph.mutable_zone_plan()->add_zones();
+    zone->set_id(ZoneId(name));
+    zone->set_name(name);
+  }
+  for (const json& record : problem.value("primary", json::array())) AddObject(record, v1::OBJECT_ROLE_PRIMARY, graph);
+  for (const json& record : problem.value("secondary", json::array()))
+    AddObject(record, v1::OBJECT_ROLE_SECONDARY, graph);
+  for (const json& record : problem.value("tertiary", json::array()))
+    AddObject(record, v1::OBJECT_ROLE_TERTIARY, graph);
+  const json& calls = problem.at("calls");
+  AddCalls(calls.value("primary", json::array()), graph);
+  for (const json& zone : calls.value("secondary", json::array())) AddCalls(zone.value("calls", json::array()), graph);
+  AddCalls(calls.value("secondary_all", json::array()), graph);
+  AddCalls(calls.value("tertiary", json::array()), graph);
+  return graph;
+}
+
+}  // namespace
+
+absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& text) {
+  try {
+    return ReadProblem(json::parse(text));
+  } catch (const json::exception& error) {
+    return absl::InvalidArgumentError(fmt::format("not a recorded FlairGPT problem: {}", error.what()));
+  }
+}
+
+std::string WriteFlairGptLayout(const v1::SolvedLayout& layout, const std::string& name, double seconds) {
+  json objects = json::array();
+  for (const v1::Object& object : layout.graph().object_list().objects()) {
+    const auto placement = std::find_if(layout.placements().begin(), layout.placements().end(),
+                                        [&](const v1::Placement& p) { return p.object_id() == object.id(); });
+    if (placement == layout.placements().end()) continue;
+    const char* role = object.role() == v1::OBJECT_ROLE_PRIMARY     ? "primary"
+                       : object.role() == v1::OBJECT_ROLE_SECONDARY ? "secondary"
+                                                                    : "tertiary";
+    objects.push_back({{"role", role},
+                       {"index", std::stoi("0" + object.id().substr(object.id().rfind('_') + 1))},
+                       {"name", object.name()},
+                       {"x", placement->x_m()},
+                       {"y", placement->y_m()},
+                       {"theta", placement->theta_rad()},
+                       {"width", object.width_m()},
+                       {"length", object.depth_m()}});
+  }
+  return json{{"name", name}, {"seconds", seconds}, {"objects", objects}}.dump(1);
+}
+
+}  // namespace flair::evaluation

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/service/make_optimizer_service.h"
+
+#include "flair/v1/optimizer_service.grpc.pb.h"
+#include "optimizer_worker/service/evaluate_handler.h"
+#include "optimizer_worker/service/list_constraint_types_handler.h"
+#include "optimizer_worker/service/solve_handler.h"
+#include "optimizer_worker/service/solve_restarts_handler.h"
+#include "optimizer_worker/solver/nlopt_solver.h"
+#include "worker_runtime/grpc/unary_call.h"
+
+namespace flair::optimizer {
+namespace {
+
+class Service final : public v1::OptimizerService::CallbackService {
+ public:
+  explicit Service(runtime::WorkerContext& worker) : worker_(worker) {}
+
+  grpc::ServerUnaryReactor* ListConstraintTypes(grpc::CallbackServerContext* context,
+                                                const v1::ListConstraintTypesRequest* request,
+                                                v1::ListConstraintTypesResponse* response) override {
+    return runtime::ServeUnary(worker_, "ListConstraintTypes", context, request, response, list_constraint_types_);
+  }
+  grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
+                                  v1::SolveResponse* response) override {
+    return runtime::ServeUnary(worker_, "Solve", context, request, response, solve_);
+  }
+  grpc::ServerUnaryReactor* SolveRestarts(grpc::CallbackServerContext* context, const v1::SolveRestartsRequest* request,
+                                          v1::SolveRestartsResponse* response) override {
+    return runtime::ServeUnary(worker_, "SolveRestarts", context, request, response, solve_restarts_);
+  }
+  grpc::ServerUnaryReactor* Evaluate(grpc::CallbackServerContext* context, const v1::EvaluateRequest* request,
+                                     v1::EvaluateResponse* response) override {
+    return runtime::ServeUnary(worker_, "Evaluate", context, request, response, evaluate_);
+  }
+
+ private:
+  runtime::WorkerContext& worker_;
+  const NloptSolver solver_;
+  ListConstraintTypesHandler list_constraint_types_;
+  SolveHandler solve_{solver_};
+  SolveRestartsHandler solve_restarts_{solver_};
+  EvaluateHandler evaluate_{solver_};
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<grpc::Service>> MakeOptimizerService(const config::v1::OptimizerWorkerConfig&,
+                                                                    runtime::WorkerContext& worker) {
+  return std::make_unique<Service>(worker);
+}
+
+}  // namespace flair::optimizer

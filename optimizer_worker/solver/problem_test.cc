@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/solver/problem.h"
+
+#include <gtest/gtest.h>
+
+namespace flair::optimizer {
+namespace {
+
+// x of the first minus x of the second, squared.
+class Spread final : public Cost {
+ public:
+  explicit Spread(std::vector<int> objects) : objects_(std::move(objects)) {}
+  std::span<const int> objects() const override { return objects_; }
+  double Value(std::span<const Pose<double>> poses) const override {
+    const double d = poses[0].x_m - poses[1].x_m;
+    return d * d;
+  }
+  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const override {
+    std::fill(gradient.begin(), gradient.end(), 0.0);
+    gradient[0] = 2 * (poses[0].x_m - poses[1].x_m);
+    gradient[3] = -gradient[0];
+    return Value(poses);
+  }
+
+ private:
+  std::vector<int> objects_;
+};
+
+std::vector<Term> TwoTerms() {
+  std::vector<Term> terms(2);
+  terms[0].cost = std::make_unique<Spread>(std::vector<int>{0, 1});
+  terms[0].required = {0, 1};
+  terms[1].cost = std::make_unique<Spread>(std::vector<int>{1, 2});
+  terms[1].required = {1, 2};
+  terms[1].weight = 10;
+  return terms;
+}
+
+TEST(Problem, CountsOnlyTermsWhoseObjectsArePlaced) {
+  const std::vector<Term> terms = TwoTerms();
+  Problem problem(terms, {0, 1}, 3);
+  const std::vector<Pose<double>> poses = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
+  EXPECT_EQ(problem.Total(poses), 0);
+  problem.SetPlaced(0, true);
+  problem.SetPlaced(1, true);
+  EXPECT_EQ(problem.Total(poses), 1);
+  problem.SetPlaced(2, true);
+  EXPECT_EQ(problem.Total(poses), 41);
+  EXPECT_EQ(problem.Around(0, poses, 1e9), 1);
+  EXPECT_EQ(problem.Around(1, poses, 1e9), 41);
+  problem.SetPlaced(2, false);
+  EXPECT_EQ(problem.Total(poses), 1);
+}
+
+TEST(Problem, AddsGradientsOfTermsThatShareAnObject) {
+  const std::vector<Term> terms = TwoTerms();
+  Problem problem(terms, {0, 1}, 3);
+  for (int i = 0; i < 3; ++i) problem.SetPlaced(i, true);
+  const std::vector<Pose<double>> poses = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
+  std::vector<double> gradient(9, 0.0);
+  EXPECT_EQ(problem.Gradient(poses, gradient), 41);
+  EXPECT_EQ(gradient, (std::vector<double>{-2, 0, 0, 2 - 40, 0, 0, 40, 0, 0}));
+}
+
+}  // namespace
+}  // namespace flair::optimizer

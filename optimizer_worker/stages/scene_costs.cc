@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/scene_costs.h"
+
+#include <utility>
+
+#include "absl/status/statusor.h"
+#include "optimizer_worker/constraints/registry.h"
+#include "optimizer_worker/constraints/whole_room.h"
+#include "optimizer_worker/stages/stage.h"
+
+namespace flair::optimizer {
+namespace {
+
+class Collector {
+ public:
+  Collector(const SolveInput& input, SceneCosts& costs) : input_(input), costs_(costs) {}
+
+  void Edges(std::span<const Vec2<double>> zone_centers) {
+    const BindContext context{input_.scene, zone_centers, &input_.linked};
+    costs_.dropped.resize(input_.graph.edges_size());
+    for (int e = 0; e < input_.graph.edges_size(); ++e) {
+      const v1::ConstraintEdge& edge = input_.graph.edges(e);
+      absl::StatusOr<std::unique_ptr<Cost>> cost = Bind(edge, context);
+      if (!cost.ok()) {
+        costs_.dropped[e] = std::string(cost.status().message());
+        continue;
+      }
+      Term& term = costs_.terms.emplace_back();
+      term.cost = *std::move(cost);
+      term.weight = term.factor = edge.weight() > 0 ? edge.weight() : 1.0;
+      term.required = NamedObjects(edge, input_.scene);
+      term.edge = e;
+      term.name = edge.type();
+    }
+  }
+
+  void Floor(std::span<const Vec2<double>> zone_centers) {
+    const Scene& scene = input_.scene;
+    const LambdaValues& lambdas = input_.settings.lambdas;
+    std::vector<int> primaries;
+    for (int i = 0; i < Count(); ++i) {
+      const Object& object = scene.objects[i];
+      if (object.kind != ObjectKind::kFloor || object.walk_over) continue;
+      Hard("in_bounds", lambdas.in_bounds, InBounds(scene, i));
+      Hard("door_clear", lambdas.no_overlap * lambdas.door_overlap, DoorClear(scene, i));
+      Soft("aligned", 1, Aligned(scene, i));
+      if (lambdas.wall_attraction_divisor > 0) {
+        Soft("wall_attraction", 1 / lambdas.wall_attraction_divisor, WallAttraction(scene, i));
+      }
+      if (object.role != ObjectRole::kTertiary) Soft("zone", lambdas.zone, ZoneAffinity(scene, i, zone_centers));
+      if (object.role == ObjectRole::kPrimary) primaries.push_back(i);
+    }
+    if (primaries.size() > 1) Soft("balanced", lambdas.balanced, Balanced(scene, primaries));
+  }
+
+  void Tertiaries() {
+    const Scene& scene = input_.scene;
+    const LambdaValues& lambdas = input_.settings.lambdas;
+    for (int i = 0; i < Count(); ++i) {
+      const Object& object = scene.objects[i];
+      if (object.kind == ObjectKind::kFloor && !object.walk_over) continue;
+      Hard("in_bounds", lambdas.tertiary_in_bounds, InBounds(scene, i));
+      Hard("on_wall", lambdas.on_wall, OnWall(scene, i));
+      Soft("aligned", 1, Aligned(scene, i));
+    }
+  }
+
+  void Pairs() {
+    for (int a = 0; a < Count(); ++a) {
+      for (int b = a + 1; b < Count(); ++b) {
+        Hard("no_overlap", input_.settings.lambdas.no_overlap, NoOverlapPair(input_.scene, a, b));
+      }
+    }
+  }
+
+ private:
+  int Count() const { return static_cast<int>(input_.scene.objects.size()); }
+
+  void Hard(const char* name, double factor, std::unique_ptr<Cost> cost) { Add(name, factor, std::move(cost), true); }
+  void Soft(const char* name, double factor, std::unique_ptr<Cost> cost) { Add(name, factor, std::move(cost), false); }
+  void Add(const char* name, double factor, std::unique_ptr<Cost> cost, bool hard) {
+    if (!cost) return;
+    Term& term = costs_.terms.emplace_back();
+    term.required.assign(cost->objects().begin(), cost->objects().end());
+    term.cost = std::move(cost);
+    term.factor = factor;
+    term.weight = hard && factor < kHardFactor ? factor * kHardFactor : factor;
+    term.hard = hard;
+    term.name = name;
+  }
+
+  const SolveInput& input_;
+  SceneCosts& costs_;
+};
+
+}  // namespace
+
+SceneCosts BindCosts(const SolveInput& input, std::span<const Vec2<double>> zone_centers) {
+  SceneCosts costs;
+  Collector collector(input, costs);
+  collector.Edges(zone_centers);
+  collector.Floor(zone_centers);
+  collector.Tertiaries();
+  collector.Pairs();
+  return costs;
+}
+
+bool CountsIn(const Term& term, StageKind stage) {
+  if (term.name == "balanced") return stage == StageKind::kPrimary;
+  if (term.name == "zone" || term.name == "in_zone") return stage != StageKind::kPrimary;
+  return true;
+}
+
+}  // namespace flair::optimizer
