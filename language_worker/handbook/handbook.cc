@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/handbook.h"
+
+#include <utility>
+
+namespace flair::language {
+
+Handbook::Handbook(hb::Handbook contents, std::string version)
+    : contents_(std::move(contents)), version_(std::move(version)) {
+  for (const auto& item : contents_.furniture()) furniture_.emplace(item.name(), &item);
+  for (const auto& item : contents_.styles()) styles_.emplace(item.name(), &item);
+  for (const auto& item : contents_.themes()) themes_.emplace(item.name(), &item);
+  for (const auto& item : contents_.colours()) {
+    colours_.emplace(item.name(), &item);
+    for (const auto& synonym : item.synonyms()) colours_.emplace(synonym, &item);
+  }
+  for (const auto& item : contents_.archetypes()) {
+    archetypes_.emplace(item.name(), &item);
+    if (item.fallback() || fallback_ == nullptr) fallback_ = &item;
+  }
+}
+
+}  // namespace flair::language

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "flair/handbook/v1/handbook.pb.h"
+
+namespace flair::language {
+
+namespace hb = ::flair::handbook::v1;
+
+// What a designer knows: the data files as one message, with look-up by name. Immutable and thread-safe once made.
+// Pointers returned stay valid as long as the handbook lives.
+class Handbook {
+ public:
+  // `contents` must have passed CheckHandbook. `version` is the digest of the files it came from.
+  Handbook(hb::Handbook contents, std::string version);
+  Handbook(const Handbook&) = delete;
+  Handbook& operator=(const Handbook&) = delete;
+
+  const hb::Handbook& contents() const { return contents_; }
+  const std::string& version() const { return version_; }
+
+  // Null when there is none of that name.
+  const hb::Furniture* FindFurniture(std::string_view name) const { return Find(furniture_, name); }
+  const hb::Archetype* FindArchetype(std::string_view name) const { return Find(archetypes_, name); }
+  const hb::Style* FindStyle(std::string_view name) const { return Find(styles_, name); }
+  const hb::Theme* FindTheme(std::string_view name) const { return Find(themes_, name); }
+  const hb::NamedColour* FindColour(std::string_view name) const { return Find(colours_, name); }
+
+  // The kind of room for briefs that name none that is known.
+  const hb::Archetype& fallback_archetype() const { return *fallback_; }
+
+ private:
+  template <typename T>
+  using Index = std::map<std::string, const T*, std::less<>>;
+
+  template <typename T>
+  static const T* Find(const Index<T>& index, std::string_view name) {
+    const auto found = index.find(name);
+    return found == index.end() ? nullptr : found->second;
+  }
+
+  hb::Handbook contents_;
+  std::string version_;
+  Index<hb::Furniture> furniture_;
+  Index<hb::Archetype> archetypes_;
+  Index<hb::Style> styles_;
+  Index<hb::Theme> themes_;
+  Index<hb::NamedColour> colours_;
+  const hb::Archetype* fallback_ = nullptr;
+};
+
+}  // namespace flair::language

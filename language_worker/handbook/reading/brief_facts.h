@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "flair/v1/brief.pb.h"
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/size_phrase.h"
+
+namespace flair::language {
+
+// A piece of furniture that the brief asks for by name.
+struct Wish {
+  const hb::Furniture* furniture = nullptr;
+  int count = 1;
+};
+
+// What a brief says, as far as the handbook knows the words. Pointers go into the handbook and are never null.
+struct BriefFacts {
+  SizeRequest size;
+  const hb::Archetype* archetype = nullptr;
+  bool archetype_named = false;  // false: the fallback, or a guess from hints
+  std::vector<Wish> wishes;      // in the order of the text, one per class
+  std::vector<const hb::Furniture*> refusals;
+  std::vector<const hb::Theme*> themes;
+  std::vector<const hb::Need*> needs;
+  std::vector<const hb::Style*> styles;  // named directly: "scandinavian"
+  std::vector<const hb::NamedColour*> colours;
+  std::optional<int> people;
+};
+
+// Reads a brief. The same text and handbook give the same facts. Errors as ReadSize.
+absl::StatusOr<BriefFacts> ReadBrief(const v1::Brief& brief, const Handbook& handbook);
+
+}  // namespace flair::language
