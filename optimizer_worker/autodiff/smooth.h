@@ -3,9 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
-#include <limits>
-#include <type_traits>
 
 #include "optimizer_worker/autodiff/dual.h"
 #include "room/geometry/vec2.h"
@@ -69,28 +66,6 @@ T SmoothMax(const T& a, const T& b, double width) {
 template <typename T>
 T SmoothMin(const T& a, const T& b, double width) {
   return -SmoothMax(-a, -b, width);
-}
-
-// The least of `candidate(0) .. candidate(count - 1)`, each a function object templated on the scalar: finds the
-// least value first and differentiates that one only. Ties go to the first. Needs count >= 1.
-template <typename T, typename ValueFn, typename TermFn>
-T Least(int count, const ValueFn& value, const TermFn& term) {
-  int best = 0;
-  if constexpr (!std::is_same_v<T, double>) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < count; ++i) {
-      const double v = value(i);
-      if (v < least) least = v, best = i;
-    }
-    return term(best);
-  } else {
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < count; ++i) {
-      const double v = value(i);
-      if (v < least) least = v;
-    }
-    return least;
-  }
 }
 
 }  // namespace flair::optimizer

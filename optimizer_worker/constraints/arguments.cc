@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/constraints/arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "optimizer_worker/constraints/facts.h"
+
+namespace flair::optimizer {
+namespace {
+
+using v1::ArgumentValue;
+using v1::ParameterSpec;
+
+absl::Status WrongType(const ParameterSpec& spec, std::string_view wanted) {
+  return absl::InvalidArgumentError(fmt::format("argument {}: give {}", spec.name(), wanted));
+}
+
+absl::StatusOr<int> ObjectIndex(const ParameterSpec& spec, const std::string& id, const Scene& scene) {
+  const int index = scene.IndexOf(id);
+  if (index < 0) return absl::NotFoundError(fmt::format("argument {}: there is no object \"{}\"", spec.name(), id));
+  return index;
+}
+
+absl::StatusOr<Side> SideOf(const ParameterSpec& spec, const std::string& text) {
+  const std::optional<Side> side = SideFromName(text);
+  if (side.has_value()) return *side;
+  return absl::InvalidArgumentError(
+      fmt::format("argument {}: \"{}\" is no side; use front, back, left or right", spec.name(), text));
+}
+
+// The index that a text refers to; what it indexes depends on the kind.
+absl::StatusOr<int> IndexOfText(const ParameterSpec& spec, const std::string& text, const Scene& scene) {
+  switch (spec.kind()) {
+    case v1::PARAMETER_KIND_OBJECT:
+      return ObjectIndex(spec, text, scene);
+    case v1::PARAMETER_KIND_ZONE: {
+      const int zone = scene.ZoneIndexOf(text);
+      if (zone >= 0) return zone;
+      return absl::NotFoundError(fmt::format("argument {}: there is no zone \"{}\"", spec.name(), text));
+    }
+    case v1::PARAMETER_KIND_WALL: {
+      const int wall = scene.room.WallIndex(text);
+      if (wall >= 0) return wall;
+      std::string names;
+      for (const Wall& w : scene.room.walls) names += (names.empty() ? "" : ", ") + w.name;
+      return absl::NotFoundError(
+          fmt::format("argument {}: there is no wall \"{}\"; the room has {}", spec.name(), text, names));
+    }
+    case v1::PARAMETER_KIND_FEATURE:
+      for (FeatureKind kind : {FeatureKind::kDoor, FeatureKind::kWindow, FeatureKind::kSocket}) {
+        if (text != FeatureName(kind)) continue;
+        if (!FeatureSegments(scene.room, kind).empty()) return static_cast<int>(kind);
+        return absl::FailedPreconditionError(fmt::format("argument {}: the room has no {}", spec.name(), text));
+      }
+      return absl::InvalidArgumentError(
+          fmt::format("argument {}: \"{}\" is no feature; use door, window or socket", spec.name(), text));
+    case v1::PARAMETER_KIND_CORNER: {
+      const std::optional<Corner> corner = CornerFromName(text);
+      if (corner.has_value()) return static_cast<int>(*corner);
+      return absl::InvalidArgumentError(fmt::format(
+          "argument {}: \"{}\" is no corner; use back_left, back_right, front_right or front_left", spec.name(), text));
+    }
+    default:
+      return absl::InternalError("not a text");
+  }
+}
+
+absl::StatusOr<double> NumberOf(const ParameterSpec& spec, const ArgumentValue& value) {
+  if (value.value_case() != ArgumentValue::kNumber || !std::isfinite(value.number())) {
+    return WrongType(spec, "a finite number");
+  }
+  const double x = value.number();
+  if ((spec.has_min_number() && x < spec.min_number()) || (spec.has_max_number() && x > spec.max_number())) {
+    return absl::InvalidArgumentError(fmt::format("argument {}: {} is out of range; use {} to {} {}", spec.name(), x,
+                                                  spec.min_number(), spec.max_number(), spec.unit()));
+  }
+  return x;
+}
+
+const ParameterSpec* SpecOf(const ConstraintFacts& facts, const std::string& name) {
+  for (const ParameterSpec& spec : facts.parameters) {
+    if (spec.name() == name) return &spec;
+  }
+  return nullptr;
+}
+
+// Every argument is known and given once.
+absl::Status CheckNames(const ConstraintFacts& facts, const v1::ConstraintEdge& edge) {
+  for (int i = 0; i < edge.arguments_size(); ++i) {
+    const std::string& name = edge.arguments(i).name();
+    if (SpecOf(facts, name) == nullptr) {
+      std::string known;
+      for (const ParameterSpec& spec : facts.parameters) known += (known.empty() ? "" : ", ") + spec.name();
+      return absl::InvalidArgumentError(fmt::format("{} has no argument {}; it takes {}", facts.name, name, known));
+    }
+    for (int j = 0; j < i; ++j) {
+      if (edge.arguments(j).name() == name) {
+        return absl::InvalidArgumentError(fmt::format("argument {} is given twice", name));
+      }
+    }
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+std::string_view FeatureName(FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::kDoor:
+      return "door";
+    case FeatureKind::kWindow:
+      return "window";
+    case FeatureKind::kSocket:
+      return "socket";
+  }
+  return "";
+}
+
+std::vector<Segment> FeatureSegments(const Room& room, FeatureKind kind) {
+  std::vector<Segment> segments;
+  if (kind == FeatureKind::kSocket) {
+    for (const Socket& socket : room.sockets) segments.push_back(room.SegmentOf(socket));
+    return segments;
+  }
+  const OpeningKind wanted = kind == FeatureKind::kDoor ? OpeningKind::kDoor : OpeningKind::kWindow;
+  for (const Opening& opening : room.openings) {
+    if (opening.kind == wanted) segments.push_back(room.SegmentOf(opening));
+  }
+  return segments;
+}
+
+absl::StatusOr<Arguments::Value> Arguments::ResolveOne(const ParameterSpec& spec, const ArgumentValue& value,
+                                                       const Scene& scene) {
+  Value resolved;
+  resolved.name = spec.name();
+  resolved.kind = spec.kind();
+  switch (spec.kind()) {
+    case v1::PARAMETER_KIND_OBJECTS:
+    case v1::PARAMETER_KIND_SIDES: {
+      if (value.value_case() != ArgumentValue::kTexts || value.texts().items().empty()) {
+        return WrongType(spec, "a list of at least one text");
+      }
+      for (const std::string& item : value.texts().items()) {
+        if (spec.kind() == v1::PARAMETER_KIND_SIDES) {
+          const absl::StatusOr<Side> side = SideOf(spec, item);
+          if (!side.ok()) return side.status();
+          if (std::find(resolved.sides.begin(), resolved.sides.end(), *side) == resolved.sides.end()) {
+            resolved.sides.push_back(*side);
+          }
+        } else {
+          const absl::StatusOr<int> object = ObjectIndex(spec, item, scene);
+          if (!object.ok()) return object.status();
+          resolved.indices.push_back(*object);
+        }
+      }
+      return resolved;
+    }
+    case v1::PARAMETER_KIND_NUMBER: {
+      const absl::StatusOr<double> number = NumberOf(spec, value);
+      if (!number.ok()) return number.status();
+      resolved.number = *number;
+      return resolved;
+    }
+    case v1::PARAMETER_KIND_BOOLEAN:
+      if (value.value_case() != ArgumentValue::kFlag) return WrongType(spec, "true or false");
+      resolved.number = value.flag() ? 1 : 0;
+      return resolved;
+    default:
+      break;
+  }
+  if (value.value_case() != ArgumentValue::kText) return WrongType(spec, "a text");
+  if (spec.kind() == v1::PARAMETER_KIND_SIDE) {
+    const absl::StatusOr<Side> side = SideOf(spec, value.text());
+    if (!side.ok()) return side.status();
+    resolved.sides.push_back(*side);
+    return resolved;
+  }
+  const absl::StatusOr<int> index = IndexOfText(spec, value.text(), scene);
+  if (!index.ok()) return index.status();
+  resolved.indices.push_back(*index);
+  return resolved;
+}
+
+absl::StatusOr<Arguments> Arguments::Resolve(const ConstraintFacts& facts, const v1::ConstraintEdge& edge,
+                                             const Scene& scene) {
+  if (absl::Status names = CheckNames(facts, edge); !names.ok()) return names;
+  Arguments arguments;
+  for (const ParameterSpec& spec : facts.parameters) {
+    const ArgumentValue* value = spec.has_default_value() ? &spec.default_value() : nullptr;
+    for (const v1::Argument& argument : edge.arguments()) {
+      if (argument.name() == spec.name()) value = &argument.value();
+    }
+    if (value == nullptr) {
+      if (!spec.required()) continue;
+      return absl::InvalidArgumentError(fmt::format("{} needs argument {}", facts.name, spec.name()));
+    }
+    absl::StatusOr<Value> resolved = ResolveOne(spec, *value, scene);
+    if (!resolved.ok()) return resolved.status();
+    arguments.values_.push_back(*std::move(resolved));
+  }
+  if (absl::Status differ = arguments.CheckObjectsDiffer(scene); !differ.ok()) return differ;
+  return arguments;
+}
+
+absl::Status Arguments::CheckObjectsDiffer(const Scene& scene) const {
+  std::vector<int> all = AllObjects();
+  std::sort(all.begin(), all.end());
+  const auto twice = std::adjacent_find(all.begin(), all.end());
+  if (twice == all.end()) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      fmt::format("object \"{}\" is named twice", scene.objects[static_cast<size_t>(*twice)].id));
+}
+
+const Arguments::Value* Arguments::Find(std::string_view name) const {
+  for (const Value& value : values_) {
+    if (value.name == name) return &value;
+  }
+  return nullptr;
+}
+
+const Arguments::Value& Arguments::Get(std::string_view name) const {
+  static const Value kNone{"", v1::PARAMETER_KIND_UNSPECIFIED, {0}, {Side::kFront}, 0};
+  const Value* value = Find(name);
+  return value != nullptr ? *value : kNone;
+}
+
+std::optional<Side> Arguments::MaybeSide(std::string_view name) const {
+  const Value* value = Find(name);
+  return value != nullptr ? std::optional<Side>(value->sides[0]) : std::nullopt;
+}
+
+int Arguments::MaybeWall(std::string_view name) const { return MaybeObject(name); }
+
+int Arguments::MaybeObject(std::string_view name) const {
+  const Value* value = Find(name);
+  return value != nullptr ? value->indices[0] : -1;
+}
+
+std::vector<int> Arguments::AllObjects() const {
+  std::vector<int> all;
+  for (const Value& value : values_) {
+    if (value.kind != v1::PARAMETER_KIND_OBJECT && value.kind != v1::PARAMETER_KIND_OBJECTS) continue;
+    all.insert(all.end(), value.indices.begin(), value.indices.end());
+  }
+  return all;
+}
+
+}  // namespace flair::optimizer

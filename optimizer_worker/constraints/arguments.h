@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The arguments of a call after checking: names resolved to indices, defaults filled in.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "flair/v1/constraint_catalog.pb.h"
+#include "flair/v1/layout_graph.pb.h"
+#include "room/geometry/footprint.h"
+#include "room/scene/scene.h"
+
+namespace flair::optimizer {
+
+struct ConstraintFacts;
+
+// What a call may point at in a room besides its walls.
+enum class FeatureKind { kDoor, kWindow, kSocket };
+std::string_view FeatureName(FeatureKind kind);
+
+class Arguments {
+ public:
+  // Checks all arguments of `edge` against the parameters of its type. Unset optional ones without default stay unset.
+  static absl::StatusOr<Arguments> Resolve(const ConstraintFacts& facts, const v1::ConstraintEdge& edge,
+                                           const Scene& scene);
+
+  // Only for parameters that the type declares with that kind and that are required or have a default.
+  int Object(std::string_view name) const { return Get(name).indices[0]; }
+  const std::vector<int>& Objects(std::string_view name) const { return Get(name).indices; }
+  int Zone(std::string_view name) const { return Get(name).indices[0]; }
+  FeatureKind Feature(std::string_view name) const { return static_cast<FeatureKind>(Get(name).indices[0]); }
+  Side OneSide(std::string_view name) const { return Get(name).sides[0]; }
+  const std::vector<Side>& Sides(std::string_view name) const { return Get(name).sides; }
+  Corner OneCorner(std::string_view name) const { return static_cast<Corner>(Get(name).indices[0]); }
+  double Number(std::string_view name) const { return Get(name).number; }
+  bool Flag(std::string_view name) const { return Get(name).number != 0; }
+
+  // For those that may stay unset.
+  bool Has(std::string_view name) const { return Find(name) != nullptr; }
+  std::optional<Side> MaybeSide(std::string_view name) const;
+  // -1 when unset.
+  int MaybeWall(std::string_view name) const;
+  int MaybeObject(std::string_view name) const;
+
+  // All objects named in any argument, in call order.
+  std::vector<int> AllObjects() const;
+
+ private:
+  struct Value {
+    std::string name;
+    v1::ParameterKind kind = v1::PARAMETER_KIND_UNSPECIFIED;
+    std::vector<int> indices;
+    std::vector<Side> sides;
+    double number = 0;
+  };
+
+  const Value* Find(std::string_view name) const;
+  const Value& Get(std::string_view name) const;
+  absl::Status CheckObjectsDiffer(const Scene& scene) const;
+  static absl::StatusOr<Value> ResolveOne(const v1::ParameterSpec& spec, const v1::ArgumentValue& value,
+                                          const Scene& scene);
+
+  std::vector<Value> values_;
+};
+
+// What is on the walls of that kind, in the room's order: empty when there is none.
+std::vector<Segment> FeatureSegments(const Room& room, FeatureKind kind);
+
+}  // namespace flair::optimizer

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/constraints/call_text.h"
+
+#include <cstdlib>
+#include <sstream>
+
+#include "optimizer_worker/constraints/facts.h"
+
+namespace flair::optimizer {
+namespace {
+
+v1::ParameterKind KindOf(const ConstraintFacts* facts, const std::string& name) {
+  if (facts != nullptr) {
+    for (const v1::ParameterSpec& spec : facts->parameters) {
+      if (spec.name() == name) return spec.kind();
+    }
+  }
+  return v1::PARAMETER_KIND_UNSPECIFIED;
+}
+
+v1::ArgumentValue ValueFromText(v1::ParameterKind kind, const std::string& text) {
+  v1::ArgumentValue value;
+  switch (kind) {
+    case v1::PARAMETER_KIND_OBJECTS:
+    case v1::PARAMETER_KIND_SIDES: {
+      std::istringstream items(text);
+      value.mutable_texts();
+      for (std::string item; std::getline(items, item, ',');) value.mutable_texts()->add_items(item);
+      break;
+    }
+    case v1::PARAMETER_KIND_NUMBER:
+      value.set_number(std::strtod(text.c_str(), nullptr));
+      break;
+    case v1::PARAMETER_KIND_BOOLEAN:
+      value.set_flag(text == "true");
+      break;
+    default:
+      value.set_text(text);
+  }
+  return value;
+}
+
+std::vector<v1::Argument> Parse(const ConstraintFacts* facts, std::string_view call) {
+  std::vector<v1::Argument> arguments;
+  std::istringstream words{std::string(call)};
+  for (std::string word; words >> word;) {
+    const size_t equals = word.find('=');
+    v1::Argument& argument = arguments.emplace_back();
+    argument.set_name(word.substr(0, equals));
+    const std::string text = equals == std::string::npos ? "" : word.substr(equals + 1);
+    *argument.mutable_value() = ValueFromText(KindOf(facts, argument.name()), text);
+  }
+  return arguments;
+}
+
+}  // namespace
+
+std::vector<v1::Argument> ArgumentsFromText(const ConstraintFacts& facts, std::string_view call) {
+  return Parse(&facts, call);
+}
+
+v1::ConstraintEdge EdgeFromText(std::string_view type, std::string_view call) {
+  v1::ConstraintEdge edge;
+  edge.set_id("e1");
+  edge.set_type(std::string(type));
+  edge.set_weight(1);
+  for (const v1::Argument& argument : Parse(FindConstraint(type), call)) *edge.add_arguments() = argument;
+  return edge;
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The least of several ways in which a sentence can hold.
+#pragma once
+
+#include <limits>
+#include <type_traits>
+
+#include "optimizer_worker/autodiff/smooth.h"
+#include "optimizer_worker/constraints/formula_cost.h"
+
+namespace flair::optimizer {
+
+// The values of frames, without derivatives.
+template <typename T>
+Frame<double> ValueOf(const Frame<T>& f) {
+  return {{ValueOf(f.center.x), ValueOf(f.center.y)},
+          {ValueOf(f.right.x), ValueOf(f.right.y)},
+          {ValueOf(f.front.x), ValueOf(f.front.y)}};
+}
+template <typename T, size_t K>
+std::array<Frame<double>, K> ValuesOf(const std::array<Frame<T>, K>& frames) {
+  std::array<Frame<double>, K> values;
+  for (size_t k = 0; k < K; ++k) values[k] = ValueOf(frames[k]);
+  return values;
+}
+
+// min over `ways` of way_cost(way, frames). Finds the least on the values and differentiates that one only; ties go to
+// the first. 0 when there are no ways.
+template <typename T, typename Ways, size_t K, typename WayCost>
+T LeastOf(const Ways& ways, const std::array<Frame<T>, K>& frames, const WayCost& way_cost) {
+  const std::array<Frame<double>, K> values = ValuesOf(frames);
+  double least = std::numeric_limits<double>::infinity();
+  size_t best = 0;
+  for (size_t i = 0; i < std::size(ways); ++i) {
+    const double cost = way_cost(ways[i], values);
+    if (cost < least) least = cost, best = i;
+  }
+  if (std::size(ways) == 0) return T(0.0);
+  if constexpr (std::is_same_v<T, double>) {
+    return least;
+  } else {
+    return way_cost(ways[best], frames);
+  }
+}
+
+}  // namespace flair::optimizer

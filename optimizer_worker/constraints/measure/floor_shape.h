@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A floor as what keeps objects in: the half-planes of its convex hull, and convex areas that cover everything of the
+// hull that is not floor. A rectangle has four half-planes and no areas, so that it gives exactly the formulas of
+// the paper; an L has five and one.
+#pragma once
+
+#include <vector>
+
+#include "optimizer_worker/constraints/measure/gap.h"
+#include "room/scene/room.h"
+
+namespace flair::optimizer {
+
+class FloorShape {
+ public:
+  explicit FloorShape(const Polygon& floor);
+
+  // inside: Dot(normal, p - point) >= 0.
+  struct HalfPlane {
+    Vec2<double> normal;
+    Vec2<double> point;
+  };
+  const std::vector<HalfPlane>& half_planes() const { return half_planes_; }
+  // Extended far out of the hull; their edges are exits only where they are walls.
+  const std::vector<ConvexPiece>& pockets() const { return pockets_; }
+
+  // Squared distances of a point beyond the half-planes.
+  template <typename T>
+  T SquaredExcess(const Vec2<T>& p) const {
+    T sum(0.0);
+    for (const HalfPlane& h : half_planes_) {
+      sum += SquaredHinge((T(h.point.x) - p.x) * T(h.normal.x) + (T(h.point.y) - p.y) * T(h.normal.y));
+    }
+    return sum;
+  }
+  // Of all corners of a box, and its squared penetration of the pockets: 0 exactly when the box is on the floor.
+  template <typename T>
+  T SquaredExcess(const Box<T>& box) const {
+    T sum(0.0);
+    for (const Vec2<T>& corner : box.corners) sum += SquaredExcess(corner);
+    return sum + SquaredPocketDepth(box);
+  }
+  template <typename T>
+  T SquaredPocketDepth(const Box<T>& box) const {
+    T sum(0.0);
+    for (const ConvexPiece& pocket : pockets_) sum += SquaredPenetration<T>(box, pocket);
+    return sum;
+  }
+
+ private:
+  std::vector<HalfPlane> half_planes_;
+  std::vector<ConvexPiece> pockets_;
+};
+
+}  // namespace flair::optimizer

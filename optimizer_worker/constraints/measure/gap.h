@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The signed gap between two convex shapes:
+//   gap(A, B) = Euclidean distance of A and B when they are apart            (> 0) [m]
+//             = -(length of the shortest translation that parts them)        (<= 0) [m]
+// Overlap by separating axes: over the edge normals n of either shape, gap_n = min_{q in other} n.(q - p), p on the
+// edge; the largest gap_n is minus the penetration depth. Apart, the nearest points are an edge and a vertex (again
+// gap_n) or two vertices. The deciding pair ("witness") is found on the values; only it is differentiated. Continuous
+// everywhere, differentiable but where the witness changes.
+#pragma once
+
+#include <limits>
+
+#include "optimizer_worker/autodiff/smooth.h"
+#include "optimizer_worker/constraints/measure/convex_piece.h"
+
+namespace flair::optimizer {
+
+// Edge `edge` of one shape against vertex `vertex` of the other, or two vertices.
+struct Witness {
+  enum Kind { kEdgeOfFirst, kEdgeOfSecond, kVertices } kind = kEdgeOfFirst;
+  int first = 0;
+  int second = 0;
+  double gap_m = 0;
+};
+
+inline const Vec2<double>& ValueOf(const Vec2<double>& v) { return v; }
+template <int N>
+Vec2<double> ValueOf(const Vec2<Dual<N>>& v) {
+  return {v.x.value, v.y.value};
+}
+
+// Widest separation along edge normals of `a`; `vertex` is the vertex of `b` that is nearest to that edge.
+template <typename A, typename B>
+void WidestEdge(const A& a, const B& b, Witness::Kind kind, Witness& best) {
+  for (int i = 0; i < a.count(); ++i) {
+    if (!a.exit(i)) continue;
+    const Vec2<double> n = ValueOf(a.normal(i));
+    const Vec2<double> p = ValueOf(a.vertex(i));
+    double nearest = std::numeric_limits<double>::infinity();
+    int vertex = 0;
+    for (int j = 0; j < b.count(); ++j) {
+      const Vec2<double> q = ValueOf(b.vertex(j));
+      const double height = n.x * (q.x - p.x) + n.y * (q.y - p.y);
+      if (height < nearest) nearest = height, vertex = j;
+    }
+    if (nearest > best.gap_m)
+      best = kind == Witness::kEdgeOfFirst ? Witness{kind, i, vertex, nearest} : Witness{kind, vertex, i, nearest};
+  }
+}
+
+// Deciding edge and vertex by separating axes; exact when they overlap, a lower bound of the distance when apart.
+template <typename A, typename B>
+Witness SeparatingAxis(const A& a, const B& b) {
+  Witness best;
+  best.gap_m = -std::numeric_limits<double>::infinity();
+  WidestEdge(a, b, Witness::kEdgeOfFirst, best);
+  WidestEdge(b, a, Witness::kEdgeOfSecond, best);
+  return best;
+}
+
+// Nearest pair of shapes that are known to be apart.
+template <typename A, typename B>
+Witness NearestFeatures(const A& a, const B& b, const Witness& axis) {
+  // On the separating axis already, when the vertex lies before the edge.
+  double least2 = std::numeric_limits<double>::infinity();
+  Witness nearest = axis;
+  const auto consider_edges = [&least2, &nearest](const auto& edges, const auto& points, Witness::Kind kind) {
+    for (int i = 0; i < edges.count(); ++i) {
+      const Vec2<double> p = ValueOf(edges.vertex(i));
+      const Vec2<double> q = ValueOf(edges.vertex((i + 1) % edges.count()));
+      const Vec2<double> d = q - p;
+      const double length2 = SquaredNorm(d);
+      for (int j = 0; j < points.count(); ++j) {
+        const Vec2<double> r = ValueOf(points.vertex(j)) - p;
+        const double along = Dot(r, d);
+        Witness w;
+        double distance2 = 0;
+        if (along > 0 && along < length2) {
+          const double cross = Cross(d, r);
+          distance2 = cross * cross / length2;
+          w = kind == Witness::kEdgeOfFirst ? Witness{kind, i, j, 0} : Witness{kind, j, i, 0};
+        } else {
+          const int end = along <= 0 ? i : (i + 1) % edges.count();
+          distance2 = along <= 0 ? SquaredNorm(r) : SquaredNorm(r - d);
+          w = kind == Witness::kEdgeOfFirst ? Witness{Witness::kVertices, end, j, 0}
+                                            : Witness{Witness::kVertices, j, end, 0};
+        }
+        if (distance2 < least2) least2 = distance2, nearest = w;
+      }
+    }
+  };
+  consider_edges(a, b, Witness::kEdgeOfFirst);
+  consider_edges(b, a, Witness::kEdgeOfSecond);
+  nearest.gap_m = std::sqrt(least2);
+  return nearest;
+}
+
+// The gap along a witness, with derivatives.
+template <typename T, typename A, typename B>
+T Along(const A& a, const B& b, const Witness& w) {
+  const Vec2<T> p = Cast<T>(a.vertex(w.first));
+  const Vec2<T> q = Cast<T>(b.vertex(w.second));
+  switch (w.kind) {
+    case Witness::kEdgeOfFirst:
+      return Dot(Cast<T>(a.normal(w.first)), q - p);
+    case Witness::kEdgeOfSecond:
+      return Dot(Cast<T>(b.normal(w.second)), p - q);
+    case Witness::kVertices:
+      return Length(q - p);
+  }
+  return T(0.0);
+}
+
+template <typename T, typename A, typename B>
+T Gap(const A& a, const B& b) {
+  const Witness axis = SeparatingAxis(a, b);
+  // Closer than this the axis is exact enough, and it has a slope at contact where a distance has none.
+  constexpr double kContact_m = 1e-9;
+  if (axis.gap_m <= kContact_m) return Along<T>(a, b, axis);
+  return Along<T>(a, b, NearestFeatures(a, b, axis));
+}
+
+// max(-gap, 0)^2 [m2]: zero when apart, squared penetration depth else. Cheaper than Gap.
+template <typename T, typename A, typename B>
+T SquaredPenetration(const A& a, const B& b) {
+  const Witness axis = SeparatingAxis(a, b);
+  if (axis.gap_m >= 0) return T(0.0);
+  return Square(Along<T>(a, b, axis));
+}
+
+}  // namespace flair::optimizer

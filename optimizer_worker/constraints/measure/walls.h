@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How well one side of an object meets a wall.
+#pragma once
+
+#include <algorithm>
+
+#include "optimizer_worker/autodiff/smooth.h"
+#include "room/geometry/footprint.h"
+#include "room/scene/room.h"
+
+namespace flair::optimizer {
+
+template <typename T>
+Vec2<T> MiddleOf(const Footprint& footprint, const Frame<T>& frame, Side side) {
+  const Vec2<double> n = LocalNormal(side);
+  const double reach = ExtentBehind(footprint, side) / 2;
+  return frame.ToRoom(T(reach * n.x), T(reach * n.y));
+}
+
+// Outward unit normal of a side.
+template <typename T>
+Vec2<T> NormalOf(const Frame<T>& frame, Side side) {
+  switch (side) {
+    case Side::kFront:
+      return frame.front;
+    case Side::kBack:
+      return -frame.front;
+    case Side::kLeft:
+      return -frame.right;
+    case Side::kRight:
+      return frame.right;
+  }
+  return frame.front;
+}
+
+// 0 when a side looks straight at a wall, 2 when it looks away: 1 + n_side . n_wall.
+template <typename T>
+T TurnToWall(const Frame<T>& frame, Side side, const Wall& wall) {
+  return T(1.0) + Dot(NormalOf(frame, side), Cast<T>(wall.inward_normal));
+}
+
+// How far the side, seen as an interval of its length around its middle, sticks out beyond the wall's ends [m2].
+template <typename T>
+T SquaredOverhang(const Footprint& footprint, const Vec2<T>& middle, Side side, const Wall& wall) {
+  const double length = SideLength(footprint, side);
+  const double excess = length - wall.length_m;
+  const T offset = wall.Offset(middle);
+  // A side longer than the wall sticks out at both ends wherever it is; least when it is centred.
+  if (excess > 0) return Square(offset - T(wall.length_m / 2)) + T(excess * excess / 4);
+  return SquaredOutside(offset, length / 2, wall.length_m - length / 2);
+}
+
+// 0 exactly when the whole side lies on the wall: gap^2 + (1 - cos of the angle) + overhang^2 [m2, radians as metres].
+template <typename T>
+T SideOnWall(const Footprint& footprint, const Frame<T>& frame, Side side, const Wall& wall) {
+  const Vec2<T> middle = MiddleOf(footprint, frame, side);
+  return Square(wall.Height(middle)) + TurnToWall(frame, side, wall) + SquaredOverhang(footprint, middle, side, wall);
+}
+
+// The side of an object that looks at a wall most directly.
+inline Side SideTowards(const Vec2<double>& front, const Wall& wall) {
+  const double ahead = Dot(front, wall.inward_normal);
+  const double aside = Dot(Vec2<double>{front.y, -front.x}, wall.inward_normal);
+  if (std::abs(ahead) >= std::abs(aside)) return ahead > 0 ? Side::kBack : Side::kFront;
+  return aside > 0 ? Side::kLeft : Side::kRight;
+}
+
+// The walls that a constraint may use: the one that was named, or all.
+inline std::vector<Wall> WallsToUse(const Room& room, int wall) {
+  if (wall >= 0) return {room.walls[static_cast<size_t>(wall)]};
+  return room.walls;
+}
+
+}  // namespace flair::optimizer
