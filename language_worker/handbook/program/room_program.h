@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/choosing/choice.h"
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/brief_facts.h"
+
+namespace flair::language {
+
+// A line of the list of what the room should hold, before it is known whether everything fits.
+struct ProgramItem {
+  const hb::Furniture* furniture = nullptr;
+  const hb::ObjectEntry* entry = nullptr;  // null for wishes
+  int count = 1;
+  std::string zone;  // name; empty when it belongs to the whole room
+  bool requested = false;
+  int drop_order = 0;  // higher goes first
+};
+
+// What the room is to be, from the archetype, the needs, the themes and the wishes of a brief.
+struct RoomProgram {
+  const hb::Archetype* archetype = nullptr;
+  std::vector<hb::ZoneSpec> zones;       // most important first
+  std::vector<ProgramItem> floor_items;  // most important first
+  std::vector<ProgramItem> tertiary_items;
+  std::vector<const hb::Changes*> changes;  // of needs and themes, in order of application
+  double primary_scale = 1;
+  int max_tertiaries = 12;
+};
+
+// Whether a condition holds, as far as area, room and chance go. `key` names the choice for `chance`.
+bool Holds(const hb::Condition& condition, const hb::Archetype& archetype, double area_m2, const Choice& choice,
+           const std::string& key);
+
+// The archetype that the brief asks for, after needs and themes had their say ("a bedroom for a baby" is a nursery).
+const hb::Archetype& EffectiveArchetype(const BriefFacts& facts, const Handbook& handbook);
+
+// Needs first, then themes.
+std::vector<const hb::Changes*> AllChanges(const BriefFacts& facts);
+
+// The program for a room of that floor area. Deterministic.
+RoomProgram MakeRoomProgram(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice);
+
+}  // namespace flair::language
