@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "flair/v1/constraint_catalog.pb.h"
+
+namespace flair::translator {
+
+// A call under construction: Call("near").Text("object", id).Number("max_distance_m", 0.5).
+struct Call {
+  explicit Call(std::string type_name) : type(std::move(type_name)) {}
+
+  std::string type;
+  std::vector<v1::Argument> arguments;
+
+  Call&& Text(const std::string& name, const std::string& value) && {
+    Add(name).set_text(value);
+    return std::move(*this);
+  }
+  Call&& Texts(const std::string& name, const std::vector<std::string>& values) && {
+    v1::TextList& list = *Add(name).mutable_texts();
+    for (const std::string& value : values) list.add_items(value);
+    return std::move(*this);
+  }
+  Call&& Number(const std::string& name, double value) && {
+    Add(name).set_number(value);
+    return std::move(*this);
+  }
+  Call&& Flag(const std::string& name, bool value) && {
+    Add(name).set_flag(value);
+    return std::move(*this);
+  }
+  // Leaves the argument out when there is no value.
+  template <typename Optional>
+  Call&& MaybeNumber(const std::string& name, const Optional& value) && {
+    if (value) Add(name).set_number(*value);
+    return std::move(*this);
+  }
+  Call&& MaybeText(const std::string& name, const std::string& value) && {
+    if (!value.empty()) Add(name).set_text(value);
+    return std::move(*this);
+  }
+
+ private:
+  v1::ArgumentValue& Add(const std::string& name) {
+    v1::Argument& argument = arguments.emplace_back();
+    argument.set_name(name);
+    return *argument.mutable_value();
+  }
+};
+
+}  // namespace flair::translator

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/composer.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "absl/strings/str_join.h"
+#include "fmt/format.h"
+#include "google/protobuf/util/message_differencer.h"
+#include "translator_worker/grammar/quote.h"
+
+namespace flair::translator {
+namespace {
+
+bool SameCall(const Call& a, const Call& b) {
+  return a.type == b.type && std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(), b.arguments.end(),
+                                        [](const v1::Argument& x, const v1::Argument& y) {
+                                          return google::protobuf::util::MessageDifferencer::Equals(x, y);
+                                        });
+}
+
+bool Contains(const std::vector<Placed>& list, int object) {
+  return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
+}
+
+bool EndsWithOneOf(const std::string& name, std::initializer_list<const char*> ends) {
+  return std::any_of(ends.begin(), ends.end(), [&](const std::string& end) {
+    return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+  });
+}
+
+}  // namespace
+
+Composer::Composer(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
+                   const v1::Sentence& sentence)
+    : request_(request), names_(names), catalog_(catalog), sentence_(sentence) {
+  for (const std::string& subject : sentence.subject_ids()) {
+    for (int i = 0; i < request.object_list().objects_size(); ++i) {
+      if (object(i).id() == subject) subjects_.push_back({i, ""});
+    }
+  }
+  // Of a heading that names several kinds of things the first is what moves.
+  for (const Placed& placed : subjects_) {
+    if (object(placed.object).name() == object(subjects_.front().object).name()) topic_.push_back(placed);
+  }
+}
+
+bool Composer::IsChair(const Placed& placed) const {
+  return EndsWithOneOf(object(placed.object).name(), {"chair", "stool", "bench", "throne", "seat"});
+}
+
+bool Composer::HasFeature(const std::string& kind) const {
+  if (kind == "socket") return request_.room().sockets_size() > 0;
+  const auto wanted = kind == "door" ? v1::OPENING_KIND_DOOR : v1::OPENING_KIND_WINDOW;
+  return std::any_of(request_.room().openings().begin(), request_.room().openings().end(),
+                     [&](const v1::Opening& opening) { return opening.kind() == wanted; });
+}
+
+std::vector<Placed> Composer::Movers(const Mention* mention) {
+  if (mention == nullptr) return topic_;
+  std::vector<Placed> result;
+  for (const Reference& reference : mention->references) {
+    for (const Placed& placed : Resolve(reference, {}, false)) result.push_back(placed);
+    if (mention->either && !result.empty() && reference.kind == RefKind::kObjects) break;
+  }
+  return result;
+}
+
+std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either) {
+  std::vector<Target> result;
+  for (const Reference& reference : mention.references) {
+    Target target;
+    target.kind = reference.kind;
+    target.name = reference.name;
+    switch (reference.kind) {
+      case RefKind::kWall:
+      case RefKind::kCeiling:
+      case RefKind::kRoom:
+      case RefKind::kFloor:
+        break;
+      case RefKind::kFeature:
+        if (!HasFeature(reference.name)) {
+          Refuse("names_absent_feature", fmt::format("the room has no {}", reference.name));
+          continue;
+        }
+        break;
+      default:
+        target.objects = Resolve(reference, movers, true);
+        if (target.objects.empty()) continue;
+        if (reference.kind != RefKind::kZone) target.kind = RefKind::kObjects;
+    }
+    result.push_back(std::move(target));
+    if (mention.either && first_of_either) break;
+  }
+  return result;
+}
+
+std::vector<Placed> Composer::TargetObjects(const Mention& mention, const std::vector<Placed>& movers,
+                                            bool first_of_either) {
+  std::vector<Placed> result;
+  for (const Target& target : Targets(mention, movers, first_of_either)) {
+    if (target.objects.empty()) Refuse("unknown_sentence", "this relation needs an object, not a part of the room");
+    result.insert(result.end(), target.objects.begin(), target.objects.end());
+  }
+  return result;
+}
+
+std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vector<Placed>& movers, bool target) {
+  std::vector<int> objects;
+  switch (reference.kind) {
+    case RefKind::kPronoun: {
+      // As a target "it" is the partner of the last fact unless that is what moves now.
+      const bool bare_side = reference.name.empty();
+      std::vector<Placed> meant = target && !bare_side && !pair_targets_.empty() && !movers.empty() &&
+                                          !Contains(pair_targets_, movers.front().object)
+                                      ? pair_targets_
+                                      : topic_;
+      for (Placed& placed : meant) placed.side = reference.side.empty() && !target ? placed.side : reference.side;
+      if (meant.empty()) Refuse("unknown_sentence", "nothing says what is spoken of; name the object");
+      return meant;
+    }
+    case RefKind::kObjects:
+      objects = Choose(reference, movers);
+      break;
+    case RefKind::kGroup:
+      objects = Group(reference.name, movers);
+      break;
+    case RefKind::kZone: {
+      const int main = names_.MainObject(reference.name);
+      if (main >= 0) objects.push_back(main);
+      break;
+    }
+    case RefKind::kAbsent:
+      Refuse("names_absent_object",
+             fmt::format("the room has no \"{}\"; its objects are those of the object list", reference.name));
+      return {};
+    case RefKind::kVague:
+      Refuse("not_about_layout",
+             fmt::format("{} cannot be said by a layout call; name the objects and distances that serve it",
+                         reference.name));
+      return {};
+    default:
+      Refuse("unknown_sentence", "a part of the room cannot be moved; name an object");
+      return {};
+  }
+  std::vector<Placed> result;
+  for (const int index : objects) {
+    if (!target || !Contains(movers, index) || movers.size() > 1) result.push_back({index, reference.side});
+  }
+  if (result.empty() && reference.kind != RefKind::kObjects) {
+    Refuse("names_absent_object", fmt::format("nothing in the room is meant by \"{}\"", reference.name));
+  }
+  return result;
+}
+
+std::vector<int> Composer::Choose(const Reference& reference, const std::vector<Placed>& movers) {
+  std::vector<int> candidates = reference.candidates;
+  if (reference.ordinal > 0) {
+    if (reference.ordinal <= static_cast<int>(candidates.size())) return {candidates[reference.ordinal - 1]};
+    Refuse("names_absent_object",
+           fmt::format("there is no {}. {}; there are {}", reference.ordinal, reference.name, candidates.size()));
+    return {};
+  }
+  if (candidates.size() < 2 || reference.plural || reference.each) return candidates;
+  // Singular with several of the name: those that the sentence is about, then those of one name, then of the same zone.
+  const auto keep = [&](auto&& wanted) {
+    std::vector<int> kept;
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept), wanted);
+    if (!kept.empty()) candidates = kept;
+  };
+  keep([&](int index) { return !Contains(movers, index); });
+  keep([&](int index) { return Contains(subjects_, index); });
+  const auto one_name = [&] {
+    return std::all_of(candidates.begin(), candidates.end(),
+                       [&](int i) { return object(i).name() == object(candidates[0]).name(); });
+  };
+  if (candidates.size() == 1) return candidates;
+  const std::vector<Placed>& speaker = movers.empty() ? topic_ : movers;
+  if (!speaker.empty()) {
+    const std::string& zone = object(speaker.front().object).zone_id();
+    const std::string& host = object(speaker.front().object).host_id();
+    keep([&](int index) { return object(index).id() == host; });
+    if (candidates.size() > 1) keep([&](int index) { return object(index).zone_id() == zone; });
+  }
+  keep([&](int index) { return object(index).role() != v1::OBJECT_ROLE_TERTIARY; });
+  if (one_name()) return candidates;
+  std::vector<std::string> ids;
+  for (const int index : candidates) ids.push_back(object(index).id());
+  Refuse("ambiguous_object", fmt::format("\"{}\" may be {}; say which", reference.name, absl::StrJoin(ids, ", ")));
+  return {};
+}
+
+std::vector<int> Composer::Group(const std::string& name, const std::vector<Placed>& movers) const {
+  std::vector<int> result;
+  for (int i = 0; i < request_.object_list().objects_size(); ++i) {
+    const v1::Object& candidate = object(i);
+    if (candidate.kind() != v1::OBJECT_KIND_FLOOR || candidate.role() == v1::OBJECT_ROLE_TERTIARY ||
+        candidate.walk_over())
+      continue;
+    const bool seat =
+        EndsWithOneOf(candidate.name(), {"chair", "sofa", "couch", "stool", "bench", "loveseat", "recliner"});
+    const bool hot = EndsWithOneOf(candidate.name(), {"stove", "oven", "cooker", "fireplace", "hearth", "range"});
+    if (name == "others" && (Contains(movers, i) || Contains(topic_, i))) continue;
+    if (name == "seating" && !seat) continue;
+    if (name == "heat" && !hot) continue;
+    result.push_back(i);
+  }
+  return result;
+}
+
+void Composer::SetPair(std::vector<Placed> movers, std::vector<Placed> targets) {
+  pair_movers_ = std::move(movers);
+  pair_targets_ = std::move(targets);
+}
+
+bool Composer::Emit(Call call) {
+  const v1::ConstraintType* type = catalog_.Find(call.type);
+  if (type == nullptr) return false;
+  std::vector<std::string> remarks;
+  if (!CatalogIndex::Fit(*type, call.arguments, remarks).ok()) return false;
+  for (const std::string& remark : remarks) Note("out_of_range", remark);
+  call.type = type->name();
+  const bool known =
+      std::any_of(calls_.begin(), calls_.end(), [&](const Call& other) { return SameCall(call, other); });
+  if (!known) calls_.push_back(std::move(call));
+  return true;
+}
+
+void Composer::EmitFirst(std::vector<Call> calls) {
+  std::vector<std::string> types;
+  for (Call& call : calls) {
+    types.push_back(call.type);
+    if (Emit(std::move(call))) return;
+  }
+  Refuse("not_in_catalog", fmt::format("the optimizer's catalogue has no {}", absl::StrJoin(types, " or ")));
+}
+
+v1::Diagnostic Composer::Remark(v1::Severity severity, std::string_view code, const std::string& message) const {
+  v1::Diagnostic remark;
+  remark.set_severity(severity);
+  remark.set_code(std::string(code));
+  remark.set_message(fmt::format("\"{}\": {}", Quote(sentence_.text()), message));
+  remark.set_subject_id(sentence_.id());
+  return remark;
+}
+
+void Composer::Refuse(std::string_view code, const std::string& message) {
+  v1::Diagnostic remark = Remark(v1::SEVERITY_WARNING, code, message);
+  const bool known = std::any_of(refusals_.begin(), refusals_.end(),
+                                 [&](const v1::Diagnostic& other) { return other.message() == remark.message(); });
+  if (!known) refusals_.push_back(std::move(remark));
+}
+
+void Composer::Note(std::string_view code, const std::string& message) {
+  notes_.push_back(Remark(v1::SEVERITY_NOTE, code, message));
+}
+
+}  // namespace flair::translator

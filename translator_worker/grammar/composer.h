@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flair/v1/constraint_list.pb.h"
+#include "flair/v1/layout_graph.pb.h"
+#include "flair/v1/translator_service.pb.h"
+#include "translator_worker/catalog/catalog_index.h"
+#include "translator_worker/grammar/call.h"
+#include "translator_worker/grammar/mention.h"
+#include "translator_worker/grammar/scene_names.h"
+
+namespace flair::translator {
+
+// An object with the side of it that was named (a side word of the lexicon, empty when none).
+struct Placed {
+  int object = -1;
+  std::string side;
+};
+
+// One thing that a fact relates to: objects, or a part of the room.
+struct Target {
+  RefKind kind = RefKind::kObjects;
+  std::vector<Placed> objects;
+  // Feature kind, wall name or zone id.
+  std::string name;
+};
+
+// What rules work with while one sentence is translated: who is spoken of, what the words refer to, and where calls and
+// remarks go. A rule may ask for anything; what cannot be had becomes a remark, so that nothing is lost silently.
+class Composer {
+ public:
+  Composer(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
+           const v1::Sentence& sentence);
+
+  // What a noun phrase refers to, as movers: objects only. Null means whatever the sentence speaks of.
+  std::vector<Placed> Movers(const Mention* mention);
+
+  // What a noun phrase refers to. Of an "or" list the first member that is in the room. `movers` are not their own
+  // targets.
+  std::vector<Target> Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either = true);
+
+  // Targets that are objects, in one list.
+  std::vector<Placed> TargetObjects(const Mention& mention, const std::vector<Placed>& movers,
+                                    bool first_of_either = true);
+
+  const v1::Object& object(int index) const { return request_.object_list().objects(index); }
+  const std::string& id(const Placed& placed) const { return object(placed.object).id(); }
+  bool IsFloor(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_FLOOR; }
+  bool IsRug(const Placed& placed) const { return object(placed.object).walk_over(); }
+  bool IsWall(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_WALL; }
+  bool IsCeiling(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_CEILING; }
+  bool IsSurface(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_SURFACE; }
+  bool IsChair(const Placed& placed) const;
+  bool HasFeature(const std::string& kind) const;
+
+  // Adds the call if the catalogue has its type; false when it has not.
+  bool Emit(Call call);
+  // Adds the first of the calls whose type the catalogue has; a remark when it has none of them.
+  void EmitFirst(std::vector<Call> calls);
+  // Says why a part of the sentence gives no call.
+  void Refuse(std::string_view code, const std::string& message);
+  // Says what was decided where the sentence left it open.
+  void Note(std::string_view code, const std::string& message);
+
+  // What was spoken of last: the default mover, and the partner that "them" and a bare distance refer to.
+  void SetTopic(std::vector<Placed> topic) { topic_ = std::move(topic); }
+  void SetPair(std::vector<Placed> movers, std::vector<Placed> targets);
+  const std::vector<Placed>& topic() const { return topic_; }
+  const std::vector<Placed>& pair_movers() const { return pair_movers_; }
+  const std::vector<Placed>& pair_targets() const { return pair_targets_; }
+  const std::vector<Placed>& subjects() const { return subjects_; }
+
+  const std::vector<Call>& calls() const { return calls_; }
+  const std::vector<v1::Diagnostic>& refusals() const { return refusals_; }
+  const std::vector<v1::Diagnostic>& notes() const { return notes_; }
+  v1::SentenceScope scope() const { return sentence_.scope(); }
+  // Whether a rug has been placed by this sentence; it lies in one place only.
+  bool rug_placed = false;
+
+ private:
+  std::vector<Placed> Resolve(const Reference& reference, const std::vector<Placed>& movers, bool target);
+  std::vector<int> Choose(const Reference& reference, const std::vector<Placed>& movers);
+  std::vector<int> Group(const std::string& name, const std::vector<Placed>& movers) const;
+  v1::Diagnostic Remark(v1::Severity severity, std::string_view code, const std::string& message) const;
+
+  const v1::TranslateRequest& request_;
+  const SceneNames& names_;
+  const CatalogIndex& catalog_;
+  const v1::Sentence& sentence_;
+  std::vector<Placed> subjects_;
+  std::vector<Placed> topic_;
+  std::vector<Placed> pair_movers_;
+  std::vector<Placed> pair_targets_;
+  std::vector<Call> calls_;
+  std::vector<v1::Diagnostic> refusals_;
+  std::vector<v1::Diagnostic> notes_;
+};
+
+}  // namespace flair::translator

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/lexicon.h"
+
+namespace flair::translator {
+
+// One entry a line: "CLASS LEMMA: phrase | phrase ..."; [x] may be left out, (x|y) is either. A line that begins with a
+// space continues the entry. The first entry wins when a phrase stands in two of the same length.
+std::string_view LexiconEntries() {
+  return R"(
+relation against: [right|up|flush|snug|snugly|directly|pushed|tight] against | flush (with|to) | backed (onto|against|by) | backs onto
+  | touching | touches | adjoining | adjoins | abutting | abuts | backing onto | fixed to | attached to
+relation along: along | alongside | lined up along | runs along | running along
+relation aligned: aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
+relation near: near | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
+  | proximity to | in the vicinity of | within [easy|arm 's|arms|comfortable|convenient|close] reach of | not far from | not too far from
+  | easily accessible from | conveniently accessible from | in reach of | [within] [a] comfortable sitting distance (from|of)
+  | within [a] (comfortable|short|reasonable|walking|easy) distance (of|from) | within easy reach | within arm 's reach
+  | convenient to | closer to | as close as possible to | grouped with | paired with | grouped near | at arm 's length from
+relation nearby: have nearby access to
+relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | by the side of | at the side of
+  | to (the|one) side of | on (the|one|a) side of | at one side of | adjacent | alongside of | side by side with | to either side of
+  | against the matching side of | on a side of | by | at
+relation side_by_side: side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
+  | form (a|one) row | lined up
+relation each_side_of: on (each|either|both) (side|sides) of | (either|each) side of | at (each|either) side of | on opposite sides of
+  | flanking | flank | flanks | one on each side of | on both sides of | at both sides of | to (each|either) side of
+relation left_of: (to|on|at) [the] left [side] of | left of | on its left | immediately left of
+relation right_of: (to|on|at) [the] right [side] of | right of | immediately right of
+relation foot_of: (at|by|near|against) the foot [end] of | at the end of
+relation head_of: (at|by|near) the head [end] of
+relation behind: behind | in back of | at the back of | at the rear of | to the rear of
+relation in_front_of: in front of | [directly] before | ahead of | in the front of
+relation in_front: in front | at the front | on the front side | to the front
+relation at_sides: (on|at|to) (both|each|the|either) sides | on either side | on each side | at the sides | on both sides
+relation around: around | round | surrounding | all around | on all sides of | on all (sides|four sides) | on every side | all round
+relation surround: surround | surrounds | surrounded | arranged around | [evenly] spaced around | [placed|grouped|gathered|distributed|set] (around|round)
+  | stand (around|round) | against each side of | on all sides round
+relation surrounded_by: surrounded by
+relation between: between | in between
+relation on: on | on top of | atop | onto | upon | resting on | sits on | sit on | stand on | stands on | standing on | sitting on | inside | in | into
+  | on one of the shelves (of|inside|in|on) | on a shelf of | on the (top|surface) of | on the (upper|lower|top|middle|bottom) (shelf|shelves) of
+  | on the (upper|lower|top|middle|bottom) | laid on | lies on | lie on | rests on | rest on | within | displayed on | inside of
+relation under: under | underneath | beneath | below | extending (under|beneath) | extends (under|beneath) | spread under
+relation partly_under: (partially|partly|half) (under|underneath|beneath) | lies (partially|partly|half) (under|underneath|beneath)
+  | extends partly under | [tucked] under the front [half|part] of | (extending|reaches|reaching) (out|forward) from under | forward under
+relation under_center: centered (under|underneath|beneath) | (centred|centrally|central|centered) (under|beneath|underneath) | [lies] centred under
+relation above: above | over | [directly|hangs|hung|suspended|hanging|centred|centered] (above|over) | over the top of
+relation facing: face | faces | facing | faced (towards|toward|to) | facing (towards|toward|to) | oriented (towards|toward|to) | turned (towards|toward|to)
+  | looks (at|towards|toward|onto|out|on) [of] | look (at|towards|toward|onto|out) [of] | looking (at|towards|toward|onto|out) [of] | [be] angled (towards|toward)
+  | pointed (towards|toward|at) | pointing (towards|toward|at) | [a|an] [clear|good|direct|unobstructed|direct] (view|visibility|line of sight) (of|to|from|onto)
+  | (viewable|visible|seen) from | in [the] view of | in [direct] [line of] sight of | for view of | overlooking | orient (towards|toward|to) | turn (towards|toward|to) | [clear] line of sight (from|to)
+  | clearly visible from | has a view of | in [full] view from | within view of | directed (towards|toward|at)
+relation facing_each_other: (face|facing) each other | face one another | facing one another
+relation opposite: opposite | opposite to | opposite from | across from | directly across [from] | on the opposite side of
+relation same_direction: (face|faces|facing) [in] the same (direction|way) (as|like) | same (direction|orientation|way) (as|like) | oriented the same way as
+relation parallel: parallel [to|with] | is parallel to | run parallel to | runs parallel to
+relation perpendicular: perpendicular to | at [a] right (angle|angles) to | perpendicular | at 90 degrees to | at a 90 degree angle to | square to
+relation not_angle: at [a|an] 45 degree angle to | at an angle [to] | diagonally | diagonal | at a 45 degree angle
+relation away_from: away from | far from | far away from | [a|at a] [safe|reasonable|good|fair|some|comfortable|certain|suitable|sufficient|adequate|short|proper] distance (from|to) | apart from | separate from
+  | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | out of reach of | at a (distance|remove) from | gap (from|to) | spaced from | distanced from | a gap from
+relation apart: apart | [spaced|set] apart [from each other] | away from each other | from each other | from one another | away
+relation block: block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
+  | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
+  | block [the] (view|views|light|access|opening|swing|use|path|view or access|access or view) (to|of|from|through|for) | block light from | block or cover | (block|obstruct) [the] [natural] (light|view) [coming] from
+  | obstruct [the] [easy] (view|views|access|use|opening|path|swing) (to|of|from|for) | blocking [the] [natural] (view|access|light|opening|swing|use|path|view or access) (to|of|from|through|for)
+  | obstructing [the] (access|view|use|opening|path|swing) (to|of|from|for) | placed over | placement over | in the path of | interfere with [the] (opening|swing|use|access|operation) (of|to) | stand in the way of
+  | in [the] direct line of | in the (swing|line|arc) of | obstruct or block | block or obstruct | collide with | collides with | hit | hits | in the swing path of | overlap | overlaps | overlapping
+relation clear_of: clear of | clear from | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear of | clearance from | leave [enough] (space|clearance|room) for | outside [of]
+  | clear for | out of
+relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free|unobstructed|unblocked|open) | unobstructed | unblocked | not obstructed | stays (clear|free)
+  | is clear
+relation keep_front_clear: [the] (area|floor|space|zone) in front of
+relation accessible: accessible | fully accessible | easily accessible | reachable | easy to (reach|access|get to) | approachable | accessibly | (unobstructed|easy|convenient|clear|full|direct) access
+  | accessed | accessed easily | access is (needed|possible) | can be reached | be reached | free access | access
+relation accessible_from: (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
+relation access_to: access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | [to] access | power from | plugged into | plug into | [easy] access from
+relation allow_access_to: (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to | for easy access to
+relation pull_out: [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | pulling [it] (out|back) | pull it out | movement space | allow movement space | space to move | move back
+relation swing_open: [be able to|able to|to] open [up] [fully|freely|completely|easily|properly] | opened | opens (fully|freely) | (opening|operation) | can open | swing open
+relation space: space | distance | gap | clearance | spacing | separation | buffer | clearances | [clear|open|free|ample|adequate|sufficient|empty] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances|room) | enough (space|room) | room (for|to) | [there is|has] room | clearance space | clear floor
+  | clear area | floor space | clear floor space | elbow room
+relation walk_space: [clear] (walking|circulation|walkway|movement) (space|room|clearance) | space to walk
+relation minimal: minimal | kept minimal
+relation of: of
+relation pushed_under: (pushed|push|slide|slid|stored|tuck) (under|underneath|beneath)
+relation tucked_under: (tucked|tucks|fits|fit|stands|stowed) (under|underneath|beneath)
+relation under_when_unused: when not in use
+relation centered: [be] (centered|centred|center|centre) | [placed|located|positioned] (centrally|central) | central | centrally | in the middle | in a central (location|position|place|spot) | in the (center|centre)
+  | at [its|the] (center|centre) | center (of|on|in) | centre (of|on|in) | [in|at|on|near|towards] the (center|centre|middle) (of|in|on) | middle of | [in|at] (center|centre|middle) of
+  | centred (in|on|within|at) | centered (in|on|within|at) | centrally (in|on|within|located|positioned|placed|hung) [in|on|within] | in the middle of | on the (center|centre) line of | central [location] (in|within|to)
+  | (center|centre) of | toward the (center|centre) of | [near] the (center|centre) | centrally located within | island | as an island | as [a] (center|centre) piece | centerpiece (of|in) | central to | free standing island
+  | (center|centre) piece | focal point of | stands free in
+relation wall_centered: centered (on|along|against) | centred (on|along|against) | in the middle of
+relation corner: in [a|one|the] corner | corner | [in|into] [an|a|the] (empty|unused|quiet|cozy|free|far) corner | corner (of|in) | [in|at|on|near|towards|toward|to] (a|the|one|each|any) [far|near|quiet|free|empty] corner [of] | corners [of] | across [a|the] corner | into (a|the) corner | one corner (of|on)
+relation corner_back_left: [on|at|in|near|towards] [the] (back left|rear left|left back|left rear) [hand] corner [of|on]
+relation corner_back_right: [on|at|in|near|towards] [the] (back right|rear right|right back|right rear) [hand] corner [of|on]
+relation corner_front_left: [on|at|in|near|towards] [the] (front left|left front) [hand] corner [of|on]
+relation corner_front_right: [on|at|in|near|towards] [the] (front right|right front) [hand] corner [of|on]
+relation edge: [on|at|near|by|towards|along] (the|an|one) (edge|end) (of|on) | edge of | (on|to) one (side|end|edge) of | [on|at] the (side|edge) of | end of | edges of
+relation towards_back: [and] (towards|toward) the (back|rear|wall|back side|back edge) [of] | at the back edge of | [positioned] (towards|toward) the wall
+relation into_room: (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | (view|overview) of [the] [whole|entire] room | facing inward | facing inwards | view of the [main|entire|whole] room
+relation hanging: hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
+relation both_ways: each other | one another
+relation freestanding: freestanding | free standing | away from all walls
+relation nearest: (closest|nearest) object to | any object next to
+relation where: where
+relation on_wall_of: on the (wall|walls) of
+filler: the | a | an | its own | own | this | that | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
+  | place | places | placed | placing | placement | put | puts | set | sets | position | positions | positioned | positioning | locate | located | location | situate | situated | stand | stands | standing | sit | sits | sitting | keep | keeps | kept | keeping
+  | leave | leaves | leaving | left free | ensure | ensures | ensuring | make sure | making sure | maintain | maintains | maintaining | provide | provides | providing | require | requires | requiring | need | needs | needed | allow | allows | arrange | arranged
+  | arrangement | use | used | used for | lie | lies | lying | go | goes | run | runs | rest | rests | resting | remain | remains | stay | stays | consider | considering | consideration
+  | enough | ample | adequate | sufficient | reasonable | comfortable | comfortably | good | easy | convenient | proper | clear | open | free | full | safe | suitable | appropriate | nice | total | overall
+  | directly | immediately | fully | easily | slightly | frequently | frequently used | regularly | always | very | too | quite | at all | possible | well | exactly | right in
+  | placement is | side [by] | extra | additional | electrical | electric | power | gas | wall mounted power | standard | main | necessary | required | existing | available | specific | designated | entire | whole | main
+  | small | large | big | tall | low | wide | wooden | round | rectangular | square | comfy | soft | long low | matching | same | adjoining | separate | respective | corresponding | certain | single | nearest | closest | immediate | outer | interior
+  | able to | order | it is | way | out | somewhere | anywhere | approximately | about | roughly | total of | minimum | maximum | min | max | every time | back to back
+  | (one|some) of the | one of | of the | all of the | e | accessible location | spot | surface space | do | does | did | get | gets | getting | eg | ie | physically | visually | typically | centrally aligned | facilitate
+  | measuring | size | sized | (in|of) size | distance of | space of | clearance of | gap of | spacing of | distance is | of space | free of charge | still | yet | please | should the | together | aligned in | evenly | equally | symmetric | symmetrical | symmetrically | neatly
+  | installed hanging | in position | in place | extends | extend | extending | centre on | floor level | placements | plenty of | between them and | other | of clearance
+modal: should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
+wish: ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
+  | where (space|room) (allows|permits) | as far as possible | whenever possible | if there is (space|room)
+purpose: for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | rather than | such as | like | depending | even
+condition: if | unless | only if | in the event
+not: not | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | nothing | don
+side front: front [side|edge|face|end|part] | front and center | foot [end] | footboard | fronts | front sides
+side back: back [side|edge|end|part] | rear [side|edge] | headboard | head [end|side] | backrest | backs | back sides | headrest
+side left: left [hand] [side|edge] | left hand side
+side right: right [hand] [side|edge] | right hand side
+side sides: [both|the|two|either|each] sides | both [of its] sides | left and right [sides] | left and right side | (each|either) side | (left and right|right and left) sides | both ends | ends | lateral sides
+side side: side | [at least] one side | one of [its|the] sides | (left or right|right or left) [side] | a side | any side | at least one of its sides | one [free|open] side | one end
+side long_one: [at least|on|along] (one|a) [of its|of the|of their] (long|longer|longest|lengthwise) (side|sides|edge|edges) | (long|longer|longest) (side|edge) | (one|a) length
+side long_both: [both|the|two|on both|all] (long|longer|longest) (sides|edges)
+side short_one: [at least] (one|a) [of its|of the] (short|shorter) (side|sides|edge|edges) | (short|shorter) (side|edge) | one width
+side short_both: [both|the|two] (short|shorter) (sides|edges)
+side two_any: [at least|on at least] two [of its] sides
+side three: [at least] three [of its] sides
+side all: all [of its|of the] [four] sides | all four sides | every side | all around sides | (each|all) of its sides | all [its] [four] sides
+feature door: [bedroom|entrance|entry|main|room|front] (door|doors|doorway|doorways) | [the] (entrance|entry|entryway|entryways|entrances|exit|exits|access point|entry point|entry points|doorframe|threshold) [door|way] | (door|door 's) (swing|swings|opening|area|clearance|path|frame|arc)
+  | doors 's (swing|swings) | swing[ing] of [the] (door|doors) | swings | entry area | entrance area | doors swings | door swing area | passage door | entry to the room | entry and exit [points] | line of entry
+feature window: window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
+feature socket: [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plug|plugs|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
+place wall: [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
+place ceiling: ceiling | ceilings
+place room: [whole|entire|main] (room|bedroom|living room|dining room|kitchen|office|study|bathroom|studio|space|workshop|workroom|hall|library|gym|nursery) | floor plan | room 's space | center of attention | layout
+place floor: floor | ground
+area area: area | zone | region | section | space | nook | spot | area 's | zones | areas | arrangement | group | station | location
+group all: [all|each|every|any|no] (object|objects|item|items|piece|pieces|furniture) [of furniture] | (pieces|piece|items) of furniture | furniture pieces | furniture | all furniture | furnishings | each piece | anything | everything | large furniture
+group others: [any|all|every|the|each] other (object|objects|furniture|furnishings|item|items|piece|pieces) [of furniture] | (other|surrounding|adjacent|nearby|neighbouring) (furniture|objects|items|pieces) [pieces] | anything else | everything else | the rest of the furniture
+group seating: [any|the|all] (seating|seats|seat) [furniture|arrangement|pieces]
+group heat: heat source | heat sources | sources of heat
+pronoun it: it | itself | this piece | this object | its
+pronoun them: them | they | their | themselves | these two | the two | both of them | the three | all three [pieces of furniture] | these objects
+quantity each: each | every | each of the | every one of the | all | all the | both | both of the | all of the | any | each one of the | either | neither of the | two | three | four | five | six | eight | both the | all four | all six | the two | the four | the three | the six | pair of | a pair of
+ordinal 1: first
+ordinal 2: second
+ordinal 3: third
+ordinal 4: fourth
+ordinal 5: fifth
+ordinal 6: sixth
+ordinal 7: seventh
+ordinal 8: eighth
+ordinal 9: ninth
+ordinal 10: tenth
+vague paths: [main|clear|walking|foot|high|traffic|frequently used] (path|paths|pathway|pathways|walkway|walkways|traffic|passageway|passageways|circulation|thoroughfare) [path|paths|flow|way|areas|zones] | (foot|high) traffic [areas|paths|zones|flow|pathways] | flow [of] [movement|traffic]
+  | [easy] movement | [logical] workflow | flow | walkthrough | main route | routes | access paths | accessible path | aisle | aisles | movement paths | high traffic | circulation space | walking paths
+vague lighting: [a] [good] [source|sources] of light | light source | light sources | well lit | [overhead|natural|ambient|good|task|proper] lighting | light | natural or artificial | glare | sunlight | direct sunlight | illumination | well lit area | lamp light | overhead lighting
+vague comfort: comfort | relaxation feel | ambience | ambiance | cozy | cosy | aesthetics | atmosphere | style | balance | visual balance | minimalist | view
+vague services: ventilation | ventilation system | drainage | plumbing | water supply | gas | water | airflow | air flow | air circulation | ventilated | gas outlets | gas outlet | water source | moisture | humidity | temperature | radiator | radiators | vent | vents | air vent | flammable materials | materials
+vague height: top | eye level | height | heights | at eye level | level surface | [at] [a] (comfortable|suitable|appropriate) height | top side | surface | reachable height | from above | tabletop
+side front: drawers | drawer
+vague clutter: obstructions | obstacles | obstruction | major obstructions | clutter | workspace | important areas | hazards | other functions | essential areas | other areas | activities
+and: and | as well as | plus | along with | and also | in addition to
+or: or | and or
+)";
+}
+
+}  // namespace flair::translator

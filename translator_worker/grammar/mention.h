@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace flair::translator {
+
+// What a noun phrase refers to.
+enum class RefKind {
+  kObjects,  // objects of the list, by name
+  kPronoun,  // "it", "them", or a bare side ("the front"): whatever was spoken of
+  kGroup,    // a class: all, others, seating, heat
+  kZone,     // "the seating area"
+  kFeature,  // doors, windows, sockets
+  kWall,
+  kCeiling,
+  kRoom,
+  kFloor,
+  kAbsent,  // furniture that the room does not have
+  kVague,   // paths, lighting, comfort: nothing that a layout call is about
+};
+
+// One member of a noun phrase.
+struct Reference {
+  RefKind kind = RefKind::kPronoun;
+  // For kObjects: the objects that bear the name, in list order.
+  std::vector<int> candidates;
+  // Feature kind, wall name, zone id, group, topic or the absent thing's name.
+  std::string name;
+  // A side word of the lexicon ("front", "long_one"...), empty when no side is named.
+  std::string side;
+  bool plural = false;
+  bool each = false;
+  // "first" is 1; 0 when not numbered.
+  int ordinal = 0;
+};
+
+// A noun phrase: one reference or a list of them.
+struct Mention {
+  std::vector<Reference> references;
+  // Joined by "or".
+  bool either = false;
+};
+
+}  // namespace flair::translator

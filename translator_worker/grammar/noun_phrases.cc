@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/noun_phrases.h"
+
+#include <utility>
+
+namespace flair::translator {
+namespace {
+
+using Role = RawTerm::Role;
+
+bool IsMention(const RawTerm& raw) { return raw.role == Role::kNone && raw.term.kind == Term::Kind::kMention; }
+
+bool IsThing(const RawTerm& raw) {
+  if (!IsMention(raw)) return false;
+  const RefKind kind = raw.term.mention.references.back().kind;
+  return kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kAbsent || kind == RefKind::kGroup;
+}
+
+bool IsFeature(const RawTerm& raw) {
+  return IsMention(raw) && raw.term.mention.references.back().kind == RefKind::kFeature;
+}
+
+bool IsOf(const RawTerm& raw) { return raw.role == Role::kNone && raw.term.IsWord("of"); }
+
+// One pass: reads `in_` from left to right and writes finished terms.
+class Grouper {
+ public:
+  explicit Grouper(std::vector<RawTerm> in) : in_(std::move(in)) {}
+
+  std::vector<Term> Run() {
+    AttachSides();
+    AttachQuantities();
+    return Lists();
+  }
+
+ private:
+  const RawTerm* Peek(size_t index) const { return index < in_.size() ? &in_[index] : nullptr; }
+
+  static RawTerm BareSide(const RawTerm& side) {
+    RawTerm raw = side;
+    raw.role = Role::kNone;
+    raw.term.kind = Term::Kind::kMention;
+    raw.term.mention.references = {{.kind = RefKind::kPronoun, .name = "", .side = side.term.lemma}};
+    raw.term.lemma.clear();
+    return raw;
+  }
+
+  // "X 's SIDE", "X SIDE", "its SIDE", "SIDE of X", "X doors".
+  void AttachSides() {
+    std::vector<RawTerm> out;
+    for (size_t i = 0; i < in_.size(); ++i) {
+      RawTerm& raw = in_[i];
+      if (IsThing(raw)) {
+        const bool possessive = Peek(i + 1) && in_[i + 1].role == Role::kPossessive;
+        size_t next = i + (possessive ? 2 : 1);
+        if (Peek(next) && in_[next].role == Role::kEach && Peek(next + 1) && in_[next + 1].role == Role::kSide) ++next;
+        Reference& reference = raw.term.mention.references.back();
+        if (Peek(next) && in_[next].role == Role::kSide &&
+            (possessive || reference.kind != RefKind::kPronoun || reference.name == "it" || reference.name == "them")) {
+          reference.side = in_[next].term.lemma;
+          raw.term.end = in_[next].term.end;
+          i = next;
+        } else if (Peek(next) && reference.kind == RefKind::kObjects && IsFeature(in_[next]) &&
+                   in_[next].part_of_furniture) {
+          reference.side = "front";
+          raw.term.end = in_[next].term.end;
+          i = next;
+        } else if (possessive) {
+          i = next - 1;
+        }
+        out.push_back(std::move(raw));
+      } else if (raw.role == Role::kSide) {
+        i = AttachOf(i, out);
+      } else if (raw.role != Role::kPossessive) {
+        out.push_back(std::move(raw));
+      }
+    }
+    in_ = std::move(out);
+  }
+
+  // "front and sides of the bed"; returns the last index that was used.
+  size_t AttachOf(size_t i, std::vector<RawTerm>& out) {
+    std::vector<size_t> sides = {i};
+    size_t next = i + 1;
+    while (Peek(next + 1) && (in_[next].role == Role::kAnd || in_[next].role == Role::kOr) &&
+           in_[next + 1].role == Role::kSide) {
+      sides.push_back(next + 1);
+      next += 2;
+    }
+    RawTerm raw = BareSide(in_[i]);
+    Mention& mention = raw.term.mention;
+    mention.references.clear();
+    for (const size_t index : sides) {
+      mention.references.push_back(BareSide(in_[index]).term.mention.references.front());
+    }
+    mention.either = sides.size() > 1 && in_[i + 1].role == Role::kOr;
+    raw.term.end = in_[next - 1].term.end;
+    size_t owner = next + 1;
+    while (Peek(next) && IsOf(in_[next]) && Peek(owner) &&
+           (in_[owner].role == Role::kEach || in_[owner].role == Role::kOrdinal)) {
+      ++owner;
+    }
+    if (Peek(next) && IsOf(in_[next]) && Peek(owner) && (IsThing(in_[owner]) || IsMention(in_[owner]))) {
+      for (Reference& reference : mention.references) {
+        const std::string side = reference.side;
+        reference = in_[owner].term.mention.references.back();
+        reference.side = side;
+        for (size_t k = next + 1; k < owner; ++k) {
+          if (in_[k].role == Role::kOrdinal) reference.ordinal = in_[k].ordinal;
+          if (in_[k].role == Role::kEach) reference.each = true;
+        }
+      }
+      raw.term.end = in_[owner].term.end;
+      next = owner + 1;
+      if (Peek(next) && in_[next].role == Role::kPossessive) ++next;
+    }
+    out.push_back(std::move(raw));
+    return next - 1;
+  }
+
+  // "each chair", "the second nightstand"; unknown adjectives before a thing belong to it.
+  void AttachQuantities() {
+    std::vector<RawTerm> out;
+    bool each = false;
+    int ordinal = 0;
+    for (RawTerm& raw : in_) {
+      if (raw.role == Role::kEach) {
+        each = true;
+        continue;
+      }
+      if (raw.role == Role::kOrdinal) {
+        ordinal = raw.ordinal;
+        continue;
+      }
+      if (IsMention(raw)) {
+        Reference& reference = raw.term.mention.references.back();
+        reference.each = reference.each || each;
+        if (ordinal > 0) reference.ordinal = ordinal;
+        if (IsThing(raw) && !out.empty() && out.back().role == Role::kNone && AdjectiveLike(out.back().term))
+          out.pop_back();
+        each = false;
+        ordinal = 0;
+      } else if (raw.term.kind != Term::Kind::kUnknown || raw.role != Role::kNone) {
+        each = false;
+        ordinal = 0;
+      }
+      const bool negative = raw.negative;
+      out.push_back(std::move(raw));
+      if (negative) {
+        RawTerm denial;
+        denial.term.kind = Term::Kind::kWord;
+        denial.term.lemma = "not";
+        out.push_back(std::move(denial));
+      }
+    }
+    in_ = std::move(out);
+  }
+
+  static bool AdjectiveLike(const Term& term) {
+    if (term.kind != Term::Kind::kUnknown) return false;
+    const std::string& word = term.lemma;
+    return word.size() < 3 || (word.back() != 's' && word.substr(word.size() - 3) != "ing");
+  }
+
+  static bool SameSort(const Term& a, const Term& b) {
+    const auto sort = [](const Term& term) {
+      switch (term.mention.references.back().kind) {
+        case RefKind::kWall:
+        case RefKind::kCeiling:
+        case RefKind::kRoom:
+        case RefKind::kFloor:
+          return 1;
+        default:
+          return 0;
+      }
+    };
+    return sort(a) == sort(b);
+  }
+
+  // Joins lists; what is not joined becomes a soft break ("and") or the word "or".
+  std::vector<Term> Lists() {
+    std::vector<Term> out;
+    bool relation_seen = false;
+    for (size_t i = 0; i < in_.size(); ++i) {
+      RawTerm& raw = in_[i];
+      if (raw.role == Role::kModal) continue;
+      if (raw.role == Role::kAnd || raw.role == Role::kOr) {
+        raw.term.kind = raw.role == Role::kAnd ? Term::Kind::kSoft : Term::Kind::kWord;
+        raw.term.lemma = raw.role == Role::kAnd ? "and" : "or";
+        out.push_back(std::move(raw.term));
+        continue;
+      }
+      if (raw.term.kind == Term::Kind::kStop) relation_seen = false;
+      if (raw.term.kind == Term::Kind::kWord) relation_seen = true;
+      if (IsMention(raw)) i = ReadList(i, relation_seen);
+      out.push_back(std::move(in_[i].term));
+    }
+    return out;
+  }
+
+  // Merges the list that begins at i into its last member; returns the index of that member.
+  size_t ReadList(size_t i, bool relation_seen) {
+    while (true) {
+      size_t next = i + 1;
+      bool joined = false;
+      bool either = in_[i].term.mention.either;
+      while (Peek(next) && (in_[next].role == Role::kAnd || in_[next].role == Role::kOr ||
+                            (in_[next].role == Role::kNone && in_[next].term.kind == Term::Kind::kSoft &&
+                             in_[next].term.lemma == ","))) {
+        if (in_[next].role == Role::kOr) either = true;
+        joined = joined || in_[next].role == Role::kAnd || in_[next].role == Role::kOr || ListGoesOn(next);
+        ++next;
+      }
+      if (!joined || !Peek(next) || !IsMention(in_[next]) || !SameSort(in_[i].term, in_[next].term)) return i;
+      // "... near the desk and the armchair should face the sofa": a new clause, not a list.
+      if (relation_seen && Peek(next + 1) && in_[next + 1].role == Role::kModal) return i;
+      Mention merged = std::move(in_[i].term.mention);
+      for (const Reference& reference : in_[next].term.mention.references) merged.references.push_back(reference);
+      merged.either = either;
+      in_[next].term.mention = std::move(merged);
+      in_[next].term.begin = in_[i].term.begin;
+      i = next;
+    }
+  }
+
+  // "the bed, wardrobe, and desk": after the comma come only list members up to an "and" or "or".
+  bool ListGoesOn(size_t comma) const {
+    for (size_t i = comma + 1, seen = 0; Peek(i) && seen < 12; ++i, ++seen) {
+      if (in_[i].role == Role::kAnd || in_[i].role == Role::kOr) return i > comma + 1;
+      if (!IsMention(in_[i]) && !(in_[i].term.kind == Term::Kind::kSoft && in_[i].term.lemma == ",")) return false;
+    }
+    return false;
+  }
+
+  std::vector<RawTerm> in_;
+};
+
+}  // namespace
+
+std::vector<Term> GroupNounPhrases(std::vector<RawTerm> raw) { return Grouper(std::move(raw)).Run(); }
+
+}  // namespace flair::translator

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "translator_worker/grammar/term.h"
+
+namespace flair::translator {
+
+// A term before noun phrases are put together.
+struct RawTerm {
+  // What it does in a noun phrase; kNone for terms that are complete in themselves.
+  enum class Role { kNone, kSide, kPossessive, kEach, kOrdinal, kAnd, kOr, kModal };
+  Term term;
+  Role role = Role::kNone;
+  int ordinal = 0;
+  // "doors" may be those of a wardrobe.
+  bool part_of_furniture = false;
+  // "No object": the statement is denied.
+  bool negative = false;
+};
+
+// Puts noun phrases together: "the bed's headboard", "both long sides of the bed", "the bed, the wardrobe and the
+// desk", "the wardrobe doors", "the second nightstand". A bare side ("its back") refers to what was spoken of.
+std::vector<Term> GroupNounPhrases(std::vector<RawTerm> raw);
+
+}  // namespace flair::translator

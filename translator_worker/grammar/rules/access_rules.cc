@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Free space at an object's sides: accessible, clearance in front, room to pull a chair out.
+#include <algorithm>
+
+#include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/sides.h"
+
+namespace flair::translator {
+namespace {
+
+void EmitAccessible(const Placed& placed, std::vector<std::string> sides, const Distance* distance,
+                    Composer& composer) {
+  Call call = Call("accessible").Text("object", composer.id(placed)).Texts("sides", sides);
+  if (distance != nullptr) call = std::move(call).Number("min_clearance_m", distance->Nominal());
+  composer.EmitFirst({std::move(call)});
+}
+
+// Adds the sides of all mentions of one object to one call.
+void EmitForSides(const std::vector<Placed>& placed, const Distance* distance, Composer& composer) {
+  std::vector<int> done;
+  for (const Placed& first : placed) {
+    if (std::find(done.begin(), done.end(), first.object) != done.end()) continue;
+    done.push_back(first.object);
+    std::vector<std::string> sides;
+    for (const Placed& other : placed) {
+      if (other.object != first.object) continue;
+      for (const std::string& side : SidesOf(composer, other)) {
+        if (std::find(sides.begin(), sides.end(), side) == sides.end()) sides.push_back(side);
+      }
+    }
+    if (sides.empty()) sides = {"front"};
+    EmitAccessible(first, sides, distance, composer);
+  }
+}
+
+void Accessible(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> movers = composer.Movers(match.a);
+  if (match.b != nullptr) {
+    // "accessible from the front": the sides are those named after the verb.
+    std::vector<Placed> sided;
+    for (const Placed& mover : movers) {
+      for (const Reference& reference : match.b->references) sided.push_back({mover.object, reference.side});
+    }
+    movers = sided;
+  }
+  EmitForSides(movers, match.distance, composer);
+}
+
+// "X is accessible from Y": from one of Y's sides that is Y's own matter, else X is near Y.
+void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    if (target.kind == RefKind::kFeature) {
+      for (const Placed& mover : movers) {
+        composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
+      }
+    }
+    for (const Placed& other : target.objects) {
+      for (const Placed& mover : movers) {
+        composer.EmitFirst({Call("near").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+      }
+    }
+  }
+}
+
+// Space at a place relative to B, or to the topic: tag is "front", "back", "sides" or "around".
+void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> owners =
+      match.b != nullptr ? composer.TargetObjects(*match.b, {}) : composer.Movers(match.a);
+  std::vector<Placed> placed;
+  for (Placed owner : owners) {
+    if (tag == "around") {
+      if (owner.side.empty()) {
+        for (const char* side : {"front", "left", "right"}) placed.push_back({owner.object, side});
+        continue;
+      }
+    } else if (tag != "named" || owner.side.empty()) {
+      owner.side = tag == "named" ? "front" : std::string(tag);
+    }
+    placed.push_back(owner);
+  }
+  EmitForSides(placed, match.distance, composer);
+}
+
+// A chair is pulled out backwards; room for "the chair" of a desk is in front of the desk.
+void PullOut(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed>& topic = composer.topic();
+  if (!topic.empty() && !composer.IsChair(topic.front())) movers = topic;
+  for (const Placed& mover : movers) {
+    EmitAccessible(mover, {composer.IsChair(mover) ? "back" : "front"}, match.distance, composer);
+  }
+}
+
+// "Avoid placing objects too close to the sides of the bed."
+void NothingNear(const Match& match, std::string_view, Composer& composer) {
+  for (Placed owner : composer.TargetObjects(*match.b, {})) {
+    if (owner.side.empty()) owner.side = "all";
+    EmitForSides({owner}, match.distance, composer);
+  }
+}
+
+}  // namespace
+
+std::vector<Rule> AccessRules() {
+  return {
+      {"A.object? accessible/keep_clear ,? D? space?", Accessible},
+      {"A.object? keep_clear/accessible ,? space D", Accessible},
+      {"A.object? accessible_from ,? B.side ,? D? space?", Accessible},
+      {"A.object? accessible_from ,? B.side ,? space D?", Accessible},
+      {"A.object? accessible B.side D?", Accessible},
+      {"A.object? accessible on/at_sides B.side D?", Accessible},
+      {"A.object? accessible_from B.object", AccessibleFrom},
+      {"A.object? accessible_from B.feature", AccessibleFrom},
+      {"A.object? space? D? accessible ,? at_sides", SpaceAt, "sides"},
+      {"A? accessible in_front", SpaceAt, "front"},
+      {"A? space? D? space? ,? at_sides", SpaceAt, "sides"},
+      {"A.side keep_clear/accessible ,? D", Accessible},
+      {"A? ,? D? space? keep_clear? in_front keep_clear?", SpaceAt, "front"},
+      {"A? ,? space? D? space? in_front", SpaceAt, "front"},
+      {"A? ,? space? D? space? behind", SpaceAt, "back"},
+      {"A? ,? space D? at_sides", SpaceAt, "sides"},
+      {"A? space? D? space? around B.side", SpaceAt, "named"},
+      {"A? space D? around", SpaceAt, "around"},
+      {"A? space D? around B.object", SpaceAt, "around"},
+      {"A? walk_space D? around B.object", SpaceAt, "around"},
+      {"D space? around B.object", SpaceAt, "around"},
+      {"D space? around", SpaceAt, "around"},
+      {"space D? in_front_of B.object keep_clear?", SpaceAt, "front"},
+      {"D space in_front_of B.object keep_clear?", SpaceAt, "front"},
+      {"D in_front_of B.object keep_clear", SpaceAt, "front"},
+      {"space D? behind B.object keep_clear?", SpaceAt, "back"},
+      {"D space behind B.object keep_clear?", SpaceAt, "back"},
+      {"D behind B.object keep_clear", SpaceAt, "back"},
+      {"space? D? space? on/at_sides/next_to/along/each_side_of B.side keep_clear?", SpaceAt, "named"},
+      {"space D? on/next_to/along/near B.object", SpaceAt, "named"},
+      {"D space on/next_to/along B.object", SpaceAt, "named"},
+      {"space D? each_side_of B.object", SpaceAt, "sides"},
+      {"D space? each_side_of B.object", SpaceAt, "sides"},
+      {"A.object space ,? D?", SpaceAt, "named"},
+      {"A.side D space", SpaceAt, "named"},
+      {"A.side space D?", SpaceAt, "named"},
+      {"A? space? D? space? pull_out ,? D? space?", PullOut},
+      {"A? space A pull_out", PullOut},
+      {"A swing_open", SpaceAt, "named"},
+      {"space A swing_open", SpaceAt, "named"},
+      {"A.object accessible ,? not block", Accessible},
+  };
+}
+
+std::vector<Rule> FrontRules() { return {{"not near B.side", NothingNear}}; }
+
+}  // namespace flair::translator

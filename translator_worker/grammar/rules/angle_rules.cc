@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Directions: facing, opposite, in front of, parallel, at a right angle.
+#include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/sides.h"
+
+namespace flair::translator {
+namespace {
+
+Call Two(const char* type, const Placed& mover, const Placed& other, Composer& composer) {
+  return Call(type).Text("object", composer.id(mover)).Text("target", composer.id(other));
+}
+
+void EmitFacing(const Placed& mover, const Placed& other, bool both, Composer& composer) {
+  if (composer.IsWall(mover)) {
+    composer.EmitFirst({Two("on_wall_facing", mover, other, composer)});
+  } else if (both) {
+    composer.EmitFirst({Two("facing", mover, other, composer).Flag("both", true)});
+  } else {
+    composer.EmitFirst({Two("facing", mover, other, composer)});
+  }
+}
+
+void Facing(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers, tag != "not")) {
+    for (const Placed& mover : movers) {
+      const std::string& id = composer.id(mover);
+      if (target.kind == RefKind::kFeature) {
+        if (tag == "not") {
+          composer.EmitFirst({Call("clear_of_feature").Text("object", id).Text("feature", target.name)});
+        } else {
+          composer.EmitFirst({Call("faces_feature").Text("object", id).Text("feature", target.name),
+                              Call("close_to_feature").Text("object", id).Text("feature", target.name)});
+        }
+      } else if (target.kind == RefKind::kRoom) {
+        composer.EmitFirst({Call("facing_into_room").Text("object", id)});
+      } else if (target.kind == RefKind::kWall && mover.side == "back") {
+        composer.EmitFirst({Call("against_wall").Text("object", id)});
+      } else if (target.objects.empty()) {
+        composer.Refuse("unknown_sentence", "it can face an object, a door, a window or the room");
+      }
+      for (const Placed& other : target.objects) {
+        if (tag == "not") {
+          composer.EmitFirst({Two("not_facing", mover, other, composer)});
+        } else {
+          EmitFacing(mover, other, tag == "both", composer);
+        }
+      }
+    }
+    if (!target.objects.empty()) composer.SetPair(movers, target.objects);
+  }
+}
+
+void EachOther(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> all = composer.Movers(match.a);
+  if (all.size() < 2) all = composer.subjects();
+  if (all.size() != 2) {
+    composer.Refuse("unknown_sentence", "two objects can face each other; name them");
+    return;
+  }
+  EmitFacing(all[0], all[1], true, composer);
+  composer.SetPair({all[0]}, {all[1]});
+}
+
+// "on the wall opposite X".
+void OnWallOpposite(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Placed& other : composer.TargetObjects(*match.c, movers)) {
+    for (const Placed& mover : movers) {
+      if (!composer.IsWall(mover)) composer.EmitFirst({Call("against_wall").Text("object", composer.id(mover))});
+      EmitFacing(mover, other, false, composer);
+    }
+    composer.SetPair(movers, {other});
+  }
+}
+
+void InFrontOf(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  // "Keep 0.6 m in front of the wardrobe": free space, when nobody else is spoken of.
+  for (const Target& target : composer.Targets(*match.b, match.a == nullptr ? std::vector<Placed>{} : movers)) {
+    if (target.kind == RefKind::kFeature) {
+      for (const Placed& mover : movers) {
+        composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
+      }
+      continue;
+    }
+    if (target.objects.empty()) {
+      composer.Refuse("unknown_sentence", "it can stand in front of an object, a door or a window");
+      continue;
+    }
+    for (const Placed& other : target.objects) {
+      const bool own = movers.empty() || (movers.size() == 1 && movers.front().object == other.object);
+      const bool at_least = match.distance != nullptr && !match.distance->max_m;
+      if (match.a == nullptr && (own || at_least)) {
+        Call call = Call("accessible").Text("object", composer.id(other)).Texts("sides", {"front"});
+        if (match.distance != nullptr) call = std::move(call).Number("min_clearance_m", match.distance->Nominal());
+        composer.EmitFirst({std::move(call)});
+        continue;
+      }
+      for (const Placed& mover : movers) {
+        if (composer.IsRug(mover)) {
+          composer.EmitFirst(
+              {Call("rug_under_forward").Text("rug", composer.id(mover)).Text("object", composer.id(other))});
+          composer.rug_placed = true;
+          continue;
+        }
+        Call call = Two("in_front_of", mover, other, composer);
+        if (match.distance != nullptr) call = std::move(call).Number("distance_m", match.distance->Nominal());
+        composer.EmitFirst({std::move(call)});
+      }
+    }
+    composer.SetPair(movers, target.objects);
+  }
+}
+
+// tag is the type.
+void Direction(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    if (target.kind == RefKind::kWall && tag == "parallel") {
+      for (const Placed& mover : movers) composer.EmitFirst({Call("near_wall").Text("object", composer.id(mover))});
+    } else if (target.objects.empty()) {
+      composer.Refuse("unknown_sentence", "directions are stated between objects");
+    }
+    for (const Placed& other : target.objects) {
+      for (const Placed& mover : movers) composer.EmitFirst({Two(std::string(tag).c_str(), mover, other, composer)});
+    }
+    if (!target.objects.empty()) composer.SetPair(movers, target.objects);
+  }
+}
+
+void Angle(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  if (match.b != nullptr) composer.SetPair(movers, composer.TargetObjects(*match.b, movers));
+  composer.Refuse("not_expressible", "only parallel, facing and right angles can be asked for");
+}
+
+void IntoRoom(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst({Call("facing_into_room").Text("object", composer.id(mover))});
+  }
+}
+
+}  // namespace
+
+std::vector<Rule> AngleRules() {
+  return {
+      {"A? facing B", Facing},
+      {"A? facing ,? in_front_of B", Facing},
+      {"A? not facing B", Facing, "not"},
+      {"A? opposite B", Facing},
+      {"A? facing_each_other", EachOther},
+      {"A? facing both_ways", EachOther},
+      {"A? opposite both_ways", EachOther},
+      {"A? on B.wall opposite/facing C", OnWallOpposite},
+      {"A? on? opposite B.wall away_from/of/opposite C", OnWallOpposite},
+      {"A? D? in_front_of B D?", InFrontOf},
+      {"A? in_front_of B , D", InFrontOf},
+      {"A? same_direction B", Direction, "parallel"},
+      {"A? parallel B", Direction, "parallel"},
+      {"A? perpendicular B", Direction, "perpendicular"},
+      {"A? not_angle B", Angle},
+      {"A? into_room", IntoRoom},
+  };
+}
+
+}  // namespace flair::translator

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/rules/contact.h"
+
+#include <algorithm>
+
+#include "translator_worker/grammar/sides.h"
+
+namespace flair::translator {
+
+void Contact(const Placed& mover, const Target& target, Composer& composer) {
+  if (target.kind == RefKind::kFeature) {
+    composer.EmitFirst({Call("close_to_feature")
+                            .Text("object", composer.id(mover))
+                            .Text("feature", target.name)
+                            .MaybeText("side", OneSide(composer, mover))});
+    return;
+  }
+  if (target.objects.empty()) {
+    composer.Refuse("unknown_sentence", "it can stand against a wall or an object");
+    return;
+  }
+  for (const Placed& other : target.objects) {
+    const bool lateral = other.side == "side" || other.side == "sides";
+    std::string other_side = OneSide(composer, other);
+    if (lateral) other_side = SidesOf(composer, other).front();
+    std::string side = OneSide(composer, mover);
+    if (mover.side == "side") side = SidesOf(composer, mover).front();
+    if (lateral && side.empty()) side = OppositeSide(other_side);
+    composer.EmitFirst({Call("next_to")
+                            .Text("object", composer.id(mover))
+                            .Text("target", composer.id(other))
+                            .MaybeText("object_side", side)
+                            .MaybeText("target_side", other_side)});
+  }
+  composer.SetPair({mover}, target.objects);
+}
+
+void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::string& target_side,
+            Composer& composer) {
+  for (const Placed& other : targets) {
+    composer.EmitFirst({Call("next_to")
+                            .Text("object", composer.id(mover))
+                            .Text("target", composer.id(other))
+                            .MaybeText("object_side", OneSide(composer, mover))
+                            .MaybeText("target_side", target_side)});
+  }
+  composer.SetPair({mover}, targets);
+}
+
+}  // namespace flair::translator

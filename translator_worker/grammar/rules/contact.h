@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "translator_worker/grammar/composer.h"
+
+namespace flair::translator {
+
+// One object touches another (or a window): sides as the words name them. Both sides named, left against right and so
+// on; "the side of" leaves left or right open.
+void Contact(const Placed& mover, const Target& target, Composer& composer);
+
+// `mover` stands on the given side of each target, touching: "to the left of".
+void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::string& target_side,
+            Composer& composer);
+
+}  // namespace flair::translator

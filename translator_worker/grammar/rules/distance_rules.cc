@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Distances: away from, at least so far, gaps between, bare distances after another fact.
+#include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/sides.h"
+
+namespace flair::translator {
+namespace {
+
+// The calls for a distance between two objects: least, largest or both.
+void Apart(const Placed& mover, const Placed& other, const Distance* distance, Composer& composer) {
+  if (mover.object == other.object) return;
+  const std::string& id = composer.id(mover);
+  const std::string& target = composer.id(other);
+  if (distance == nullptr) {
+    composer.EmitFirst({Call("away_from").Text("object", id).Text("target", target)});
+    return;
+  }
+  if (distance->max_m && *distance->max_m == 0) {
+    composer.EmitFirst(
+        {Call("next_to").Text("object", id).Text("target", target).MaybeText("target_side", OneSide(composer, other))});
+    return;
+  }
+  if (distance->min_m) {
+    composer.EmitFirst(
+        {Call("away_from").Text("object", id).Text("target", target).Number("min_distance_m", *distance->min_m)});
+  }
+  if (distance->max_m) {
+    composer.EmitFirst(
+        {Call("near").Text("object", id).Text("target", target).Number("max_distance_m", *distance->max_m)});
+  }
+}
+
+void AwayFromOne(const Placed& mover, const Target& target, const Distance* distance, Composer& composer) {
+  const std::string& id = composer.id(mover);
+  const bool at_most = distance != nullptr && !distance->min_m;
+  if (target.kind == RefKind::kFeature) {
+    if (at_most) {
+      composer.EmitFirst({Call("close_to_feature")
+                              .Text("object", id)
+                              .Text("feature", target.name)
+                              .MaybeNumber("max_distance_m", distance->max_m)});
+    } else {
+      Call call = Call("away_from_feature").Text("object", id).Text("feature", target.name);
+      if (distance != nullptr) call = std::move(call).MaybeNumber("min_distance_m", distance->min_m);
+      composer.EmitFirst({std::move(call)});
+    }
+  } else if (target.kind == RefKind::kWall) {
+    if (at_most) {
+      composer.EmitFirst({Call("near_wall").Text("object", id).MaybeNumber("max_distance_m", distance->max_m)});
+    } else {
+      Call call = Call("not_against_wall").Text("object", id).MaybeText("side", OneSide(composer, mover));
+      if (distance != nullptr) call = std::move(call).MaybeNumber("min_distance_m", distance->min_m);
+      composer.EmitFirst({std::move(call)});
+    }
+  } else if (target.objects.empty()) {
+    composer.Refuse("unknown_sentence", "distances can be kept from objects, walls, doors, windows and sockets");
+  }
+  for (const Placed& other : target.objects) Apart(mover, other, distance, composer);
+  if (!target.objects.empty()) composer.SetPair({mover}, target.objects);
+}
+
+void AwayFrom(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers, false)) {
+    for (const Placed& mover : movers) AwayFromOne(mover, target, match.distance, composer);
+  }
+}
+
+// Every pair of the list; "them" is the last pair spoken of, or the objects that the sentence is about.
+void Between(const Match& match, std::string_view tag, Composer& composer) {
+  static const Distance kTouching{0, 0, true};
+  const Distance* distance = tag == "touching" ? &kTouching : match.distance;
+  const Mention& mention = *match.b;
+  const Reference& last = mention.references.back();
+  std::vector<Placed> all;
+  if (mention.references.size() == 1 && last.kind == RefKind::kPronoun) {
+    if (!composer.pair_targets().empty()) {
+      all = composer.pair_movers();
+      all.insert(all.end(), composer.pair_targets().begin(), composer.pair_targets().end());
+    } else {
+      all = composer.topic().size() > 1 ? composer.topic() : composer.subjects();
+    }
+  } else if (last.kind == RefKind::kWall) {
+    for (size_t i = 0; i + 1 < mention.references.size(); ++i) {
+      Mention one;
+      one.references = {mention.references[i]};
+      for (const Placed& mover : composer.Movers(&one)) {
+        AwayFromOne(mover, {RefKind::kWall, {}, last.name}, distance, composer);
+      }
+    }
+    return;
+  } else {
+    all = composer.TargetObjects(mention, {}, false);
+  }
+  if (all.size() > 12 || all.size() < 2) {
+    composer.Refuse("unknown_sentence", "a distance needs two objects that it is kept between");
+    return;
+  }
+  for (size_t i = 0; i < all.size(); ++i) {
+    for (size_t k = i + 1; k < all.size(); ++k) Apart(all[i], all[k], distance, composer);
+  }
+}
+
+// "X and Y 0.5 m apart", "... at least 0.5 m apart" after a fact about X and Y.
+void ApartFromEachOther(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> all = composer.Movers(match.a);
+  if (all.size() < 2) {
+    all = composer.pair_movers();
+    all.insert(all.end(), composer.pair_targets().begin(), composer.pair_targets().end());
+  }
+  if (all.size() < 2) all = composer.subjects();
+  if (all.size() < 2 || all.size() > 12) {
+    composer.Refuse("unknown_sentence", "nothing says what is kept apart; name two objects");
+    return;
+  }
+  for (size_t i = 0; i < all.size(); ++i) {
+    for (size_t k = i + 1; k < all.size(); ++k) Apart(all[i], all[k], match.distance, composer);
+  }
+}
+
+// A bare distance belongs to the fact before it: to its pair, else it is free space in front.
+void BareDistance(const Match& match, std::string_view, Composer& composer) {
+  if (!composer.pair_targets().empty()) {
+    for (const Placed& mover : composer.pair_movers()) {
+      for (const Placed& other : composer.pair_targets()) Apart(mover, other, match.distance, composer);
+    }
+    return;
+  }
+  if (match.distance->min_m && !composer.topic().empty() && !composer.calls().empty()) {
+    for (const Placed& mover : composer.topic()) {
+      composer.EmitFirst({Call("accessible")
+                              .Text("object", composer.id(mover))
+                              .Texts("sides", {"front"})
+                              .Number("min_clearance_m", *match.distance->min_m)});
+    }
+    return;
+  }
+  composer.Refuse("unknown_sentence", "a distance needs two objects that it is kept between");
+}
+
+}  // namespace
+
+std::vector<Rule> DistanceRules() {
+  return {
+      {"A? not? space? D? space? away_from B", AwayFrom},
+      {"A? space? away_from B ,? D", AwayFrom},
+      {"A? D space? of B", AwayFrom},
+      {"A? not near/next_to/in_front_of B", AwayFrom},
+      {"A? not? space D? between ,? B ,? D?", Between},
+      {"A? D space? between B", Between},
+      {"space between B minimal", Between, "touching"},
+      {"walk_space between B", Between},
+      {"A? not? space? D? space? apart", ApartFromEachOther},
+      {"A? not near/next_to/against both_ways", ApartFromEachOther},
+      {"A? not near/next_to/against B.pronoun", ApartFromEachOther},
+      {"D space?", BareDistance},
+      {"space D", BareDistance},
+      {"away_from? D apart?", BareDistance},
+      {"D away_from B", AwayFrom},
+      {"not near B", AwayFrom},
+      {"A? nearest B D apart?", AwayFrom},
+      {"space away_from B ,? D", AwayFrom},
+  };
+}
+
+}  // namespace flair::translator

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keeping clear: not in front of windows, not blocking doors, not in the way of other objects.
+#include "fmt/format.h"
+#include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/sides.h"
+
+namespace flair::translator {
+namespace {
+
+Call AccessibleFront(const Placed& placed, Composer& composer) {
+  std::vector<std::string> sides = SidesOf(composer, placed);
+  if (sides.empty()) sides = {"front"};
+  return Call("accessible").Text("object", composer.id(placed)).Texts("sides", sides);
+}
+
+// "X does not block T": features stay free, objects stay accessible.
+void NotBlock(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers, false)) {
+    if (target.kind == RefKind::kFeature) {
+      for (const Placed& mover : movers) {
+        composer.EmitFirst({Call("clear_of_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
+      }
+    } else if (target.kind == RefKind::kWall) {
+      for (const Placed& mover : movers) {
+        composer.EmitFirst({Call("not_against_wall").Text("object", composer.id(mover))});
+      }
+    } else if (target.objects.empty()) {
+      composer.Refuse("not_about_layout", "only doors, windows, sockets and objects can be kept clear");
+    }
+    for (const Placed& other : target.objects) {
+      if (tag == "gap") {
+        for (const Placed& mover : movers) {
+          composer.EmitFirst({Call("away_from").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+        }
+      } else {
+        composer.EmitFirst({AccessibleFront(other, composer)});
+      }
+    }
+  }
+}
+
+// "The door is kept clear": of every floor object of the topic, or of all when nobody is named.
+void KeepClear(const Match& match, std::string_view, Composer& composer) {
+  for (const Target& target : composer.Targets(*match.b, {})) {
+    if (target.kind != RefKind::kFeature) {
+      for (const Placed& other : target.objects) composer.EmitFirst({AccessibleFront(other, composer)});
+      continue;
+    }
+    std::vector<Placed> movers = composer.topic();
+    Mention all;
+    all.references = {{.kind = RefKind::kGroup, .name = "all"}};
+    if (movers.empty()) movers = composer.Movers(&all);
+    for (const Placed& mover : movers) {
+      composer.EmitFirst({Call("clear_of_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
+    }
+  }
+}
+
+void UnderWindow(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    for (const Target& target : composer.Targets(*match.b, {})) {
+      if (target.name == "window") {
+        composer.EmitFirst({Call("under_window").Text("object", composer.id(mover)),
+                            Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", "window")});
+      } else {
+        composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Rule> FeatureRules() {
+  return {
+      {"A? not block B", NotBlock},
+      {"A? not block ,? accessible/access_to/allow_access_to/accessible_from B", NotBlock},
+      {"A? not block ,? B.feature swing_open", NotBlock},
+      {"A? not block B ,? swing_open", NotBlock},
+      {"A? not block B accessible", NotBlock},
+      {"A? not block B.object pronoun? space", NotBlock, "gap"},
+      {"A? clear_of B", NotBlock},
+      {"A? clear_of B.feature ,? swing_open", NotBlock},
+      {"A? not in_front_of B.feature", NotBlock},
+      {"A? not in_front_of/under/behind/on/above/next_to B.feature", NotBlock},
+      {"A? not against/facing/opposite B.feature", NotBlock},
+      {"B.feature keep_clear", KeepClear},
+      {"B.feature not block", KeepClear},
+      {"B.feature accessible", KeepClear},
+      {"space in_front_of B.feature keep_clear?", KeepClear},
+      {"keep_front_clear B keep_clear?", KeepClear},
+      {"A? under B.feature", UnderWindow},
+      {"A? below B.feature", UnderWindow},
+  };
+}
+
+}  // namespace flair::translator

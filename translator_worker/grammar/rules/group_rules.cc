@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Groups: chairs round a table, between two, side by side in a row.
+#include "translator_worker/grammar/rules/rule.h"
+
+namespace flair::translator {
+namespace {
+
+void EmitSurround(const std::vector<Placed>& movers, const std::vector<Placed>& centers, Composer& composer) {
+  if (movers.empty() || centers.empty()) return;
+  std::vector<std::string> ids;
+  for (const Placed& mover : movers) {
+    if (mover.object != centers.front().object) ids.push_back(composer.id(mover));
+  }
+  composer.EmitFirst({Call("surround").Text("center", composer.id(centers.front())).Texts("objects", ids)});
+}
+
+void Surround(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  EmitSurround(movers, composer.TargetObjects(*match.b, movers), composer);
+}
+
+void SurroundedBy(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> centers = composer.Movers(match.a);
+  EmitSurround(composer.TargetObjects(*match.b, centers), centers, composer);
+}
+
+void Between(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers, false);
+  if (targets.size() != 2 || movers.empty()) {
+    composer.Refuse("unknown_sentence", "between needs exactly two objects; name them");
+    return;
+  }
+  for (const Placed& mover : movers) {
+    if (composer.IsWall(mover)) {
+      composer.EmitFirst(
+          {Call("on_wall_near").Text("object", composer.id(mover)).Text("target", composer.id(targets[0]))});
+      continue;
+    }
+    composer.EmitFirst({Call("between")
+                            .Text("object", composer.id(mover))
+                            .Text("first", composer.id(targets[0]))
+                            .Text("second", composer.id(targets[1]))});
+  }
+}
+
+void Row(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> movers = composer.Movers(match.a);
+  if (movers.size() < 2) movers = composer.subjects();
+  if (movers.size() < 2) {
+    composer.Refuse("unknown_sentence", "a row needs at least two objects; name them");
+    return;
+  }
+  std::vector<std::string> ids;
+  for (const Placed& mover : movers) ids.push_back(composer.id(mover));
+  if (composer.Emit(Call("row").Texts("objects", ids))) return;
+  for (size_t i = 0; i + 1 < movers.size(); ++i) {
+    composer.EmitFirst({Call("next_to")
+                            .Text("object", ids[i + 1])
+                            .Text("target", ids[i])
+                            .Text("object_side", "left")
+                            .Text("target_side", "right")});
+  }
+}
+
+}  // namespace
+
+std::vector<Rule> GroupRules() {
+  return {
+      {"A? surround B", Surround},
+      {"A? around B.object", Surround},
+      {"A? against/on/next_to/each_side_of around B.object", Surround},
+      {"A surrounded_by B", SurroundedBy},
+      {"A? between B", Between},
+      {"A? centered between B", Between},
+      {"A? side_by_side", Row},
+      {"A? side_by_side ,? side_by_side", Row},
+      {"A? next_to/near both_ways", Row},
+      {"A? next_to both_ways ,? side_by_side", Row},
+  };
+}
+
+}  // namespace flair::translator

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nearness and contact by position: near, next to, left of, behind, on each side of.
+#include <optional>
+#include <string>
+
+#include "translator_worker/grammar/rules/contact.h"
+#include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/sides.h"
+
+namespace flair::translator {
+namespace {
+
+void NearOne(const Placed& mover, const Target& target, const Distance* distance, Composer& composer) {
+  std::optional<double> most;
+  if (distance != nullptr) most = distance->max_m;
+  const std::string& id = composer.id(mover);
+  if (target.kind == RefKind::kFeature) {
+    composer.EmitFirst({Call("close_to_feature")
+                            .Text("object", id)
+                            .Text("feature", target.name)
+                            .MaybeText("side", OneSide(composer, mover))
+                            .MaybeNumber("max_distance_m", most)});
+  } else if (target.kind == RefKind::kWall) {
+    composer.EmitFirst({Call("near_wall")
+                            .Text("object", id)
+                            .MaybeText("side", OneSide(composer, mover))
+                            .MaybeNumber("max_distance_m", most)});
+  } else if (target.objects.empty()) {
+    composer.Refuse("unknown_sentence", "it can be near objects, walls, doors, windows or sockets");
+  }
+  for (const Placed& other : target.objects) {
+    if (composer.IsWall(mover)) {
+      composer.EmitFirst({Call("on_wall_near").Text("object", id).Text("target", composer.id(other))});
+    } else {
+      composer.EmitFirst(
+          {Call("near").Text("object", id).Text("target", composer.id(other)).MaybeNumber("max_distance_m", most)});
+      if (distance != nullptr && distance->min_m) {
+        composer.EmitFirst({Call("away_from")
+                                .Text("object", id)
+                                .Text("target", composer.id(other))
+                                .Number("min_distance_m", *distance->min_m)});
+      }
+    }
+  }
+  if (!target.objects.empty()) composer.SetPair({mover}, target.objects);
+}
+
+void Near(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    for (const Placed& mover : movers) NearOne(mover, target, match.distance, composer);
+  }
+  if (movers.size() == 2 && match.b->references.front().kind == RefKind::kPronoun) {
+    NearOne(movers[0], {RefKind::kObjects, {movers[1]}, ""}, match.distance, composer);
+  }
+}
+
+void NextTo(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    for (const Placed& mover : movers) {
+      if (composer.IsWall(mover) || target.kind == RefKind::kWall) {
+        NearOne(mover, target, match.distance, composer);
+      } else {
+        Contact(mover, target, composer);
+      }
+    }
+  }
+}
+
+// Stands at a named side of the target; tag is that side.
+void AtSide(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
+  for (const Placed& mover : movers) {
+    if (composer.IsWall(mover)) {
+      for (const Placed& other : targets) {
+        composer.EmitFirst({Call(tag == "back" ? "on_wall_above" : "on_wall_near")
+                                .Text("object", composer.id(mover))
+                                .Text("target", composer.id(other))});
+      }
+    } else {
+      Beside(mover, targets, tag == "side" ? "left" : std::string(tag), composer);
+      if (match.distance != nullptr && match.distance->min_m && *match.distance->min_m > 0) {
+        for (const Placed& other : targets) {
+          composer.EmitFirst({Call("away_from")
+                                  .Text("object", composer.id(mover))
+                                  .Text("target", composer.id(other))
+                                  .Number("min_distance_m", *match.distance->min_m)});
+        }
+      }
+    }
+  }
+}
+
+// "The nightstands stand on each side of the bed": by turns left and right, each with the facing side touching.
+void OnEachSide(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
+  for (const Placed& target : targets) {
+    const bool wall = !movers.empty() && composer.IsWall(movers.front());
+    std::string side = "left";
+    for (const Placed& mover : movers) {
+      if (wall) {
+        composer.EmitFirst(
+            {Call("on_wall_near").Text("object", composer.id(mover)).Text("target", composer.id(target))});
+        continue;
+      }
+      composer.EmitFirst({Call("next_to")
+                              .Text("object", composer.id(mover))
+                              .Text("target", composer.id(target))
+                              .Text("object_side", OppositeSide(side))
+                              .Text("target_side", side)});
+      side = OppositeSide(side);
+    }
+  }
+  if (movers.empty()) composer.Refuse("unknown_sentence", "nothing says what stands there; name the objects");
+}
+
+}  // namespace
+
+std::vector<Rule> NearRules() {
+  return {
+      {"A? near B D?", Near},
+      {"A? near B , D", Near},
+      {"A? near D? of B", Near},
+      {"A? D of/near B", Near},
+      {"A? access_to B.feature", Near},
+      {"A? access_to B.object", Near},
+      {"A? accessible access_to? B.feature", Near},
+      {"nearby B", Near},
+      {"A? next_to B", NextTo},
+      {"A? on B.feature", Near},
+      {"A? left_of B ,? D?", AtSide, "left"},
+      {"A? right_of B ,? D?", AtSide, "right"},
+      {"A? behind B ,? D?", AtSide, "back"},
+      {"A? foot_of B", AtSide, "front"},
+      {"A? head_of B", AtSide, "side"},
+      {"A? each_side_of B", OnEachSide},
+      {"A? , each_side_of B", OnEachSide},
+      {"A? on/next_to/at_sides B.side , of B", OnEachSide},
+  };
+}
+
+}  // namespace flair::translator

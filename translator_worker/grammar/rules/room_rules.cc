@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Places in the room: central, in a zone. What "central" means depends on what carries the object.
+#include "translator_worker/grammar/rules/rule.h"
+
+namespace flair::translator {
+namespace {
+
+void InMiddleOfRoom(const Placed& mover, Composer& composer) {
+  if (composer.IsCeiling(mover)) {
+    composer.EmitFirst({Call("ceiling_center").Text("object", composer.id(mover))});
+  } else if (composer.IsRug(mover) || composer.IsFloor(mover)) {
+    if (composer.IsRug(mover)) composer.rug_placed = true;
+    composer.EmitFirst({Call("central").Text("object", composer.id(mover)).Flag("both", true)});
+  } else {
+    composer.Refuse("unknown_sentence", "only floor and ceiling objects can be in the middle of the room");
+  }
+}
+
+void Central(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) InMiddleOfRoom(mover, composer);
+}
+
+// "centred in the seating area", "in the middle of the table".
+void CentralIn(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    for (const Placed& mover : movers) {
+      const std::string& id = composer.id(mover);
+      if (target.kind == RefKind::kRoom || target.kind == RefKind::kCeiling || target.kind == RefKind::kFloor) {
+        InMiddleOfRoom(mover, composer);
+        continue;
+      }
+      for (const Placed& other : target.objects) {
+        const std::string& host = composer.id(other);
+        if (composer.IsRug(mover)) {
+          if (!composer.rug_placed) composer.EmitFirst({Call("rug_under_center").Text("rug", id).Text("object", host)});
+          composer.rug_placed = true;
+        } else if (composer.IsCeiling(mover)) {
+          composer.EmitFirst({Call("ceiling_above").Text("object", id).Text("target", host)});
+        } else if (composer.IsWall(mover)) {
+          composer.EmitFirst({Call("on_wall_above").Text("object", id).Text("target", host)});
+        } else if (composer.IsSurface(mover)) {
+          composer.EmitFirst({Call("on_top_center").Text("object", id).Text("host", host)});
+        } else {
+          composer.EmitFirst({Call("near").Text("object", id).Text("target", host)});
+        }
+      }
+    }
+  }
+}
+
+void InZone(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    const std::string& zone = match.b->references.front().name;
+    if (composer.IsWall(mover)) {
+      composer.EmitFirst({Call("on_wall_in_zone").Text("object", composer.id(mover)).Text("zone", zone)});
+    } else if (composer.IsFloor(mover)) {
+      composer.EmitFirst({Call("in_zone").Text("object", composer.id(mover)).Text("zone", zone)});
+    } else {
+      composer.Refuse("unknown_sentence", "only floor and wall objects can be put into a zone");
+    }
+  }
+}
+
+// "on the desk in the study area": the object says it all.
+void Ignore(const Match&, std::string_view, Composer&) {}
+
+}  // namespace
+
+std::vector<Rule> RoomRules() {
+  return {
+      {"A? centered B.room?", Central},
+      {"A? on? centered of? B.room", Central},
+      {"A? hanging? centered hanging? away_from? on? B.ceiling", Central},
+      {"A? hanging? away_from? on? B.ceiling centered", Central},
+      {"A? hanging? centered hanging away_from B.ceiling", Central},
+      {"A? on? centered on? B.ceiling", Central},
+      {"A? on B.ceiling", Central},
+      {"A? hanging away_from B.ceiling", Central},
+      {"A? centered B.object", CentralIn},
+      {"A? on? centered of/on/in? B.object", CentralIn},
+      {"A? centered B.room , above/on B.object", Central},
+      {"A? on B.zone", InZone},
+      {"A? hanging? on B.wall of/on B.zone", InZone},
+      {"on B.room", Ignore},
+      {"A? on? B.ceiling on? centered of? B.room", Central},
+      {"A? centered of? B.ceiling on B.room", Central},
+      {"A? centered B.ceiling", Central},
+  };
+}
+
+}  // namespace flair::translator

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// On and under objects: things on tables, rugs under them, chairs tucked in.
+#include "translator_worker/grammar/rules/rule.h"
+
+namespace flair::translator {
+namespace {
+
+void OnOne(const Placed& mover, const Placed& host, std::string_view corner, Composer& composer) {
+  const std::string& id = composer.id(mover);
+  const std::string& below = composer.id(host);
+  if (composer.IsRug(mover)) {
+    composer.EmitFirst({Call("on").Text("object", id).Text("target", below)});
+  } else if (composer.IsRug(host)) {
+    composer.EmitFirst({Call("on").Text("object", id).Text("target", below)});
+  } else if (corner == "any") {
+    composer.EmitFirst({Call("on_top_corner").Text("object", id).Text("host", below)});
+  } else if (!corner.empty()) {
+    composer.EmitFirst(
+        {Call("on_top_corner").Text("object", id).Text("host", below).Text("corner", std::string(corner))});
+  } else {
+    composer.EmitFirst({Call("on_top_center").Text("object", id).Text("host", below)});
+  }
+}
+
+// tag: "" in the middle, "any" a corner, or that corner.
+void On(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed> hosts = composer.TargetObjects(*match.b, movers);
+  for (size_t i = 0; i < movers.size() && !hosts.empty(); ++i) {
+    // Several things on several hosts: one each.
+    const Placed& host = hosts[hosts.size() > 1 && movers.size() > 1 ? i % hosts.size() : 0];
+    OnOne(movers[i], host, tag, composer);
+  }
+}
+
+void RugUnder(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
+  for (const Placed& mover : movers) {
+    if (targets.empty()) return;
+    const std::string& id = composer.id(mover);
+    const std::string& target = composer.id(targets.front());
+    if (composer.IsRug(mover)) {
+      if (!composer.rug_placed) {
+        composer.EmitFirst(
+            {Call(tag == "forward" ? "rug_under_forward" : "rug_under_center").Text("rug", id).Text("object", target)});
+      }
+      composer.rug_placed = true;
+    } else if (composer.IsWall(mover)) {
+      composer.EmitFirst({Call("on_wall_near").Text("object", id).Text("target", target)});
+    } else {
+      composer.EmitFirst({Call("under_center").Text("object", id).Text("target", target)});
+    }
+  }
+}
+
+void WhenUnused(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("conditional", "what holds only at times cannot be asked for; say where it stands otherwise");
+}
+
+}  // namespace
+
+std::vector<Rule> SurfaceRules() {
+  return {
+      {"A? on B.object", On},
+      {"A? on corner/edge of? B.object", On, "any"},
+      {"A? near/next_to? corner/edge of? B.object", On, "any"},
+      {"A? corner/edge B.object", On, "any"},
+      {"A? on B.side of B.object", On, "any"},
+      {"A? next_to B.object towards_back", On, "back_left"},
+      {"A? towards_back B.object", On, "back_left"},
+      {"A? on B.object ,? towards_back", On, "back_left"},
+      {"A? on? corner_back_left B.object", On, "back_left"},
+      {"A? on? corner_back_right B.object", On, "back_right"},
+      {"A? on? corner_front_left B.object", On, "front_left"},
+      {"A? on? corner_front_right B.object", On, "front_right"},
+      {"A? under B.object", RugUnder},
+      {"A? centered under B.object", RugUnder},
+      {"A? under_center/tucked_under B.object", RugUnder},
+      {"A? partly_under B.object", RugUnder, "forward"},
+      {"A? pushed_under B.object", RugUnder},
+      {"A? pushed_under B.object ,? under_when_unused", WhenUnused},
+  };
+}
+
+}  // namespace flair::translator

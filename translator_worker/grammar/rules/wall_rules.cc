@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Walls and corners: against, along, near, away from them; "against" another object is contact with it.
+#include "translator_worker/grammar/rules/contact.h"
+#include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/sides.h"
+
+namespace flair::translator {
+namespace {
+
+// "[X] against a wall (back side)": the side stands before or after.
+void Against(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    for (Placed mover : movers) {
+      if (match.c != nullptr) mover.side = match.c->references.front().side;
+      if (target.kind == RefKind::kWall) {
+        if (composer.IsWall(mover)) {
+          composer.Refuse("not_about_layout", "a wall object hangs on a wall anyway; say near, above or opposite what");
+          continue;
+        }
+        composer.EmitFirst({Call("against_wall")
+                                .Text("object", composer.id(mover))
+                                .MaybeText("side", OneSide(composer, mover))
+                                .MaybeText("wall", target.name)});
+      } else {
+        Contact(mover, target, composer);
+      }
+    }
+  }
+}
+
+void NotAgainst(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers, false)) {
+    for (const Placed& mover : movers) {
+      if (target.kind == RefKind::kWall) {
+        composer.EmitFirst(
+            {Call("not_against_wall").Text("object", composer.id(mover)).MaybeText("side", OneSide(composer, mover))});
+      }
+      for (const Placed& other : target.objects) {
+        composer.EmitFirst({Call("away_from").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+      }
+    }
+  }
+}
+
+void InCorner(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    if (!composer.IsFloor(mover)) {
+      composer.Refuse("unknown_sentence", "only floor objects stand in a corner of the room; say on a corner of what");
+      continue;
+    }
+    composer.EmitFirst(
+        {Call("in_corner").Text("object", composer.id(mover)).MaybeText("side", OneSide(composer, mover))});
+  }
+}
+
+void CenteredOnWall(const Match& match, std::string_view, Composer& composer) {
+  const std::string wall = match.b != nullptr ? match.b->references.front().name : "";
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst({Call("centered_on_wall").Text("object", composer.id(mover)).MaybeText("wall", wall),
+                        Call("against_wall").Text("object", composer.id(mover)).MaybeText("wall", wall)});
+  }
+}
+
+}  // namespace
+
+std::vector<Rule> WallRules() {
+  return {
+      {"A? against B , C.side", Against},
+      {"A? against/along/on/next_to B.wall ,? C.side", Against},
+      {"A? against/along/next_to B.wall", Against},
+      {"A? against B", Against},
+      {"A? against/near corner", InCorner},
+      {"A? on B.wall", Against},
+      {"A? aligned B", Against},
+      {"A? not against/along/next_to/near/on B.wall", NotAgainst},
+      {"A? not against B", NotAgainst},
+      {"not against B", NotAgainst},
+      {"A? corner B.room?", InCorner},
+      {"A? corner of? B.room", InCorner},
+      {"A? corner or against/along/near B.wall", InCorner},
+      {"A? centered/wall_centered B.wall", CenteredOnWall},
+      {"A? centered on/against/along B.wall", CenteredOnWall},
+      {"A? against B.wall , centered", CenteredOnWall},
+  };
+}
+
+}  // namespace flair::translator

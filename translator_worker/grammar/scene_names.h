@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "flair/v1/object_list.pb.h"
+#include "flair/v1/room.pb.h"
+#include "flair/v1/zone_plan.pb.h"
+#include "translator_worker/grammar/mention.h"
+#include "translator_worker/grammar/token.h"
+
+namespace flair::translator {
+
+// Finds the room's own objects, zones and walls in a sentence, by full name, by id, by the end of the name ("cauldron"
+// for "large cauldron") or by a synonym. Furniture that the room lacks is found as absent. Borrows its arguments.
+class SceneNames {
+ public:
+  SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects);
+
+  struct Found {
+    Reference reference;
+    // Tokens covered; 0 when nothing was found.
+    size_t length = 0;
+  };
+
+  // The longest name that begins at tokens[at].
+  Found Find(const std::vector<Token>& tokens, size_t at) const;
+
+  // Index of the zone's main object: its first primary, else its first object; -1 when it has none.
+  int MainObject(const std::string& zone_id) const;
+
+ private:
+  struct Candidate {
+    int object;
+    // Less is a better match.
+    int rank;
+  };
+
+  void Add(const std::vector<std::string>& words, int object, int rank);
+  Found FindObject(const std::vector<Token>& tokens, size_t at) const;
+  Found FindZone(const std::vector<Token>& tokens, size_t at) const;
+  Found FindWall(const std::vector<Token>& tokens, size_t at) const;
+
+  const v1::Room& room_;
+  const v1::ZonePlan& zones_;
+  const v1::ObjectList& objects_;
+  // Singular words joined by spaces; an empty list is furniture that the room does not have.
+  std::map<std::string, std::vector<Candidate>> names_;
+};
+
+// The lower-case words of a name; underscores and hyphens separate.
+std::vector<std::string> NameWords(const std::string& name);
+
+}  // namespace flair::translator

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/sentence_translator.h"
+
+#include <algorithm>
+#include <string>
+
+#include "absl/strings/str_join.h"
+#include "fmt/format.h"
+#include "translator_worker/grammar/composer.h"
+#include "translator_worker/grammar/quote.h"
+#include "translator_worker/grammar/rule_book.h"
+#include "translator_worker/grammar/term.h"
+
+namespace flair::translator {
+namespace {
+
+// No pattern is longer than this many terms.
+constexpr size_t kLongestFact = 14;
+
+class Walk {
+ public:
+  Walk(const Analysis& analysis, Composer& composer, std::string_view text)
+      : terms_(analysis.terms), composer_(composer), text_(text) {}
+
+  void Run() {
+    while (at_ < terms_.size()) {
+      const Term& term = terms_[at_];
+      if (term.kind == Term::Kind::kStop) {
+        in_reason_ = false;
+        clause_begins_ = true;
+        ++at_;
+      } else if (!in_reason_ && TakeFact()) {
+        clause_begins_ = false;
+      } else {
+        LeaveOver(term);
+        ++at_;
+      }
+    }
+  }
+
+  // Content words that no fact covered.
+  const std::vector<std::string>& left_over() const { return left_over_; }
+  // Left-over noun phrases that name something no call is about.
+  void RefuseVague() {
+    for (const Mention* mention : unused_) {
+      for (const Reference& reference : mention->references) {
+        if (reference.kind == RefKind::kVague) {
+          composer_.Refuse(
+              "not_about_layout",
+              fmt::format("{} cannot be said by a layout call; name the objects and distances that serve it",
+                          reference.name));
+        } else if (reference.kind == RefKind::kAbsent) {
+          composer_.Refuse("names_absent_object", fmt::format("the room has no \"{}\"", reference.name));
+        }
+      }
+    }
+  }
+
+ private:
+  bool TakeFact() {
+    const std::span<const Term> rest(terms_.data() + at_, std::min(kLongestFact, terms_.size() - at_));
+    const RuleBook::Hit hit = RuleBook::Get().Find(rest);
+    if (hit.rule == nullptr) return false;
+    // "against a wall or beside the bed": the first is taken, the choice is free.
+    const size_t before = composer_.calls().size();
+    const bool alternative = after_or_ && before > calls_at_or_;
+    if (!alternative) {
+      hit.rule->build(hit.match, hit.rule->tag, composer_);
+      if (hit.match.a != nullptr) TakeTopic(*hit.match.a);
+    }
+    at_ += hit.match.length;
+    after_or_ = at_ < terms_.size() && terms_[at_].IsWord("or");
+    if (after_or_) {
+      calls_at_or_ = before;
+      ++at_;
+    }
+    return true;
+  }
+
+  // Objects that are named as movers are spoken of from then on.
+  void TakeTopic(const Mention& mention) {
+    if (mention.references.front().kind != RefKind::kObjects) return;
+    std::vector<Placed> movers = composer_.Movers(&mention);
+    for (Placed& placed : movers) placed.side.clear();
+    if (!movers.empty()) composer_.SetTopic(std::move(movers));
+  }
+
+  void LeaveOver(const Term& term) {
+    switch (term.kind) {
+      case Term::Kind::kPurpose:
+        if (term.lemma != "that") in_reason_ = true;
+        break;
+      case Term::Kind::kSoft:
+        if (term.lemma == "," || term.lemma == "but" || term.lemma == "while" || term.lemma == "with")
+          in_reason_ = false;
+        break;
+      case Term::Kind::kMention:
+        if (in_reason_) break;
+        if (clause_begins_) TakeTopic(term.mention);
+        if (term.mention.references.front().kind == RefKind::kObjects && composer_.topic().empty())
+          TakeTopic(term.mention);
+        unused_.push_back(&term.mention);
+        clause_begins_ = false;
+        break;
+      case Term::Kind::kUnknown:
+      case Term::Kind::kDistance:
+        if (!in_reason_) left_over_.push_back(Quote(text_.substr(term.begin, term.end - term.begin)));
+        break;
+      default:
+        break;
+    }
+  }
+
+  const std::vector<Term>& terms_;
+  Composer& composer_;
+  const std::string_view text_;
+  size_t at_ = 0;
+  bool in_reason_ = false;
+  bool clause_begins_ = true;
+  bool after_or_ = false;
+  size_t calls_at_or_ = 0;
+  std::vector<std::string> left_over_;
+  std::vector<const Mention*> unused_;
+};
+
+}  // namespace
+
+Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
+                              const v1::Sentence& sentence) {
+  Composer composer(request, names, catalog, sentence);
+  const Analysis analysis = Analyse(sentence.text(), names);
+  Translation result;
+  result.weight_factor = analysis.wish ? 0.5 : 1;
+  if (analysis.conditional) {
+    composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");
+  } else {
+    Walk walk(analysis, composer, sentence.text());
+    walk.Run();
+    walk.RefuseVague();
+    if (composer.calls().empty() && composer.refusals().empty()) {
+      composer.Refuse(
+          "unknown_sentence",
+          "no relation was understood; say for example \"the X is against a wall\", \"the X is 0.5 m in front of "
+          "the Y\" or \"the front of the X is accessible\"");
+    }
+    if (!composer.calls().empty() && !walk.left_over().empty()) {
+      const size_t shown = std::min<size_t>(walk.left_over().size(), 8);
+      composer.Note("partial", fmt::format("not understood: {}",
+                                           absl::StrJoin(walk.left_over().begin(),
+                                                         walk.left_over().begin() + static_cast<long>(shown), ", ")));
+    }
+  }
+  result.calls = composer.calls();
+  for (v1::Diagnostic refusal : composer.refusals()) {
+    if (!result.calls.empty()) refusal.set_code("partial");
+    result.diagnostics.push_back(std::move(refusal));
+  }
+  result.diagnostics.insert(result.diagnostics.end(), composer.notes().begin(), composer.notes().end());
+  return result;
+}
+
+}  // namespace flair::translator

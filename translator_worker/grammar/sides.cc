@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/sides.h"
+
+#include "fmt/format.h"
+
+namespace flair::translator {
+
+std::vector<std::string> SidesOf(Composer& composer, const Placed& placed) {
+  const std::string& word = placed.side;
+  if (word.empty()) return {};
+  if (word == "front" || word == "back" || word == "left" || word == "right") return {word};
+  const v1::Object& object = composer.object(placed.object);
+  const bool wide = object.width_m() > object.depth_m();
+  const std::vector<std::string> lateral = {"left", "right"};
+  const std::vector<std::string> axial = {"front", "back"};
+  const auto one = [&](const std::vector<std::string>& options) -> std::vector<std::string> {
+    composer.Note("side_left_open",
+                  fmt::format("either of several sides of {} is meant; {} was taken", object.id(), options[0]));
+    return {options[0]};
+  };
+  if (word == "sides") return lateral;
+  if (word == "side") return one(lateral);
+  if (word == "long_both") return wide ? axial : lateral;
+  if (word == "long_one") return one(wide ? axial : lateral);
+  if (word == "short_both") return wide ? lateral : axial;
+  if (word == "short_one") return one(wide ? lateral : axial);
+  if (word == "all") return {"front", "back", "left", "right"};
+  if (word == "three") return {"front", "left", "right"};
+  if (word == "two_any") {
+    composer.Note("side_left_open",
+                  fmt::format("which two sides of {} is open; front and left were taken", object.id()));
+    return {"front", "left"};
+  }
+  return {};
+}
+
+std::string OneSide(Composer& composer, const Placed& placed) {
+  if (placed.side == "sides" || placed.side == "all" || placed.side == "side") return "";
+  const std::vector<std::string> sides = SidesOf(composer, placed);
+  if (placed.side == "long_both" || placed.side == "short_both" || sides.size() != 1) return "";
+  return sides.front();
+}
+
+std::string OppositeSide(const std::string& side) {
+  if (side == "left") return "right";
+  if (side == "right") return "left";
+  if (side == "front") return "back";
+  return side == "back" ? "front" : "";
+}
+
+}  // namespace flair::translator
