@@ -257,8 +257,9 @@ class EmptyRoomStages final : public StageClients {
   }
   NEVER(PlanZones)
   NEVER(ListObjects)
-  NEVER(ChooseStyle) NEVER(ListConstraints) NEVER(CleanConstraints) NEVER(Translate) NEVER(ListConstraintTypes)
-      NEVER(Solve) NEVER(Evaluate) NEVER(Render)
+  NEVER(ChooseStyle)
+  NEVER(ListConstraints) NEVER(CleanConstraints) NEVER(Translate) NEVER(ListConstraintTypes) NEVER(Solve)
+      NEVER(Evaluate) NEVER(Render)
 #undef NEVER
 };
 

@@ -191,8 +191,10 @@ Transaction::~Transaction() {
 
 absl::Status Transaction::Commit() {
   absl::Status status = database_->Execute("COMMIT");
-  if (status.ok()) database_ = nullptr;
-  return status;
+  if (!status.ok()) return status;
+  database_ = nullptr;
+  lock_.unlock();
+  return absl::OkStatus();
 }
 
 }  // namespace flair::orchestrator

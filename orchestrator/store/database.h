@@ -89,6 +89,7 @@ class Transaction {
   static absl::StatusOr<Transaction> Begin(Database& database, Durability durability = Durability::kProcessCrash);
   Transaction(Transaction&& other) noexcept;
   ~Transaction();
+  // Then lets the database go, so that those who are told of the change can read it.
   absl::Status Commit();
 
  private:

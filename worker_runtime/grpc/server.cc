@@ -47,6 +47,9 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
     EnableHealthAndReflectionOnce();
     builder.AddListeningPort(listen, grpc::InsecureServerCredentials(), &port);
   }
+  // All our services answer by callback; the threads for others would only wait.
+  builder.SetSyncServerOption(grpc::ServerBuilder::NUM_CQS, 1);
+  builder.SetSyncServerOption(grpc::ServerBuilder::MAX_POLLERS, 1);
   // Otherwise a second program could take the same port unnoticed and get half of the calls.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   builder.SetMaxReceiveMessageSize(server->max_message_bytes_);

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "orchestrator/batch/event_hub.h"
+#include "orchestrator/batch/job_id.h"
+#include "orchestrator/batch/store_monitor.h"
+#include "orchestrator/store/temporary_folder.h"
+#include "worker_runtime/clock/fake_clock.h"
+#include "worker_runtime/executor/test_gate.h"
+
+namespace flair::orchestrator {
+namespace {
+
+TEST(JobIdSource, SortsByAgeEvenWhenTheClockStandsStill) {
+  runtime::FakeClock clock(absl::FromUnixMicros(1779371101000005));
+  JobIdSource ids(clock);
+  std::string last = ids.Next();
+  EXPECT_EQ(last.substr(0, 22), "20260521T134501000005-");
+  for (int i = 0; i < 1000; ++i) {
+    const std::string next = ids.Next();
+    EXPECT_LT(last, next);
+    last = next;
+  }
+}
+
+TEST(EventHub, TellsWatchersOfTheJobUntilTheyUnsubscribe) {
+  EventHub hub;
+  int first = 0;
+  int second = 0;
+  const int key = hub.Subscribe("j1", [&] { ++first; });
+  hub.Subscribe("j2", [&] { ++second; });
+  hub.Notify("j1");
+  hub.NotifyAll();
+  hub.Unsubscribe(key);
+  hub.NotifyAll();
+  EXPECT_EQ(first, 2);
+  EXPECT_EQ(second, 2);
+}
+
+TEST(StoreMonitor, NoticesWritesOfOthersAndTheEndOfOwners) {
+  TemporaryFolder folder;
+  auto store = *JobStore::Open(folder.path());
+  auto other = *JobStore::Open(folder.path());
+  runtime::TestGate changed;
+  runtime::TestGate owner_gone;
+  StoreMonitor monitor(*store, {[&] { changed.Open(); }, [&] { owner_gone.Open(); }});
+  v1::Job job;
+  job.set_id("j1");
+  ASSERT_TRUE(other->jobs().Insert(job, "").ok());
+  changed.Wait();
+  other = nullptr;
+  owner_gone.Wait();
+}
+
+}  // namespace
+}  // namespace flair::orchestrator

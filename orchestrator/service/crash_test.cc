@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kills a real process with SIGKILL while it runs jobs, again and again, and looks at what is in the store at the end.
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "orchestrator/store/job_store.h"
+#include "orchestrator/store/temporary_folder.h"
+
+namespace flair::orchestrator {
+namespace {
+
+constexpr int kJobCount = 12;
+
+// A running child; its standard output is read line by line.
+class Child {
+ public:
+  explicit Child(const std::string& store) {
+    int ends[2];
+    if (::pipe(ends) != 0) std::abort();
+    pid_ = ::fork();
+    if (pid_ == 0) {
+      ::dup2(ends[1], STDOUT_FILENO);
+      ::close(ends[0]);
+      ::close(ends[1]);
+      const std::string program = FLAIR_BINARY_DIR "/test_bin/orchestrator_crash_test_child";
+      ::execl(program.c_str(), program.c_str(), store.c_str(), std::to_string(kJobCount).c_str(), nullptr);
+      ::_exit(127);
+    }
+    ::close(ends[1]);
+    output_ = ::fdopen(ends[0], "r");
+  }
+  ~Child() { std::fclose(output_); }
+
+  // False at the end of the output.
+  bool ReadLine(std::string& line) {
+    char buffer[256];
+    if (std::fgets(buffer, sizeof buffer, output_) == nullptr) return false;
+    line = buffer;
+    return true;
+  }
+  void Kill() { ::kill(pid_, SIGKILL); }
+  int Wait() {
+    int status = 0;
+    ::waitpid(pid_, &status, 0);
+    return status;
+  }
+
+ private:
+  pid_t pid_;
+  std::FILE* output_;
+};
+
+// Runs a child and kills it at its n-th call of a stage; true when it got done before.
+bool RunAndKillAt(const std::string& store, int call) {
+  Child child(store);
+  std::string line;
+  for (int i = 0; child.ReadLine(line); ++i) {
+    if (line == "done\n") {
+      EXPECT_EQ(child.Wait(), 0);
+      return true;
+    }
+    if (i == call) child.Kill();
+  }
+  child.Wait();
+  return false;
+}
+
+// The artifacts but the report of every job, by the job's brief.
+std::map<std::string, std::vector<std::string>> ReadArtifacts(const std::string& path) {
+  auto store = *JobStore::Open(path);
+  std::map<std::string, std::vector<std::string>> artifacts;
+  const std::vector<v1::Job> jobs = *store->jobs().List(1000, "", "");
+  for (const v1::Job& job : jobs) {
+    std::vector<std::string>& ids = artifacts[job.spec().brief().text()];
+    EXPECT_TRUE(ids.empty()) << "two jobs for " << job.spec().brief().text();
+    EXPECT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error();
+    EXPECT_EQ(job.artifacts_size(), 11);
+    for (const v1::ArtifactRef& ref : job.artifacts()) {
+      EXPECT_TRUE(store->files().Get(ref.id()).ok());
+      if (ref.kind() != v1::ARTIFACT_KIND_REPORT) ids.push_back(ref.id());
+    }
+    int ends = 0;
+    const std::vector<v1::JobEvent> events = *store->events().After(job.id(), 0, 10000);
+    for (const v1::JobEvent& event : events) ends += event.kind() == v1::JOB_EVENT_KIND_ENDED ? 1 : 0;
+    EXPECT_EQ(ends, 1) << job.id();
+  }
+  return artifacts;
+}
+
+TEST(Crash, EveryJobEndsOnceWithTheArtifactsOfAnUndisturbedRun) {
+  TemporaryFolder undisturbed;
+  ASSERT_TRUE(RunAndKillAt(undisturbed.path(), -1));
+  TemporaryFolder disturbed;
+  int kills = 0;
+  // Each child comes a little further than a whole job before it dies; the early ones die in their first job.
+  for (int call = 0; !RunAndKillAt(disturbed.path(), call); call = (call + 5) % 23) {
+    ASSERT_LT(++kills, 100) << "no progress";
+  }
+  EXPECT_GE(kills, 3);
+  const auto expected = ReadArtifacts(undisturbed.path());
+  EXPECT_EQ(expected.size(), static_cast<size_t>(kJobCount));
+  EXPECT_EQ(ReadArtifacts(disturbed.path()), expected);
+}
+
+TEST(Crash, AnotherProcessTakesOverTheJobsOfADeadOne) {
+  TemporaryFolder folder;
+  Child first(folder.path());
+  std::string line;
+  ASSERT_TRUE(first.ReadLine(line));
+  Child second(folder.path());
+  ASSERT_TRUE(second.ReadLine(line));
+  first.Kill();
+  first.Wait();
+  while (line != "done\n") ASSERT_TRUE(second.ReadLine(line));
+  EXPECT_EQ(second.Wait(), 0);
+  EXPECT_EQ(ReadArtifacts(folder.path()).size(), static_cast<size_t>(kJobCount));
+}
+
+}  // namespace
+}  // namespace flair::orchestrator

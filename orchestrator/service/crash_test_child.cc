@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the jobs of one batch on a store with fake workers, for crash_test.cc: crash_test_child STORE JOB_COUNT. Writes
+// a line before every call of a stage, and "done" when all jobs have ended.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "orchestrator/service/embedded_for_test.h"
+#include "orchestrator/service/fake_workers.h"
+
+int main(int argc, char** argv) {
+  using namespace flair;
+  using namespace flair::orchestrator;
+  if (argc != 3) return 2;
+  FakeStages stages([](std::string_view rpc, runtime::CallContext&) {
+    std::printf("%.*s\n", static_cast<int>(rpc.size()), rpc.data());
+    std::fflush(stdout);
+    return absl::OkStatus();
+  });
+  FakeWorkers workers(stages);
+  config::v1::OrchestratorConfig config;
+  config.set_store_path(argv[1]);
+  config.set_running_job_limit(2);
+  config.mutable_runtime()->set_log_level("error");
+  EmbeddedForTest orchestrator(config, workers.channels());
+  if (!orchestrator.status().ok()) return 1;
+  v1::CreateBatchRequest request;
+  request.set_request_id("batch");
+  for (int i = 0; i < std::atoi(argv[2]); ++i)
+    request.add_specs()->mutable_brief()->set_text("Room " + std::to_string(i));
+  using Stub = v1::OrchestratorService::StubInterface;
+  const auto batch = orchestrator.Ask(&Stub::CreateBatch, request);
+  if (!batch.ok()) return 1;
+  v1::ListJobsRequest list;
+  list.set_page_size(1000);
+  list.set_batch_id(batch->batch().id());
+  const auto jobs = orchestrator.Ask(&Stub::ListJobs, list);
+  if (!jobs.ok()) return 1;
+  for (const v1::Job& job : jobs->jobs()) orchestrator.Watch(job.id());
+  std::printf("done\n");
+  return 0;
+}

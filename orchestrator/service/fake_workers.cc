@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/service/fake_workers.h"
+
+#include "flair/v1/language_service.grpc.pb.h"
+#include "flair/v1/optimizer_service.grpc.pb.h"
+#include "flair/v1/renderer_service.grpc.pb.h"
+#include "flair/v1/translator_service.grpc.pb.h"
+#include "worker_runtime/grpc/unary_call.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// Answers one RPC with the function of FakeStages of the same name.
+template <typename Request, typename Response>
+grpc::ServerUnaryReactor* Forward(runtime::WorkerContext& worker, FakeStages& stages, const char* rpc,
+                                  grpc::CallbackServerContext* context, const Request* request, Response* response,
+                                  absl::StatusOr<Response> (FakeStages::*function)(const Request&,
+                                                                                   runtime::CallContext&)) {
+  return runtime::StartUnary(worker, rpc, "", *context,
+                             [&stages, request, response, function](runtime::CallContext& call) -> absl::Status {
+                               absl::StatusOr<Response> answer = (stages.*function)(*request, call);
+                               if (answer.ok()) *response = *std::move(answer);
+                               return answer.status();
+                             });
+}
+
+class FakeLanguage final : public v1::LanguageService::CallbackService {
+ public:
+  FakeLanguage(runtime::WorkerContext& worker, FakeStages& stages) : worker_(worker), stages_(stages) {}
+  grpc::ServerUnaryReactor* DescribeRoom(grpc::CallbackServerContext* context, const v1::DescribeRoomRequest* request,
+                                         v1::DescribeRoomResponse* response) override {
+    return Forward(worker_, stages_, "DescribeRoom", context, request, response, &FakeStages::DescribeRoom);
+  }
+  grpc::ServerUnaryReactor* PlanZones(grpc::CallbackServerContext* context, const v1::PlanZonesRequest* request,
+                                      v1::PlanZonesResponse* response) override {
+    return Forward(worker_, stages_, "PlanZones", context, request, response, &FakeStages::PlanZones);
+  }
+  grpc::ServerUnaryReactor* ListObjects(grpc::CallbackServerContext* context, const v1::ListObjectsRequest* request,
+                                        v1::ListObjectsResponse* response) override {
+    return Forward(worker_, stages_, "ListObjects", context, request, response, &FakeStages::ListObjects);
+  }
+  grpc::ServerUnaryReactor* ChooseStyle(grpc::CallbackServerContext* context, const v1::ChooseStyleRequest* request,
+                                        v1::ChooseStyleResponse* response) override {
+    return Forward(worker_, stages_, "ChooseStyle", context, request, response, &FakeStages::ChooseStyle);
+  }
+  grpc::ServerUnaryReactor* ListConstraints(grpc::CallbackServerContext* context,
+                                            const v1::ListConstraintsRequest* request,
+                                            v1::ListConstraintsResponse* response) override {
+    return Forward(worker_, stages_, "ListConstraints", context, request, response, &FakeStages::ListConstraints);
+  }
+  grpc::ServerUnaryReactor* CleanConstraints(grpc::CallbackServerContext* context,
+                                             const v1::CleanConstraintsRequest* request,
+                                             v1::CleanConstraintsResponse* response) override {
+    return Forward(worker_, stages_, "CleanConstraints", context, request, response, &FakeStages::CleanConstraints);
+  }
+
+ private:
+  runtime::WorkerContext& worker_;
+  FakeStages& stages_;
+};
+
+class FakeTranslator final : public v1::TranslatorService::CallbackService {
+ public:
+  FakeTranslator(runtime::WorkerContext& worker, FakeStages& stages) : worker_(worker), stages_(stages) {}
+  grpc::ServerUnaryReactor* Translate(grpc::CallbackServerContext* context, const v1::TranslateRequest* request,
+                                      v1::TranslateResponse* response) override {
+    return Forward(worker_, stages_, "Translate", context, request, response, &FakeStages::Translate);
+  }
+
+ private:
+  runtime::WorkerContext& worker_;
+  FakeStages& stages_;
+};
+
+class FakeOptimizer final : public v1::OptimizerService::CallbackService {
+ public:
+  FakeOptimizer(runtime::WorkerContext& worker, FakeStages& stages) : worker_(worker), stages_(stages) {}
+  grpc::ServerUnaryReactor* ListConstraintTypes(grpc::CallbackServerContext* context,
+                                                const v1::ListConstraintTypesRequest* request,
+                                                v1::ListConstraintTypesResponse* response) override {
+    return Forward(worker_, stages_, "ListConstraintTypes", context, request, response,
+                   &FakeStages::ListConstraintTypes);
+  }
+  grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
+                                  v1::SolveResponse* response) override {
+    return Forward(worker_, stages_, "Solve", context, request, response, &FakeStages::Solve);
+  }
+  grpc::ServerUnaryReactor* Evaluate(grpc::CallbackServerContext* context, const v1::EvaluateRequest* request,
+                                     v1::EvaluateResponse* response) override {
+    return Forward(worker_, stages_, "Evaluate", context, request, response, &FakeStages::Evaluate);
+  }
+
+ private:
+  runtime::WorkerContext& worker_;
+  FakeStages& stages_;
+};
+
+class FakeRenderer final : public v1::RendererService::CallbackService {
+ public:
+  FakeRenderer(runtime::WorkerContext& worker, FakeStages& stages) : worker_(worker), stages_(stages) {}
+  grpc::ServerUnaryReactor* Render(grpc::CallbackServerContext* context, const v1::RenderRequest* request,
+                                   v1::RenderResponse* response) override {
+    return Forward(worker_, stages_, "Render", context, request, response, &FakeStages::Render);
+  }
+
+ private:
+  runtime::WorkerContext& worker_;
+  FakeStages& stages_;
+};
+
+template <typename Service, typename Fake>
+StageChannel Start(const char* program, FakeStages& stages,
+                   std::vector<std::unique_ptr<runtime::InProcessServer>>& servers) {
+  config::v1::RuntimeConfig config;
+  config.set_log_level("error");
+  config.set_worker_thread_count(8);
+  auto server = runtime::InProcessServer::Start(
+      program, config, Service::service_full_name(),
+      [&stages](runtime::WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
+        return std::make_unique<Fake>(context, stages);
+      });
+  servers.push_back(*std::move(server));
+  return {servers.back()->channel()};
+}
+
+}  // namespace
+
+FakeWorkers::FakeWorkers(FakeStages& stages) {
+  channels_.language = Start<v1::LanguageService, FakeLanguage>("fake-language", stages, servers_);
+  channels_.translator = Start<v1::TranslatorService, FakeTranslator>("fake-translator", stages, servers_);
+  channels_.optimizer = Start<v1::OptimizerService, FakeOptimizer>("fake-optimizer", stages, servers_);
+  channels_.renderer = Start<v1::RendererService, FakeRenderer>("fake-renderer", stages, servers_);
+}
+
+}  // namespace flair::orchestrator
