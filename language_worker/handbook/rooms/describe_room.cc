@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/rooms/describe_room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "language_worker/handbook/program/room_program.h"
+#include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/rooms/openings.h"
+#include "language_worker/handbook/rooms/room_size.h"
+
+namespace flair::language {
+namespace {
+
+// The brief's first sentence, cut at a word when it is long.
+std::string TitleOf(const std::string& text) {
+  constexpr std::size_t kMost = 90;
+  std::string title = text.substr(0, text.find_first_of("\n\r"));
+  if (title.size() > kMost) {
+    const std::size_t space = title.rfind(' ', kMost);
+    title = title.substr(0, space == std::string::npos ? 0 : space) + " ...";
+  }
+  while (!title.empty() && (title.back() == '.' || title.back() == ' ')) title.pop_back();
+  return title;
+}
+
+void SetRectangle(const RoomSize& size, v1::Room& room) {
+  const double corners[4][2] = {{0, 0}, {size.width_m, 0}, {size.width_m, size.depth_m}, {0, size.depth_m}};
+  for (const auto& corner : corners) {
+    v1::Point2& vertex = *room.mutable_floor()->add_vertices();
+    vertex.set_x_m(corner[0]);
+    vertex.set_y_m(corner[1]);
+  }
+  for (const char* name : {"south", "east", "north", "west"}) room.add_walls()->set_name(name);
+}
+
+int UsualWindowCount(const hb::OpeningRules& rules, double area_m2) {
+  for (const hb::WindowCount& limit : rules.window_counts()) {
+    if (limit.max_area_m2() == 0 || area_m2 < limit.max_area_m2()) return limit.count();
+  }
+  if (area_m2 > 40) return 3;
+  return area_m2 < 14 ? 1 : 2;
+}
+
+OpeningPlan PlanOpenings(const BriefFacts& facts, const hb::Archetype& archetype, double area_m2) {
+  OpeningPlan plan;
+  plan.rules = archetype.openings();
+  plan.window_count = UsualWindowCount(plan.rules, area_m2);
+  plan.door_width_m = plan.rules.door_width_m() > 0 ? plan.rules.door_width_m() : 0.9;
+  for (const hb::Changes* changes : AllChanges(facts)) {
+    if (changes->door_width_m() > 0) plan.door_width_m = changes->door_width_m();
+    if (changes->has_window_count()) plan.window_count = changes->window_count();
+    if (changes->has_window_sill_m()) plan.rules.set_window_sill_m(changes->window_sill_m());
+  }
+  plan.rules.set_door_height_m(std::max(plan.rules.door_height_m(), std::min(2.05 * plan.door_width_m / 0.9, 3.0)));
+  plan.window_count = std::clamp(plan.window_count, 0, 6);
+  return plan;
+}
+
+}  // namespace
+
+absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& handbook) {
+  if (brief.has_room()) return brief.room();
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
+  if (!facts.ok()) return facts.status();
+  const hb::Archetype& archetype = EffectiveArchetype(*facts, handbook);
+  const RoomSize size = ChooseRoomSize(*facts, handbook);
+  v1::Room room;
+  room.set_room_type(archetype.name());
+  room.set_title(TitleOf(brief.text()));
+  room.set_height_m(size.height_m);
+  SetRectangle(size, room);
+  AddOpenings(PlanOpenings(*facts, archetype, size.width_m * size.depth_m), Choice(brief.seed()), room);
+  const auto note = [&](const char* code, const std::string& message) {
+    v1::Diagnostic& diagnostic = *room.add_diagnostics();
+    diagnostic.set_severity(v1::SEVERITY_NOTE);
+    diagnostic.set_code(code);
+    diagnostic.set_message(message);
+  };
+  if (!size.assumption.empty()) note("size_assumed", size.assumption);
+  if (!facts->archetype_named) {
+    note("room_type_assumed", "The brief names no kind of room that the handbook knows; it is furnished as a " +
+                                  archetype.name() + ".");
+  }
+  return room;
+}
+
+absl::StatusOr<v1::ZonePlan> PlanZones(const v1::Brief& brief, const v1::Room& room, const Handbook& handbook) {
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
+  if (!facts.ok()) return facts.status();
+  const Choice choice(brief.seed());
+  const RoomProgram program = MakeRoomProgram(*facts, handbook, FloorArea(room), choice);
+  v1::ZonePlan plan;
+  for (const hb::ZoneSpec& spec : program.zones) {
+    v1::Zone& zone = *plan.add_zones();
+    zone.set_id(IdOf(spec.name()));
+    zone.set_name(spec.name());
+    if (spec.purposes_size() > 0) {
+      zone.set_purpose(spec.purposes(static_cast<int>(
+          choice.Index("zone." + spec.name(), static_cast<std::size_t>(spec.purposes_size())))));
+    }
+  }
+  return plan;
+}
+
+double FloorArea(const v1::Room& room) {
+  double twice_m2 = 0;
+  const auto& vertices = room.floor().vertices();
+  for (int i = 0; i < vertices.size(); ++i) {
+    const v1::Point2 &a = vertices[i], &b = vertices[(i + 1) % vertices.size()];
+    twice_m2 += a.x_m() * b.y_m() - a.y_m() * b.x_m();
+  }
+  return std::abs(twice_m2) / 2;
+}
+
+std::string IdOf(std::string_view name) {
+  std::string id;
+  for (const char c : name) {
+    const bool word = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (word) id += c;
+    else if (c != '\'' && !id.empty() && id.back() != '_') id += '_';
+  }
+  while (!id.empty() && id.back() == '_') id.pop_back();
+  return id.empty() ? "unnamed" : id;
+}
+
+}  // namespace flair::language

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "flair/v1/room.pb.h"
+#include "language_worker/handbook/choosing/choice.h"
+#include "language_worker/handbook/handbook.h"
+
+namespace flair::language {
+
+// What openings are to be made, after needs and themes had their say.
+struct OpeningPlan {
+  hb::OpeningRules rules;
+  int window_count = 1;
+  double door_width_m = 0.9;
+};
+
+// Adds a door near a corner, windows on other walls and sockets between them to a rectangular room whose floor, walls and
+// height are set. Widths shrink to the walls. Deterministic.
+void AddOpenings(const OpeningPlan& plan, const Choice& choice, v1::Room& room);
+
+}  // namespace flair::language

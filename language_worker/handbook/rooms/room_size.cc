@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/rooms/room_size.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "language_worker/handbook/program/room_program.h"
+
+namespace flair::language {
+namespace {
+
+double Round(double length_m) { return std::round(length_m * 20) / 20; }
+
+// Sides of a given area: shorter by longer as asked or as usual, never below what can be furnished.
+void SidesOf(double area_m2, double ratio, bool deeper, RoomSize& size) {
+  const double shorter_m = std::max(1.2, Round(std::sqrt(area_m2 * ratio)));
+  const double longer_m = std::max(1.2, Round(area_m2 / shorter_m));
+  size.width_m = deeper ? shorter_m : longer_m;
+  size.depth_m = deeper ? longer_m : shorter_m;
+}
+
+double Low(const hb::Extent& extent) { return extent.min() > 0 ? extent.min() : extent.typical(); }
+double High(const hb::Extent& extent) { return extent.max() > 0 ? extent.max() : extent.typical(); }
+
+}  // namespace
+
+RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook) {
+  const hb::Archetype& archetype = EffectiveArchetype(facts, handbook);
+  const SizeRequest& asked = facts.size;
+  double area_factor = asked.area_factor, height_m = archetype.height_m() > 0 ? archetype.height_m() : 3.0;
+  for (const hb::Changes* changes : AllChanges(facts)) {
+    if (changes->area_factor() > 0) area_factor *= changes->area_factor();
+    if (changes->room_height_m() > 0) height_m = std::max(height_m, changes->room_height_m());
+  }
+  RoomSize size;
+  size.height_m = asked.height_m.value_or(height_m);
+  const double width_m = archetype.width_m().typical(), depth_m = archetype.depth_m().typical();
+  const double usual_ratio = std::min(width_m, depth_m) / std::max(width_m, depth_m);
+  const bool deeper = depth_m >= width_m;
+  if (asked.width_m && asked.depth_m) {
+    size.width_m = *asked.width_m;
+    size.depth_m = *asked.depth_m;
+  } else if (asked.area_m2) {
+    SidesOf(*asked.area_m2, asked.side_ratio.value_or(0.8), deeper, size);
+  } else if (asked.width_m || asked.depth_m) {
+    const double given_m = asked.width_m.value_or(asked.depth_m.value_or(0));
+    const double other_m = std::max(1.2, Round(0.8 * given_m));
+    size.width_m = asked.width_m ? given_m : other_m;
+    size.depth_m = asked.depth_m ? given_m : other_m;
+    size.assumption = fmt::format("Only one side is given; the other is taken as {:g} m.", other_m);
+  } else {
+    const bool named = archetype.name() != handbook.fallback_archetype().name();
+    SidesOf(width_m * depth_m * area_factor, asked.side_ratio.value_or(usual_ratio), deeper, size);
+    if (area_factor <= 2.5 && !asked.side_ratio && named) {
+      size.width_m = std::clamp(size.width_m, Low(archetype.width_m()), High(archetype.width_m()));
+      size.depth_m = std::clamp(size.depth_m, Low(archetype.depth_m()), High(archetype.depth_m()));
+    }
+    size.assumption = fmt::format("The brief gives no size in numbers; {:g} m x {:g} m is usual for this {}.", size.width_m,
+                                  size.depth_m, archetype.name());
+  }
+  return size;
+}
+
+}  // namespace flair::language

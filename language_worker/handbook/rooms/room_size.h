@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/brief_facts.h"
+
+namespace flair::language {
+
+// Extent of a rectangular room, metres, and how it was found.
+struct RoomSize {
+  double width_m = 0;
+  double depth_m = 0;
+  double height_m = 3;
+  std::string assumption;  // one sentence when the brief left something open, else empty
+};
+
+// The size that the brief gives, completed by the archetype's usual one.
+RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook);
+
+}  // namespace flair::language
