@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/program/room_program.h"
+
+namespace flair::language {
+
+// A line of the program with its size and whether it is a primary.
+struct SizedItem {
+  ProgramItem item;
+  double width_m = 0;
+  double depth_m = 0;
+  double height_m = 0;
+  bool primary = false;
+
+  double area_m2() const { return width_m * depth_m * item.count; }
+};
+
+// Something that had to go, and why.
+struct LeftOut {
+  std::string name;
+  std::string reason;
+  bool requested = false;
+};
+
+// Extent of the floor's bounding box and its area.
+struct FloorExtent {
+  double width_m = 0;
+  double depth_m = 0;
+  double area_m2 = 0;
+};
+
+// Gives the floor pieces sizes and makes them fit: shrinks them to their class's least size, takes smaller classes, then
+// leaves out pieces, those that nobody asked for first, primaries last. At most 45 % of the floor is covered.
+std::vector<SizedItem> FitFloor(const RoomProgram& program, const Handbook& handbook, const FloorExtent& floor,
+                                std::vector<LeftOut>& left_out);
+
+}  // namespace flair::language
