@@ -22,8 +22,10 @@ class Reader {
     while (at_ < tokens_.size()) {
       if (SkipBracket()) continue;
       const SceneNames::Found name = names_.Find(tokens_, at_);
-      const Phrase phrase = Lexicon::Get().Find(tokens_, at_);
-      if (name.length > 0 && name.length >= phrase.length) {
+      const Phrase phrase = FindPhrase();
+      const bool relation_wins =
+          phrase.length == name.length && phrase.word_class == WordClass::kRelation && !name.full;
+      if (name.length > 0 && name.length >= phrase.length && !relation_wins) {
         PushName(name);
       } else if (phrase.length > 0) {
         PushPhrase(phrase);
@@ -40,6 +42,17 @@ class Reader {
     term.term.end = tokens_[at_ + length - 1].end;
     at_ += length;
     terms_.push_back(std::move(term));
+  }
+
+  // "any side tables" is not "any side" and "tables": a name that begins within a phrase and ends after it cuts it
+  // short.
+  Phrase FindPhrase() const {
+    const Phrase phrase = Lexicon::Get().Find(tokens_, at_);
+    for (size_t k = 1; k < phrase.length; ++k) {
+      const SceneNames::Found name = names_.Find(tokens_, at_ + k);
+      if (name.length > 1 && k + name.length > phrase.length) return Lexicon::Get().Find(tokens_, at_, k);
+    }
+    return phrase;
   }
 
   // "(e.g., to place items)" explains; it says nothing of its own.

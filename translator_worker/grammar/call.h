@@ -16,30 +16,30 @@ struct Call {
   std::string type;
   std::vector<v1::Argument> arguments;
 
-  Call&& Text(const std::string& name, const std::string& value) && {
+  Call&& Text(const std::string& name, const std::string& value) {
     Add(name).set_text(value);
     return std::move(*this);
   }
-  Call&& Texts(const std::string& name, const std::vector<std::string>& values) && {
+  Call&& Texts(const std::string& name, const std::vector<std::string>& values) {
     v1::TextList& list = *Add(name).mutable_texts();
     for (const std::string& value : values) list.add_items(value);
     return std::move(*this);
   }
-  Call&& Number(const std::string& name, double value) && {
+  Call&& Number(const std::string& name, double value) {
     Add(name).set_number(value);
     return std::move(*this);
   }
-  Call&& Flag(const std::string& name, bool value) && {
+  Call&& Flag(const std::string& name, bool value) {
     Add(name).set_flag(value);
     return std::move(*this);
   }
   // Leaves the argument out when there is no value.
   template <typename Optional>
-  Call&& MaybeNumber(const std::string& name, const Optional& value) && {
+  Call&& MaybeNumber(const std::string& name, const Optional& value) {
     if (value) Add(name).set_number(*value);
     return std::move(*this);
   }
-  Call&& MaybeText(const std::string& name, const std::string& value) && {
+  Call&& MaybeText(const std::string& name, const std::string& value) {
     if (!value.empty()) Add(name).set_text(value);
     return std::move(*this);
   }

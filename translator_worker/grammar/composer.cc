@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "absl/strings/str_join.h"
 #include "fmt/format.h"
@@ -13,20 +12,26 @@
 namespace flair::translator {
 namespace {
 
-bool SameCall(const Call& a, const Call& b) {
-  return a.type == b.type && std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(), b.arguments.end(),
-                                        [](const v1::Argument& x, const v1::Argument& y) {
-                                          return google::protobuf::util::MessageDifferencer::Equals(x, y);
-                                        });
+// Whether `call` says all that `part` says.
+bool Includes(const Call& call, const Call& part) {
+  return call.type == part.type &&
+         std::all_of(part.arguments.begin(), part.arguments.end(), [&](const v1::Argument& wanted) {
+           return std::any_of(call.arguments.begin(), call.arguments.end(), [&](const v1::Argument& given) {
+             return google::protobuf::util::MessageDifferencer::Equals(given, wanted);
+           });
+         });
 }
 
 bool Contains(const std::vector<Placed>& list, int object) {
   return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
 }
 
+// Whether the last word is, or for chairs ends with, one of the words: "desk chair", "armchair", but not "workbench".
 bool EndsWithOneOf(const std::string& name, std::initializer_list<const char*> ends) {
+  const size_t space = name.find_last_of(" _");
+  const std::string last = space == std::string::npos ? name : name.substr(space + 1);
   return std::any_of(ends.begin(), ends.end(), [&](const std::string& end) {
-    return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    return last == end || (end == "chair" && last.size() > 5 && last.substr(last.size() - 5) == end);
   });
 }
 
@@ -61,10 +66,17 @@ std::vector<Placed> Composer::Movers(const Mention* mention) {
   if (mention == nullptr) return topic_;
   std::vector<Placed> result;
   for (const Reference& reference : mention->references) {
-    for (const Placed& placed : Resolve(reference, {}, false)) result.push_back(placed);
+    for (const Placed& placed : Resolve(reference, {}, false)) result.push_back(PieceFor(placed));
     if (mention->either && !result.empty() && reference.kind == RefKind::kObjects) break;
   }
   return result;
+}
+
+Placed Composer::PieceFor(const Placed& placed) const {
+  const v1::Object& named = object(placed.object);
+  const bool part = scope() != v1::SENTENCE_SCOPE_TERTIARY && named.role() == v1::OBJECT_ROLE_TERTIARY &&
+                    !named.walk_over() && !subjects_.empty() && !Contains(subjects_, placed.object);
+  return part ? Placed{subjects_.front().object, placed.side} : placed;
 }
 
 std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either) {
@@ -162,6 +174,12 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
            fmt::format("there is no {}. {}; there are {}", reference.ordinal, reference.name, candidates.size()));
     return {};
   }
+  const auto weak_subject = [&](int index) { return Contains(subjects_, index); };
+  if (std::none_of(candidates.begin(), candidates.end(), weak_subject)) {
+    for (const int index : reference.weak_candidates) {
+      if (weak_subject(index) && !reference.plural) return {index};
+    }
+  }
   if (candidates.size() < 2 || reference.plural || reference.each) return candidates;
   // Singular with several of the name: those that the sentence is about, then those of one name, then of the same zone.
   const auto keep = [&](auto&& wanted) {
@@ -176,6 +194,7 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
                        [&](int i) { return object(i).name() == object(candidates[0]).name(); });
   };
   if (candidates.size() == 1) return candidates;
+  if (subjects_.empty()) keep([&](int index) { return object(index).role() == v1::OBJECT_ROLE_PRIMARY; });
   const std::vector<Placed>& speaker = movers.empty() ? topic_ : movers;
   if (!speaker.empty()) {
     const std::string& zone = object(speaker.front().object).zone_id();
@@ -209,6 +228,14 @@ std::vector<int> Composer::Group(const std::string& name, const std::vector<Plac
   return result;
 }
 
+void Composer::KeepZone(std::vector<int>& objects, const Placed& mover) const {
+  std::vector<int> same;
+  for (const int index : objects) {
+    if (object(index).zone_id() == object(mover.object).zone_id()) same.push_back(index);
+  }
+  if (!same.empty()) objects = same;
+}
+
 void Composer::SetPair(std::vector<Placed> movers, std::vector<Placed> targets) {
   pair_movers_ = std::move(movers);
   pair_targets_ = std::move(targets);
@@ -221,9 +248,15 @@ bool Composer::Emit(Call call) {
   if (!CatalogIndex::Fit(*type, call.arguments, remarks).ok()) return false;
   for (const std::string& remark : remarks) Note("out_of_range", remark);
   call.type = type->name();
-  const bool known =
-      std::any_of(calls_.begin(), calls_.end(), [&](const Call& other) { return SameCall(call, other); });
-  if (!known) calls_.push_back(std::move(call));
+  // "not next to the bed, at least 0.5 m from it": the fuller of two like calls stays.
+  for (Call& other : calls_) {
+    if (Includes(other, call)) return true;
+    if (Includes(call, other)) {
+      other = std::move(call);
+      return true;
+    }
+  }
+  calls_.push_back(std::move(call));
   return true;
 }
 

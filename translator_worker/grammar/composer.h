@@ -84,6 +84,9 @@ class Composer {
  private:
   std::vector<Placed> Resolve(const Reference& reference, const std::vector<Placed>& movers, bool target);
   std::vector<int> Choose(const Reference& reference, const std::vector<Placed>& movers);
+  void KeepZone(std::vector<int>& objects, const Placed& mover) const;
+  // "The TV screen" of a TV stand is the stand where floor objects are spoken of.
+  Placed PieceFor(const Placed& placed) const;
   std::vector<int> Group(const std::string& name, const std::vector<Placed>& movers) const;
   v1::Diagnostic Remark(v1::Severity severity, std::string_view code, const std::string& message) const;
 

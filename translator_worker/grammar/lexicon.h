@@ -47,7 +47,7 @@ class Lexicon {
   static const Lexicon& Get();
 
   // The longest phrase that begins at tokens[at].
-  Phrase Find(const std::vector<Token>& tokens, size_t at) const;
+  Phrase Find(const std::vector<Token>& tokens, size_t at, size_t max_length = 100) const;
 
  private:
   struct Entry {

@@ -17,9 +17,9 @@ relation near: near | nearby | close (to|by) | close | closely | near to | [in|w
   | within [a] (comfortable|short|reasonable|walking|easy) distance (of|from) | within easy reach | within arm 's reach
   | convenient to | closer to | as close as possible to | grouped with | paired with | grouped near | at arm 's length from
 relation nearby: have nearby access to
-relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | by the side of | at the side of
-  | to (the|one) side of | on (the|one|a) side of | at one side of | adjacent | alongside of | side by side with | to either side of
-  | against the matching side of | on a side of | by | at
+relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | adjacent | alongside of | side by side with
+  | by | at
+relation to_side: (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
 relation side_by_side: side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
   | form (a|one) row | lined up
 relation each_side_of: on (each|either|both) (side|sides) of | (either|each) side of | at (each|either) side of | on opposite sides of
@@ -65,7 +65,7 @@ relation block: block | blocks | blocking | blocked | obstruct | obstructs | obs
   | obstruct [the] [easy] (view|views|access|use|opening|path|swing) (to|of|from|for) | blocking [the] [natural] (view|access|light|opening|swing|use|path|view or access) (to|of|from|through|for)
   | obstructing [the] (access|view|use|opening|path|swing) (to|of|from|for) | placed over | placement over | in the path of | interfere with [the] (opening|swing|use|access|operation) (of|to) | stand in the way of
   | in [the] direct line of | in the (swing|line|arc) of | obstruct or block | block or obstruct | collide with | collides with | hit | hits | in the swing path of | overlap | overlaps | overlapping
-relation clear_of: clear of | clear from | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear of | clearance from | leave [enough] (space|clearance|room) for | outside [of]
+relation clear_of: [be|is|are|remain|remains] clear (of|from) | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear of | clearance from | leave [enough] (space|clearance|room) for | outside [of]
   | clear for | out of
 relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free|unobstructed|unblocked|open) | unobstructed | unblocked | not obstructed | stays (clear|free)
   | is clear
@@ -73,14 +73,16 @@ relation keep_front_clear: [the] (area|floor|space|zone) in front of
 relation accessible: accessible | fully accessible | easily accessible | reachable | easy to (reach|access|get to) | approachable | accessibly | (unobstructed|easy|convenient|clear|full|direct) access
   | accessed | accessed easily | access is (needed|possible) | can be reached | be reached | free access | access
 relation accessible_from: (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
-relation access_to: access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | [to] access | power from | plugged into | plug into | [easy] access from
-relation allow_access_to: (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to | for easy access to
-relation pull_out: [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | pulling [it] (out|back) | pull it out | movement space | allow movement space | space to move | move back
-relation swing_open: [be able to|able to|to] open [up] [fully|freely|completely|easily|properly] | opened | opens (fully|freely) | (opening|operation) | can open | swing open
+relation access_to: access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | power from | plugged into | plug into | [easy] access from
+relation allow_access_to: [to|and] (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to | for easy access to
+relation pull_out: [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | [to] pulling [it] (out|back) | pull it out | movement space | allow movement space | space to move | move back
+relation swing_open: to open | [should] [be able to|able to|to] open [up] [fully|freely|completely|easily|properly] | opened | opens (fully|freely) | (opening|operation) | can open | swing open
 relation space: space | distance | gap | clearance | spacing | separation | buffer | clearances | [clear|open|free|ample|adequate|sufficient|empty] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances|room) | enough (space|room) | room (for|to) | [there is|has] room | clearance space | clear floor
   | clear area | floor space | clear floor space | elbow room
 relation walk_space: [clear] (walking|circulation|walkway|movement) (space|room|clearance) | space to walk
 relation minimal: minimal | kept minimal
+relation considered: (in|into) (consideration|mind|account)
+relation same_wall: (against|on|along) the same wall as
 relation of: of
 relation pushed_under: (pushed|push|slide|slid|stored|tuck) (under|underneath|beneath)
 relation tucked_under: (tucked|tucks|fits|fit|stands|stowed) (under|underneath|beneath)
@@ -96,7 +98,7 @@ relation corner_back_left: [on|at|in|near|towards] [the] (back left|rear left|le
 relation corner_back_right: [on|at|in|near|towards] [the] (back right|rear right|right back|right rear) [hand] corner [of|on]
 relation corner_front_left: [on|at|in|near|towards] [the] (front left|left front) [hand] corner [of|on]
 relation corner_front_right: [on|at|in|near|towards] [the] (front right|right front) [hand] corner [of|on]
-relation edge: [on|at|near|by|towards|along] (the|an|one) (edge|end) (of|on) | edge of | (on|to) one (side|end|edge) of | [on|at] the (side|edge) of | end of | edges of
+relation edge: [on|at|near|by|towards|along] (the|an|one) (edge|end) (of|on) | edge of | (on|to) one (end|edge) of | [on|at] the edge of | end of | edges of
 relation towards_back: [and] (towards|toward) the (back|rear|wall|back side|back edge) [of] | at the back edge of | [positioned] (towards|toward) the wall
 relation into_room: (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | (view|overview) of [the] [whole|entire] room | facing inward | facing inwards | view of the [main|entire|whole] room
 relation hanging: hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
@@ -105,7 +107,7 @@ relation freestanding: freestanding | free standing | away from all walls
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
 relation on_wall_of: on the (wall|walls) of
-filler: the | a | an | its own | own | this | that | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
+filler: [at a|in a|at the] location | the | a | an | its own | own | this | that | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
   | place | places | placed | placing | placement | put | puts | set | sets | position | positions | positioned | positioning | locate | located | location | situate | situated | stand | stands | standing | sit | sits | sitting | keep | keeps | kept | keeping
   | leave | leaves | leaving | left free | ensure | ensures | ensuring | make sure | making sure | maintain | maintains | maintaining | provide | provides | providing | require | requires | requiring | need | needs | needed | allow | allows | arrange | arranged
   | arrangement | use | used | used for | lie | lies | lying | go | goes | run | runs | rest | rests | resting | remain | remains | stay | stays | consider | considering | consideration
@@ -114,7 +116,7 @@ filler: the | a | an | its own | own | this | that | these | those | there | be 
   | placement is | side [by] | extra | additional | electrical | electric | power | gas | wall mounted power | standard | main | necessary | required | existing | available | specific | designated | entire | whole | main
   | small | large | big | tall | low | wide | wooden | round | rectangular | square | comfy | soft | long low | matching | same | adjoining | separate | respective | corresponding | certain | single | nearest | closest | immediate | outer | interior
   | able to | order | it is | way | out | somewhere | anywhere | approximately | about | roughly | total of | minimum | maximum | min | max | every time | back to back
-  | (one|some) of the | one of | of the | all of the | e | accessible location | spot | surface space | do | does | did | get | gets | getting | eg | ie | physically | visually | typically | centrally aligned | facilitate
+  | some of the | one of | all of the | accessible location | spot | surface space | do | does | did | get | gets | getting | eg | ie | physically | visually | typically | centrally aligned | facilitate
   | measuring | size | sized | (in|of) size | distance of | space of | clearance of | gap of | spacing of | distance is | of space | free of charge | still | yet | please | should the | together | aligned in | evenly | equally | symmetric | symmetrical | symmetrically | neatly
   | installed hanging | in position | in place | extends | extend | extending | centre on | floor level | placements | plenty of | between them and | other | of clearance
 modal: should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
@@ -139,7 +141,7 @@ side all: all [of its|of the] [four] sides | all four sides | every side | all a
 feature door: [bedroom|entrance|entry|main|room|front] (door|doors|doorway|doorways) | [the] (entrance|entry|entryway|entryways|entrances|exit|exits|access point|entry point|entry points|doorframe|threshold) [door|way] | (door|door 's) (swing|swings|opening|area|clearance|path|frame|arc)
   | doors 's (swing|swings) | swing[ing] of [the] (door|doors) | swings | entry area | entrance area | doors swings | door swing area | passage door | entry to the room | entry and exit [points] | line of entry
 feature window: window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
-feature socket: [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plug|plugs|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
+feature socket: electrical and gas (outlets|sockets) | [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plug|plugs|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
 place wall: [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
 place ceiling: ceiling | ceilings
 place room: [whole|entire|main] (room|bedroom|living room|dining room|kitchen|office|study|bathroom|studio|space|workshop|workroom|hall|library|gym|nursery) | floor plan | room 's space | center of attention | layout
@@ -147,7 +149,7 @@ place floor: floor | ground
 area area: area | zone | region | section | space | nook | spot | area 's | zones | areas | arrangement | group | station | location
 group all: [all|each|every|any|no] (object|objects|item|items|piece|pieces|furniture) [of furniture] | (pieces|piece|items) of furniture | furniture pieces | furniture | all furniture | furnishings | each piece | anything | everything | large furniture
 group others: [any|all|every|the|each] other (object|objects|furniture|furnishings|item|items|piece|pieces) [of furniture] | (other|surrounding|adjacent|nearby|neighbouring) (furniture|objects|items|pieces) [pieces] | anything else | everything else | the rest of the furniture
-group seating: [any|the|all] (seating|seats|seat) [furniture|arrangement|pieces]
+group seating: (seating|seats|seat) [furniture|arrangement|pieces]
 group heat: heat source | heat sources | sources of heat
 pronoun it: it | itself | this piece | this object | its
 pronoun them: them | they | their | themselves | these two | the two | both of them | the three | all three [pieces of furniture] | these objects

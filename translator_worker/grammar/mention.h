@@ -26,6 +26,8 @@ struct Reference {
   RefKind kind = RefKind::kPronoun;
   // For kObjects: the objects that bear the name, in list order.
   std::vector<int> candidates;
+  // Those that fit less well ("chair": the armchair beside the desk chair); they count when the sentence is about them.
+  std::vector<int> weak_candidates;
   // Feature kind, wall name, zone id, group, topic or the absent thing's name.
   std::string name;
   // A side word of the lexicon ("front", "long_one"...), empty when no side is named.

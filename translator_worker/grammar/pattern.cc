@@ -19,6 +19,9 @@ bool OfSort(const Mention& mention, const std::string& sort) {
   if (sort == "zone") return kind == RefKind::kZone;
   if (sort == "side") return kind == RefKind::kPronoun && !mention.references.front().side.empty();
   if (sort == "pronoun") return kind == RefKind::kPronoun;
+  if (sort == "vague") return kind == RefKind::kVague;
+  if (sort == "group") return kind == RefKind::kGroup;
+  if (sort == "thing" && kind == RefKind::kZone) return false;
   return kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kGroup || kind == RefKind::kZone ||
          kind == RefKind::kAbsent;
 }
@@ -52,7 +55,7 @@ Match Pattern::At(std::span<const Term> terms) const {
 bool Pattern::Fits(const Element& element, const Term& term) const {
   switch (element.slot) {
     case 0:
-      return term.kind == Term::Kind::kWord &&
+      return (term.kind == Term::Kind::kWord || term.kind == Term::Kind::kPurpose) &&
              std::find(element.words.begin(), element.words.end(), term.lemma) != element.words.end();
     case ',':
       return term.kind == Term::Kind::kSoft;

@@ -199,8 +199,9 @@ class Joiner {
       if (!other) break;
       next = other->next;
     }
-    const bool adjective =
-        Peek(next) && in_[next].kind == Token::Kind::kWord && Contains(kDimensionWords, in_[next].text) && !pending_;
+    const bool adjective = in_[at_].kind == Token::Kind::kNumber && Peek(next) &&
+                           in_[next].kind == Token::Kind::kWord && Contains(kDimensionWords, in_[next].text) &&
+                           !pending_;
     if (adjective) ++next;
     if (next == start) return false;
     at_ = next;
@@ -231,7 +232,7 @@ class Joiner {
 
   // Takes a qualifier off the sentence when a length follows it; it then waits for that length.
   bool Qualify() {
-    if (WordAt(at_, "between") && LengthAfter(at_ + 1)) {
+    if (WordAt(at_, "between") && Peek(at_ + 1) && in_[at_ + 1].kind == Token::Kind::kNumber && LengthAfter(at_ + 1)) {
       pending_between_ = true;
       ++at_;
       return true;

@@ -108,8 +108,10 @@ SceneNames::Found SceneNames::FindObject(const std::vector<Token>& tokens, size_
     int best = 9;
     for (const Candidate& candidate : entry->second) best = std::min(best, candidate.rank);
     for (const Candidate& candidate : entry->second) {
-      if (candidate.rank == best) found.reference.candidates.push_back(candidate.object);
+      std::vector<int>& list = candidate.rank == best ? found.reference.candidates : found.reference.weak_candidates;
+      list.push_back(candidate.object);
     }
+    found.full = best == 0;
     std::sort(found.reference.candidates.begin(), found.reference.candidates.end());
   }
   // "the alchemical table" among several tables: the word before tells which.

@@ -23,6 +23,8 @@ class SceneNames {
     Reference reference;
     // Tokens covered; 0 when nothing was found.
     size_t length = 0;
+    // The whole name of an object, not a part or a synonym.
+    bool full = false;
   };
 
   // The longest name that begins at tokens[at].

@@ -65,8 +65,8 @@ class Walk {
     const size_t before = composer_.calls().size();
     const bool alternative = after_or_ && before > calls_at_or_;
     if (!alternative) {
-      hit.rule->build(hit.match, hit.rule->tag, composer_);
       if (hit.match.a != nullptr) TakeTopic(*hit.match.a);
+      hit.rule->build(hit.match, hit.rule->tag, composer_);
     }
     at_ += hit.match.length;
     after_or_ = at_ < terms_.size() && terms_[at_].IsWord("or");
@@ -80,6 +80,8 @@ class Walk {
   // Objects that are named as movers are spoken of from then on.
   void TakeTopic(const Mention& mention) {
     if (mention.references.front().kind != RefKind::kObjects) return;
+    // What a thing on a table or wall is about is its heading: "Desk organizer: on the shelf".
+    if (composer_.scope() == v1::SENTENCE_SCOPE_TERTIARY && !composer_.subjects().empty()) return;
     std::vector<Placed> movers = composer_.Movers(&mention);
     for (Placed& placed : movers) placed.side.clear();
     if (!movers.empty()) composer_.SetTopic(std::move(movers));
@@ -91,7 +93,8 @@ class Walk {
         if (term.lemma != "that") in_reason_ = true;
         break;
       case Term::Kind::kSoft:
-        if (term.lemma == "," || term.lemma == "but" || term.lemma == "while" || term.lemma == "with")
+        if (term.lemma == "," || term.lemma == "but" || term.lemma == "while" || term.lemma == "with" ||
+            term.lemma == "(")
           in_reason_ = false;
         break;
       case Term::Kind::kMention:

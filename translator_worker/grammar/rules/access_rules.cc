@@ -11,7 +11,7 @@ namespace {
 void EmitAccessible(const Placed& placed, std::vector<std::string> sides, const Distance* distance,
                     Composer& composer) {
   Call call = Call("accessible").Text("object", composer.id(placed)).Texts("sides", sides);
-  if (distance != nullptr) call = std::move(call).Number("min_clearance_m", distance->Nominal());
+  if (distance != nullptr) call.Number("min_clearance_m", distance->Nominal());
   composer.EmitFirst({std::move(call)});
 }
 
@@ -100,6 +100,10 @@ void NothingNear(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+void Unreachable(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_about_layout", "access is kept at the front, back, left and right, not from above");
+}
+
 }  // namespace
 
 std::vector<Rule> AccessRules() {
@@ -141,9 +145,14 @@ std::vector<Rule> AccessRules() {
       {"A.side D space", SpaceAt, "named"},
       {"A.side space D?", SpaceAt, "named"},
       {"A? space? D? space? pull_out ,? D? space?", PullOut},
-      {"A? space A pull_out", PullOut},
+      {"A? space for? A pull_out", PullOut},
+      {"space for/to? pull_out", PullOut},
+      {"nearest B D apart?", SpaceAt, "around"},
+      {"D space? around B.side", SpaceAt, "named"},
+      {"A.vague accessible", Unreachable},
+      {"accessible_from A.vague", Unreachable},
       {"A swing_open", SpaceAt, "named"},
-      {"space A swing_open", SpaceAt, "named"},
+      {"space for? A swing_open", SpaceAt, "named"},
       {"A.object accessible ,? not block", Accessible},
   };
 }

@@ -93,7 +93,7 @@ void InFrontOf(const Match& match, std::string_view, Composer& composer) {
       const bool at_least = match.distance != nullptr && !match.distance->max_m;
       if (match.a == nullptr && (own || at_least)) {
         Call call = Call("accessible").Text("object", composer.id(other)).Texts("sides", {"front"});
-        if (match.distance != nullptr) call = std::move(call).Number("min_clearance_m", match.distance->Nominal());
+        if (match.distance != nullptr) call.Number("min_clearance_m", match.distance->Nominal());
         composer.EmitFirst({std::move(call)});
         continue;
       }
@@ -105,7 +105,7 @@ void InFrontOf(const Match& match, std::string_view, Composer& composer) {
           continue;
         }
         Call call = Two("in_front_of", mover, other, composer);
-        if (match.distance != nullptr) call = std::move(call).Number("distance_m", match.distance->Nominal());
+        if (match.distance != nullptr) call.Number("distance_m", match.distance->Nominal());
         composer.EmitFirst({std::move(call)});
       }
     }

@@ -15,6 +15,11 @@ void Contact(const Placed& mover, const Target& target, Composer& composer) {
                             .MaybeText("side", OneSide(composer, mover))});
     return;
   }
+  if (composer.IsSurface(mover) && !target.objects.empty()) {
+    // "on the nightstand next to the bed": the host says it.
+    if (composer.calls().empty()) composer.Refuse("unknown_sentence", "say on what it stands");
+    return;
+  }
   if (target.objects.empty()) {
     composer.Refuse("unknown_sentence", "it can stand against a wall or an object");
     return;
@@ -45,6 +50,29 @@ void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::
                             .MaybeText("target_side", target_side)});
   }
   composer.SetPair({mover}, targets);
+}
+
+void KeepDistance(const Placed& mover, const Placed& other, const Distance* distance, Composer& composer) {
+  if (mover.object == other.object) return;
+  const std::string& id = composer.id(mover);
+  const std::string& target = composer.id(other);
+  if (distance == nullptr) {
+    composer.EmitFirst({Call("away_from").Text("object", id).Text("target", target)});
+    return;
+  }
+  if (distance->Nominal() == 0) {
+    composer.EmitFirst(
+        {Call("next_to").Text("object", id).Text("target", target).MaybeText("target_side", OneSide(composer, other))});
+    return;
+  }
+  if (distance->min_m) {
+    composer.EmitFirst(
+        {Call("away_from").Text("object", id).Text("target", target).Number("min_distance_m", *distance->min_m)});
+  }
+  if (distance->max_m) {
+    composer.EmitFirst(
+        {Call("near").Text("object", id).Text("target", target).Number("max_distance_m", *distance->max_m)});
+  }
 }
 
 }  // namespace flair::translator

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "translator_worker/grammar/composer.h"
+#include "translator_worker/grammar/distance.h"
 
 namespace flair::translator {
 
@@ -12,5 +13,8 @@ void Contact(const Placed& mover, const Target& target, Composer& composer);
 // `mover` stands on the given side of each target, touching: "to the left of".
 void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::string& target_side,
             Composer& composer);
+
+// At least or at most so far apart, or both; 0 m is contact. Null means a good distance apart.
+void KeepDistance(const Placed& mover, const Placed& other, const Distance* distance, Composer& composer);
 
 }  // namespace flair::translator

@@ -1,34 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances: away from, at least so far, gaps between, bare distances after another fact.
+#include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
-
-// The calls for a distance between two objects: least, largest or both.
-void Apart(const Placed& mover, const Placed& other, const Distance* distance, Composer& composer) {
-  if (mover.object == other.object) return;
-  const std::string& id = composer.id(mover);
-  const std::string& target = composer.id(other);
-  if (distance == nullptr) {
-    composer.EmitFirst({Call("away_from").Text("object", id).Text("target", target)});
-    return;
-  }
-  if (distance->max_m && *distance->max_m == 0) {
-    composer.EmitFirst(
-        {Call("next_to").Text("object", id).Text("target", target).MaybeText("target_side", OneSide(composer, other))});
-    return;
-  }
-  if (distance->min_m) {
-    composer.EmitFirst(
-        {Call("away_from").Text("object", id).Text("target", target).Number("min_distance_m", *distance->min_m)});
-  }
-  if (distance->max_m) {
-    composer.EmitFirst(
-        {Call("near").Text("object", id).Text("target", target).Number("max_distance_m", *distance->max_m)});
-  }
-}
 
 void AwayFromOne(const Placed& mover, const Target& target, const Distance* distance, Composer& composer) {
   const std::string& id = composer.id(mover);
@@ -41,7 +18,7 @@ void AwayFromOne(const Placed& mover, const Target& target, const Distance* dist
                               .MaybeNumber("max_distance_m", distance->max_m)});
     } else {
       Call call = Call("away_from_feature").Text("object", id).Text("feature", target.name);
-      if (distance != nullptr) call = std::move(call).MaybeNumber("min_distance_m", distance->min_m);
+      if (distance != nullptr) call.MaybeNumber("min_distance_m", distance->min_m);
       composer.EmitFirst({std::move(call)});
     }
   } else if (target.kind == RefKind::kWall) {
@@ -49,13 +26,13 @@ void AwayFromOne(const Placed& mover, const Target& target, const Distance* dist
       composer.EmitFirst({Call("near_wall").Text("object", id).MaybeNumber("max_distance_m", distance->max_m)});
     } else {
       Call call = Call("not_against_wall").Text("object", id).MaybeText("side", OneSide(composer, mover));
-      if (distance != nullptr) call = std::move(call).MaybeNumber("min_distance_m", distance->min_m);
+      if (distance != nullptr) call.MaybeNumber("min_distance_m", distance->min_m);
       composer.EmitFirst({std::move(call)});
     }
   } else if (target.objects.empty()) {
     composer.Refuse("unknown_sentence", "distances can be kept from objects, walls, doors, windows and sockets");
   }
-  for (const Placed& other : target.objects) Apart(mover, other, distance, composer);
+  for (const Placed& other : target.objects) KeepDistance(mover, other, distance, composer);
   if (!target.objects.empty()) composer.SetPair({mover}, target.objects);
 }
 
@@ -72,6 +49,11 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
   const Distance* distance = tag == "touching" ? &kTouching : match.distance;
   const Mention& mention = *match.b;
   const Reference& last = mention.references.back();
+  if (last.kind == RefKind::kGroup) {
+    composer.Refuse("not_about_layout",
+                    "a passage between pieces that are not named cannot be asked for; name two objects");
+    return;
+  }
   std::vector<Placed> all;
   if (mention.references.size() == 1 && last.kind == RefKind::kPronoun) {
     if (!composer.pair_targets().empty()) {
@@ -97,13 +79,33 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
     return;
   }
   for (size_t i = 0; i < all.size(); ++i) {
-    for (size_t k = i + 1; k < all.size(); ++k) Apart(all[i], all[k], distance, composer);
+    for (size_t k = i + 1; k < all.size(); ++k) KeepDistance(all[i], all[k], distance, composer);
+  }
+}
+
+// "between the lamp and the walls".
+void BetweenAndWall(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.b)) {
+    AwayFromOne(mover, {RefKind::kWall, {}, match.c->references.front().name}, match.distance, composer);
+  }
+}
+
+// "at least 0.4 m from any seat to the bookshelf".
+void FromTo(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& from : composer.TargetObjects(*match.b, {}, false)) {
+    for (const Placed& to : composer.TargetObjects(*match.c, {from}, false))
+      KeepDistance(from, to, match.distance, composer);
   }
 }
 
 // "X and Y 0.5 m apart", "... at least 0.5 m apart" after a fact about X and Y.
 void ApartFromEachOther(const Match& match, std::string_view, Composer& composer) {
   std::vector<Placed> all = composer.Movers(match.a);
+  if (match.a != nullptr && match.a->references.front().kind == RefKind::kGroup) {
+    composer.Refuse("not_about_layout",
+                    "distances among pieces that are not named cannot be asked for; name two objects");
+    return;
+  }
   if (all.size() < 2) {
     all = composer.pair_movers();
     all.insert(all.end(), composer.pair_targets().begin(), composer.pair_targets().end());
@@ -114,7 +116,7 @@ void ApartFromEachOther(const Match& match, std::string_view, Composer& composer
     return;
   }
   for (size_t i = 0; i < all.size(); ++i) {
-    for (size_t k = i + 1; k < all.size(); ++k) Apart(all[i], all[k], match.distance, composer);
+    for (size_t k = i + 1; k < all.size(); ++k) KeepDistance(all[i], all[k], match.distance, composer);
   }
 }
 
@@ -122,11 +124,15 @@ void ApartFromEachOther(const Match& match, std::string_view, Composer& composer
 void BareDistance(const Match& match, std::string_view, Composer& composer) {
   if (!composer.pair_targets().empty()) {
     for (const Placed& mover : composer.pair_movers()) {
-      for (const Placed& other : composer.pair_targets()) Apart(mover, other, match.distance, composer);
+      for (const Placed& other : composer.pair_targets()) KeepDistance(mover, other, match.distance, composer);
     }
     return;
   }
-  if (match.distance->min_m && !composer.topic().empty() && !composer.calls().empty()) {
+  if (!composer.topic().empty() && !composer.calls().empty() && !composer.IsFloor(composer.topic().front())) {
+    composer.Note("partial", "heights and overhangs cannot be asked for");
+    return;
+  }
+  if (match.distance->min_m && !match.distance->exact && !composer.topic().empty() && !composer.calls().empty()) {
     for (const Placed& mover : composer.topic()) {
       composer.EmitFirst({Call("accessible")
                               .Text("object", composer.id(mover))
@@ -158,7 +164,9 @@ std::vector<Rule> DistanceRules() {
       {"away_from? D apart?", BareDistance},
       {"D away_from B", AwayFrom},
       {"not near B", AwayFrom},
-      {"A? nearest B D apart?", AwayFrom},
+      {"space? D? space? between B , C.wall", BetweenAndWall},
+      {"A? space? D? space? away_from B to C", FromTo},
+      {"A? not B.feature", AwayFrom},
       {"space away_from B ,? D", AwayFrom},
   };
 }

@@ -25,6 +25,10 @@ void NotBlock(const Match& match, std::string_view tag, Composer& composer) {
       for (const Placed& mover : movers) {
         composer.EmitFirst({Call("not_against_wall").Text("object", composer.id(mover))});
       }
+    } else if (target.name == "others" || target.name == "all") {
+      composer.Refuse("not_about_layout",
+                      "\"access to other furniture\" names none; say which object's front stays accessible");
+      continue;
     } else if (target.objects.empty()) {
       composer.Refuse("not_about_layout", "only doors, windows, sockets and objects can be kept clear");
     }
@@ -75,11 +79,13 @@ void UnderWindow(const Match& match, std::string_view, Composer& composer) {
 std::vector<Rule> FeatureRules() {
   return {
       {"A? not block B", NotBlock},
+      {"A? not block B or accessible/access_to/allow_access_to C", NotBlock},
+      {"A? allow_access_to B", NotBlock},
       {"A? not block ,? accessible/access_to/allow_access_to/accessible_from B", NotBlock},
       {"A? not block ,? B.feature swing_open", NotBlock},
       {"A? not block B ,? swing_open", NotBlock},
       {"A? not block B accessible", NotBlock},
-      {"A? not block B.object pronoun? space", NotBlock, "gap"},
+      {"A? not block B.object space", NotBlock, "gap"},
       {"A? clear_of B", NotBlock},
       {"A? clear_of B.feature ,? swing_open", NotBlock},
       {"A? not in_front_of B.feature", NotBlock},

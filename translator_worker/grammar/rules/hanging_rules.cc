@@ -8,14 +8,15 @@ namespace {
 // The type depends on what carries the object that hangs.
 void Above(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
-  const Mention& over = match.c != nullptr ? *match.c : *match.b;
-  for (const Target& target : composer.Targets(over, movers)) {
+  for (const Target& target : composer.Targets(*match.b, movers)) {
     for (const Placed& mover : movers) {
       const std::string& id = composer.id(mover);
       if (target.objects.empty()) {
         composer.Refuse("unknown_sentence", "it can hang above an object");
         continue;
       }
+      // "above the headboard" after "above the bed": of the painting's own side nothing is said.
+      if (target.objects.front().object == mover.object) continue;
       const std::string& below = composer.id(target.objects.front());
       if (composer.IsCeiling(mover)) {
         composer.EmitFirst({Call("ceiling_above").Text("object", id).Text("target", below)});
@@ -32,7 +33,7 @@ void Above(const Match& match, std::string_view, Composer& composer) {
 
 void OnWallNear(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
-  for (const Target& target : composer.Targets(*match.c, movers)) {
+  for (const Target& target : composer.Targets(*match.b, movers)) {
     for (const Placed& mover : movers) {
       const std::string& id = composer.id(mover);
       if (target.kind == RefKind::kFeature) {
@@ -51,17 +52,15 @@ void OnWallNear(const Match& match, std::string_view, Composer& composer) {
 
 std::vector<Rule> HangingRules() {
   return {
-      {"A? hanging? above B", Above},
-      {"A? hanging? centered? above B ,? on? B.wall?", Above},
-      {"A? hanging? above side? B.object ,? on B.wall", Above},
-      {"A? hanging? on B.wall centered? above/behind C", Above},
-      {"A? hanging? on B.wall ,? directly? above C", Above},
-      {"A? hanging? on B.wall next_to or above C", OnWallNear},
-      {"A? hanging? on B.wall near/next_to/left_of/right_of C", OnWallNear},
-      {"A? hanging? on B.wall above or near/next_to C", OnWallNear},
-      {"A? hanging near/next_to C", OnWallNear},
-      {"A? hanging? away_from? on? B.ceiling ,? above C", Above},
-      {"A? hanging away_from B.ceiling ,? above C", Above},
+      {"A? hanging? centered? D? above B", Above},
+      {"A? hanging? centered? above B ,? on? C.wall ,? centered?", Above},
+      {"A? hanging? on C.wall ,? centered? D? above/behind/centered B", Above},
+      {"A? hanging? on C.wall next_to or above B", OnWallNear},
+      {"A? hanging? on C.wall near/next_to/left_of/right_of/to_side B", OnWallNear},
+      {"A? hanging? on C.wall above or near/next_to/to_side B", OnWallNear},
+      {"A? hanging near/next_to/left_of/right_of/to_side B", OnWallNear},
+      {"A? hanging? away_from? on? C.ceiling ,? above B", Above},
+      {"A? hanging away_from C.ceiling ,? above B", Above},
   };
 }
 

@@ -81,12 +81,9 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
       }
     } else {
       Beside(mover, targets, tag == "side" ? "left" : std::string(tag), composer);
-      if (match.distance != nullptr && match.distance->min_m && *match.distance->min_m > 0) {
-        for (const Placed& other : targets) {
-          composer.EmitFirst({Call("away_from")
-                                  .Text("object", composer.id(mover))
-                                  .Text("target", composer.id(other))
-                                  .Number("min_distance_m", *match.distance->min_m)});
+      for (const Placed& other : targets) {
+        if (match.distance != nullptr && match.distance->Nominal() > 0) {
+          KeepDistance(mover, other, match.distance, composer);
         }
       }
     }
@@ -136,6 +133,8 @@ std::vector<Rule> NearRules() {
       {"A? behind B ,? D?", AtSide, "back"},
       {"A? foot_of B", AtSide, "front"},
       {"A? head_of B", AtSide, "side"},
+      {"A? to_side B", AtSide, "side"},
+      {"B.feature considered", Near},
       {"A? each_side_of B", OnEachSide},
       {"A? , each_side_of B", OnEachSide},
       {"A? on/next_to/at_sides B.side , of B", OnEachSide},

@@ -9,7 +9,6 @@ void InMiddleOfRoom(const Placed& mover, Composer& composer) {
   if (composer.IsCeiling(mover)) {
     composer.EmitFirst({Call("ceiling_center").Text("object", composer.id(mover))});
   } else if (composer.IsRug(mover) || composer.IsFloor(mover)) {
-    if (composer.IsRug(mover)) composer.rug_placed = true;
     composer.EmitFirst({Call("central").Text("object", composer.id(mover)).Flag("both", true)});
   } else {
     composer.Refuse("unknown_sentence", "only floor and ceiling objects can be in the middle of the room");
@@ -56,7 +55,7 @@ void InZone(const Match& match, std::string_view, Composer& composer) {
       composer.EmitFirst({Call("on_wall_in_zone").Text("object", composer.id(mover)).Text("zone", zone)});
     } else if (composer.IsFloor(mover)) {
       composer.EmitFirst({Call("in_zone").Text("object", composer.id(mover)).Text("zone", zone)});
-    } else {
+    } else if (composer.calls().empty()) {
       composer.Refuse("unknown_sentence", "only floor and wall objects can be put into a zone");
     }
   }

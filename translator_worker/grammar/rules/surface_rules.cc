@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // On and under objects: things on tables, rugs under them, chairs tucked in.
+#include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
 
 namespace flair::translator {
@@ -10,6 +11,8 @@ void OnOne(const Placed& mover, const Placed& host, std::string_view corner, Com
   const std::string& below = composer.id(host);
   if (composer.IsRug(mover)) {
     composer.EmitFirst({Call("on").Text("object", id).Text("target", below)});
+  } else if (composer.IsRug(host) && composer.rug_placed) {
+    return;  // "under the sofa, with the chairs on it": the rug's own place says it
   } else if (composer.IsRug(host)) {
     composer.EmitFirst({Call("on").Text("object", id).Text("target", below)});
   } else if (corner == "any") {
@@ -22,10 +25,23 @@ void OnOne(const Placed& mover, const Placed& host, std::string_view corner, Com
   }
 }
 
+// "on one side of the table": a corner of its top for small things, beside it for furniture.
+void OnSide(const Placed& mover, const Placed& host, Composer& composer) {
+  if (composer.IsSurface(mover)) {
+    OnOne(mover, host, host.side == "back" ? "back_left" : "any", composer);
+  } else {
+    Contact(mover, {RefKind::kObjects, {host}, ""}, composer);
+  }
+}
+
 // tag: "" in the middle, "any" a corner, or that corner.
 void On(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   const std::vector<Placed> hosts = composer.TargetObjects(*match.b, movers);
+  if (movers.size() == 1 && !hosts.empty() && !hosts.front().side.empty()) {
+    OnSide(movers.front(), hosts.front(), composer);
+    return;
+  }
   for (size_t i = 0; i < movers.size() && !hosts.empty(); ++i) {
     // Several things on several hosts: one each.
     const Placed& host = hosts[hosts.size() > 1 && movers.size() > 1 ? i % hosts.size() : 0];
@@ -40,6 +56,7 @@ void RugUnder(const Match& match, std::string_view tag, Composer& composer) {
     if (targets.empty()) return;
     const std::string& id = composer.id(mover);
     const std::string& target = composer.id(targets.front());
+    if (!composer.IsFloor(targets.front())) continue;
     if (composer.IsRug(mover)) {
       if (!composer.rug_placed) {
         composer.EmitFirst(
@@ -62,24 +79,24 @@ void WhenUnused(const Match&, std::string_view, Composer& composer) {
 
 std::vector<Rule> SurfaceRules() {
   return {
-      {"A? on B.object", On},
-      {"A? on corner/edge of? B.object", On, "any"},
-      {"A? near/next_to? corner/edge of? B.object", On, "any"},
-      {"A? corner/edge B.object", On, "any"},
-      {"A? on B.side of B.object", On, "any"},
-      {"A? next_to B.object towards_back", On, "back_left"},
-      {"A? towards_back B.object", On, "back_left"},
-      {"A? on B.object ,? towards_back", On, "back_left"},
-      {"A? on? corner_back_left B.object", On, "back_left"},
-      {"A? on? corner_back_right B.object", On, "back_right"},
-      {"A? on? corner_front_left B.object", On, "front_left"},
-      {"A? on? corner_front_right B.object", On, "front_right"},
-      {"A? under B.object", RugUnder},
-      {"A? centered under B.object", RugUnder},
-      {"A? under_center/tucked_under B.object", RugUnder},
-      {"A? partly_under B.object", RugUnder, "forward"},
-      {"A? pushed_under B.object", RugUnder},
-      {"A? pushed_under B.object ,? under_when_unused", WhenUnused},
+      {"A? on B.thing", On},
+      {"A? on corner/edge of? B.thing", On, "any"},
+      {"A? near/next_to? corner/edge of? B.thing", On, "any"},
+      {"A? corner/edge B.thing", On, "any"},
+      {"A? on B.side of B.thing", On, "any"},
+      {"A? next_to B.thing towards_back", On, "back_left"},
+      {"A? towards_back B.thing", On, "back_left"},
+      {"A? on B.thing ,? towards_back", On, "back_left"},
+      {"A? on? corner_back_left B.thing", On, "back_left"},
+      {"A? on? corner_back_right B.thing", On, "back_right"},
+      {"A? on? corner_front_left B.thing", On, "front_left"},
+      {"A? on? corner_front_right B.thing", On, "front_right"},
+      {"A? under B.thing", RugUnder},
+      {"A? centered under B.thing", RugUnder},
+      {"A? under_center/tucked_under B.thing", RugUnder},
+      {"A? partly_under B.thing", RugUnder, "forward"},
+      {"A? pushed_under B.thing", RugUnder},
+      {"A? pushed_under B.thing ,? under_when_unused", WhenUnused},
   };
 }
 

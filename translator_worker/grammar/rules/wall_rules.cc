@@ -7,12 +7,17 @@
 namespace flair::translator {
 namespace {
 
+bool IsPlainSide(const Mention& mention) {
+  const std::string& side = mention.references.front().side;
+  return side == "front" || side == "back" || side == "left" || side == "right";
+}
+
 // "[X] against a wall (back side)": the side stands before or after.
 void Against(const Match& match, std::string_view, Composer& composer) {
   std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers)) {
     for (Placed mover : movers) {
-      if (match.c != nullptr) mover.side = match.c->references.front().side;
+      if (match.c != nullptr && IsPlainSide(*match.c)) mover.side = match.c->references.front().side;
       if (target.kind == RefKind::kWall) {
         if (composer.IsWall(mover)) {
           composer.Refuse("not_about_layout", "a wall object hangs on a wall anyway; say near, above or opposite what");
@@ -27,6 +32,32 @@ void Against(const Match& match, std::string_view, Composer& composer) {
       }
     }
   }
+}
+
+// "X's right side aligns with Y's left": adjoining for opposite sides, the same direction for equal ones.
+void Aligned(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    if (target.objects.empty()) {
+      Against(match, tag, composer);
+      return;
+    }
+    for (const Placed& mover : movers) {
+      for (const Placed& other : target.objects) {
+        if (mover.side == "front" && other.side == "front" && composer.IsChair(mover)) {
+          composer.EmitFirst({Call("facing").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+        } else if (!mover.side.empty() && mover.side == OppositeSide(other.side)) {
+          Contact(mover, {RefKind::kObjects, {other}, ""}, composer);
+        } else {
+          composer.EmitFirst({Call("parallel").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+        }
+      }
+    }
+  }
+}
+
+void SameWall(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "no call compares the walls of two objects; name the wall");
 }
 
 void NotAgainst(const Match& match, std::string_view, Composer& composer) {
@@ -73,7 +104,10 @@ std::vector<Rule> WallRules() {
       {"A? against B", Against},
       {"A? against/near corner", InCorner},
       {"A? on B.wall", Against},
-      {"A? aligned B", Against},
+      {"A? aligned B", Aligned},
+      {"A? same_wall B", SameWall},
+      {"A? not same_wall B", SameWall},
+      {"A? against B.wall on C.side", Against},
       {"A? not against/along/next_to/near/on B.wall", NotAgainst},
       {"A? not against B", NotAgainst},
       {"not against B", NotAgainst},
