@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/objects/list_objects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "language_worker/handbook/objects/fit_floor.h"
+#include "language_worker/handbook/objects/tertiaries.h"
+#include "language_worker/handbook/program/room_program.h"
+#include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/styling/style_choice.h"
+
+namespace flair::language {
+namespace {
+
+FloorExtent ExtentOf(const v1::Room& room) {
+  FloorExtent extent;
+  for (const v1::Point2& vertex : room.floor().vertices()) {
+    extent.width_m = std::max(extent.width_m, vertex.x_m());
+    extent.depth_m = std::max(extent.depth_m, vertex.y_m());
+  }
+  extent.area_m2 = FloorArea(room);
+  return extent;
+}
+
+double Clamp(double value, const hb::Extent& extent) {
+  const double low = extent.min() > 0 ? extent.min() : extent.typical();
+  const double high = extent.max() > 0 ? extent.max() : extent.typical();
+  return std::clamp(value, low, high);
+}
+
+class ObjectLister {
+ public:
+  ObjectLister(const BriefFacts& facts, const v1::Room& room, const v1::ZonePlan& zones, const Handbook& handbook,
+               const Choice& choice)
+      : room_(room), zones_(zones), handbook_(handbook), style_(facts, handbook, choice),
+        program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)) {}
+
+  v1::ObjectList List() {
+    std::vector<LeftOut> left_out;
+    const std::vector<SizedItem> sized = FitFloor(program_, handbook_, ExtentOf(room_), left_out);
+    AddFloorObjects(sized);
+    const v1::ObjectList floor_objects = list_;
+    const std::vector<HostedPiece> pieces = ShareOut(program_, floor_objects, room_, handbook_);
+    for (const HostedPiece& piece : pieces) AddTertiary(piece);
+    NameObjects();
+    for (const ProgramItem& item : program_.tertiary_items) {
+      const bool there = std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return piece.item == &item; });
+      if (item.requested && !there) left_out.push_back({item.furniture->name(), "nothing in the room can carry it", true});
+    }
+    for (const LeftOut& left : left_out) {
+      v1::Omission& omission = *list_.add_omissions();
+      omission.set_name(left.name);
+      omission.set_reason(left.reason);
+      omission.set_requested(left.requested);
+    }
+    return std::move(list_);
+  }
+
+ private:
+  std::string ZoneId(const std::string& name) const {
+    const std::string id = IdOf(name);
+    for (const v1::Zone& zone : zones_.zones()) {
+      if (zone.id() == id) return id;
+    }
+    return zones_.zones_size() > 0 ? zones_.zones(0).id() : "";
+  }
+
+  // Floor objects have their final ids from the start, because tertiaries name them as hosts.
+  void AddFloorObjects(const std::vector<SizedItem>& sized) {
+    std::map<std::string, int> total, number;
+    for (const SizedItem& item : sized) total[item.item.furniture->name()] += item.item.count;
+    for (const bool primaries : {true, false}) {
+      for (const SizedItem& item : sized) {
+        for (int i = 0; i < item.item.count; ++i) {
+          if ((item.primary && i == 0) != primaries) continue;
+          v1::Object& object = AddObject(item.item, primaries ? v1::OBJECT_ROLE_PRIMARY : v1::OBJECT_ROLE_SECONDARY);
+          const std::string id = IdOf(object.name());
+          object.set_id(total[object.name()] > 1 ? fmt::format("{}_{}", id, ++number[object.name()]) : id);
+          object.set_zone_id(ZoneId(item.item.zone));
+          object.set_width_m(item.width_m);
+          object.set_depth_m(item.depth_m);
+          object.set_height_m(std::min(item.height_m, room_.height_m()));
+        }
+      }
+    }
+  }
+
+  v1::Object& AddObject(const ProgramItem& item, v1::ObjectRole role) {
+    const hb::Furniture& furniture = *item.furniture;
+    v1::Object& object = *list_.add_objects();
+    object.set_name(furniture.name());
+    object.set_role(role);
+    object.set_kind(furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED ? v1::OBJECT_KIND_FLOOR
+                                                                       : static_cast<v1::ObjectKind>(furniture.kind()));
+    object.set_walk_over(furniture.walk_over());
+    object.set_category(furniture.category());
+    object.set_requested(item.requested);
+    object.set_description(style_.Describe(furniture, style_.LookOf(furniture, drawn_++)));
+    return object;
+  }
+
+  void AddTertiary(const HostedPiece& piece) {
+    const hb::Furniture& furniture = *piece.item->furniture;
+    v1::Object& object = AddObject(*piece.item, v1::OBJECT_ROLE_TERTIARY);
+    object.set_width_m(furniture.width_m().typical());
+    object.set_depth_m(furniture.depth_m().typical());
+    object.set_height_m(std::min(furniture.height_m().typical(), 0.9 * room_.height_m()));
+    if (const hb::ObjectEntry* entry = piece.item->entry; entry != nullptr && entry->furniture() == furniture.name()) {
+      if (entry->width_m() > 0) object.set_width_m(entry->width_m());
+      if (entry->depth_m() > 0) object.set_depth_m(entry->depth_m());
+    }
+    if (piece.host != nullptr) {
+      object.set_host_id(piece.host->id());
+      object.set_zone_id(piece.host->zone_id());
+      FitToHost(furniture, *piece.host, object);
+    } else if (!piece.item->zone.empty()) {
+      object.set_zone_id(ZoneId(piece.item->zone));
+    }
+    FitToRoom(object);
+    object.set_elevation_m(ElevationOf(furniture, piece.host, object));
+  }
+
+  void FitToHost(const hb::Furniture& furniture, const v1::Object& host, v1::Object& object) const {
+    if (furniture.sized_by_target()) {
+      const double reach_m = 2 * furniture.reach_beyond_target_m();
+      object.set_width_m(Clamp(host.width_m() + reach_m, furniture.width_m()));
+      object.set_depth_m(Clamp(host.depth_m() + reach_m, furniture.depth_m()));
+    }
+    if (furniture.kind() == hb::FURNITURE_KIND_SURFACE) {
+      object.set_width_m(std::min(object.width_m(), host.width_m()));
+      object.set_depth_m(std::min(object.depth_m(), host.depth_m()));
+    }
+  }
+
+  // Rugs and lamps never reach from wall to wall.
+  void FitToRoom(v1::Object& object) const {
+    const FloorExtent floor = ExtentOf(room_);
+    object.set_width_m(std::min(object.width_m(), std::max(0.3, floor.width_m - 0.4)));
+    object.set_depth_m(std::min(object.depth_m(), std::max(0.3, floor.depth_m - 0.4)));
+  }
+
+  double ElevationOf(const hb::Furniture& furniture, const v1::Object* host, const v1::Object& object) const {
+    const double most_m = std::max(0.0, room_.height_m() - object.height_m());
+    switch (furniture.kind()) {
+      case hb::FURNITURE_KIND_CEILING: return most_m;
+      case hb::FURNITURE_KIND_WALL: {
+        const bool above = host != nullptr && furniture.gap_above_target_m() > 0;
+        const double wanted_m = above ? std::max(furniture.elevation_m(), host->height_m() + furniture.gap_above_target_m())
+                                      : furniture.elevation_m();
+        return std::min(wanted_m, std::max(0.0, most_m - 0.05));
+      }
+      default: return 0;
+    }
+  }
+
+  // Numbers tertiaries of which there are several.
+  void NameObjects() {
+    std::map<std::string, int> total, number;
+    for (const v1::Object& object : list_.objects()) ++total[object.name()];
+    for (v1::Object& object : *list_.mutable_objects()) {
+      if (!object.id().empty()) continue;
+      const std::string id = IdOf(object.name());
+      object.set_id(total[object.name()] > 1 ? fmt::format("{}_{}", id, ++number[object.name()]) : id);
+    }
+  }
+
+  const v1::Room& room_;
+  const v1::ZonePlan& zones_;
+  const Handbook& handbook_;
+  const StyleChoice style_;
+  const RoomProgram program_;
+  v1::ObjectList list_;
+  int drawn_ = 0;
+};
+
+}  // namespace
+
+absl::StatusOr<v1::ObjectList> ListObjects(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
+                                           const Handbook& handbook) {
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
+  if (!facts.ok()) return facts.status();
+  const Choice choice(brief.seed());
+  return ObjectLister(*facts, room, zones, handbook, choice).List();
+}
+
+}  // namespace flair::language

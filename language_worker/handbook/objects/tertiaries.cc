@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/objects/tertiaries.h"
+
+#include <algorithm>
+
+namespace flair::language {
+namespace {
+
+bool IsRoomWord(const std::string& word) {
+  return word == "wall" || word == "ceiling" || word == "floor" || word == "window";
+}
+
+class Sharer {
+ public:
+  Sharer(const v1::ObjectList& floor_objects, const v1::Room& room, const Handbook& handbook)
+      : floor_objects_(floor_objects), handbook_(handbook) {
+    for (const v1::Opening& opening : room.openings()) windows_ += opening.kind() == v1::OPENING_KIND_WINDOW ? 1 : 0;
+  }
+
+  // The pieces of one line of the program.
+  std::vector<HostedPiece> Share(const ProgramItem& item) {
+    const hb::Furniture& furniture = *item.furniture;
+    std::vector<const v1::Object*> hosts;
+    if (!FindHosts(item, hosts)) return {};
+    int count = item.count;
+    if (item.entry != nullptr && item.entry->per_host() && !hosts.empty()) count *= static_cast<int>(hosts.size());
+    if (furniture.at_window()) count = windows_;
+    std::vector<HostedPiece> pieces;
+    for (int i = 0; i < count; ++i) {
+      const v1::Object* host = hosts.empty() ? nullptr : hosts[static_cast<std::size_t>(i) % hosts.size()];
+      if (furniture.kind() == hb::FURNITURE_KIND_SURFACE && !TakePlace(*host)) continue;
+      pieces.push_back({&item, host});
+    }
+    return pieces;
+  }
+
+ private:
+  // False when the piece has nowhere to go. No hosts and true: it belongs to the room itself.
+  bool FindHosts(const ProgramItem& item, std::vector<const v1::Object*>& hosts) const {
+    const bool on_surface = item.furniture->kind() == hb::FURNITURE_KIND_SURFACE;
+    const std::vector<std::string> classes = HostClasses(item);
+    for (const std::string& name : classes) {
+      if (IsRoomWord(name)) return !on_surface && (name != "window" || windows_ > 0);
+      for (const v1::Object& object : floor_objects_.objects()) {
+        if (object.name() == name) hosts.push_back(&object);
+      }
+      if (!hosts.empty()) return true;
+    }
+    if (!on_surface) return classes.empty() || item.requested;
+    if (!item.requested) return false;
+    for (const v1::Object& object : floor_objects_.objects()) {
+      const hb::Furniture* furniture = handbook_.FindFurniture(object.name());
+      if (furniture != nullptr && furniture->top_places() > 0) hosts.push_back(&object);
+    }
+    return !hosts.empty();
+  }
+
+  bool TakePlace(const v1::Object& host) {
+    const hb::Furniture* furniture = handbook_.FindFurniture(host.name());
+    const int places = furniture == nullptr ? 1 : std::max(1, furniture->top_places());
+    return taken_[host.id()]++ < places;
+  }
+
+  const v1::ObjectList& floor_objects_;
+  const Handbook& handbook_;
+  int windows_ = 0;
+  std::map<std::string, int> taken_;
+};
+
+}  // namespace
+
+std::vector<std::string> HostClasses(const ProgramItem& item) {
+  if (item.entry != nullptr && item.entry->hosts_size() > 0) return {item.entry->hosts().begin(), item.entry->hosts().end()};
+  if (item.furniture->hosts_size() > 0) return {item.furniture->hosts().begin(), item.furniture->hosts().end()};
+  for (const hb::Relation& relation : item.furniture->relations()) {
+    if (relation.targets_size() > 0) return {relation.targets().begin(), relation.targets().end()};
+  }
+  return {};
+}
+
+std::vector<HostedPiece> ShareOut(const RoomProgram& program, const v1::ObjectList& floor_objects, const v1::Room& room,
+                                  const Handbook& handbook) {
+  Sharer sharer(floor_objects, room, handbook);
+  std::vector<HostedPiece> pieces;
+  for (const ProgramItem& item : program.tertiary_items) {
+    const bool full = static_cast<int>(pieces.size()) >= program.max_tertiaries;
+    if (full && !item.requested) continue;
+    for (const HostedPiece& piece : sharer.Share(item)) pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+}  // namespace flair::language
