@@ -150,7 +150,8 @@ class CallReader {
     }
     if (arguments.size() > parameters.size()) return absl::InvalidArgumentError("too many arguments");
     std::copy(arguments.begin(), arguments.end(), values.begin());
-    for (const auto& [keyword, value] : call.value("kwargs", json::object()).items()) {
+    const json keywords = call.value("kwargs", json::object());
+    for (const auto& [keyword, value] : keywords.items()) {
       const int p = PositionOf(keyword, parameters);
       if (p < 0) return absl::InvalidArgumentError(fmt::format("unknown keyword {}", keyword));
       values[p] = value;

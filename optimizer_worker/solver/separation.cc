@@ -5,93 +5,35 @@
 #include <cmath>
 #include <limits>
 
-#include "room/scene/door_area.h"
+#include "optimizer_worker/constraints/measure/gap.h"
+#include "optimizer_worker/constraints/room/door_clear.h"
+#include "optimizer_worker/constraints/whole_room.h"
 
 namespace flair::optimizer {
 namespace {
 
-// Indices of the convex hull of a simple counter-clockwise polygon, counter-clockwise, collinear points left out.
-std::vector<size_t> HullOf(const Polygon& polygon) {
-  const std::vector<Vec2<double>>& v = polygon.vertices;
-  std::vector<size_t> order(v.size());
-  for (size_t i = 0; i < v.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](size_t a, size_t b) { return v[a].x != v[b].x ? v[a].x < v[b].x : v[a].y < v[b].y; });
-  std::vector<size_t> hull;
-  const auto extend = [&](size_t floor_size, size_t i) {
-    while (hull.size() >= floor_size + 2 &&
-           Cross(v[hull.back()] - v[hull[hull.size() - 2]], v[i] - v[hull.back()]) <= 1e-12) {
-      hull.pop_back();
-    }
-    hull.push_back(i);
-  };
-  for (size_t i : order) extend(0, i);
-  const size_t lower = hull.size() - 1;
-  for (size_t k = order.size(); k-- > 0;) extend(lower, order[k]);
-  hull.pop_back();
-  return hull;
+Box<double> BoxOf(const Scene& scene, const Layout& layout, int object) {
+  return Box<double>(scene.objects[object].footprint, FrameOf(layout[object]));
 }
 
-// The pockets between the floor and its hull, as triangles.
-void AddPockets(const Polygon& floor, const std::vector<size_t>& hull, std::vector<Polygon>& areas) {
-  const size_t n = floor.vertices.size();
-  for (size_t h = 0; h < hull.size(); ++h) {
-    const size_t from = hull[h], to = hull[(h + 1) % hull.size()];
-    if ((from + 1) % n == to) continue;
-    Polygon pocket;
-    for (size_t i = to;; i = (i + n - 1) % n) {
-      pocket.vertices.push_back(floor.vertices[i]);
-      if (i == from) break;
-    }
-    if (std::abs(SignedArea(pocket.vertices)) < 1e-12) continue;
-    for (Polygon& triangle : Triangulate(pocket)) areas.push_back(std::move(triangle));
-  }
+double DepthBeyond(const FloorShape::HalfPlane& plane, const Box<double>& box) {
+  double depth = -std::numeric_limits<double>::infinity();
+  for (const Vec2<double>& corner : box.corners) depth = std::max(depth, Dot(plane.normal, plane.point - corner));
+  return depth;
 }
 
-double SupportAlong(std::span<const Vec2<double>> shape, const Vec2<double>& direction) {
-  double most = -std::numeric_limits<double>::infinity();
-  for (const Vec2<double>& p : shape) most = std::max(most, Dot(p, direction));
-  return most;
-}
-
-// Tries the outward normals of `a` as directions to `b`.
-void TryNormals(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b, double sign, Gap& best) {
-  for (size_t i = 0; i < a.size(); ++i) {
-    const Vec2<double> edge = a[(i + 1) % a.size()] - a[i];
-    const double length = Norm(edge);
-    if (length < 1e-12) continue;
-    const Vec2<double> normal{edge.y / length, -edge.x / length};
-    const double gap = -SupportAlong(b, -normal) - Dot(a[i], normal);
-    if (gap > best.gap_m) best = {sign * normal, gap};
-  }
+template <typename A, typename B>
+Separation SeparateShapes(const A& a, const B& b) {
+  const Witness w = SeparatingAxis(a, b);
+  if (w.kind == Witness::kEdgeOfFirst) return {a.normal(w.first), w.gap_m};
+  return {-b.normal(w.second), w.gap_m};
 }
 
 }  // namespace
 
-KeepOut::KeepOut(const Room& room, double passage_m) {
-  const std::vector<size_t> hull = HullOf(room.floor);
-  for (size_t h = 0; h < hull.size(); ++h) {
-    const Vec2<double> p = room.floor.vertices[hull[h]];
-    const Vec2<double> q = room.floor.vertices[hull[(h + 1) % hull.size()]];
-    const double length = Distance(p, q);
-    const Vec2<double> normal{-(q.y - p.y) / length, (q.x - p.x) / length};
-    half_planes_.push_back({normal, Dot(normal, p)});
-  }
-  AddPockets(room.floor, hull, areas_);
-  outside_count_ = static_cast<int>(areas_.size());
-  for (const Opening& opening : room.openings) {
-    if (opening.kind != OpeningKind::kDoor) continue;
-    for (Polygon& piece : ConvexSwingAreas(room, opening)) areas_.push_back(std::move(piece));
-    if (passage_m > 0) areas_.push_back(PassageArea(room, opening, passage_m));
-  }
-}
+KeepOut::KeepOut(const Room& room) : floor_(room.floor), door_areas_(DoorAreas(room)) {}
 
-Gap WidestGap(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b) {
-  Gap best{{1, 0}, -std::numeric_limits<double>::infinity()};
-  TryNormals(a, b, 1, best);
-  TryNormals(b, a, -1, best);
-  return best;
-}
+Separation Separate(const Box<double>& a, const Box<double>& b) { return SeparateShapes(a, b); }
 
 bool IsSolid(const Object& object) { return object.kind == ObjectKind::kFloor && !object.walk_over; }
 
@@ -101,70 +43,79 @@ std::vector<Violation> FindViolations(const Scene& scene, const KeepOut& keep_ou
   for (size_t i = 0; i < objects.size(); ++i) {
     const int object = objects[i];
     if (!IsSolid(scene.objects[object])) continue;
-    const auto corners = Corners(scene.objects[object].footprint, layout[object]);
-    double outside = 0;
-    for (const KeepOut::HalfPlane& plane : keep_out.half_planes()) {
-      for (const Vec2<double>& corner : corners) outside = std::max(outside, plane.offset - Dot(plane.normal, corner));
+    const Box<double> box = BoxOf(scene, layout, object);
+    double outside = 0, at_door = 0;
+    for (const FloorShape::HalfPlane& plane : keep_out.floor().half_planes()) {
+      outside = std::max(outside, DepthBeyond(plane, box));
     }
+    for (const ConvexPiece& pocket : keep_out.floor().pockets()) {
+      outside = std::max(outside, -SeparateShapes(pocket, box).gap_m);
+    }
+    for (const ConvexPiece& area : keep_out.door_areas()) at_door = std::max(at_door, -SeparateShapes(area, box).gap_m);
     if (outside > tolerance_m) found.push_back({object, -1, false, outside});
-    for (size_t k = 0; k < keep_out.areas().size(); ++k) {
-      const double depth = -WidestGap(keep_out.areas()[k].vertices, corners).gap_m;
-      const bool at_door = static_cast<int>(k) >= keep_out.outside_count();
-      if (depth > tolerance_m) found.push_back({object, -1, at_door, depth});
-    }
+    if (at_door > tolerance_m) found.push_back({object, -1, true, at_door});
     for (size_t j = 0; j < i; ++j) {
-      if (!IsSolid(scene.objects[objects[j]])) continue;
-      const double depth = -WidestGap(Corners(scene.objects[objects[j]].footprint, layout[objects[j]]), corners).gap_m;
+      if (!CanCollide(scene, objects[j], object)) continue;
+      const double depth = -Separate(BoxOf(scene, layout, objects[j]), box).gap_m;
       if (depth > tolerance_m) found.push_back({object, objects[j], false, depth});
     }
   }
   return found;
 }
 
+namespace {
+
+// Collects rows: the box of variable pair k keeps its separation from something, or from the box of pair `other`.
+class RowCollector {
+ public:
+  RowCollector(std::span<const int> free, const Layout& layout, double reach_m, double margin_m)
+      : free_(free), layout_(layout), reach_m_(reach_m), margin_m_(margin_m) {}
+
+  void Add(int k, const Separation& separation, int other = -1) {
+    if (separation.gap_m > reach_m_) return;
+    const Vec2<double>& n = separation.direction;
+    LinearInequality row;
+    row.offset = margin_m_ - separation.gap_m + Dot(n, Center(layout_[free_[k]]));
+    row.Add(2 * k, -n.x);
+    row.Add(2 * k + 1, -n.y);
+    if (other >= 0) {
+      row.offset -= Dot(n, Center(layout_[free_[other]]));
+      row.Add(2 * other, n.x);
+      row.Add(2 * other + 1, n.y);
+    }
+    rows.push_back(row);
+  }
+
+  std::vector<LinearInequality> rows;
+
+ private:
+  std::span<const int> free_;
+  const Layout& layout_;
+  double reach_m_, margin_m_;
+};
+
+}  // namespace
+
 std::vector<LinearInequality> SeparationRows(const Scene& scene, const KeepOut& keep_out, std::span<const int> free,
                                              std::span<const int> fixed, const Layout& layout, double reach_m,
                                              double margin_m) {
-  std::vector<LinearInequality> rows;
-  // Dot(direction, moving - start) keeps `gap`, minus the other's movement when it moves too.
-  const auto add = [&](int k, const Vec2<double>& direction, double gap, int other) {
-    if (gap > reach_m) return;
-    LinearInequality row;
-    row.offset = margin_m - gap;
-    const Vec2<double> start = Center(layout[free[k]]);
-    row.Add(2 * k, -direction.x);
-    row.Add(2 * k + 1, -direction.y);
-    row.offset += Dot(direction, start);
-    if (other >= 0) {
-      const Vec2<double> other_start = Center(layout[free[other]]);
-      row.Add(2 * other, direction.x);
-      row.Add(2 * other + 1, direction.y);
-      row.offset -= Dot(direction, other_start);
-    }
-    rows.push_back(row);
-  };
+  RowCollector collector(free, layout, reach_m, margin_m);
   for (int k = 0; k < static_cast<int>(free.size()); ++k) {
-    const int object = free[k];
-    if (!IsSolid(scene.objects[object])) continue;
-    const auto corners = Corners(scene.objects[object].footprint, layout[object]);
-    for (const KeepOut::HalfPlane& plane : keep_out.half_planes()) {
-      add(k, plane.normal, -SupportAlong(corners, -plane.normal) - plane.offset, -1);
+    if (!IsSolid(scene.objects[free[k]])) continue;
+    const Box<double> box = BoxOf(scene, layout, free[k]);
+    for (const FloorShape::HalfPlane& plane : keep_out.floor().half_planes()) {
+      collector.Add(k, {plane.normal, -DepthBeyond(plane, box)});
     }
-    for (const Polygon& area : keep_out.areas()) {
-      const Gap gap = WidestGap(area.vertices, corners);
-      add(k, gap.direction, gap.gap_m, -1);
-    }
+    for (const ConvexPiece& pocket : keep_out.floor().pockets()) collector.Add(k, SeparateShapes(pocket, box));
+    for (const ConvexPiece& area : keep_out.door_areas()) collector.Add(k, SeparateShapes(area, box));
     for (int other : fixed) {
-      if (!IsSolid(scene.objects[other])) continue;
-      const Gap gap = WidestGap(Corners(scene.objects[other].footprint, layout[other]), corners);
-      add(k, gap.direction, gap.gap_m, -1);
+      if (CanCollide(scene, other, free[k])) collector.Add(k, Separate(BoxOf(scene, layout, other), box));
     }
     for (int j = 0; j < k; ++j) {
-      if (!IsSolid(scene.objects[free[j]])) continue;
-      const Gap gap = WidestGap(Corners(scene.objects[free[j]].footprint, layout[free[j]]), corners);
-      add(k, gap.direction, gap.gap_m, j);
+      if (CanCollide(scene, free[j], free[k])) collector.Add(k, Separate(BoxOf(scene, layout, free[j]), box), j);
     }
   }
-  return rows;
+  return std::move(collector.rows);
 }
 
 double ProjectOntoRows(std::span<const LinearInequality> rows, std::span<double> x, int max_rounds) {

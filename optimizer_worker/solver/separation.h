@@ -7,41 +7,36 @@
 #include <span>
 #include <vector>
 
+#include "optimizer_worker/constraints/measure/convex_piece.h"
+#include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/solver/objective.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {
 
 // The room as convex pieces: half-planes that every object keeps to, and convex areas that every object keeps out of.
+// The same pieces as the costs in_bounds and door_clear measure.
 class KeepOut {
  public:
-  // Inner corners of the floor and the swings of doors become areas; so does the first `passage_m` behind each door.
-  KeepOut(const Room& room, double passage_m);
+  explicit KeepOut(const Room& room);
 
-  // A half-plane: Dot(normal, p) >= offset.
-  struct HalfPlane {
-    Vec2<double> normal;
-    double offset;
-  };
-  const std::vector<HalfPlane>& half_planes() const { return half_planes_; }
-  const std::vector<Polygon>& areas() const { return areas_; }
-  // How many of `areas`, from the front, are outside the floor; the rest are the doors'.
-  int outside_count() const { return outside_count_; }
+  const FloorShape& floor() const { return floor_; }
+  // Swings of doors and the passages behind them.
+  const std::vector<ConvexPiece>& door_areas() const { return door_areas_; }
 
  private:
-  std::vector<HalfPlane> half_planes_;
-  std::vector<Polygon> areas_;
-  int outside_count_ = 0;
+  FloorShape floor_;
+  std::vector<ConvexPiece> door_areas_;
 };
 
 // The direction that separates two convex counter-clockwise shapes best and the gap along it; negative when they
 // overlap: then its amount is the penetration depth.
-struct Gap {
+struct Separation {
   // From the first shape to the second.
   Vec2<double> direction;
   double gap_m = 0;
 };
-Gap WidestGap(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b);
+Separation Separate(const Box<double>& a, const Box<double>& b);
 
 // By how much an object is in the way, and of what.
 struct Violation {

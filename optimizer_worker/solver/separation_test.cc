@@ -8,7 +8,7 @@
 namespace flair::optimizer {
 namespace {
 
-Object Box(double width_m, double depth_m) {
+Object Piece(double width_m, double depth_m) {
   Object object;
   object.footprint = {width_m, depth_m};
   object.height_m = 1;
@@ -24,15 +24,17 @@ Room LShapedRoom() {
   return room;
 }
 
-TEST(WidestGap, MeasuresDistanceAndPenetrationOfRectangles) {
-  const auto a = Corners(Footprint{2, 1}, Pose<double>{0, 0, 0});
-  EXPECT_NEAR(WidestGap(a, Corners(Footprint{1, 1}, Pose<double>{2, 0, 0})).gap_m, 0.5, 1e-12);
-  EXPECT_NEAR(WidestGap(a, Corners(Footprint{1, 1}, Pose<double>{1.4, 0.1, 0})).gap_m, -0.1, 1e-12);
+TEST(Separate, MeasuresDistanceAndPenetrationOfRectangles) {
+  const auto box = [](const Footprint& footprint, double x, double y) {
+    return flair::optimizer::Box<double>(footprint, FrameOf(Pose<double>{x, y, 0}));
+  };
+  EXPECT_NEAR(Separate(box({2, 1}, 0, 0), box({1, 1}, 2, 0)).gap_m, 0.5, 1e-12);
+  EXPECT_NEAR(Separate(box({2, 1}, 0, 0), box({1, 1}, 1.4, 0.1)).gap_m, -0.1, 1e-12);
 }
 
 TEST(FindViolations, NamesOverlapsAndObjectsOutside) {
-  const Scene scene = SceneOf(RectangularRoom(4, 3), {Box(1, 1), Box(1, 1)});
-  const KeepOut keep_out(scene.room, 0.6);
+  const Scene scene = SceneOf(RectangularRoom(4, 3), {Piece(1, 1), Piece(1, 1)});
+  const KeepOut keep_out(scene.room);
   const int objects[] = {0, 1};
   const Layout good = {{0.5, 0.5, 0}, {1.5, 0.5, kPi / 2}};
   EXPECT_TRUE(FindViolations(scene, keep_out, objects, good, 1e-9).empty());
@@ -46,8 +48,8 @@ TEST(FindViolations, NamesOverlapsAndObjectsOutside) {
 }
 
 TEST(KeepOut, TheNotchOfAnLShapedRoomIsOutside) {
-  const Scene scene = SceneOf(LShapedRoom(), {Box(1, 1)});
-  const KeepOut keep_out(scene.room, 0.6);
+  const Scene scene = SceneOf(LShapedRoom(), {Piece(1, 1)});
+  const KeepOut keep_out(scene.room);
   const int objects[] = {0};
   EXPECT_TRUE(FindViolations(scene, keep_out, objects, {{1.5, 2.5, 0}}, 1e-9).empty());
   EXPECT_TRUE(FindViolations(scene, keep_out, objects, {{3.5, 1.5, 0}}, 1e-9).empty());
@@ -63,8 +65,8 @@ TEST(KeepOut, SwingAndPassageOfADoorStayFree) {
   door.width_m = 0.8;
   door.leaf = DoorLeaf{HingeSide::kStart, DoorSwing::kInward, kPi / 2};
   room.openings.push_back(door);
-  const Scene scene = SceneOf(room, {Box(0.5, 0.5)});
-  const KeepOut keep_out(scene.room, 0.6);
+  const Scene scene = SceneOf(room, {Piece(0.5, 0.5)});
+  const KeepOut keep_out(scene.room);
   const int objects[] = {0};
   const std::vector<Violation> found = FindViolations(scene, keep_out, objects, {{1.4, 0.3, 0}}, 1e-9);
   ASSERT_FALSE(found.empty());
@@ -73,8 +75,8 @@ TEST(KeepOut, SwingAndPassageOfADoorStayFree) {
 }
 
 TEST(SeparationRows, ProjectionEndsWithoutOverlap) {
-  const Scene scene = SceneOf(RectangularRoom(4, 3), {Box(1, 1), Box(1.5, 1), Box(0.5, 2)});
-  const KeepOut keep_out(scene.room, 0.6);
+  const Scene scene = SceneOf(RectangularRoom(4, 3), {Piece(1, 1), Piece(1.5, 1), Piece(0.5, 2)});
+  const KeepOut keep_out(scene.room);
   const std::vector<int> free = {0, 1, 2};
   Layout layout = {{0.3, 0.6, 0}, {1.2, 0.7, 0.3}, {1.5, 1.0, 0}};
   for (int round = 0; round < 3; ++round) {

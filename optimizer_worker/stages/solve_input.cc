@@ -87,7 +87,7 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
   absl::StatusOr<Scene> scene = SceneFromProto(graph);
   if (!scene.ok()) return scene.status();
   std::vector<std::vector<int>> partners = PartnersOf(graph, *scene);
-  KeepOut keep_out(scene->room, kPassage_m);
+  KeepOut keep_out(scene->room);
   WalkGrid walk_grid(scene->room, settings->path_width_m);
   LinkedPairs linked(*scene, graph.edges());
   return SolveInput{graph,

@@ -71,7 +71,4 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
 std::vector<Vec2<double>> ZoneCenters(const Scene& scene, std::span<const char> placed, const Layout& layout);
 inline constexpr double kEmptyZone_m = 1e6;
 
-// Depth of the passage behind a door that no object may enter.
-inline constexpr double kPassage_m = 0.6;
-
 }  // namespace flair::optimizer

@@ -37,10 +37,10 @@ void PutOnWall(const Scene& scene, const Footprint& footprint, Pose<double>& pos
 
 void PutInRoom(const KeepOut& keep_out, const Footprint& footprint, Pose<double>& pose) {
   for (int round = 0; round < 2; ++round) {
-    for (const KeepOut::HalfPlane& plane : keep_out.half_planes()) {
+    for (const FloorShape::HalfPlane& plane : keep_out.floor().half_planes()) {
       double outside = 0;
       for (const Vec2<double>& corner : Corners(footprint, pose)) {
-        outside = std::max(outside, plane.offset - Dot(plane.normal, corner));
+        outside = std::max(outside, Dot(plane.normal, plane.point - corner));
       }
       pose.x_m += outside * plane.normal.x;
       pose.y_m += outside * plane.normal.y;

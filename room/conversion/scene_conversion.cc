@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "room/conversion/scene_conversion.h"
+
+#include <cmath>
+#include <string>
+
+#include "fmt/format.h"
+#include "room/conversion/room_conversion.h"
+#include "room/geometry/angle.h"
+#include "room/validation/validate.h"
+
+namespace flair {
+namespace {
+
+ObjectRole RoleFromProto(v1::ObjectRole role) {
+  switch (role) {
+    case v1::OBJECT_ROLE_PRIMARY:
+      return ObjectRole::kPrimary;
+    case v1::OBJECT_ROLE_TERTIARY:
+      return ObjectRole::kTertiary;
+    default:
+      return ObjectRole::kSecondary;
+  }
+}
+
+ObjectKind KindFromProto(v1::ObjectKind kind) {
+  switch (kind) {
+    case v1::OBJECT_KIND_WALL:
+      return ObjectKind::kWall;
+    case v1::OBJECT_KIND_CEILING:
+      return ObjectKind::kCeiling;
+    case v1::OBJECT_KIND_SURFACE:
+      return ObjectKind::kSurface;
+    default:
+      return ObjectKind::kFloor;
+  }
+}
+
+Object ObjectFromProto(const v1::Object& message, const Scene& scene) {
+  return {.id = message.id(),
+          .name = message.name(),
+          .role = RoleFromProto(message.role()),
+          .kind = KindFromProto(message.kind()),
+          .zone = scene.ZoneIndexOf(message.zone_id()),
+          .footprint = {.width_m = message.width_m(), .depth_m = message.depth_m()},
+          .height_m = message.height_m(),
+          .elevation_m = message.elevation_m(),
+          .walk_over = message.walk_over(),
+          .category = message.category(),
+          .host = -1};
+}
+
+absl::Status BadPlacement(int index, const std::string& problem) {
+  return absl::InvalidArgumentError(fmt::format("placements[{}]{}", index, problem));
+}
+
+}  // namespace
+
+absl::StatusOr<Scene> SceneFromProto(const v1::LayoutGraph& graph) {
+  if (absl::Status status = Validate(graph); !status.ok()) return status;
+  absl::StatusOr<Room> room = RoomFromProto(graph.room());
+  if (!room.ok()) return room.status();
+  Scene scene;
+  scene.room = *std::move(room);
+  for (const v1::Zone& zone : graph.zone_plan().zones()) scene.zones.push_back({.id = zone.id(), .name = zone.name()});
+  for (const v1::Object& object : graph.object_list().objects()) {
+    scene.objects.push_back(ObjectFromProto(object, scene));
+  }
+  for (int i = 0; i < graph.object_list().objects_size(); ++i) {
+    const std::string& host = graph.object_list().objects(i).host_id();
+    if (!host.empty()) scene.objects[static_cast<size_t>(i)].host = scene.IndexOf(host);
+  }
+  return scene;
+}
+
+absl::StatusOr<PartialLayout> PosesFromPlacements(const Scene& scene, const PlacementList& placements) {
+  PartialLayout result{.layout = Layout(scene.objects.size()), .placed = std::vector<bool>(scene.objects.size())};
+  for (int i = 0; i < placements.size(); ++i) {
+    const v1::Placement& p = placements[i];
+    const int object = scene.IndexOf(p.object_id());
+    if (object < 0) return BadPlacement(i, fmt::format(".object_id: \"{}\" is not an object here", p.object_id()));
+    const auto index = static_cast<size_t>(object);
+    if (result.placed[index]) return BadPlacement(i, fmt::format(".object_id: \"{}\" is placed twice", p.object_id()));
+    if (!std::isfinite(p.x_m()) || !std::isfinite(p.y_m()) || !std::isfinite(p.theta_rad())) {
+      return BadPlacement(i,
+                          fmt::format(": {}, {}, {} is no pose; all must be finite", p.x_m(), p.y_m(), p.theta_rad()));
+    }
+    result.layout[index] = {.x_m = p.x_m(), .y_m = p.y_m(), .theta_rad = p.theta_rad()};
+    result.placed[index] = true;
+  }
+  return result;
+}
+
+PlacementList PlacementsFromPoses(const Scene& scene, const Layout& layout, const std::vector<bool>& placed) {
+  PlacementList placements;
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!placed.empty() && !placed[i]) continue;
+    v1::Placement& placement = *placements.Add();
+    placement.set_object_id(scene.objects[i].id);
+    placement.set_x_m(layout[i].x_m);
+    placement.set_y_m(layout[i].y_m);
+    placement.set_z_m(scene.BottomOf(static_cast<int>(i)));
+    placement.set_theta_rad(WrapHeading(layout[i].theta_rad));
+  }
+  return placements;
+}
+
+}  // namespace flair
