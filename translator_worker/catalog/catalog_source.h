@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "absl/status/statusor.h"
+#include "flair/v1/constraint_catalog.pb.h"
+#include "worker_runtime/bootstrap/call_context.h"
+
+namespace flair::translator {
+
+// Where the optimizer's catalogue comes from when a request brings none. Thread-safe.
+class CatalogSource {
+ public:
+  virtual ~CatalogSource() = default;
+
+  // FAILED_PRECONDITION when there is none to be had; UNAVAILABLE when it may be had later.
+  virtual absl::StatusOr<v1::ConstraintCatalog> Get(runtime::CallContext& call) = 0;
+};
+
+// A catalogue that is known from the start.
+class FixedCatalogSource final : public CatalogSource {
+ public:
+  explicit FixedCatalogSource(v1::ConstraintCatalog catalog) : catalog_(std::move(catalog)) {}
+
+  absl::StatusOr<v1::ConstraintCatalog> Get(runtime::CallContext&) override { return catalog_; }
+
+ private:
+  const v1::ConstraintCatalog catalog_;
+};
+
+// No optimizer is configured.
+class NoCatalogSource final : public CatalogSource {
+ public:
+  absl::StatusOr<v1::ConstraintCatalog> Get(runtime::CallContext&) override {
+    return absl::FailedPreconditionError(
+        "catalog: the request brings none and no optimizer_address is configured to ask for one");
+  }
+};
+
+}  // namespace flair::translator
