@@ -35,7 +35,7 @@ class FakeStages final : public StageClients {
   absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest&, Call&) override;
   absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest&, Call&) override;
   absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest&, Call&) override;
-  std::string Revision() const override { return revision_; }
+  absl::StatusOr<std::string> Revision(v1::ArtifactKind, Call&) override { return revision_; }
 
  private:
   absl::Status Begin(std::string_view rpc, Call& call);

@@ -7,6 +7,7 @@
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
+#include "flair/v1/worker_service.grpc.pb.h"
 #include "worker_runtime/grpc/client_call.h"
 
 namespace flair::orchestrator {
@@ -18,13 +19,28 @@ struct Stage {
   using Interface = typename Service::StubInterface;
 
   Stage(const char* stage_name, const StageChannel& channel)
-      : name(stage_name), address(channel.address), stub(Service::NewStub(channel.channel)) {}
+      : name(stage_name),
+        address(channel.address),
+        stub(Service::NewStub(channel.channel)),
+        worker_stub(v1::WorkerService::NewStub(channel.channel)) {}
 
   template <typename Request, typename Response>
   absl::StatusOr<Response> Ask(grpc::Status (Interface::*method)(grpc::ClientContext*, const Request&, Response*),
                                const Request& request, runtime::CallContext& call) const {
-    absl::StatusOr<Response> answer = runtime::UnaryRequest(static_cast<Interface&>(*stub), method, request, call);
-    if (answer.status().code() != absl::StatusCode::kUnavailable) return answer;
+    return Explain(runtime::UnaryRequest(static_cast<Interface&>(*stub), method, request, call));
+  }
+
+  absl::StatusOr<std::string> Revision(runtime::CallContext& call) const {
+    auto answer = Explain(runtime::UnaryRequest(*worker_stub, &v1::WorkerService::StubInterface::GetWorker,
+                                                v1::GetWorkerRequest(), call));
+    if (absl::IsUnimplemented(answer.status())) return "";
+    if (!answer.ok()) return answer.status();
+    return answer->revision();
+  }
+
+  template <typename Response>
+  absl::StatusOr<Response> Explain(absl::StatusOr<Response> answer) const {
+    if (!absl::IsUnavailable(answer.status())) return answer;
     return absl::UnavailableError(fmt::format("{0} worker at {1} is not reachable: {2}; start it or fix stages.{0}",
                                               name, address, std::string(answer.status().message())));
   }
@@ -32,6 +48,7 @@ struct Stage {
   std::string name;
   std::string address;
   std::unique_ptr<typename Service::Stub> stub;
+  std::unique_ptr<v1::WorkerService::Stub> worker_stub;
 };
 
 using Language = v1::LanguageService::StubInterface;
@@ -45,8 +62,7 @@ class GrpcStageClients final : public StageClients {
       : language_("language", channels.language),
         translator_("translator", channels.translator),
         optimizer_("optimizer", channels.optimizer),
-        renderer_("renderer", channels.renderer),
-        revision_(channels.revision) {}
+        renderer_("renderer", channels.renderer) {}
 
   absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest& request, Call& call) override {
     return language_.Ask(&Language::DescribeRoom, request, call);
@@ -84,14 +100,27 @@ class GrpcStageClients final : public StageClients {
   absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest& request, Call& call) override {
     return renderer_.Ask(&Renderer::Render, request, call);
   }
-  std::string Revision() const override { return revision_; }
+  absl::StatusOr<std::string> Revision(v1::ArtifactKind kind, Call& call) override {
+    switch (kind) {
+      case v1::ARTIFACT_KIND_BRIEF:
+      case v1::ARTIFACT_KIND_REPORT:
+        return "";
+      case v1::ARTIFACT_KIND_LAYOUT_GRAPH:
+        return translator_.Revision(call);
+      case v1::ARTIFACT_KIND_SOLVED_LAYOUT:
+        return optimizer_.Revision(call);
+      case v1::ARTIFACT_KIND_PREVIEW:
+        return renderer_.Revision(call);
+      default:
+        return language_.Revision(call);
+    }
+  }
 
  private:
   Stage<v1::LanguageService> language_;
   Stage<v1::TranslatorService> translator_;
   Stage<v1::OptimizerService> optimizer_;
   Stage<v1::RendererService> renderer_;
-  std::string revision_;
 };
 
 }  // namespace

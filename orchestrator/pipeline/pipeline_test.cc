@@ -258,9 +258,13 @@ class EmptyRoomStages final : public StageClients {
   NEVER(PlanZones)
   NEVER(ListObjects)
   NEVER(ChooseStyle)
-  NEVER(ListConstraints) NEVER(CleanConstraints) NEVER(Translate) NEVER(ListConstraintTypes) NEVER(Solve)
-      NEVER(Evaluate) NEVER(Render)
+  NEVER(ListConstraints)
+  NEVER(CleanConstraints)
+  NEVER(Translate) NEVER(ListConstraintTypes) NEVER(Solve) NEVER(Evaluate) NEVER(Render)
 #undef NEVER
+      absl::StatusOr<std::string> Revision(v1::ArtifactKind, Call&) override {
+    return "";
+  }
 };
 
 TEST_F(PipelineTest, RefusesAnAnswerThatIsNotValidAndSaysWhose) {

@@ -23,9 +23,6 @@ struct StageChannels {
   StageChannel translator;
   StageChannel optimizer;
   StageChannel renderer;
-  // Names what is behind the channels where that is known, such as the build of a program that holds all stages; see
-  // StageClients::Revision.
-  std::string revision;
 };
 
 // Channels to the addresses of a config. INVALID_ARGUMENT names the field.

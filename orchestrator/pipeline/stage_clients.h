@@ -4,6 +4,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
+#include "flair/v1/artifact.pb.h"
 #include "flair/v1/language_service.pb.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/renderer_service.pb.h"
@@ -34,9 +35,10 @@ class StageClients {
   virtual absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest& request, Call& call) = 0;
   virtual absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest& request, Call& call) = 0;
 
-  // What stands behind the clients, as far as it is known: part of the key for re-use, so that a new version of a stage
-  // does not get the results of the old one.
-  virtual std::string Revision() const { return ""; }
+  // Revision of the worker that a kind of artifact comes from (see WorkerService); empty for what we make ourselves and
+  // for workers that do not tell. Part of the key for re-use, so that a new version of a worker does not get the
+  // results of the old one.
+  virtual absl::StatusOr<std::string> Revision(v1::ArtifactKind kind, Call& call) = 0;
 };
 
 }  // namespace flair::orchestrator

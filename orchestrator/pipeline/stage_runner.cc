@@ -47,16 +47,19 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
   runtime::CallContext no_deadline;
   StageRun run{job_.id(), job_.spec(), inputs, "", timings, clients_, no_deadline};
   if (stage.options != nullptr) {
-    absl::StatusOr<std::string> options = Retry(stage.options, run);
+    absl::StatusOr<std::string> options = Retry<std::string>(stage.options, run);
     if (!options.ok()) return options.status();
     run.options = *std::move(options);
   }
+  const absl::StatusOr<std::string> revision = Retry<std::string>(
+      [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
+  if (!revision.ok()) return revision.status();
   const std::string options_digest = run.options.empty() ? "" : Sha256Hex(run.options);
   std::vector<std::string> input_ids;
   for (const v1::Artifact* input : inputs) input_ids.push_back(input->id());
   // The first stage asks nobody: its "input" is the brief itself.
   const std::string own_input = inputs.empty() ? Sha256Hex(CanonicalBytes(job_.spec().brief())) : options_digest;
-  const std::string key = ResultKey(stage.name, clients_.Revision(), own_input, input_ids);
+  const std::string key = ResultKey(stage.name, *revision, own_input, input_ids);
   auto known = store_.artifacts().FindResult(key);
   if (!known.ok()) return known.status();
   if (known->has_value()) {
@@ -90,7 +93,8 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
 
 // Makes the stage's artifact, again where that is safe and useful. Each attempt has the whole deadline.
 template <typename Result>
-absl::StatusOr<Result> StageRunner::Retry(absl::StatusOr<Result> (*function)(const StageRun&), StageRun& run) const {
+absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Result>(const StageRun&)>& function,
+                                          const StageRun& run) const {
   for (int attempt = 0;; ++attempt) {
     runtime::CallContext call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
     runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
@@ -105,8 +109,8 @@ absl::StatusOr<Result> StageRunner::Retry(absl::StatusOr<Result> (*function)(con
   }
 }
 
-absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, StageRun& run) const {
-  absl::StatusOr<v1::Artifact> artifact = Retry(stage.run, run);
+absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, const StageRun& run) const {
+  absl::StatusOr<v1::Artifact> artifact = Retry<v1::Artifact>(stage.run, run);
   if (absl::IsDeadlineExceeded(artifact.status())) {
     return absl::DeadlineExceededError(fmt::format("stage \"{}\" did not end within {} (stage_deadline_seconds)",
                                                    stage.name, absl::FormatDuration(options_.stage_deadline)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -33,8 +34,9 @@ class StageRunner {
 
  private:
   template <typename Result>
-  absl::StatusOr<Result> Retry(absl::StatusOr<Result> (*function)(const StageRun&), StageRun& run) const;
-  absl::StatusOr<v1::Artifact> Make(const Stage& stage, StageRun& run) const;
+  absl::StatusOr<Result> Retry(const std::function<absl::StatusOr<Result>(const StageRun&)>& function,
+                               const StageRun& run) const;
+  absl::StatusOr<v1::Artifact> Make(const Stage& stage, const StageRun& run) const;
   absl::StatusOr<Output> Reuse(int stage_index, const v1::ArtifactRef& ref) const;
   absl::Status Record(int stage_index, v1::JobEvent event, const std::string& result_key) const;
   v1::JobEvent Event(v1::JobEventKind kind, const Stage& stage) const;

@@ -7,8 +7,11 @@ namespace flair::runtime {
 
 absl::Status Worker::Start() {
   const std::string listen = config_.listen_address().empty() ? "127.0.0.1:0" : config_.listen_address();
-  auto server =
-      Server::Start({.listen_address = listen, .max_message_mib = config_.max_message_mib()}, std::move(services_));
+  auto server = Server::Start({.program = resources_.program(),
+                               .revision = context().revision,
+                               .listen_address = listen,
+                               .max_message_mib = config_.max_message_mib()},
+                              std::move(services_));
   if (!server.ok()) return server.status();
   server_ = *std::move(server);
   std::printf("listening on %s\n", server_->address().c_str());

@@ -39,7 +39,8 @@ std::shared_ptr<spdlog::logger> MakeLogger(const std::string& program, const std
 
 WorkerResources::WorkerResources(const std::string& program, const config::v1::RuntimeConfig& config, Clock& clock,
                                  Metrics& metrics)
-    : executor_(ThreadLimit(config), QueueLimit(config)),
+    : program_(program),
+      executor_(ThreadLimit(config), QueueLimit(config)),
       context_{clock, metrics, executor_, MakeLogger(program, config.log_level())} {}
 
 }  // namespace flair::runtime

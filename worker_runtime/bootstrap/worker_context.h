@@ -20,6 +20,9 @@ struct WorkerContext {
   BoundedExecutor& executor;
   // Shared because spdlog's sinks and loggers are; never null.
   std::shared_ptr<spdlog::logger> logger;
+  // Names the data that the service answers from, beyond the program itself; set by the service while it is made. Two
+  // servers whose answers may differ must differ here or in their build.
+  std::string revision = "";
 };
 
 // Owns what a WorkerContext refers to. Stop the server and destroy the service before it.
@@ -30,8 +33,10 @@ class WorkerResources {
                   Metrics& metrics = NullMetrics());
 
   WorkerContext& context() { return context_; }
+  const std::string& program() const { return program_; }
 
  private:
+  const std::string program_;
   BoundedExecutor executor_;
   WorkerContext context_;
 };

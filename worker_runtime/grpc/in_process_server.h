@@ -31,7 +31,11 @@ class InProcessServer {
     if (!service.ok()) return service.status();
     std::vector<NamedService> services;
     services.push_back({service_name, *std::move(service)});
-    auto server = Server::Start({.max_message_mib = config.max_message_mib()}, std::move(services));
+    auto server = Server::Start({.program = program,
+                                 .revision = result->resources_.context().revision,
+                                 .listen_address = "",
+                                 .max_message_mib = config.max_message_mib()},
+                                std::move(services));
     if (!server.ok()) return server.status();
     result->server_ = *std::move(server);
     return result;

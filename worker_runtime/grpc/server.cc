@@ -10,6 +10,8 @@
 #include <chrono>
 #include <mutex>
 
+#include "flair/v1/worker_service.grpc.pb.h"
+#include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/channel.h"
 
 namespace flair::runtime {
@@ -24,6 +26,25 @@ void EnableHealthAndReflectionOnce() {
   });
 }
 
+// Answers without the executor: there is nothing to work on.
+class WorkerInfo final : public v1::WorkerService::CallbackService {
+ public:
+  explicit WorkerInfo(const ServerOptions& options) {
+    worker_.set_program(options.program);
+    worker_.set_revision(BuildId() + "/" + options.revision);
+  }
+  grpc::ServerUnaryReactor* GetWorker(grpc::CallbackServerContext* context, const v1::GetWorkerRequest*,
+                                      v1::GetWorkerResponse* response) override {
+    *response = worker_;
+    grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
+    reactor->Finish(grpc::Status::OK);
+    return reactor;
+  }
+
+ private:
+  v1::GetWorkerResponse worker_;
+};
+
 absl::Status CheckListenAddress(const std::string& address) {
   if (address.starts_with("unix:") && address.size() > 5) return absl::OkStatus();
   const size_t colon = address.rfind(':');
@@ -36,9 +57,14 @@ absl::Status CheckListenAddress(const std::string& address) {
 
 }  // namespace
 
+Server::Server(const ServerOptions& options, std::vector<NamedService> services)
+    : services_(std::move(services)), max_message_bytes_(MaxMessageBytes(options.max_message_mib)) {
+  services_.push_back({v1::WorkerService::service_full_name(), std::make_unique<WorkerInfo>(options)});
+}
+
 absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& options,
                                                       std::vector<NamedService> services) {
-  std::unique_ptr<Server> server(new Server(std::move(services), MaxMessageBytes(options.max_message_mib)));
+  std::unique_ptr<Server> server(new Server(options, std::move(services)));
   const std::string& listen = options.listen_address;
   grpc::ServerBuilder builder;
   int port = 0;

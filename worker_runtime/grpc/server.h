@@ -21,14 +21,17 @@ struct NamedService {
 };
 
 struct ServerOptions {
+  // Name of the program and the data it answers from; with the build, what WorkerService answers.
+  std::string program;
+  std::string revision;
   // "HOST:PORT" or "unix:PATH"; port 0 takes a free one. Empty: no port, in-process channels only.
   std::string listen_address;
   // Largest message in MiB; 32 when 0.
   int max_message_mib = 0;
 };
 
-// A running gRPC server that owns its services. A listening one answers health (per service name and for "") and
-// reflection. Thread-safe.
+// A running gRPC server that owns its services. Serves WorkerService beside them. A listening one answers health (per
+// service name and for "") and reflection. Thread-safe.
 class Server {
  public:
   // INVALID_ARGUMENT for an address of no known form, UNAVAILABLE when it cannot be bound.
@@ -49,8 +52,7 @@ class Server {
   void Shutdown(absl::Duration drain);
 
  private:
-  Server(std::vector<NamedService> services, int max_message_bytes)
-      : services_(std::move(services)), max_message_bytes_(max_message_bytes) {}
+  Server(const ServerOptions& options, std::vector<NamedService> services);
   void SetServing(bool serving);
 
   std::vector<NamedService> services_;

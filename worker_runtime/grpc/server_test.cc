@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "flair/v1/optimizer_service.grpc.pb.h"
+#include "flair/v1/worker_service.grpc.pb.h"
 #include "worker_runtime/executor/test_gate.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -193,6 +194,19 @@ TEST_F(ListeningServer, ReportsHealthByServiceName) {
   EXPECT_EQ(*Health(channel_, ""), kServing);
   EXPECT_EQ(*Health(channel_, "flair.v1.OptimizerService"), kServing);
   EXPECT_EQ(Health(channel_, "flair.v1.LanguageService").status().code(), absl::StatusCode::kNotFound);
+}
+
+TEST(Server, SaysWhichProgramAndRevisionItIs) {
+  auto server = InProcessServer::Start("flair-test", SmallConfig(), v1::OptimizerService::service_full_name(),
+                                       [](WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
+                                         context.revision = "handbook 3";
+                                         return std::make_unique<TestService>(context, nullptr);
+                                       });
+  CallContext call;
+  const auto stub = v1::WorkerService::NewStub((*server)->channel());
+  const auto answer = UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call);
+  EXPECT_EQ(answer->program(), "flair-test");
+  EXPECT_THAT(answer->revision(), ::testing::MatchesRegex("[0-9a-f]+/handbook 3"));
 }
 
 TEST_F(ListeningServer, RefusesAPortThatIsTaken) {
