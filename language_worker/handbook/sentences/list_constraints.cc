@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/sentences/list_constraints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/program/room_program.h"
+#include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/sentences/sentence_writer.h"
+
+namespace flair::language {
+namespace {
+
+template <typename List, typename Item>
+bool Has(const List& list, const Item& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+bool Selects(const hb::Selector& selector, const v1::Object& object, const hb::Furniture* furniture) {
+  const hb::Furniture& facts = furniture != nullptr ? *furniture : hb::Furniture::default_instance();
+  if (selector.kinds().empty()) {
+    if (object.kind() != v1::OBJECT_KIND_FLOOR || object.walk_over()) return false;
+  } else if (!Has(selector.kinds(), static_cast<int>(object.kind()))) {
+    return false;
+  }
+  if (!selector.backs().empty() && !Has(selector.backs(), static_cast<int>(facts.back()))) return false;
+  if (!selector.categories().empty() && !Has(selector.categories(), object.category())) return false;
+  if (!selector.furniture().empty() && !Has(selector.furniture(), object.name())) return false;
+  if (Has(selector.except_furniture(), object.name())) return false;
+  if (object.height_m() < selector.min_height_m()) return false;
+  if (selector.max_height_m() > 0 && object.height_m() >= selector.max_height_m()) return false;
+  return facts.clear_front_m() >= selector.min_clear_front_m() && facts.clear_sides_m() >= selector.min_clear_sides_m() &&
+         facts.clear_back_m() >= selector.min_clear_back_m();
+}
+
+class ConstraintLister {
+ public:
+  ConstraintLister(const BriefFacts& facts, const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
+                   const Handbook& handbook, const Choice& choice)
+      : handbook_(handbook), choice_(choice), objects_(objects),
+        program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
+        writer_(room, zones, objects, handbook, *program_.archetype, choice) {}
+
+  v1::ConstraintList List() {
+    std::set<std::string> done;
+    for (const v1::Object& object : objects_.objects()) {
+      if (done.insert(object.name()).second) WriteGroup(object.name(), writer_.groups().at(object.name()));
+    }
+    // Ids follow the translation passes: the room first, then pairs, then tertiaries.
+    std::stable_sort(sentences_.begin(), sentences_.end(),
+                     [](const v1::Sentence& a, const v1::Sentence& b) { return a.scope() < b.scope(); });
+    v1::ConstraintList list;
+    for (v1::Sentence& sentence : sentences_) {
+      sentence.set_id(fmt::format("s{}", list.sentences_size() + 1));
+      *list.add_sentences() = sentence;
+    }
+    return list;
+  }
+
+ private:
+  using Relations = std::vector<const hb::Relation*>;
+
+  // Sentences of the room's kind, its themes and needs; then of the class; then the general rules: what is said about a
+  // topic at one level is not said again at a later one.
+  void WriteGroup(const std::string& name, const Group& group) {
+    const hb::Furniture* furniture = handbook_.FindFurniture(name);
+    std::set<std::string> topics;
+    if (WriteEntrySentence(name, group)) topics.insert("place");
+    Relations special;
+    for (const hb::Changes* changes : program_.changes) Collect(changes->relations(), name, special);
+    Collect(program_.archetype->relations(), name, special);
+    WriteLevel(special, group, topics);
+    Relations own;
+    if (furniture != nullptr) {
+      for (const hb::Relation& relation : furniture->relations()) own.push_back(&relation);
+    }
+    WriteLevel(own, group, topics);
+    for (const hb::GeneralRule& rule : handbook_.contents().general_rules()) {
+      if (Selects(rule.selector(), *group.front(), furniture)) WriteLevel({&rule.relation()}, group, topics);
+    }
+  }
+
+  static void Collect(const google::protobuf::RepeatedPtrField<hb::Relation>& relations, const std::string& name,
+                      Relations& collected) {
+    for (const hb::Relation& relation : relations) {
+      if (relation.object() == name) collected.push_back(&relation);
+    }
+  }
+
+  // The placement that a program's line gives of its own.
+  bool WriteEntrySentence(const std::string& name, const Group& group) {
+    for (const auto* items : {&program_.floor_items, &program_.tertiary_items}) {
+      for (const ProgramItem& item : *items) {
+        if (item.furniture->name() != name || item.entry == nullptr || item.entry->sentence().empty()) continue;
+        hb::Relation relation;
+        relation.set_text(item.entry->sentence());
+        relation.set_reason(item.entry->reason());
+        const std::vector<v1::Sentence> written = writer_.Write(relation, group);
+        sentences_.insert(sentences_.end(), written.begin(), written.end());
+        if (!written.empty()) return true;
+      }
+    }
+    return false;
+  }
+
+  void WriteLevel(const Relations& relations, const Group& group, std::set<std::string>& topics) {
+    const std::set<std::string> said_before = topics;
+    std::map<std::string, std::vector<std::vector<v1::Sentence>>> choices;
+    std::vector<std::string> choice_order;
+    for (const hb::Relation* relation : relations) {
+      if (!relation->topic().empty() && said_before.count(relation->topic()) > 0) continue;
+      std::vector<v1::Sentence> written = writer_.Write(*relation, group);
+      if (written.empty()) continue;
+      topics.insert(relation->topic());
+      if (relation->choice().empty()) {
+        sentences_.insert(sentences_.end(), written.begin(), written.end());
+      } else {
+        if (choices.count(relation->choice()) == 0) choice_order.push_back(relation->choice());
+        choices[relation->choice()].push_back(std::move(written));
+      }
+    }
+    for (const std::string& key : choice_order) {
+      const auto& options = choices[key];
+      const auto& picked = options[choice_.Index("sentence." + group.front()->name() + "." + key, options.size())];
+      sentences_.insert(sentences_.end(), picked.begin(), picked.end());
+    }
+  }
+
+  const Handbook& handbook_;
+  const Choice& choice_;
+  const v1::ObjectList& objects_;
+  const RoomProgram program_;
+  const SentenceWriter writer_;
+  std::vector<v1::Sentence> sentences_;
+};
+
+}  // namespace
+
+absl::StatusOr<v1::ConstraintList> ListConstraints(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
+                                                   const v1::ObjectList& objects, const Handbook& handbook) {
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
+  if (!facts.ok()) return facts.status();
+  const Choice choice(brief.seed());
+  return ConstraintLister(*facts, room, zones, objects, handbook, choice).List();
+}
+
+}  // namespace flair::language

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/sentences/sentence_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "language_worker/handbook/program/room_program.h"
+#include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/sentences/fill.h"
+
+namespace flair::language {
+namespace {
+
+constexpr std::array<const char*, 12> kOrdinals = {"first", "second",  "third",  "fourth", "fifth",    "sixth",
+                                                   "seventh", "eighth", "ninth", "tenth",  "eleventh", "twelfth"};
+constexpr std::array<const char*, 13> kNumbers = {"no",  "one",   "two",   "three", "four", "five",  "six",
+                                                  "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+
+template <typename List>
+bool Has(const List& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+std::string Metres(double length_m) { return fmt::format("{:g} m", length_m); }
+
+}  // namespace
+
+SentenceWriter::SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
+                               const Handbook& handbook, const hb::Archetype& archetype, const Choice& choice)
+    : room_(room), zones_(zones), objects_(objects), handbook_(handbook), archetype_(archetype), choice_(choice),
+      area_m2_(FloorArea(room)) {
+  for (const v1::Object& object : objects.objects()) groups_[object.name()].push_back(&object);
+}
+
+bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) const {
+  const hb::Condition& condition = relation.condition();
+  if (group.empty() || !Holds(condition, archetype_, area_m2_, choice_, relation.text())) return false;
+  const int count = static_cast<int>(group.size());
+  if (count < condition.min_count() || (condition.max_count() > 0 && count > condition.max_count())) return false;
+  for (const std::string& name : condition.with()) {
+    if (groups_.count(name) == 0) return false;
+  }
+  for (const std::string& name : condition.without()) {
+    if (groups_.count(name) > 0) return false;
+  }
+  if (!condition.zones().empty() && !Has(condition.zones(), ZoneName(*group.front()))) return false;
+  return !condition.needs_window() || std::any_of(room_.openings().begin(), room_.openings().end(), [](const auto& opening) {
+    return opening.kind() == v1::OPENING_KIND_WINDOW;
+  });
+}
+
+bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const {
+  const bool needs_target = relation.text().find("{target") != std::string::npos;
+  if (relation.targets().empty()) {
+    if (!needs_target) return true;
+    for (const v1::Object& host : objects_.objects()) {
+      if (host.id() == object.host_id()) targets = {&host};
+    }
+    return !targets.empty();
+  }
+  for (const std::string& name : relation.targets()) {
+    const auto group = groups_.find(name);
+    if (group == groups_.end()) continue;
+    // Partners of the same zone come first; others only when there are none.
+    for (const v1::Object* target : group->second) {
+      if (target->zone_id() == object.zone_id() && target->id() != object.id()) targets.push_back(target);
+    }
+    if (targets.empty()) {
+      for (const v1::Object* target : group->second) {
+        if (target->id() != object.id()) targets.push_back(target);
+      }
+    }
+    if (!targets.empty()) return true;
+  }
+  return false;
+}
+
+std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, const Group& group) const {
+  std::vector<v1::Sentence> sentences;
+  if (!Applies(relation, group)) return sentences;
+  if (relation.pairing() == hb::PAIRING_TOGETHER) {
+    Group targets;
+    if (FindTargets(relation, *group.front(), targets)) sentences.push_back(WriteOne(relation, group, targets, 0));
+    return sentences;
+  }
+  const std::size_t count = relation.pairing() == hb::PAIRING_FIRST ? 1 : group.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Group targets;
+    if (!FindTargets(relation, *group[i], targets)) continue;
+    if (!targets.empty()) std::rotate(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i % targets.size()), targets.end());
+    sentences.push_back(WriteOne(relation, {group[i]}, targets, i));
+  }
+  return sentences;
+}
+
+v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets,
+                                      std::size_t number) const {
+  const v1::Object& object = *subjects.front();
+  const hb::Furniture* furniture = handbook_.FindFurniture(object.name());
+  std::map<std::string, std::string, std::less<>> words = {
+      {"object", NameOf(object)},
+      {"objects", NameOf(subjects)},
+      {"zone", ZoneName(object)},
+      {"corner", CornerOf(object)},
+      {"count", kNumbers[std::min(subjects.size(), kNumbers.size() - 1)]},
+  };
+  const bool left = (choice_.Index("side." + object.name(), 2) + number) % 2 == 0;
+  words["side"] = left ? "left" : "right";
+  words["other_side"] = left ? "right" : "left";
+  if (furniture != nullptr) {
+    words["front_m"] = Metres(furniture->clear_front_m());
+    words["sides_m"] = Metres(furniture->clear_sides_m());
+    words["back_m"] = Metres(furniture->clear_back_m());
+  }
+  if (!targets.empty()) {
+    words["target"] = NameOf(*targets.front());
+    words["targets"] = NameOf(targets);
+  }
+  v1::Sentence sentence;
+  sentence.set_text(Fill(relation.text(), words));
+  sentence.set_reason(Fill(relation.reason(), words));
+  sentence.set_weight(relation.weight() > 0 ? relation.weight() : 1);
+  for (const v1::Object* subject : subjects) sentence.add_subject_ids(subject->id());
+  const bool all = relation.text().find("{targets}") != std::string::npos;
+  for (std::size_t i = 0; i < (all ? targets.size() : std::min<std::size_t>(1, targets.size())); ++i) {
+    if (!Has(sentence.subject_ids(), targets[i]->id())) sentence.add_subject_ids(targets[i]->id());
+  }
+  sentence.set_scope(object.role() == v1::OBJECT_ROLE_TERTIARY                      ? v1::SENTENCE_SCOPE_TERTIARY
+                     : sentence.subject_ids_size() > static_cast<int>(subjects.size()) || subjects.size() > 1
+                         ? v1::SENTENCE_SCOPE_INTER
+                         : v1::SENTENCE_SCOPE_INTRA);
+  return sentence;
+}
+
+// "nightstand", or "second nightstand" when there are several.
+std::string SentenceWriter::NameOf(const v1::Object& object) const {
+  const Group& group = groups_.at(object.name());
+  if (group.size() == 1) return object.name();
+  const auto at = static_cast<std::size_t>(std::find(group.begin(), group.end(), &object) - group.begin());
+  return at < kOrdinals.size() ? fmt::format("{} {}", kOrdinals[at], object.name())
+                               : fmt::format("{} {}", object.name(), at + 1);
+}
+
+std::string SentenceWriter::NameOf(const Group& group) const {
+  return group.size() == 1 ? NameOf(*group.front()) : Plural(group.front()->name());
+}
+
+std::string SentenceWriter::Plural(const std::string& name) const {
+  const hb::Furniture* furniture = handbook_.FindFurniture(name);
+  if (furniture != nullptr && !furniture->plural().empty()) return furniture->plural();
+  const auto ends = [&](std::string_view ending) {
+    return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+  };
+  if (ends("shelf")) return name.substr(0, name.size() - 1) + "ves";
+  if (ends("s") || ends("x") || ends("ch") || ends("sh")) return name + "es";
+  if (ends("y") && !ends("ay") && !ends("ey") && !ends("oy")) return name.substr(0, name.size() - 1) + "ies";
+  return name + "s";
+}
+
+std::string SentenceWriter::ZoneName(const v1::Object& object) const {
+  for (const v1::Zone& zone : zones_.zones()) {
+    if (zone.id() == object.zone_id()) return zone.name();
+  }
+  return zones_.zones_size() > 0 ? zones_.zones(0).name() : "main";
+}
+
+// Corners of a host's top are taken in turn by what stands on it.
+std::string SentenceWriter::CornerOf(const v1::Object& object) const {
+  constexpr std::array<const char*, 4> kCorners = {"back left", "back right", "front right", "front left"};
+  std::size_t before = 0;
+  for (const v1::Object& other : objects_.objects()) {
+    if (other.id() == object.id()) break;
+    if (other.kind() == v1::OBJECT_KIND_SURFACE && other.host_id() == object.host_id()) ++before;
+  }
+  return kCorners[before % kCorners.size()];
+}
+
+}  // namespace flair::language

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "flair/v1/constraint_list.pb.h"
+#include "flair/v1/object_list.pb.h"
+#include "flair/v1/room.pb.h"
+#include "flair/v1/zone_plan.pb.h"
+#include "language_worker/handbook/choosing/choice.h"
+#include "language_worker/handbook/handbook.h"
+
+namespace flair::language {
+
+// Objects of one name, in list order.
+using Group = std::vector<const v1::Object*>;
+
+// Writes the sentences of relations about groups of objects: decides whether a relation applies, pairs objects with
+// partners and fills in the words. `room`, `zones`, `objects` and `choice` must outlive it.
+class SentenceWriter {
+ public:
+  SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects, const Handbook& handbook,
+                 const hb::Archetype& archetype, const Choice& choice);
+
+  const std::map<std::string, Group>& groups() const { return groups_; }
+
+  // The sentences of one relation about one group, without ids; empty when its condition or its partner is missing. For a
+  // tertiary without `targets` the partner is its host.
+  std::vector<v1::Sentence> Write(const hb::Relation& relation, const Group& group) const;
+
+ private:
+  bool Applies(const hb::Relation& relation, const Group& group) const;
+  // The partners of the relation: false when it asks for some and there are none.
+  bool FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const;
+  v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets, std::size_t number) const;
+  std::string NameOf(const v1::Object& object) const;
+  std::string NameOf(const Group& group) const;
+  std::string Plural(const std::string& name) const;
+  std::string ZoneName(const v1::Object& object) const;
+  std::string CornerOf(const v1::Object& object) const;
+
+  const v1::Room& room_;
+  const v1::ZonePlan& zones_;
+  const v1::ObjectList& objects_;
+  const Handbook& handbook_;
+  const hb::Archetype& archetype_;
+  const Choice& choice_;
+  double area_m2_;
+  std::map<std::string, Group> groups_;
+};
+
+}  // namespace flair::language
