@@ -3,269 +3,202 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
+#include <map>
 #include <set>
 #include <string_view>
-
-#include "language_worker/handbook/sentences/template.h"
 
 namespace flair::language {
 namespace {
 
-using Names = std::set<std::string, std::less<>>;
-
-// Words that name the room itself as a host.
-bool IsRoomHost(std::string_view name) {
-  return name == "wall" || name == "ceiling" || name == "floor" || name == "window";
+template <typename List>
+void Record(const std::string& kind, const List& list, const std::string& file, std::vector<EntrySource>& sources) {
+  for (const auto& item : list) sources.push_back({kind, item.name(), file});
 }
 
 class Checker {
  public:
-  Checker(const hb::Handbook& handbook, const std::vector<EntrySource>& sources)
-      : handbook_(handbook), sources_(sources) {}
+  Checker(const hb::Handbook& handbook, const std::vector<EntrySource>& sources) : handbook_(handbook) {
+    for (const EntrySource& source : sources) {
+      const std::string label = Label(source.kind, source.name);
+      if (source.name.empty()) problems_.push_back(fmt::format("{}: a {} has no name", source.file, source.kind));
+      if (!files_.emplace(label, source.file).second) {
+        problems_.push_back(fmt::format("{}: {} is already defined in {}", source.file, label, files_[label]));
+      }
+    }
+  }
 
   std::vector<std::string> Run() {
-    CollectNames();
     for (const auto& item : handbook_.furniture()) CheckFurniture(item);
     for (const auto& item : handbook_.archetypes()) CheckArchetype(item);
     for (const auto& item : handbook_.themes()) CheckTheme(item);
     for (const auto& item : handbook_.needs()) CheckNeed(item);
     for (const auto& item : handbook_.styles()) CheckStyle(item);
-    for (const auto& item : handbook_.colours()) {
-      Enter("colour", item.name());
-      CheckHex(item);
+    for (const auto& item : handbook_.colours()) CheckColour(item);
+    for (const auto& rule : handbook_.general_rules()) {
+      Enter("general rule", rule.name());
+      CheckSentence(rule.relation().text());
+      Known("furniture", rule.selector().furniture(), "selector");
+      Known("furniture", rule.selector().except_furniture(), "selector");
     }
-    for (const auto& item : handbook_.general_rules()) {
-      Enter("rule", item.name());
-      for (const auto& name : item.selector().furniture()) Furniture(name, "selector");
-      for (const auto& name : item.selector().except_furniture()) Furniture(name, "selector");
-      CheckRelation(item.relation(), false);
-    }
-    if (handbook_.archetypes().empty()) problems_.push_back("no archetype: the handbook needs at least one");
+    if (handbook_.archetypes().empty()) problems_.push_back("the handbook has no archetype");
     return std::move(problems_);
   }
 
  private:
-  template <typename Items>
-  Names Collect(const Items& items, const char* kind) {
-    Names names;
-    for (const auto& item : items) {
-      Enter(kind, item.name());
-      if (item.name().empty()) Problem("name: missing");
-      if (!names.insert(item.name()).second) Problem("name: given twice; names are unique over all files");
-    }
-    return names;
+  static std::string Label(std::string_view kind, std::string_view name) { return fmt::format("{} \"{}\"", kind, name); }
+
+  void Enter(std::string_view kind, std::string_view name) {
+    label_ = Label(kind, name);
+    const auto file = files_.find(label_);
+    if (file != files_.end()) label_ = file->second + ": " + label_;
   }
 
-  void CollectNames() {
-    furniture_ = Collect(handbook_.furniture(), "furniture");
-    archetypes_ = Collect(handbook_.archetypes(), "archetype");
-    styles_ = Collect(handbook_.styles(), "style");
-    colours_ = Collect(handbook_.colours(), "colour");
-    needs_ = Collect(handbook_.needs(), "need");
-    Collect(handbook_.themes(), "theme");
+  void Problem(const std::string& text) { problems_.push_back(label_ + ": " + text); }
+
+  void Known(const std::string& kind, const std::string& name, std::string_view where) {
+    if (files_.count(Label(kind, name)) == 0) Problem(fmt::format("{}: there is no {} \"{}\"", where, kind, name));
+  }
+  template <typename List>
+  void Known(const std::string& kind, const List& names, std::string_view where) {
+    for (const std::string& name : names) Known(kind, name, where);
   }
 
-  void Enter(const char* kind, const std::string& name) {
-    kind_ = kind;
-    name_ = name;
-  }
-
-  void Problem(const std::string& what) {
-    std::string file = "handbook";
-    for (const EntrySource& source : sources_) {
-      if (source.kind == kind_ && source.name == name_) file = source.file;
-    }
-    problems_.push_back(fmt::format("{}: {} \"{}\": {}", file, kind_, name_, what));
-  }
-
-  void Furniture(const std::string& name, const char* field) {
-    if (!furniture_.contains(name)) Problem(fmt::format("{}: no furniture \"{}\"", field, name));
-  }
-
-  void Styles(const google::protobuf::RepeatedPtrField<std::string>& names) {
-    for (const auto& name : names) {
-      if (!styles_.contains(name)) Problem(fmt::format("styles: no style \"{}\"", name));
-    }
-  }
-
-  void CheckExtent(const hb::Extent& extent, const char* field, bool required) {
-    if (extent.typical() <= 0 && required) Problem(fmt::format("{}.typical: {}; must be above 0", field, extent.typical()));
+  void CheckExtent(const hb::Extent& extent, std::string_view name) {
     const double low = extent.min() > 0 ? extent.min() : extent.typical();
     const double high = extent.max() > 0 ? extent.max() : extent.typical();
-    if (low > extent.typical() || high < extent.typical()) {
-      Problem(fmt::format("{}: typical {} is not within [{}, {}]", field, extent.typical(), low, high));
+    if (!(extent.typical() > 0 && low <= extent.typical() && extent.typical() <= high && high <= 20)) {
+      Problem(fmt::format("{}: {} (min {}, max {}) must be above 0, in order, and at most 20 m", name, extent.typical(),
+                          extent.min(), extent.max()));
     }
   }
 
-  void CheckTemplate(const std::string& text, const char* field) {
-    for (const std::string& name : UnknownPlaceholders(text)) {
-      Problem(fmt::format("{}: unknown placeholder {{{}}} in \"{}\"", field, name, text));
+  void CheckSentence(const std::string& text) {
+    static const std::set<std::string, std::less<>> kPlaceholders = {
+        "object", "objects", "target", "targets",    "front_m", "sides_m",
+        "back_m", "side",    "other_side", "corner", "zone",    "count"};
+    for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
+      const std::size_t close = text.find('}', open);
+      const std::string name = text.substr(open + 1, close == std::string::npos ? close : close - open - 1);
+      if (close == std::string::npos || kPlaceholders.count(name) == 0) {
+        Problem(fmt::format("sentence \"{}\": unknown placeholder {{{}}}", text, name));
+      }
+    }
+    if (text.empty()) Problem("a sentence is empty");
+  }
+
+  void CheckRelations(const google::protobuf::RepeatedPtrField<hb::Relation>& relations, bool names_object) {
+    for (const hb::Relation& relation : relations) {
+      CheckSentence(relation.text());
+      Known("furniture", relation.targets(), "targets");
+      Known("furniture", relation.condition().with(), "with");
+      Known("furniture", relation.condition().without(), "without");
+      if (names_object) Known("furniture", relation.object(), "object");
     }
   }
 
-  void CheckCondition(const hb::Condition& condition) {
-    for (const auto& name : condition.with()) Furniture(name, "condition.with");
-    for (const auto& name : condition.without()) Furniture(name, "condition.without");
-    for (const auto& name : condition.rooms()) {
-      if (!archetypes_.contains(name)) Problem(fmt::format("condition.rooms: no archetype \"{}\"", name));
+  void CheckEntry(const hb::ObjectEntry& entry) {
+    Known("furniture", entry.furniture(), "entry");
+    Known("furniture", entry.or_furniture(), "or_furniture");
+    for (const std::string& host : entry.hosts()) {
+      if (host != "wall" && host != "ceiling" && host != "floor" && host != "window") Known("furniture", host, "hosts");
     }
-    if (condition.chance() < 0 || condition.chance() > 1) {
-      Problem(fmt::format("condition.chance: {} is not within [0, 1]", condition.chance()));
-    }
-  }
-
-  void CheckRelation(const hb::Relation& relation, bool names_object) {
-    if (relation.text().empty()) Problem("relations.text: missing");
-    CheckTemplate(relation.text(), "relations.text");
-    CheckTemplate(relation.reason(), "relations.reason");
-    for (const auto& name : relation.targets()) {
-      if (!IsRoomHost(name)) Furniture(name, "relations.targets");
-    }
-    if (names_object) Furniture(relation.object(), "relations.object");
-    if (relation.weight() < 0 || relation.weight() > 10) {
-      Problem(fmt::format("relations.weight: {} is not within (0, 10]", relation.weight()));
-    }
-    CheckCondition(relation.condition());
-  }
-
-  void CheckEntry(const hb::ObjectEntry& entry, const char* field, const Names* zones) {
-    Furniture(entry.furniture(), field);
-    for (const auto& name : entry.or_furniture()) Furniture(name, field);
-    for (const auto& name : entry.hosts()) {
-      if (!IsRoomHost(name)) Furniture(name, "hosts");
-    }
-    if (zones != nullptr && !entry.zone().empty() && !zones->contains(entry.zone())) {
-      Problem(fmt::format("{}: \"{}\" names zone \"{}\", which is not among its zones", field, entry.furniture(), entry.zone()));
-    }
-    if (entry.count() < 0 || entry.count() > 50) Problem(fmt::format("{}: count {} is not within [0, 50]", field, entry.count()));
-    CheckTemplate(entry.sentence(), "sentence");
-    CheckCondition(entry.condition());
-  }
-
-  void CheckZone(const hb::ZoneSpec& zone) {
-    if (zone.name().empty()) Problem("zones.name: missing");
-    for (const auto& name : zone.primaries()) Furniture(name, "zones.primaries");
+    if (!entry.sentence().empty()) CheckSentence(entry.sentence());
   }
 
   void CheckFurniture(const hb::Furniture& item) {
     Enter("furniture", item.name());
-    CheckExtent(item.width_m(), "width_m", true);
-    CheckExtent(item.depth_m(), "depth_m", true);
-    CheckExtent(item.height_m(), "height_m", true);
-    for (const auto& relation : item.relations()) CheckRelation(relation, false);
-    for (const auto& name : item.hosts()) Furniture(name, "hosts");
-    for (const auto& entry : item.companions()) CheckEntry(entry, "companions", nullptr);
-    if (!item.smaller().empty()) Furniture(item.smaller(), "smaller");
-    if (!item.fixed_colour().empty() && !colours_.contains(item.fixed_colour())) {
-      Problem(fmt::format("fixed_colour: no colour \"{}\"", item.fixed_colour()));
-    }
-    if (item.top_places() < 0 || item.top_places() > 5) Problem(fmt::format("top_places: {} is not within [0, 5]", item.top_places()));
-    if (item.has_makes_zone()) CheckZone(item.makes_zone());
-    for (const auto& text : item.descriptions()) CheckTemplate(text, "descriptions");
+    CheckExtent(item.width_m(), "width_m");
+    CheckExtent(item.depth_m(), "depth_m");
+    CheckExtent(item.height_m(), "height_m");
+    CheckRelations(item.relations(), false);
+    Known("furniture", item.hosts(), "hosts");
+    for (const auto& companion : item.companions()) CheckEntry(companion);
+    if (!item.smaller().empty()) Known("furniture", item.smaller(), "smaller");
+    Known("furniture", item.makes_zone().primaries(), "makes_zone");
   }
 
   void CheckArchetype(const hb::Archetype& item) {
     Enter("archetype", item.name());
-    CheckExtent(item.width_m(), "width_m", true);
-    CheckExtent(item.depth_m(), "depth_m", true);
-    Names zones;
+    CheckExtent(item.width_m(), "width_m");
+    CheckExtent(item.depth_m(), "depth_m");
+    std::set<std::string> zones;
     for (const auto& zone : item.zones()) {
-      CheckZone(zone);
       zones.insert(zone.name());
+      Known("furniture", zone.primaries(), "zone " + zone.name());
     }
-    if (item.bands().empty()) Problem("bands: missing; at least one");
-    double last = 0;
+    if (item.bands().empty()) Problem("has no band");
     for (const auto& band : item.bands()) {
-      if (band.max_area_m2() > 0 && band.max_area_m2() <= last) Problem("bands: not in the order of their areas");
-      last = band.max_area_m2();
-      if (band.zones().empty()) Problem("bands.zones: missing; at least one");
-      for (const auto& name : band.zones()) {
-        if (!zones.contains(name)) Problem(fmt::format("bands.zones: no zone \"{}\"", name));
+      if (band.zones().empty()) Problem("a band has no zone");
+      for (const auto& zone : band.zones()) {
+        if (zones.count(zone) == 0) Problem(fmt::format("a band names zone \"{}\", which is not in zones", zone));
       }
-      for (const auto& entry : band.objects()) CheckEntry(entry, "bands.objects", &zones);
+      for (const auto& entry : band.objects()) CheckEntry(entry);
     }
-    for (const auto& entry : item.tertiaries()) CheckEntry(entry, "tertiaries", nullptr);
-    for (const auto& relation : item.relations()) CheckRelation(relation, true);
-    if (!item.per_person().empty()) Furniture(item.per_person(), "per_person");
-    Styles(item.styles());
+    for (const auto& entry : item.tertiaries()) CheckEntry(entry);
+    CheckRelations(item.relations(), true);
+    Known("style", item.styles(), "styles");
   }
 
   void CheckChanges(const hb::Changes& changes) {
-    for (const auto& swap : changes.substitutions()) {
-      Furniture(swap.from(), "substitutions.from");
-      Furniture(swap.to(), "substitutions.to");
-      CheckCondition(swap.condition());
+    for (const auto& substitution : changes.substitutions()) {
+      Known("furniture", substitution.from(), "substitutions");
+      Known("furniture", substitution.to(), "substitutions");
     }
-    for (const auto& name : changes.removals()) Furniture(name, "removals");
-    for (const auto& entry : changes.counts()) CheckEntry(entry, "counts", nullptr);
-    for (const auto& entry : changes.additions()) CheckEntry(entry, "additions", nullptr);
-    for (const auto& zone : changes.zones()) CheckZone(zone);
-    for (const auto& relation : changes.relations()) CheckRelation(relation, true);
-    CheckCondition(changes.zone_condition());
-    if (!changes.becomes_room().empty() && !archetypes_.contains(changes.becomes_room())) {
-      Problem(fmt::format("becomes_room: no archetype \"{}\"", changes.becomes_room()));
-    }
+    Known("furniture", changes.removals(), "removals");
+    for (const auto& entry : changes.counts()) CheckEntry(entry);
+    for (const auto& entry : changes.additions()) CheckEntry(entry);
+    CheckRelations(changes.relations(), true);
+    if (!changes.becomes_room().empty()) Known("archetype", changes.becomes_room(), "becomes_room");
   }
 
   void CheckTheme(const hb::Theme& item) {
     Enter("theme", item.name());
-    if (item.keywords().empty() && !item.fallback()) Problem("keywords: missing");
     CheckChanges(item.changes());
-    Styles(item.styles());
+    Known("style", item.styles(), "styles");
   }
 
   void CheckNeed(const hb::Need& item) {
     Enter("need", item.name());
-    if (item.keywords().empty()) Problem("keywords: missing");
-    CheckCondition(item.condition());
+    if (item.keywords().empty()) Problem("has no keywords");
     CheckChanges(item.changes());
-    for (const auto& name : item.overrides()) {
-      if (!needs_.contains(name)) Problem(fmt::format("overrides: no need \"{}\"", name));
+  }
+
+  void CheckStyle(const hb::Style& item) {
+    Enter("style", item.name());
+    if (item.palettes().empty()) Problem("has no palette");
+    if (item.walls().empty() || item.floors().empty()) Problem("needs walls and floors");
+    for (const auto& palette : item.palettes()) {
+      for (const auto& colour : palette.colours()) CheckHex(colour);
     }
+  }
+
+  void CheckColour(const hb::NamedColour& item) {
+    Enter("colour", item.name());
+    CheckHex(item);
   }
 
   void CheckHex(const hb::NamedColour& colour) {
     const std::string& hex = colour.hex();
     const bool good = hex.size() == 7 && hex[0] == '#' &&
-                      std::all_of(hex.begin() + 1, hex.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
-    if (!good) Problem(fmt::format("colour \"{}\": hex \"{}\" is not #RRGGBB", colour.name(), hex));
-  }
-
-  void CheckStyle(const hb::Style& item) {
-    Enter("style", item.name());
-    if (item.palettes().empty()) Problem("palettes: missing; at least one");
-    for (const auto& palette : item.palettes()) {
-      if (palette.colours().empty()) Problem("palettes.colours: missing; three to six");
-      for (const auto& colour : palette.colours()) CheckHex(colour);
-    }
-    for (const auto& finish : item.walls()) CheckHex(finish.colour());
-    for (const auto& finish : item.floors()) CheckHex(finish.colour());
-    for (const auto& finish : item.ceilings()) CheckHex(finish.colour());
-    for (const auto& choice : item.materials()) {
-      for (const auto& colour : choice.colours()) CheckHex(colour);
-    }
-    for (const auto& text : item.summaries()) CheckTemplate(text, "summaries");
+                      hex.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    if (!good) Problem(fmt::format("colour \"{}\": \"{}\" is not #RRGGBB", colour.name(), hex));
   }
 
   const hb::Handbook& handbook_;
-  const std::vector<EntrySource>& sources_;
-  Names furniture_, archetypes_, styles_, colours_, needs_;
-  std::string kind_, name_;
+  std::map<std::string, std::string, std::less<>> files_;
+  std::string label_;
   std::vector<std::string> problems_;
 };
 
 }  // namespace
 
 void RecordSources(const std::string& file, const hb::Handbook& part, std::vector<EntrySource>& sources) {
-  for (const auto& item : part.furniture()) sources.push_back({"furniture", item.name(), file});
-  for (const auto& item : part.archetypes()) sources.push_back({"archetype", item.name(), file});
-  for (const auto& item : part.themes()) sources.push_back({"theme", item.name(), file});
-  for (const auto& item : part.needs()) sources.push_back({"need", item.name(), file});
-  for (const auto& item : part.styles()) sources.push_back({"style", item.name(), file});
-  for (const auto& item : part.colours()) sources.push_back({"colour", item.name(), file});
-  for (const auto& item : part.general_rules()) sources.push_back({"rule", item.name(), file});
+  Record("furniture", part.furniture(), file, sources);
+  Record("archetype", part.archetypes(), file, sources);
+  Record("theme", part.themes(), file, sources);
+  Record("need", part.needs(), file, sources);
+  Record("style", part.styles(), file, sources);
+  Record("colour", part.colours(), file, sources);
 }
 
 std::vector<std::string> CheckHandbook(const hb::Handbook& handbook, const std::vector<EntrySource>& sources) {
