@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The paper's OOB and OOR with its rules put right (areas seen from above, m²):
+//   OOB  what lies outside the floor, summed over all objects, rugs and ceiling objects included
+//   OOR  what is in the same place as something else:
+//        - solid floor objects against each other (rugs and mats exempt; a chair under a table counts)
+//        - solid floor objects in the sector that an inward door sweeps (the paper: an enlarged square)
+//        - wall, ceiling and surface objects against their own kind, where their heights overlap
+//          (the paper: at any height)
+//        - wall objects over a door or window at their height, area along the wall times depth
+// Accurate to rounding; door arcs are replaced by 32 tangents (0.01 % too large).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evaluation/metrics/layout_view.h"
+
+namespace flair::evaluation {
+
+// Two things in the same place. `second` is an object, or an opening for objects in a door's swing or over an opening.
+struct Overlap {
+  std::string first;
+  std::string second;
+  double area_m2 = 0;
+};
+
+// Part of an object outside the floor.
+struct Outside {
+  std::string object;
+  double area_m2 = 0;
+};
+
+// In order of objects; without those of less than 1e-12 m².
+std::vector<Overlap> FindOverlaps(const LayoutView& view);
+std::vector<Outside> FindOutside(const LayoutView& view);
+
+// Percent of the room's area.
+double OobPercent(const LayoutView& view);
+double OorPercent(const LayoutView& view);
+
+}  // namespace flair::evaluation

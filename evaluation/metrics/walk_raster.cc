@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluation/metrics/walk_raster.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flair::evaluation {
+namespace {
+
+constexpr double kCell_m = 0.025;
+constexpr double kMostCellsAcross = 1000;
+
+}  // namespace
+
+WalkRaster::WalkRaster(const BoundingBox& bounds) : bounds_(bounds) {
+  cell_m_ = std::max(kCell_m, std::max(bounds.width_m(), bounds.height_m()) / kMostCellsAcross);
+  columns_ = std::max(1, static_cast<int>(std::ceil(bounds.width_m() / cell_m_ - 1e-9)));
+  rows_ = std::max(1, static_cast<int>(std::ceil(bounds.height_m() / cell_m_ - 1e-9)));
+}
+
+int WalkRaster::Column(double x_m) const {
+  return static_cast<int>(std::clamp((x_m - bounds_.min.x) / cell_m_, 0.0, columns_ - 1.0));
+}
+
+int WalkRaster::Row(double y_m) const {
+  return static_cast<int>(std::clamp((y_m - bounds_.min.y) / cell_m_, 0.0, rows_ - 1.0));
+}
+
+std::vector<int32_t> WalkRaster::Components(const CellSet& cells, std::vector<int>& sizes) const {
+  std::vector<int32_t> labels(cells.size(), 0);
+  std::vector<size_t> open;
+  sizes.assign(1, 0);
+  const auto columns = static_cast<size_t>(columns_);
+  for (size_t seed = 0; seed < cells.size(); ++seed) {
+    if (!cells[seed] || labels[seed] != 0) continue;
+    const auto label = static_cast<int32_t>(sizes.size());
+    sizes.push_back(0);
+    open.push_back(seed);
+    labels[seed] = label;
+    const auto visit = [&](size_t cell) {
+      if (!cells[cell] || labels[cell] != 0) return;
+      labels[cell] = label;
+      open.push_back(cell);
+    };
+    while (!open.empty()) {
+      const size_t cell = open.back();
+      open.pop_back();
+      ++sizes.back();
+      if (cell % columns > 0) visit(cell - 1);
+      if (cell % columns + 1 < columns) visit(cell + 1);
+      if (cell >= columns) visit(cell - columns);
+      if (cell + columns < cells.size()) visit(cell + columns);
+    }
+  }
+  return labels;
+}
+
+CellSet WalkRaster::Dilate(const CellSet& cells, double radius_m) const {
+  // Distance along each row to the nearest cell of the set, then the disc's half chord for each row offset.
+  const int reach = static_cast<int>(std::floor(radius_m / cell_m_ + 1e-9));
+  std::vector<int> gap(cells.size(), reach + 1);
+  for (int r = 0; r < rows_; ++r) {
+    int last = -reach - 1;
+    for (int c = 0; c < columns_; ++c) {
+      if (cells[IndexOf(c, r)]) last = c;
+      gap[IndexOf(c, r)] = std::min(c - last, reach + 1);
+    }
+    last = columns_ + reach;
+    for (int c = columns_ - 1; c >= 0; --c) {
+      if (cells[IndexOf(c, r)]) last = c;
+      gap[IndexOf(c, r)] = std::min(gap[IndexOf(c, r)], last - c);
+    }
+  }
+  CellSet result(cells.size(), 0);
+  for (int d = -reach; d <= reach; ++d) {
+    const double chord_m = std::sqrt(std::max(0.0, radius_m * radius_m - d * d * cell_m_ * cell_m_));
+    const int half = static_cast<int>(std::floor(chord_m / cell_m_ + 1e-9));
+    for (int r = std::max(0, -d); r < std::min(rows_, rows_ - d); ++r) {
+      for (int c = 0; c < columns_; ++c) result[IndexOf(c, r)] |= gap[IndexOf(c, r + d)] <= half;
+    }
+  }
+  return result;
+}
+
+}  // namespace flair::evaluation
