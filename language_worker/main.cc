@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair-language: serves flair.v1.LanguageService.
+#include "flair/config/v1/language_worker_config.pb.h"
+#include "flair/v1/language_service.grpc.pb.h"
+#include "language_worker/service/make_language_service.h"
+#include "worker_runtime/bootstrap/run.h"
+
+namespace flair {
+namespace {
+
+absl::Status Assemble(const config::v1::LanguageWorkerConfig& config, runtime::Worker& worker) {
+  absl::StatusOr<std::unique_ptr<grpc::Service>> service = language::MakeLanguageService(config, worker.context());
+  if (!service.ok()) return service.status();
+  worker.Serve(v1::LanguageService::service_full_name(), *std::move(service));
+  return absl::OkStatus();
+}
+
+}  // namespace
+}  // namespace flair
+
+int main(int argc, char** argv) {
+  return flair::runtime::Run<flair::config::v1::LanguageWorkerConfig>(
+      argc, argv, {"flair-language", "Serves flair.v1.LanguageService: describes rooms in words and lists."},
+      flair::Assemble);
+}
