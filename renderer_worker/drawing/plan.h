@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "flair/v1/solved_layout.pb.h"
+#include "renderer_worker/drawing/box.h"
+#include "renderer_worker/drawing/symbols/symbol.h"
+
+namespace flair::renderer {
+
+// What a plan shows, free of messages: everything resolved, every number finite. Room frame R, metres and radians.
+struct PlanWall {
+  Point start;
+  Point end;
+  Point along;    // unit, from start to end
+  Point outward;  // unit, away from the room
+  double length_m = 0;
+};
+
+struct PlanOpening {
+  int wall = 0;
+  double offset_m = 0;
+  double width_m = 0;
+  bool door = false;
+  bool hinge_at_start = true;
+  v1::DoorSwing swing = v1::DOOR_SWING_NONE;
+  double swing_angle_rad = 0;
+};
+
+struct PlanSocket {
+  int wall = 0;
+  double offset_m = 0;
+};
+
+struct PlanZone {
+  std::string name;
+  Rgb tint;
+  std::vector<std::vector<Point>> parts;
+};
+
+struct PlanObject {
+  std::string name;
+  const Symbol* symbol = nullptr;
+  Ink ink;
+  v1::ObjectKind kind = v1::OBJECT_KIND_FLOOR;
+  bool walk_over = false;
+  Point centre_m;
+  double theta_rad = 0;
+  double width_m = 0;
+  double depth_m = 0;
+  double level_m = 0;  // drawing order within a layer
+  double top_m = 0;    // height of its top above the floor, for the shadow
+  int key = 0;         // index in Plan::keys
+
+  // Back-left, back-right, front-right, front-left.
+  std::vector<Point> Corners() const;
+};
+
+// One line of the legend: objects that are the same thing in the same zone.
+struct PlanKey {
+  std::string name;
+  int zone = -1;  // index in Plan::zones; -1: of the whole room
+  v1::ObjectKind kind = v1::OBJECT_KIND_FLOOR;
+  bool walk_over = false;
+  double width_m = 0;
+  double depth_m = 0;
+  int count = 0;
+};
+
+struct Plan {
+  std::string title;
+  std::string room_type;
+  double height_m = 0;
+  double area_m2 = 0;
+  std::vector<Point> floor;
+  Box bounds_m;
+  std::vector<PlanWall> walls;
+  std::vector<PlanOpening> openings;
+  std::vector<PlanSocket> sockets;
+  std::vector<PlanZone> zones;
+  std::vector<PlanObject> objects;  // in drawing order
+  std::vector<PlanKey> keys;        // in legend order
+  std::vector<std::string> unplaced;
+  std::string style_name;
+  std::string style_summary;
+  std::vector<std::pair<std::string, Rgb>> palette;
+  std::string floor_material;
+  std::string wall_material;
+  Rgb floor_tint;
+  Rgb wall_tint;
+};
+
+// Resolves a layout. INVALID_ARGUMENT with the field path for what cannot be drawn: no floor, numbers that are not
+// finite, openings in walls that do not exist. Objects without a placement are listed as unplaced.
+absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout);
+
+}  // namespace flair::renderer

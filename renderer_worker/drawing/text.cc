@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/drawing/text.h"
+
+#include <pango/pangocairo.h>
+
+#include <cmath>
+#include <memory>
+
+namespace flair::renderer {
+namespace {
+
+struct Unref {
+  void operator()(void* object) const { g_object_unref(object); }
+};
+using LayoutPtr = std::unique_ptr<PangoLayout, Unref>;
+
+// No hinting and no rounding to pixels: the same words take the same paper at any resolution and on any machine.
+void FixFontOptions(PangoContext* context) {
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  pango_cairo_context_set_font_options(context, options);
+  cairo_font_options_destroy(options);
+  pango_context_set_round_glyph_positions(context, FALSE);
+}
+
+void SetTracking(PangoLayout* layout, const TextStyle& style) {
+  if (style.tracking == 0) return;
+  PangoAttrList* attributes = pango_attr_list_new();
+  pango_attr_list_insert(attributes,
+                         pango_attr_letter_spacing_new(static_cast<int>(style.tracking * style.size_mm * PANGO_SCALE)));
+  pango_layout_set_attributes(layout, attributes);
+  pango_attr_list_unref(attributes);
+}
+
+LayoutPtr MakeLayout(const Canvas& canvas, const TextBlock& block) {
+  LayoutPtr layout(pango_cairo_create_layout(canvas.cairo()));
+  FixFontOptions(pango_layout_get_context(layout.get()));
+  PangoFontDescription* font = pango_font_description_new();
+  pango_font_description_set_family_static(font, block.style.serif ? "DejaVu Serif" : "DejaVu Sans");
+  pango_font_description_set_weight(font, block.style.bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
+  pango_font_description_set_absolute_size(font, block.style.size_mm * PANGO_SCALE);
+  pango_layout_set_font_description(layout.get(), font);
+  pango_font_description_free(font);
+  SetTracking(layout.get(), block.style);
+  pango_layout_set_single_paragraph_mode(layout.get(), TRUE);
+  if (block.style.line_spacing != 1.0) pango_layout_set_line_spacing(layout.get(), block.style.line_spacing);
+  if (block.max_width_mm > 0) {
+    pango_layout_set_width(layout.get(), static_cast<int>(block.max_width_mm / block.style.condense * PANGO_SCALE));
+    pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
+    pango_layout_set_height(layout.get(), -block.max_lines);
+    pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
+  }
+  pango_layout_set_alignment(layout.get(), block.align == Align::kLeft     ? PANGO_ALIGN_LEFT
+                                           : block.align == Align::kCentre ? PANGO_ALIGN_CENTER
+                                                                           : PANGO_ALIGN_RIGHT);
+  gchar* valid = g_utf8_make_valid(block.text.data(), static_cast<gssize>(block.text.size()));
+  pango_layout_set_text(layout.get(), valid, -1);
+  g_free(valid);
+  return layout;
+}
+
+Size SizeOf(PangoLayout* layout, const TextStyle& style) {
+  PangoRectangle logical;
+  pango_layout_get_extents(layout, nullptr, &logical);
+  return {static_cast<double>(logical.width) / PANGO_SCALE * style.condense,
+          static_cast<double>(logical.height) / PANGO_SCALE};
+}
+
+}  // namespace
+
+Size Measure(const Canvas& canvas, const TextBlock& block) {
+  return SizeOf(MakeLayout(canvas, block).get(), block.style);
+}
+
+void DrawText(Canvas& canvas, const TextBlock& block, Point top_left_mm) {
+  const LayoutPtr layout = MakeLayout(canvas, block);
+  cairo_t* cairo = canvas.cairo();
+  const Rgb& colour = block.style.colour;
+  cairo_save(cairo);
+  cairo_translate(cairo, top_left_mm.x, top_left_mm.y);
+  cairo_scale(cairo, block.style.condense, 1);
+  cairo_move_to(cairo, 0, 0);
+  cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
+  pango_cairo_update_layout(cairo, layout.get());
+  pango_cairo_show_layout(cairo, layout.get());
+  cairo_restore(cairo);
+  cairo_new_path(cairo);
+}
+
+void DrawTextAt(Canvas& canvas, const TextBlock& block, Point centre_mm, double angle_rad, const Rgb* halo) {
+  const LayoutPtr layout = MakeLayout(canvas, block);
+  PangoRectangle logical;
+  pango_layout_get_extents(layout.get(), nullptr, &logical);
+  cairo_t* cairo = canvas.cairo();
+  cairo_save(cairo);
+  cairo_translate(cairo, centre_mm.x, centre_mm.y);
+  cairo_rotate(cairo, -angle_rad);
+  cairo_scale(cairo, block.style.condense, 1);
+  cairo_translate(cairo, -(logical.x + logical.width / 2.0) / PANGO_SCALE, -(logical.y + logical.height / 2.0) / PANGO_SCALE);
+  cairo_move_to(cairo, 0, 0);
+  pango_cairo_update_layout(cairo, layout.get());
+  if (halo != nullptr) {
+    pango_cairo_layout_path(cairo, layout.get());
+    cairo_set_source_rgba(cairo, halo->red, halo->green, halo->blue, 0.85);
+    cairo_set_line_width(cairo, 0.32 * block.style.size_mm);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke(cairo);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_MITER);
+    cairo_move_to(cairo, 0, 0);
+  }
+  const Rgb& colour = block.style.colour;
+  cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
+  pango_cairo_show_layout(cairo, layout.get());
+  cairo_restore(cairo);
+  cairo_new_path(cairo);
+}
+
+}  // namespace flair::renderer
