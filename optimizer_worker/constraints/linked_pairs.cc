@@ -19,6 +19,10 @@ constexpr std::array<std::string_view, 8> kLinking = {"next_to", "facing", "in_f
 void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
   const ConstraintFacts* facts = FindConstraint(edge.type());
   if (facts == nullptr) return;
+  if (facts->name == "on_wall_above") {
+    const absl::StatusOr<Arguments> arguments = Arguments::Resolve(*facts, edge, scene);
+    if (arguments.ok()) ++above_[arguments->Object("target")];
+  }
   bool linking = false;
   for (std::string_view type : kLinking) linking = linking || facts->name == type;
   if (!linking) return;

@@ -3,6 +3,8 @@
 // not block the way to it.
 #pragma once
 
+#include <algorithm>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -15,7 +17,7 @@ namespace flair::optimizer {
 class LinkedPairs {
  public:
   LinkedPairs() = default;
-  // Links what next_to, facing, in_front_of, surround, between, row, on and near-by rug and surface calls put together.
+  // Links what next_to, facing, in_front_of, surround, between, row, perpendicular and on calls put together.
   template <typename Edges>
   LinkedPairs(const Scene& scene, const Edges& edges) {
     for (const v1::ConstraintEdge& edge : edges) AddEdge(scene, edge);
@@ -24,11 +26,17 @@ class LinkedPairs {
   void Link(int a, int b) { pairs_.insert(std::minmax(a, b)); }
   // Symmetric.
   bool Linked(int a, int b) const { return pairs_.contains(std::minmax(a, b)); }
+  // How many on_wall_above calls hang something above `target`: several share the place.
+  int CountAbove(int target) const {
+    const auto found = above_.find(target);
+    return found == above_.end() ? 0 : found->second;
+  }
 
  private:
   void AddEdge(const Scene& scene, const v1::ConstraintEdge& edge);
 
   std::set<std::pair<int, int>> pairs_;
+  std::map<int, int> above_;
 };
 
 }  // namespace flair::optimizer

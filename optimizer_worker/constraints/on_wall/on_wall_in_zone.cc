@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/constraints/on_wall/on_wall_in_zone.h"
+
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/choose.h"
+#include "optimizer_worker/constraints/measure/zones.h"
+
+namespace flair::optimizer {
+
+template <typename T>
+T OnWallInZone::operator()(const Frames<T, 1>& frames) const {
+  return SquaredBeyondBorders<T>(frames[0].center, centers, zone) +
+         LeastOf<T>(places, frames,
+                    [this](const HangingWall& place, const auto& f) { return HangsOn(footprint, f[0], place); });
+}
+
+ConstraintFacts OnWallInZoneFacts() {
+  return {.name = "on_wall_in_zone",
+          .aliases = {"on_wall_in_region"},
+          .family = "on_wall",
+          .summary = "`object` hangs on a wall of `zone`.",
+          .doc =
+              "cost = zone cost as in_zone + cost of hanging on the best wall [m2]. The released function is the first "
+              "part.",
+          .parameters = {ObjectParameter("object", "What hangs."), ZoneParameter("zone", "Where.")},
+          .sentences = {{"A painting hangs in the sleeping area.", "object=painting zone=sleeping"}},
+          .layouts = {Satisfied("6x3 room; zone sleeping at 1,1; zone study at 5,1; art 0.6x0.04 at 2,0.02,0 wall",
+                                "object=art zone=sleeping"),
+                      Violated("6x3 room; zone sleeping at 1,1; zone study at 5,1; art 0.6x0.04 at 4,0.02,0 wall",
+                               "object=art zone=sleeping"),
+                      Violated("6x3 room; zone sleeping at 1,1; zone study at 5,1; art 0.6x0.04 at 2,1.2,10 wall",
+                               "object=art zone=sleeping")},
+          .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
+            const int object = a.Object("object");
+            const int zone = a.Zone("zone");
+            if (static_cast<size_t>(zone) >= context.zone_centers.size()) {
+              return absl::FailedPreconditionError("the zones have no places yet");
+            }
+            return MakeCost(OnWallInZone{FootprintOf(context, object),
+                                         HangingWalls(context.scene.room, context.scene.BottomOf(object),
+                                                      context.scene.TopOf(object)),
+                                         {context.zone_centers.begin(), context.zone_centers.end()},
+                                         zone},
+                            {object});
+          }};
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/constraints/pair/facing.h"
+
+#include <array>
+
+#include "optimizer_worker/autodiff/smooth.h"
+#include "optimizer_worker/constraints/facts.h"
+
+namespace flair::optimizer {
+
+namespace {
+
+template <typename T>
+T Faces(const Footprint& footprint, const Frame<T>& frame, const Vec2<T>& point) {
+  const std::array<Vec2<T>, 4> c = Corners(footprint, frame);
+  const T behind_left = Length(c[3] - point) - Length(c[0] - point);
+  const T behind_right = Length(c[2] - point) - Length(c[1] - point);
+  // The two distances sum to the width within the strip and to twice the lateral offset beyond it.
+  const T lateral = Magnitude(frame.ToObject(point).x);
+  return SquaredHinge(behind_left) + SquaredHinge(behind_right) + SquaredHinge(2.0 * lateral - footprint.width_m);
+}
+
+}  // namespace
+
+template <typename T>
+T Facing::operator()(const Frames<T, 2>& frames) const {
+  const T one_way = Faces(object, frames[0], frames[1].center);
+  if (!both) return one_way;
+  return one_way + Faces(target, frames[1], frames[0].center) + Square(Dot(frames[0].front, frames[1].front) + 1.0);
+}
+
+ConstraintFacts FacingFacts() {
+  return {
+      .name = "facing",
+      .aliases = {"io_facing"},
+      .family = "pair",
+      .summary = "`object` faces `target`: the target's centre is straight ahead of it, within its width.",
+      .doc =
+          "cost = squared differences of corner distances when the target is behind + squared lateral excess of its "
+          "centre over the strip of the object's width [m2]; with both also the other way and opposed headings. As "
+          "released.",
+      .parameters = {ObjectParameter("object", "What faces."), ObjectParameter("target", "What is faced."),
+                     FlagParameter("both", "Whether they face each other.", false)},
+      .sentences = {{"The sofa faces the television.", "object=sofa target=tv"},
+                    {"The two armchairs face each other.", "object=chair_1 target=chair_2 both=true"}},
+      .layouts = {Satisfied("5x4 room; a 2x1 at 2,1,0; b 1x1 at 2.9,3,30", "object=a target=b"),
+                  Satisfied("5x4 room; a 2x1 at 2,1,0; b 1x1 at 2,3,180", "object=a target=b both=true"),
+                  Violated("5x4 room; a 2x1 at 2,1,20; b 1x1 at 3.8,3,30", "object=a target=b"),
+                  Violated("5x4 room; a 2x1 at 2,3,10; b 1x1 at 2.3,1,30", "object=a target=b"),
+                  Violated("5x4 room; a 2x1 at 2,1,0; b 1x1 at 2,3,100", "object=a target=b both=true")},
+      .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
+        const int object = a.Object("object");
+        const int target = a.Object("target");
+        return MakeCost(Facing{FootprintOf(context, object), FootprintOf(context, target), a.Flag("both")},
+                        {object, target});
+      }};
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/constraints/pair/near.h"
+
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/gap.h"
+
+namespace flair::optimizer {
+
+template <typename T>
+T Near::operator()(const Frames<T, 2>& frames) const {
+  return SquaredHinge(Gap<T>(Box<T>(object, frames[0]), Box<T>(target, frames[1])) - max_distance_m);
+}
+
+ConstraintFacts NearFacts() {
+  return {.name = "near",
+          .aliases = {"io_near"},
+          .family = "pair",
+          .summary = "`object` and `target` are at most `max_distance_m` apart.",
+          .doc =
+              "cost = max(gap between the two rectangles - max_distance_m, 0)^2 [m2]. The released function measures "
+              "centres.",
+          .parameters = {ObjectParameter("object", "What is near."), ObjectParameter("target", "To what."),
+                         LengthParameter("max_distance_m", "Largest gap.", 0, 50, 3)},
+          .sentences = {{"The armchair is near the bookshelf.", "object=armchair target=bookshelf"},
+                        {"The coffee table is within half a metre of the sofa.",
+                         "object=table target=sofa max_distance_m=0.5"}},
+          .layouts = {Satisfied("8x4 room; a 1x1 at 1,1,0; b 1x1 at 4.5,1,0", "object=a target=b"),
+                      Violated("8x4 room; a 1x1 at 1,1,0; b 1x1 at 6,1.3,20", "object=a target=b")},
+          .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
+            const int object = a.Object("object");
+            const int target = a.Object("target");
+            return MakeCost(
+                Near{FootprintOf(context, object), FootprintOf(context, target), a.Number("max_distance_m")},
+                {object, target});
+          }};
+}
+
+}  // namespace flair::optimizer
