@@ -9,13 +9,21 @@
 
 namespace flair::optimizer {
 
+std::vector<ConvexPiece> SwingPieces(const Room& room) {
+  std::vector<ConvexPiece> swings;
+  for (const Opening& opening : room.openings) {
+    for (const Polygon& swing : ConvexSwingAreas(room, opening)) {
+      swings.push_back(AreaAtWall(swing, room.walls[static_cast<size_t>(opening.wall)]));
+    }
+  }
+  return swings;
+}
+
 std::vector<ConvexPiece> DoorAreas(const Room& room, double passage_m) {
-  std::vector<ConvexPiece> areas;
+  std::vector<ConvexPiece> areas = SwingPieces(room);
   for (const Opening& opening : room.openings) {
     if (opening.kind != OpeningKind::kDoor) continue;
-    const Wall& wall = room.walls[static_cast<size_t>(opening.wall)];
-    for (const Polygon& swing : ConvexSwingAreas(room, opening)) areas.push_back(AreaAtWall(swing, wall));
-    areas.push_back(AreaAtWall(PassageArea(room, opening, passage_m), wall));
+    areas.push_back(AreaAtWall(PassageArea(room, opening, passage_m), room.walls[static_cast<size_t>(opening.wall)]));
   }
   return areas;
 }

@@ -20,6 +20,9 @@ namespace flair::optimizer {
 // How far in front of a door the floor stays free for stepping through.
 inline constexpr double kPassage_m = 0.6;
 
+// What the leaves sweep, as convex areas that reach behind the wall.
+std::vector<ConvexPiece> SwingPieces(const Room& room);
+
 // Swings and passages of all doors, as convex areas that reach behind the wall.
 std::vector<ConvexPiece> DoorAreas(const Room& room, double passage_m = kPassage_m);
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/constraints/group/row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "optimizer_worker/autodiff/smooth.h"
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/pairwise.h"
+
+namespace flair::optimizer {
+
+RowCost::RowCost(const Scene& scene, const std::vector<int>& objects) : objects_(objects) {
+  std::sort(objects_.begin(), objects_.end());
+  for (int i : objects_) footprints_.push_back(scene.objects[static_cast<size_t>(i)].footprint);
+}
+
+std::array<size_t, RowCost::kMaxObjects> RowCost::Order(std::span<const Pose<double>> poses) const {
+  std::array<size_t, kMaxObjects> order{};
+  std::array<double, kMaxObjects> place{};
+  const Vec2<double> right = FrameOf(poses[0]).right;
+  for (size_t i = 0; i < poses.size(); ++i) {
+    order[i] = i;
+    place[i] = Dot(right, Center(poses[i]));
+  }
+  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(poses.size()),
+            [&place](size_t a, size_t b) { return place[a] != place[b] ? place[a] < place[b] : a < b; });
+  return order;
+}
+
+template <typename T>
+T RowCost::NeighbourCost(const Footprint& left, const Frame<T>& left_frame, const Footprint& right,
+                         const Frame<T>& right_frame) const {
+  constexpr double kAir_m = 0.05;
+  const Vec2<T> p = left_frame.ToObject(right_frame.center);
+  const T gap = p.x - (left.width_m + right.width_m) / 2;
+  const T offset = p.y - (right.depth_m - left.depth_m) / 2;
+  return SquaredOutside(gap, 0, kAir_m) + Square(offset) + Turn(left_frame.front, right_frame.front);
+}
+
+double RowCost::Value(std::span<const Pose<double>> poses) const {
+  const auto order = Order(poses);
+  double sum = 0;
+  for (size_t k = 0; k + 1 < poses.size(); ++k) {
+    sum += NeighbourCost(footprints_[order[k]], FrameOf(poses[order[k]]), footprints_[order[k + 1]],
+                         FrameOf(poses[order[k + 1]]));
+  }
+  return sum;
+}
+
+double RowCost::Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const {
+  std::fill(gradient.begin(), gradient.end(), 0.0);
+  const auto order = Order(poses);
+  double sum = 0;
+  for (size_t k = 0; k + 1 < poses.size(); ++k) {
+    const size_t left = order[k], right = order[k + 1];
+    sum += AddPair(poses, left, right, gradient, [this, left, right](const auto& a, const auto& b) {
+      return NeighbourCost(footprints_[left], a, footprints_[right], b);
+    });
+  }
+  return sum;
+}
+
+ConstraintFacts RowFacts() {
+  return {.name = "row",
+          .family = "group",
+          .summary = "`objects` stand side by side in one row, backs flush, facing the same way.",
+          .doc =
+              "cost = sum over neighbours of squared gap beyond [0, 0.05 m] + squared offset of the backs + (1 - cos "
+              "of the "
+              "difference of headings) [m2].",
+          .parameters = {ObjectsParameter("objects", "What forms the row; any order.")},
+          .sentences = {{"The kitchen cabinets stand in a row.", "objects=cabinet_1,cabinet_2,cabinet_3"}},
+          .layouts = {Satisfied("5x4 room; a 1x0.6 at 1,0.3,0; b 0.6x0.4 at 2.64,0.2,0; c 0.8x0.6 at 1.92,0.3,0",
+                                "objects=a,b,c"),
+                      Violated("5x4 room; a 1x0.6 at 1,0.3,0; b 0.6x0.4 at 2.9,0.4,10; c 0.8x0.6 at 1.92,0.3,0",
+                               "objects=a,b,c")},
+          .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
+            const std::vector<int>& objects = a.Objects("objects");
+            if (objects.size() < 2 || objects.size() > static_cast<size_t>(RowCost::kMaxObjects)) {
+              return absl::InvalidArgumentError(fmt::format("argument objects: {} cannot form a row; give 2 to {}",
+                                                            objects.size(), RowCost::kMaxObjects));
+            }
+            return std::make_unique<RowCost>(context.scene, objects);
+          }};
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/constraints/group/surround.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/pairwise.h"
+#include "optimizer_worker/constraints/measure/walls.h"
+
+namespace flair::optimizer {
+namespace {
+
+constexpr double kAir_m = 0.1;
+
+size_t PositionOf(const std::vector<int>& sorted, int object) {
+  return static_cast<size_t>(std::lower_bound(sorted.begin(), sorted.end(), object) - sorted.begin());
+}
+
+}  // namespace
+
+SurroundCost::SurroundCost(const Scene& scene, int center, const std::vector<int>& seats)
+    : objects_(seats), table_(scene.objects[static_cast<size_t>(center)].footprint), floor_(scene.room.floor) {
+  objects_.push_back(center);
+  std::sort(objects_.begin(), objects_.end());
+  center_ = PositionOf(objects_, center);
+  shallowest_m_ = scene.objects[static_cast<size_t>(seats[0])].footprint.depth_m;
+  for (int seat : seats) {
+    seats_.push_back(PositionOf(objects_, seat));
+    footprints_.push_back(scene.objects[static_cast<size_t>(seat)].footprint);
+    widest_m_ = std::max(widest_m_, footprints_.back().width_m);
+    shallowest_m_ = std::min(shallowest_m_, footprints_.back().depth_m);
+  }
+}
+
+bool SurroundCost::HasRoom(const Frame<double>& center, Side side) const {
+  const Vec2<double> outer = MiddleOf(table_, center, side) + shallowest_m_ * NormalOf(center, side);
+  return floor_.SquaredExcess(outer) == 0;
+}
+
+void SurroundCost::AddPlaces(Side side, int count, Places& places) const {
+  const double spacing = SideLength(table_, side) / count;
+  for (int i = 0; i < count; ++i) {
+    places.items[static_cast<size_t>(places.count++)] = {side, (i + 0.5 - count / 2.0) * spacing,
+                                                         std::max(0.0, (spacing - widest_m_) / 4)};
+  }
+}
+
+SurroundCost::Places SurroundCost::PlacesAround(const Frame<double>& center) const {
+  const int seats = static_cast<int>(seats_.size());
+  const bool wide = table_.width_m >= table_.depth_m;
+  const std::array<Side, 4> order = wide ? std::array<Side, 4>{Side::kFront, Side::kBack, Side::kLeft, Side::kRight}
+                                         : std::array<Side, 4>{Side::kLeft, Side::kRight, Side::kFront, Side::kBack};
+  std::array<bool, 4> free{};
+  int free_count = 0;
+  for (size_t k = 0; k < 4; ++k) free_count += free[k] = HasRoom(center, order[k]);
+  if (free_count == 0) free.fill(true), free_count = 4;
+
+  Places places;
+  if (seats == 2 && free[0] && free[1]) free[2] = free[3] = false, free_count = 2;
+  std::array<int, 4> counts{};
+  for (size_t k = 0; k < 4; ++k) counts[k] = free[k];
+  for (int left = seats - free_count; left > 0; --left) {
+    size_t best = 4;
+    for (size_t k = 0; k < 4; ++k) {
+      const double spare = free[k] ? SideLength(table_, order[k]) / (counts[k] + 1) : -1;
+      if (best == 4 || spare > SideLength(table_, order[best]) / (counts[best] + 1)) best = free[k] ? k : best;
+    }
+    ++counts[best];
+  }
+  for (size_t k = 0; k < 4; ++k) AddPlaces(order[k], counts[k], places);
+  return places;
+}
+
+template <typename T>
+T SurroundCost::SeatCost(const Frame<T>& center, const Frame<T>& seat, const Footprint& footprint,
+                         const Place& place) const {
+  const Vec2<double> n = LocalNormal(place.side);
+  const Vec2<T> front = center.ToObject(MiddleOf(footprint, seat, Side::kFront));
+  const T gap = n.x * front.x + n.y * front.y - ExtentBehind(table_, place.side) / 2;
+  const T along = n.x * front.y - n.y * front.x;
+  return SquaredOutside(gap, 0, kAir_m) + SquaredOutside(along - place.along_m, -place.play_m, place.play_m) +
+         (Dot(seat.front, NormalOf(center, place.side)) + 1.0);
+}
+
+std::array<int, SurroundCost::kMaxSeats> SurroundCost::Assign(std::span<const Pose<double>> poses,
+                                                              const Places& places) const {
+  std::array<std::array<double, kMaxSeats>, kMaxSeats> cost;
+  const Frame<double> center = FrameOf(poses[center_]);
+  const size_t seats = seats_.size();
+  const size_t count = static_cast<size_t>(places.count);
+  for (size_t i = 0; i < seats; ++i) {
+    const Frame<double> seat = FrameOf(poses[seats_[i]]);
+    for (size_t p = 0; p < count; ++p) cost[i][p] = SeatCost(center, seat, footprints_[i], places.items[p]);
+  }
+  std::array<int, kMaxSeats> of_place;
+  of_place.fill(-1);
+  std::array<int, kMaxSeats> place_of;
+  place_of.fill(-1);
+  for (size_t round = 0; round < seats; ++round) {
+    size_t best_seat = 0, best_place = 0;
+    double least = -1;
+    for (size_t i = 0; i < seats; ++i) {
+      if (place_of[i] >= 0) continue;
+      for (size_t p = 0; p < count; ++p) {
+        if (of_place[p] < 0 && (least < 0 || cost[i][p] < least)) least = cost[i][p], best_seat = i, best_place = p;
+      }
+    }
+    place_of[best_seat] = static_cast<int>(best_place);
+    of_place[best_place] = static_cast<int>(best_seat);
+  }
+  // Each exchange lowers the sum, so this ends; the bound is for rounding.
+  bool better = true;
+  for (size_t round = 0; better && round < 4 * kMaxSeats; ++round) {
+    better = false;
+    for (size_t i = 0; i < seats; ++i) {
+      for (size_t p = 0; p < count; ++p) {
+        const size_t own = static_cast<size_t>(place_of[i]);
+        if (p == own) continue;
+        const int other = of_place[p];
+        const double before = cost[i][own] + (other < 0 ? 0 : cost[static_cast<size_t>(other)][p]);
+        const double after = cost[i][p] + (other < 0 ? 0 : cost[static_cast<size_t>(other)][own]);
+        if (after >= before - 1e-12) continue;
+        of_place[p] = static_cast<int>(i);
+        of_place[own] = other;
+        place_of[i] = static_cast<int>(p);
+        if (other >= 0) place_of[static_cast<size_t>(other)] = static_cast<int>(own);
+        better = true;
+      }
+    }
+  }
+  return place_of;
+}
+
+double SurroundCost::Value(std::span<const Pose<double>> poses) const {
+  const Frame<double> center = FrameOf(poses[center_]);
+  const Places places = PlacesAround(center);
+  const std::array<int, kMaxSeats> place_of = Assign(poses, places);
+  double sum = 0;
+  for (size_t i = 0; i < seats_.size(); ++i) {
+    sum += SeatCost(center, FrameOf(poses[seats_[i]]), footprints_[i], places.items[static_cast<size_t>(place_of[i])]);
+  }
+  return sum;
+}
+
+double SurroundCost::Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const {
+  std::fill(gradient.begin(), gradient.end(), 0.0);
+  const Places places = PlacesAround(FrameOf(poses[center_]));
+  const std::array<int, kMaxSeats> place_of = Assign(poses, places);
+  double sum = 0;
+  for (size_t i = 0; i < seats_.size(); ++i) {
+    const Place& place = places.items[static_cast<size_t>(place_of[i])];
+    sum += AddPair(poses, center_, seats_[i], gradient, [this, i, &place](const auto& center, const auto& seat) {
+      return SeatCost(center, seat, footprints_[i], place);
+    });
+  }
+  return sum;
+}
+
+ConstraintFacts SurroundFacts() {
+  return {
+      .name = "surround",
+      .aliases = {"io_surround"},
+      .family = "group",
+      .summary = "`objects` stand round `center`, at its free sides, evenly spread, each facing it.",
+      .doc =
+          "cost = sum over seats of squared gap beyond [0, 0.1 m] + squared distance along the side from its place + "
+          "(1 - "
+          "cos of the angle to facing) [m2]; places on every side with room, seats take those that cost least "
+          "together. "
+          "The released function deals places in list order.",
+      .parameters = {ObjectParameter("center", "What is surrounded."),
+                     ObjectsParameter("objects", "What stands round it.")},
+      .sentences = {{"The four chairs surround the dining table.",
+                     "center=table objects=chair_1,chair_2,chair_3,chair_4"}},
+      .layouts = {Satisfied("5x4 room; table 1.6x0.9 at 2.5,2,0; a 0.5x0.5 at 2.5,1.25,0; b 0.5x0.5 at 2.6,2.75,180",
+                            "center=table objects=b,a"),
+                  Satisfied("5x5 room; table 1x1 at 2.5,2.5,0; a 0.5x0.5 at 2.5,1.7,0; b 0.5x0.5 at 2.5,3.3,180;"
+                            "c 0.5x0.5 at 1.7,2.5,270; d 0.5x0.5 at 3.3,2.5,90",
+                            "center=table objects=d,b,c,a"),
+                  Violated("5x4 room; table 1.6x0.9 at 2.5,2,0; a 0.5x0.5 at 2.4,1.0,5; b 0.5x0.5 at 2.6,2.9,170",
+                           "center=table objects=a,b"),
+                  Violated("5x5 room; table 1x1 at 2.5,2.5,0; a 0.5x0.5 at 2.5,1.6,170; b 0.5x0.5 at 2.5,3.4,180",
+                           "center=table objects=a,b")},
+      .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
+        const std::vector<int>& seats = a.Objects("objects");
+        if (seats.size() > static_cast<size_t>(SurroundCost::kMaxSeats)) {
+          return absl::InvalidArgumentError(
+              fmt::format("argument objects: {} are too many; at most {}", seats.size(), SurroundCost::kMaxSeats));
+        }
+        return std::make_unique<SurroundCost>(context.scene, a.Object("center"), seats);
+      }};
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sums over many objects, differentiated pair by pair: six partials at a time, whatever the number of objects.
+#pragma once
+
+#include <span>
+
+#include "optimizer_worker/constraints/formula_cost.h"
+
+namespace flair::optimizer {
+
+// Adds the gradient of `term(frame_i, frame_j)` to `gradient` (three numbers per pose) and returns its value.
+template <typename Term>
+double AddPair(std::span<const Pose<double>> poses, size_t i, size_t j, std::span<double> gradient, const Term& term) {
+  const Dual<6> value = term(DualFrame<6>(poses[i], 0), DualFrame<6>(poses[j], 3));
+  for (size_t k = 0; k < 3; ++k) {
+    gradient[3 * i + k] += value.partial[k];
+    gradient[3 * j + k] += value.partial[3 + k];
+  }
+  return value.value;
+}
+
+// The same for a term of one object.
+template <typename Term>
+double AddSingle(std::span<const Pose<double>> poses, size_t i, std::span<double> gradient, const Term& term) {
+  const Dual<3> value = term(DualFrame<3>(poses[i], 0));
+  for (size_t k = 0; k < 3; ++k) gradient[3 * i + k] += value.partial[k];
+  return value.value;
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/constraints/space/accessible.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/pairwise.h"
+#include "optimizer_worker/constraints/room/door_clear.h"
+
+namespace flair::optimizer {
+
+AccessibleCost::AccessibleCost(const BindContext& context, int object, std::vector<Side> sides, double clearance_m)
+    : sides_(std::move(sides)),
+      clearance_m_(clearance_m),
+      floor_(context.scene.room.floor),
+      swings_(SwingPieces(context.scene.room)) {
+  const std::vector<Object>& all = context.scene.objects;
+  for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+    const Object& other = all[static_cast<size_t>(i)];
+    const bool linked = context.linked != nullptr && context.linked->Linked(object, i);
+    if (i != object && (other.kind != ObjectKind::kFloor || other.walk_over || linked)) continue;
+    if (i == object) own_ = objects_.size();
+    objects_.push_back(i);
+    footprints_.push_back(other.footprint);
+  }
+  const Footprint& own = footprints_[own_];
+  reach_m_ = std::hypot(own.width_m / 2 + clearance_m_, own.depth_m / 2 + clearance_m_);
+}
+
+template <typename T>
+T AccessibleCost::RoomCost(const Frame<T>& frame) const {
+  T sum(0.0);
+  for (Side side : sides_) {
+    const Box<T> strip = Box<T>::Before(footprints_[own_], frame, side, clearance_m_);
+    sum += floor_.SquaredExcess(strip);
+    for (const ConvexPiece& swing : swings_) sum += SquaredPenetration<T>(strip, swing);
+  }
+  return sum;
+}
+
+template <typename T>
+T AccessibleCost::BlockCost(const Frame<T>& frame, const Footprint& other, const Frame<T>& other_frame) const {
+  const Box<T> box(other, other_frame);
+  T sum(0.0);
+  for (Side side : sides_) {
+    sum += SquaredPenetration<T>(Box<T>::Before(footprints_[own_], frame, side, clearance_m_), box);
+  }
+  return sum;
+}
+
+bool AccessibleCost::OutOfReach(const Pose<double>& own, const Pose<double>& other, const Footprint& footprint) const {
+  const double reach = reach_m_ + std::hypot(footprint.width_m, footprint.depth_m) / 2;
+  const double dx = own.x_m - other.x_m, dy = own.y_m - other.y_m;
+  return dx * dx + dy * dy >= reach * reach;
+}
+
+double AccessibleCost::Value(std::span<const Pose<double>> poses) const {
+  const Frame<double> frame = FrameOf(poses[own_]);
+  double sum = RoomCost(frame);
+  for (size_t i = 0; i < poses.size(); ++i) {
+    if (i == own_ || OutOfReach(poses[own_], poses[i], footprints_[i])) continue;
+    sum += BlockCost(frame, footprints_[i], FrameOf(poses[i]));
+  }
+  return sum;
+}
+
+double AccessibleCost::Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const {
+  std::fill(gradient.begin(), gradient.end(), 0.0);
+  const Frame<double> frame = FrameOf(poses[own_]);
+  double sum = 0;
+  if (RoomCost(frame) > 0) {
+    sum += AddSingle(poses, own_, gradient, [this](const auto& f) { return RoomCost(f); });
+  }
+  for (size_t i = 0; i < poses.size(); ++i) {
+    if (i == own_ || OutOfReach(poses[own_], poses[i], footprints_[i])) continue;
+    if (BlockCost(frame, footprints_[i], FrameOf(poses[i])) == 0) continue;
+    sum += AddPair(poses, own_, i, gradient,
+                   [this, i](const auto& f, const auto& other) { return BlockCost(f, footprints_[i], other); });
+  }
+  return sum;
+}
+
+ConstraintFacts AccessibleFacts() {
+  return {
+      .name = "accessible",
+      .aliases = {"ind_accessible"},
+      .family = "space",
+      .summary = "The floor before the given sides of `object` is free and inside the room, `min_clearance_m` deep.",
+      .doc =
+          "cost = sum over sides of squared distances of the clearance rectangle outside the room + squared "
+          "penetration of "
+          "it by other floor objects (rugs and objects that belong there exempt) and by door swings [m2]. Without "
+          "min_clearance_m it is 0.6 m. The released function jumps at contact.",
+      .parameters = {ObjectParameter("object", "What is to be reached."),
+                     SidesParameter("sides", "From which sides.", {Side::kFront}),
+                     [] {
+                       v1::ParameterSpec spec =
+                           LengthParameter("min_clearance_m", "Depth of the free floor; 0.6 m when left out.", 0, 5, 0);
+                       spec.clear_default_value();
+                       return spec;
+                     }()},
+      .sentences = {{"The wardrobe must be accessible from the front.", "object=wardrobe"},
+                    {"There is space to walk on both sides of the bed.", "object=bed sides=left,right"},
+                    {"Leave one metre free in front of the oven.", "object=oven min_clearance_m=1"}},
+      .layouts = {Satisfied("4x4 room; bed 1.6x2 at 2,1,0; desk 1x0.6 at 2,3.7,180", "object=bed sides=front,left"),
+                  Violated("4x4 room; bed 1.6x2 at 2,1,0; desk 1x0.6 at 2.1,2.6,170", "object=bed"),
+                  Violated("4x4 room; bed 1.6x2 at 1,1,4; desk 1x0.6 at 2,3.7,180", "object=bed sides=left"),
+                  Violated("4x4 room; door south 0.1 0.9; bed 1.6x2 at 2.2,1,5", "object=bed sides=left")},
+      .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
+        const double clearance = a.Has("min_clearance_m") ? a.Number("min_clearance_m") : kStandingRoom_m;
+        return std::make_unique<AccessibleCost>(context, a.Object("object"), a.Sides("sides"), clearance);
+      }};
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keeps the floor in front of an object's sides free, so that one can get at it.
+//   cost = sum over sides of  out(strip, floor)^2 + sum over others of depth(strip, other)^2
+//                             + sum over doors of depth(strip, swing)^2                                   [m2]
+//   strip  the rectangle of depth min_clearance_m before the side;  out  its corners' distance outside the floor
+//   depth  shortest push that parts the two
+// Others are floor objects that are not walked over and do not belong to the object: a chair that is linked to its desk
+// by a call (LinkedPairs) may stand before it. Zero exactly when every strip is inside the room and free. The released
+// ind_accessible jumps at contact, draws random numbers for "long" and tests "mat" in "mattress" (SEMANTICS.md section
+// 3).
+#pragma once
+
+#include <vector>
+
+#include "optimizer_worker/constraints/cost.h"
+#include "optimizer_worker/constraints/measure/convex_piece.h"
+#include "optimizer_worker/constraints/measure/floor_shape.h"
+#include "optimizer_worker/constraints/registry.h"
+#include "room/scene/scene.h"
+
+namespace flair::optimizer {
+
+// Deep enough to stand in.
+inline constexpr double kStandingRoom_m = 0.6;
+
+class AccessibleCost final : public Cost {
+ public:
+  AccessibleCost(const BindContext& context, int object, std::vector<Side> sides, double clearance_m);
+
+  std::span<const int> objects() const override { return objects_; }
+  double Value(std::span<const Pose<double>> poses) const override;
+  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const override;
+
+ private:
+  // What depends on the object alone: floor and doors.
+  template <typename T>
+  T RoomCost(const Frame<T>& frame) const;
+  // One other object in the way.
+  template <typename T>
+  T BlockCost(const Frame<T>& frame, const Footprint& other, const Frame<T>& other_frame) const;
+  // Too far away to be in the way of any strip.
+  bool OutOfReach(const Pose<double>& own, const Pose<double>& other, const Footprint& footprint) const;
+
+  std::vector<int> objects_;
+  // In the order of objects_.
+  std::vector<Footprint> footprints_;
+  // Where the object itself is in objects_.
+  size_t own_ = 0;
+  std::vector<Side> sides_;
+  double clearance_m_;
+  // From the centre to the furthest point of any strip.
+  double reach_m_;
+  FloorShape floor_;
+  std::vector<ConvexPiece> swings_;
+};
+
+}  // namespace flair::optimizer
