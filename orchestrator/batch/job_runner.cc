@@ -34,10 +34,10 @@ void JobRunner::Wake() {
   wake_.notify_all();
 }
 
-void JobRunner::Request(const std::string& job_id) {
+void JobRunner::Request(const std::vector<std::string>& job_ids) {
   {
     std::lock_guard lock(mutex_);
-    if (options_.requested_jobs_only) requested_.insert(job_id);
+    if (options_.requested_jobs_only) requested_.insert(job_ids.begin(), job_ids.end());
   }
   Wake();
 }
@@ -69,19 +69,28 @@ void JobRunner::Work() {
 }
 
 absl::StatusOr<std::optional<std::string>> JobRunner::ClaimNext() {
-  if (!options_.requested_jobs_only) return store_.jobs().ClaimOldest(store_.owner());
-  while (true) {
-    std::string id;
-    {
-      std::lock_guard lock(mutex_);
-      if (requested_.empty()) return std::nullopt;
-      id = *requested_.begin();
-      requested_.erase(requested_.begin());
-    }
+  return options_.requested_jobs_only ? ClaimRequested() : store_.jobs().ClaimOldest(store_.owner());
+}
+
+// The oldest that waits; those that have ended are forgotten, those that run elsewhere are kept in mind.
+absl::StatusOr<std::optional<std::string>> JobRunner::ClaimRequested() {
+  std::set<std::string> requested;
+  {
+    std::lock_guard lock(mutex_);
+    requested = requested_;
+  }
+  const auto forget = [this](const std::string& id) {
+    std::lock_guard lock(mutex_);
+    requested_.erase(id);
+  };
+  for (const std::string& id : requested) {
     const absl::StatusOr<bool> claimed = store_.jobs().Claim(id, store_.owner());
     if (!claimed.ok()) return claimed.status();
+    const absl::StatusOr<v1::Job> job = store_.jobs().Get(id);
+    if (*claimed || !job.ok() || HasEnded(job->state())) forget(id);
     if (*claimed) return id;
   }
+  return std::nullopt;
 }
 
 void JobRunner::RunJob(const std::string& job_id) {

@@ -39,8 +39,8 @@ class JobRunner {
   // There may be a job to run.
   void Wake();
 
-  // This job is wanted of this process. Does nothing when it has ended or runs elsewhere.
-  void Request(const std::string& job_id);
+  // These jobs are wanted of this process. Those that another process runs are taken over if it dies.
+  void Request(const std::vector<std::string>& job_ids);
 
   // Ends the job, here or, if another process runs it, by asking that one. Ended jobs stay as they are.
   absl::Status Cancel(const std::string& job_id);
@@ -57,6 +57,7 @@ class JobRunner {
   };
   void Work();
   absl::StatusOr<std::optional<std::string>> ClaimNext();
+  absl::StatusOr<std::optional<std::string>> ClaimRequested();
   void RunJob(const std::string& job_id);
   absl::Status EndJob(v1::Job job, v1::JobState state, const PipelineResult& result);
 

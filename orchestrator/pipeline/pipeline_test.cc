@@ -261,7 +261,8 @@ class EmptyRoomStages final : public StageClients {
   NEVER(ListConstraints)
   NEVER(CleanConstraints)
   NEVER(Translate)
-  NEVER(ListConstraintTypes) NEVER(Solve) NEVER(Evaluate) NEVER(Render)
+  NEVER(ListConstraintTypes)
+  NEVER(Solve) NEVER(Evaluate) NEVER(Render)
 #undef NEVER
       absl::StatusOr<std::string> Revision(v1::ArtifactKind, Call&) override {
     return "";

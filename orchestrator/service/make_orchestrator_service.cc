@@ -84,7 +84,7 @@ class Service final : public OrchestratorService {
 
   grpc::ServerWriteReactor<v1::WatchJobResponse>* WatchJob(grpc::CallbackServerContext*,
                                                            const v1::WatchJobRequest* request) override {
-    runner_.Request(request->job_id());
+    runner_.Request({request->job_id()});
     return watches_.Start(*request);
   }
 

@@ -63,7 +63,7 @@ absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::
       *response.mutable_job() = *std::move(job);
     }
   }
-  runner_.Request(response.job().id());
+  runner_.Request({response.job().id()});
   return response;
 }
 
@@ -131,7 +131,7 @@ absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const 
       if (!status.ok()) return status;
     }
   }
-  for (const std::string& id : job_ids) runner_.Request(id);
+  runner_.Request(job_ids);
   absl::StatusOr<v1::Batch> batch = store_.batches().Get(batch_id);
   if (!batch.ok()) return batch.status();
   v1::CreateBatchResponse response;
