@@ -22,7 +22,8 @@ bool Has(const List& list, const Item& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-bool Selects(const hb::Selector& selector, const v1::Object& object, const hb::Furniture* furniture) {
+bool Selects(const hb::Selector& selector, const v1::Object& object, const hb::Furniture* furniture,
+             bool first_on_host) {
   const hb::Furniture& facts = furniture != nullptr ? *furniture : hb::Furniture::default_instance();
   if (selector.kinds().empty()) {
     if (object.kind() != v1::OBJECT_KIND_FLOOR || object.walk_over()) return false;
@@ -33,6 +34,7 @@ bool Selects(const hb::Selector& selector, const v1::Object& object, const hb::F
   if (!selector.categories().empty() && !Has(selector.categories(), object.category())) return false;
   if (!selector.furniture().empty() && !Has(selector.furniture(), object.name())) return false;
   if (Has(selector.except_furniture(), object.name())) return false;
+  if (selector.has_host_center() && selector.host_center() != first_on_host) return false;
   if (object.height_m() < selector.min_height_m()) return false;
   if (selector.max_height_m() > 0 && object.height_m() >= selector.max_height_m()) return false;
   return facts.clear_front_m() >= selector.min_clear_front_m() && facts.clear_sides_m() >= selector.min_clear_sides_m() &&
@@ -82,8 +84,18 @@ class ConstraintLister {
     }
     WriteLevel(own, group, topics);
     for (const hb::GeneralRule& rule : handbook_.contents().general_rules()) {
-      if (Selects(rule.selector(), *group.front(), furniture)) WriteLevel({&rule.relation()}, group, topics);
+      if (Selects(rule.selector(), *group.front(), furniture, IsFirstOnHost(*group.front()))) {
+        WriteLevel({&rule.relation()}, group, topics);
+      }
     }
+  }
+
+  // The first thing on a top takes its middle.
+  bool IsFirstOnHost(const v1::Object& object) const {
+    for (const v1::Object& other : objects_.objects()) {
+      if (other.kind() == v1::OBJECT_KIND_SURFACE && other.host_id() == object.host_id()) return other.id() == object.id();
+    }
+    return false;
   }
 
   static void Collect(const google::protobuf::RepeatedPtrField<hb::Relation>& relations, const std::string& name,
