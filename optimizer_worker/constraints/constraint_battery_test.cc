@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <random>
 
 #include "optimizer_worker/constraints/call_text.h"
@@ -19,6 +20,10 @@ struct Case {
   LayoutExample example;
   int number;
 };
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.facts->name << ": " << c.example.scene << " | " << c.example.call;
+}
 
 std::vector<Case> AllCases() {
   std::vector<Case> cases;

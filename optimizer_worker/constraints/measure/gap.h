@@ -61,7 +61,8 @@ Witness SeparatingAxis(const A& a, const B& b) {
 // Nearest pair of shapes that are known to be apart.
 template <typename A, typename B>
 Witness NearestFeatures(const A& a, const B& b, const Witness& axis) {
-  // On the separating axis already, when the vertex lies before the edge.
+  // An edge this short is a point; its direction is rounding.
+  constexpr double kPoint_m2 = 1e-18;
   double least2 = std::numeric_limits<double>::infinity();
   Witness nearest = axis;
   const auto consider_edges = [&least2, &nearest](const auto& edges, const auto& points, Witness::Kind kind) {
@@ -75,8 +76,10 @@ Witness NearestFeatures(const A& a, const B& b, const Witness& axis) {
         const double along = Dot(r, d);
         Witness w;
         double distance2 = 0;
-        if (along > 0 && along < length2) {
+        if (along > 0 && along < length2 && length2 > kPoint_m2) {
           const double cross = Cross(d, r);
+          // Seen from behind: the shape's other side is nearer. Matters for shapes without depth.
+          if (cross > 0) continue;
           distance2 = cross * cross / length2;
           w = kind == Witness::kEdgeOfFirst ? Witness{kind, i, j, 0} : Witness{kind, j, i, 0};
         } else {

@@ -41,9 +41,9 @@ ConstraintFacts InFrontOfFacts() {
                      FlagParameter("parallel", "Whether their sides are parallel.", true)},
       .sentences = {{"The coffee table is in front of the sofa.", "object=table target=sofa distance_m=0.45"},
                     {"The chair is in front of the desk.", "object=chair target=desk distance_m=0.2 parallel=false"}},
-      .layouts = {Satisfied("5x4 room; table 1x0.6 at 2.1,1.9,0; sofa 2x1 at 2,1,0",
+      .layouts = {Satisfied("5x4 room; table 1x0.6 at 2.1,2.1,0; sofa 2x1 at 2,1,0",
                             "object=table target=sofa distance_m=0.4"),
-                  Satisfied("5x4 room; table 1x0.6 at 2,1.9,180; sofa 2x1 at 2,1,0",
+                  Satisfied("5x4 room; table 1x0.6 at 2,2.1,180; sofa 2x1 at 2,1,0",
                             "object=table target=sofa"
                             " distance_m=0.4 parallel=true"),
                   Violated("5x4 room; table 1x0.6 at 2,2.6,10; sofa 2x1 at 2,1,0",
