@@ -62,8 +62,8 @@ class Reader {
     const bool length_only =
         first.kind == Token::Kind::kDistance && at_ + 2 < tokens_.size() &&
         (tokens_[at_ + 2].IsMark(')') || (at_ + 3 < tokens_.size() && tokens_[at_ + 3].IsMark(')')));
-    if (!first.IsWord("eg") && !first.IsWord("ie") && !first.IsWord("preferably") && !first.IsMark(')') &&
-        !length_only) {
+    if (!first.IsWord("eg") && !first.IsWord("ie") && !first.IsWord("preferably") && !first.IsWord("left") &&
+        !first.IsMark(')') && !length_only) {
       return false;
     }
     while (at_ < tokens_.size() && !tokens_[at_].IsMark(')') && !tokens_[at_].IsMark('.')) ++at_;
@@ -200,6 +200,21 @@ class Reader {
   std::vector<RawTerm> terms_;
 };
 
+// "not" itself; "to avoid" begins a reason all the same.
+bool IsPlainNot(const Term& term) { return term.IsWord("not") && term.end - term.begin == 3; }
+
+// "Not to block", "to not block": no reason follows.
+void DropToBesideNot(std::vector<Term>& terms) {
+  std::vector<Term> kept;
+  for (size_t i = 0; i < terms.size(); ++i) {
+    const bool to = terms[i].kind == Term::Kind::kPurpose && terms[i].lemma == "to";
+    const bool beside_not =
+        (!kept.empty() && IsPlainNot(kept.back())) || (i + 1 < terms.size() && IsPlainNot(terms[i + 1]));
+    if (!to || !beside_not) kept.push_back(std::move(terms[i]));
+  }
+  terms = std::move(kept);
+}
+
 // "Avoid [X] in front of windows" and "X not in front of windows" are one form: the second.
 void MoveNotBehindSubject(std::vector<Term>& terms) {
   for (size_t i = 0; i + 2 < terms.size(); ++i) {
@@ -215,6 +230,7 @@ Analysis Analyse(std::string_view text, const SceneNames& names) {
   Analysis analysis;
   Reader reader(JoinQuantities(Tokenize(text)), names, analysis);
   analysis.terms = GroupNounPhrases(reader.Run());
+  DropToBesideNot(analysis.terms);
   MoveNotBehindSubject(analysis.terms);
   return analysis;
 }

@@ -45,6 +45,8 @@ Composer::Composer(const v1::TranslateRequest& request, const SceneNames& names,
       if (object(i).id() == subject) subjects_.push_back({i, ""});
     }
   }
+  // A bare distance in a sentence about two things is kept between them.
+  if (sentence.scope() == v1::SENTENCE_SCOPE_INTER && subjects_.size() == 2) SetPair({subjects_[0]}, {subjects_[1]});
   // Of a heading that names several kinds of things the first is what moves.
   for (const Placed& placed : subjects_) {
     if (object(placed.object).name() == object(subjects_.front().object).name()) topic_.push_back(placed);
@@ -75,8 +77,8 @@ std::vector<Placed> Composer::Movers(const Mention* mention) {
 Placed Composer::PieceFor(const Placed& placed) const {
   const v1::Object& named = object(placed.object);
   const bool part = scope() != v1::SENTENCE_SCOPE_TERTIARY && named.role() == v1::OBJECT_ROLE_TERTIARY &&
-                    !named.walk_over() && !subjects_.empty() && !Contains(subjects_, placed.object);
-  return part ? Placed{subjects_.front().object, placed.side} : placed;
+                    !named.walk_over() && !topic_.empty() && !Contains(subjects_, placed.object);
+  return part ? Placed{topic_.front().object, placed.side} : placed;
 }
 
 std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either) {
@@ -159,6 +161,10 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
   std::vector<Placed> result;
   for (const int index : objects) {
     if (!target || !Contains(movers, index) || movers.size() > 1) result.push_back({index, reference.side});
+  }
+  if (result.empty() && reference.kind == RefKind::kObjects && !objects.empty()) {
+    Refuse("names_absent_object",
+           fmt::format("the room has no \"{}\" but what is to be placed itself", reference.name));
   }
   if (result.empty() && reference.kind != RefKind::kObjects) {
     Refuse("names_absent_object", fmt::format("nothing in the room is meant by \"{}\"", reference.name));

@@ -129,12 +129,12 @@ Lexicon::Lexicon(std::string_view entries) {
 }
 
 Phrase Lexicon::Find(const std::vector<Token>& tokens, size_t at, size_t max_length) const {
-  if (at >= tokens.size() || tokens[at].kind != Token::Kind::kWord) return {};
+  if (at >= tokens.size() || tokens[at].text.empty()) return {};
   const auto found = by_first_word_.find(tokens[at].text);
   if (found == by_first_word_.end()) return {};
   for (const Entry& entry : found->second) {
     bool same = entry.words.size() <= max_length && at + entry.words.size() <= tokens.size();
-    for (size_t i = 0; same && i < entry.words.size(); ++i) same = tokens[at + i].IsWord(entry.words[i]);
+    for (size_t i = 0; same && i < entry.words.size(); ++i) same = tokens[at + i].text == entry.words[i];
     if (same) return {entry.word_class, entry.lemma, entry.words.size()};
   }
   return {};

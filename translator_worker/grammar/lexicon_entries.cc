@@ -19,10 +19,10 @@ relation near: near | nearby | close (to|by) | close | closely | near to | [in|w
 relation nearby: have nearby access to
 relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | adjacent | alongside of | side by side with
   | by | at
-relation to_side: (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
+relation to_side: (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
 relation side_by_side: side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
   | form (a|one) row | lined up
-relation each_side_of: on (each|either|both) (side|sides) of | (either|each) side of | at (each|either) side of | on opposite sides of
+relation each_side_of: on (each|either|both) (side|sides) of | at (each|either) side of | on opposite sides of
   | flanking | flank | flanks | one on each side of | on both sides of | at both sides of | to (each|either) side of
 relation left_of: (to|on|at) [the] left [side] of | left of | on its left | immediately left of
 relation right_of: (to|on|at) [the] right [side] of | right of | immediately right of
@@ -30,7 +30,7 @@ relation foot_of: (at|by|near|against) the foot [end] of | at the end of
 relation head_of: (at|by|near) the head [end] of
 relation behind: behind | in back of | at the back of | at the rear of | to the rear of
 relation in_front_of: in front of | [directly] before | ahead of | in the front of
-relation in_front: in front | at the front | on the front side | to the front
+relation in_front: in front | at the front
 relation at_sides: (on|at|to) (both|each|the|either) sides | on either side | on each side | at the sides | on both sides
 relation around: around | round | surrounding | all around | on all sides of | on all (sides|four sides) | on every side | all round
 relation surround: surround | surrounds | surrounded | arranged around | [evenly] spaced around | [placed|grouped|gathered|distributed|set] (around|round)
@@ -45,7 +45,7 @@ relation partly_under: (partially|partly|half) (under|underneath|beneath) | lies
   | extends partly under | [tucked] under the front [half|part] of | (extending|reaches|reaching) (out|forward) from under | forward under
 relation under_center: centered (under|underneath|beneath) | (centred|centrally|central|centered) (under|beneath|underneath) | [lies] centred under
 relation above: above | over | [directly|hangs|hung|suspended|hanging|centred|centered] (above|over) | over the top of
-relation facing: face | faces | facing | faced (towards|toward|to) | facing (towards|toward|to) | oriented (towards|toward|to) | turned (towards|toward|to)
+relation facing: [to|and] (allow|allowing|have|having|provide) [a|an|the] [clear|good|direct|unobstructed] (view|line of sight) (of|to|from) | for [comfortable|easy] viewing (of|from) | comfortable viewing from | towards | toward | face | faces | facing | faced (towards|toward|to) | facing (towards|toward|to) | oriented (towards|toward|to) | turned (towards|toward|to)
   | looks (at|towards|toward|onto|out|on) [of] | look (at|towards|toward|onto|out) [of] | looking (at|towards|toward|onto|out) [of] | [be] angled (towards|toward)
   | pointed (towards|toward|at) | pointing (towards|toward|at) | [a|an] [clear|good|direct|unobstructed|direct] (view|visibility|line of sight) (of|to|from|onto)
   | (viewable|visible|seen) from | in [the] view of | in [direct] [line of] sight of | for view of | overlooking | orient (towards|toward|to) | turn (towards|toward|to) | [clear] line of sight (from|to)
@@ -55,9 +55,9 @@ relation opposite: opposite | opposite to | opposite from | across from | direct
 relation same_direction: (face|faces|facing) [in] the same (direction|way) (as|like) | same (direction|orientation|way) (as|like) | oriented the same way as
 relation parallel: parallel [to|with] | is parallel to | run parallel to | runs parallel to
 relation perpendicular: perpendicular to | at [a] right (angle|angles) to | perpendicular | at 90 degrees to | at a 90 degree angle to | square to
-relation not_angle: at [a|an] 45 degree angle to | at an angle [to] | diagonally | diagonal | at a 45 degree angle
+relation not_angle: at [a|an] (45|30|60) [degree|degrees] angle (to|with) | at an angle [to] | diagonally | diagonal | at a 45 degree angle
 relation away_from: away from | far from | far away from | [a|at a] [safe|reasonable|good|fair|some|comfortable|certain|suitable|sufficient|adequate|short|proper] distance (from|to) | apart from | separate from
-  | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | out of reach of | at a (distance|remove) from | gap (from|to) | spaced from | distanced from | a gap from
+  | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | at a (distance|remove) from | gap from | spaced from | distanced from | a gap from
 relation apart: apart | [spaced|set] apart [from each other] | away from each other | from each other | from one another | away
 relation block: block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
   | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
@@ -65,7 +65,7 @@ relation block: block | blocks | blocking | blocked | obstruct | obstructs | obs
   | obstruct [the] [easy] (view|views|access|use|opening|path|swing) (to|of|from|for) | blocking [the] [natural] (view|access|light|opening|swing|use|path|view or access) (to|of|from|through|for)
   | obstructing [the] (access|view|use|opening|path|swing) (to|of|from|for) | placed over | placement over | in the path of | interfere with [the] (opening|swing|use|access|operation) (of|to) | stand in the way of
   | in [the] direct line of | in the (swing|line|arc) of | obstruct or block | block or obstruct | collide with | collides with | hit | hits | in the swing path of | overlap | overlaps | overlapping
-relation clear_of: [be|is|are|remain|remains] clear (of|from) | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear of | clearance from | leave [enough] (space|clearance|room) for | outside [of]
+relation clear_of: [be|is|are|remain|remains] clear of | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear of | leave [enough] (space|clearance|room) for | outside [of]
   | clear for | out of
 relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free|unobstructed|unblocked|open) | unobstructed | unblocked | not obstructed | stays (clear|free)
   | is clear
@@ -74,12 +74,12 @@ relation accessible: accessible | fully accessible | easily accessible | reachab
   | accessed | accessed easily | access is (needed|possible) | can be reached | be reached | free access | access
 relation accessible_from: (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
 relation access_to: access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | power from | plugged into | plug into | [easy] access from
-relation allow_access_to: [to|and] (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to | for easy access to
+relation allow_access_to: [to|and] (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to
 relation pull_out: [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | [to] pulling [it] (out|back) | pull it out | movement space | allow movement space | space to move | move back
 relation swing_open: to open | [should] [be able to|able to|to] open [up] [fully|freely|completely|easily|properly] | opened | opens (fully|freely) | (opening|operation) | can open | swing open
-relation space: space | distance | gap | clearance | spacing | separation | buffer | clearances | [clear|open|free|ample|adequate|sufficient|empty] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances|room) | enough (space|room) | room (for|to) | [there is|has] room | clearance space | clear floor
+relation space: space | distance | gap | clearance | spacing | separation | buffer | clearances | [of] [clear|open|free|ample|adequate|sufficient|empty|unobstructed|walking|viewing|circulation|movement] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances) [of] | enough (space|room) | room (for|to) | [there is|has] room | clearance space | clear floor
   | clear area | floor space | clear floor space | elbow room
-relation walk_space: [clear] (walking|circulation|walkway|movement) (space|room|clearance) | space to walk
+relation space: [clear] (walking|circulation|walkway|movement) room | space to walk | (ample|adequate|sufficient|more) room
 relation minimal: minimal | kept minimal
 relation considered: (in|into) (consideration|mind|account)
 relation same_wall: (against|on|along) the same wall as
@@ -100,24 +100,25 @@ relation corner_front_left: [on|at|in|near|towards] [the] (front left|left front
 relation corner_front_right: [on|at|in|near|towards] [the] (front right|right front) [hand] corner [of|on]
 relation edge: [on|at|near|by|towards|along] (the|an|one) (edge|end) (of|on) | edge of | (on|to) one (end|edge) of | [on|at] the edge of | end of | edges of
 relation towards_back: [and] (towards|toward) the (back|rear|wall|back side|back edge) [of] | at the back edge of | [positioned] (towards|toward) the wall
-relation into_room: (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | (view|overview) of [the] [whole|entire] room | facing inward | facing inwards | view of the [main|entire|whole] room
+relation into_room: (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | [a|the] [good|clear|full] (view|overview) of [the] [whole|entire|main] room | facing inward | facing inwards | view of the [main|entire|whole] room
 relation hanging: hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
 relation both_ways: each other | one another
 relation freestanding: freestanding | free standing | away from all walls
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
 relation on_wall_of: on the (wall|walls) of
-filler: [at a|in a|at the] location | the | a | an | its own | own | this | that | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
+filler: to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | [in] the central part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | in [a|the|an] (position|positions|location|spot|place|places|area|areas|way|manner) (where|that|which) [it|they] [will|would|could|might|can]
+  | where (it|they) [will|would|could|might|can] | [at a|in a|at the] location | the | a | an | its own | own | this | that | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
   | place | places | placed | placing | placement | put | puts | set | sets | position | positions | positioned | positioning | locate | located | location | situate | situated | stand | stands | standing | sit | sits | sitting | keep | keeps | kept | keeping
   | leave | leaves | leaving | left free | ensure | ensures | ensuring | make sure | making sure | maintain | maintains | maintaining | provide | provides | providing | require | requires | requiring | need | needs | needed | allow | allows | arrange | arranged
   | arrangement | use | used | used for | lie | lies | lying | go | goes | run | runs | rest | rests | resting | remain | remains | stay | stays | consider | considering | consideration
   | enough | ample | adequate | sufficient | reasonable | comfortable | comfortably | good | easy | convenient | proper | clear | open | free | full | safe | suitable | appropriate | nice | total | overall
   | directly | immediately | fully | easily | slightly | frequently | frequently used | regularly | always | very | too | quite | at all | possible | well | exactly | right in
-  | placement is | side [by] | extra | additional | electrical | electric | power | gas | wall mounted power | standard | main | necessary | required | existing | available | specific | designated | entire | whole | main
+  | placement is | extra | additional | electrical | electric | power | gas | wall mounted power | standard | main | necessary | required | existing | available | specific | designated | entire | whole | main
   | small | large | big | tall | low | wide | wooden | round | rectangular | square | comfy | soft | long low | matching | same | adjoining | separate | respective | corresponding | certain | single | nearest | closest | immediate | outer | interior
-  | able to | order | it is | way | out | somewhere | anywhere | approximately | about | roughly | total of | minimum | maximum | min | max | every time | back to back
+  | able to | order | it is | way | out | somewhere | anywhere | approximately | about | roughly | minimum | maximum | min | max | every time | back to back
   | some of the | one of | all of the | accessible location | spot | surface space | do | does | did | get | gets | getting | eg | ie | physically | visually | typically | centrally aligned | facilitate
-  | measuring | size | sized | (in|of) size | distance of | space of | clearance of | gap of | spacing of | distance is | of space | free of charge | still | yet | please | should the | together | aligned in | evenly | equally | symmetric | symmetrical | symmetrically | neatly
+  | measuring | size | sized | (in|of) size | free of charge | still | yet | please | should the | together | aligned in | evenly | equally | symmetric | symmetrical | symmetrically | neatly
   | installed hanging | in position | in place | extends | extend | extending | centre on | floor level | placements | plenty of | between them and | other | of clearance
 modal: should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
 wish: ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
@@ -142,13 +143,13 @@ feature door: [bedroom|entrance|entry|main|room|front] (door|doors|doorway|doorw
   | doors 's (swing|swings) | swing[ing] of [the] (door|doors) | swings | entry area | entrance area | doors swings | door swing area | passage door | entry to the room | entry and exit [points] | line of entry
 feature window: window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
 feature socket: electrical and gas (outlets|sockets) | [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plug|plugs|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
-place wall: [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
+place wall: [one of] [the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
 place ceiling: ceiling | ceilings
 place room: [whole|entire|main] (room|bedroom|living room|dining room|kitchen|office|study|bathroom|studio|space|workshop|workroom|hall|library|gym|nursery) | floor plan | room 's space | center of attention | layout
 place floor: floor | ground
 area area: area | zone | region | section | space | nook | spot | area 's | zones | areas | arrangement | group | station | location
 group all: [all|each|every|any|no] (object|objects|item|items|piece|pieces|furniture) [of furniture] | (pieces|piece|items) of furniture | furniture pieces | furniture | all furniture | furnishings | each piece | anything | everything | large furniture
-group others: [any|all|every|the|each] other (object|objects|furniture|furnishings|item|items|piece|pieces) [of furniture] | (other|surrounding|adjacent|nearby|neighbouring) (furniture|objects|items|pieces) [pieces] | anything else | everything else | the rest of the furniture
+group others: [any|all|every|the|each] other (large|big|tall|major|main|nearby) (object|objects|furniture|items|pieces) | [any|all|every|the|each] other (object|objects|furniture|furnishings|item|items|piece|pieces) [of furniture] | (other|surrounding|adjacent|nearby|neighbouring) (furniture|objects|items|pieces) [pieces] | anything else | everything else | the rest of the furniture
 group seating: (seating|seats|seat) [furniture|arrangement|pieces]
 group heat: heat source | heat sources | sources of heat
 pronoun it: it | itself | this piece | this object | its
@@ -171,6 +172,8 @@ vague comfort: comfort | relaxation feel | ambience | ambiance | cozy | cosy | a
 vague services: ventilation | ventilation system | drainage | plumbing | water supply | gas | water | airflow | air flow | air circulation | ventilated | gas outlets | gas outlet | water source | moisture | humidity | temperature | radiator | radiators | vent | vents | air vent | flammable materials | materials
 vague height: top | eye level | height | heights | at eye level | level surface | [at] [a] (comfortable|suitable|appropriate) height | top side | surface | reachable height | from above | tabletop
 side front: drawers | drawer
+vague lighting: illuminate | illuminates | brightness
+vague comfort: sound | noise | decor | functionality | privacy | crowding | efficient use | appealing | quiet | conversation | interaction
 vague clutter: obstructions | obstacles | obstruction | major obstructions | clutter | workspace | important areas | hazards | other functions | essential areas | other areas | activities
 and: and | as well as | plus | along with | and also | in addition to
 or: or | and or

@@ -136,7 +136,8 @@ class Grouper {
         Reference& reference = raw.term.mention.references.back();
         reference.each = reference.each || each;
         if (ordinal > 0) reference.ordinal = ordinal;
-        if (IsThing(raw) && !out.empty() && out.back().role == Role::kNone && AdjectiveLike(out.back().term))
+        if ((IsThing(raw) || IsFeature(raw)) && !out.empty() && out.back().role == Role::kNone &&
+            AdjectiveLike(out.back().term))
           out.pop_back();
         each = false;
         ordinal = 0;
@@ -191,7 +192,10 @@ class Grouper {
         continue;
       }
       if (raw.term.kind == Term::Kind::kStop) relation_seen = false;
-      if (raw.term.kind == Term::Kind::kWord) relation_seen = true;
+      if (raw.term.kind == Term::Kind::kWord) {
+        relation_seen = true;
+        after_between_ = raw.term.lemma == "between";
+      }
       if (IsMention(raw)) i = ReadList(i, relation_seen);
       out.push_back(std::move(in_[i].term));
     }
@@ -213,7 +217,7 @@ class Grouper {
       }
       if (!joined || !Peek(next) || !IsMention(in_[next]) || !SameSort(in_[i].term, in_[next].term)) return i;
       // "... near the desk and the armchair should face the sofa": a new clause, not a list.
-      if (relation_seen && Peek(next + 1) && in_[next + 1].role == Role::kModal) return i;
+      if (relation_seen && !after_between_ && Peek(next + 1) && in_[next + 1].role == Role::kModal) return i;
       Mention merged = std::move(in_[i].term.mention);
       for (const Reference& reference : in_[next].term.mention.references) merged.references.push_back(reference);
       merged.either = either;
@@ -233,6 +237,8 @@ class Grouper {
   }
 
   std::vector<RawTerm> in_;
+  // "between X and Y should": X and Y belong together.
+  bool after_between_ = false;
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ bool OfSort(const Mention& mention, const std::string& sort) {
   if (sort == "room") return kind == RefKind::kRoom;
   if (sort == "floor") return kind == RefKind::kFloor;
   if (sort == "zone") return kind == RefKind::kZone;
-  if (sort == "side") return kind == RefKind::kPronoun && !mention.references.front().side.empty();
+  if (sort == "side") return !mention.references.front().side.empty();
   if (sort == "pronoun") return kind == RefKind::kPronoun;
   if (sort == "vague") return kind == RefKind::kVague;
   if (sort == "group") return kind == RefKind::kGroup;

@@ -68,6 +68,7 @@ const Qualifier kQualifiers[] = {
     {{"no", "closer", "than"}, Bound::kMin},
     {{"not", "closer", "than"}, Bound::kMin},
     {{"less", "than"}, Bound::kMax},
+    {{"closer", "than"}, Bound::kMin},
     {{"more", "than"}, Bound::kMin},
     {{"greater", "than"}, Bound::kMin},
     {{"at", "least"}, Bound::kMin},
@@ -194,6 +195,11 @@ class Joiner {
   // "1.8m x 2.8m", "0.6m wide": leaves nothing behind.
   bool SkipDimension(size_t next) {
     const size_t start = next;
+    // "the 2.5m side" is a side.
+    if (WordAt(next, "side") || WordAt(next, "sides")) {
+      at_ = next;
+      return true;
+    }
     while (WordAt(next, "x") || WordAt(next, "by")) {
       const std::optional<Read> other = NumberAt(next + 1);
       if (!other) break;

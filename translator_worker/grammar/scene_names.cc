@@ -108,8 +108,10 @@ SceneNames::Found SceneNames::FindObject(const std::vector<Token>& tokens, size_
     int best = 9;
     for (const Candidate& candidate : entry->second) best = std::min(best, candidate.rank);
     for (const Candidate& candidate : entry->second) {
-      std::vector<int>& list = candidate.rank == best ? found.reference.candidates : found.reference.weak_candidates;
-      list.push_back(candidate.object);
+      if (candidate.rank == best) found.reference.candidates.push_back(candidate.object);
+      if (best > 0 && candidate.rank > best && candidate.rank < 4) {
+        found.reference.weak_candidates.push_back(candidate.object);
+      }
     }
     found.full = best == 0;
     std::sort(found.reference.candidates.begin(), found.reference.candidates.end());

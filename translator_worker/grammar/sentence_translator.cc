@@ -60,7 +60,7 @@ class Walk {
   bool TakeFact() {
     const std::span<const Term> rest(terms_.data() + at_, std::min(kLongestFact, terms_.size() - at_));
     const RuleBook::Hit hit = RuleBook::Get().Find(rest);
-    if (hit.rule == nullptr) return false;
+    if (hit.rule == nullptr || Passive()) return false;
     // "against a wall or beside the bed": the first is taken, the choice is free.
     const size_t before = composer_.calls().size();
     const bool alternative = after_or_ && before > calls_at_or_;
@@ -75,6 +75,13 @@ class Walk {
       ++at_;
     }
     return true;
+  }
+
+  // "overshadowed by the bed": what happens to it, not where it is.
+  bool Passive() const {
+    if (at_ == 0 || !terms_[at_].IsWord("next_to") || terms_[at_].end - terms_[at_].begin != 2) return false;
+    const Term& before = terms_[at_ - 1];
+    return before.kind == Term::Kind::kUnknown && before.lemma.size() > 3 && before.lemma.ends_with("ed");
   }
 
   // Objects that are named as movers are spoken of from then on.

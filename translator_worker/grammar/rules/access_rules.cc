@@ -50,6 +50,10 @@ void Accessible(const Match& match, std::string_view, Composer& composer) {
 void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers)) {
+    if (target.name == "all" || target.name == "others") {
+      composer.Refuse("not_about_layout", "say from which object it is reached");
+      continue;
+    }
     if (target.kind == RefKind::kFeature) {
       for (const Placed& mover : movers) {
         composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
@@ -85,8 +89,8 @@ void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
 // A chair is pulled out backwards; room for "the chair" of a desk is in front of the desk.
 void PullOut(const Match& match, std::string_view, Composer& composer) {
   std::vector<Placed> movers = composer.Movers(match.a);
-  const std::vector<Placed>& topic = composer.topic();
-  if (!topic.empty() && !composer.IsChair(topic.front())) movers = topic;
+  const std::vector<Placed>& subjects = composer.subjects();
+  if (!subjects.empty() && !composer.IsChair(subjects.front())) movers = subjects;
   for (const Placed& mover : movers) {
     EmitAccessible(mover, {composer.IsChair(mover) ? "back" : "front"}, match.distance, composer);
   }
@@ -108,7 +112,8 @@ void Unreachable(const Match&, std::string_view, Composer& composer) {
 
 std::vector<Rule> AccessRules() {
   return {
-      {"A.object? accessible/keep_clear ,? D? space?", Accessible},
+      {"A.object? accessible/keep_clear", Accessible},
+      {"A.object? accessible/keep_clear ,? D space?", Accessible},
       {"A.object? keep_clear/accessible ,? space D", Accessible},
       {"A.object? accessible_from ,? B.side ,? D? space?", Accessible},
       {"A.object? accessible_from ,? B.side ,? space D?", Accessible},
@@ -127,7 +132,6 @@ std::vector<Rule> AccessRules() {
       {"A? space? D? space? around B.side", SpaceAt, "named"},
       {"A? space D? around", SpaceAt, "around"},
       {"A? space D? around B.object", SpaceAt, "around"},
-      {"A? walk_space D? around B.object", SpaceAt, "around"},
       {"D space? around B.object", SpaceAt, "around"},
       {"D space? around", SpaceAt, "around"},
       {"space D? in_front_of B.object keep_clear?", SpaceAt, "front"},
@@ -136,13 +140,16 @@ std::vector<Rule> AccessRules() {
       {"space D? behind B.object keep_clear?", SpaceAt, "back"},
       {"D space behind B.object keep_clear?", SpaceAt, "back"},
       {"D behind B.object keep_clear", SpaceAt, "back"},
+      {"space D? foot_of B", SpaceAt, "front"},
+      {"D space? foot_of B", SpaceAt, "front"},
       {"space? D? space? on/at_sides/next_to/along/each_side_of B.side keep_clear?", SpaceAt, "named"},
       {"space D? on/next_to/along/near B.object", SpaceAt, "named"},
       {"D space on/next_to/along B.object", SpaceAt, "named"},
       {"space D? each_side_of B.object", SpaceAt, "sides"},
       {"D space? each_side_of B.object", SpaceAt, "sides"},
       {"A.object space ,? D?", SpaceAt, "named"},
-      {"A.side D space", SpaceAt, "named"},
+      {"A.side D space?", SpaceAt, "named"},
+      {"D space? on/next_to/along B.side", SpaceAt, "named"},
       {"A.side space D?", SpaceAt, "named"},
       {"A? space? D? space? pull_out ,? D? space?", PullOut},
       {"A? space for? A pull_out", PullOut},
@@ -157,6 +164,6 @@ std::vector<Rule> AccessRules() {
   };
 }
 
-std::vector<Rule> FrontRules() { return {{"not near B.side", NothingNear}}; }
+std::vector<Rule> FrontRules() { return {{"not near B.side", NothingNear}, {"A.group not near B.side", NothingNear}}; }
 
 }  // namespace flair::translator

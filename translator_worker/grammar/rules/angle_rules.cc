@@ -77,7 +77,8 @@ void OnWallOpposite(const Match& match, std::string_view, Composer& composer) {
 void InFrontOf(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   // "Keep 0.6 m in front of the wardrobe": free space, when nobody else is spoken of.
-  for (const Target& target : composer.Targets(*match.b, match.a == nullptr ? std::vector<Placed>{} : movers)) {
+  const bool may_be_own = match.a == nullptr && match.distance != nullptr;
+  for (const Target& target : composer.Targets(*match.b, may_be_own ? std::vector<Placed>{} : movers)) {
     if (target.kind == RefKind::kFeature) {
       for (const Placed& mover : movers) {
         composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
@@ -129,6 +130,12 @@ void Direction(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+void ParallelPairs(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (size_t i = 1; i < movers.size(); ++i) composer.EmitFirst({Two("parallel", movers[i], movers[0], composer)});
+  if (movers.size() < 2) composer.Refuse("unknown_sentence", "parallel needs two objects; name them");
+}
+
 void Angle(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   if (match.b != nullptr) composer.SetPair(movers, composer.TargetObjects(*match.b, movers));
@@ -158,6 +165,7 @@ std::vector<Rule> AngleRules() {
       {"A? in_front_of B , D", InFrontOf},
       {"A? same_direction B", Direction, "parallel"},
       {"A? parallel B", Direction, "parallel"},
+      {"A? parallel both_ways", ParallelPairs},
       {"A? perpendicular B", Direction, "perpendicular"},
       {"A? not_angle B", Angle},
       {"A? into_room", IntoRoom},

@@ -44,6 +44,11 @@ void NotBlock(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+// "Placed to allow access to the wardrobe"; after another fact it is that fact's reason.
+void AllowAccess(const Match& match, std::string_view tag, Composer& composer) {
+  if (composer.calls().empty()) NotBlock(match, tag, composer);
+}
+
 // "The door is kept clear": of every floor object of the topic, or of all when nobody is named.
 void KeepClear(const Match& match, std::string_view, Composer& composer) {
   for (const Target& target : composer.Targets(*match.b, {})) {
@@ -74,18 +79,24 @@ void UnderWindow(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+void PathBetween(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
+}
+
 }  // namespace
 
 std::vector<Rule> FeatureRules() {
   return {
       {"A? not block B", NotBlock},
       {"A? not block B or accessible/access_to/allow_access_to C", NotBlock},
-      {"A? allow_access_to B", NotBlock},
+      {"A? allow_access_to B", AllowAccess},
       {"A? not block ,? accessible/access_to/allow_access_to/accessible_from B", NotBlock},
       {"A? not block ,? B.feature swing_open", NotBlock},
       {"A? not block B ,? swing_open", NotBlock},
       {"A? not block B accessible", NotBlock},
       {"A? not block B.object space", NotBlock, "gap"},
+      {"A? not block C.vague between B", PathBetween},
+      {"C.vague between B", PathBetween},
       {"A? clear_of B", NotBlock},
       {"A? clear_of B.feature ,? swing_open", NotBlock},
       {"A? not in_front_of B.feature", NotBlock},

@@ -48,6 +48,10 @@ void NearOne(const Placed& mover, const Target& target, const Distance* distance
 void Near(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers)) {
+    if (target.name == "all" || target.name == "others") {
+      composer.Refuse("not_about_layout", "say which objects it is near");
+      continue;
+    }
     for (const Placed& mover : movers) NearOne(mover, target, match.distance, composer);
   }
   if (movers.size() == 2 && match.b->references.front().kind == RefKind::kPronoun) {
@@ -71,7 +75,18 @@ void NextTo(const Match& match, std::string_view, Composer& composer) {
 // Stands at a named side of the target; tag is that side.
 void AtSide(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
-  const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
+  const std::vector<Placed> targets =
+      composer.TargetObjects(*match.b, match.a == nullptr ? std::vector<Placed>{} : movers);
+  // "At least 0.6 m behind each chair": free space, when nobody else is spoken of.
+  if (match.a == nullptr && match.distance != nullptr && !match.distance->max_m) {
+    for (const Placed& other : targets) {
+      composer.EmitFirst({Call("accessible")
+                              .Text("object", composer.id(other))
+                              .Texts("sides", {tag == "side" ? "left" : std::string(tag)})
+                              .Number("min_clearance_m", *match.distance->min_m)});
+    }
+    return;
+  }
   for (const Placed& mover : movers) {
     if (composer.IsWall(mover)) {
       for (const Placed& other : targets) {
@@ -128,12 +143,12 @@ std::vector<Rule> NearRules() {
       {"nearby B", Near},
       {"A? next_to B", NextTo},
       {"A? on B.feature", Near},
-      {"A? left_of B ,? D?", AtSide, "left"},
-      {"A? right_of B ,? D?", AtSide, "right"},
-      {"A? behind B ,? D?", AtSide, "back"},
+      {"A? D? left_of B ,? D?", AtSide, "left"},
+      {"A? D? right_of B ,? D?", AtSide, "right"},
+      {"A? D? behind B ,? D?", AtSide, "back"},
       {"A? foot_of B", AtSide, "front"},
       {"A? head_of B", AtSide, "side"},
-      {"A? to_side B", AtSide, "side"},
+      {"A? D? to_side B", AtSide, "side"},
       {"B.feature considered", Near},
       {"A? each_side_of B", OnEachSide},
       {"A? , each_side_of B", OnEachSide},

@@ -51,6 +51,7 @@ void CentralIn(const Match& match, std::string_view, Composer& composer) {
 void InZone(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
     const std::string& zone = match.b->references.front().name;
+    if (!composer.IsFloor(mover) && !composer.calls().empty()) continue;
     if (composer.IsWall(mover)) {
       composer.EmitFirst({Call("on_wall_in_zone").Text("object", composer.id(mover)).Text("zone", zone)});
     } else if (composer.IsFloor(mover)) {
@@ -63,6 +64,10 @@ void InZone(const Match& match, std::string_view, Composer& composer) {
 
 // "on the desk in the study area": the object says it all.
 void Ignore(const Match&, std::string_view, Composer&) {}
+
+void OnFloor(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_about_layout", "what stands on the floor is known from the object list");
+}
 
 }  // namespace
 
@@ -82,6 +87,7 @@ std::vector<Rule> RoomRules() {
       {"A? on B.zone", InZone},
       {"A? hanging? on B.wall of/on B.zone", InZone},
       {"on B.room", Ignore},
+      {"A? on B.floor", OnFloor},
       {"A? on? B.ceiling on? centered of? B.room", Central},
       {"A? centered of? B.ceiling on B.room", Central},
       {"A? centered B.ceiling", Central},

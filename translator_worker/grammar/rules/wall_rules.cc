@@ -86,6 +86,19 @@ void InCorner(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+void TowardsWall(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst(
+        {Call("against_wall").Text("object", composer.id(mover)).MaybeText("side", OneSide(composer, mover))});
+  }
+}
+
+void Freestanding(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst({Call("not_against_wall").Text("object", composer.id(mover))});
+  }
+}
+
 void CenteredOnWall(const Match& match, std::string_view, Composer& composer) {
   const std::string wall = match.b != nullptr ? match.b->references.front().name : "";
   for (const Placed& mover : composer.Movers(match.a)) {
@@ -111,6 +124,8 @@ std::vector<Rule> WallRules() {
       {"A? not against/along/next_to/near/on B.wall", NotAgainst},
       {"A? not against B", NotAgainst},
       {"not against B", NotAgainst},
+      {"A.side towards_back", TowardsWall},
+      {"A? freestanding", Freestanding},
       {"A? corner B.room?", InCorner},
       {"A? corner of? B.room", InCorner},
       {"A? corner or against/along/near B.wall", InCorner},
