@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer_worker/drawing/layers.h"
+
+namespace flair::renderer {
+namespace {
+
+void TraceOutline(Canvas& canvas, const PlanObject& object, double grown_m) {
+  const double w = object.width_m / 2 + grown_m, d = object.depth_m / 2 + grown_m;
+  if (object.symbol->outline == Outline::kEllipse) {
+    canvas.Ellipse({0, 0}, w, d);
+  } else {
+    const double radius = object.symbol->outline == Outline::kRounded ? 0.18 * std::min(w, d) : 0.01;
+    canvas.Rectangle({-w, -d, w, d}, radius + std::max(0.0, grown_m));
+  }
+}
+
+// A soft shadow to the lower right, longer for taller pieces: layers of growing outlines, vector on every surface.
+void DrawShadow(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
+  const double height = std::clamp(object.top_m, 0.1, 2.2);
+  const double offset_mm = std::min(0.5 + 0.035 * height * sheet.mm_per_m(), 2.2);
+  const Point origin = sheet.ToSheet(object.centre_m) + Point{0.8 * offset_mm, offset_mm};
+  canvas.EnterFrame(origin, sheet.mm_per_m(), object.theta_rad, true);
+  const double blur_m = 0.45 * offset_mm / sheet.mm_per_m();
+  for (double share : {1.0, 0.5, 0.0, -0.5}) {
+    TraceOutline(canvas, object, share * blur_m);
+    canvas.Fill(Hex(0x2B2621), 0.055);
+  }
+  canvas.LeaveFrame();
+}
+
+void DrawSymbol(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
+  canvas.EnterFrame(sheet.ToSheet(object.centre_m), sheet.mm_per_m(), object.theta_rad, true);
+  SymbolPen pen(canvas, object.ink, object.width_m, object.depth_m);
+  object.symbol->draw(pen);
+  canvas.LeaveFrame();
+}
+
+// Wall pieces are bars of at least 1 mm on paper, grown into the room so that the wall stays clean.
+PlanObject AsBar(PlanObject object, const Sheet& sheet) {
+  const double least = 1.1 / sheet.mm_per_m();
+  if (object.depth_m < least) {
+    const double grow = (least - object.depth_m) / 2;
+    object.centre_m = object.centre_m + Point{-std::sin(object.theta_rad), std::cos(object.theta_rad)} * grow;
+    object.depth_m = least;
+  }
+  return object;
+}
+
+// What hangs above shows as a dashed outline only.
+void DrawOverhead(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
+  const std::string_view category = object.symbol->category;
+  if (category == "pendant" || category == "chandelier" || category == "ceiling_fan") {
+    PlanObject overhead = object;
+    overhead.ink.line = Hex(0x5A5148);
+    DrawSymbol(canvas, overhead, sheet);
+    return;
+  }
+  canvas.EnterFrame(sheet.ToSheet(object.centre_m), sheet.mm_per_m(), object.theta_rad, true);
+  TraceOutline(canvas, object, 0);
+  canvas.Draw({Hex(0x5A5148), 0.2, 0.9, Dash::kDashed});
+  canvas.LeaveFrame();
+}
+
+}  // namespace
+
+void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  for (const PlanObject& object : plan.objects) {
+    if (object.kind == v1::OBJECT_KIND_WALL || object.kind == v1::OBJECT_KIND_CEILING) continue;
+    if (!object.walk_over && object.kind == v1::OBJECT_KIND_FLOOR) DrawShadow(canvas, object, sheet);
+    DrawSymbol(canvas, object, sheet);
+  }
+}
+
+void DrawMounted(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  for (const PlanObject& object : plan.objects) {
+    if (object.kind == v1::OBJECT_KIND_WALL) DrawSymbol(canvas, AsBar(object, sheet), sheet);
+  }
+  for (const PlanObject& object : plan.objects) {
+    if (object.kind == v1::OBJECT_KIND_CEILING) DrawOverhead(canvas, object, sheet);
+  }
+}
+
+}  // namespace flair::renderer

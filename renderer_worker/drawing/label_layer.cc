@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "renderer_worker/drawing/layers.h"
+#include "renderer_worker/drawing/text.h"
+
+namespace flair::renderer {
+namespace {
+
+constexpr double kBadgeMm = 4.5;
+constexpr double kNameGapMm = 0.7;
+const Rgb kWhite = Hex(0xFFFFFF);
+
+// A name's two lines, broken where they are most equal; empty when it is one word.
+std::vector<std::string> TwoLines(const std::string& name) {
+  size_t best = std::string::npos;
+  for (size_t at = name.find(' '); at != std::string::npos; at = name.find(' ', at + 1)) {
+    const auto off = [&name](size_t i) { return std::abs(static_cast<double>(i) - static_cast<double>(name.size()) / 2); };
+    if (best == std::string::npos || off(at) < off(best)) best = at;
+  }
+  if (best == std::string::npos || best == 0 || best + 1 >= name.size()) return {};
+  return {name.substr(0, best), name.substr(best + 1)};
+}
+
+struct Form {
+  std::vector<std::string> lines;
+  bool beside = false;  // the badge stands left of the name instead of above it
+};
+
+class LabelLayer {
+ public:
+  LabelLayer(Canvas& canvas, const Plan& plan, const Sheet& sheet) : canvas_(canvas), plan_(plan), sheet_(sheet) {
+    for (Point vertex : plan.floor) floor_mm_.push_back(sheet.ToSheet(vertex));
+    for (const PlanObject& object : plan.objects) AddObject(object);
+    for (const PlanZone& zone : plan.zones) AddZone(zone);
+    for (const PlanOpening& opening : plan.openings) AddDoor(opening);
+  }
+
+  std::vector<PlacedLabel> Draw() {
+    std::vector<PlacedLabel> placed = PlaceLabels(items_, obstacles_, floor_mm_);
+    for (const PlacedLabel& label : placed) DrawLeader(label);
+    for (const PlacedLabel& label : placed) DrawOne(label);
+    return placed;
+  }
+
+ private:
+  static constexpr double kLineMm = 3.9;
+
+  TextStyle NameStyle() const { return {.size_mm = 3.3, .colour = Hex(0x2B2926)}; }
+  TextStyle ZoneStyle(size_t zone) const {
+    return {.size_mm = 3.1, .colour = LineColourFor(plan_.zones[zone].tint), .bold = true, .tracking = 0.14};
+  }
+
+  void AddObject(const PlanObject& object) {
+    LabelItem item;
+    item.centre_mm = sheet_.ToSheet(object.centre_m);
+    item.theta_rad = object.theta_rad;
+    item.half_width_mm = object.width_m / 2 * sheet_.mm_per_m();
+    item.half_depth_mm = object.depth_m / 2 * sheet_.mm_per_m();
+    item.ellipse = object.symbol->outline == Outline::kEllipse;
+    item.badge_mm = BadgeSize(object.key + 1);
+    std::vector<Form> forms;
+    const bool above = object.kind == v1::OBJECT_KIND_CEILING || object.kind == v1::OBJECT_KIND_WALL;
+    if (!above && item.half_width_mm * item.half_depth_mm > 45) {
+      forms.push_back({{object.name}, true});
+      if (std::vector<std::string> two = TwoLines(object.name); !two.empty()) forms.push_back({two, true});
+      forms.push_back({{object.name}, false});
+      if (std::vector<std::string> two = TwoLines(object.name); !two.empty()) forms.push_back({two, false});
+    }
+    for (const Form& form : forms) item.forms_mm.push_back(SizeOf(form, item.badge_mm));
+    const int index = static_cast<int>(items_.size());
+    items_.push_back(std::move(item));
+    forms_.push_back(std::move(forms));
+    std::vector<Point> corners;
+    for (Point corner : object.Corners()) corners.push_back(sheet_.ToSheet(corner));
+    // Small things should stay visible; large ones may carry the numbers of what stands near them.
+    const Box box = BoundsOf(corners);
+    const double area = std::max(box.width() * box.height(), 1.0);
+    const double cost = object.walk_over ? 0.02 : object.kind == v1::OBJECT_KIND_CEILING ? 0.15 : std::clamp(60 / area, 0.12, 2.0);
+    obstacles_.push_back({box, cost, index});
+  }
+
+  void AddZone(const PlanZone& zone) {
+    LabelItem item;
+    item.only_inside = true;
+    std::vector<Point> corners;
+    for (const std::vector<Point>& part : zone.parts) {
+      for (Point vertex : part) corners.push_back(sheet_.ToSheet(vertex));
+    }
+    const Box box = BoundsOf(corners);
+    item.centre_mm = box.empty() ? Point{} : box.centre();
+    item.half_width_mm = box.empty() ? 0 : box.width() / 2;
+    item.half_depth_mm = box.empty() ? 0 : box.height() / 2;
+    if (!box.empty()) item.forms_mm.push_back(Measure(canvas_, {Upper(zone.name), ZoneStyle(items_.size() - plan_.objects.size())}));
+    items_.push_back(std::move(item));
+  }
+
+  void AddDoor(const PlanOpening& opening) {
+    if (!opening.door || opening.swing != v1::DOOR_SWING_INWARD) return;
+    const DoorLeafGeometry leaf = LeafOf(plan_, opening);
+    const Point corners[] = {sheet_.ToSheet(leaf.hinge_m), sheet_.ToSheet(leaf.open_end_m), sheet_.ToSheet(leaf.closed_end_m)};
+    obstacles_.push_back({BoundsOf(corners), 0.35, -1});
+  }
+
+  static std::string Upper(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+    return text;
+  }
+
+  Size SizeOf(const Form& form, Size badge) const {
+    double width = 0;
+    for (const std::string& line : form.lines) width = std::max(width, Measure(canvas_, {line, NameStyle()}).width);
+    const double height = kLineMm * static_cast<double>(form.lines.size());
+    if (form.beside) return {width + badge.width + kNameGapMm, std::max(height, badge.height)};
+    return {std::max(width, badge.width), height + badge.height};
+  }
+
+  void DrawLeader(const PlacedLabel& label) {
+    if (!label.leader) return;
+    const Point target = items_[label.item].centre_mm, from = label.box_mm.centre();
+    canvas_.Line(from, target);
+    canvas_.Draw({kWhite, 0.7, 0.8});
+    canvas_.Line(from, target);
+    canvas_.Draw({Hex(0x4A4641), 0.16});
+    canvas_.Ellipse(target, 0.42, 0.42);
+    canvas_.Fill(Hex(0x4A4641));
+  }
+
+  void DrawOne(const PlacedLabel& label) {
+    const Point centre = label.box_mm.centre();
+    if (label.item >= static_cast<int>(plan_.objects.size())) {
+      const size_t zone = label.item - plan_.objects.size();
+      DrawTextAt(canvas_, {Upper(plan_.zones[zone].name), ZoneStyle(zone)}, centre, 0, &kWhite);
+      return;
+    }
+    const PlanObject& object = plan_.objects[label.item];
+    const Rgb fill = Mix(object.ink.fill, kWhite, 0.82);
+    if (label.form == kBadgeForm) {
+      DrawBadge(canvas_, object.key + 1, centre, fill, object.ink.line);
+      return;
+    }
+    const Form& form = forms_[label.item][label.form];
+    const Size badge = items_[label.item].badge_mm;
+    const Rgb halo = Mix(object.ink.fill, kWhite, 0.55);
+    const Point badge_at = form.beside ? Point{label.box_mm.x0 + badge.width / 2, centre.y} : Point{centre.x, label.box_mm.y0 + badge.height / 2};
+    DrawBadge(canvas_, object.key + 1, badge_at, fill, object.ink.line);
+    const double x = form.beside ? (label.box_mm.x0 + badge.width + kNameGapMm + label.box_mm.x1) / 2 : centre.x;
+    double y = form.beside ? centre.y - kLineMm * (static_cast<double>(form.lines.size()) - 1) / 2 : label.box_mm.y0 + badge.height + kLineMm / 2;
+    for (const std::string& line : form.lines) {
+      DrawTextAt(canvas_, {line, NameStyle()}, {x, y}, 0, &halo);
+      y += kLineMm;
+    }
+  }
+
+  Canvas& canvas_;
+  const Plan& plan_;
+  const Sheet& sheet_;
+  std::vector<Point> floor_mm_;
+  std::vector<LabelItem> items_;
+  std::vector<std::vector<Form>> forms_;
+  std::vector<LabelObstacle> obstacles_;
+};
+
+}  // namespace
+
+Size BadgeSize(int number) { return {number > 99 ? 1.7 * kBadgeMm : number > 9 ? 1.2 * kBadgeMm : kBadgeMm, kBadgeMm}; }
+
+void DrawBadge(Canvas& canvas, int number, Point centre_mm, const Rgb& fill, const Rgb& line) {
+  canvas.Rectangle(BoxAround(centre_mm, BadgeSize(number)), kBadgeMm / 2);
+  canvas.Fill(fill, 1, true);
+  canvas.Draw({line, 0.2});
+  DrawTextAt(canvas, {fmt::format("{}", number), {.size_mm = 2.9, .colour = Hex(0x26231F), .bold = true}}, centre_mm);
+}
+
+std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  return LabelLayer(canvas, plan, sheet).Draw();
+}
+
+}  // namespace flair::renderer

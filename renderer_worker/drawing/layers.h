@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "renderer_worker/drawing/canvas.h"
+#include "renderer_worker/drawing/labels.h"
+#include "renderer_worker/drawing/plan.h"
+#include "renderer_worker/drawing/sheet.h"
+
+// The layers of a plan, each drawn by one function onto a canvas in sheet frame S.
+namespace flair::renderer {
+
+// A door leaf in R: the hinge, where it ends open, and where it meets the frame closed.
+struct DoorLeafGeometry {
+  Point hinge_m;
+  Point open_end_m;
+  Point closed_end_m;
+};
+DoorLeafGeometry LeafOf(const Plan& plan, const PlanOpening& door);
+
+// floor.cc
+void DrawFloor(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+void DrawZones(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// walls.cc
+void DrawWalls(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+void DrawOpenings(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+void DrawSockets(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// furniture.cc; the second draws what hangs on walls and above, after the walls
+void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+void DrawMounted(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// dimensions.cc
+void DrawDimensions(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// label_layer.cc
+std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// side_panel.cc: title, key, style, scale bar, north arrow
+void DrawSidePanel(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+void DrawBadge(Canvas& canvas, int number, Point centre_mm, const Rgb& fill, const Rgb& line);
+Size BadgeSize(int number);
+
+}  // namespace flair::renderer
