@@ -14,10 +14,13 @@ class HandbookHandlers {
  public:
   explicit HandbookHandlers(const Handbook& handbook) : handbook_(handbook) {}
 
-  absl::StatusOr<v1::DescribeRoomResponse> Handle(const v1::DescribeRoomRequest& request, runtime::CallContext& call) const;
+  absl::StatusOr<v1::DescribeRoomResponse> Handle(const v1::DescribeRoomRequest& request,
+                                                  runtime::CallContext& call) const;
   absl::StatusOr<v1::PlanZonesResponse> Handle(const v1::PlanZonesRequest& request, runtime::CallContext& call) const;
-  absl::StatusOr<v1::ListObjectsResponse> Handle(const v1::ListObjectsRequest& request, runtime::CallContext& call) const;
-  absl::StatusOr<v1::ChooseStyleResponse> Handle(const v1::ChooseStyleRequest& request, runtime::CallContext& call) const;
+  absl::StatusOr<v1::ListObjectsResponse> Handle(const v1::ListObjectsRequest& request,
+                                                 runtime::CallContext& call) const;
+  absl::StatusOr<v1::ChooseStyleResponse> Handle(const v1::ChooseStyleRequest& request,
+                                                 runtime::CallContext& call) const;
   absl::StatusOr<v1::ListConstraintsResponse> Handle(const v1::ListConstraintsRequest& request,
                                                      runtime::CallContext& call) const;
   absl::StatusOr<v1::CleanConstraintsResponse> Handle(const v1::CleanConstraintsRequest& request,

@@ -32,7 +32,8 @@ class Service final : public v1::LanguageService::CallbackService {
                                         v1::ChooseStyleResponse* response) override {
     return runtime::ServeUnary(worker_, "ChooseStyle", context, request, response, handlers_);
   }
-  grpc::ServerUnaryReactor* ListConstraints(grpc::CallbackServerContext* context, const v1::ListConstraintsRequest* request,
+  grpc::ServerUnaryReactor* ListConstraints(grpc::CallbackServerContext* context,
+                                            const v1::ListConstraintsRequest* request,
                                             v1::ListConstraintsResponse* response) override {
     return runtime::ServeUnary(worker_, "ListConstraints", context, request, response, handlers_);
   }

@@ -8,8 +8,8 @@
 namespace flair::language {
 
 // Chooses among equally good things by a seed and a key. Every choice has a key of its own ("door.wall"), so a choice
-// neither depends on the order in which choices are made nor on how many there are: a changed handbook changes few others.
-// The same seed and key give the same answer on every machine. Immutable, thread-safe.
+// neither depends on the order in which choices are made nor on how many there are: a changed handbook changes few
+// others. The same seed and key give the same answer on every machine. Immutable, thread-safe.
 class Choice {
  public:
   explicit Choice(std::int64_t seed) : seed_(static_cast<std::uint64_t>(seed)) {}

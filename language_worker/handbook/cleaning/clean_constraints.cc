@@ -26,10 +26,11 @@ std::string Capital(std::string text) {
 
 // The sentence without words that say nothing; nothing when there are none.
 std::optional<std::string> WithoutFillers(const std::string& text) {
-  constexpr std::array<std::string_view, 8> kFillers = {"Ensure that ", "Ensure ",    "Make sure that ",   "Make sure ",
-                                                        "Please ",      "It is important that ", "- ", "* "};
+  constexpr std::array<std::string_view, 8> kFillers = {
+      "Ensure that ", "Ensure ", "Make sure that ", "Make sure ", "Please ", "It is important that ", "- ", "* "};
   for (const std::string_view filler : kFillers) {
-    if (text.size() > filler.size() && text.compare(0, filler.size(), filler) == 0) return Capital(text.substr(filler.size()));
+    if (text.size() > filler.size() && text.compare(0, filler.size(), filler) == 0)
+      return Capital(text.substr(filler.size()));
   }
   return std::nullopt;
 }
@@ -59,8 +60,9 @@ struct Claim {
 };
 
 Claim ClaimOf(const v1::Sentence& sentence) {
-  static const std::set<std::string, std::less<>> kDropped = {"the", "a", "an", "should", "must", "is", "are", "be", "does",
-                                                              "do", "its", "it", "placed", "positioned", "located"};
+  static const std::set<std::string, std::less<>> kDropped = {"the", "a",   "an",     "should",     "must",
+                                                              "is",  "are", "be",     "does",       "do",
+                                                              "its", "it",  "placed", "positioned", "located"};
   Claim claim;
   for (const std::string& id : sentence.subject_ids()) claim.words += id + ",";
   for (const Token& token : Tokenize(sentence.text())) {

@@ -45,7 +45,9 @@ class Checker {
   }
 
  private:
-  static std::string Label(std::string_view kind, std::string_view name) { return fmt::format("{} \"{}\"", kind, name); }
+  static std::string Label(std::string_view kind, std::string_view name) {
+    return fmt::format("{} \"{}\"", kind, name);
+  }
 
   void Enter(std::string_view kind, std::string_view name) {
     label_ = Label(kind, name);
@@ -73,9 +75,9 @@ class Checker {
   }
 
   void CheckSentence(const std::string& text) {
-    static const std::set<std::string, std::less<>> kPlaceholders = {
-        "object", "objects", "target", "targets",    "front_m", "sides_m",
-        "back_m", "side",    "other_side", "corner", "zone",    "count"};
+    static const std::set<std::string, std::less<>> kPlaceholders = {"object",     "objects", "target", "targets",
+                                                                     "front_m",    "sides_m", "back_m", "side",
+                                                                     "other_side", "corner",  "zone",   "count"};
     for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
       const std::size_t close = text.find('}', open);
       const std::string name = text.substr(open + 1, close == std::string::npos ? close : close - open - 1);
@@ -179,8 +181,8 @@ class Checker {
 
   void CheckHex(const hb::NamedColour& colour) {
     const std::string& hex = colour.hex();
-    const bool good = hex.size() == 7 && hex[0] == '#' &&
-                      hex.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    const bool good =
+        hex.size() == 7 && hex[0] == '#' && hex.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
     if (!good) Problem(fmt::format("colour \"{}\": \"{}\" is not #RRGGBB", colour.name(), hex));
   }
 

@@ -18,7 +18,8 @@ double Round(double length_m) { return std::round(length_m * 100) / 100; }
 
 class FloorFitter {
  public:
-  FloorFitter(const RoomProgram& program, const Handbook& handbook, const FloorExtent& floor, std::vector<LeftOut>& left_out)
+  FloorFitter(const RoomProgram& program, const Handbook& handbook, const FloorExtent& floor,
+              std::vector<LeftOut>& left_out)
       : program_(program), handbook_(handbook), floor_(floor), left_out_(left_out) {
     for (const ProgramItem& item : program.floor_items) items_.push_back(Size(item));
     MarkPrimaries();
@@ -51,7 +52,8 @@ class FloorFitter {
       SizedItem* primary = nullptr;
       for (const std::string& name : zone.primaries()) {
         for (SizedItem& sized : items_) {
-          if (primary == nullptr && sized.item.zone == zone.name() && sized.item.furniture->name() == name) primary = &sized;
+          if (primary == nullptr && sized.item.zone == zone.name() && sized.item.furniture->name() == name)
+            primary = &sized;
         }
       }
       for (SizedItem& sized : items_) {
@@ -86,8 +88,8 @@ class FloorFitter {
         kept.push_back(sized);
       } else {
         LeaveOut(sized, sized.item.count,
-                 fmt::format("at {:g} m x {:g} m it is larger than the room ({:g} m x {:g} m)", sized.width_m, sized.depth_m,
-                             floor_.width_m, floor_.depth_m));
+                 fmt::format("at {:g} m x {:g} m it is larger than the room ({:g} m x {:g} m)", sized.width_m,
+                             sized.depth_m, floor_.width_m, floor_.depth_m));
       }
     }
     items_ = std::move(kept);
@@ -140,7 +142,8 @@ class FloorFitter {
     if (items_.size() == 1 && items_[0].item.count == 1) return false;
     SizedItem& sized = items_[victim];
     LeaveOut(sized, 1,
-             fmt::format("{:.1f} m2 of floor would be covered by more than {:.0f} % with it", floor_.area_m2, 100 * kCoverLimit));
+             fmt::format("{:.1f} m2 of floor would be covered by more than {:.0f} % with it", floor_.area_m2,
+                         100 * kCoverLimit));
     if (--sized.item.count == 0) items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(victim));
     return true;
   }

@@ -33,8 +33,8 @@ struct FloorExtent {
   double area_m2 = 0;
 };
 
-// Gives the floor pieces sizes and makes them fit: shrinks them to their class's least size, takes smaller classes, then
-// leaves out pieces, those that nobody asked for first, primaries last. At most 45 % of the floor is covered.
+// Gives the floor pieces sizes and makes them fit: shrinks them to their class's least size, takes smaller classes,
+// then leaves out pieces, those that nobody asked for first, primaries last. At most 45 % of the floor is covered.
 std::vector<SizedItem> FitFloor(const RoomProgram& program, const Handbook& handbook, const FloorExtent& floor,
                                 std::vector<LeftOut>& left_out);
 

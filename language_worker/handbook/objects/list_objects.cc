@@ -38,7 +38,10 @@ class ObjectLister {
  public:
   ObjectLister(const BriefFacts& facts, const v1::Room& room, const v1::ZonePlan& zones, const Handbook& handbook,
                const Choice& choice)
-      : room_(room), zones_(zones), handbook_(handbook), style_(facts, handbook, choice),
+      : room_(room),
+        zones_(zones),
+        handbook_(handbook),
+        style_(facts, handbook, choice),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)) {}
 
   v1::ObjectList List() {
@@ -50,8 +53,10 @@ class ObjectLister {
     for (const HostedPiece& piece : pieces) AddTertiary(piece);
     NameObjects();
     for (const ProgramItem& item : program_.tertiary_items) {
-      const bool there = std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return piece.item == &item; });
-      if (item.requested && !there) left_out.push_back({item.furniture->name(), "nothing in the room can carry it", true});
+      const bool there =
+          std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return piece.item == &item; });
+      if (item.requested && !there)
+        left_out.push_back({item.furniture->name(), "nothing in the room can carry it", true});
     }
     for (const LeftOut& left : left_out) {
       v1::Omission& omission = *list_.add_omissions();
@@ -148,14 +153,17 @@ class ObjectLister {
   double ElevationOf(const hb::Furniture& furniture, const v1::Object* host, const v1::Object& object) const {
     const double most_m = std::max(0.0, room_.height_m() - object.height_m());
     switch (furniture.kind()) {
-      case hb::FURNITURE_KIND_CEILING: return most_m;
+      case hb::FURNITURE_KIND_CEILING:
+        return most_m;
       case hb::FURNITURE_KIND_WALL: {
         const bool above = host != nullptr && furniture.gap_above_target_m() > 0;
-        const double wanted_m = above ? std::max(furniture.elevation_m(), host->height_m() + furniture.gap_above_target_m())
-                                      : furniture.elevation_m();
+        const double wanted_m =
+            above ? std::max(furniture.elevation_m(), host->height_m() + furniture.gap_above_target_m())
+                  : furniture.elevation_m();
         return std::min(wanted_m, std::max(0.0, most_m - 0.05));
       }
-      default: return 0;
+      default:
+        return 0;
     }
   }
 

@@ -70,7 +70,8 @@ class Sharer {
 }  // namespace
 
 std::vector<std::string> HostClasses(const ProgramItem& item) {
-  if (item.entry != nullptr && item.entry->hosts_size() > 0) return {item.entry->hosts().begin(), item.entry->hosts().end()};
+  if (item.entry != nullptr && item.entry->hosts_size() > 0)
+    return {item.entry->hosts().begin(), item.entry->hosts().end()};
   if (item.furniture->hosts_size() > 0) return {item.furniture->hosts().begin(), item.furniture->hosts().end()};
   for (const hb::Relation& relation : item.furniture->relations()) {
     if (relation.targets_size() > 0) return {relation.targets().begin(), relation.targets().end()};

@@ -7,8 +7,8 @@ namespace flair::language {
 namespace {
 
 bool IsFloorPiece(const hb::Furniture& furniture) {
-  return !furniture.walk_over() && (furniture.kind() == hb::FURNITURE_KIND_FLOOR ||
-                                    furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED);
+  return !furniture.walk_over() &&
+         (furniture.kind() == hb::FURNITURE_KIND_FLOOR || furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED);
 }
 
 template <typename List>
@@ -122,11 +122,13 @@ class ProgramMaker {
       for (const hb::Substitution& substitution : changes.substitutions()) {
         const hb::Furniture* to = handbook_.FindFurniture(substitution.to());
         if (substitution.from() == item.furniture->name() && to != nullptr &&
-            Holds(substitution.condition(), *program_.archetype, area_m2_, choice_, "substitution." + substitution.to())) {
+            Holds(substitution.condition(), *program_.archetype, area_m2_, choice_,
+                  "substitution." + substitution.to())) {
           options.push_back(to);
         }
       }
-      if (!options.empty()) item.furniture = options[choice_.Index("substitution." + item.furniture->name(), options.size())];
+      if (!options.empty())
+        item.furniture = options[choice_.Index("substitution." + item.furniture->name(), options.size())];
     }
   }
 
@@ -167,7 +169,8 @@ class ProgramMaker {
       }
     }
     if (!IsFloorPiece(*wish.furniture)) {
-      program_.tertiary_items.insert(program_.tertiary_items.begin(), {wish.furniture, nullptr, wish.count, "", true, 0});
+      program_.tertiary_items.insert(program_.tertiary_items.begin(),
+                                     {wish.furniture, nullptr, wish.count, "", true, 0});
       return;
     }
     const hb::ZoneSpec& makes = wish.furniture->makes_zone();

@@ -18,8 +18,8 @@ struct Saying {
 };
 
 template <typename T>
-void AddSayings(const std::string& name, const google::protobuf::RepeatedPtrField<std::string>& others, const T& meaning,
-                std::vector<Saying<T>>& sayings) {
+void AddSayings(const std::string& name, const google::protobuf::RepeatedPtrField<std::string>& others,
+                const T& meaning, std::vector<Saying<T>>& sayings) {
   if (!name.empty()) sayings.push_back({Phrase(name), &meaning});
   for (const std::string& other : others) sayings.push_back({Phrase(other), &meaning});
 }
@@ -193,7 +193,8 @@ class BriefReader {
     }
     for (const hb::Need* need : found) {
       const bool overridden = std::any_of(found.begin(), found.end(), [&](const hb::Need* other) {
-        return std::find(other->overrides().begin(), other->overrides().end(), need->name()) != other->overrides().end();
+        return std::find(other->overrides().begin(), other->overrides().end(), need->name()) !=
+               other->overrides().end();
       });
       if (!overridden) facts_.needs.push_back(need);
     }

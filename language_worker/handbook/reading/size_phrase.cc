@@ -21,15 +21,29 @@ constexpr double kTatamiM2 = 1.62;
 // A number with its unit as found in the text; the unit may come later ("4 x 5 m").
 struct Measure {
   double value = 0;
-  double unit_m = 0;  // 0 when none is written
+  double unit_m = 0;    // 0 when none is written
   std::size_t end = 0;  // first token after it
 };
 
 double UnitOf(std::string_view word) {
   constexpr std::array<std::pair<std::string_view, double>, 17> kUnits = {{
-      {"m", 1},       {"metre", 1},     {"metres", 1},    {"meter", 1},      {"meters", 1},  {"mtr", 1},
-      {"cm", 0.01},   {"centimetres", 0.01}, {"centimeters", 0.01}, {"mm", 0.001}, {"ft", kFootM}, {"foot", kFootM},
-      {"feet", kFootM}, {"'", kFootM},  {"in", kInchM},   {"inch", kInchM},  {"inches", kInchM},
+      {"m", 1},
+      {"metre", 1},
+      {"metres", 1},
+      {"meter", 1},
+      {"meters", 1},
+      {"mtr", 1},
+      {"cm", 0.01},
+      {"centimetres", 0.01},
+      {"centimeters", 0.01},
+      {"mm", 0.001},
+      {"ft", kFootM},
+      {"foot", kFootM},
+      {"feet", kFootM},
+      {"'", kFootM},
+      {"in", kInchM},
+      {"inch", kInchM},
+      {"inches", kInchM},
   }};
   for (const auto& [name, unit_m] : kUnits) {
     if (name == word) return unit_m;
@@ -84,7 +98,8 @@ double GuessUnit(double value) {
 absl::Status CheckSide(double side_m) {
   if (side_m >= 1 && side_m <= 100) return absl::OkStatus();
   return absl::InvalidArgumentError(fmt::format(
-      "brief.text: a side of {:g} m cannot be furnished; write sides between 1 m and 100 m, such as \"4m x 5m\"", side_m));
+      "brief.text: a side of {:g} m cannot be furnished; write sides between 1 m and 100 m, such as \"4m x 5m\"",
+      side_m));
 }
 
 bool IsTimes(const std::string& text) { return text == "x" || text == "by" || text == "*"; }
@@ -177,8 +192,8 @@ absl::Status Check(const SizeRequest& size) {
         "brief.text: a floor of {:g} m2 cannot be furnished; write an area between 1.5 and 2000 m2", *size.area_m2));
   }
   if (size.height_m && (*size.height_m < 2 || *size.height_m > 12)) {
-    return absl::InvalidArgumentError(
-        fmt::format("brief.text: a ceiling at {:g} m is not possible; write a height between 2 and 12 m", *size.height_m));
+    return absl::InvalidArgumentError(fmt::format(
+        "brief.text: a ceiling at {:g} m is not possible; write a height between 2 and 12 m", *size.height_m));
   }
   return absl::OkStatus();
 }

@@ -12,8 +12,18 @@ namespace {
 
 // Signs of more than one byte that people type, and what they stand for.
 constexpr std::array<std::pair<std::string_view, char>, 12> kTypography = {{
-    {"\u2018", '\''}, {"\u2019", '\''}, {"\u2032", '\''}, {"\u201c", '"'}, {"\u201d", '"'}, {"\u2033", '"'},
-    {"\u00d7", 'x'},  {"\u2013", '-'},  {"\u2014", '-'},  {"\u2212", '-'}, {"\u00b2", '2'}, {"\u00a0", ' '},
+    {"\u2018", '\''},
+    {"\u2019", '\''},
+    {"\u2032", '\''},
+    {"\u201c", '"'},
+    {"\u201d", '"'},
+    {"\u2033", '"'},
+    {"\u00d7", 'x'},
+    {"\u2013", '-'},
+    {"\u2014", '-'},
+    {"\u2212", '-'},
+    {"\u00b2", '2'},
+    {"\u00a0", ' '},
 }};
 
 std::string PlainText(std::string_view text) {
@@ -85,9 +95,9 @@ std::vector<Token> Tokenize(std::string_view text) {
 
 std::optional<int> NumberWord(std::string_view word) {
   constexpr std::array<std::pair<std::string_view, int>, 19> kNumbers = {{
-      {"a", 1},     {"an", 1},    {"one", 1},   {"two", 2},  {"three", 3}, {"four", 4},   {"five", 5},
-      {"six", 6},   {"seven", 7}, {"eight", 8}, {"nine", 9}, {"ten", 10},  {"eleven", 11}, {"twelve", 12},
-      {"both", 2},  {"pair", 2},  {"couple", 2}, {"dozen", 12}, {"several", 4},
+      {"a", 1},    {"an", 1},    {"one", 1},    {"two", 2},    {"three", 3},   {"four", 4},    {"five", 5},
+      {"six", 6},  {"seven", 7}, {"eight", 8},  {"nine", 9},   {"ten", 10},    {"eleven", 11}, {"twelve", 12},
+      {"both", 2}, {"pair", 2},  {"couple", 2}, {"dozen", 12}, {"several", 4},
   }};
   for (const auto& [name, number] : kNumbers) {
     if (name == word) return number;

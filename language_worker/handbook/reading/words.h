@@ -13,9 +13,9 @@ namespace flair::language {
 struct Token {
   enum class Kind { kWord, kNumber, kSign };
   Kind kind = Kind::kSign;
-  std::string text;      // lower case; typographic quotes, primes and multiplication signs as ', " and x
-  double number = 0;     // of kNumber; a comma between digits is a decimal point
-  bool glued = false;    // no space before it
+  std::string text;    // lower case; typographic quotes, primes and multiplication signs as ', " and x
+  double number = 0;   // of kNumber; a comma between digits is a decimal point
+  bool glued = false;  // no space before it
 };
 
 // Splits UTF-8 text. Bytes that belong to no word or number become signs. Linear in the length of the text.

@@ -80,8 +80,8 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
   };
   if (!size.assumption.empty()) note("size_assumed", size.assumption);
   if (!facts->archetype_named) {
-    note("room_type_assumed", "The brief names no kind of room that the handbook knows; it is furnished as a " +
-                                  archetype.name() + ".");
+    note("room_type_assumed",
+         "The brief names no kind of room that the handbook knows; it is furnished as a " + archetype.name() + ".");
   }
   return room;
 }
@@ -97,8 +97,8 @@ absl::StatusOr<v1::ZonePlan> PlanZones(const v1::Brief& brief, const v1::Room& r
     zone.set_id(IdOf(spec.name()));
     zone.set_name(spec.name());
     if (spec.purposes_size() > 0) {
-      zone.set_purpose(spec.purposes(static_cast<int>(
-          choice.Index("zone." + spec.name(), static_cast<std::size_t>(spec.purposes_size())))));
+      zone.set_purpose(spec.purposes(
+          static_cast<int>(choice.Index("zone." + spec.name(), static_cast<std::size_t>(spec.purposes_size())))));
     }
   }
   return plan;
@@ -118,8 +118,10 @@ std::string IdOf(std::string_view name) {
   std::string id;
   for (const char c : name) {
     const bool word = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (word) id += c;
-    else if (c != '\'' && !id.empty() && id.back() != '_') id += '_';
+    if (word)
+      id += c;
+    else if (c != '\'' && !id.empty() && id.back() != '_')
+      id += '_';
   }
   while (!id.empty() && id.back() == '_') id.pop_back();
   return id.empty() ? "unnamed" : id;

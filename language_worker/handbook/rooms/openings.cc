@@ -20,7 +20,8 @@ double RoundDown(double length_m) { return std::floor(length_m * 20 + 1e-9) / 20
 
 class OpeningMaker {
  public:
-  OpeningMaker(const OpeningPlan& plan, const Choice& choice, v1::Room& room) : plan_(plan), choice_(choice), room_(room) {
+  OpeningMaker(const OpeningPlan& plan, const Choice& choice, v1::Room& room)
+      : plan_(plan), choice_(choice), room_(room) {
     lengths_ = {room.floor().vertices(1).x_m(), room.floor().vertices(2).y_m(), room.floor().vertices(1).x_m(),
                 room.floor().vertices(2).y_m()};
   }
@@ -61,7 +62,8 @@ class OpeningMaker {
     door.mutable_leaf()->set_hinge(at_end ? v1::HINGE_SIDE_END : v1::HINGE_SIDE_START);
     door.mutable_leaf()->set_swing_angle_rad(std::numbers::pi / 2);
     const double area_m2 = lengths_[0] * lengths_[1];
-    v1::DoorSwing swing = area_m2 < plan_.rules.door_outward_below_m2() ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
+    v1::DoorSwing swing =
+        area_m2 < plan_.rules.door_outward_below_m2() ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
     if (choice_.Happens("door.passage", plan_.rules.passage_chance())) swing = v1::DOOR_SWING_NONE;
     door.mutable_leaf()->set_swing(swing);
     door_.first = offset_m;
@@ -93,7 +95,8 @@ class OpeningMaker {
     if (width_m < 0.3) return;
     constexpr std::array<double, 5> kPlaces = {0.5, 0.5, 0.5, 0.3, 0.7};
     for (int i = 0; i < count; ++i) {
-      const double place = count > 1 ? 0.5 : kPlaces[choice_.Index(fmt::format("window.place.{}", wall), kPlaces.size())];
+      const double place =
+          count > 1 ? 0.5 : kPlaces[choice_.Index(fmt::format("window.place.{}", wall), kPlaces.size())];
       const double middle_m = share_m * (i + place);
       v1::Opening& window = *room_.add_openings();
       window.set_id(fmt::format("window_{}", room_.openings_size() - 1));
@@ -137,6 +140,8 @@ class OpeningMaker {
 
 }  // namespace
 
-void AddOpenings(const OpeningPlan& plan, const Choice& choice, v1::Room& room) { OpeningMaker(plan, choice, room).Make(); }
+void AddOpenings(const OpeningPlan& plan, const Choice& choice, v1::Room& room) {
+  OpeningMaker(plan, choice, room).Make();
+}
 
 }  // namespace flair::language

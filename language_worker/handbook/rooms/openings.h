@@ -14,8 +14,8 @@ struct OpeningPlan {
   double door_width_m = 0.9;
 };
 
-// Adds a door near a corner, windows on other walls and sockets between them to a rectangular room whose floor, walls and
-// height are set. Widths shrink to the walls. Deterministic.
+// Adds a door near a corner, windows on other walls and sockets between them to a rectangular room whose floor, walls
+// and height are set. Widths shrink to the walls. Deterministic.
 void AddOpenings(const OpeningPlan& plan, const Choice& choice, v1::Room& room);
 
 }  // namespace flair::language

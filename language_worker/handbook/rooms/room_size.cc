@@ -57,8 +57,8 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook) {
       size.width_m = std::clamp(size.width_m, Low(archetype.width_m()), High(archetype.width_m()));
       size.depth_m = std::clamp(size.depth_m, Low(archetype.depth_m()), High(archetype.depth_m()));
     }
-    size.assumption = fmt::format("The brief gives no size in numbers; {:g} m x {:g} m is usual for this {}.", size.width_m,
-                                  size.depth_m, archetype.name());
+    size.assumption = fmt::format("The brief gives no size in numbers; {:g} m x {:g} m is usual for this {}.",
+                                  size.width_m, size.depth_m, archetype.name());
   }
   return size;
 }

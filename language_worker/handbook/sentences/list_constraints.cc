@@ -37,15 +37,17 @@ bool Selects(const hb::Selector& selector, const v1::Object& object, const hb::F
   if (selector.has_host_center() && selector.host_center() != first_on_host) return false;
   if (object.height_m() < selector.min_height_m()) return false;
   if (selector.max_height_m() > 0 && object.height_m() >= selector.max_height_m()) return false;
-  return facts.clear_front_m() >= selector.min_clear_front_m() && facts.clear_sides_m() >= selector.min_clear_sides_m() &&
-         facts.clear_back_m() >= selector.min_clear_back_m();
+  return facts.clear_front_m() >= selector.min_clear_front_m() &&
+         facts.clear_sides_m() >= selector.min_clear_sides_m() && facts.clear_back_m() >= selector.min_clear_back_m();
 }
 
 class ConstraintLister {
  public:
-  ConstraintLister(const BriefFacts& facts, const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
-                   const Handbook& handbook, const Choice& choice)
-      : handbook_(handbook), choice_(choice), objects_(objects),
+  ConstraintLister(const BriefFacts& facts, const v1::Room& room, const v1::ZonePlan& zones,
+                   const v1::ObjectList& objects, const Handbook& handbook, const Choice& choice)
+      : handbook_(handbook),
+        choice_(choice),
+        objects_(objects),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
         writer_(room, zones, objects, handbook, *program_.archetype, choice) {}
 
@@ -93,7 +95,8 @@ class ConstraintLister {
   // The first thing on a top takes its middle.
   bool IsFirstOnHost(const v1::Object& object) const {
     for (const v1::Object& other : objects_.objects()) {
-      if (other.kind() == v1::OBJECT_KIND_SURFACE && other.host_id() == object.host_id()) return other.id() == object.id();
+      if (other.kind() == v1::OBJECT_KIND_SURFACE && other.host_id() == object.host_id())
+        return other.id() == object.id();
     }
     return false;
   }
@@ -154,8 +157,9 @@ class ConstraintLister {
 
 }  // namespace
 
-absl::StatusOr<v1::ConstraintList> ListConstraints(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
-                                                   const v1::ObjectList& objects, const Handbook& handbook) {
+absl::StatusOr<v1::ConstraintList> ListConstraints(const v1::Brief& brief, const v1::Room& room,
+                                                   const v1::ZonePlan& zones, const v1::ObjectList& objects,
+                                                   const Handbook& handbook) {
   const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
   if (!facts.ok()) return facts.status();
   const Choice choice(brief.seed());

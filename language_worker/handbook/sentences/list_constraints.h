@@ -13,7 +13,8 @@ namespace flair::language {
 
 // Step D i and ii, and where tertiaries go: the sentences that the handbook has for these objects in this room. Objects
 // that the handbook does not know get the general rules that fit. Errors as ReadBrief.
-absl::StatusOr<v1::ConstraintList> ListConstraints(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
-                                                   const v1::ObjectList& objects, const Handbook& handbook);
+absl::StatusOr<v1::ConstraintList> ListConstraints(const v1::Brief& brief, const v1::Room& room,
+                                                   const v1::ZonePlan& zones, const v1::ObjectList& objects,
+                                                   const Handbook& handbook);
 
 }  // namespace flair::language

@@ -13,9 +13,9 @@
 namespace flair::language {
 namespace {
 
-constexpr std::array<const char*, 12> kOrdinals = {"first", "second",  "third",  "fourth", "fifth",    "sixth",
+constexpr std::array<const char*, 12> kOrdinals = {"first",   "second", "third", "fourth", "fifth",    "sixth",
                                                    "seventh", "eighth", "ninth", "tenth",  "eleventh", "twelfth"};
-constexpr std::array<const char*, 13> kNumbers = {"no",  "one",   "two",   "three", "four", "five",  "six",
+constexpr std::array<const char*, 13> kNumbers = {"no",    "one",   "two",  "three", "four",   "five",  "six",
                                                   "seven", "eight", "nine", "ten",   "eleven", "twelve"};
 
 template <typename List>
@@ -29,7 +29,12 @@ std::string Metres(double length_m) { return fmt::format("{:g} m", length_m); }
 
 SentenceWriter::SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
                                const Handbook& handbook, const hb::Archetype& archetype, const Choice& choice)
-    : room_(room), zones_(zones), objects_(objects), handbook_(handbook), archetype_(archetype), choice_(choice),
+    : room_(room),
+      zones_(zones),
+      objects_(objects),
+      handbook_(handbook),
+      archetype_(archetype),
+      choice_(choice),
       area_m2_(FloorArea(room)) {
   for (const v1::Object& object : objects.objects()) groups_[object.name()].push_back(&object);
 }
@@ -46,9 +51,9 @@ bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) c
     if (groups_.count(name) > 0) return false;
   }
   if (!condition.zones().empty() && !Has(condition.zones(), ZoneName(*group.front()))) return false;
-  return !condition.needs_window() || std::any_of(room_.openings().begin(), room_.openings().end(), [](const auto& opening) {
-    return opening.kind() == v1::OPENING_KIND_WINDOW;
-  });
+  return !condition.needs_window() ||
+         std::any_of(room_.openings().begin(), room_.openings().end(),
+                     [](const auto& opening) { return opening.kind() == v1::OPENING_KIND_WINDOW; });
 }
 
 bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const {
@@ -89,7 +94,8 @@ std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, co
   for (std::size_t i = 0; i < count; ++i) {
     Group targets;
     if (!FindTargets(relation, *group[i], targets)) continue;
-    if (!targets.empty()) std::rotate(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i % targets.size()), targets.end());
+    if (!targets.empty())
+      std::rotate(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i % targets.size()), targets.end());
     sentences.push_back(WriteOne(relation, {group[i]}, targets, i));
   }
   return sentences;
@@ -127,7 +133,7 @@ v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group&
   for (std::size_t i = 0; i < (all ? targets.size() : std::min<std::size_t>(1, targets.size())); ++i) {
     if (!Has(sentence.subject_ids(), targets[i]->id())) sentence.add_subject_ids(targets[i]->id());
   }
-  sentence.set_scope(object.role() == v1::OBJECT_ROLE_TERTIARY                      ? v1::SENTENCE_SCOPE_TERTIARY
+  sentence.set_scope(object.role() == v1::OBJECT_ROLE_TERTIARY ? v1::SENTENCE_SCOPE_TERTIARY
                      : sentence.subject_ids_size() > static_cast<int>(subjects.size()) || subjects.size() > 1
                          ? v1::SENTENCE_SCOPE_INTER
                          : v1::SENTENCE_SCOPE_INTRA);

@@ -21,20 +21,21 @@ using Group = std::vector<const v1::Object*>;
 // partners and fills in the words. `room`, `zones`, `objects` and `choice` must outlive it.
 class SentenceWriter {
  public:
-  SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects, const Handbook& handbook,
-                 const hb::Archetype& archetype, const Choice& choice);
+  SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
+                 const Handbook& handbook, const hb::Archetype& archetype, const Choice& choice);
 
   const std::map<std::string, Group>& groups() const { return groups_; }
 
-  // The sentences of one relation about one group, without ids; empty when its condition or its partner is missing. For a
-  // tertiary without `targets` the partner is its host.
+  // The sentences of one relation about one group, without ids; empty when its condition or its partner is missing. For
+  // a tertiary without `targets` the partner is its host.
   std::vector<v1::Sentence> Write(const hb::Relation& relation, const Group& group) const;
 
  private:
   bool Applies(const hb::Relation& relation, const Group& group) const;
   // The partners of the relation: false when it asks for some and there are none.
   bool FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const;
-  v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets, std::size_t number) const;
+  v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets,
+                        std::size_t number) const;
   std::string NameOf(const v1::Object& object) const;
   std::string NameOf(const Group& group) const;
   std::string Plural(const std::string& name) const;

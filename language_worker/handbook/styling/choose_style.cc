@@ -23,8 +23,8 @@ void AddSurface(const char* surface, const hb::Finish& finish, v1::StyleSheet& s
                             : finish.description());
 }
 
-void AddOpening(const v1::Opening& opening, const hb::OpeningRules& rules, const StyleChoice& style, const Choice& choice,
-                v1::StyleSheet& sheet) {
+void AddOpening(const v1::Opening& opening, const hb::OpeningRules& rules, const StyleChoice& style,
+                const Choice& choice, v1::StyleSheet& sheet) {
   const bool door = opening.kind() == v1::OPENING_KIND_DOOR;
   const auto& descriptions = door ? rules.door_descriptions() : rules.window_descriptions();
   hb::Furniture frame;
@@ -35,9 +35,11 @@ void AddOpening(const v1::Opening& opening, const hb::OpeningRules& rules, const
   object.set_subject_id(opening.id());
   object.set_material(look.material);
   *object.mutable_colour() = ToColour(look.colour);
-  std::string text = door ? "A panelled door in {material}, {colour}." : "A window with a frame in {material}, {colour}.";
+  std::string text =
+      door ? "A panelled door in {material}, {colour}." : "A window with a frame in {material}, {colour}.";
   if (!descriptions.empty()) {
-    text = descriptions[static_cast<int>(choice.Index("opening." + frame.name(), static_cast<std::size_t>(descriptions.size())))];
+    text = descriptions[static_cast<int>(
+        choice.Index("opening." + frame.name(), static_cast<std::size_t>(descriptions.size())))];
   }
   object.set_description(Fill(text, {{"material", look.material}, {"colour", look.colour.name()}}));
 }
@@ -47,7 +49,8 @@ std::string Summary(const StyleChoice& style, const v1::Room& room, const Choice
   const hb::Style& chosen = style.style();
   std::string text = "A {style} {room}: walls in {wall}, a floor of {floor}, led by {colour1}.";
   if (chosen.summaries_size() > 0) {
-    text = chosen.summaries(static_cast<int>(choice.Index("summary", static_cast<std::size_t>(chosen.summaries_size()))));
+    text =
+        chosen.summaries(static_cast<int>(choice.Index("summary", static_cast<std::size_t>(chosen.summaries_size()))));
   }
   const auto colour = [&](int i) { return style.palette().colours(i % style.palette().colours_size()).name(); };
   const auto material = [&](const char* group) {

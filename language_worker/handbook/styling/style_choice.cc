@@ -55,7 +55,8 @@ StyleChoice::StyleChoice(const BriefFacts& facts, const Handbook& handbook, cons
   palette_ = led;
   *wall_.mutable_colour() = *facts.colours.front();
   wall_.clear_description();
-  if (title_.find(facts.colours.front()->name()) == std::string::npos) title_ = facts.colours.front()->name() + " " + title_;
+  if (title_.find(facts.colours.front()->name()) == std::string::npos)
+    title_ = facts.colours.front()->name() + " " + title_;
 }
 
 const hb::MaterialChoice* StyleChoice::MaterialOf(const std::string& group) const {
@@ -76,11 +77,12 @@ StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number
                   : material != nullptr               ? material->material()
                                                       : "painted wood";
   const auto& colours = material != nullptr && material->colours_size() > 0 ? material->colours() : palette_.colours();
-  look.colour = colours[static_cast<int>(
-      choice_.Index("colour." + furniture.name(), static_cast<std::size_t>(colours.size())))];
+  look.colour =
+      colours[static_cast<int>(choice_.Index("colour." + furniture.name(), static_cast<std::size_t>(colours.size())))];
   if (const hb::NamedColour* fixed = handbook_.FindColour(furniture.fixed_colour())) look.colour = *fixed;
   if (style_->adjectives_size() > 0) {
-    const std::size_t turn = choice_.Index("adjective." + furniture.name(), static_cast<std::size_t>(style_->adjectives_size()));
+    const std::size_t turn =
+        choice_.Index("adjective." + furniture.name(), static_cast<std::size_t>(style_->adjectives_size()));
     look.adjective = style_->adjectives(static_cast<int>((turn + static_cast<std::size_t>(number)) %
                                                          static_cast<std::size_t>(style_->adjectives_size())));
   }
@@ -89,7 +91,8 @@ StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number
 
 std::string StyleChoice::Describe(const hb::Furniture& furniture, const Look& look) const {
   std::string text = "{Article} {adjective} {name} in {material}, {colour}.";
-  if (furniture.descriptions_size() > 0) text = Pick(furniture.descriptions(), choice_, "description." + furniture.name());
+  if (furniture.descriptions_size() > 0)
+    text = Pick(furniture.descriptions(), choice_, "description." + furniture.name());
   const bool vowel = !look.adjective.empty() && std::string("aeiou").find(look.adjective[0]) != std::string::npos;
   text = Fill(text, {{"Article", vowel ? "An" : "A"},
                      {"adjective", look.adjective},

@@ -10,8 +10,8 @@
 
 namespace flair::language {
 
-// The style of one room: everything that the seed leaves open is chosen. Pointers go into the handbook, which must outlive
-// it. The same facts and seed give the same style in every step that asks.
+// The style of one room: everything that the seed leaves open is chosen. Pointers go into the handbook, which must
+// outlive it. The same facts and seed give the same style in every step that asks.
 class StyleChoice {
  public:
   StyleChoice(const BriefFacts& facts, const Handbook& handbook, const Choice& choice);

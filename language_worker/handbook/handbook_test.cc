@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Properties of the handbook's answers, over its own data: every kind of room, many sizes, many seeds.
+#include "language_worker/handbook/handbook.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "language_worker/handbook/cleaning/clean_constraints.h"
+#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/objects/list_objects.h"
+#include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/sentences/list_constraints.h"
+#include "language_worker/handbook/styling/choose_style.h"
+#include "room/validation/validate.h"
+
+namespace flair::language {
+namespace {
+
+const Handbook& Data() {
+  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
+  if (!handbook.ok()) ADD_FAILURE() << handbook.status();
+  return **handbook;
+}
+
+struct Answers {
+  v1::Room room;
+  v1::ZonePlan zones;
+  v1::ObjectList objects;
+  v1::StyleSheet style;
+  v1::ConstraintList raw, cleaned;
+
+  bool Has(const std::string& name) const { return Count(name) > 0; }
+  int Count(const std::string& name) const {
+    return static_cast<int>(std::count_if(objects.objects().begin(), objects.objects().end(),
+                                          [&](const v1::Object& object) { return object.name() == name; }));
+  }
+};
+
+Answers Ask(const std::string& text, std::int64_t seed = 0) {
+  v1::Brief brief;
+  brief.set_text(text);
+  brief.set_seed(seed);
+  Answers a;
+  const auto room = DescribeRoom(brief, Data());
+  EXPECT_TRUE(room.ok()) << room.status();
+  if (!room.ok()) return a;
+  a.room = *room;
+  a.zones = *PlanZones(brief, a.room, Data());
+  a.objects = *ListObjects(brief, a.room, a.zones, Data());
+  a.style = *ChooseStyle(brief, a.room, a.objects, Data());
+  a.raw = *ListConstraints(brief, a.room, a.zones, a.objects, Data());
+  a.cleaned = CleanConstraints(a.raw);
+  return a;
+}
+
+void ExpectSound(const Answers& a) {
+  EXPECT_TRUE(Validate(a.room).ok()) << Validate(a.room);
+  EXPECT_TRUE(Validate(a.zones).ok()) << Validate(a.zones);
+  EXPECT_TRUE(Validate(a.objects, a.zones).ok()) << Validate(a.objects, a.zones);
+  EXPECT_TRUE(Validate(a.style, a.room, a.objects).ok()) << Validate(a.style, a.room, a.objects);
+  EXPECT_TRUE(Validate(a.cleaned, a.objects).ok()) << Validate(a.cleaned, a.objects);
+  double covered_m2 = 0;
+  for (const v1::Object& object : a.objects.objects()) {
+    if (object.kind() == v1::OBJECT_KIND_FLOOR && !object.walk_over())
+      covered_m2 += object.width_m() * object.depth_m();
+  }
+  const int floor_count =
+      static_cast<int>(std::count_if(a.objects.objects().begin(), a.objects.objects().end(),
+                                     [](const auto& o) { return o.role() != v1::OBJECT_ROLE_TERTIARY; }));
+  if (floor_count > 1) EXPECT_LE(covered_m2, 0.46 * FloorArea(a.room));
+  for (const v1::Sentence& sentence : a.cleaned.sentences()) {
+    EXPECT_GT(sentence.subject_ids_size(), 0) << sentence.text();
+    EXPECT_EQ(sentence.text().find('{'), std::string::npos) << sentence.text();
+  }
+}
+
+TEST(Handbook, AnswersAreSoundForEveryRoomSizeAndSeed) {
+  for (const hb::Archetype& archetype : Data().contents().archetypes()) {
+    for (const char* size : {"2m x 2m", "2.5m x 3m", "3m x 4m", "6m x 3m", "5m x 5m", "9m x 8m", ""}) {
+      for (const std::int64_t seed : {0, 1, 7}) {
+        const std::string text = fmt::format("A {} {}", archetype.name(), size);
+        SCOPED_TRACE(fmt::format("{} seed {}", text, seed));
+        ExpectSound(Ask(text, seed));
+      }
+    }
+  }
+}
+
+TEST(Handbook, AnswersAreSoundForEveryTheme) {
+  for (const hb::Theme& theme : Data().contents().themes()) {
+    SCOPED_TRACE(theme.name());
+    ExpectSound(Ask(fmt::format("A bedroom for a {}", theme.keywords(0))));
+    ExpectSound(Ask(fmt::format("A small {} kitchen", theme.keywords(0)), 3));
+  }
+}
+
+TEST(Handbook, FindsItsOwnRoomByEveryName) {
+  for (const hb::Archetype& archetype : Data().contents().archetypes()) {
+    if (archetype.fallback()) continue;
+    EXPECT_EQ(Ask("A " + archetype.name() + ".").room.room_type(), archetype.name());
+  }
+}
+
+TEST(Handbook, SameSeedSameAnswerOtherSeedsOtherDesigns) {
+  std::set<std::string> rooms;
+  for (std::int64_t seed = 0; seed < 8; ++seed) {
+    const Answers a = Ask("A living room that is 4m x 6m.", seed);
+    EXPECT_EQ(a.room.SerializeAsString(), Ask("A living room that is 4m x 6m.", seed).room.SerializeAsString());
+    EXPECT_EQ(a.cleaned.SerializeAsString(), Ask("A living room that is 4m x 6m.", seed).cleaned.SerializeAsString());
+    rooms.insert(a.room.SerializeAsString() + a.style.SerializeAsString());
+  }
+  EXPECT_GE(rooms.size(), 6u);
+}
+
+TEST(Handbook, HearsWishesCountsAndRefusals) {
+  const Answers a = Ask("A 5m x 6m living room with a piano and two armchairs, no tv.");
+  EXPECT_TRUE(a.Has("upright piano"));
+  EXPECT_TRUE(a.Has("piano bench"));
+  EXPECT_EQ(a.Count("armchair"), 2);
+  EXPECT_FALSE(a.Has("television"));
+}
+
+TEST(Handbook, AVampireSleepsInACoffin) {
+  const Answers a = Ask("A bedroom for a vampire.");
+  EXPECT_TRUE(a.Has("coffin"));
+  EXPECT_FALSE(a.Has("double bed"));
+  EXPECT_EQ(a.style.name(), "vampire");
+}
+
+TEST(Handbook, APainterGetsAnEaselAtTheWindow) {
+  const Answers a = Ask("A bedroom that is 5x5 for a young girl who likes to paint whilst looking out of her window.");
+  EXPECT_TRUE(a.Has("easel"));
+  EXPECT_EQ(a.room.room_type(), "child's bedroom");
+  EXPECT_TRUE(std::any_of(a.cleaned.sentences().begin(), a.cleaned.sentences().end(), [](const v1::Sentence& sentence) {
+    return sentence.text().find("easel") != std::string::npos && sentence.text().find("window") != std::string::npos;
+  }));
+}
+
+TEST(Handbook, ColoursOfTheBriefLeadTheStyle) {
+  const Answers a = Ask("A small green boho dining room.");
+  EXPECT_EQ(a.style.name(), "green boho");
+  EXPECT_EQ(a.style.palette(0).name(), "green");
+  EXPECT_TRUE(a.Has("dining table") || a.Has("round dining table"));
+}
+
+TEST(Handbook, NamesWhatDoesNotFit) {
+  const Answers a =
+      Ask("A 2m x 2m bedroom with a piano, a sofa, two desks, a pool table, a bathtub, an easel, a bookshelf, "
+          "a wardrobe, a treadmill and a fireplace");
+  ExpectSound(a);
+  EXPECT_GT(a.objects.omissions_size(), 3);
+  for (const v1::Omission& omission : a.objects.omissions()) EXPECT_FALSE(omission.reason().empty());
+  EXPECT_GT(a.objects.objects_size(), 0);
+}
+
+TEST(Handbook, SurvivesHostileText) {
+  for (const std::string& text :
+       {std::string(4000, 'x'), std::string("\xf0\x9f\x9b\x8f\xf0\x9f\x9b\x8f"), std::string("\"'; DROP"),
+        std::string("{object} {target} %s %n"), std::string(2000, '-')}) {
+    ExpectSound(Ask(text));
+  }
+}
+
+TEST(LoadHandbook, SaysWhereAFolderIsWrong) {
+  const auto handbook = LoadHandbook("/nonexistent");
+  ASSERT_FALSE(handbook.ok());
+  EXPECT_NE(std::string(handbook.status().message()).find("/nonexistent"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace flair::language

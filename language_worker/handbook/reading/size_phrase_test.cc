@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/size_phrase.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace flair::language {
+namespace {
+
+hb::Handbook Words() {
+  hb::Handbook handbook;
+  hb::SizeWord& small = *handbook.add_size_words();
+  small.add_words("small");
+  small.set_area_factor(0.75);
+  hb::SizeWord& narrow = *handbook.add_size_words();
+  narrow.add_words("narrow");
+  narrow.set_side_ratio(0.5);
+  return handbook;
+}
+
+absl::StatusOr<SizeRequest> Read(const std::string& text) { return ReadSize(Tokenize(text), Words()); }
+
+struct PairCase {
+  const char* name;
+  const char* text;
+  double width_m;
+  double depth_m;
+};
+
+class SizePair : public testing::TestWithParam<PairCase> {};
+
+TEST_P(SizePair, GivesWidthAndDepthInMetres) {
+  const absl::StatusOr<SizeRequest> size = Read(GetParam().text);
+  ASSERT_TRUE(size.ok()) << size.status();
+  ASSERT_TRUE(size->width_m && size->depth_m) << GetParam().text;
+  EXPECT_NEAR(*size->width_m, GetParam().width_m, 1e-6);
+  EXPECT_NEAR(*size->depth_m, GetParam().depth_m, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Forms, SizePair,
+    testing::Values(PairCase{"metres", "A bedroom that is 4m x 5m.", 4, 5}, PairCase{"unit_once", "4 x 5 m", 4, 5},
+                    PairCase{"no_unit", "A bedroom that is 5x5 for a young girl", 5, 5},
+                    PairCase{"decimals", "3.225m x 4.5m", 3.225, 4.5}, PairCase{"comma", "3,5 x 4", 3.5, 4},
+                    PairCase{"by_words", "4 by 5 metres", 4, 5}, PairCase{"times_sign", "4 \u00d7 5", 4, 5},
+                    PairCase{"feet", "12ft by 10ft", 3.6576, 3.048},
+                    PairCase{"feet_once", "12 x 14 feet", 3.6576, 4.2672},
+                    PairCase{"feet_inches", "12'6\" x 14'", 3.81, 4.2672},
+                    PairCase{"curly_feet", "12\u2019 x 14\u2019", 3.6576, 4.2672},
+                    PairCase{"centimetres", "240cm x 300cm", 2.4, 3}, PairCase{"millimetres", "3600 x 4200", 3.6, 4.2},
+                    PairCase{"bare_centimetres", "350 x 420", 3.5, 4.2}, PairCase{"by_name", "8m long, 4m wide", 4, 8},
+                    PairCase{"square", "a 5 m square studio", 5, 5}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(ReadSize, ReadsAreas) {
+  EXPECT_NEAR(*Read("20 square metres")->area_m2, 20, 1e-9);
+  EXPECT_NEAR(*Read("a 20 m2 room")->area_m2, 20, 1e-9);
+  EXPECT_NEAR(*Read("20 m\u00b2")->area_m2, 20, 1e-9);
+  EXPECT_NEAR(*Read("20 sqm")->area_m2, 20, 1e-9);
+  EXPECT_NEAR(*Read("215 sq ft")->area_m2, 19.974, 1e-3);
+}
+
+TEST(ReadSize, KeepsTheCeilingApartFromTheSides) {
+  const SizeRequest size = *Read("a 4 x 5 m room with a 2.7m ceiling");
+  EXPECT_NEAR(*size.height_m, 2.7, 1e-9);
+  EXPECT_NEAR(*size.width_m, 4, 1e-9);
+}
+
+TEST(ReadSize, KnowsSizeWords) {
+  EXPECT_EQ(Read("a small narrow room")->area_factor, 0.75);
+  EXPECT_EQ(*Read("a small narrow room")->side_ratio, 0.5);
+  EXPECT_FALSE(Read("a room")->in_numbers());
+}
+
+TEST(ReadSize, RefusesImpossibleRoomsAndNamesTheValue) {
+  for (const char* text : {"A bedroom that is 0m x -3m", "a 0.5m x 0.5m room", "a 200 m x 200 m room", "4m x -3m",
+                           "0.3 square metres", "a 4 x 5 room with a 40m ceiling"}) {
+    const absl::StatusOr<SizeRequest> size = Read(text);
+    ASSERT_FALSE(size.ok()) << text;
+    EXPECT_EQ(size.status().code(), absl::StatusCode::kInvalidArgument);
+    EXPECT_NE(std::string(size.status().message()).find("brief.text: a "), std::string::npos) << size.status();
+  }
+}
+
+TEST(ReadSize, SurvivesHostileText) {
+  for (const std::string& text : {std::string(100000, '9'), std::string(50000, '\''), std::string("4\x01 x\x7f 5"),
+                                  std::string("\xf0\x9f\x9b\x8f 4x5 \xff\xfe"), std::string("x x x 4 x x 5")}) {
+    const absl::StatusOr<SizeRequest> size = Read(text);
+    if (size.ok() && size->width_m) EXPECT_GE(*size->width_m, 1);
+  }
+}
+
+}  // namespace
+}  // namespace flair::language
