@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair-renderer: serves flair.v1.RendererService.
+#include "flair/config/v1/renderer_worker_config.pb.h"
+#include "flair/v1/renderer_service.grpc.pb.h"
+#include "renderer_worker/service/make_renderer_service.h"
+#include "worker_runtime/bootstrap/run.h"
+
+namespace flair {
+namespace {
+
+absl::Status Assemble(const config::v1::RendererWorkerConfig& config, runtime::Worker& worker) {
+  absl::StatusOr<std::unique_ptr<grpc::Service>> service = renderer::MakeRendererService(config, worker.context());
+  if (!service.ok()) return service.status();
+  worker.Serve(v1::RendererService::service_full_name(), *std::move(service));
+  return absl::OkStatus();
+}
+
+}  // namespace
+}  // namespace flair
+
+int main(int argc, char** argv) {
+  return flair::runtime::Run<flair::config::v1::RendererWorkerConfig>(
+      argc, argv, {"flair-renderer", "Serves flair.v1.RendererService: draws layouts."}, flair::Assemble);
+}
