@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One function per command: adds it to the program and, when it is the one called, runs it and says how it ended.
+#pragma once
+
+#include "CLI/CLI.hpp"
+#include "absl/status/status.h"
+
+namespace flair::cli {
+
+void AddDesign(CLI::App& program, absl::Status& result);
+void AddInspect(CLI::App& program, absl::Status& result);
+void AddJobs(CLI::App& program, absl::Status& result);
+void AddRender(CLI::App& program, absl::Status& result);
+void AddSolve(CLI::App& program, absl::Status& result);
+void AddDoctor(CLI::App& program, absl::Status& result);
+
+}  // namespace flair::cli

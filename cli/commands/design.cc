@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair design: a room from a sentence.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "cli/commands/commands.h"
+#include "cli/exit_code.h"
+#include "cli/input/files.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/output_folder.h"
+#include "cli/output/report_text.h"
+#include "cli/progress/progress.h"
+#include "cli/session/session.h"
+#include "fmt/format.h"
+#include "room/validation/validate.h"
+
+namespace flair::cli {
+namespace {
+
+struct DesignArguments {
+  std::string text;
+  std::string out;
+  int64_t seed = 0;
+  std::string orchestrator;
+  std::string room;
+  std::optional<int> size_px;
+  std::optional<int> threads;
+  std::optional<int> restarts;
+  bool json = false;
+  bool quiet = false;
+};
+
+// Line breaks and tabs come from copying text; they mean a space.
+std::string OneLine(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+  }
+  return text;
+}
+
+absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
+  v1::JobSpec spec;
+  spec.mutable_brief()->set_text(OneLine(arguments.text));
+  spec.mutable_brief()->set_seed(arguments.seed);
+  if (!arguments.room.empty()) {
+    const absl::StatusOr<v1::Room> room = ReadRoom(arguments.room);
+    if (!room.ok()) return room.status();
+    *spec.mutable_brief()->mutable_room() = *room;
+  }
+  if (arguments.threads) spec.mutable_solve_options()->set_thread_count(*arguments.threads);
+  if (arguments.restarts) spec.mutable_solve_options()->set_max_restart_count(*arguments.restarts);
+  if (arguments.size_px) spec.mutable_render_options()->set_size_px(*arguments.size_px);
+  if (absl::Status status = Validate(spec.brief()); !status.ok()) return status;
+  if (absl::Status status = Validate(spec); !status.ok()) return status;
+  return spec;
+}
+
+std::vector<std::string> OutputNames() {
+  std::vector<std::string> names = {"plan.png", "report.md"};
+  for (int kind = 1; kind < v1::ArtifactKind_ARRAYSIZE; ++kind) {
+    const std::string stem = FileStem(static_cast<v1::ArtifactKind>(kind));
+    if (stem.empty()) continue;
+    names.push_back(stem + ".pb");
+    names.push_back(stem + ".json");
+  }
+  return names;
+}
+
+// Waits for the job; OK when it succeeded.
+absl::Status Finish(Session& session, const std::string& id, Progress& progress) {
+  if (absl::Status status = session.Watch(id, [&](const v1::JobEvent& event) { progress.See(event); }); !status.ok()) {
+    return status;
+  }
+  const absl::StatusOr<v1::Job> job = session.GetJob(id);
+  if (!job.ok()) return job.status();
+  switch (job->state()) {
+    case v1::JOB_STATE_SUCCEEDED:
+      return absl::OkStatus();
+    case v1::JOB_STATE_CANCELLED:
+      return absl::CancelledError(fmt::format("job {} was cancelled", id));
+    case v1::JOB_STATE_FAILED:
+      return absl::Status(static_cast<absl::StatusCode>(job->error_code()), job->error());
+    default:
+      return absl::InternalError(fmt::format("job {} has not ended; see: flair jobs show {}", id, id));
+  }
+}
+
+absl::StatusOr<ArtifactsByKind> Collect(Session& session, const v1::Job& job) {
+  ArtifactsByKind artifacts;
+  for (const v1::ArtifactRef& ref : job.artifacts()) {
+    absl::StatusOr<v1::Artifact> artifact = session.GetArtifact(ref.id());
+    if (!artifact.ok()) return artifact.status();
+    if (absl::Status status = CheckArtifactId(*artifact, "artifact " + ref.id()); !status.ok()) return status;
+    artifacts[ref.kind()] = *std::move(artifact);
+  }
+  for (const v1::ArtifactKind kind : {v1::ARTIFACT_KIND_SOLVED_LAYOUT, v1::ARTIFACT_KIND_PREVIEW}) {
+    if (!artifacts.contains(kind)) {
+      return absl::InternalError(fmt::format("job {} succeeded without a {}", job.id(), KindName(kind)));
+    }
+  }
+  return artifacts;
+}
+
+std::vector<OutputFile> MakeFiles(const v1::Job& job, const ArtifactsByKind& artifacts) {
+  std::vector<OutputFile> files;
+  for (const auto& [kind, artifact] : artifacts) {
+    if (kind == v1::ARTIFACT_KIND_PREVIEW) files.push_back({"plan.png", artifact.preview().image()});
+    const std::string stem = FileStem(kind);
+    if (stem.empty()) continue;
+    files.push_back({stem + ".pb", ArtifactBytes(artifact)});
+    files.push_back({stem + ".json", ToJson(artifact)});
+  }
+  files.push_back({"report.md", WriteReport(job, artifacts)});
+  return files;
+}
+
+// What a person wants to know at the end.
+void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const ArtifactsByKind& artifacts) {
+  const v1::Artifact& layout = artifacts.at(v1::ARTIFACT_KIND_SOLVED_LAYOUT);
+  if (arguments.json) {
+    fmt::print(stdout, "{{\"job_id\":\"{}\",\"layout_id\":\"{}\",\"out\":{}}}\n", job.id(), layout.id(),
+               CLI::detail::quoted(arguments.out));
+    return;
+  }
+  if (arguments.quiet) return;
+  for (const v1::Omission& omission : layout.solved_layout().graph().object_list().omissions()) {
+    if (omission.requested()) fmt::print(stderr, "left out     {}: {}\n", omission.name(), omission.reason());
+  }
+  fmt::print(stderr, "Done: {}/plan.png, and the reasons in {}/report.md\n", arguments.out, arguments.out);
+}
+
+absl::Status Design(const DesignArguments& arguments) {
+  const absl::StatusOr<v1::JobSpec> spec = MakeSpec(arguments);
+  if (!spec.ok()) return spec.status();
+  if (absl::Status status = CheckOutputFolder(arguments.out, OutputNames()); !status.ok()) return status;
+  absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments.orchestrator);
+  if (!session.ok()) return session.status();
+  const absl::StatusOr<v1::Job> created = (*session)->CreateJob(*spec);
+  if (!created.ok()) return created.status();
+  {
+    const std::unique_ptr<Progress> progress = MakeProgress(ChooseProgressForm(arguments.json, arguments.quiet));
+    if (absl::Status status = Finish(**session, created->id(), *progress); !status.ok()) return status;
+  }
+  const absl::StatusOr<v1::Job> job = (*session)->GetJob(created->id());
+  if (!job.ok()) return job.status();
+  const absl::StatusOr<ArtifactsByKind> artifacts = Collect(**session, *job);
+  if (!artifacts.ok()) return artifacts.status();
+  if (absl::Status status = WriteOutputFolder(arguments.out, MakeFiles(*job, *artifacts)); !status.ok()) return status;
+  ShowEnd(arguments, *job, *artifacts);
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+void AddDesign(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<DesignArguments>();
+  CLI::App* command = program.add_subcommand("design", "Design a room from a sentence.");
+  command->add_option("TEXT", arguments->text, "What you want, such as \"A bedroom that is 4m x 5m.\"")->required();
+  command->add_option("-o,--out", arguments->out, "Folder for the results; made when missing")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--seed", arguments->seed, "Another seed, another design; the same seed, the same bytes")
+      ->capture_default_str()
+      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1));
+  command->add_option("--room", arguments->room, "Furnish this room (.pb or .json) instead of describing one")
+      ->type_name("FILE");
+  command->add_option("--size", arguments->size_px, "Longer side of plan.png in pixels, 256 to 8192 (1600)")
+      ->type_name("PX")
+      ->check(CLI::Range(256, 8192));
+  command->add_option("--threads", arguments->threads, "Threads of the solver, 1 to 256 (all cores); changes no result")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--restarts", arguments->restarts, "Most restarts per stage of the solver, 1 to 10000")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--orchestrator", arguments->orchestrator, "Use the services of this one instead of own ones")
+      ->type_name("HOST:PORT");
+  CLI::Option* json = command->add_flag("--json", arguments->json, "Events as JSON lines on standard output");
+  command->add_flag("-q,--quiet", arguments->quiet, "Say nothing unless something is wrong")->excludes(json);
+  command->footer(
+      "DIR gets plan.png, report.md and each stage's artifact as .pb and .json. It is written when all is done, whole\n"
+      "or not at all; files of other names in it stay. Run again after an interruption: finished stages are not "
+      "redone.\n" +
+      std::string(kExitCodeHelp));
+  command->callback([arguments, &result] { result = Design(*arguments); });
+}
+
+}  // namespace flair::cli

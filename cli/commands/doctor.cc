@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair doctor: what is installed, reachable and configured, and what to do about the rest.
+#include <google/protobuf/stubs/common.h>
+#include <grpcpp/grpcpp.h>
+#include <nlopt.h>
+#include <sqlite3.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "absl/time/clock.h"
+#include "cli/commands/commands.h"
+#include "cli/embedded/embedded_services.h"
+#include "cli/exit_code.h"
+#include "cli/output/output_folder.h"
+#include "cli/session/stage_call.h"
+#include "flair/v1/language_service.grpc.pb.h"
+#include "flair/v1/worker_service.grpc.pb.h"
+#include "fmt/format.h"
+#include "room/conversion/room_conversion.h"
+#include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/client_call.h"
+
+namespace flair::cli {
+namespace {
+
+struct DoctorArguments {
+  std::vector<std::string> addresses;
+};
+
+// What was looked at, and how it is.
+class Findings {
+ public:
+  void Good(const std::string& what, const std::string& how) { fmt::print("  ok       {:<12} {}\n", what, how); }
+  void Bad(const std::string& what, const std::string& how, const std::string& remedy) {
+    fmt::print("  problem  {:<12} {}\n{:24}{}\n", what, how, "", remedy);
+    ++problems_;
+  }
+  int problems() const { return problems_; }
+
+ private:
+  int problems_ = 0;
+};
+
+void LookAtLibraries(Findings& findings) {
+  int major = 0, minor = 0, patch = 0;
+  nlopt_version(&major, &minor, &patch);
+  const int protobuf = GOOGLE_PROTOBUF_VERSION;
+  findings.Good("program", "flair " FLAIR_VERSION);
+  findings.Good("libraries", fmt::format("gRPC {}, protobuf {}.{}.{}, NLopt {}.{}.{}, SQLite {}", grpc::Version(),
+                                         protobuf / 1000000, protobuf / 1000 % 1000, protobuf % 1000, major, minor,
+                                         patch, sqlite3_libversion()));
+}
+
+void LookAtStore(Findings& findings) {
+  const std::string store = DefaultStorePath();
+  const std::string remedy = "Set FLAIR_HOME to a folder that you can write.";
+  std::error_code error;
+  std::filesystem::create_directories(store, error);
+  if (error) return findings.Bad("store", fmt::format("{}: {}", store, error.message()), remedy);
+  const absl::Status status = CheckOutputFolder(std::filesystem::path(store) / "probe", {});
+  if (!status.ok()) return findings.Bad("store", std::string(status.message()), remedy);
+  findings.Good("store", store + " can be written");
+}
+
+void LookAtFonts(Findings& findings) {
+  constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  if (std::filesystem::exists(kFont)) return findings.Good("fonts", "DejaVu Sans");
+  findings.Bad("fonts", "DejaVu Sans is missing; labels will look different or not be there",
+               "apt-get install fonts-dejavu-core");
+}
+
+// A design of nothing: asks for the room of a brief, which reads all of the handbook.
+absl::Status TryHandbook(const EmbeddedServices& services, std::string& version) {
+  const auto stub = v1::LanguageService::NewStub(services.stages().language.channel);
+  v1::DescribeRoomRequest request;
+  request.set_request_id("doctor");
+  request.mutable_brief()->set_text("A bedroom that is 4m x 5m.");
+  runtime::CallContext call;
+  const auto response = runtime::UnaryRequest(*stub, &v1::LanguageService::StubInterface::DescribeRoom, request, call,
+                                              absl::Now() + absl::Seconds(20));
+  if (response.ok()) version = response->producer().method() + " " + response->producer().version().substr(0, 12);
+  return response.status();
+}
+
+void LookAtLanguage(Findings& findings) {
+  const auto services = EmbeddedServices::StartStages();
+  std::string version;
+  const absl::Status status = services.ok() ? TryHandbook(**services, version) : services.status();
+  if (!status.ok()) {
+    return findings.Bad("handbook", std::string(status.message()), "Build again in a complete checkout: ./flair build");
+  }
+  findings.Good("handbook", version);
+  findings.Good("model", "none configured: the handbook designs, no key and no network needed");
+}
+
+// Draws an empty room, which loads the image writer.
+void LookAtPictures(Findings& findings) {
+  v1::RenderRequest request;
+  request.set_request_id("doctor");
+  v1::LayoutGraph& graph = *request.mutable_solved_layout()->mutable_graph();
+  *graph.mutable_room() = RoomToProto(RectangularRoom(3, 3));
+  graph.mutable_room()->set_room_type("room");
+  v1::Zone& zone = *graph.mutable_zone_plan()->add_zones();
+  zone.set_id("all");
+  zone.set_name("all");
+  v1::Object& object = *graph.mutable_object_list()->add_objects();
+  object.set_id("table");
+  object.set_name("table");
+  object.set_role(v1::OBJECT_ROLE_PRIMARY);
+  object.set_kind(v1::OBJECT_KIND_FLOOR);
+  object.set_zone_id("all");
+  object.set_width_m(1);
+  object.set_depth_m(1);
+  object.set_height_m(0.75);
+  v1::Placement& placement = *request.mutable_solved_layout()->add_placements();
+  placement.set_object_id("table");
+  placement.set_x_m(1.5);
+  placement.set_y_m(1.5);
+  request.mutable_options()->set_size_px(256);
+  const absl::StatusOr<v1::RenderResponse> response = CallRender(request, "");
+  if (!response.ok()) {
+    return findings.Bad("pictures", std::string(response.status().message()),
+                        "apt-get install libopenimageio2.4 (or libopenimageio-dev), then ./flair build");
+  }
+  findings.Good("pictures", fmt::format("drew {} bytes of PNG", response->preview().image().size()));
+}
+
+void LookAtAddress(const std::string& address, Findings& findings) {
+  const std::string remedy = "Start the program there, or check host and port.";
+  const auto channel = runtime::MakeChannel(address, v1::WorkerService::service_full_name());
+  if (!channel.ok()) return findings.Bad(address, std::string(channel.status().message()), remedy);
+  const auto stub = v1::WorkerService::NewStub(*channel);
+  runtime::CallContext call;
+  const auto worker = runtime::UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(),
+                                            call, absl::Now() + absl::Seconds(5));
+  if (worker.ok()) return findings.Good(address, fmt::format("{} answers", worker->program()));
+  if (worker.status().code() == absl::StatusCode::kUnimplemented) {
+    return findings.Good(address, "a gRPC server that is not Flair's own answers");
+  }
+  findings.Bad(address, std::string(worker.status().message()), remedy);
+}
+
+absl::Status Examine(const DoctorArguments& arguments) {
+  Findings findings;
+  LookAtLibraries(findings);
+  LookAtStore(findings);
+  LookAtFonts(findings);
+  LookAtLanguage(findings);
+  LookAtPictures(findings);
+  for (const std::string& address : arguments.addresses) LookAtAddress(address, findings);
+  std::fflush(stdout);
+  if (findings.problems() == 0) return absl::OkStatus();
+  return absl::InternalError(
+      fmt::format("{} problem{} found", findings.problems(), findings.problems() == 1 ? "" : "s"));
+}
+
+}  // namespace
+
+void AddDoctor(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<DoctorArguments>();
+  CLI::App* command =
+      program.add_subcommand("doctor", "What is installed, reachable and configured, and what to do about the rest.");
+  command->add_option("ADDRESS", arguments->addresses, "Services to look for, HOST:PORT")->type_name("HOST:PORT");
+  command->footer("Ends with 0 when nothing is wrong, else with 1.");
+  command->callback([arguments, &result] { result = Examine(*arguments); });
+}
+
+}  // namespace flair::cli

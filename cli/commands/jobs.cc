@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair jobs: what was designed before, and what is running.
+#include <cstdio>
+#include <functional>
+#include <memory>
+
+#include "absl/time/time.h"
+#include "cli/commands/commands.h"
+#include "cli/output/artifact_text.h"
+#include "cli/session/session.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+struct JobsArguments {
+  std::string id;
+  std::string orchestrator;
+  int count = 20;
+  bool json = false;
+};
+
+std::string StateName(v1::JobState state) {
+  std::string name = v1::JobState_Name(state).substr(std::string("JOB_STATE_").size());
+  for (char& c : name) c = static_cast<char>(c - 'A' + 'a');
+  return name;
+}
+
+std::string TimeText(const google::protobuf::Timestamp& time) {
+  const absl::Time value = absl::FromUnixSeconds(time.seconds()) + absl::Nanoseconds(time.nanos());
+  return absl::FormatTime("%Y-%m-%d %H:%M:%S", value, absl::LocalTimeZone());
+}
+
+std::string Shortened(const std::string& text) {
+  if (text.size() <= 60) return text;
+  size_t end = 57;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + "…";
+}
+
+void ShowJob(const v1::Job& job) {
+  fmt::print("{:<11}{}\n{:<11}{}{}\n{:<11}{}\n{:<11}{}\n{:<11}{}\n", "job", job.id(), "state", StateName(job.state()),
+             job.stage().empty() ? "" : " at " + job.stage(), "asked for", job.spec().brief().text(), "seed",
+             job.spec().brief().seed(), "created", TimeText(job.create_time()));
+  if (job.has_end_time()) fmt::print("{:<11}{}\n", "ended", TimeText(job.end_time()));
+  if (!job.error().empty()) fmt::print("{:<11}{}\n", "error", job.error());
+  fmt::print("{:<11}{}\n", "artifacts", job.artifacts_size());
+}
+
+absl::Status List(Session& session, const JobsArguments& arguments) {
+  const absl::StatusOr<std::vector<v1::Job>> jobs = session.ListJobs(arguments.count);
+  if (!jobs.ok()) return jobs.status();
+  for (const v1::Job& job : *jobs) {
+    if (arguments.json) {
+      fmt::print("{}\n", ToJsonLine(job));
+    } else {
+      fmt::print("{}  {:<9}  {}  {}\n", job.id(), StateName(job.state()), TimeText(job.create_time()),
+                 Shortened(job.spec().brief().text()));
+    }
+  }
+  if (jobs->empty() && !arguments.json) fmt::print(stderr, "No jobs yet. Try: flair design \"A bedroom.\" --out out\n");
+  return absl::OkStatus();
+}
+
+absl::Status Report(const absl::StatusOr<v1::Job>& job, bool json) {
+  if (!job.ok()) return job.status();
+  if (json) {
+    fmt::print("{}\n", ToJsonLine(*job));
+  } else {
+    ShowJob(*job);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status ListArtifacts(Session& session, const JobsArguments& arguments) {
+  const absl::StatusOr<v1::Job> job = session.GetJob(arguments.id);
+  if (!job.ok()) return job.status();
+  for (const v1::ArtifactRef& ref : job->artifacts()) {
+    if (arguments.json) {
+      fmt::print("{}\n", ToJsonLine(ref));
+    } else {
+      fmt::print("{:<20} {}  {} bytes\n", KindName(ref.kind()), ref.id(), ref.size_bytes());
+    }
+  }
+  return absl::OkStatus();
+}
+
+using JobsAction = std::function<absl::Status(Session&, const JobsArguments&)>;
+
+void AddAction(CLI::App& jobs, const std::shared_ptr<JobsArguments>& arguments, absl::Status& result,
+               const std::string& name, const std::string& help, bool takes_id, const JobsAction& action) {
+  CLI::App* command = jobs.add_subcommand(name, help);
+  if (takes_id) command->add_option("ID", arguments->id, "Id of the job, as flair jobs prints it")->required();
+  command->add_option("--orchestrator", arguments->orchestrator, "Ask this one instead of the local store")
+      ->type_name("HOST:PORT");
+  command->add_flag("--json", arguments->json, "One JSON object per line");
+  if (!takes_id) {
+    command->add_option("-n,--count", arguments->count, "Most jobs to list")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100000));
+  }
+  command->callback([arguments, &result, action] {
+    absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments->orchestrator);
+    result = session.ok() ? action(**session, *arguments) : session.status();
+    std::fflush(stdout);
+  });
+}
+
+}  // namespace
+
+void AddJobs(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<JobsArguments>();
+  CLI::App* jobs = program.add_subcommand("jobs", "What was designed before, and what is running.");
+  jobs->require_subcommand(0, 1);
+  AddAction(*jobs, arguments, result, "list", "Jobs, newest first (the default).", false, List);
+  AddAction(*jobs, arguments, result, "show", "One job.", true,
+            [](Session& session, const JobsArguments& a) { return Report(session.GetJob(a.id), a.json); });
+  AddAction(*jobs, arguments, result, "cancel", "End a job.", true,
+            [](Session& session, const JobsArguments& a) { return Report(session.CancelJob(a.id), a.json); });
+  AddAction(*jobs, arguments, result, "artifacts", "What a job has stored.", true, ListArtifacts);
+  jobs->add_option("--orchestrator", arguments->orchestrator, "Ask this one instead of the local store")
+      ->type_name("HOST:PORT");
+  jobs->add_flag("--json", arguments->json, "One JSON object per line");
+  jobs->callback([jobs, arguments, &result] {
+    if (!jobs->get_subcommands().empty()) return;
+    absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments->orchestrator);
+    result = session.ok() ? List(**session, *arguments) : session.status();
+  });
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/embedded/embedded_services.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "cli/exit_code.h"
+#include "flair/v1/language_service.grpc.pb.h"
+#include "flair/v1/optimizer_service.grpc.pb.h"
+#include "flair/v1/renderer_service.grpc.pb.h"
+#include "flair/v1/translator_service.grpc.pb.h"
+#include "fmt/format.h"
+#include "language_worker/service/make_language_service.h"
+#include "optimizer_worker/service/make_optimizer_service.h"
+#include "renderer_worker/service/make_renderer_service.h"
+#include "translator_worker/service/make_translator_service.h"
+
+namespace flair::cli {
+namespace {
+
+// What a command prints is its own business; the services speak up when something breaks.
+config::v1::RuntimeConfig QuietRuntime() {
+  config::v1::RuntimeConfig runtime;
+  runtime.set_log_level("error");
+  return runtime;
+}
+
+// Starts one worker in this process.
+template <typename Service, typename Config, typename Make>
+absl::Status StartWorker(const std::string& program, const Make& make,
+                         std::unique_ptr<runtime::InProcessServer>& server, orchestrator::StageChannel& channel) {
+  Config config;
+  *config.mutable_runtime() = QuietRuntime();
+  auto started =
+      runtime::InProcessServer::Start(program, config.runtime(), Service::service_full_name(),
+                                      [&](runtime::WorkerContext& context) { return make(config, context); });
+  if (!started.ok()) return started.status();
+  server = *std::move(started);
+  channel.channel = server->channel();
+  return absl::OkStatus();
+}
+
+std::string Variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::Start(const std::string& store_path) {
+  absl::StatusOr<std::unique_ptr<EmbeddedServices>> services = StartStages();
+  if (!services.ok()) return services.status();
+  if (absl::Status status = (*services)->StartOrchestrator(store_path); !status.ok()) return status;
+  return services;
+}
+
+absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::StartStages() {
+  std::unique_ptr<EmbeddedServices> services(new EmbeddedServices());
+  if (absl::Status status = services->StartWorkers(); !status.ok()) return status;
+  return services;
+}
+
+EmbeddedServices::~EmbeddedServices() {
+  if (service_ != nullptr) service_->Stop();
+}
+
+absl::Status EmbeddedServices::StartWorkers() {
+  absl::Status status = StartWorker<v1::LanguageService, config::v1::LanguageWorkerConfig>(
+      "flair-language",
+      [](const auto& config, auto& context) { return language::MakeLanguageService(config, context); }, language_,
+      stages_.language);
+  if (!status.ok()) return status;
+  status = StartWorker<v1::OptimizerService, config::v1::OptimizerWorkerConfig>(
+      "flair-optimizer",
+      [](const auto& config, auto& context) { return optimizer::MakeOptimizerService(config, context); }, optimizer_,
+      stages_.optimizer);
+  if (!status.ok()) return status;
+  status = StartWorker<v1::TranslatorService, config::v1::TranslatorWorkerConfig>(
+      "flair-translator",
+      [](const auto& config, auto& context) { return translator::MakeTranslatorService(config, context); }, translator_,
+      stages_.translator);
+  if (!status.ok()) return status;
+  return StartWorker<v1::RendererService, config::v1::RendererWorkerConfig>(
+      "flair-renderer",
+      [](const auto& config, auto& context) { return renderer::MakeRendererService(config, context); }, renderer_,
+      stages_.renderer);
+}
+
+absl::Status EmbeddedServices::StartOrchestrator(const std::string& store_path) {
+  std::error_code error;
+  std::filesystem::create_directories(store_path, error);
+  if (error) {
+    return FileError(fmt::format("{}: the store cannot be made: {}; set FLAIR_HOME to a folder that can be written",
+                                 store_path, error.message()));
+  }
+  config::v1::OrchestratorConfig config;
+  *config.mutable_runtime() = QuietRuntime();
+  config.set_store_path(store_path);
+  config.set_requested_jobs_only(true);
+  auto started = runtime::InProcessServer::Start(
+      "flair-orchestrator", config.runtime(), v1::OrchestratorService::service_full_name(),
+      [&](runtime::WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
+        auto service = orchestrator::MakeOrchestratorService(config, context, stages_);
+        if (!service.ok()) return service.status();
+        service_ = service->get();
+        return *std::move(service);
+      });
+  if (!started.ok()) return started.status();
+  orchestrator_ = *std::move(started);
+  return absl::OkStatus();
+}
+
+std::string DefaultStorePath() {
+  if (std::string home = Variable("FLAIR_HOME"); !home.empty()) return home;
+  if (std::string data = Variable("XDG_DATA_HOME"); !data.empty()) return data + "/flair";
+  if (std::string home = Variable("HOME"); !home.empty()) return home + "/.local/share/flair";
+  return "flair-store";
+}
+
+}  // namespace flair::cli

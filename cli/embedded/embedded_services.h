@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All five services in this process, over channels that need no port.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "orchestrator/service/make_orchestrator_service.h"
+#include "worker_runtime/grpc/in_process_server.h"
+
+namespace flair::cli {
+
+class EmbeddedServices {
+ public:
+  // `store_path` is made when missing. FAILED_PRECONDITION when it cannot be used.
+  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> Start(const std::string& store_path);
+  // The four stages without an orchestrator and its store; orchestrator() must not be called.
+  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> StartStages();
+  // Interrupts running jobs, which go on when the store is opened again.
+  ~EmbeddedServices();
+
+  std::shared_ptr<grpc::Channel> orchestrator() { return orchestrator_->channel(); }
+  const orchestrator::StageChannels& stages() const { return stages_; }
+
+ private:
+  EmbeddedServices() = default;
+  absl::Status StartWorkers();
+  absl::Status StartOrchestrator(const std::string& store_path);
+
+  // Made in this order, destroyed in reverse.
+  std::unique_ptr<runtime::InProcessServer> language_;
+  std::unique_ptr<runtime::InProcessServer> optimizer_;
+  std::unique_ptr<runtime::InProcessServer> translator_;
+  std::unique_ptr<runtime::InProcessServer> renderer_;
+  orchestrator::StageChannels stages_;
+  std::unique_ptr<runtime::InProcessServer> orchestrator_;
+  orchestrator::OrchestratorService* service_ = nullptr;
+};
+
+// $FLAIR_HOME, else $XDG_DATA_HOME/flair, else ~/.local/share/flair.
+std::string DefaultStorePath();
+
+}  // namespace flair::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "absl/status/status.h"
+
+namespace flair::cli {
+
+// What `flair` ends with; `flair --help` lists them.
+enum ExitCode : int {
+  kExitDone = 0,
+  kExitFailed = 1,       // something else went wrong: a bug or a broken installation
+  kExitBadInput = 2,     // the request, an argument or a file's content is not right
+  kExitUnreachable = 3,  // a service is down, full or too slow; trying again may help
+  kExitFiles = 4,        // a file or folder cannot be read or written
+  kExitCorrupt = 5,      // stored bytes are not what they were
+};
+
+int ExitCodeOf(const absl::Status& status);
+
+// FAILED_PRECONDITION, which stands for kExitFiles here.
+absl::Status FileError(const std::string& message);
+
+inline constexpr char kExitCodeHelp[] =
+    "Exit codes: 0 done, 1 failed, 2 the request or an argument is not right, 3 a service cannot be reached,\n"
+    "            4 a file or folder cannot be read or written, 5 an artifact is corrupt.";
+
+}  // namespace flair::cli

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair: from a sentence to a furnished room.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "cli/commands/commands.h"
+#include "cli/exit_code.h"
+#include "fmt/format.h"
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);
+  CLI::App program("From a sentence to a furnished, explained, editable room.", "flair");
+  program.footer(fmt::format("{}\n\nTry: flair design \"A bedroom that is 4m x 5m.\" --out out/bedroom",
+                             flair::cli::kExitCodeHelp));
+  program.require_subcommand(1);
+  program.set_version_flag("--version", "flair " FLAIR_VERSION);
+  absl::Status result;
+  flair::cli::AddDesign(program, result);
+  flair::cli::AddInspect(program, result);
+  flair::cli::AddJobs(program, result);
+  flair::cli::AddRender(program, result);
+  flair::cli::AddSolve(program, result);
+  flair::cli::AddDoctor(program, result);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? flair::cli::kExitDone : flair::cli::kExitBadInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "flair: {}\n", error.what());
+    return flair::cli::kExitFailed;
+  }
+  if (!result.ok()) fmt::print(stderr, "flair: {}\n", std::string(result.message()));
+  return flair::cli::ExitCodeOf(result);
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A folder of results that is written whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+
+namespace flair::cli {
+
+struct OutputFile {
+  std::string name;
+  std::string content;
+};
+
+// Says before the work begins whether `folder` can be written: FAILED_PRECONDITION when it cannot, when it is a file,
+// or when it holds files of the given names that are not Flair's. Leaves nothing behind.
+absl::Status CheckOutputFolder(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
+// Writes the files into a temporary folder beside `folder`, then puts it in place: by one rename when the folder is new
+// or holds only files of these names, else file by file, leaving all others alone. A process that is killed leaves the
+// old state and perhaps a folder ".NAME.flair-XXXXXX".
+absl::Status WriteOutputFolder(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
+
+// One file, whole or not at all.
+absl::Status WriteOutputFile(const std::filesystem::path& path, const std::string& content);
+
+}  // namespace flair::cli

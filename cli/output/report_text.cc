@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/report_text.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+const v1::Artifact& Get(const ArtifactsByKind& artifacts, v1::ArtifactKind kind) {
+  const auto found = artifacts.find(kind);
+  return found == artifacts.end() ? v1::Artifact::default_instance() : found->second;
+}
+
+// Safe in a table cell.
+std::string Cell(std::string text) {
+  for (char& c : text) {
+    if (c == '|' || c == '\n') c = '/';
+  }
+  return text;
+}
+
+double Seconds(const google::protobuf::Duration& duration) {
+  return static_cast<double>(duration.seconds()) + 1e-9 * duration.nanos();
+}
+
+std::string Heading(const v1::Room& room, const v1::Brief& brief) {
+  const std::string title = room.title().empty() ? brief.text() : room.title();
+  double width = 0, depth = 0;
+  for (const v1::Point2& p : room.floor().vertices()) {
+    width = std::max(width, p.x_m());
+    depth = std::max(depth, p.y_m());
+  }
+  return fmt::format(
+      "# {}\n\nAsked for: \"{}\" (seed {}).\n\nA {} of {:.4g} m x {:.4g} m, {:.4g} m high.\n\n![plan](plan.png)\n",
+      title, Cell(brief.text()), brief.seed(), room.room_type(), width, depth, room.height_m());
+}
+
+std::string Verdict(const v1::Report& report, const v1::SolvedLayout& layout) {
+  const v1::LayoutMetrics& m = report.metrics();
+  const v1::ConstraintSummary& c = report.constraints();
+  return fmt::format(
+      "\n## Measures\n\n"
+      "| measure | value | meaning |\n| --- | --- | --- |\n"
+      "| OOB | {:.4f} % | furniture outside the room, of the room's area |\n"
+      "| OOR | {:.4f} % | furniture in furniture or in a door's swing, of the room's area |\n"
+      "| floor reached | {:.0f} % | of the free floor, by a person 0.6 m wide from the door |\n"
+      "| fronts reached | {:.0f} % | of the furniture can be stood at |\n"
+      "| constraints | {} hold, {} do not, {} dropped, {} not understood | {} calls |\n",
+      m.oob_percent(), m.oor_percent(), 100 * m.reachable_floor_share(), 100 * m.reachable_front_share(),
+      c.satisfied_count(), c.violated_count(), c.dropped_count(), c.untranslated_count(), layout.graph().edges_size());
+}
+
+std::string ZoneText(const v1::ZonePlan& plan) {
+  std::string text = "\n## Zones\n\n";
+  for (const v1::Zone& zone : plan.zones()) {
+    text += fmt::format("- **{}**{}{}\n", zone.name(), zone.purpose().empty() ? "" : ": ", zone.purpose());
+  }
+  return text;
+}
+
+// The reason of the first sentence that moves the object.
+std::string ReasonFor(const std::string& id, const v1::ConstraintList& constraints) {
+  for (const v1::Sentence& sentence : constraints.sentences()) {
+    if (sentence.subject_ids_size() > 0 && sentence.subject_ids(0) == id && !sentence.reason().empty()) {
+      return sentence.reason();
+    }
+  }
+  return "";
+}
+
+std::string ObjectText(const v1::SolvedLayout& layout, const v1::StyleSheet& style,
+                       const v1::ConstraintList& sentences) {
+  std::string text =
+      "\n## Objects\n\n| object | zone | width x depth x height (m) | look | why |\n| --- | --- | --- | --- | --- |\n";
+  for (const v1::Object& object : layout.graph().object_list().objects()) {
+    const auto look = std::find_if(style.objects().begin(), style.objects().end(),
+                                   [&](const v1::ObjectStyle& s) { return s.subject_id() == object.id(); });
+    std::string finish;
+    if (look != style.objects().end()) {
+      finish = look->material();
+      if (!look->colour().name().empty()) finish += (finish.empty() ? "" : ", ") + look->colour().name();
+    }
+    std::string why = object.requested() ? "asked for" : "";
+    std::string reason = ReasonFor(object.id(), sentences);
+    if (reason.empty() && why.empty()) reason = object.description();
+    if (!reason.empty()) why += (why.empty() ? "" : "; ") + reason;
+    text += fmt::format("| {} | {} | {:.2f} x {:.2f} x {:.2f} | {} | {} |\n", object.id(), object.zone_id(),
+                        object.width_m(), object.depth_m(), object.height_m(), Cell(finish), Cell(why));
+  }
+  return text;
+}
+
+// What became of one sentence: the worst of its calls.
+std::string SentenceOutcome(const v1::Sentence& sentence, const v1::SolvedLayout& layout) {
+  int held = 0;
+  std::vector<std::string> problems;
+  for (int i = 0; i < layout.graph().edges_size() && i < layout.edge_outcomes_size(); ++i) {
+    if (layout.graph().edges(i).sentence_id() != sentence.id()) continue;
+    const v1::EdgeOutcome& outcome = layout.edge_outcomes(i);
+    if (outcome.status() == v1::OUTCOME_STATUS_SATISFIED) {
+      ++held;
+    } else {
+      const char* word = outcome.status() == v1::OUTCOME_STATUS_DROPPED ? "dropped" : "does not hold";
+      problems.push_back(outcome.reason().empty() ? word : fmt::format("{}: {}", word, outcome.reason()));
+    }
+  }
+  if (!problems.empty()) return "✗ " + problems.front();
+  return held > 0 ? "✓" : "– not understood";
+}
+
+std::string SentenceText(const v1::SolvedLayout& layout, const v1::ConstraintList& constraints) {
+  std::string text = "\n## Reasons, sentence by sentence\n\n| | sentence | why |\n| --- | --- | --- |\n";
+  for (const v1::Sentence& sentence : constraints.sentences()) {
+    text += fmt::format("| {} | {} | {} |\n", Cell(SentenceOutcome(sentence, layout)), Cell(sentence.text()),
+                        Cell(sentence.reason()));
+  }
+  return text;
+}
+
+std::string LeftOutText(const v1::ObjectList& objects) {
+  if (objects.omissions_size() == 0) return "";
+  std::string text = "\n## Left out\n\n";
+  for (const v1::Omission& omission : objects.omissions()) {
+    text +=
+        fmt::format("- **{}**{}: {}\n", omission.name(), omission.requested() ? " (asked for)" : "", omission.reason());
+  }
+  return text;
+}
+
+std::string RemarkText(const v1::Report& report) {
+  std::string text;
+  for (const v1::Diagnostic& remark : report.diagnostics()) {
+    const char* mark = remark.severity() == v1::SEVERITY_NOTE ? "note" : "**warning**";
+    text += fmt::format("- {}: {}\n", remark.severity() == v1::SEVERITY_ERROR ? "**error**" : mark, remark.message());
+  }
+  return text.empty() ? "" : "\n## Remarks\n\n" + text;
+}
+
+std::string MakerText(const ArtifactsByKind& artifacts, const v1::Report& report, const v1::Job& job) {
+  std::string text = "\n## Times\n\n| stage | seconds | |\n| --- | --- | --- |\n";
+  for (const v1::StageTiming& timing : report.stage_timings()) {
+    text += fmt::format("| {} | {:.3f} | {} |\n", timing.stage(), Seconds(timing.duration()),
+                        timing.reused() ? "as before" : "");
+  }
+  text += fmt::format("\n## Made by\n\nJob {}.\n\n| artifact | id | producer |\n| --- | --- | --- |\n", job.id());
+  for (const auto& [kind, artifact] : artifacts) {
+    if (kind == v1::ARTIFACT_KIND_REPORT) continue;
+    const v1::Producer& producer = artifact.producer();
+    text +=
+        fmt::format("| {} | `{}` | {} {} {} |\n", v1::ArtifactKind_Name(kind).substr(14), artifact.id().substr(0, 16),
+                    producer.program(), producer.method(), producer.version().substr(0, 24));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
+  const v1::SolvedLayout& layout = Get(artifacts, v1::ARTIFACT_KIND_SOLVED_LAYOUT).solved_layout();
+  const v1::StyleSheet& style = Get(artifacts, v1::ARTIFACT_KIND_STYLE_SHEET).style_sheet();
+  const v1::ConstraintList& constraints = Get(artifacts, v1::ARTIFACT_KIND_CONSTRAINT_LIST).constraint_list();
+  const v1::Report& report = Get(artifacts, v1::ARTIFACT_KIND_REPORT).report();
+  std::string text = Heading(layout.graph().room(), Get(artifacts, v1::ARTIFACT_KIND_BRIEF).brief());
+  if (!style.summary().empty()) text += fmt::format("\nStyle: {}. {}\n", style.name(), style.summary());
+  text += LeftOutText(layout.graph().object_list());
+  text += Verdict(report, layout);
+  text += ZoneText(layout.graph().zone_plan());
+  text += ObjectText(layout, style, constraints);
+  text += SentenceText(layout, constraints);
+  text += RemarkText(report);
+  text += MakerText(artifacts, report, job);
+  return text;
+}
+
+}  // namespace flair::cli

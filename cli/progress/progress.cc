@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/progress/progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "cli/output/artifact_text.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+std::string Seconds(const v1::JobEvent& event) {
+  const double seconds = static_cast<double>(event.duration().seconds()) + 1e-9 * event.duration().nanos();
+  return seconds < 0.0095 ? "" : fmt::format("  {:.2f} s", seconds);
+}
+
+class Quiet : public Progress {
+ public:
+  void See(const v1::JobEvent&) override {}
+};
+
+class JsonLines : public Progress {
+ public:
+  void See(const v1::JobEvent& event) override {
+    fmt::print(stdout, "{}\n", ToJsonLine(event));
+    std::fflush(stdout);
+  }
+};
+
+class Lines : public Progress {
+ public:
+  void See(const v1::JobEvent& event) override {
+    if (event.kind() == v1::JOB_EVENT_KIND_STAGE_FINISHED) {
+      fmt::print(stderr, "{:<12} {}{}\n", event.stage(), event.message(), Seconds(event));
+    } else if (event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED) {
+      fmt::print(stderr, "{:<12} {}  (as before)\n", event.stage(), event.message());
+    }
+  }
+};
+
+class Terminal : public Progress {
+ public:
+  ~Terminal() override { Erase(); }
+
+  void See(const v1::JobEvent& event) override {
+    Erase();
+    const auto running = std::find(running_.begin(), running_.end(), event.stage());
+    switch (event.kind()) {
+      case v1::JOB_EVENT_KIND_STAGE_STARTED:
+        if (running == running_.end()) running_.push_back(event.stage());
+        break;
+      case v1::JOB_EVENT_KIND_STAGE_FINISHED:
+        if (running != running_.end()) running_.erase(running);
+        Done("\x1b[32m✓\x1b[0m", event, fmt::format("\x1b[2m{}\x1b[0m", Seconds(event)));
+        break;
+      case v1::JOB_EVENT_KIND_STAGE_REUSED:
+        if (running != running_.end()) running_.erase(running);
+        Done("\x1b[36m=\x1b[0m", event, "  \x1b[2mas before\x1b[0m");
+        break;
+      default:
+        running_.clear();
+    }
+    ShowRunning();
+  }
+
+ private:
+  void Done(const char* mark, const v1::JobEvent& event, const std::string& tail) {
+    fmt::print(stderr, "{} {:<12} {}{}\n", mark, event.stage(), event.message(), tail);
+  }
+  void ShowRunning() {
+    if (running_.empty()) return;
+    std::string names;
+    for (const std::string& stage : running_) names += (names.empty() ? "" : ", ") + stage;
+    fmt::print(stderr, "\x1b[2m… {}\x1b[0m", names);
+    std::fflush(stderr);
+    shown_ = true;
+  }
+  void Erase() {
+    if (shown_) fmt::print(stderr, "\r\x1b[K");
+    shown_ = false;
+  }
+
+  std::vector<std::string> running_;
+  bool shown_ = false;
+};
+
+}  // namespace
+
+ProgressForm ChooseProgressForm(bool json, bool quiet) {
+  if (json) return ProgressForm::kJsonLines;
+  if (quiet) return ProgressForm::kQuiet;
+  const char* term = std::getenv("TERM");
+  const bool plain = term == nullptr || std::string(term) == "dumb" || std::getenv("NO_COLOR") != nullptr;
+  return isatty(STDERR_FILENO) && !plain ? ProgressForm::kTerminal : ProgressForm::kLines;
+}
+
+std::unique_ptr<Progress> MakeProgress(ProgressForm form) {
+  switch (form) {
+    case ProgressForm::kTerminal:
+      return std::make_unique<Terminal>();
+    case ProgressForm::kLines:
+      return std::make_unique<Lines>();
+    case ProgressForm::kJsonLines:
+      return std::make_unique<JsonLines>();
+    case ProgressForm::kQuiet:
+      break;
+  }
+  return std::make_unique<Quiet>();
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/session/stage_call.h"
+
+#include "absl/time/clock.h"
+#include "cli/embedded/embedded_services.h"
+#include "flair/v1/optimizer_service.grpc.pb.h"
+#include "flair/v1/renderer_service.grpc.pb.h"
+#include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/client_call.h"
+
+namespace flair::cli {
+namespace {
+
+constexpr absl::Duration kStageWithin = absl::Minutes(10);
+
+template <typename Service, typename Request, typename Response>
+absl::StatusOr<Response> Call(const Request& request, const std::string& address,
+                              orchestrator::StageChannel orchestrator::StageChannels::* stage,
+                              grpc::Status (Service::StubInterface::*method)(grpc::ClientContext*, const Request&,
+                                                                             Response*)) {
+  std::unique_ptr<EmbeddedServices> services;
+  std::shared_ptr<grpc::Channel> channel;
+  if (address.empty()) {
+    absl::StatusOr<std::unique_ptr<EmbeddedServices>> started = EmbeddedServices::StartStages();
+    if (!started.ok()) return started.status();
+    services = *std::move(started);
+    channel = (services->stages().*stage).channel;
+  } else {
+    absl::StatusOr<std::shared_ptr<grpc::Channel>> made = runtime::MakeChannel(address, Service::service_full_name());
+    if (!made.ok()) return made.status();
+    channel = *std::move(made);
+  }
+  const std::unique_ptr<typename Service::Stub> stub = Service::NewStub(channel);
+  runtime::CallContext call;
+  return runtime::UnaryRequest(*stub, method, request, call, absl::Now() + kStageWithin);
+}
+
+}  // namespace
+
+absl::StatusOr<v1::SolveResponse> CallSolve(const v1::SolveRequest& request, const std::string& address) {
+  return Call<v1::OptimizerService>(request, address, &orchestrator::StageChannels::optimizer,
+                                    &v1::OptimizerService::StubInterface::Solve);
+}
+
+absl::StatusOr<v1::RenderResponse> CallRender(const v1::RenderRequest& request, const std::string& address) {
+  return Call<v1::RendererService>(request, address, &orchestrator::StageChannels::renderer,
+                                   &v1::RendererService::StubInterface::Render);
+}
+
+}  // namespace flair::cli
