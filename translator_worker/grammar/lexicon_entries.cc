@@ -165,6 +165,8 @@ ordinal 7: seventh
 ordinal 8: eighth
 ordinal 9: ninth
 ordinal 10: tenth
+ordinal 11: eleventh
+ordinal 12: twelfth
 vague paths: [main|clear|walking|foot|high|traffic|frequently used] (path|paths|pathway|pathways|walkway|walkways|traffic|passageway|passageways|circulation|thoroughfare) [path|paths|flow|way|areas|zones] | (foot|high) traffic [areas|paths|zones|flow|pathways] | flow [of] [movement|traffic]
   | [easy] movement | [logical] workflow | flow | walkthrough | main route | routes | access paths | accessible path | aisle | aisles | movement paths | high traffic | circulation space | walking paths
 vague lighting: [a] [good] [source|sources] of light | light source | light sources | well lit | [overhead|natural|ambient|good|task|proper] lighting | light | natural or artificial | glare | sunlight | direct sunlight | illumination | well lit area | lamp light | overhead lighting

@@ -150,6 +150,7 @@ std::vector<Rule> DistanceRules() {
   return {
       {"A? not? space? D? space? away_from B", AwayFrom},
       {"A? space? away_from B ,? D", AwayFrom},
+      {"A? space? away_from B next_to D", AwayFrom},
       {"A? D space? of B", AwayFrom},
       {"A? not near/next_to/in_front_of B", AwayFrom},
       {"A? not? space D? between ,? B ,? D?", Between},

@@ -58,6 +58,7 @@ std::vector<Rule> HangingRules() {
       {"A? hanging? on C.wall next_to or above B", OnWallNear},
       {"A? hanging? on C.wall near/next_to/left_of/right_of/to_side B", OnWallNear},
       {"A? hanging? on C.wall above or near/next_to/to_side B", OnWallNear},
+      {"A? hanging? on_wall_of B.thing", OnWallNear},
       {"A? hanging near/next_to/left_of/right_of/to_side B", OnWallNear},
       {"A? hanging? away_from? on? C.ceiling ,? above B", Above},
       {"A? hanging away_from C.ceiling ,? above B", Above},
