@@ -12,8 +12,9 @@ bool IsRoomWord(const std::string& word) {
 
 class Sharer {
  public:
-  Sharer(const v1::ObjectList& floor_objects, const v1::Room& room, const Handbook& handbook)
-      : floor_objects_(floor_objects), handbook_(handbook) {
+  Sharer(const RoomProgram& program, const v1::ObjectList& floor_objects, const v1::Room& room,
+         const Handbook& handbook)
+      : program_(program), floor_objects_(floor_objects), handbook_(handbook) {
     for (const v1::Opening& opening : room.openings()) windows_ += opening.kind() == v1::OPENING_KIND_WINDOW ? 1 : 0;
   }
 
@@ -38,7 +39,7 @@ class Sharer {
   // False when the piece has nowhere to go. No hosts and true: it belongs to the room itself.
   bool FindHosts(const ProgramItem& item, std::vector<const v1::Object*>& hosts) const {
     const bool on_surface = item.furniture->kind() == hb::FURNITURE_KIND_SURFACE;
-    const std::vector<std::string> classes = HostClasses(item);
+    const std::vector<std::string> classes = HostClasses(item, program_);
     for (const std::string& name : classes) {
       if (IsRoomWord(name)) return !on_surface && (name != "window" || windows_ > 0);
       for (const v1::Object& object : floor_objects_.objects()) {
@@ -61,6 +62,7 @@ class Sharer {
     return taken_[host.id()]++ < places;
   }
 
+  const RoomProgram& program_;
   const v1::ObjectList& floor_objects_;
   const Handbook& handbook_;
   int windows_ = 0;
@@ -69,19 +71,18 @@ class Sharer {
 
 }  // namespace
 
-std::vector<std::string> HostClasses(const ProgramItem& item) {
-  if (item.entry != nullptr && item.entry->hosts_size() > 0)
-    return {item.entry->hosts().begin(), item.entry->hosts().end()};
-  if (item.furniture->hosts_size() > 0) return {item.furniture->hosts().begin(), item.furniture->hosts().end()};
+std::vector<std::string> HostClasses(const ProgramItem& item, const RoomProgram& program) {
+  if (item.entry != nullptr && item.entry->hosts_size() > 0) return WithSubstitutes(item.entry->hosts(), program);
+  if (item.furniture->hosts_size() > 0) return WithSubstitutes(item.furniture->hosts(), program);
   for (const hb::Relation& relation : item.furniture->relations()) {
-    if (relation.targets_size() > 0) return {relation.targets().begin(), relation.targets().end()};
+    if (relation.targets_size() > 0) return WithSubstitutes(relation.targets(), program);
   }
   return {};
 }
 
 std::vector<HostedPiece> ShareOut(const RoomProgram& program, const v1::ObjectList& floor_objects, const v1::Room& room,
                                   const Handbook& handbook) {
-  Sharer sharer(floor_objects, room, handbook);
+  Sharer sharer(program, floor_objects, room, handbook);
   std::vector<HostedPiece> pieces;
   for (const ProgramItem& item : program.tertiary_items) {
     const bool full = static_cast<int>(pieces.size()) >= program.max_tertiaries;

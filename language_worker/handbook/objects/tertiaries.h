@@ -23,6 +23,6 @@ std::vector<HostedPiece> ShareOut(const RoomProgram& program, const v1::ObjectLi
                                   const Handbook& handbook);
 
 // Where a class may be put when the entry says nothing: its hosts, else the partners of its first sentence.
-std::vector<std::string> HostClasses(const ProgramItem& item);
+std::vector<std::string> HostClasses(const ProgramItem& item, const RoomProgram& program);
 
 }  // namespace flair::language

@@ -108,7 +108,7 @@ class ProgramMaker {
     std::vector<ProgramItem> usual = std::move(program_.tertiary_items);
     program_.tertiary_items.clear();
     for (const hb::ObjectEntry& entry : changes.additions()) {
-      if (!Contains(entry.furniture())) Add(entry, "addition");
+      if (!Contains(entry.furniture()) && !Lists(usual, entry.furniture())) Add(entry, "addition");
     }
     program_.tertiary_items.insert(program_.tertiary_items.end(), usual.begin(), usual.end());
     DropLast(program_.floor_items, changes.fewer_secondaries(), program_.zones.size());
@@ -127,8 +127,10 @@ class ProgramMaker {
           options.push_back(to);
         }
       }
-      if (!options.empty())
-        item.furniture = options[choice_.Index("substitution." + item.furniture->name(), options.size())];
+      if (options.empty()) continue;
+      const hb::Furniture* came = options[choice_.Index("substitution." + item.furniture->name(), options.size())];
+      program_.substitutes.emplace_back(item.furniture->name(), came->name());
+      item.furniture = came;
     }
   }
 
@@ -138,10 +140,12 @@ class ProgramMaker {
     }
   }
 
+  static bool Lists(const std::vector<ProgramItem>& items, const std::string& name) {
+    return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.furniture->name() == name; });
+  }
+
   bool Contains(const std::string& name) const {
-    const auto is = [&](const ProgramItem& item) { return item.furniture->name() == name; };
-    return std::any_of(program_.floor_items.begin(), program_.floor_items.end(), is) ||
-           std::any_of(program_.tertiary_items.begin(), program_.tertiary_items.end(), is);
+    return Lists(program_.floor_items, name) || Lists(program_.tertiary_items, name);
   }
 
   void AddZones(const hb::Changes& changes) {
@@ -262,6 +266,18 @@ const hb::Archetype& EffectiveArchetype(const BriefFacts& facts, const Handbook&
     if (const hb::Archetype* other = handbook.FindArchetype(changes->becomes_room())) archetype = other;
   }
   return *archetype;
+}
+
+std::vector<std::string> WithSubstitutes(const google::protobuf::RepeatedPtrField<std::string>& classes,
+                                         const RoomProgram& program) {
+  std::vector<std::string> all;
+  for (const std::string& name : classes) {
+    all.push_back(name);
+    for (const auto& [went, came] : program.substitutes) {
+      if (went == name && !Has(all, came)) all.push_back(came);
+    }
+  }
+  return all;
 }
 
 RoomProgram MakeRoomProgram(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice) {

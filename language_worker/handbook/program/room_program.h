@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "language_worker/handbook/choosing/choice.h"
@@ -27,7 +28,8 @@ struct RoomProgram {
   std::vector<hb::ZoneSpec> zones;       // most important first
   std::vector<ProgramItem> floor_items;  // most important first
   std::vector<ProgramItem> tertiary_items;
-  std::vector<const hb::Changes*> changes;  // of needs and themes, in order of application
+  std::vector<const hb::Changes*> changes;                       // of needs and themes, in order of application
+  std::vector<std::pair<std::string, std::string>> substitutes;  // class that went, class that came for it
   double primary_scale = 1;
   int max_tertiaries = 12;
 };
@@ -41,6 +43,10 @@ const hb::Archetype& EffectiveArchetype(const BriefFacts& facts, const Handbook&
 
 // Needs first, then themes.
 std::vector<const hb::Changes*> AllChanges(const BriefFacts& facts);
+
+// The classes, each followed by what came in its place: a lamp for the double bed hangs over the vampire's coffin.
+std::vector<std::string> WithSubstitutes(const google::protobuf::RepeatedPtrField<std::string>& classes,
+                                         const RoomProgram& program);
 
 // The program for a room of that floor area. Deterministic.
 RoomProgram MakeRoomProgram(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice);

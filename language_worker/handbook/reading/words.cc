@@ -120,7 +120,7 @@ bool MatchesWord(std::string_view word, std::string_view stem) {
 
 Phrase::Phrase(std::string_view text) {
   std::size_t start = 0;
-  const std::string_view separators = " -'";
+  const std::string_view separators = " -'/";
   while (start < text.size()) {
     const std::size_t end = std::min(text.find_first_of(separators, start), text.size());
     if (end > start) words_.emplace_back(text.substr(start, end - start));
@@ -131,9 +131,9 @@ Phrase::Phrase(std::string_view text) {
 std::size_t Phrase::MatchAt(const std::vector<Token>& tokens, std::size_t start, bool plural, int* number) const {
   std::size_t at = start;
   for (std::size_t w = 0; w < words_.size(); ++w) {
-    // Hyphens and apostrophes inside a phrase are passed over: "bean-bag", "child's bed".
-    while (w > 0 && at < tokens.size() && tokens[at].kind == Token::Kind::kSign && tokens[at].glued &&
-           (tokens[at].text == "-" || tokens[at].text == "'")) {
+    // Hyphens, apostrophes and slashes inside a phrase are passed over: "bean-bag", "child's bed", "living / dining".
+    while (w > 0 && at < tokens.size() && tokens[at].kind == Token::Kind::kSign &&
+           (tokens[at].text == "/" || (tokens[at].glued && (tokens[at].text == "-" || tokens[at].text == "'")))) {
       ++at;
     }
     if (at >= tokens.size()) return 0;

@@ -49,7 +49,7 @@ class ConstraintLister {
         choice_(choice),
         objects_(objects),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
-        writer_(room, zones, objects, handbook, *program_.archetype, choice) {}
+        writer_(room, zones, objects, handbook, program_, choice) {}
 
   v1::ConstraintList List() {
     std::set<std::string> done;

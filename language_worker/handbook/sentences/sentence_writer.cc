@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/sentences/fill.h"
 
@@ -25,15 +24,36 @@ bool Has(const List& list, const std::string& item) {
 
 std::string Metres(double length_m) { return fmt::format("{:g} m", length_m); }
 
+// "The books is on …" -> "The books are on …" for names that are plural by themselves.
+std::string WithVerb(std::string text, const std::string& object, bool plural) {
+  constexpr std::array<std::array<std::string_view, 2>, 8> kVerbs = {{{"is", "are"},
+                                                                      {"hangs", "hang"},
+                                                                      {"stands", "stand"},
+                                                                      {"lies", "lie"},
+                                                                      {"faces", "face"},
+                                                                      {"has", "have"},
+                                                                      {"does", "do"},
+                                                                      {"keeps", "keep"}}};
+  const std::string opening = "The " + object + " ";
+  if (!plural || text.compare(0, opening.size(), opening) != 0) return text;
+  for (const auto& [one, many] : kVerbs) {
+    const std::string verb = std::string(one) + " ";
+    if (text.compare(opening.size(), verb.size(), verb) == 0) {
+      return text.replace(opening.size(), one.size(), many);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 SentenceWriter::SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
-                               const Handbook& handbook, const hb::Archetype& archetype, const Choice& choice)
+                               const Handbook& handbook, const RoomProgram& program, const Choice& choice)
     : room_(room),
       zones_(zones),
       objects_(objects),
       handbook_(handbook),
-      archetype_(archetype),
+      program_(program),
       choice_(choice),
       area_m2_(FloorArea(room)) {
   for (const v1::Object& object : objects.objects()) groups_[object.name()].push_back(&object);
@@ -41,7 +61,7 @@ SentenceWriter::SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, 
 
 bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) const {
   const hb::Condition& condition = relation.condition();
-  if (group.empty() || !Holds(condition, archetype_, area_m2_, choice_, relation.text())) return false;
+  if (group.empty() || !Holds(condition, *program_.archetype, area_m2_, choice_, relation.text())) return false;
   const int count = static_cast<int>(group.size());
   if (count < condition.min_count() || (condition.max_count() > 0 && count > condition.max_count())) return false;
   for (const std::string& name : condition.with()) {
@@ -65,7 +85,7 @@ bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object&
     }
     return !targets.empty();
   }
-  for (const std::string& name : relation.targets()) {
+  for (const std::string& name : WithSubstitutes(relation.targets(), program_)) {
     const auto group = groups_.find(name);
     if (group == groups_.end()) continue;
     // Partners of the same zone come first; others only when there are none.
@@ -125,7 +145,7 @@ v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group&
     words["targets"] = NameOf(targets);
   }
   v1::Sentence sentence;
-  sentence.set_text(Fill(relation.text(), words));
+  sentence.set_text(WithVerb(Fill(relation.text(), words), words.at("object"), IsPlural(object.name())));
   sentence.set_reason(Fill(relation.reason(), words));
   sentence.set_weight(relation.weight() > 0 ? relation.weight() : 1);
   for (const v1::Object* subject : subjects) sentence.add_subject_ids(subject->id());
@@ -163,6 +183,11 @@ std::string SentenceWriter::Plural(const std::string& name) const {
   if (ends("s") || ends("x") || ends("ch") || ends("sh")) return name + "es";
   if (ends("y") && !ends("ay") && !ends("ey") && !ends("oy")) return name.substr(0, name.size() - 1) + "ies";
   return name + "s";
+}
+
+bool SentenceWriter::IsPlural(const std::string& name) const {
+  const hb::Furniture* furniture = handbook_.FindFurniture(name);
+  return furniture != nullptr && furniture->plural() == name && name.back() == 's';
 }
 
 std::string SentenceWriter::ZoneName(const v1::Object& object) const {

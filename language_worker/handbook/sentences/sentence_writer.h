@@ -11,6 +11,7 @@
 #include "flair/v1/zone_plan.pb.h"
 #include "language_worker/handbook/choosing/choice.h"
 #include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/program/room_program.h"
 
 namespace flair::language {
 
@@ -18,11 +19,11 @@ namespace flair::language {
 using Group = std::vector<const v1::Object*>;
 
 // Writes the sentences of relations about groups of objects: decides whether a relation applies, pairs objects with
-// partners and fills in the words. `room`, `zones`, `objects` and `choice` must outlive it.
+// partners and fills in the words. The arguments must outlive it.
 class SentenceWriter {
  public:
   SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
-                 const Handbook& handbook, const hb::Archetype& archetype, const Choice& choice);
+                 const Handbook& handbook, const RoomProgram& program, const Choice& choice);
 
   const std::map<std::string, Group>& groups() const { return groups_; }
 
@@ -39,6 +40,7 @@ class SentenceWriter {
   std::string NameOf(const v1::Object& object) const;
   std::string NameOf(const Group& group) const;
   std::string Plural(const std::string& name) const;
+  bool IsPlural(const std::string& name) const;
   std::string ZoneName(const v1::Object& object) const;
   std::string CornerOf(const v1::Object& object) const;
 
@@ -46,7 +48,7 @@ class SentenceWriter {
   const v1::ZonePlan& zones_;
   const v1::ObjectList& objects_;
   const Handbook& handbook_;
-  const hb::Archetype& archetype_;
+  const RoomProgram& program_;
   const Choice& choice_;
   double area_m2_;
   std::map<std::string, Group> groups_;

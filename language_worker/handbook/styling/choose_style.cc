@@ -44,6 +44,12 @@ void AddOpening(const v1::Opening& opening, const hb::OpeningRules& rules, const
   object.set_description(Fill(text, {{"material", look.material}, {"colour", look.colour.name()}}));
 }
 
+// "sage green limewash"; the material alone when it names its colour: "white paint".
+std::string WallWords(const hb::Finish& finish) {
+  const std::string& colour = finish.colour().name();
+  return finish.material().find(colour) != std::string::npos ? finish.material() : colour + " " + finish.material();
+}
+
 // Two or three sentences about the whole.
 std::string Summary(const StyleChoice& style, const v1::Room& room, const Choice& choice) {
   const hb::Style& chosen = style.style();
@@ -60,7 +66,7 @@ std::string Summary(const StyleChoice& style, const v1::Room& room, const Choice
   };
   return Fill(text, {{"style", style.title()},
                      {"room", room.room_type()},
-                     {"wall", style.wall().colour().name() + " " + style.wall().material()},
+                     {"wall", WallWords(style.wall())},
                      {"floor", style.floor().material()},
                      {"colour1", colour(0)},
                      {"colour2", colour(1)},
