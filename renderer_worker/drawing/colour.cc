@@ -70,8 +70,8 @@ Rgb FromOklch(const Oklch& colour) {
 
 Rgb SoftenForPrint(const Rgb& colour) {
   Oklch soft = ToOklch(colour);
-  soft.lightness = 0.70 + 0.27 * soft.lightness;
-  soft.chroma = std::min(0.80 * soft.chroma, 0.085);
+  soft.lightness = 0.64 + 0.34 * soft.lightness;
+  soft.chroma = std::min(0.72 * soft.chroma, 0.10);
   return FromOklch(soft);
 }
 

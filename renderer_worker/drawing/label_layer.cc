@@ -64,8 +64,8 @@ class LabelLayer {
     item.ellipse = object.symbol->outline == Outline::kEllipse;
     item.badge_mm = BadgeSize(object.key + 1);
     std::vector<Form> forms;
-    const bool above = object.kind == v1::OBJECT_KIND_CEILING || object.kind == v1::OBJECT_KIND_WALL;
-    if (!above && item.half_width_mm * item.half_depth_mm > 45) {
+    if (object.walk_over) item.shyness = 10;
+    if (object.kind == v1::OBJECT_KIND_FLOOR && item.half_width_mm * item.half_depth_mm > 45) {
       forms.push_back({{object.name}, true});
       if (std::vector<std::string> two = TwoLines(object.name); !two.empty()) forms.push_back({two, true});
       forms.push_back({{object.name}, false});
@@ -91,6 +91,8 @@ class LabelLayer {
     for (const std::vector<Point>& part : zone.parts) {
       for (Point vertex : part) corners.push_back(sheet_.ToSheet(vertex));
     }
+    if (zone.parts.size() == 1) item.region_mm = corners;
+    item.shyness = 4;
     const Box box = BoundsOf(corners);
     item.centre_mm = box.empty() ? Point{} : box.centre();
     item.half_width_mm = box.empty() ? 0 : box.width() / 2;

@@ -98,11 +98,13 @@ class Placer {
     for (Point corner : CornersOf(box)) {
       if (!PolygonContains(floor_, corner)) return;
     }
+    const LabelItem& it = items_[item];
+    if (!it.region_mm.empty() && !PolygonContains(it.region_mm, box.centre())) return;
     for (const PlacedLabel& other : placed_) {
       if (other.box_mm.Overlaps(box.Grown(kGapMm))) return;
     }
     for (const LabelObstacle& obstacle : obstacles_) {
-      if (obstacle.owner != item) cost += obstacle.cost * OverlapArea(obstacle.box_mm, box);
+      if (obstacle.owner != item) cost += it.shyness * obstacle.cost * OverlapArea(obstacle.box_mm, box);
     }
     if (cost < best.cost) best = {cost, true, box};
   }
@@ -153,7 +155,7 @@ std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelItem>& items, const 
   for (int i : left) {
     if (!items[i].only_inside) continue;
     for (size_t form = 0; form < items[i].forms_mm.size(); ++form) {
-      if (placer.TryInside(i, static_cast<int>(form), items[i].forms_mm[form], 0.5, 30)) break;
+      if (placer.TryInside(i, static_cast<int>(form), items[i].forms_mm[form], 0.5, 90)) break;
     }
   }
   return std::move(placer).placed();

@@ -18,6 +18,8 @@ struct LabelItem {
   Size badge_mm;               // the number alone
   std::vector<Size> forms_mm;  // richer forms, best first (name on one line, name on two lines, ...)
   bool only_inside = false;    // a zone's name: no badge, no leader
+  double shyness = 1;          // factor on the cost of covering obstacles
+  std::vector<Point> region_mm;  // when not empty, the label's middle lies in this polygon
 };
 
 inline constexpr int kBadgeForm = -1;

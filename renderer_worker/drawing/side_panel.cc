@@ -77,7 +77,7 @@ void DrawKeyRow(Canvas& canvas, const Plan& plan, const PlanKey& key, int number
 }
 
 void DrawZoneRow(Canvas& canvas, const Plan& plan, int zone, const Box& row, double size) {
-  const double y = row.y1 - 0.3 * row.height();
+  const double y = row.y1 - 0.85 * size;
   if (zone >= 0) {
     canvas.Rectangle({row.x0 + 1.2, y - 1.7, row.x0 + 4.6, y + 1.7}, 0.5);
     canvas.Fill(Mix(Hex(0xFFFFFF), plan.zones[zone].tint, 0.55), 1, true);
@@ -91,6 +91,8 @@ void DrawZoneRow(Canvas& canvas, const Plan& plan, int zone, const Box& row, dou
 void DrawKey(Canvas& canvas, const Plan& plan, const Box& box) {
   const std::vector<Row> rows = RowsOf(plan);
   const double y0 = Heading(canvas, "KEY", box.x0, box.y0);
+  const TextBlock unit{"width × depth, m", {.size_mm = 2.6, .colour = kSoft}};
+  DrawText(canvas, unit, {box.x1 - Measure(canvas, unit).width, box.y0 + 0.2});
   int columns = std::max(1, static_cast<int>(box.width() / 88));
   double pitch = 5.5;
   size_t capacity = 0;

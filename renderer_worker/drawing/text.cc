@@ -9,6 +9,9 @@
 namespace flair::renderer {
 namespace {
 
+// Text is laid out in units this much finer than a millimetre: fonts are measured in whole units somewhere below.
+constexpr double kUnitsPerMm = 64;
+
 struct Unref {
   void operator()(void* object) const { g_object_unref(object); }
 };
@@ -29,25 +32,29 @@ void SetTracking(PangoLayout* layout, const TextStyle& style) {
   if (style.tracking == 0) return;
   PangoAttrList* attributes = pango_attr_list_new();
   pango_attr_list_insert(attributes,
-                         pango_attr_letter_spacing_new(static_cast<int>(style.tracking * style.size_mm * PANGO_SCALE)));
+                         pango_attr_letter_spacing_new(static_cast<int>(style.tracking * style.size_mm * kUnitsPerMm * PANGO_SCALE)));
   pango_layout_set_attributes(layout, attributes);
   pango_attr_list_unref(attributes);
 }
 
 LayoutPtr MakeLayout(const Canvas& canvas, const TextBlock& block) {
+  // Made and measured in the very frame that it is drawn in.
+  cairo_save(canvas.cairo());
+  cairo_scale(canvas.cairo(), block.style.condense / kUnitsPerMm, 1 / kUnitsPerMm);
   LayoutPtr layout(pango_cairo_create_layout(canvas.cairo()));
+  cairo_restore(canvas.cairo());
   FixFontOptions(pango_layout_get_context(layout.get()));
   PangoFontDescription* font = pango_font_description_new();
   pango_font_description_set_family_static(font, block.style.serif ? "DejaVu Serif" : "DejaVu Sans");
   pango_font_description_set_weight(font, block.style.bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
-  pango_font_description_set_absolute_size(font, block.style.size_mm * PANGO_SCALE);
+  pango_font_description_set_absolute_size(font, block.style.size_mm * kUnitsPerMm * PANGO_SCALE);
   pango_layout_set_font_description(layout.get(), font);
   pango_font_description_free(font);
   SetTracking(layout.get(), block.style);
   pango_layout_set_single_paragraph_mode(layout.get(), TRUE);
   if (block.style.line_spacing != 1.0) pango_layout_set_line_spacing(layout.get(), block.style.line_spacing);
   if (block.max_width_mm > 0) {
-    pango_layout_set_width(layout.get(), static_cast<int>(block.max_width_mm / block.style.condense * PANGO_SCALE));
+    pango_layout_set_width(layout.get(), static_cast<int>(block.max_width_mm * kUnitsPerMm / block.style.condense * PANGO_SCALE));
     pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
     pango_layout_set_height(layout.get(), -block.max_lines);
     pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
@@ -64,8 +71,8 @@ LayoutPtr MakeLayout(const Canvas& canvas, const TextBlock& block) {
 Size SizeOf(PangoLayout* layout, const TextStyle& style) {
   PangoRectangle logical;
   pango_layout_get_extents(layout, nullptr, &logical);
-  return {static_cast<double>(logical.width) / PANGO_SCALE * style.condense,
-          static_cast<double>(logical.height) / PANGO_SCALE};
+  return {static_cast<double>(logical.width) / PANGO_SCALE / kUnitsPerMm * style.condense,
+          static_cast<double>(logical.height) / PANGO_SCALE / kUnitsPerMm};
 }
 
 }  // namespace
@@ -80,7 +87,7 @@ void DrawText(Canvas& canvas, const TextBlock& block, Point top_left_mm) {
   const Rgb& colour = block.style.colour;
   cairo_save(cairo);
   cairo_translate(cairo, top_left_mm.x, top_left_mm.y);
-  cairo_scale(cairo, block.style.condense, 1);
+  cairo_scale(cairo, block.style.condense / kUnitsPerMm, 1 / kUnitsPerMm);
   cairo_move_to(cairo, 0, 0);
   cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
   pango_cairo_update_layout(cairo, layout.get());
@@ -97,14 +104,14 @@ void DrawTextAt(Canvas& canvas, const TextBlock& block, Point centre_mm, double 
   cairo_save(cairo);
   cairo_translate(cairo, centre_mm.x, centre_mm.y);
   cairo_rotate(cairo, -angle_rad);
-  cairo_scale(cairo, block.style.condense, 1);
+  cairo_scale(cairo, block.style.condense / kUnitsPerMm, 1 / kUnitsPerMm);
   cairo_translate(cairo, -(logical.x + logical.width / 2.0) / PANGO_SCALE, -(logical.y + logical.height / 2.0) / PANGO_SCALE);
   cairo_move_to(cairo, 0, 0);
   pango_cairo_update_layout(cairo, layout.get());
   if (halo != nullptr) {
     pango_cairo_layout_path(cairo, layout.get());
     cairo_set_source_rgba(cairo, halo->red, halo->green, halo->blue, 0.85);
-    cairo_set_line_width(cairo, 0.32 * block.style.size_mm);
+    cairo_set_line_width(cairo, 0.32 * block.style.size_mm * kUnitsPerMm);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke(cairo);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_MITER);

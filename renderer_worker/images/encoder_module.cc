@@ -26,7 +26,7 @@ bool EncodeOrThrow(const EncoderRequest& request, EncoderSink file, EncoderSink 
   if (!output->supports("ioproxy")) return Fail(error, context, std::string(output->format_name()) + " cannot be written to memory");
   OIIO::ImageSpec spec(request.width_px, request.height_px, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("png:compressionLevel", 6);
+  spec.attribute("png:compressionLevel", 4);
   for (size_t i = 0; i < request.metadata_count; ++i) spec.attribute(request.metadata[i].name, request.metadata[i].value);
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
