@@ -88,6 +88,26 @@ DimensionString MakeString(const Sheet& sheet, const PlanWall& wall, const std::
   return string;
 }
 
+// What the line with its text covers.
+Box Extent(const DimensionString& string) {
+  Box box;
+  for (Point tick : {string.ticks_mm.front(), string.ticks_mm.back()}) {
+    box.Include(tick + string.outward * 3.9);
+    box.Include(tick - string.outward * 3.9);
+  }
+  return box;
+}
+
+// Adds the string unless it would cross one that is there already.
+bool AddString(DimensionString string, std::vector<DimensionString>& strings) {
+  const Box extent = Extent(string);
+  for (const DimensionString& other : strings) {
+    if (Extent(other).Overlaps(extent)) return false;
+  }
+  strings.push_back(std::move(string));
+  return true;
+}
+
 Box PaperNeeded(const Plan& plan, const Sheet& sheet) {
   Box needed;
   const double wall_mm = WallThicknessMm(sheet);
@@ -110,16 +130,20 @@ Box PaperNeeded(const Plan& plan, const Sheet& sheet) {
 std::vector<DimensionString> LayOutDimensions(const Plan& plan, const Sheet& sheet) {
   std::vector<DimensionString> strings;
   if (plan.walls.size() > 60) return strings;
-  for (size_t i = 0; i < plan.walls.size(); ++i) {
-    const PlanWall& wall = plan.walls[i];
-    double reach = WallThicknessMm(sheet) + OutwardReachMm(plan, sheet, static_cast<int>(i)) + 7;
-    if (!StripIsOutside(plan, wall, (reach + kRowMm) / sheet.mm_per_m())) continue;
-    const std::vector<double> ends = OpeningEnds(plan, static_cast<int>(i));
-    if (ends.size() > 2) {
-      strings.push_back(MakeString(sheet, wall, ends, reach));
-      reach += kRowMm;
+  std::vector<double> reaches(plan.walls.size(), 0);
+  for (const bool openings : {true, false}) {
+    for (size_t i = 0; i < plan.walls.size(); ++i) {
+      const PlanWall& wall = plan.walls[i];
+      const double first = WallThicknessMm(sheet) + OutwardReachMm(plan, sheet, static_cast<int>(i)) + 7;
+      const double reach = std::max(reaches[i], first);
+      if (!StripIsOutside(plan, wall, (first + kRowMm) / sheet.mm_per_m())) continue;
+      const std::vector<double> ends = OpeningEnds(plan, static_cast<int>(i));
+      if (openings && ends.size() > 2) {
+        if (AddString(MakeString(sheet, wall, ends, reach), strings)) reaches[i] = reach + kRowMm;
+      } else if (!openings && !ToldByAnother(plan, i)) {
+        AddString(MakeString(sheet, wall, {0, wall.length_m}, reach), strings);
+      }
     }
-    if (!ToldByAnother(plan, i)) strings.push_back(MakeString(sheet, wall, {0, wall.length_m}, reach));
   }
   return strings;
 }

@@ -32,8 +32,8 @@ struct Sheet {
 };
 
 inline constexpr double kWallThicknessM = 0.14;
-// Thick enough to be seen as a pair of lines at any scale.
-inline double WallThicknessMm(const Sheet& sheet) { return std::max(kWallThicknessM * sheet.mm_per_m(), 2.0); }
+// Thick enough to be seen as a pair of lines at any scale, and no heavier than the drawing can bear.
+inline double WallThicknessMm(const Sheet& sheet) { return std::clamp(kWallThicknessM * sheet.mm_per_m(), 2.0, 7.0); }
 
 // The largest usual scale at which room, outward doors and dimension strings fit the plan area.
 Sheet ChooseSheet(const Plan& plan);

@@ -109,10 +109,13 @@ void DrawKey(Canvas& canvas, const Plan& plan, const Box& box) {
   const double width = (box.width() - 5.0 * (columns - 1)) / columns;
   int column = 0;
   double y = y0;
+  // Columns of about equal length.
+  const double even = y0 + pitch * (static_cast<double>(rows.size()) / columns + 3);
+  const double bottom = columns > 1 ? std::min(box.y1, even) : box.y1;
   for (size_t i = 0; i < rows.size(); ++i) {
     const bool heading = rows[i].kind == Row::kZone;
     const double need = heading ? 2 * pitch : pitch;
-    if (y + need > box.y1 + 0.01) {
+    if (y + need > (column + 1 < columns ? bottom : box.y1) + 0.01) {
       if (++column >= columns) {
         const size_t left = std::count_if(rows.begin() + i, rows.end(), [](const Row& row) { return row.kind == Row::kKey; });
         DrawText(canvas, {fmt::format("… and {} more", left), {.size_mm = 2.8, .colour = kSoft}}, {box.x0, box.y1 - 0.5});
@@ -203,8 +206,10 @@ void DrawScaleBar(Canvas& canvas, const Sheet& sheet, Point left) {
 
 // Scale, scale bar, north arrow.
 void DrawScale(Canvas& canvas, const Sheet& sheet, const Box& box) {
-  DrawText(canvas, {fmt::format("1:{}", sheet.scale), {.size_mm = 5.6, .colour = kInk, .serif = true}}, {box.x0, box.y0});
-  DrawText(canvas, {"at A3, dimensions in metres", {.size_mm = 2.7, .colour = kSoft}}, {box.x0 + 15, box.y0 + 2.6});
+  const TextBlock scale{fmt::format("1:{}", sheet.scale), {.size_mm = 5.6, .colour = kInk, .serif = true}};
+  DrawText(canvas, scale, {box.x0, box.y0});
+  DrawText(canvas, {"at A3, dimensions in metres", {.size_mm = 2.7, .colour = kSoft}},
+           {box.x0 + Measure(canvas, scale).width + 2.5, box.y0 + 2.6});
   DrawScaleBar(canvas, sheet, {box.x0 + 0.5, box.y0 + 10.5});
   DrawNorthArrow(canvas, {box.x1 - 8, box.y0 + 11});
 }
