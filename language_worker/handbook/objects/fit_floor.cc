@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "language_worker/handbook/rooms/describe_room.h"
+
 namespace flair::language {
 namespace {
 
@@ -28,9 +30,13 @@ class FloorFitter {
   std::vector<SizedItem> Fit() {
     FitSingly();
     if (Cover() > kCoverLimit) ShrinkAll();
-    if (Cover() > kCoverLimit) TakeSmaller();
-    while (Cover() > kCoverLimit && DropOne()) {
+    if (Cover() > kCoverLimit) TakeSmaller(/*requested=*/false);
+    while (Cover() > kCoverLimit && DropOne(/*requested=*/false)) {
     }
+    if (Cover() > kCoverLimit) TakeSmaller(/*requested=*/true);
+    while (Cover() > kCoverLimit && DropOne(/*requested=*/true)) {
+    }
+    TellReplacements();
     return std::move(items_);
   }
 
@@ -115,23 +121,37 @@ class FloorFitter {
 
   bool Replace(SizedItem& sized) {
     const hb::Furniture* smaller = handbook_.FindFurniture(sized.item.furniture->smaller());
-    if (smaller == nullptr || sized.item.requested) return false;
+    if (smaller == nullptr) return false;
+    const hb::Furniture* wanted = sized.wanted != nullptr ? sized.wanted : sized.item.furniture;
     sized.item.furniture = smaller;
     const bool primary = sized.primary;
     sized = Size(sized.item);
+    sized.wanted = wanted;
     sized.primary = primary;
     Shrink(sized, 1);
     return true;
   }
 
-  void TakeSmaller() {
-    for (std::size_t i = items_.size(); i-- > 0 && Cover() > kCoverLimit;) Replace(items_[i]);
+  // Smaller classes for all pieces, or for those that nobody asked for by name, from the end of the list, as often as
+  // needed.
+  void TakeSmaller(bool requested) {
+    for (bool changed = true; changed && Cover() > kCoverLimit;) {
+      changed = false;
+      for (std::size_t i = items_.size(); i-- > 0 && Cover() > kCoverLimit;) {
+        if (requested || !items_[i].item.requested) changed = Replace(items_[i]) || changed;
+      }
+    }
   }
 
-  // How much a piece is wanted: requested over primary over the rest; within that by drop order and place in the list.
-  int Rank(const SizedItem& sized) const { return (sized.item.requested ? 2 : 0) + (sized.primary ? 1 : 0); }
+  // How much a piece is wanted: the first zone's primary above all, then what the brief asks for, then other primaries;
+  // within that by drop order and place in the list.
+  int Rank(const SizedItem& sized) const {
+    const bool main = sized.primary && !program_.zones.empty() && sized.item.zone == program_.zones.front().name();
+    return (main ? 4 : 0) + (sized.item.requested ? 2 : 0) + (sized.primary ? 1 : 0);
+  }
 
-  bool DropOne() {
+  // Leaves out the least wanted piece; none that is requested or the room's main one unless `requested`.
+  bool DropOne(bool requested) {
     if (items_.empty()) return false;
     std::size_t victim = 0;
     for (std::size_t i = 1; i < items_.size(); ++i) {
@@ -141,15 +161,26 @@ class FloorFitter {
     // The last piece stays even when it covers more than the limit: an empty room helps nobody.
     if (items_.size() == 1 && items_[0].item.count == 1) return false;
     SizedItem& sized = items_[victim];
+    if (!requested && Rank(sized) >= 2) return false;
     LeaveOut(sized, 1,
-             fmt::format("{:.1f} m2 of floor would be covered by more than {:.0f} % with it", floor_.area_m2,
-                         100 * kCoverLimit));
+             fmt::format("it needs {:g} m x {:g} m, and furniture may cover at most {:.0f} % of a floor of {:.1f} m2",
+                         sized.width_m, sized.depth_m, 100 * kCoverLimit, floor_.area_m2));
     if (--sized.item.count == 0) items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(victim));
     return true;
   }
 
+  // Wishes of which a smaller class was taken.
+  void TellReplacements() {
+    for (const SizedItem& sized : items_) {
+      if (sized.wanted == nullptr || !sized.item.requested) continue;
+      LeaveOut(sized, sized.item.count,
+               fmt::format("on {:.1f} m2 of floor the room takes the smaller {} instead", floor_.area_m2,
+                           sized.item.furniture->name()));
+    }
+  }
+
   void LeaveOut(const SizedItem& sized, int count, const std::string& reason) {
-    const std::string& name = sized.item.furniture->name();
+    const std::string& name = (sized.wanted != nullptr ? sized.wanted : sized.item.furniture)->name();
     // Several of a kind are told once.
     const bool told = std::any_of(left_out_.begin(), left_out_.end(), [&](const LeftOut& l) { return l.name == name; });
     if (!told && count > 0) left_out_.push_back({name, reason, sized.item.requested});
@@ -163,6 +194,16 @@ class FloorFitter {
 };
 
 }  // namespace
+
+FloorExtent ExtentOf(const v1::Room& room) {
+  FloorExtent extent;
+  for (const v1::Point2& vertex : room.floor().vertices()) {
+    extent.width_m = std::max(extent.width_m, vertex.x_m());
+    extent.depth_m = std::max(extent.depth_m, vertex.y_m());
+  }
+  extent.area_m2 = FloorArea(room);
+  return extent;
+}
 
 std::vector<SizedItem> FitFloor(const RoomProgram& program, const Handbook& handbook, const FloorExtent& floor,
                                 std::vector<LeftOut>& left_out) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "flair/v1/room.pb.h"
 #include "language_worker/handbook/program/room_program.h"
 
 namespace flair::language {
@@ -15,6 +16,7 @@ struct SizedItem {
   double depth_m = 0;
   double height_m = 0;
   bool primary = false;
+  const hb::Furniture* wanted = nullptr;  // the class that this smaller one stands in for; null when none
 
   double area_m2() const { return width_m * depth_m * item.count; }
 };
@@ -32,6 +34,8 @@ struct FloorExtent {
   double depth_m = 0;
   double area_m2 = 0;
 };
+
+FloorExtent ExtentOf(const v1::Room& room);
 
 // Gives the floor pieces sizes and makes them fit: shrinks them to their class's least size, takes smaller classes,
 // then leaves out pieces, those that nobody asked for first, primaries last. At most 45 % of the floor is covered.

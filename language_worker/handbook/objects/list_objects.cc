@@ -18,16 +18,6 @@
 namespace flair::language {
 namespace {
 
-FloorExtent ExtentOf(const v1::Room& room) {
-  FloorExtent extent;
-  for (const v1::Point2& vertex : room.floor().vertices()) {
-    extent.width_m = std::max(extent.width_m, vertex.x_m());
-    extent.depth_m = std::max(extent.depth_m, vertex.y_m());
-  }
-  extent.area_m2 = FloorArea(room);
-  return extent;
-}
-
 double Clamp(double value, const hb::Extent& extent) {
   const double low = extent.min() > 0 ? extent.min() : extent.typical();
   const double high = extent.max() > 0 ? extent.max() : extent.typical();

@@ -211,7 +211,21 @@ class ProgramMaker {
   }
 
   void RemoveRefusals() {
-    for (const hb::Furniture* refusal : facts_.refusals) Remove(refusal->name());
+    for (const hb::Furniture* refusal : facts_.refusals) {
+      Remove(refusal->name());
+      for (const hb::ObjectEntry& companion : refusal->companions()) RemoveUnaccompanied(companion.furniture());
+    }
+  }
+
+  // Without its desk the office chair goes as well, unless another piece brings one or the brief asks for it.
+  void RemoveUnaccompanied(const std::string& name) {
+    for (const ProgramItem& item : program_.floor_items) {
+      if (item.requested && item.furniture->name() == name) return;
+      for (const hb::ObjectEntry& companion : item.furniture->companions()) {
+        if (companion.furniture() == name) return;
+      }
+    }
+    Remove(name);
   }
 
   void CountPeople() {

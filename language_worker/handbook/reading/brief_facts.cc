@@ -2,6 +2,7 @@
 #include "language_worker/handbook/reading/brief_facts.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -113,9 +114,34 @@ class BriefReader {
         AddOnce(facts_.refusals, furniture);
       } else {
         AddWish(*furniture, CountBefore(i));
+        TakeColourBefore(i, *furniture);
       }
       Use(i, length);
       i += length - 1;
+    }
+  }
+
+  std::vector<Saying<hb::NamedColour>> ColourSayings() const {
+    std::vector<Saying<hb::NamedColour>> colours;
+    for (const hb::NamedColour& colour : handbook_.contents().colours()) {
+      AddSayings(colour.name(), colour.synonyms(), colour, colours);
+    }
+    return colours;
+  }
+
+  // "a green armchair", "two sage green velvet armchairs": the colour is the piece's, not the room's.
+  void TakeColourBefore(std::size_t i, const hb::Furniture& furniture) {
+    const std::vector<Saying<hb::NamedColour>> colours = ColourSayings();
+    for (std::size_t back = 3; back >= 1; --back) {
+      if (back > i || used_[i - back]) continue;
+      const auto [colour, length] = LongestAt(colours, tokens_, i - back, /*plural=*/false);
+      if (length == 0 || length > back) continue;
+      for (std::size_t k = i - back + length; k < i; ++k) {
+        if (tokens_[k].kind != Token::Kind::kWord || tokens_[k].text == "and" || tokens_[k].text == "with") return;
+      }
+      facts_.object_colours.emplace_back(&furniture, colour);
+      Use(i - back, length);
+      return;
     }
   }
 
@@ -166,18 +192,15 @@ class BriefReader {
 
   void ReadThemesAndStyles() {
     for (const hb::Theme& theme : handbook_.contents().themes()) {
-      if (!theme.fallback() && OccursAny(theme.keywords())) AddOnce(facts_.themes, &theme);
+      if (!theme.fallback() && OccursUnused(theme.keywords())) AddOnce(facts_.themes, &theme);
     }
     for (const hb::Style& style : handbook_.contents().styles()) {
       if (Phrase(style.name()).Occurs(tokens_)) AddOnce(facts_.styles, &style);
     }
-    std::vector<Saying<hb::NamedColour>> colours;
-    for (const hb::NamedColour& colour : handbook_.contents().colours()) {
-      AddSayings(colour.name(), colour.synonyms(), colour, colours);
-    }
+    const std::vector<Saying<hb::NamedColour>> colours = ColourSayings();
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const auto [colour, length] = LongestAt(colours, tokens_, i, /*plural=*/false);
-      if (length == 0) continue;
+      if (length == 0 || used_[i]) continue;
       AddOnce(facts_.colours, colour);
       i += length - 1;
     }
@@ -191,6 +214,7 @@ class BriefReader {
       found.push_back(&need);
       if (people > 0) facts_.people = people;
     }
+    if (!facts_.people) ReadPeople();
     for (const hb::Need* need : found) {
       const bool overridden = std::any_of(found.begin(), found.end(), [&](const hb::Need* other) {
         return std::find(other->overrides().begin(), other->overrides().end(), need->name()) !=
@@ -198,6 +222,28 @@ class BriefReader {
       });
       if (!overridden) facts_.needs.push_back(need);
     }
+  }
+
+  // "for 6", "for six guests": a number after "for" that ends a phrase or counts people.
+  void ReadPeople() {
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+      if (tokens_[i].text != "for") continue;
+      const Token& token = tokens_[i + 1];
+      const std::optional<int> named = token.text == "a" || token.text == "an" ? std::nullopt : NumberWord(token.text);
+      const int number =
+          token.kind == Token::Kind::kNumber ? static_cast<int>(std::min(token.number, 1e6)) : named.value_or(0);
+      const bool ends = i + 2 == tokens_.size() || tokens_[i + 2].kind == Token::Kind::kSign;
+      if (number < 1 || number > 40 || !(ends || CountsPeople(tokens_[i + 2].text))) continue;
+      facts_.people = number;
+      return;
+    }
+  }
+
+  static bool CountsPeople(std::string_view word) {
+    constexpr std::array<std::string_view, 12> kPeople = {"people", "person",  "guest",     "friend",
+                                                          "adult",  "child",   "children",  "kid",
+                                                          "diner",  "student", "colleague", "player"};
+    return std::any_of(kPeople.begin(), kPeople.end(), [&](std::string_view one) { return MatchesWord(word, one); });
   }
 
   bool Applies(const hb::Need& need, int& people) const {
@@ -211,6 +257,20 @@ class BriefReader {
       if (number > 0 && need.max_people() > 0 && number > need.max_people()) continue;
       people = number;
       return true;
+    }
+    return false;
+  }
+
+  // As OccursAny, but not within words that name the room or its furniture: a king bed makes no king.
+  bool OccursUnused(const google::protobuf::RepeatedPtrField<std::string>& phrases) const {
+    for (const std::string& text : phrases) {
+      const Phrase phrase(text);
+      for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        const std::size_t length = phrase.MatchAt(tokens_, i);
+        for (std::size_t k = i; k < i + length; ++k) {
+          if (!used_[k]) return true;
+        }
+      }
     }
     return false;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -26,8 +27,9 @@ struct BriefFacts {
   std::vector<const hb::Furniture*> refusals;
   std::vector<const hb::Theme*> themes;
   std::vector<const hb::Need*> needs;
-  std::vector<const hb::Style*> styles;  // named directly: "scandinavian"
-  std::vector<const hb::NamedColour*> colours;
+  std::vector<const hb::Style*> styles;         // named directly: "scandinavian"
+  std::vector<const hb::NamedColour*> colours;  // of the room
+  std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
   std::optional<int> people;
 };
 

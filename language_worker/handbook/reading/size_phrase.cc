@@ -174,7 +174,9 @@ void ReadSizeWords(const std::vector<Token>& tokens, const hb::Handbook& handboo
                                   [&](const std::string& word) { return Phrase(word).Occurs(tokens); });
     if (!said) continue;
     if (entry.area_factor() > 0) size.area_factor = entry.area_factor();
-    if (entry.side_ratio() > 0) size.side_ratio = entry.side_ratio();
+    // The "square" of "20 square metres" says nothing about the shape.
+    const bool of_area = size.area_m2.has_value() && entry.side_ratio() == 1;
+    if (entry.side_ratio() > 0 && !of_area) size.side_ratio = entry.side_ratio();
     if (entry.width_m() > 0 && !size.in_numbers()) {
       size.width_m = entry.width_m();
       size.depth_m = entry.depth_m();

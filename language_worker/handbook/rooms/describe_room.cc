@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "language_worker/handbook/objects/fit_floor.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/openings.h"
@@ -91,8 +92,14 @@ absl::StatusOr<v1::ZonePlan> PlanZones(const v1::Brief& brief, const v1::Room& r
   if (!facts.ok()) return facts.status();
   const Choice choice(brief.seed());
   const RoomProgram program = MakeRoomProgram(*facts, handbook, FloorArea(room), choice);
+  std::vector<LeftOut> left_out;
+  const std::vector<SizedItem> fitting = FitFloor(program, handbook, ExtentOf(room), left_out);
   v1::ZonePlan plan;
   for (const hb::ZoneSpec& spec : program.zones) {
+    // A zone whose furniture does not fit is none; the first one stays whatever happens.
+    const bool furnished = std::any_of(fitting.begin(), fitting.end(),
+                                       [&](const SizedItem& sized) { return sized.item.zone == spec.name(); });
+    if (!furnished && &spec != &program.zones.front()) continue;
     v1::Zone& zone = *plan.add_zones();
     zone.set_id(IdOf(spec.name()));
     zone.set_name(spec.name());

@@ -41,7 +41,10 @@ hb::Finish PlainCeiling() {
 }  // namespace
 
 StyleChoice::StyleChoice(const BriefFacts& facts, const Handbook& handbook, const Choice& choice)
-    : handbook_(handbook), choice_(choice), style_(PickStyle(facts, handbook, choice)) {
+    : handbook_(handbook),
+      choice_(choice),
+      object_colours_(facts.object_colours),
+      style_(PickStyle(facts, handbook, choice)) {
   palette_ = Pick(style_->palettes(), choice, "style.palette");
   wall_ = Pick(style_->walls(), choice, "style.wall");
   floor_ = Pick(style_->floors(), choice, "style.floor");
@@ -80,6 +83,9 @@ StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number
   look.colour =
       colours[static_cast<int>(choice_.Index("colour." + furniture.name(), static_cast<std::size_t>(colours.size())))];
   if (const hb::NamedColour* fixed = handbook_.FindColour(furniture.fixed_colour())) look.colour = *fixed;
+  for (const auto& [piece, colour] : object_colours_) {
+    if (piece->name() == furniture.name()) look.colour = *colour;
+  }
   if (style_->adjectives_size() > 0) {
     const std::size_t turn =
         choice_.Index("adjective." + furniture.name(), static_cast<std::size_t>(style_->adjectives_size()));

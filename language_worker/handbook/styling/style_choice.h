@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "flair/v1/style_sheet.pb.h"
 #include "language_worker/handbook/choosing/choice.h"
@@ -41,6 +43,7 @@ class StyleChoice {
 
   const Handbook& handbook_;
   const Choice& choice_;
+  const std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours_;
   const hb::Style* style_ = nullptr;
   std::string title_;
   hb::Palette palette_;
