@@ -14,6 +14,7 @@
 #include "cli/progress/progress.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
+#include "nlohmann/json.hpp"
 #include "room/validation/validate.h"
 
 namespace flair::cli {
@@ -120,8 +121,8 @@ std::vector<OutputFile> MakeFiles(const v1::Job& job, const ArtifactsByKind& art
 void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const ArtifactsByKind& artifacts) {
   const v1::Artifact& layout = artifacts.at(v1::ARTIFACT_KIND_SOLVED_LAYOUT);
   if (arguments.json) {
-    fmt::print(stdout, "{{\"job_id\":\"{}\",\"layout_id\":\"{}\",\"out\":{}}}\n", job.id(), layout.id(),
-               CLI::detail::quoted(arguments.out));
+    const nlohmann::json done = {{"job_id", job.id()}, {"layout_id", layout.id()}, {"out", arguments.out}};
+    fmt::print(stdout, "{}\n", done.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
   if (arguments.quiet) return;
