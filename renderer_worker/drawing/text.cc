@@ -38,9 +38,9 @@ void SetTracking(PangoLayout* layout, const TextStyle& style) {
 }
 
 LayoutPtr MakeLayout(const Canvas& canvas, const TextBlock& block) {
-  // Made and measured in the very frame that it is drawn in.
+  // Pango mismeasures under a matrix that condenses: that comes later, to the outlines.
   cairo_save(canvas.cairo());
-  cairo_scale(canvas.cairo(), block.style.condense / kUnitsPerMm, 1 / kUnitsPerMm);
+  cairo_scale(canvas.cairo(), 1 / kUnitsPerMm, 1 / kUnitsPerMm);
   LayoutPtr layout(pango_cairo_create_layout(canvas.cairo()));
   cairo_restore(canvas.cairo());
   FixFontOptions(pango_layout_get_context(layout.get()));
@@ -75,6 +75,28 @@ Size SizeOf(PangoLayout* layout, const TextStyle& style) {
           static_cast<double>(logical.height) / PANGO_SCALE / kUnitsPerMm};
 }
 
+// Makes the letters' outlines the current path, `anchor` (in layout units) at `at_mm`. Outlines rather than glyphs: the
+// image backend would round every glyph to whole pixels.
+void TraceOutlines(Canvas& canvas, PangoLayout* layout, const TextStyle& style, Point at_mm, double angle_rad, Point anchor) {
+  cairo_t* cairo = canvas.cairo();
+  cairo_save(cairo);
+  cairo_scale(cairo, 1 / kUnitsPerMm, 1 / kUnitsPerMm);
+  cairo_new_path(cairo);
+  cairo_move_to(cairo, 0, 0);
+  pango_cairo_layout_path(cairo, layout);
+  cairo_path_t* outlines = cairo_copy_path(cairo);
+  cairo_restore(cairo);
+  cairo_new_path(cairo);
+  cairo_save(cairo);
+  cairo_translate(cairo, at_mm.x, at_mm.y);
+  cairo_rotate(cairo, -angle_rad);
+  cairo_scale(cairo, style.condense / kUnitsPerMm, 1 / kUnitsPerMm);
+  cairo_translate(cairo, -anchor.x, -anchor.y);
+  cairo_append_path(cairo, outlines);
+  cairo_restore(cairo);
+  cairo_path_destroy(outlines);
+}
+
 }  // namespace
 
 Size Measure(const Canvas& canvas, const TextBlock& block) {
@@ -83,45 +105,22 @@ Size Measure(const Canvas& canvas, const TextBlock& block) {
 
 void DrawText(Canvas& canvas, const TextBlock& block, Point top_left_mm) {
   const LayoutPtr layout = MakeLayout(canvas, block);
-  cairo_t* cairo = canvas.cairo();
-  const Rgb& colour = block.style.colour;
-  cairo_save(cairo);
-  cairo_translate(cairo, top_left_mm.x, top_left_mm.y);
-  cairo_scale(cairo, block.style.condense / kUnitsPerMm, 1 / kUnitsPerMm);
-  cairo_move_to(cairo, 0, 0);
-  cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
-  pango_cairo_update_layout(cairo, layout.get());
-  pango_cairo_show_layout(cairo, layout.get());
-  cairo_restore(cairo);
-  cairo_new_path(cairo);
+  TraceOutlines(canvas, layout.get(), block.style, top_left_mm, 0, {0, 0});
+  canvas.Fill(block.style.colour);
 }
 
 void DrawTextAt(Canvas& canvas, const TextBlock& block, Point centre_mm, double angle_rad, const Rgb* halo) {
   const LayoutPtr layout = MakeLayout(canvas, block);
   PangoRectangle logical;
   pango_layout_get_extents(layout.get(), nullptr, &logical);
-  cairo_t* cairo = canvas.cairo();
-  cairo_save(cairo);
-  cairo_translate(cairo, centre_mm.x, centre_mm.y);
-  cairo_rotate(cairo, -angle_rad);
-  cairo_scale(cairo, block.style.condense / kUnitsPerMm, 1 / kUnitsPerMm);
-  cairo_translate(cairo, -(logical.x + logical.width / 2.0) / PANGO_SCALE, -(logical.y + logical.height / 2.0) / PANGO_SCALE);
-  cairo_move_to(cairo, 0, 0);
-  pango_cairo_update_layout(cairo, layout.get());
+  const Point middle{(logical.x + logical.width / 2.0) / PANGO_SCALE, (logical.y + logical.height / 2.0) / PANGO_SCALE};
+  TraceOutlines(canvas, layout.get(), block.style, centre_mm, angle_rad, middle);
   if (halo != nullptr) {
-    pango_cairo_layout_path(cairo, layout.get());
-    cairo_set_source_rgba(cairo, halo->red, halo->green, halo->blue, 0.85);
-    cairo_set_line_width(cairo, 0.32 * block.style.size_mm * kUnitsPerMm);
-    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-    cairo_stroke(cairo);
-    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_MITER);
-    cairo_move_to(cairo, 0, 0);
+    cairo_set_line_join(canvas.cairo(), CAIRO_LINE_JOIN_ROUND);
+    canvas.Draw({*halo, 0.32 * block.style.size_mm, 0.85}, true);
+    cairo_set_line_join(canvas.cairo(), CAIRO_LINE_JOIN_MITER);
   }
-  const Rgb& colour = block.style.colour;
-  cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
-  pango_cairo_show_layout(cairo, layout.get());
-  cairo_restore(cairo);
-  cairo_new_path(cairo);
+  canvas.Fill(block.style.colour);
 }
 
 }  // namespace flair::renderer
