@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "fmt/format.h"
+#include "evaluation/metrics/layout_metrics.h"
 #include "optimizer_worker/stages/outcomes.h"
 #include "optimizer_worker/stages/stage.h"
 
@@ -260,6 +261,7 @@ absl::StatusOr<v1::EvaluateResponse> EvaluateLayout(const v1::EvaluateRequest& r
     *response.add_edge_outcomes() = std::move(outcome);
   for (v1::TermOutcome& outcome : TermOutcomes(*input, costs, state))
     *response.add_term_outcomes() = std::move(outcome);
+  *response.mutable_metrics() = evaluation::MeasureLayout({input->scene, state.layout, state.placed});
   return response;
 }
 

@@ -14,13 +14,19 @@ std::uint64_t Mix(std::uint64_t bits) {
   return bits ^ (bits >> 31);
 }
 
+// FNV-1a.
+std::uint64_t Hash(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return hash;
+}
+
 }  // namespace
 
-std::uint64_t Choice::Bits(std::string_view key) const {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
-  for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return Mix(Mix(seed_) ^ hash);
-}
+Choice::Choice(std::int64_t seed, std::string_view text)
+    : seed_(Mix(Mix(static_cast<std::uint64_t>(seed)) ^ Hash(text))) {}
+
+std::uint64_t Choice::Bits(std::string_view key) const { return Mix(seed_ ^ Hash(key)); }
 
 std::size_t Choice::Index(std::string_view key, std::size_t count) const {
   return count == 0 ? 0 : static_cast<std::size_t>(Bits(key) % count);

@@ -12,7 +12,8 @@ namespace flair::language {
 // others. The same seed and key give the same answer on every machine. Immutable, thread-safe.
 class Choice {
  public:
-  explicit Choice(std::int64_t seed) : seed_(static_cast<std::uint64_t>(seed)) {}
+  // `text` is the brief's: other words with the same seed choose otherwise too.
+  Choice(std::int64_t seed, std::string_view text);
 
   // An index in [0, count); 0 when count is 0.
   std::size_t Index(std::string_view key, std::size_t count) const;

@@ -183,7 +183,7 @@ absl::StatusOr<v1::ObjectList> ListObjects(const v1::Brief& brief, const v1::Roo
                                            const Handbook& handbook) {
   const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
   if (!facts.ok()) return facts.status();
-  const Choice choice(brief.seed());
+  const Choice choice(brief.seed(), brief.text());
   return ObjectLister(*facts, room, zones, handbook, choice).List();
 }
 

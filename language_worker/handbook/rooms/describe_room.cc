@@ -72,7 +72,7 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
   room.set_title(TitleOf(brief.text()));
   room.set_height_m(size.height_m);
   SetRectangle(size, room);
-  AddOpenings(PlanOpenings(*facts, archetype, size.width_m * size.depth_m), Choice(brief.seed()), room);
+  AddOpenings(PlanOpenings(*facts, archetype, size.width_m * size.depth_m), Choice(brief.seed(), brief.text()), room);
   const auto note = [&](const char* code, const std::string& message) {
     v1::Diagnostic& diagnostic = *room.add_diagnostics();
     diagnostic.set_severity(v1::SEVERITY_NOTE);
@@ -90,7 +90,7 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
 absl::StatusOr<v1::ZonePlan> PlanZones(const v1::Brief& brief, const v1::Room& room, const Handbook& handbook) {
   const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
   if (!facts.ok()) return facts.status();
-  const Choice choice(brief.seed());
+  const Choice choice(brief.seed(), brief.text());
   const RoomProgram program = MakeRoomProgram(*facts, handbook, FloorArea(room), choice);
   std::vector<LeftOut> left_out;
   const std::vector<SizedItem> fitting = FitFloor(program, handbook, ExtentOf(room), left_out);

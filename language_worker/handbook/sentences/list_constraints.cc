@@ -162,7 +162,7 @@ absl::StatusOr<v1::ConstraintList> ListConstraints(const v1::Brief& brief, const
                                                    const Handbook& handbook) {
   const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
   if (!facts.ok()) return facts.status();
-  const Choice choice(brief.seed());
+  const Choice choice(brief.seed(), brief.text());
   return ConstraintLister(*facts, room, zones, objects, handbook, choice).List();
 }
 

@@ -82,7 +82,7 @@ absl::StatusOr<v1::StyleSheet> ChooseStyle(const v1::Brief& brief, const v1::Roo
                                            const Handbook& handbook) {
   const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
   if (!facts.ok()) return facts.status();
-  const Choice choice(brief.seed());
+  const Choice choice(brief.seed(), brief.text());
   const StyleChoice style(*facts, handbook, choice);
   v1::StyleSheet sheet;
   sheet.set_name(style.title());
