@@ -52,6 +52,26 @@ void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::
   composer.SetPair({mover}, targets);
 }
 
+void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets, Composer& composer) {
+  if (movers.empty()) composer.Refuse("unknown_sentence", "nothing says what stands there; name the objects");
+  for (const Placed& target : targets) {
+    std::string side = "left";
+    for (const Placed& mover : movers) {
+      if (composer.IsWall(mover)) {
+        composer.EmitFirst(
+            {Call("on_wall_near").Text("object", composer.id(mover)).Text("target", composer.id(target))});
+        continue;
+      }
+      composer.EmitFirst({Call("next_to")
+                              .Text("object", composer.id(mover))
+                              .Text("target", composer.id(target))
+                              .Text("object_side", OppositeSide(side))
+                              .Text("target_side", side)});
+      side = OppositeSide(side);
+    }
+  }
+}
+
 void KeepDistance(const Placed& mover, const Placed& other, const Distance* distance, Composer& composer) {
   if (mover.object == other.object) return;
   const std::string& id = composer.id(mover);

@@ -14,6 +14,9 @@ void Contact(const Placed& mover, const Target& target, Composer& composer);
 void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::string& target_side,
             Composer& composer);
 
+// "On each side of": by turns left and right of each target, each with the facing side touching.
+void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets, Composer& composer);
+
 // At least or at most so far apart, or both; 0 m is contact. Null means a good distance apart.
 void KeepDistance(const Placed& mover, const Placed& other, const Distance* distance, Composer& composer);
 

@@ -105,28 +105,9 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
-// "The nightstands stand on each side of the bed": by turns left and right, each with the facing side touching.
 void OnEachSide(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
-  const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
-  for (const Placed& target : targets) {
-    const bool wall = !movers.empty() && composer.IsWall(movers.front());
-    std::string side = "left";
-    for (const Placed& mover : movers) {
-      if (wall) {
-        composer.EmitFirst(
-            {Call("on_wall_near").Text("object", composer.id(mover)).Text("target", composer.id(target))});
-        continue;
-      }
-      composer.EmitFirst({Call("next_to")
-                              .Text("object", composer.id(mover))
-                              .Text("target", composer.id(target))
-                              .Text("object_side", OppositeSide(side))
-                              .Text("target_side", side)});
-      side = OppositeSide(side);
-    }
-  }
-  if (movers.empty()) composer.Refuse("unknown_sentence", "nothing says what stands there; name the objects");
+  Flank(movers, composer.TargetObjects(*match.b, movers), composer);
 }
 
 }  // namespace

@@ -38,6 +38,10 @@ void OnSide(const Placed& mover, const Placed& host, Composer& composer) {
 void On(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   const std::vector<Placed> hosts = composer.TargetObjects(*match.b, movers);
+  if (!hosts.empty() && hosts.front().side == "sides" && !movers.empty() && !composer.IsSurface(movers.front())) {
+    Flank(movers, hosts, composer);
+    return;
+  }
   if (movers.size() == 1 && !hosts.empty() && !hosts.front().side.empty()) {
     OnSide(movers.front(), hosts.front(), composer);
     return;
