@@ -2,10 +2,12 @@
 // Where an object is as seen from a wall.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "optimizer_worker/autodiff/smooth.h"
+#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/room/on_wall.h"
 #include "room/geometry/footprint.h"
 
@@ -19,16 +21,16 @@ struct WallView {
   T distance;
 
   WallView(const Footprint& footprint, const Frame<T>& frame, const Wall& wall) {
-    const std::array<Vec2<T>, 4> corners = Corners(footprint, frame);
-    low = high = wall.Offset(corners[0]);
-    distance = wall.Height(corners[0]);
-    for (size_t i = 1; i < corners.size(); ++i) {
-      const T offset = wall.Offset(corners[i]);
-      const T height = wall.Height(corners[i]);
-      if (offset < low) low = offset;
-      if (offset > high) high = offset;
-      if (height < distance) distance = height;
+    const Box<T> box(footprint, frame);
+    int lowest = 0, highest = 0, nearest = 0;
+    for (int i = 1; i < box.count(); ++i) {
+      if (wall.Offset(box.value(i)) < wall.Offset(box.value(lowest))) lowest = i;
+      if (wall.Offset(box.value(i)) > wall.Offset(box.value(highest))) highest = i;
+      if (wall.Height(box.value(i)) < wall.Height(box.value(nearest))) nearest = i;
     }
+    low = wall.Offset(box.vertex(lowest));
+    high = wall.Offset(box.vertex(highest));
+    distance = wall.Height(box.vertex(nearest));
   }
   T Middle() const { return 0.5 * (low + high); }
   T Length() const { return high - low; }
@@ -40,19 +42,21 @@ template <typename T>
 T SquaredNotItsWall(const Footprint& footprint, const Frame<T>& frame, const HangingWall& place,
                     const std::vector<HangingWall>& places, double near_m) {
   constexpr double kSame_m = 0.02;
-  T least(near_m);
-  double least_value = std::numeric_limits<double>::infinity();
+  const Frame<double> value = ValueOf(frame);
+  double least = std::numeric_limits<double>::infinity();
+  const Wall* nearest = &place.wall;
   for (const HangingWall& other : places) {
-    const Vec2<T>& center = frame.center;
     // A wall that runs elsewhere is not a neighbour.
-    if (ValueOf(other.wall.Offset(center)) < 0 || ValueOf(other.wall.Offset(center)) > other.wall.length_m) continue;
-    const T distance = WallView<T>(footprint, frame, other.wall).distance;
-    if (ValueOf(distance) < least_value && ValueOf(distance) > -kSame_m) {
-      least_value = ValueOf(distance);
-      least = least_value > near_m ? distance : T(near_m);
-    }
+    const double offset = other.wall.Offset(value.center);
+    if (offset < 0 || offset > other.wall.length_m) continue;
+    const double distance = WallView<double>(footprint, value, other.wall).distance;
+    if (distance < least && distance > -kSame_m) least = distance, nearest = &other.wall;
   }
-  return SquaredHinge(WallView<T>(footprint, frame, place.wall).distance - least - kSame_m);
+  const double own = WallView<double>(footprint, value, place.wall).distance;
+  if (own <= std::max(std::min(least, own), near_m) + kSame_m) return T(0.0);
+  const T excess = WallView<T>(footprint, frame, place.wall).distance - kSame_m;
+  if (least <= near_m) return Square(excess - near_m);
+  return Square(excess - WallView<T>(footprint, frame, *nearest).distance);
 }
 
 }  // namespace flair::optimizer

@@ -5,24 +5,11 @@
 #include <limits>
 #include <type_traits>
 
+#include "optimizer_worker/autodiff/frame_value.h"
 #include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 
 namespace flair::optimizer {
-
-// The values of frames, without derivatives.
-template <typename T>
-Frame<double> ValueOf(const Frame<T>& f) {
-  return {{ValueOf(f.center.x), ValueOf(f.center.y)},
-          {ValueOf(f.right.x), ValueOf(f.right.y)},
-          {ValueOf(f.front.x), ValueOf(f.front.y)}};
-}
-template <typename T, size_t K>
-std::array<Frame<double>, K> ValuesOf(const std::array<Frame<T>, K>& frames) {
-  std::array<Frame<double>, K> values;
-  for (size_t k = 0; k < K; ++k) values[k] = ValueOf(frames[k]);
-  return values;
-}
 
 // min over `ways` of way_cost(way, frames). Finds the least on the values and differentiates that one only; ties go to
 // the first. 0 when there are no ways.

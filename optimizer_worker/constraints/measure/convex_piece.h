@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "optimizer_worker/autodiff/frame_value.h"
 #include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
@@ -33,18 +34,22 @@ struct ConvexPiece {
   int count() const { return static_cast<int>(vertices.size()); }
   const Vec2<double>& vertex(int i) const { return vertices[static_cast<size_t>(i)]; }
   const Vec2<double>& normal(int i) const { return normals[static_cast<size_t>(i)]; }
+  const Vec2<double>& value(int i) const { return vertex(i); }
+  const Vec2<double>& value_normal(int i) const { return normal(i); }
   bool exit(int i) const { return exits[static_cast<size_t>(i)] != 0; }
 };
 
-// The rectangle of an object at a frame.
+// The rectangle of an object at a frame. Corners are worked out with derivatives only when they are asked for: of a gap
+// one or two decide.
 template <typename T>
-struct Box {
-  std::array<Vec2<T>, 4> corners;
-  // Of edge i, from corner i to i + 1: back, right, front, left.
-  std::array<Vec2<T>, 4> outward;
-
+class Box {
+ public:
   Box(const Footprint& footprint, const Frame<T>& frame)
-      : corners(Corners(footprint, frame)), outward{-frame.front, frame.right, frame.front, -frame.right} {}
+      : half_width_(footprint.width_m / 2), half_depth_(footprint.depth_m / 2), frame_(frame) {
+    const Frame<double> value = ValueOf(frame);
+    values_ = Corners(footprint, value);
+    value_normals_ = {-value.front, value.right, value.front, -value.right};
+  }
   // The rectangle of depth `depth_m` on one side of the object, outside of it.
   static Box Before(const Footprint& footprint, const Frame<T>& frame, Side side, double depth_m) {
     const Vec2<double> n = LocalNormal(side);
@@ -57,9 +62,36 @@ struct Box {
   }
 
   static constexpr int count() { return 4; }
-  const Vec2<T>& vertex(int i) const { return corners[static_cast<size_t>(i)]; }
-  const Vec2<T>& normal(int i) const { return outward[static_cast<size_t>(i)]; }
   static constexpr bool exit(int) { return true; }
+  // Back-left, back-right, front-right, front-left.
+  const Vec2<double>& value(int i) const { return values_[static_cast<size_t>(i)]; }
+  // Of edge i, from corner i to i + 1: back, right, front, left.
+  const Vec2<double>& value_normal(int i) const { return value_normals_[static_cast<size_t>(i)]; }
+  Vec2<T> vertex(int i) const {
+    const double u = i == 0 || i == 3 ? -half_width_ : half_width_;
+    const double v = i < 2 ? -half_depth_ : half_depth_;
+    return {frame_.center.x + u * frame_.right.x + v * frame_.front.x,
+            frame_.center.y + u * frame_.right.y + v * frame_.front.y};
+  }
+  Vec2<T> normal(int i) const {
+    switch (i) {
+      case 0:
+        return -frame_.front;
+      case 1:
+        return frame_.right;
+      case 2:
+        return frame_.front;
+      default:
+        return -frame_.right;
+    }
+  }
+
+ private:
+  double half_width_;
+  double half_depth_;
+  Frame<T> frame_;
+  std::array<Vec2<double>, 4> values_;
+  std::array<Vec2<double>, 4> value_normals_;
 };
 
 }  // namespace flair::optimizer

@@ -37,7 +37,10 @@ class FloorShape {
   template <typename T>
   T SquaredExcess(const Box<T>& box) const {
     T sum(0.0);
-    for (const Vec2<T>& corner : box.corners) sum += SquaredExcess(corner);
+    // Most objects stand inside: then nothing needs derivatives.
+    for (int i = 0; i < box.count(); ++i) {
+      if (SquaredExcess(box.value(i)) > 0) sum += SquaredExcess(box.vertex(i));
+    }
     return sum + SquaredPocketDepth(box);
   }
   template <typename T>

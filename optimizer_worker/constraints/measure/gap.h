@@ -23,23 +23,17 @@ struct Witness {
   double gap_m = 0;
 };
 
-inline const Vec2<double>& ValueOf(const Vec2<double>& v) { return v; }
-template <int N>
-Vec2<double> ValueOf(const Vec2<Dual<N>>& v) {
-  return {v.x.value, v.y.value};
-}
-
 // Widest separation along edge normals of `a`; `vertex` is the vertex of `b` that is nearest to that edge.
 template <typename A, typename B>
 void WidestEdge(const A& a, const B& b, Witness::Kind kind, Witness& best) {
   for (int i = 0; i < a.count(); ++i) {
     if (!a.exit(i)) continue;
-    const Vec2<double> n = ValueOf(a.normal(i));
-    const Vec2<double> p = ValueOf(a.vertex(i));
+    const Vec2<double>& n = a.value_normal(i);
+    const Vec2<double>& p = a.value(i);
     double nearest = std::numeric_limits<double>::infinity();
     int vertex = 0;
     for (int j = 0; j < b.count(); ++j) {
-      const Vec2<double> q = ValueOf(b.vertex(j));
+      const Vec2<double>& q = b.value(j);
       const double height = n.x * (q.x - p.x) + n.y * (q.y - p.y);
       if (height < nearest) nearest = height, vertex = j;
     }
@@ -67,12 +61,12 @@ Witness NearestFeatures(const A& a, const B& b, const Witness& axis) {
   Witness nearest = axis;
   const auto consider_edges = [&least2, &nearest](const auto& edges, const auto& points, Witness::Kind kind) {
     for (int i = 0; i < edges.count(); ++i) {
-      const Vec2<double> p = ValueOf(edges.vertex(i));
-      const Vec2<double> q = ValueOf(edges.vertex((i + 1) % edges.count()));
+      const Vec2<double>& p = edges.value(i);
+      const Vec2<double>& q = edges.value((i + 1) % edges.count());
       const Vec2<double> d = q - p;
       const double length2 = SquaredNorm(d);
       for (int j = 0; j < points.count(); ++j) {
-        const Vec2<double> r = ValueOf(points.vertex(j)) - p;
+        const Vec2<double> r = points.value(j) - p;
         const double along = Dot(r, d);
         Witness w;
         double distance2 = 0;

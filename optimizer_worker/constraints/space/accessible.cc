@@ -13,8 +13,7 @@ namespace flair::optimizer {
 AccessibleCost::AccessibleCost(const BindContext& context, int object, std::vector<Side> sides, double clearance_m)
     : sides_(std::move(sides)),
       clearance_m_(clearance_m),
-      floor_(context.scene.room.floor),
-      swings_(SwingPieces(context.scene.room)) {
+      floor_(context.scene.room.floor) {
   const std::vector<Object>& all = context.scene.objects;
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const Object& other = all[static_cast<size_t>(i)];
@@ -23,6 +22,19 @@ AccessibleCost::AccessibleCost(const BindContext& context, int object, std::vect
     if (i == object) own_ = objects_.size();
     objects_.push_back(i);
     footprints_.push_back(other.footprint);
+    reaches_m_.push_back(std::hypot(other.footprint.width_m, other.footprint.depth_m) / 2);
+  }
+  // The pieces reach far behind their walls; no strip that is in the room does.
+  const BoundingBox room = BoundsOf(context.scene.room.floor);
+  for (ConvexPiece& piece : SwingPieces(context.scene.room)) {
+    std::vector<Vec2<double>> inside;
+    for (const Vec2<double>& v : piece.vertices) {
+      inside.push_back({std::clamp(v.x, room.min.x, room.max.x), std::clamp(v.y, room.min.y, room.max.y)});
+    }
+    const BoundingBox box = BoundsOf(inside);
+    // Twice as far, so that strips which lean out of the room are measured too.
+    const double reach = std::hypot(box.width_m(), box.height_m());
+    swings_.push_back({std::move(piece), box.Center(), reach});
   }
   const Footprint& own = footprints_[own_];
   reach_m_ = std::hypot(own.width_m / 2 + clearance_m_, own.depth_m / 2 + clearance_m_);
@@ -34,7 +46,11 @@ T AccessibleCost::RoomCost(const Frame<T>& frame) const {
   for (Side side : sides_) {
     const Box<T> strip = Box<T>::Before(footprints_[own_], frame, side, clearance_m_);
     sum += floor_.SquaredExcess(strip);
-    for (const ConvexPiece& swing : swings_) sum += SquaredPenetration<T>(strip, swing);
+    for (const Swing& swing : swings_) {
+      const double reach = reach_m_ + swing.reach_m;
+      const double dx = ValueOf(frame.center.x) - swing.center.x, dy = ValueOf(frame.center.y) - swing.center.y;
+      if (dx * dx + dy * dy < reach * reach) sum += SquaredPenetration<T>(strip, swing.piece);
+    }
   }
   return sum;
 }
@@ -49,8 +65,8 @@ T AccessibleCost::BlockCost(const Frame<T>& frame, const Footprint& other, const
   return sum;
 }
 
-bool AccessibleCost::OutOfReach(const Pose<double>& own, const Pose<double>& other, const Footprint& footprint) const {
-  const double reach = reach_m_ + std::hypot(footprint.width_m, footprint.depth_m) / 2;
+bool AccessibleCost::OutOfReach(const Pose<double>& own, const Pose<double>& other, double other_reach_m) const {
+  const double reach = reach_m_ + other_reach_m;
   const double dx = own.x_m - other.x_m, dy = own.y_m - other.y_m;
   return dx * dx + dy * dy >= reach * reach;
 }
@@ -59,7 +75,7 @@ double AccessibleCost::Value(std::span<const Pose<double>> poses) const {
   const Frame<double> frame = FrameOf(poses[own_]);
   double sum = RoomCost(frame);
   for (size_t i = 0; i < poses.size(); ++i) {
-    if (i == own_ || OutOfReach(poses[own_], poses[i], footprints_[i])) continue;
+    if (i == own_ || OutOfReach(poses[own_], poses[i], reaches_m_[i])) continue;
     sum += BlockCost(frame, footprints_[i], FrameOf(poses[i]));
   }
   return sum;
@@ -73,7 +89,7 @@ double AccessibleCost::Gradient(std::span<const Pose<double>> poses, std::span<d
     sum += AddSingle(poses, own_, gradient, [this](const auto& f) { return RoomCost(f); });
   }
   for (size_t i = 0; i < poses.size(); ++i) {
-    if (i == own_ || OutOfReach(poses[own_], poses[i], footprints_[i])) continue;
+    if (i == own_ || OutOfReach(poses[own_], poses[i], reaches_m_[i])) continue;
     if (BlockCost(frame, footprints_[i], FrameOf(poses[i])) == 0) continue;
     sum += AddPair(poses, own_, i, gradient,
                    [this, i](const auto& f, const auto& other) { return BlockCost(f, footprints_[i], other); });

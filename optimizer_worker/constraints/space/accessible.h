@@ -39,11 +39,13 @@ class AccessibleCost final : public Cost {
   template <typename T>
   T BlockCost(const Frame<T>& frame, const Footprint& other, const Frame<T>& other_frame) const;
   // Too far away to be in the way of any strip.
-  bool OutOfReach(const Pose<double>& own, const Pose<double>& other, const Footprint& footprint) const;
+  bool OutOfReach(const Pose<double>& own, const Pose<double>& other, double other_reach_m) const;
 
   std::vector<int> objects_;
   // In the order of objects_.
   std::vector<Footprint> footprints_;
+  // From their centres to their corners.
+  std::vector<double> reaches_m_;
   // Where the object itself is in objects_.
   size_t own_ = 0;
   std::vector<Side> sides_;
@@ -51,7 +53,13 @@ class AccessibleCost final : public Cost {
   // From the centre to the furthest point of any strip.
   double reach_m_;
   FloorShape floor_;
-  std::vector<ConvexPiece> swings_;
+  // With a circle around what each sweeps inside the room.
+  struct Swing {
+    ConvexPiece piece;
+    Vec2<double> center;
+    double reach_m;
+  };
+  std::vector<Swing> swings_;
 };
 
 }  // namespace flair::optimizer
