@@ -198,6 +198,16 @@ TEST_F(PipelineTest, WaitsForAFullQueueAsLongAsItTakes) {
   EXPECT_EQ(stages.calls("Solve"), 51);
 }
 
+TEST_F(PipelineTest, GivesUpOnAQueueThatStaysFull) {
+  options_.stage_deadline = absl::Seconds(60);
+  FakeStages stages([&](std::string_view rpc, runtime::CallContext&) {
+    return rpc == "Solve" ? absl::ResourceExhaustedError("the queue is full") : absl::OkStatus();
+  });
+  EXPECT_EQ(Run(stages, NewJob("j1")).status.code(), absl::StatusCode::kResourceExhausted);
+  EXPECT_GT(stages.calls("Solve"), 30);
+  EXPECT_LT(stages.calls("Solve"), 80);
+}
+
 TEST_F(PipelineTest, DoesNotRepeatWhatCannotSucceed) {
   for (const absl::Status& failure : {absl::InvalidArgumentError("brief.text: 0 m wide"), absl::InternalError("bug"),
                                       absl::ResourceExhaustedError("Received message larger than max (9 vs. 4)")}) {
@@ -262,7 +272,8 @@ class EmptyRoomStages final : public StageClients {
   NEVER(CleanConstraints)
   NEVER(Translate)
   NEVER(ListConstraintTypes)
-  NEVER(Solve) NEVER(Evaluate) NEVER(Render)
+  NEVER(Solve)
+  NEVER(Evaluate) NEVER(Render)
 #undef NEVER
       absl::StatusOr<std::string> Revision(v1::ArtifactKind, Call&) override {
     return "";

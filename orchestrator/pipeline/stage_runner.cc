@@ -28,6 +28,14 @@ absl::Status CheckAnswer(const Stage& stage, const v1::Artifact& artifact) {
                                          artifact.producer().program(), std::string(status.message())));
 }
 
+std::string OptionsDigest(const StageRun& run) { return run.options.empty() ? "" : Sha256Hex(run.options); }
+
+std::vector<std::string> InputIds(const StageRun& run) {
+  std::vector<std::string> ids;
+  for (const v1::Artifact* input : run.inputs) ids.push_back(input->id());
+  return ids;
+}
+
 }  // namespace
 
 absl::Status StageRunner::ReadHistory() {
@@ -51,30 +59,38 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
     if (!options.ok()) return options.status();
     run.options = *std::move(options);
   }
-  const absl::StatusOr<std::string> revision = Retry<std::string>(
-      [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
-  if (!revision.ok()) return revision.status();
-  const std::string options_digest = run.options.empty() ? "" : Sha256Hex(run.options);
-  std::vector<std::string> input_ids;
-  for (const v1::Artifact* input : inputs) input_ids.push_back(input->id());
-  // The first stage asks nobody: its "input" is the brief itself.
-  const std::string own_input = inputs.empty() ? Sha256Hex(CanonicalBytes(job_.spec().brief())) : options_digest;
-  const std::string key = ResultKey(stage.name, *revision, own_input, input_ids);
-  auto known = store_.artifacts().FindResult(key);
+  absl::StatusOr<std::string> key = KeyOf(stage, run);
+  if (!key.ok()) return key.status();
+  auto known = store_.artifacts().FindResult(*key);
   if (!known.ok()) return known.status();
   if (known->has_value()) {
     absl::StatusOr<Output> reused = Reuse(stage_index, **known);
     // A file that is gone or damaged is made again.
     if (reused.ok() || (!absl::IsNotFound(reused.status()) && !absl::IsDataLoss(reused.status()))) return reused;
   }
+  return MakeAndStore(stage_index, run, *key);
+}
 
+absl::StatusOr<std::string> StageRunner::KeyOf(const Stage& stage, const StageRun& run) const {
+  const absl::StatusOr<std::string> revision = Retry<std::string>(
+      [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
+  if (!revision.ok()) return revision.status();
+  // The first stage has no artifacts to be made from: what it is made from is the brief itself.
+  const std::string own_input = run.inputs.empty() ? Sha256Hex(CanonicalBytes(run.spec.brief())) : OptionsDigest(run);
+  return ResultKey(stage.name, *revision, own_input, InputIds(run));
+}
+
+absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, const StageRun& run,
+                                                              const std::string& key) const {
+  const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
   if (absl::Status status = Record(stage_index, Event(v1::JOB_EVENT_KIND_STAGE_STARTED, stage), ""); !status.ok()) {
     return status;
   }
   const absl::Duration start = clock_.Elapsed();
   absl::StatusOr<v1::Artifact> artifact = Make(stage, run);
   if (!artifact.ok()) return artifact.status();
-  artifact->set_options_digest(options_digest);
+  artifact->set_options_digest(OptionsDigest(run));
+  const std::vector<std::string> input_ids = InputIds(run);
   artifact->mutable_made_from_ids()->Assign(input_ids.begin(), input_ids.end());
   artifact->set_id(ComputeArtifactId(*artifact));
   if (absl::Status status = CheckAnswer(stage, *artifact); !status.ok()) return status;
@@ -91,10 +107,12 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
   return output;
 }
 
-// Makes the stage's artifact, again where that is safe and useful. Each attempt has the whole deadline.
+// Asks a worker, again where that is safe and useful, until the deadline of one call has passed since the first. Each
+// attempt has a whole deadline of its own.
 template <typename Result>
 absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Result>(const StageRun&)>& function,
                                           const StageRun& run) const {
+  const absl::Time last_attempt = clock_.Now() + options_.stage_deadline;
   for (int attempt = 0;; ++attempt) {
     runtime::CallContext call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
     runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
@@ -104,7 +122,7 @@ absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Res
                                         : function(current);
     if (result.ok() || cancellation_.cancelled()) return result;
     const std::optional<absl::Duration> delay = options_.backoff.DelayAfter(result.status(), attempt, run.job_id);
-    if (!delay.has_value()) return result;
+    if (!delay.has_value() || clock_.Now() + *delay > last_attempt) return result;
     options_.wait(*delay, call);
   }
 }

@@ -37,6 +37,8 @@ class StageRunner {
   absl::StatusOr<Result> Retry(const std::function<absl::StatusOr<Result>(const StageRun&)>& function,
                                const StageRun& run) const;
   absl::StatusOr<v1::Artifact> Make(const Stage& stage, const StageRun& run) const;
+  absl::StatusOr<std::string> KeyOf(const Stage& stage, const StageRun& run) const;
+  absl::StatusOr<Output> MakeAndStore(int stage_index, const StageRun& run, const std::string& key) const;
   absl::StatusOr<Output> Reuse(int stage_index, const v1::ArtifactRef& ref) const;
   absl::Status Record(int stage_index, v1::JobEvent event, const std::string& result_key) const;
   v1::JobEvent Event(v1::JobEventKind kind, const Stage& stage) const;
