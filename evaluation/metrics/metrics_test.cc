@@ -113,9 +113,9 @@ TEST(Reach, ATableIsUsedFromAnySide) {
 
 TEST(Reach, ObjectsThatAreNotPlacedAreNotInTheWay) {
   const Furnished room("4x5 room; door south 1 0.9; shelf 4x0.4 at 2,2.5,0");
-  LayoutView view = room.view();
+  const LayoutView view = room.view();
   EXPECT_LT(MeasureReach(view).floor_share, 0.6);
-  const LayoutView without{view.scene, view.layout, {false}};
+  const LayoutView without(view.scene, view.layout, std::vector<bool>{false});
   EXPECT_GT(MeasureReach(without).floor_share, 0.99);
 }
 

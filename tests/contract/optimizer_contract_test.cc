@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "room/validation/validate.h"
+#include "tests/contract/contract.h"
+
+namespace flair::testing {
+namespace {
+
+using Service = v1::OptimizerService::StubInterface;
+using ::testing::HasSubstr;
+
+class OptimizerContract : public ::testing::Test {
+ protected:
+  // The bedroom without sentences: any optimizer can solve it, whatever its library.
+  static v1::SolveRequest Request() {
+    v1::SolveRequest request;
+    request.set_request_id("r1");
+    *request.mutable_layout_graph() = BedroomGraph();
+    request.mutable_options()->set_seed(5);
+    return request;
+  }
+
+  ServerUnderTest server_{"optimizer"};
+  std::unique_ptr<v1::OptimizerService::Stub> stub_ = v1::OptimizerService::NewStub(server_.channel());
+};
+
+TEST_F(OptimizerContract, PublishesACatalogueThatValidates) {
+  const auto answer = Ask(*stub_, &Service::ListConstraintTypes, v1::ListConstraintTypesRequest());
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  EXPECT_TRUE(Validate(answer->catalog()).ok()) << Validate(answer->catalog());
+}
+
+TEST_F(OptimizerContract, PlacesEveryObject) {
+  const auto answer = Ask(*stub_, &Service::Solve, Request());
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  EXPECT_TRUE(Validate(answer->solved_layout()).ok()) << Validate(answer->solved_layout());
+  EXPECT_EQ(answer->solved_layout().placements_size(), 2);
+  EXPECT_EQ(answer->solved_layout().edge_outcomes_size(), answer->solved_layout().graph().edges_size());
+}
+
+TEST_F(OptimizerContract, ThreadsAndRepeatsDoNotChangeTheAnswer) {
+  v1::SolveRequest request = Request();
+  request.mutable_options()->set_thread_count(1);
+  const auto one = Ask(*stub_, &Service::Solve, request);
+  request.mutable_options()->set_thread_count(4);
+  request.set_request_id("r2");
+  const auto four = Ask(*stub_, &Service::Solve, request);
+  ASSERT_TRUE(one.ok() && four.ok());
+  EXPECT_EQ(one->solved_layout().SerializeAsString(), four->solved_layout().SerializeAsString());
+}
+
+TEST_F(OptimizerContract, EvaluatesGivenPlacements) {
+  v1::EvaluateRequest request;
+  *request.mutable_layout_graph() = BedroomGraph();
+  v1::Placement& bed = *request.add_placements();
+  bed.set_object_id("bed");
+  bed.set_x_m(2);
+  bed.set_y_m(0.5);
+  const auto answer = Ask(*stub_, &Service::Evaluate, request);
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  EXPECT_NEAR(answer->metrics().oob_percent(), 100 * 1.6 * 0.5 / 20, 1e-6);
+}
+
+TEST_F(OptimizerContract, ABadGraphIsInvalidArgumentAndNamesTheField) {
+  v1::SolveRequest request = Request();
+  request.mutable_layout_graph()->mutable_object_list()->mutable_objects(0)->set_width_m(-1);
+  const auto answer = Ask(*stub_, &Service::Solve, request);
+  EXPECT_EQ(answer.status().code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_THAT(std::string(answer.status().message()), HasSubstr("objects[0].width_m"));
+}
+
+TEST_F(OptimizerContract, AnEdgeOfNoKnownTypeIsNoReasonToFail) {
+  v1::SolveRequest request = Request();
+  v1::ConstraintEdge& edge = *request.mutable_layout_graph()->add_edges();
+  edge.set_id("e1");
+  edge.set_type("surely_no_such_type");
+  edge.set_weight(1);
+  const auto answer = Ask(*stub_, &Service::Solve, request);
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  ASSERT_EQ(answer->solved_layout().edge_outcomes_size(), 1);
+  EXPECT_EQ(answer->solved_layout().edge_outcomes(0).status(), v1::OUTCOME_STATUS_DROPPED);
+  EXPECT_NE(answer->solved_layout().edge_outcomes(0).reason(), "");
+}
+
+}  // namespace
+}  // namespace flair::testing
