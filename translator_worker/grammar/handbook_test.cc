@@ -151,7 +151,9 @@ class HandbookSentences : public testing::Test {
     if (targets.empty()) targets.push_back(relation.text().find("{target") == std::string::npos ? "" : "sideboard");
     for (const std::string& target : targets) {
       if (target == object) continue;
-      for (const int count : {1, 2}) Check(relation.text(), object, target, count);
+      for (const int count : {1, 2}) {
+        if (count >= relation.condition().min_count()) Check(relation.text(), object, target, count);
+      }
     }
   }
 
