@@ -17,6 +17,8 @@ using nlohmann::json;
 // The recordings have no heights. Furniture stands higher than a window sill and lower than what hangs on walls.
 constexpr double kRoomHeight_m = 3.0, kFurniture_m = 1.0, kWallBottom_m = 1.4, kWallPiece_m = 0.5, kLamp_m = 0.5;
 constexpr double kItem_m = 0.3, kRug_m = 0.01, kSill_m = 0.9, kHead_m = 2.1;
+// Things recorded without a size.
+constexpr double kLeastExtent_m = 0.05;
 
 bool IsRug(const std::string& name) {
   static const std::set<std::string> words = {"rug",     "rugs",    "mat",     "mats",      "carpet", "carpets",
@@ -43,6 +45,37 @@ std::string FeatureKind(std::string word) {
   return "socket";
 }
 
+// Models put windows over each other and over doors: windows that overlap become one, a window gives way to a door.
+void AddOpening(v1::Opening opening, v1::Room& room) {
+  double low = opening.offset_m(), high = low + opening.width_m();
+  for (int i = 0; i < room.openings_size(); ++i) {
+    v1::Opening& other = *room.mutable_openings(i);
+    const double other_low = other.offset_m(), other_high = other_low + other.width_m();
+    if (other.wall() != opening.wall() || high <= other_low || other_high <= low) continue;
+    const bool window = opening.kind() == v1::OPENING_KIND_WINDOW;
+    if (window && other.kind() == v1::OPENING_KIND_WINDOW) {
+      low = std::min(low, other_low);
+      high = std::max(high, other_high);
+      room.mutable_openings()->DeleteSubrange(i--, 1);
+    } else if (!window && other.kind() == v1::OPENING_KIND_WINDOW) {
+      v1::Opening rest = other;
+      room.mutable_openings()->DeleteSubrange(i--, 1);
+      rest.set_offset_m(other_low < low ? other_low : high);
+      rest.set_width_m(other_low < low ? low - other_low : other_high - high);
+      if (rest.width_m() > 0.1) *room.add_openings() = rest;
+    } else {
+      if (low < other_low)
+        high = other_low;
+      else
+        low = other_high;
+    }
+  }
+  if (high - low < 0.1) return;
+  opening.set_offset_m(low);
+  opening.set_width_m(high - low);
+  *room.add_openings() = std::move(opening);
+}
+
 void AddFeature(const json& feature, double width, double length, v1::Room& room) {
   if (!feature.contains("wall") || !feature["wall"].is_string() || !feature.value("position", json()).is_number())
     return;
@@ -62,8 +95,9 @@ void AddFeature(const json& feature, double width, double length, v1::Room& room
     socket->set_height_m(0.3);
     return;
   }
-  v1::Opening* opening = room.add_openings();
-  opening->set_id(fmt::format("{}_{}", kind, room.openings_size()));
+  v1::Opening fresh;
+  v1::Opening* opening = &fresh;
+  opening->set_id(fmt::format("{}_{}", kind, room.openings_size() + 1));
   opening->set_wall(wall);
   opening->set_offset_m(offset);
   opening->set_width_m(size_m);
@@ -71,6 +105,7 @@ void AddFeature(const json& feature, double width, double length, v1::Room& room
   if (kind == "window") {
     opening->set_kind(v1::OPENING_KIND_WINDOW);
     opening->set_sill_height_m(kSill_m);
+    AddOpening(fresh, room);
     return;
   }
   opening->set_kind(v1::OPENING_KIND_DOOR);
@@ -78,6 +113,7 @@ void AddFeature(const json& feature, double width, double length, v1::Room& room
   opening->mutable_leaf()->set_hinge(v1::HINGE_SIDE_START);
   opening->mutable_leaf()->set_swing(v1::DOOR_SWING_INWARD);
   opening->mutable_leaf()->set_swing_angle_rad(1.5707963267948966);
+  AddOpening(fresh, room);
 }
 
 void ReadRoom(const json& problem, v1::Room& room) {
@@ -105,8 +141,8 @@ void AddObject(const json& record, v1::ObjectRole role, v1::LayoutGraph& graph) 
   object->set_id(fmt::format("{}_{}", tertiary ? "item" : "floor", record.at("index").get<int>()));
   object->set_name(record.at("name"));
   object->set_role(role);
-  object->set_width_m(record.at("width"));
-  object->set_depth_m(record.at("length"));
+  object->set_width_m(std::max(kLeastExtent_m, record.at("width").get<double>()));
+  object->set_depth_m(std::max(kLeastExtent_m, record.at("length").get<double>()));
   if (!tertiary) object->set_zone_id(ZoneId(record.value("zone", "")));
   const std::string type = tertiary && record.value("type", json()).is_string() ? record["type"] : "floor";
   object->set_walk_over(type == "floor" && IsRug(object->name()));

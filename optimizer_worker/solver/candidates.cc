@@ -38,7 +38,7 @@ class Proposer {
 
   void Floor() {
     for (const Wall& wall : scene_.room.walls) {
-      for (Side side : kSides) AlongWall(wall, side);
+      for (Side side : {Side::kBack, Side::kLeft, Side::kRight}) AlongWall(wall, side);
     }
     for (int partner : context_.partners) {
       if (IsPlaced(partner)) Beside(partner);
@@ -157,8 +157,6 @@ class Proposer {
         place(0, 0);
         place(slack, 0);
         place(-slack, 0);
-        place(slack / 2, 0);
-        place(-slack / 2, 0);
         place(0, 0.4);
         place(0, 0.8);
         for (int k = 0; k < density_.partner_samples; ++k) {

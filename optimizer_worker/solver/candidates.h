@@ -31,7 +31,8 @@ struct CandidateDensity {
 };
 
 // Appends poses for objects of any kind:
-//  - floor: each side flush on each wall (corners, middle, beside openings and neighbours, before partners), each side
+//  - floor: back, left or right side flush on each wall (corners, middle, beside openings and neighbours, before
+//  partners), each side
 //    at each side of each partner (touching and at some distance), and spread over the floor, at cardinal headings;
 //  - rugs: under and before each partner, at the middles of the room and of the zone, spread over the floor;
 //  - wall: on each wall at partners' and zones' projections, between and beside openings, spread along it;

@@ -11,6 +11,7 @@ Problem::Problem(std::span<const Term> terms, std::vector<int> active, int objec
     : terms_(terms),
       active_(std::move(active)),
       touching_(object_count),
+      hard_touching_(object_count, 0),
       requiring_(object_count),
       missing_(active_.size(), 0),
       placed_(object_count, false) {
@@ -18,7 +19,10 @@ Problem::Problem(std::span<const Term> terms, std::vector<int> active, int objec
   size_t most_operands = 0;
   for (int slot = 0; slot < static_cast<int>(active_.size()); ++slot) {
     const Term& term = terms_[active_[slot]];
-    for (int object : term.cost->objects()) touching_[object].push_back(slot);
+    for (int object : term.cost->objects()) {
+      touching_[object].push_back(slot);
+      hard_touching_[object] += term.hard ? 1 : 0;
+    }
     for (int object : term.required) requiring_[object].push_back(slot);
     missing_[slot] = static_cast<int>(term.required.size());
     most_operands = std::max(most_operands, term.cost->objects().size());
@@ -42,7 +46,8 @@ std::span<const Pose<double>> Problem::Gather(int slot, std::span<const Pose<dou
 double Problem::Value(int slot, std::span<const Pose<double>> poses) {
   ++evaluations_;
   const Term& term = terms_[active_[slot]];
-  return term.weight * term.cost->Value(Gather(slot, poses));
+  const double cost = term.cost->Value(Gather(slot, poses));
+  return term.weight * (term.wish ? Wish(cost) : cost);
 }
 
 double Problem::Total(std::span<const Pose<double>> poses) {
@@ -54,8 +59,17 @@ double Problem::Total(std::span<const Pose<double>> poses) {
 }
 
 double Problem::Around(int object, std::span<const Pose<double>> poses, double limit) {
+  return SumTouching(object, 0, poses, limit);
+}
+
+double Problem::SoftAround(int object, std::span<const Pose<double>> poses, double limit) {
+  return SumTouching(object, hard_touching_[object], poses, limit);
+}
+
+double Problem::SumTouching(int object, int first, std::span<const Pose<double>> poses, double limit) {
   double sum = 0;
-  for (int slot : touching_[object]) {
+  for (size_t i = first; i < touching_[object].size(); ++i) {
+    const int slot = touching_[object][i];
     if (missing_[slot] != 0) continue;
     sum += Value(slot, poses);
     if (sum > limit) return sum;
@@ -71,9 +85,11 @@ double Problem::Gradient(std::span<const Pose<double>> poses, std::span<double> 
     const Term& term = terms_[active_[slot]];
     const std::span<const int> objects = term.cost->objects();
     const std::span<double> part(operand_gradient_.data(), 3 * objects.size());
-    sum += term.weight * term.cost->Gradient(Gather(slot, poses), part);
+    const double cost = term.cost->Gradient(Gather(slot, poses), part);
+    sum += term.weight * (term.wish ? Wish(cost) : cost);
+    const double slope = term.weight * (term.wish ? WishSlope(cost) : 1.0);
     for (size_t k = 0; k < objects.size(); ++k) {
-      for (int c = 0; c < 3; ++c) gradient[3 * objects[k] + c] += term.weight * part[3 * k + c];
+      for (int c = 0; c < 3; ++c) gradient[3 * objects[k] + c] += slope * part[3 * k + c];
     }
   }
   return sum;

@@ -22,6 +22,8 @@ struct Term {
   std::vector<int> required;
   // Overlap, bounds and doors: must be zero in the end.
   bool hard = false;
+  // A wish: counts as Wish(cost), so that one wish missed is better than five missed a little.
+  bool wish = false;
   // Index of the graph's edge, or -1 for a whole-room term called `name`.
   int edge = -1;
   std::string name;
@@ -32,6 +34,14 @@ struct Term {
 // The paper's penalties compete with the wishes; the search must not trade a wish for an overlap. Multiplies factors of
 // hard terms that are smaller than this.
 inline constexpr double kHardFactor = 40;
+
+// What a wish of cost c is worth in the search: c + kMissed c / (c + kNearly). Zero where c is zero, grows with c, and
+// adds almost kMissed as soon as the wish is missed at all: least squares alone would rather miss every wish by some
+// centimetres than one of them honestly.
+inline constexpr double kMissed = 0.3;
+inline constexpr double kNearly = 0.01;
+inline double Wish(double cost) { return cost + kMissed * cost / (cost + kNearly); }
+inline double WishSlope(double cost) { return 1 + kMissed * kNearly / ((cost + kNearly) * (cost + kNearly)); }
 
 // Where objects stand that are not placed yet: so far away that no cost between them and the room acts.
 Pose<double> FarAway(int object);
@@ -51,6 +61,8 @@ class Problem {
   double Total(std::span<const Pose<double>> poses);
   // Sum of the terms that read `object`; may stop early with any number above `limit`.
   double Around(int object, std::span<const Pose<double>> poses, double limit);
+  // The same without the hard terms.
+  double SoftAround(int object, std::span<const Pose<double>> poses, double limit);
   // Sum of all terms that count; adds each gradient into `gradient`, three numbers per object of the scene.
   double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient);
   // Sum of the hard terms.
@@ -62,12 +74,14 @@ class Problem {
   std::span<const int> active() const { return active_; }
 
  private:
+  double SumTouching(int object, int first, std::span<const Pose<double>> poses, double limit);
   double Value(int slot, std::span<const Pose<double>> poses);
   std::span<const Pose<double>> Gather(int slot, std::span<const Pose<double>> poses);
 
   std::span<const Term> terms_;
   std::vector<int> active_;                 // slot -> term, hard terms first
   std::vector<std::vector<int>> touching_;  // object -> slots, hard terms first
+  std::vector<int> hard_touching_;          // object -> how many of those are hard
   std::vector<std::vector<int>> requiring_;
   std::vector<int> missing_;  // slot -> required objects without a pose
   std::vector<char> placed_;

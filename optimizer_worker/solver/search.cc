@@ -14,13 +14,18 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 // A re-placement must gain this much, or rounding would move things forever.
 constexpr double kLeastGain = 1e-7;
 // How many of the best poses of an object are also judged by walkability.
-constexpr size_t kWalkChoices = 5;
+constexpr size_t kWalkChoices = 4;
+// An object that costs less than this, in a room whose ways cost less than that, stays where it is.
+constexpr double kContent = 1e-4, kWalkable = 0.1;
 constexpr double kBox_m = 0.3;
 
 }  // namespace
 
 LayoutSearch::LayoutSearch(const SearchInput& input, Problem problem, Layout layout)
-    : input_(input), problem_(std::move(problem)), layout_(std::move(layout)) {
+    : input_(input),
+      problem_(std::move(problem)),
+      layout_(std::move(layout)),
+      hard_cost_(input.scene, input.keep_out, problem_) {
   if (input.walk_grid) walk_grid_.push_back(*input.walk_grid);
   for (int i = 0; i < problem_.object_count(); ++i) {
     if (!problem_.placed(i)) layout_[i] = FarAway(i);
@@ -29,6 +34,8 @@ LayoutSearch::LayoutSearch(const SearchInput& input, Problem problem, Layout lay
 
 double LayoutSearch::WalkPenalty() {
   if (walk_grid_.empty()) return 0;
+  if (walk_layout_ == layout_) return walk_penalty_;
+  walk_layout_ = layout_;
   obstacles_.clear();
   for (int i = 0; i < problem_.object_count(); ++i) {
     if (problem_.placed(i) && IsSolid(input_.scene.objects[i])) {
@@ -37,8 +44,9 @@ double LayoutSearch::WalkPenalty() {
   }
   const WalkResult walk = walk_grid_.front().Measure(obstacles_);
   const WalkWeights& weights = input_.walk_weights;
-  return weights.unreachable_floor * (1 - walk.reachable_share) + weights.blocked_front * walk.blocked_fronts +
-         (walk.door_free ? 0.0 : weights.blocked_door);
+  walk_penalty_ = weights.unreachable_floor * (1 - walk.reachable_share) + weights.blocked_front * walk.blocked_fronts +
+                  (walk.door_free ? 0.0 : weights.blocked_door);
+  return walk_penalty_;
 }
 
 double LayoutSearch::Score() { return problem_.Total(layout_) + WalkPenalty(); }
@@ -61,11 +69,16 @@ void LayoutSearch::Propose(int object, const CandidateDensity& density, Random& 
 void LayoutSearch::Rank(int object, double limit, double noise, Random& random, size_t keep) {
   choices_.clear();
   const Pose<double> before = layout_[object];
+  const bool solid = IsSolid(input_.scene.objects[object]);
+  if (solid) hard_cost_.Prepare(object, problem_, layout_);
   for (const Pose<double>& candidate : candidates_) {
     layout_[object] = candidate;
     const double handicap = noise > 0 ? noise * random.Uniform() : 0.0;
     const double bound = choices_.size() < keep ? limit : std::min(limit, choices_.back().cost);
-    const double cost = handicap + problem_.Around(object, layout_, bound - handicap);
+    double cost = handicap;
+    if (solid) cost += hard_cost_.At(candidate, bound - cost);
+    if (cost >= bound) continue;
+    cost += solid ? problem_.SoftAround(object, layout_, bound - cost) : problem_.Around(object, layout_, bound - cost);
     if (cost >= bound) continue;
     const auto place = std::upper_bound(choices_.begin(), choices_.end(), cost,
                                         [](double value, const Choice& choice) { return value < choice.cost; });
@@ -92,6 +105,7 @@ void LayoutSearch::Sweep(std::span<const int> objects, int rounds, const Candida
       const Pose<double> before = layout_[object];
       const double cost_before = problem_.Around(object, layout_, kNever);
       const double walk_before = WalkPenalty();
+      if (cost_before < kContent && walk_before < kWalkable) continue;
       Propose(object, density, random);
       ProposeNudges(before, random, candidates_);
       // A pose may cost a little more when it frees the way.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "optimizer_worker/solver/candidates.h"
+#include "optimizer_worker/solver/hard_cost.h"
 #include "optimizer_worker/solver/problem.h"
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/solver/walk_grid.h"
@@ -16,8 +17,8 @@ namespace flair::optimizer {
 // What the walkability of a layout is worth, in units of cost: the paper has no term for it. Small against a wish that
 // is missed, large against nearly equal minima.
 struct WalkWeights {
-  double unreachable_floor = 2.0;
-  double blocked_front = 0.15;
+  double unreachable_floor = 4.0;
+  double blocked_front = 0.3;
   double blocked_door = 2.0;
 };
 
@@ -28,6 +29,7 @@ struct SearchInput {
   const std::vector<std::vector<int>>& partners;
   std::span<const Vec2<double>> zone_centers;
   const Solver& solver;
+  const KeepOut& keep_out;
   // Null when walking does not matter (tertiaries).
   const WalkGrid* walk_grid = nullptr;
   WalkWeights walk_weights;
@@ -52,7 +54,6 @@ class LayoutSearch {
   // Cost plus what bad walkability is worth.
   double Score();
   double Cost() { return problem_.Total(layout_); }
-  // Not more than `value`: scores are compared often and are costly.
   const Layout& layout() const { return layout_; }
   void set_layout(const Layout& layout) { layout_ = layout; }
   Problem& problem() { return problem_; }
@@ -63,6 +64,7 @@ class LayoutSearch {
     Pose<double> pose;
     double cost;
   };
+  // What the ways through the present layout cost; kept until an object moves.
   double WalkPenalty();
   // The candidate poses of `object`, given all else, into candidates_.
   void Propose(int object, const CandidateDensity& density, Random& random);
@@ -72,6 +74,9 @@ class LayoutSearch {
   const SearchInput& input_;
   Problem problem_;
   Layout layout_;
+  HardCost hard_cost_;
+  Layout walk_layout_;  // the layout that walk_penalty_ is of
+  double walk_penalty_ = 0;
   std::vector<WalkGrid> walk_grid_;  // none or one: a private copy
   std::vector<int> placed_;
   std::vector<Pose<double>> candidates_;

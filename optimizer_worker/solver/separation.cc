@@ -18,7 +18,7 @@ Box<double> BoxOf(const Scene& scene, const Layout& layout, int object) {
 
 double DepthBeyond(const FloorShape::HalfPlane& plane, const Box<double>& box) {
   double depth = -std::numeric_limits<double>::infinity();
-  for (const Vec2<double>& corner : box.corners) depth = std::max(depth, Dot(plane.normal, plane.point - corner));
+  for (int i = 0; i < 4; ++i) depth = std::max(depth, Dot(plane.normal, plane.point - box.value(i)));
   return depth;
 }
 

@@ -23,7 +23,8 @@ RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, co
   Random random(RestartSeed(input.settings, stage, restart));
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, before.placed, before.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input{input.scene, input.partners, centers, input.solver, &input.walk_grid, {}};
+  const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
+                                 input.keep_out, &input.walk_grid, {}};
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
 
   search.Construct(OrderOf(stage, restart, random), restart == 0 ? 0.0 : kNoise, random);

@@ -58,7 +58,8 @@ RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, con
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, result.state.placed, result.state.layout);
     const SceneCosts costs = BindCosts(input, centers);
-    const SearchInput search_input{input.scene, input.partners, centers, input.solver, &input.walk_grid, {}};
+    const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
+                                   input.keep_out, &input.walk_grid, {}};
     LayoutSearch search(search_input, MakeProblem(input, costs, stage, result.state), result.state.layout);
     Improve(input, stage, search, random);
     Layout layout = search.layout();

@@ -30,6 +30,7 @@ class Collector {
       term.weight = term.factor = edge.weight() > 0 ? edge.weight() : 1.0;
       term.required = NamedObjects(edge, input_.scene);
       term.edge = e;
+      term.wish = true;
       term.name = edge.type();
     }
   }

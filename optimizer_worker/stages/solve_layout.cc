@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "fmt/format.h"
 #include "evaluation/metrics/layout_metrics.h"
+#include "fmt/format.h"
 #include "optimizer_worker/stages/outcomes.h"
 #include "optimizer_worker/stages/stage.h"
 

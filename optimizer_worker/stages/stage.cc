@@ -79,11 +79,11 @@ int DefaultRestarts(const StageSpec& stage) {
   const int objects = static_cast<int>(stage.objects.size());
   switch (stage.kind) {
     case StageKind::kPrimary:
-      return objects <= 1 ? 6 : 12;
+      return objects <= 1 ? 4 : 8;
     case StageKind::kSecondary:
-      return objects <= 1 ? 2 : 4;
+      return 2;
     case StageKind::kPolish:
-      return 4;
+      return 1;
     case StageKind::kTertiary:
       return 1;
   }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hard terms around one solid object (bounds, doors, overlaps), as Problem would sum them, but much faster: most
+// candidate poses are far from most obstacles, and all sines and cosines are worked out once per object.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "optimizer_worker/solver/problem.h"
+#include "optimizer_worker/solver/separation.h"
+
+namespace flair::optimizer {
+
+class HardCost {
+ public:
+  // Reads the weights of "in_bounds", "door_clear" and "no_overlap" among the problem's terms. Borrows all.
+  HardCost(const Scene& scene, const KeepOut& keep_out, const Problem& problem);
+
+  // Fixes the others' poses; to be called before At whenever one of them has moved.
+  void Prepare(int object, const Problem& problem, const Layout& layout);
+  // Sum of the hard terms of that object at `pose`; may stop early with any number above `limit`.
+  double At(const Pose<double>& pose, double limit) const;
+
+ private:
+  struct Weights {
+    double bounds = 0;
+    double doors = 0;
+    std::vector<std::pair<int, double>> others;
+  };
+  struct Neighbour {
+    Box<double> box;
+    Vec2<double> center;
+    double reach_m;
+    double weight;
+  };
+  struct Area {
+    const ConvexPiece* piece;
+    BoundingBox box;
+  };
+
+  const Scene& scene_;
+  const KeepOut& keep_out_;
+  std::vector<Weights> weights_;
+  std::vector<Area> doors_;
+  std::vector<Neighbour> neighbours_;
+  int object_ = 0;
+  double reach_m_ = 0;
+};
+
+}  // namespace flair::optimizer
