@@ -19,7 +19,7 @@ void AddSurface(const char* surface, const hb::Finish& finish, v1::StyleSheet& s
   style.set_material(finish.material());
   *style.mutable_colour() = ToColour(finish.colour());
   style.set_description(finish.description().empty()
-                            ? fmt::format("The {} in {} {}.", surface, finish.colour().name(), finish.material())
+                            ? Polish(fmt::format("{} in {} {}.", surface, finish.colour().name(), finish.material()))
                             : finish.description());
 }
 
@@ -41,7 +41,7 @@ void AddOpening(const v1::Opening& opening, const hb::OpeningRules& rules, const
     text = descriptions[static_cast<int>(
         choice.Index("opening." + frame.name(), static_cast<std::size_t>(descriptions.size())))];
   }
-  object.set_description(Fill(text, {{"material", look.material}, {"colour", look.colour.name()}}));
+  object.set_description(Polish(Fill(text, {{"material", look.material}, {"colour", look.colour.name()}})));
 }
 
 // "sage green limewash"; the material alone when it names its colour: "white paint".
@@ -64,16 +64,16 @@ std::string Summary(const StyleChoice& style, const v1::Room& room, const Choice
     probe.set_material_group(group);
     return style.LookOf(probe, 0).material;
   };
-  return Fill(text, {{"style", style.title()},
-                     {"room", room.room_type()},
-                     {"wall", WallWords(style.wall())},
-                     {"floor", style.floor().material()},
-                     {"colour1", colour(0)},
-                     {"colour2", colour(1)},
-                     {"colour3", colour(2)},
-                     {"wood", material("wood")},
-                     {"textile", material("textile")},
-                     {"metal", material("metal")}});
+  return Polish(Fill(text, {{"style", style.title()},
+                            {"room", room.room_type()},
+                            {"wall", WallWords(style.wall())},
+                            {"floor", style.floor().material()},
+                            {"colour1", colour(0)},
+                            {"colour2", colour(1)},
+                            {"colour3", colour(2)},
+                            {"wood", material("wood")},
+                            {"textile", material("textile")},
+                            {"metal", material("metal")}}));
 }
 
 }  // namespace

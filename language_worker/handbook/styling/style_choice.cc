@@ -106,8 +106,7 @@ std::string StyleChoice::Describe(const hb::Furniture& furniture, const Look& lo
                      {"colour", look.colour.name()},
                      {"style", title_},
                      {"name", furniture.name()}});
-  for (std::size_t twice = text.find("  "); twice != std::string::npos; twice = text.find("  ")) text.erase(twice, 1);
-  return text;
+  return Polish(text);
 }
 
 v1::Colour ToColour(const hb::NamedColour& colour) {
