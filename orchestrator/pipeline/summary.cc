@@ -53,6 +53,24 @@ std::string OfObjects(const v1::ObjectList& list) {
   return text;
 }
 
+std::string OfCleaned(const v1::ConstraintList& list) {
+  const std::string sentences = Count(list.sentences_size(), "sentence");
+  if (list.cleaning_steps().empty()) return sentences + ", nothing to clean";
+  const std::pair<v1::CleaningAction, std::string_view> actions[] = {
+      {v1::CLEANING_ACTION_MERGED, "merged"},
+      {v1::CLEANING_ACTION_SPLIT, "split"},
+      {v1::CLEANING_ACTION_CONTRADICTION_REMOVED, "contradictory"},
+      {v1::CLEANING_ACTION_SIMPLIFIED, "simplified"}};
+  std::string done;
+  for (const auto& [action, name] : actions) {
+    const auto count =
+        std::count_if(list.cleaning_steps().begin(), list.cleaning_steps().end(),
+                      [action = action](const v1::CleaningStep& step) { return step.action() == action; });
+    if (count > 0) done += fmt::format("{}{} {}", done.empty() ? "" : ", ", count, name);
+  }
+  return fmt::format("{} ({})", sentences, done);
+}
+
 std::string OfLayout(const v1::SolvedLayout& layout) {
   const auto held =
       std::count_if(layout.edge_outcomes().begin(), layout.edge_outcomes().end(),
@@ -85,8 +103,7 @@ std::string Summarize(const v1::Artifact& artifact) {
     case v1::Artifact::kRawConstraintList:
       return Count(artifact.raw_constraint_list().sentences_size(), "sentence");
     case v1::Artifact::kConstraintList:
-      return fmt::format("{} after {}", Count(artifact.constraint_list().sentences_size(), "sentence"),
-                         Count(artifact.constraint_list().cleaning_steps_size(), "step"));
+      return OfCleaned(artifact.constraint_list());
     case v1::Artifact::kLayoutGraph:
       return fmt::format("{} of {}", Count(artifact.layout_graph().edges_size(), "constraint"),
                          Count(artifact.layout_graph().constraint_list().sentences_size(), "sentence"));
