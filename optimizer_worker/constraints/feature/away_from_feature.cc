@@ -17,7 +17,7 @@ T AwayFromFeature::operator()(const Frames<T, 1>& frames) const {
 ConstraintFacts AwayFromFeatureFacts() {
   return {
       .name = "away_from_feature",
-      .aliases = {"ind_away_from_fixed_object"},
+      .aliases = {"ind_away_from_fixed_object", "io_away_from_fixed_object"},
       .family = "feature",
       .summary = "`object` is at least `min_distance_m` from every door, window or socket.",
       .doc =

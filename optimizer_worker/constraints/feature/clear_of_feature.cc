@@ -62,7 +62,7 @@ std::vector<ConvexPiece> AreasOf(const Scene& scene, int object, FeatureKind kin
 ConstraintFacts ClearOfFeatureFacts() {
   return {
       .name = "clear_of_feature",
-      .aliases = {"ind_not_block_fixed_object"},
+      .aliases = {"ind_not_block_fixed_object", "io_not_block_fixed_object"},
       .family = "feature",
       .summary = "`object` does not block any door, window or socket.",
       .doc =

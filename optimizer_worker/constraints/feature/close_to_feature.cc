@@ -19,7 +19,7 @@ T CloseToFeature::operator()(const Frames<T, 1>& frames) const {
 ConstraintFacts CloseToFeatureFacts() {
   return {
       .name = "close_to_feature",
-      .aliases = {"ind_close_to_fixed_object"},
+      .aliases = {"ind_close_to_fixed_object", "io_close_to_fixed_object", "ind_near_fixed_object"},
       .family = "feature",
       .summary = "`object` (or its given side) is within `max_distance_m` of a door, window or socket.",
       .doc =

@@ -26,7 +26,7 @@ T UnderWindow::operator()(const Frames<T, 1>& frames) const {
 ConstraintFacts UnderWindowFacts() {
   return {
       .name = "under_window",
-      .aliases = {"ind_under_window"},
+      .aliases = {"ind_under_window", "io_under_window"},
       .family = "feature",
       .summary = "`object` stands at the wall under a window, within its width (or around it when wider).",
       .doc =

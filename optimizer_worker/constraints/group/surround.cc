@@ -161,7 +161,7 @@ double SurroundCost::Gradient(std::span<const Pose<double>> poses, std::span<dou
 ConstraintFacts SurroundFacts() {
   return {
       .name = "surround",
-      .aliases = {"io_surround"},
+      .aliases = {"io_surround", "p_surround"},
       .family = "group",
       .summary = "`objects` stand round `center`, at its free sides, evenly spread, each facing it.",
       .doc =

@@ -2,6 +2,7 @@
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flair::optimizer {
 namespace {
@@ -9,7 +10,8 @@ namespace {
 constexpr double kFarOut_m = 100;
 constexpr double kSmall = 1e-9;
 
-// Indices of the vertices on the convex hull, counter-clockwise (walk of Andrew over sorted points, kept as indices).
+// Indices of the vertices on the convex hull, those in the middle of its edges too, counter-clockwise (walk of Andrew
+// over sorted points, kept as indices).
 std::vector<size_t> HullOf(const std::vector<Vec2<double>>& v) {
   std::vector<size_t> order(v.size());
   for (size_t i = 0; i < v.size(); ++i) order[i] = i;
@@ -18,7 +20,7 @@ std::vector<size_t> HullOf(const std::vector<Vec2<double>>& v) {
   std::vector<size_t> hull;
   const auto extend = [&v, &hull](size_t i, size_t base) {
     while (hull.size() >= base + 2 &&
-           Cross(v[hull.back()] - v[hull[hull.size() - 2]], v[i] - v[hull.back()]) <= kSmall) {
+           Cross(v[hull.back()] - v[hull[hull.size() - 2]], v[i] - v[hull.back()]) < -kSmall) {
       hull.pop_back();
     }
     hull.push_back(i);
@@ -70,6 +72,14 @@ std::vector<Polygon> MergeConvex(std::vector<Polygon> pieces) {
   return pieces;
 }
 
+// Whether a half-plane has the edge line of one that is there: its hull edge has a vertex in the middle.
+bool Repeats(const std::vector<FloorShape::HalfPlane>& planes, const FloorShape::HalfPlane& plane) {
+  return std::any_of(planes.begin(), planes.end(), [&plane](const FloorShape::HalfPlane& other) {
+    return Norm(other.normal - plane.normal) < kSmall &&
+           std::abs(Dot(plane.normal, plane.point - other.point)) < kSmall;
+  });
+}
+
 // Replaces the hull edge a -> b of a piece, if it has it, by a strip far out, when that keeps it convex.
 Polygon Extended(const Polygon& piece, const Vec2<double>& a, const Vec2<double>& b) {
   const Vec2<double> d = b - a;
@@ -94,7 +104,8 @@ FloorShape::FloorShape(const Polygon& floor) {
   for (size_t k = 0; k < hull.size(); ++k) {
     const size_t i = hull[k], j = hull[(k + 1) % hull.size()];
     const Vec2<double> d = v[j] - v[i];
-    half_planes_.push_back({(1 / Norm(d)) * Perpendicular(d), v[i]});
+    const HalfPlane plane{(1 / Norm(d)) * Perpendicular(d), v[i]};
+    if (!Repeats(half_planes_, plane)) half_planes_.push_back(plane);
     // The floor's vertices between two neighbours on the hull bound a pocket, walked backwards.
     Polygon pocket;
     for (size_t m = j; m != i; m = (m + v.size() - 1) % v.size()) pocket.vertices.push_back(v[m]);

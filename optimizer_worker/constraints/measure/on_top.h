@@ -2,7 +2,10 @@
 // How far one rectangle sticks out over another.
 #pragma once
 
+#include <cmath>
+
 #include "optimizer_worker/autodiff/smooth.h"
+#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "room/geometry/footprint.h"
 
 namespace flair::optimizer {
@@ -11,11 +14,15 @@ namespace flair::optimizer {
 template <typename T>
 T SquaredSticksOut(const Footprint& object, const Frame<T>& frame, const Footprint& carrier,
                    const Frame<T>& carrier_frame) {
+  const Box<T> box(object, frame);
+  const Frame<double> carrier_value = ValueOf(carrier_frame);
   T sum(0.0);
-  for (const Vec2<T>& corner : Corners(object, frame)) {
-    const Vec2<T> p = carrier_frame.ToObject(corner);
-    sum += SquaredOutside(p.x, -carrier.width_m / 2, carrier.width_m / 2) +
-           SquaredOutside(p.y, -carrier.depth_m / 2, carrier.depth_m / 2);
+  for (int i = 0; i < box.count(); ++i) {
+    const Vec2<double> value = carrier_value.ToObject(box.value(i));
+    const double w = carrier.width_m / 2, d = carrier.depth_m / 2;
+    if (std::abs(value.x) <= w && std::abs(value.y) <= d) continue;
+    const Vec2<T> p = carrier_frame.ToObject(box.vertex(i));
+    sum += SquaredOutside(p.x, -w, w) + SquaredOutside(p.y, -d, d);
   }
   return sum;
 }

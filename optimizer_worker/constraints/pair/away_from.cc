@@ -14,7 +14,7 @@ T AwayFrom::operator()(const Frames<T, 2>& frames) const {
 ConstraintFacts AwayFromFacts() {
   return {
       .name = "away_from",
-      .aliases = {"io_away_from"},
+      .aliases = {"io_away_from", "p_away_from", "ind_away_from", "io_min_dist"},
       .family = "pair",
       .summary = "`object` and `target` are at least `min_distance_m` apart.",
       .doc =

@@ -26,7 +26,7 @@ T Between::operator()(const Frames<T, 3>& frames) const {
 ConstraintFacts BetweenFacts() {
   return {
       .name = "between",
-      .aliases = {"io_between"},
+      .aliases = {"io_between", "p_between"},
       .family = "pair",
       .summary = "`object` stands between `first` and `second`, on the line from one to the other.",
       .doc =

@@ -12,12 +12,16 @@ namespace {
 
 template <typename T>
 T Faces(const Footprint& footprint, const Frame<T>& frame, const Vec2<T>& point) {
-  const std::array<Vec2<T>, 4> c = Corners(footprint, frame);
-  const T behind_left = Length(c[3] - point) - Length(c[0] - point);
-  const T behind_right = Length(c[2] - point) - Length(c[1] - point);
+  const Vec2<T> p = frame.ToObject(point);
+  T sum(0.0);
+  // Behind: only then the front corners are further away than the back ones.
+  if (ValueOf(p.y) < 0) {
+    const std::array<Vec2<T>, 4> c = Corners(footprint, frame);
+    sum += SquaredHinge(Length(c[3] - point) - Length(c[0] - point)) +
+           SquaredHinge(Length(c[2] - point) - Length(c[1] - point));
+  }
   // The two distances sum to the width within the strip and to twice the lateral offset beyond it.
-  const T lateral = Magnitude(frame.ToObject(point).x);
-  return SquaredHinge(behind_left) + SquaredHinge(behind_right) + SquaredHinge(2.0 * lateral - footprint.width_m);
+  return sum + SquaredHinge(2.0 * Magnitude(p.x) - footprint.width_m);
 }
 
 }  // namespace
@@ -32,7 +36,7 @@ T Facing::operator()(const Frames<T, 2>& frames) const {
 ConstraintFacts FacingFacts() {
   return {
       .name = "facing",
-      .aliases = {"io_facing"},
+      .aliases = {"io_facing", "p_facing", "ind_facing"},
       .family = "pair",
       .summary = "`object` faces `target`: the target's centre is straight ahead of it, within its width.",
       .doc =

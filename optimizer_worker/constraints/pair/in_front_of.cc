@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/constraints/pair/in_front_of.h"
 
-#include <array>
 #include <cmath>
 
 #include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/convex_piece.h"
 
 namespace flair::optimizer {
 
 template <typename T>
 T InFrontOf::operator()(const Frames<T, 2>& frames) const {
-  const std::array<Vec2<T>, 4> corners = Corners(object, frames[0]);
-  T nearest = frames[1].ToObject(corners[0]).y;
-  for (size_t i = 1; i < corners.size(); ++i) {
-    const T ahead = frames[1].ToObject(corners[i]).y;
-    if (ahead < nearest) nearest = ahead;
+  const Box<T> box(object, frames[0]);
+  const Frame<double> target_value = ValueOf(frames[1]);
+  int nearest = 0;
+  for (int i = 1; i < box.count(); ++i) {
+    if (target_value.ToObject(box.value(i)).y < target_value.ToObject(box.value(nearest)).y) nearest = i;
   }
-  const T gap = nearest - target.depth_m / 2;
+  const T gap = frames[1].ToObject(box.vertex(nearest)).y - target.depth_m / 2;
   const T lateral = frames[1].ToObject(frames[0].center).x;
   const double play = std::abs(object.width_m - target.width_m) / 4;
   T sum = SquaredOutside(gap, distance_m / 2, distance_m) + SquaredOutside(lateral, -play, play);
@@ -28,7 +28,7 @@ T InFrontOf::operator()(const Frames<T, 2>& frames) const {
 ConstraintFacts InFrontOfFacts() {
   return {
       .name = "in_front_of",
-      .aliases = {"io_infront"},
+      .aliases = {"io_infront", "p_infront"},
       .family = "pair",
       .summary = "`object` stands before the middle of `target`'s front, `distance_m` away or down to half of it.",
       .doc =

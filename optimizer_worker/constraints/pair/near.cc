@@ -13,7 +13,7 @@ T Near::operator()(const Frames<T, 2>& frames) const {
 
 ConstraintFacts NearFacts() {
   return {.name = "near",
-          .aliases = {"io_near"},
+          .aliases = {"io_near", "p_near"},
           .family = "pair",
           .summary = "`object` and `target` are at most `max_distance_m` apart.",
           .doc =

@@ -49,7 +49,7 @@ absl::StatusOr<std::unique_ptr<Cost>> BindNextTo(const Arguments& a, const BindC
 ConstraintFacts NextToFacts() {
   return {
       .name = "next_to",
-      .aliases = {"io_next_to"},
+      .aliases = {"io_next_to", "p_next_to", "ind_next_to"},
       .family = "pair",
       .summary =
           "A side of `object` touches a side of `target` (up to 5 cm of air), the shorter side within the longer.",

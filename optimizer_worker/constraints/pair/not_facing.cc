@@ -17,7 +17,7 @@ T NotFacing::operator()(const Frames<T, 2>& frames) const {
 
 ConstraintFacts NotFacingFacts() {
   return {.name = "not_facing",
-          .aliases = {"io_not_facing"},
+          .aliases = {"io_not_facing", "p_not_facing", "ind_not_facing"},
           .family = "pair",
           .summary = "`object` does not look at `target`, which is at least 45 degrees off its front.",
           .doc =

@@ -13,7 +13,7 @@ T Parallel::operator()(const Frames<T, 2>& frames) const {
 
 ConstraintFacts ParallelFacts() {
   return {.name = "parallel",
-          .aliases = {"io_parallel"},
+          .aliases = {"io_parallel", "p_parallel"},
           .family = "pair",
           .summary = "`object` and `target` face the same way.",
           .doc = "cost = 1 - cos(difference of headings). The released function jumps where headings wrap.",

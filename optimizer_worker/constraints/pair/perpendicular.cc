@@ -29,7 +29,7 @@ T PerpendicularAround::operator()(const Frames<T, 3>& frames) const {
 
 ConstraintFacts PerpendicularFacts() {
   return {.name = "perpendicular",
-          .aliases = {"io_perp"},
+          .aliases = {"io_perp", "p_perp"},
           .family = "pair",
           .summary = "`object` and `target` stand at a right angle, both looking at `center` when one is named.",
           .doc =

@@ -11,9 +11,7 @@
 namespace flair::optimizer {
 
 AccessibleCost::AccessibleCost(const BindContext& context, int object, std::vector<Side> sides, double clearance_m)
-    : sides_(std::move(sides)),
-      clearance_m_(clearance_m),
-      floor_(context.scene.room.floor) {
+    : sides_(std::move(sides)), clearance_m_(clearance_m), floor_(context.scene.room.floor) {
   const std::vector<Object>& all = context.scene.objects;
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const Object& other = all[static_cast<size_t>(i)];
@@ -100,7 +98,7 @@ double AccessibleCost::Gradient(std::span<const Pose<double>> poses, std::span<d
 ConstraintFacts AccessibleFacts() {
   return {
       .name = "accessible",
-      .aliases = {"ind_accessible"},
+      .aliases = {"ind_accessible", "io_accessible"},
       .family = "space",
       .summary = "The floor before the given sides of `object` is free and inside the room, `min_clearance_m` deep.",
       .doc =

@@ -19,7 +19,7 @@ T Central::operator()(const Frames<T, 1>& frames) const {
 
 ConstraintFacts CentralFacts() {
   return {.name = "central",
-          .aliases = {"ind_central"},
+          .aliases = {"ind_central", "io_central"},
           .family = "space",
           .summary = "The centre of `object` is in the middle third of the room, along one axis or along both.",
           .doc =

@@ -19,7 +19,7 @@ T FacingIntoRoom::operator()(const Frames<T, 1>& frames) const {
 
 ConstraintFacts FacingIntoRoomFacts() {
   return {.name = "facing_into_room",
-          .aliases = {"ind_facing_into_room"},
+          .aliases = {"ind_facing_into_room", "io_facing_into_room"},
           .family = "space",
           .summary = "`object` faces the middle of the room, within 45 degrees.",
           .doc =

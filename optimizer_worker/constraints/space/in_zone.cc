@@ -22,7 +22,7 @@ std::unique_ptr<Cost> ZoneAffinity(const Scene& scene, int object, std::span<con
 
 ConstraintFacts InZoneFacts() {
   return {.name = "in_zone",
-          .aliases = {"ind_in_region"},
+          .aliases = {"ind_in_region", "io_in_region"},
           .family = "space",
           .summary = "The centre of `object` is in `zone`: nearer to that zone's middle than to any other's.",
           .doc =

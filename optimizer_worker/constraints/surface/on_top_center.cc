@@ -13,7 +13,7 @@ T OnTopCenter::operator()(const Frames<T, 2>& frames) const {
 
 ConstraintFacts OnTopCenterFacts() {
   return {.name = "on_top_center",
-          .aliases = {"on_top_central", "on_top_center"},
+          .aliases = {"on_top_central"},
           .family = "surface",
           .summary = "`object` stands on the middle of `host`, facing the same way.",
           .doc = "cost = squared distance of the centres + (1 - cos of the difference of headings) [m2].",

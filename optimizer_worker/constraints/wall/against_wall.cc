@@ -16,7 +16,7 @@ T AgainstWall::operator()(const Frames<T, 1>& frames) const {
 ConstraintFacts AgainstWallFacts() {
   return {
       .name = "against_wall",
-      .aliases = {"ind_next_to_wall"},
+      .aliases = {"ind_next_to_wall", "io_next_to_wall"},
       .family = "wall",
       .summary = "The given side of `object` (its back by default) lies flush on a wall.",
       .doc =

@@ -36,7 +36,7 @@ std::vector<RoomCorner> CornersOf(const Room& room) {
 
 ConstraintFacts InCornerFacts() {
   return {.name = "in_corner",
-          .aliases = {"ind_in_corner"},
+          .aliases = {"ind_in_corner", "io_in_corner"},
           .family = "wall",
           .summary = "`object` stands in a corner: the given side flush on one wall, a neighbouring side on the other.",
           .doc =

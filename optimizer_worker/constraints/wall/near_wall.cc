@@ -20,7 +20,7 @@ T NearWall::operator()(const Frames<T, 1>& frames) const {
 
 ConstraintFacts NearWallFacts() {
   return {.name = "near_wall",
-          .aliases = {"ind_near_wall"},
+          .aliases = {"ind_near_wall", "io_near_wall"},
           .family = "wall",
           .summary = "The given side of `object` (its back by default) is within `max_distance_m` of a wall.",
           .doc =

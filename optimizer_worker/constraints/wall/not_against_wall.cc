@@ -33,7 +33,7 @@ T NotAgainstWall::operator()(const Frames<T, 1>& frames) const {
 ConstraintFacts NotAgainstWallFacts() {
   return {
       .name = "not_against_wall",
-      .aliases = {"ind_not_against_wall"},
+      .aliases = {"ind_not_against_wall", "io_not_against_wall", "ind_not_next_to_wall"},
       .family = "wall",
       .summary = "`object` (or its given side) is at least `min_distance_m` from every wall.",
       .doc =
