@@ -87,7 +87,7 @@ relation of: of
 relation pushed_under: (pushed|push|slide|slid|stored|tuck) (under|underneath|beneath)
 relation tucked_under: (tucked|tucks|fits|fit|stands|stowed) (under|underneath|beneath)
 relation under_when_unused: when not in use
-relation centered: [be] (centered|centred|center|centre) | [placed|located|positioned] (centrally|central) | central | centrally | in the middle | in a central (location|position|place|spot) | in the (center|centre)
+relation centered: (centered|centred) on top of | [be] (centered|centred|center|centre) | [placed|located|positioned] (centrally|central) | central | centrally | in the middle | in a central (location|position|place|spot) | in the (center|centre)
   | at [its|the] (center|centre) | center (of|on|in) | centre (of|on|in) | [in|at|on|near|towards] the (center|centre|middle) (of|in|on) | middle of | [in|at] (center|centre|middle) of
   | centred (in|on|within|at) | centered (in|on|within|at) | centrally (in|on|within|located|positioned|placed|hung) [in|on|within] | in the middle of | on the (center|centre) line of | central [location] (in|within|to)
   | (center|centre) of | toward the (center|centre) of | [near] the (center|centre) | centrally located within | island | as an island | as [a] (center|centre) piece | centerpiece (of|in) | central to | free standing island
@@ -155,8 +155,8 @@ group heat: heat source | heat sources | sources of heat
 pronoun it: it | itself | this piece | this object | its
 pronoun them: them | they | their | themselves | these two | the two | both of them | the three | all three [pieces of furniture] | these objects
 quantity each: each | every | each of the | every one of the | all | all the | both | both of the | all of the | any | each one of the | either | neither of the | two | three | four | five | six | eight | both the | all four | all six | the two | the four | the three | the six | pair of | a pair of
-ordinal 1: first
-ordinal 2: second
+ordinal 1: first | one
+ordinal 2: second | the other
 ordinal 3: third
 ordinal 4: fourth
 ordinal 5: fifth

@@ -219,7 +219,16 @@ class Grouper {
       // "... near the desk and the armchair should face the sofa": a new clause, not a list.
       if (relation_seen && !after_between_ && Peek(next + 1) && in_[next + 1].role == Role::kModal) return i;
       Mention merged = std::move(in_[i].term.mention);
-      for (const Reference& reference : in_[next].term.mention.references) merged.references.push_back(reference);
+      for (Reference reference : in_[next].term.mention.references) {
+        const Reference& before = merged.references.back();
+        // "the wardrobe's doors or drawers": both are the wardrobe's.
+        if (reference.kind == RefKind::kPronoun && reference.name.empty() && before.kind == RefKind::kObjects) {
+          const std::string side = reference.side;
+          reference = before;
+          reference.side = side;
+        }
+        merged.references.push_back(std::move(reference));
+      }
       merged.either = either;
       in_[next].term.mention = std::move(merged);
       in_[next].term.begin = in_[i].term.begin;

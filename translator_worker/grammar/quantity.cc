@@ -196,7 +196,7 @@ class Joiner {
   bool SkipDimension(size_t next) {
     const size_t start = next;
     // "the 2.5m side" is a side.
-    if (WordAt(next, "side") || WordAt(next, "sides")) {
+    if (in_[at_].kind == Token::Kind::kNumber && (WordAt(next, "side") || WordAt(next, "sides"))) {
       at_ = next;
       return true;
     }

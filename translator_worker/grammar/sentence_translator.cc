@@ -27,6 +27,7 @@ class Walk {
       const Term& term = terms_[at_];
       if (term.kind == Term::Kind::kStop) {
         in_reason_ = false;
+        denied_ = false;
         clause_begins_ = true;
         ++at_;
       } else if (!in_reason_ && TakeFact()) {
@@ -64,7 +65,9 @@ class Walk {
     // "against a wall or beside the bed": the first is taken, the choice is free.
     const size_t before = composer_.calls().size();
     const bool alternative = after_or_ && before > calls_at_or_;
-    if (!alternative) {
+    if (denied_) {
+      composer_.Refuse("unknown_sentence", "this relation cannot be denied; say what shall hold instead");
+    } else if (!alternative) {
       if (hit.match.a != nullptr) TakeTopic(*hit.match.a);
       hit.rule->build(hit.match, hit.rule->tag, composer_);
     }
@@ -97,9 +100,14 @@ class Walk {
   void LeaveOver(const Term& term) {
     switch (term.kind) {
       case Term::Kind::kPurpose:
-        if (term.lemma != "that") in_reason_ = true;
+        // "that" after a thing tells which one; "ensure that" tells nothing.
+        if (term.lemma != "that" || (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kMention)) in_reason_ = true;
+        break;
+      case Term::Kind::kWord:
+        if (!in_reason_ && term.lemma == "not") denied_ = true;
         break;
       case Term::Kind::kSoft:
+        denied_ = false;
         if (term.lemma == "," || term.lemma == "but" || term.lemma == "while" || term.lemma == "with" ||
             term.lemma == "(")
           in_reason_ = false;
@@ -127,6 +135,8 @@ class Walk {
   size_t at_ = 0;
   bool in_reason_ = false;
   bool clause_begins_ = true;
+  // A "not" that no rule took: what follows must not be read as wanted.
+  bool denied_ = false;
   bool after_or_ = false;
   size_t calls_at_or_ = 0;
   std::vector<std::string> left_over_;

@@ -163,6 +163,7 @@ std::vector<Rule> AngleRules() {
       {"A? on? opposite B.wall away_from/of/opposite C", OnWallOpposite},
       {"A? D? in_front_of B D?", InFrontOf},
       {"A? in_front_of B , D", InFrontOf},
+      {"A? in_front_of B , D space? away_from C", InFrontOf},
       {"A? same_direction B", Direction, "parallel"},
       {"A? parallel B", Direction, "parallel"},
       {"A? parallel both_ways", ParallelPairs},

@@ -25,6 +25,7 @@ void Contact(const Placed& mover, const Target& target, Composer& composer) {
     return;
   }
   for (const Placed& other : target.objects) {
+    if (other.object == mover.object) continue;
     const bool lateral = other.side == "side" || other.side == "sides";
     std::string other_side = OneSide(composer, other);
     if (lateral) other_side = SidesOf(composer, other).front();

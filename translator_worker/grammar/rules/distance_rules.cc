@@ -165,6 +165,8 @@ std::vector<Rule> DistanceRules() {
       {"A? D? space? away_from edge/corner of? B", AwayFrom},
       {"D away_from B", AwayFrom},
       {"not near B", AwayFrom},
+      {"A? not behind/left_of/right_of/foot_of/each_side_of B", AwayFrom},
+      {"A? not near/next_to/in_front_of/behind or near/next_to/in_front_of/behind B", AwayFrom},
       {"space? D? space? between B , C.wall ,? D?", BetweenAndWall},
       {"A? space? D? space? away_from B to C.object", FromTo},
       {"A? not B.feature", AwayFrom},

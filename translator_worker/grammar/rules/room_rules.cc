@@ -16,6 +16,8 @@ void InMiddleOfRoom(const Placed& mover, Composer& composer) {
 }
 
 void Central(const Match& match, std::string_view, Composer& composer) {
+  // "In front of the sofa, centred": of the sofa, not of the room.
+  if (match.a == nullptr && match.b == nullptr && !composer.calls().empty()) return;
   for (const Placed& mover : composer.Movers(match.a)) InMiddleOfRoom(mover, composer);
 }
 

@@ -15,6 +15,9 @@ void OnOne(const Placed& mover, const Placed& host, std::string_view corner, Com
     return;  // "under the sofa, with the chairs on it": the rug's own place says it
   } else if (composer.IsRug(host)) {
     composer.EmitFirst({Call("on").Text("object", id).Text("target", below)});
+  } else if (!corner.empty() && composer.IsFloor(mover) && composer.IsFloor(host) &&
+             composer.object(mover.object).role() != v1::OBJECT_ROLE_TERTIARY) {
+    composer.EmitFirst({Call("near").Text("object", id).Text("target", below)});
   } else if (corner == "any") {
     composer.EmitFirst({Call("on_top_corner").Text("object", id).Text("host", below)});
   } else if (!corner.empty()) {
