@@ -116,8 +116,8 @@ std::vector<v1::Placement> MakePlacements(const SolveInput& input, const Partial
     if (!state.placed[i]) continue;
     v1::Placement& placement = placements.emplace_back();
     placement.set_object_id(input.scene.objects[i].id);
-    placement.set_x_m(state.layout[i].x_m);
-    placement.set_y_m(state.layout[i].y_m);
+    placement.set_x_m(state.layout[i].x_m + 0.0);
+    placement.set_y_m(state.layout[i].y_m + 0.0);
     placement.set_z_m(UndersideOf(input, i, state));
     placement.set_theta_rad(WrapHeading(state.layout[i].theta_rad));
   }
@@ -159,8 +159,9 @@ std::vector<v1::ZoneRegion> MakeZoneRegions(const SolveInput& input, const Parti
       v1::Polygon* polygon = region.add_parts();
       for (const Vec2<double>& p : part.vertices) {
         v1::Point2* vertex = polygon->add_vertices();
-        vertex->set_x_m(p.x);
-        vertex->set_y_m(p.y);
+        // Adding 0 makes -0 a 0: the JSON form knows no difference, and has to keep the bytes.
+        vertex->set_x_m(p.x + 0.0);
+        vertex->set_y_m(p.y + 0.0);
       }
     }
   }
