@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "cli/exit_code.h"
 #include "fmt/format.h"
@@ -42,10 +42,9 @@ absl::StatusOr<std::string> ReadFile(const std::filesystem::path& path) {
     return absl::InvalidArgumentError(fmt::format("{}: larger than {} MiB", path.string(), kLargestFile >> 20));
   }
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (!file || !content) return FileError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
-  return std::move(content).str();
+  std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file || file.bad()) return FileError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+  return content;
 }
 
 absl::StatusOr<v1::Artifact> ReadArtifact(const std::filesystem::path& path) {

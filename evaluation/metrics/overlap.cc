@@ -14,6 +14,8 @@ namespace {
 constexpr double kLeastArea_m2 = 1e-12;
 constexpr int kArcPieces = 32;
 constexpr double kHeightSlack_m = 1e-9;
+// A runner, a tray, a throw: flat enough for other things to stand on.
+constexpr double kFlat_m = 0.05;
 // A wall object further than this from its wall hangs nowhere; it is then no matter of openings.
 constexpr double kNearWall_m = 0.3;
 
@@ -30,6 +32,7 @@ bool CanCollide(const Scene& scene, size_t i, size_t k) {
   const Object& b = scene.objects[k];
   if (a.kind != b.kind) return false;
   if (a.kind == ObjectKind::kFloor) return IsSolid(a) && IsSolid(b);
+  if (a.kind == ObjectKind::kSurface && std::min(a.height_m, b.height_m) <= kFlat_m) return false;
   const int ia = static_cast<int>(i), ib = static_cast<int>(k);
   return HeightsOverlap(scene.BottomOf(ia), scene.TopOf(ia), scene.BottomOf(ib), scene.TopOf(ib));
 }

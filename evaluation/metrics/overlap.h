@@ -5,7 +5,7 @@
 //        - solid floor objects against each other (rugs and mats exempt; a chair under a table counts)
 //        - solid floor objects in the sector that an inward door sweeps (the paper: an enlarged square)
 //        - wall, ceiling and surface objects against their own kind, where their heights overlap
-//          (the paper: at any height)
+//          (the paper: at any height); things of up to 5 cm on a surface exempt: others stand on them
 //        - wall objects over a door or window at their height, area along the wall times depth
 // Accurate to rounding; door arcs are replaced by 32 tangents (0.01 % too large).
 #pragma once

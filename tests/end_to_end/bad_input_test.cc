@@ -25,7 +25,7 @@ class BadInput : public ::testing::Test {
     EXPECT_THAT(run.err, HasSubstr(message));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
-      EXPECT_EQ(entry.path().filename().string().find("flair-"), std::string::npos) << entry.path();
+      EXPECT_EQ(entry.path().filename().string().find(".flair-"), std::string::npos) << entry.path();
     }
   }
 
