@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "optimizer_worker/constraints/whole_room.h"
+#include "optimizer_worker/solver/separation.h"
 #include "room/geometry/angle.h"
 
 namespace flair::optimizer {
@@ -12,6 +14,8 @@ namespace {
 
 constexpr int kSweeps = 3;
 constexpr double kNoise = 0.05;
+constexpr int kPushRounds = 60;
+constexpr double kMargin_m = 1e-7;
 constexpr CandidateDensity kDense{.wall_samples = 12, .floor_samples = 24, .partner_samples = 2};
 
 // Back exactly on the nearest wall that it is nearly parallel to.
@@ -83,6 +87,48 @@ void Tidy(const SolveInput& input, int object, PartialLayout& state) {
   }
 }
 
+// The least move of `second` away from `first`; pieces on walls slide along theirs.
+Vec2<double> PushOf(const Scene& scene, int first, int second, const Layout& layout) {
+  const Box<double> a(scene.objects[first].footprint, FrameOf(layout[first]));
+  const Box<double> b(scene.objects[second].footprint, FrameOf(layout[second]));
+  const Separation apart = Separate(a, b);
+  if (apart.gap_m >= 0) return {0, 0};
+  if (scene.objects[second].kind != ObjectKind::kWall) return (kMargin_m - apart.gap_m) * apart.direction;
+  const Vec2<double> along = FrameOf(layout[second]).right;
+  double low = 1e9, high = -1e9, low_b = 1e9, high_b = -1e9;
+  for (int i = 0; i < 4; ++i) {
+    low = std::min(low, Dot(a.value(i), along));
+    high = std::max(high, Dot(a.value(i), along));
+    low_b = std::min(low_b, Dot(b.value(i), along));
+    high_b = std::max(high_b, Dot(b.value(i), along));
+  }
+  const double forward = high - low_b + kMargin_m, backward = high_b - low + kMargin_m;
+  return forward < backward ? forward * along : (-backward) * along;
+}
+
+// Parts pieces that still overlap by a little, each pair in halves, keeping them on their tops, walls and in the room.
+void PushApart(const SolveInput& input, const StageSpec& stage, PartialLayout& state) {
+  for (int round = 0; round < kPushRounds; ++round) {
+    bool moved = false;
+    for (size_t i = 0; i < stage.objects.size(); ++i) {
+      for (size_t j = 0; j < i; ++j) {
+        const int a = stage.objects[j], b = stage.objects[i];
+        if (!CanCollide(input.scene, a, b)) continue;
+        const Vec2<double> push = PushOf(input.scene, a, b, state.layout);
+        if (push.x == 0 && push.y == 0) continue;
+        moved = true;
+        state.layout[a].x_m -= push.x / 2;
+        state.layout[a].y_m -= push.y / 2;
+        state.layout[b].x_m += push.x / 2;
+        state.layout[b].y_m += push.y / 2;
+        Tidy(input, a, state);
+        Tidy(input, b, state);
+      }
+    }
+    if (!moved) return;
+  }
+}
+
 // SLSQP for one piece; kept only when it helps. Wall pieces slide along their wall in the sweeps instead.
 void DescendEach(const SolveInput& input, const StageSpec& stage, LayoutSearch& search) {
   for (int object : stage.objects) {
@@ -133,6 +179,7 @@ RestartResult TertiaryRestart(const SolveInput& input, const StageSpec& stage, c
   DescendEach(input, stage, search);
   for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
   for (int object : stage.objects) Tidy(input, object, result.state);
+  PushApart(input, stage, result.state);
   search.set_layout(result.state.layout);
   result.score = search.Cost();
   result.evaluations = search.evaluations();
