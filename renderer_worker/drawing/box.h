@@ -6,8 +6,8 @@
 
 namespace flair::renderer {
 
-// A point or offset. Names say the frame: `_m` is room frame R (x east, y north, metres), `_mm` is sheet frame S (x right,
-// y down from the sheet's upper left corner, millimetres of paper).
+// A point or offset. Names say the frame: `_m` is room frame R (x east, y north, metres), `_mm` is sheet frame S (x
+// right, y down from the sheet's upper left corner, millimetres of paper).
 struct Point {
   double x = 0;
   double y = 0;
@@ -37,12 +37,8 @@ struct Box {
   bool empty() const { return x1 < x0; }
   Point centre() const { return {(x0 + x1) / 2, (y0 + y1) / 2}; }
   Box Grown(double by) const { return {x0 - by, y0 - by, x1 + by, y1 + by}; }
-  bool Contains(const Box& other) const {
-    return other.x0 >= x0 && other.x1 <= x1 && other.y0 >= y0 && other.y1 <= y1;
-  }
-  bool Overlaps(const Box& other) const {
-    return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1;
-  }
+  bool Contains(const Box& other) const { return other.x0 >= x0 && other.x1 <= x1 && other.y0 >= y0 && other.y1 <= y1; }
+  bool Overlaps(const Box& other) const { return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1; }
   void Include(Point point) {
     if (empty()) {
       *this = {point.x, point.y, point.x, point.y};
@@ -68,7 +64,8 @@ inline bool PolygonContains(std::span<const Point> polygon, Point point) {
   bool inside = false;
   for (size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const Point a = polygon[i], b = polygon[j];
-    if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y)) inside = !inside;
+    if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y))
+      inside = !inside;
   }
   return inside;
 }

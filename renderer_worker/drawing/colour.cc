@@ -22,7 +22,8 @@ Rgb LinearOf(const Oklch& colour) {
   const double l = std::pow(colour.lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
   const double m = std::pow(colour.lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
   const double s = std::pow(colour.lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
-  return {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s, -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+  return {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+          -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
           -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
 }
 
@@ -33,9 +34,7 @@ bool Exists(const Rgb& linear) {
 
 }  // namespace
 
-Rgb Hex(unsigned value) {
-  return {((value >> 16) & 255) / 255.0, ((value >> 8) & 255) / 255.0, (value & 255) / 255.0};
-}
+Rgb Hex(unsigned value) { return {((value >> 16) & 255) / 255.0, ((value >> 8) & 255) / 255.0, (value & 255) / 255.0}; }
 
 Rgb FromProto(const v1::Colour& colour) {
   const auto channel = [](int value) { return std::clamp(value, 0, 255) / 255.0; };

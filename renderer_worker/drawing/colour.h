@@ -30,7 +30,8 @@ Oklch ToOklch(const Rgb& colour);
 // Chroma is reduced until the colour exists in sRGB.
 Rgb FromOklch(const Oklch& colour);
 
-// A colour light enough to print lines and text on. Order by lightness and the hue survive; a black coffin becomes grey.
+// A colour light enough to print lines and text on. Order by lightness and the hue survive; a black coffin becomes
+// grey.
 Rgb SoftenForPrint(const Rgb& colour);
 // A floor or wall tint: lighter and paler still.
 Rgb TintForPrint(const Rgb& colour);

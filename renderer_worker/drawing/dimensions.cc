@@ -35,7 +35,8 @@ void DrawString(Canvas& canvas, const DimensionString& string) {
   const TextStyle style{.size_mm = 3.3, .colour = kInk};
   for (size_t i = 0; i + 1 < string.ticks_mm.size(); ++i) {
     const Point middle = (string.ticks_mm[i] + string.ticks_mm[i + 1]) * 0.5;
-    const double length = std::hypot(string.ticks_mm[i + 1].x - string.ticks_mm[i].x, string.ticks_mm[i + 1].y - string.ticks_mm[i].y);
+    const double length =
+        std::hypot(string.ticks_mm[i + 1].x - string.ticks_mm[i].x, string.ticks_mm[i + 1].y - string.ticks_mm[i].y);
     TextBlock block{string.texts[i], style};
     double width = Measure(canvas, block).width;
     if (width > length - 1) {

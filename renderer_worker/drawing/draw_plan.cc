@@ -73,7 +73,8 @@ absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::Ren
   const double px_per_mm = size_px / std::max(sheet.size_mm.width, sheet.size_mm.height);
   const int width = static_cast<int>(std::lround(sheet.size_mm.width * px_per_mm));
   const int height = static_cast<int>(std::lround(sheet.size_mm.height * px_per_mm));
-  const std::unique_ptr<cairo_surface_t, DestroySurface> surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+  const std::unique_ptr<cairo_surface_t, DestroySurface> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
   const std::unique_ptr<cairo_t, DestroyCairo> cairo(cairo_create(surface.get()));
   if (cairo_status(cairo.get()) != CAIRO_STATUS_SUCCESS) {
     return absl::ResourceExhaustedError(fmt::format("no memory for a picture of {} x {} pixels", width, height));

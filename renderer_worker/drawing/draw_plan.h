@@ -28,8 +28,8 @@ struct DrawnPlan {
 
 inline constexpr int kDefaultSizePx = 1600;
 
-// Draws the plan of a layout: pure, and the same bytes for the same layout and options. INVALID_ARGUMENT names the field
-// that cannot be drawn; RESOURCE_EXHAUSTED when there is no memory for the picture.
+// Draws the plan of a layout: pure, and the same bytes for the same layout and options. INVALID_ARGUMENT names the
+// field that cannot be drawn; RESOURCE_EXHAUSTED when there is no memory for the picture.
 absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options);
 
 }  // namespace flair::renderer

@@ -15,8 +15,10 @@ void TraceFloor(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
 }
 
 bool Mentions(std::string text, std::initializer_list<const char*> words) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::any_of(words.begin(), words.end(), [&text](const char* word) { return text.find(word) != std::string::npos; });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(words.begin(), words.end(),
+                     [&text](const char* word) { return text.find(word) != std::string::npos; });
 }
 
 // Boards along the longer side of the room, their joints staggered.
@@ -25,7 +27,9 @@ void DrawBoards(Canvas& canvas, const Plan& plan, const Sheet& sheet, const Stro
   const bool wide = b.width() >= b.height();
   const double across = wide ? b.height() : b.width(), along = wide ? b.width() : b.height();
   const double board = std::max(0.16, across / 120);
-  const auto at = [&](double u, double v) { return sheet.ToSheet(wide ? Point{b.x0 + u, b.y0 + v} : Point{b.x0 + v, b.y0 + u}); };
+  const auto at = [&](double u, double v) {
+    return sheet.ToSheet(wide ? Point{b.x0 + u, b.y0 + v} : Point{b.x0 + v, b.y0 + u});
+  };
   for (int row = 0; row * board < across; ++row) {
     const double v = row * board;
     if (row > 0) canvas.Line(at(0, v), at(along, v));

@@ -34,8 +34,12 @@ void DrawShadow(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
 
 void DrawSymbol(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
   canvas.EnterFrame(sheet.ToSheet(object.centre_m), sheet.mm_per_m(), object.theta_rad, true);
+  // Whatever its proportions, a piece covers its footprint and no more (half a millimetre for its outline).
   SymbolPen pen(canvas, object.ink, object.width_m, object.depth_m);
+  canvas.Rectangle(pen.whole().Grown(0.5 / sheet.mm_per_m()));
+  canvas.Clip();
   object.symbol->draw(pen);
+  canvas.Unclip();
   canvas.LeaveFrame();
 }
 

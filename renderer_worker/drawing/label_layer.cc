@@ -19,7 +19,9 @@ const Rgb kWhite = Hex(0xFFFFFF);
 std::vector<std::string> TwoLines(const std::string& name) {
   size_t best = std::string::npos;
   for (size_t at = name.find(' '); at != std::string::npos; at = name.find(' ', at + 1)) {
-    const auto off = [&name](size_t i) { return std::abs(static_cast<double>(i) - static_cast<double>(name.size()) / 2); };
+    const auto off = [&name](size_t i) {
+      return std::abs(static_cast<double>(i) - static_cast<double>(name.size()) / 2);
+    };
     if (best == std::string::npos || off(at) < off(best)) best = at;
   }
   if (best == std::string::npos || best == 0 || best + 1 >= name.size()) return {};
@@ -80,7 +82,9 @@ class LabelLayer {
     // Small things should stay visible; large ones may carry the numbers of what stands near them.
     const Box box = BoundsOf(corners);
     const double area = std::max(box.width() * box.height(), 1.0);
-    const double cost = object.walk_over ? 0.02 : object.kind == v1::OBJECT_KIND_CEILING ? 0.15 : std::clamp(60 / area, 0.12, 2.0);
+    const double cost = object.walk_over                         ? 0.02
+                        : object.kind == v1::OBJECT_KIND_CEILING ? 0.15
+                                                                 : std::clamp(60 / area, 0.12, 2.0);
     obstacles_.push_back({box, cost, index});
   }
 
@@ -97,19 +101,22 @@ class LabelLayer {
     item.centre_mm = box.empty() ? Point{} : box.centre();
     item.half_width_mm = box.empty() ? 0 : box.width() / 2;
     item.half_depth_mm = box.empty() ? 0 : box.height() / 2;
-    if (!box.empty()) item.forms_mm.push_back(Measure(canvas_, {Upper(zone.name), ZoneStyle(items_.size() - plan_.objects.size())}));
+    if (!box.empty())
+      item.forms_mm.push_back(Measure(canvas_, {Upper(zone.name), ZoneStyle(items_.size() - plan_.objects.size())}));
     items_.push_back(std::move(item));
   }
 
   void AddDoor(const PlanOpening& opening) {
     if (!opening.door || opening.swing != v1::DOOR_SWING_INWARD) return;
     const DoorLeafGeometry leaf = LeafOf(plan_, opening);
-    const Point corners[] = {sheet_.ToSheet(leaf.hinge_m), sheet_.ToSheet(leaf.open_end_m), sheet_.ToSheet(leaf.closed_end_m)};
+    const Point corners[] = {sheet_.ToSheet(leaf.hinge_m), sheet_.ToSheet(leaf.open_end_m),
+                             sheet_.ToSheet(leaf.closed_end_m)};
     obstacles_.push_back({BoundsOf(corners), 0.35, -1});
   }
 
   static std::string Upper(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
     return text;
   }
 
@@ -148,10 +155,12 @@ class LabelLayer {
     const Form& form = forms_[label.item][label.form];
     const Size badge = items_[label.item].badge_mm;
     const Rgb halo = Mix(object.ink.fill, kWhite, 0.55);
-    const Point badge_at = form.beside ? Point{label.box_mm.x0 + badge.width / 2, centre.y} : Point{centre.x, label.box_mm.y0 + badge.height / 2};
+    const Point badge_at = form.beside ? Point{label.box_mm.x0 + badge.width / 2, centre.y}
+                                       : Point{centre.x, label.box_mm.y0 + badge.height / 2};
     DrawBadge(canvas_, object.key + 1, badge_at, fill, object.ink.line);
     const double x = form.beside ? (label.box_mm.x0 + badge.width + kNameGapMm + label.box_mm.x1) / 2 : centre.x;
-    double y = form.beside ? centre.y - kLineMm * (static_cast<double>(form.lines.size()) - 1) / 2 : label.box_mm.y0 + badge.height + kLineMm / 2;
+    double y = form.beside ? centre.y - kLineMm * (static_cast<double>(form.lines.size()) - 1) / 2
+                           : label.box_mm.y0 + badge.height + kLineMm / 2;
     for (const std::string& line : form.lines) {
       DrawTextAt(canvas_, {line, NameStyle()}, {x, y}, 0, &halo);
       y += kLineMm;

@@ -14,7 +14,9 @@ constexpr double kGapMm = 0.7;      // between two labels
 constexpr double kPaddingMm = 0.8;  // between a label and its piece's outline
 constexpr size_t kMostLabels = 600;
 
-std::array<Point, 4> CornersOf(const Box& box) { return {{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}}; }
+std::array<Point, 4> CornersOf(const Box& box) {
+  return {{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}};
+}
 
 // A point of S in the item's own frame.
 Point Local(const LabelItem& item, Point point) {
@@ -33,7 +35,8 @@ bool Inside(const LabelItem& item, const Box& box, double padding) {
   if (w <= 0 || d <= 0) return false;
   for (Point corner : CornersOf(box)) {
     const Point p = Local(item, corner);
-    if (item.ellipse ? (p.x * p.x) / (w * w) + (p.y * p.y) / (d * d) > 1 : std::abs(p.x) > w || std::abs(p.y) > d) return false;
+    if (item.ellipse ? (p.x * p.x) / (w * w) + (p.y * p.y) / (d * d) > 1 : std::abs(p.x) > w || std::abs(p.y) > d)
+      return false;
   }
   return true;
 }
@@ -45,7 +48,8 @@ double OverlapArea(const Box& a, const Box& b) {
 
 class Placer {
  public:
-  Placer(const std::vector<LabelItem>& items, const std::vector<LabelObstacle>& obstacles, const std::vector<Point>& floor)
+  Placer(const std::vector<LabelItem>& items, const std::vector<LabelObstacle>& obstacles,
+         const std::vector<Point>& floor)
       : items_(items), obstacles_(obstacles), floor_(floor) {}
 
   // The cheapest place for the form inside the item, at most `limit` dear.
@@ -75,7 +79,8 @@ class Placer {
         const double angle = 2 * std::numbers::pi * i / 24, c = std::cos(angle), s = std::sin(angle);
         // From the outline of the piece outwards in this direction.
         const Point axis = Local(it, it.centre_mm + Point{c, s});
-        const double edge = std::min(it.half_width_mm / std::max(std::abs(axis.x), 1e-6), it.half_depth_mm / std::max(std::abs(axis.y), 1e-6));
+        const double edge = std::min(it.half_width_mm / std::max(std::abs(axis.x), 1e-6),
+                                     it.half_depth_mm / std::max(std::abs(axis.y), 1e-6));
         const Point centre = it.centre_mm + Point{c, s} * (edge + 0.85 * reach + gap);
         Consider(item, BoxAround(centre, size), 2.2 * gap + (i % 6 == 0 ? 0 : 0.4), best);
       }

@@ -15,10 +15,10 @@ struct LabelItem {
   double half_width_mm = 0;
   double half_depth_mm = 0;
   bool ellipse = false;
-  Size badge_mm;               // the number alone
-  std::vector<Size> forms_mm;  // richer forms, best first (name on one line, name on two lines, ...)
-  bool only_inside = false;    // a zone's name: no badge, no leader
-  double shyness = 1;          // factor on the cost of covering obstacles
+  Size badge_mm;                 // the number alone
+  std::vector<Size> forms_mm;    // richer forms, best first (name on one line, name on two lines, ...)
+  bool only_inside = false;      // a zone's name: no badge, no leader
+  double shyness = 1;            // factor on the cost of covering obstacles
   std::vector<Point> region_mm;  // when not empty, the label's middle lies in this polygon
 };
 

@@ -16,7 +16,8 @@ namespace {
 absl::Status Invalid(const std::string& message) { return absl::InvalidArgumentError(message); }
 
 bool AllFinite(std::initializer_list<double> values) {
-  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value) && std::abs(value) < 1e6; });
+  return std::all_of(values.begin(), values.end(),
+                     [](double value) { return std::isfinite(value) && std::abs(value) < 1e6; });
 }
 
 double SignedArea(const std::vector<Point>& polygon) {
@@ -30,7 +31,8 @@ absl::Status ReadFloor(const v1::Room& room, Plan& plan) {
   if (count < 3) return Invalid(fmt::format("room.floor.vertices: {} vertices; at least 3", count));
   for (int i = 0; i < count; ++i) {
     const v1::Point2& vertex = room.floor().vertices(i);
-    if (!AllFinite({vertex.x_m(), vertex.y_m()})) return Invalid(fmt::format("room.floor.vertices[{}]: must be finite", i));
+    if (!AllFinite({vertex.x_m(), vertex.y_m()}))
+      return Invalid(fmt::format("room.floor.vertices[{}]: must be finite", i));
     plan.floor.push_back({vertex.x_m(), vertex.y_m()});
   }
   plan.bounds_m = BoundsOf(plan.floor);
@@ -39,7 +41,8 @@ absl::Status ReadFloor(const v1::Room& room, Plan& plan) {
   for (int i = 0; i < count; ++i) {
     PlanWall wall{plan.floor[i], plan.floor[(i + 1) % count], {}, {}, 0};
     wall.length_m = std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y);
-    if (wall.length_m < 1e-6) return Invalid(fmt::format("room.floor.vertices[{}]: repeats the vertex before it", (i + 1) % count));
+    if (wall.length_m < 1e-6)
+      return Invalid(fmt::format("room.floor.vertices[{}]: repeats the vertex before it", (i + 1) % count));
     wall.along = (wall.end - wall.start) * (1 / wall.length_m);
     wall.outward = {wall.along.y, -wall.along.x};
     plan.walls.push_back(wall);
@@ -73,8 +76,10 @@ absl::Status ReadOpenings(const v1::Room& room, Plan& plan) {
   }
   for (int i = 0; i < room.sockets_size(); ++i) {
     const int wall = WallNamed(room, room.sockets(i).wall());
-    if (wall < 0) return Invalid(fmt::format("room.sockets[{}].wall: there is no wall \"{}\"", i, room.sockets(i).wall()));
-    if (!AllFinite({room.sockets(i).offset_m()})) return Invalid(fmt::format("room.sockets[{}].offset_m: must be finite", i));
+    if (wall < 0)
+      return Invalid(fmt::format("room.sockets[{}].wall: there is no wall \"{}\"", i, room.sockets(i).wall()));
+    if (!AllFinite({room.sockets(i).offset_m()}))
+      return Invalid(fmt::format("room.sockets[{}].offset_m: must be finite", i));
     plan.sockets.push_back({wall, room.sockets(i).offset_m()});
   }
   return absl::OkStatus();
@@ -99,14 +104,16 @@ absl::Status ReadZones(const v1::SolvedLayout& layout, Plan& plan) {
   const auto& zones = layout.graph().zone_plan().zones();
   for (int i = 0; i < zones.size(); ++i) {
     // Hues a golden angle apart, so that neighbours in the list never look alike.
-    PlanZone zone{zones[i].name().empty() ? zones[i].id() : zones[i].name(), FromOklch({0.80, 0.075, 1.0 + 2.399963 * i}), {}};
+    PlanZone zone{
+        zones[i].name().empty() ? zones[i].id() : zones[i].name(), FromOklch({0.80, 0.075, 1.0 + 2.399963 * i}), {}};
     for (int r = 0; r < layout.zone_regions_size(); ++r) {
       const v1::ZoneRegion& region = layout.zone_regions(r);
       if (region.zone_id() != zones[i].id()) continue;
       for (const v1::Polygon& part : region.parts()) {
         std::vector<Point> vertices;
         for (const v1::Point2& vertex : part.vertices()) {
-          if (!AllFinite({vertex.x_m(), vertex.y_m()})) return Invalid(fmt::format("zone_regions[{}].parts: must be finite", r));
+          if (!AllFinite({vertex.x_m(), vertex.y_m()}))
+            return Invalid(fmt::format("zone_regions[{}].parts: must be finite", r));
           vertices.push_back({vertex.x_m(), vertex.y_m()});
         }
         if (vertices.size() >= 3) zone.parts.push_back(std::move(vertices));
@@ -120,20 +127,24 @@ absl::Status ReadZones(const v1::SolvedLayout& layout, Plan& plan) {
 // Objects of one name, size, zone and kind share a legend line.
 void CountKey(const v1::Object& object, int zone, Plan& plan, PlanObject& read) {
   const auto same = [&](const PlanKey& key) {
-    return key.name == object.name() && key.zone == zone && key.kind == object.kind() && key.walk_over == object.walk_over() &&
-           key.width_m == object.width_m() && key.depth_m == object.depth_m();
+    return key.name == object.name() && key.zone == zone && key.kind == object.kind() &&
+           key.walk_over == object.walk_over() && key.width_m == object.width_m() && key.depth_m == object.depth_m();
   };
   const auto at = std::find_if(plan.keys.begin(), plan.keys.end(), same);
   read.key = static_cast<int>(at - plan.keys.begin());
   if (at == plan.keys.end()) {
-    plan.keys.push_back({object.name(), zone, object.kind(), object.walk_over(), object.width_m(), object.depth_m(), 0});
+    plan.keys.push_back(
+        {object.name(), zone, object.kind(), object.walk_over(), object.width_m(), object.depth_m(), 0});
   }
   ++plan.keys[read.key].count;
 }
 
 int Layer(const PlanObject& object) {
   if (object.walk_over) return 0;
-  return object.kind == v1::OBJECT_KIND_SURFACE ? 2 : object.kind == v1::OBJECT_KIND_WALL ? 3 : object.kind == v1::OBJECT_KIND_CEILING ? 4 : 1;
+  return object.kind == v1::OBJECT_KIND_SURFACE   ? 2
+         : object.kind == v1::OBJECT_KIND_WALL    ? 3
+         : object.kind == v1::OBJECT_KIND_CEILING ? 4
+                                                  : 1;
 }
 
 // Rugs first, largest below; then the floor from low to high; then what stands on it, hangs on walls, hangs above.
@@ -147,7 +158,9 @@ bool DrawnBefore(const PlanObject& a, const PlanObject& b) {
 void SortKeys(Plan& plan) {
   std::vector<int> order(plan.keys.size());
   for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  const auto rank = [&plan](int key) { return plan.keys[key].zone < 0 ? static_cast<int>(plan.zones.size()) : plan.keys[key].zone; };
+  const auto rank = [&plan](int key) {
+    return plan.keys[key].zone < 0 ? static_cast<int>(plan.zones.size()) : plan.keys[key].zone;
+  };
   std::stable_sort(order.begin(), order.end(), [&rank](int a, int b) { return rank(a) < rank(b); });
   std::vector<PlanKey> sorted;
   std::vector<int> place(order.size());
@@ -173,9 +186,12 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
       continue;
     }
     const v1::Placement& pose = *at->second;
-    if (!AllFinite({object.width_m(), object.depth_m(), object.height_m(), pose.x_m(), pose.y_m(), pose.z_m(), pose.theta_rad()}) ||
+    if (!AllFinite({object.width_m(), object.depth_m(), object.height_m(), pose.x_m(), pose.y_m(), pose.z_m(),
+                    pose.theta_rad()}) ||
         object.width_m() <= 0 || object.depth_m() <= 0) {
-      return Invalid(fmt::format("object_list.objects[{}] \"{}\": pose and sizes must be finite, width_m and depth_m above 0", i, object.id()));
+      return Invalid(
+          fmt::format("object_list.objects[{}] \"{}\": pose and sizes must be finite, width_m and depth_m above 0", i,
+                      object.id()));
     }
     PlanObject read;
     read.name = object.name();
@@ -191,7 +207,8 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
     read.width_m = object.width_m();
     read.depth_m = object.depth_m();
     read.top_m = pose.z_m() + object.height_m();
-    read.level_m = read.symbol->level_m > 0 && object.kind() == v1::OBJECT_KIND_FLOOR ? read.symbol->level_m : read.top_m;
+    read.level_m =
+        read.symbol->level_m > 0 && object.kind() == v1::OBJECT_KIND_FLOOR ? read.symbol->level_m : read.top_m;
     int zone = -1;
     for (int z = 0; z < graph.zone_plan().zones_size(); ++z) {
       if (!object.zone_id().empty() && graph.zone_plan().zones(z).id() == object.zone_id()) zone = z;
@@ -212,7 +229,8 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
 std::vector<Point> PlanObject::Corners() const {
   const Point u{std::cos(theta_rad), std::sin(theta_rad)}, v{-u.y, u.x};
   const Point half_u = u * (width_m / 2), half_v = v * (depth_m / 2);
-  return {centre_m - half_u - half_v, centre_m + half_u - half_v, centre_m + half_u + half_v, centre_m - half_u + half_v};
+  return {centre_m - half_u - half_v, centre_m + half_u - half_v, centre_m + half_u + half_v,
+          centre_m - half_u + half_v};
 }
 
 absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout) {

@@ -10,8 +10,8 @@ namespace flair::renderer {
 namespace {
 
 constexpr int kScales[] = {5, 10, 20, 25, 40, 50, 75, 100, 200, 500, 1000, 2000};
-constexpr double kRowMm = 8;        // between two dimension lines
-constexpr double kTextRoomMm = 5;   // text beyond the outermost line
+constexpr double kRowMm = 8;       // between two dimension lines
+constexpr double kTextRoomMm = 5;  // text beyond the outermost line
 
 Sheet EmptySheet(bool portrait, int scale) {
   Sheet sheet;
@@ -35,7 +35,8 @@ double OutwardReachMm(const Plan& plan, const Sheet& sheet, int wall) {
   double reach = 0;
   for (const PlanOpening& opening : plan.openings) {
     if (opening.wall != wall || !opening.door || opening.swing != v1::DOOR_SWING_OUTWARD) continue;
-    reach = std::max(reach, opening.width_m * std::min(1.0, std::sin(std::min(opening.swing_angle_rad, 1.5708))) * sheet.mm_per_m());
+    reach = std::max(
+        reach, opening.width_m * std::min(1.0, std::sin(std::min(opening.swing_angle_rad, 1.5708))) * sheet.mm_per_m());
   }
   return reach;
 }
@@ -74,16 +75,19 @@ std::vector<double> OpeningEnds(const Plan& plan, int wall) {
 bool StripIsOutside(const Plan& plan, const PlanWall& wall, double reach_m) {
   for (double share : {0.02, 0.25, 0.5, 0.75, 0.98}) {
     for (double step : {0.35, 0.7, 1.0}) {
-      if (PolygonContains(plan.floor, wall.start + (wall.end - wall.start) * share + wall.outward * (reach_m * step))) return false;
+      if (PolygonContains(plan.floor, wall.start + (wall.end - wall.start) * share + wall.outward * (reach_m * step)))
+        return false;
     }
   }
   return true;
 }
 
-DimensionString MakeString(const Sheet& sheet, const PlanWall& wall, const std::vector<double>& ends_m, double reach_mm) {
+DimensionString MakeString(const Sheet& sheet, const PlanWall& wall, const std::vector<double>& ends_m,
+                           double reach_mm) {
   const Point outward{wall.outward.x, -wall.outward.y};
   DimensionString string{{wall.along.x, -wall.along.y}, outward, {}, {}, reach_mm};
-  for (double end : ends_m) string.ticks_mm.push_back(sheet.ToSheet(wall.start + wall.along * end) + outward * reach_mm);
+  for (double end : ends_m)
+    string.ticks_mm.push_back(sheet.ToSheet(wall.start + wall.along * end) + outward * reach_mm);
   for (size_t i = 1; i < ends_m.size(); ++i) string.texts.push_back(fmt::format("{:.2f}", ends_m[i] - ends_m[i - 1]));
   return string;
 }

@@ -17,18 +17,20 @@ struct DimensionString {
   double reach_mm = 0;  // from the wall's face to the line
 };
 
-// Paper and scale: A3, turned whichever way shows the room larger. The plan has its own area; the key and the title have
-// a column on the right (landscape) or a strip below (portrait).
+// Paper and scale: A3, turned whichever way shows the room larger. The plan has its own area; the key and the title
+// have a column on the right (landscape) or a strip below (portrait).
 struct Sheet {
   Size size_mm;
   Box plan_mm;
   Box side_mm;
   bool portrait = false;
-  int scale = 50;  // 1:scale
+  int scale = 50;   // 1:scale
   Point origin_mm;  // of R
 
   double mm_per_m() const { return 1000.0 / scale; }
-  Point ToSheet(Point point_m) const { return {origin_mm.x + point_m.x * mm_per_m(), origin_mm.y - point_m.y * mm_per_m()}; }
+  Point ToSheet(Point point_m) const {
+    return {origin_mm.x + point_m.x * mm_per_m(), origin_mm.y - point_m.y * mm_per_m()};
+  }
 };
 
 inline constexpr double kWallThicknessM = 0.14;

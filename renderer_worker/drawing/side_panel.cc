@@ -32,11 +32,13 @@ double Heading(Canvas& canvas, const std::string& text, double x, double y) {
 
 // Title and the room's facts; returns where it ends.
 double DrawTitle(Canvas& canvas, const Plan& plan, const Box& box) {
-  TextBlock title{Capital(plan.title), {.size_mm = 7.4, .colour = kInk, .serif = true, .condense = 0.94}, box.width(), 3};
+  TextBlock title{
+      Capital(plan.title), {.size_mm = 7.4, .colour = kInk, .serif = true, .condense = 0.94}, box.width(), 3};
   if (Measure(canvas, title).height > 18) title.style.size_mm = 5.6;
   DrawText(canvas, title, {box.x0, box.y0});
   double y = box.y0 + Measure(canvas, title).height + 1.4;
-  std::string facts = fmt::format("{:.2f} × {:.2f} m   ·   {:.1f} m²", plan.bounds_m.width(), plan.bounds_m.height(), plan.area_m2);
+  std::string facts =
+      fmt::format("{:.2f} × {:.2f} m   ·   {:.1f} m²", plan.bounds_m.width(), plan.bounds_m.height(), plan.area_m2);
   if (plan.height_m > 0) facts += fmt::format("   ·   {:.2f} m high", plan.height_m);
   DrawText(canvas, {facts, {.size_mm = 3.3, .colour = kSoft}, box.width()}, {box.x0, y});
   return y + 6.5;
@@ -62,11 +64,13 @@ const char* Carrier(const PlanKey& key) {
 }
 
 void DrawKeyRow(Canvas& canvas, const Plan& plan, const PlanKey& key, int number, const Box& row, double size) {
-  const auto object = std::find_if(plan.objects.begin(), plan.objects.end(), [number](const PlanObject& o) { return o.key == number - 1; });
+  const auto object = std::find_if(plan.objects.begin(), plan.objects.end(),
+                                   [number](const PlanObject& o) { return o.key == number - 1; });
   const Ink ink = object != plan.objects.end() ? object->ink : Ink{Hex(0xE5E0D8), kSoft};
   const double middle = (row.y0 + row.y1) / 2;
   DrawBadge(canvas, number, {row.x0 + 2.9, middle}, Mix(ink.fill, Hex(0xFFFFFF), 0.25), ink.line);
-  const TextBlock dims{fmt::format("{:.2f} × {:.2f}", key.width_m, key.depth_m), {.size_mm = 0.86 * size, .colour = kSoft}};
+  const TextBlock dims{fmt::format("{:.2f} × {:.2f}", key.width_m, key.depth_m),
+                       {.size_mm = 0.86 * size, .colour = kSoft}};
   const Size dims_size = Measure(canvas, dims);
   DrawText(canvas, dims, {row.x1 - dims_size.width, middle - dims_size.height / 2});
   std::string name = key.name;
@@ -83,7 +87,9 @@ void DrawZoneRow(Canvas& canvas, const Plan& plan, int zone, const Box& row, dou
     canvas.Fill(Mix(Hex(0xFFFFFF), plan.zones[zone].tint, 0.55), 1, true);
     canvas.Draw({LineColourFor(plan.zones[zone].tint), 0.18});
   }
-  const TextBlock text{Capital(zone < 0 ? "whole room" : plan.zones[zone].name), {.size_mm = size, .colour = kInk, .bold = true}, row.width() - 8};
+  const TextBlock text{Capital(zone < 0 ? "whole room" : plan.zones[zone].name),
+                       {.size_mm = size, .colour = kInk, .bold = true},
+                       row.width() - 8};
   DrawText(canvas, text, {row.x0 + (zone < 0 ? 1.2 : 7), y - Measure(canvas, text).height / 2});
 }
 
@@ -117,8 +123,10 @@ void DrawKey(Canvas& canvas, const Plan& plan, const Box& box) {
     const double need = heading ? 2 * pitch : pitch;
     if (y + need > (column + 1 < columns ? bottom : box.y1) + 0.01) {
       if (++column >= columns) {
-        const size_t left = std::count_if(rows.begin() + i, rows.end(), [](const Row& row) { return row.kind == Row::kKey; });
-        DrawText(canvas, {fmt::format("… and {} more", left), {.size_mm = 2.8, .colour = kSoft}}, {box.x0, box.y1 - 0.5});
+        const size_t left =
+            std::count_if(rows.begin() + i, rows.end(), [](const Row& row) { return row.kind == Row::kKey; });
+        DrawText(canvas, {fmt::format("… and {} more", left), {.size_mm = 2.8, .colour = kSoft}},
+                 {box.x0, box.y1 - 0.5});
         return;
       }
       y = y0;
@@ -126,7 +134,8 @@ void DrawKey(Canvas& canvas, const Plan& plan, const Box& box) {
     const double x = box.x0 + column * (width + 5);
     const double height = heading && y > y0 ? pitch + 1.2 : pitch;
     const Box row{x, y, x + width, y + height};
-    heading ? DrawZoneRow(canvas, plan, rows[i].index, row, size) : DrawKeyRow(canvas, plan, plan.keys[rows[i].index], rows[i].index + 1, row, size);
+    heading ? DrawZoneRow(canvas, plan, rows[i].index, row, size)
+            : DrawKeyRow(canvas, plan, plan.keys[rows[i].index], rows[i].index + 1, row, size);
     y += height;
   }
 }
@@ -175,8 +184,10 @@ void DrawNorthArrow(Canvas& canvas, Point centre) {
   const double r = 6.2;
   canvas.Ellipse(centre, r, r);
   canvas.Draw({kInk, 0.22});
-  const Point east[] = {{centre.x, centre.y - r + 0.6}, {centre.x + 2.4, centre.y + 0.72 * r}, {centre.x, centre.y + 0.38 * r}};
-  const Point west[] = {{centre.x, centre.y - r + 0.6}, {centre.x - 2.4, centre.y + 0.72 * r}, {centre.x, centre.y + 0.38 * r}};
+  const Point east[] = {
+      {centre.x, centre.y - r + 0.6}, {centre.x + 2.4, centre.y + 0.72 * r}, {centre.x, centre.y + 0.38 * r}};
+  const Point west[] = {
+      {centre.x, centre.y - r + 0.6}, {centre.x - 2.4, centre.y + 0.72 * r}, {centre.x, centre.y + 0.38 * r}};
   canvas.Polygon(east);
   canvas.Fill(kInk, 1, true);
   canvas.Draw({kInk, 0.2});

@@ -31,8 +31,8 @@ void FixFontOptions(PangoContext* context) {
 void SetTracking(PangoLayout* layout, const TextStyle& style) {
   if (style.tracking == 0) return;
   PangoAttrList* attributes = pango_attr_list_new();
-  pango_attr_list_insert(attributes,
-                         pango_attr_letter_spacing_new(static_cast<int>(style.tracking * style.size_mm * kUnitsPerMm * PANGO_SCALE)));
+  pango_attr_list_insert(attributes, pango_attr_letter_spacing_new(
+                                         static_cast<int>(style.tracking * style.size_mm * kUnitsPerMm * PANGO_SCALE)));
   pango_layout_set_attributes(layout, attributes);
   pango_attr_list_unref(attributes);
 }
@@ -54,7 +54,8 @@ LayoutPtr MakeLayout(const Canvas& canvas, const TextBlock& block) {
   pango_layout_set_single_paragraph_mode(layout.get(), TRUE);
   if (block.style.line_spacing != 1.0) pango_layout_set_line_spacing(layout.get(), block.style.line_spacing);
   if (block.max_width_mm > 0) {
-    pango_layout_set_width(layout.get(), static_cast<int>(block.max_width_mm * kUnitsPerMm / block.style.condense * PANGO_SCALE));
+    pango_layout_set_width(layout.get(),
+                           static_cast<int>(block.max_width_mm * kUnitsPerMm / block.style.condense * PANGO_SCALE));
     pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
     pango_layout_set_height(layout.get(), -block.max_lines);
     pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
@@ -77,7 +78,8 @@ Size SizeOf(PangoLayout* layout, const TextStyle& style) {
 
 // Makes the letters' outlines the current path, `anchor` (in layout units) at `at_mm`. Outlines rather than glyphs: the
 // image backend would round every glyph to whole pixels.
-void TraceOutlines(Canvas& canvas, PangoLayout* layout, const TextStyle& style, Point at_mm, double angle_rad, Point anchor) {
+void TraceOutlines(Canvas& canvas, PangoLayout* layout, const TextStyle& style, Point at_mm, double angle_rad,
+                   Point anchor) {
   cairo_t* cairo = canvas.cairo();
   cairo_save(cairo);
   cairo_scale(cairo, 1 / kUnitsPerMm, 1 / kUnitsPerMm);

@@ -37,6 +37,7 @@ Size Measure(const Canvas& canvas, const TextBlock& block);
 void DrawText(Canvas& canvas, const TextBlock& block, Point top_left_mm);
 
 // Draws in the middle of `centre_mm`, turned counter-clockwise by `angle_rad`, over a halo of `halo` when not null.
-void DrawTextAt(Canvas& canvas, const TextBlock& block, Point centre_mm, double angle_rad = 0, const Rgb* halo = nullptr);
+void DrawTextAt(Canvas& canvas, const TextBlock& block, Point centre_mm, double angle_rad = 0,
+                const Rgb* halo = nullptr);
 
 }  // namespace flair::renderer

@@ -8,7 +8,7 @@
 namespace flair::renderer {
 namespace {
 
-const Rgb kCut = Hex(0x37332F);   // what the section cuts
+const Rgb kCut = Hex(0x37332F);  // what the section cuts
 const Rgb kInk = Hex(0x3A3632);
 const Rgb kPaper = Hex(0xFFFFFF);
 
@@ -30,18 +30,20 @@ struct OpeningFrame {
   const PlanWall* wall;
   Point start_m, end_m;
   double thickness_m;
-  Point At(double along_m, double outward_m) const { return start_m + wall->along * along_m + wall->outward * outward_m; }
+  Point At(double along_m, double outward_m) const {
+    return start_m + wall->along * along_m + wall->outward * outward_m;
+  }
 };
 
 OpeningFrame FrameOf(const Plan& plan, const Sheet& sheet, const PlanOpening& opening) {
   const PlanWall& wall = plan.walls[opening.wall];
-  return {&wall, wall.start + wall.along * opening.offset_m, wall.start + wall.along * (opening.offset_m + opening.width_m),
-          WallThicknessMm(sheet) / sheet.mm_per_m()};
+  return {&wall, wall.start + wall.along * opening.offset_m,
+          wall.start + wall.along * (opening.offset_m + opening.width_m), WallThicknessMm(sheet) / sheet.mm_per_m()};
 }
 
 void Quad(Canvas& canvas, const Sheet& sheet, const OpeningFrame& frame, double u0, double u1, double v0, double v1) {
-  const Point corners[] = {sheet.ToSheet(frame.At(u0, v0)), sheet.ToSheet(frame.At(u1, v0)), sheet.ToSheet(frame.At(u1, v1)),
-                           sheet.ToSheet(frame.At(u0, v1))};
+  const Point corners[] = {sheet.ToSheet(frame.At(u0, v0)), sheet.ToSheet(frame.At(u1, v0)),
+                           sheet.ToSheet(frame.At(u1, v1)), sheet.ToSheet(frame.At(u0, v1))};
   canvas.Polygon(corners);
 }
 
@@ -67,9 +69,11 @@ void DrawWindow(Canvas& canvas, const Plan& plan, const Sheet& sheet, const Plan
 
 void DrawLeaf(Canvas& canvas, const Plan& plan, const Sheet& sheet, const PlanOpening& door) {
   const DoorLeafGeometry leaf = LeafOf(plan, door);
-  const Point hinge = sheet.ToSheet(leaf.hinge_m), open = sheet.ToSheet(leaf.open_end_m), closed = sheet.ToSheet(leaf.closed_end_m);
+  const Point hinge = sheet.ToSheet(leaf.hinge_m), open = sheet.ToSheet(leaf.open_end_m),
+              closed = sheet.ToSheet(leaf.closed_end_m);
   const double radius = std::hypot(open.x - hinge.x, open.y - hinge.y);
-  const double from = std::atan2(open.y - hinge.y, open.x - hinge.x), to = std::atan2(closed.y - hinge.y, closed.x - hinge.x);
+  const double from = std::atan2(open.y - hinge.y, open.x - hinge.x),
+               to = std::atan2(closed.y - hinge.y, closed.x - hinge.x);
   double turn = std::remainder(to - from, 2 * std::numbers::pi);
   canvas.Arc(hinge, radius, turn > 0 ? from : from + turn, turn > 0 ? from + turn : from);
   canvas.Draw({kInk, 0.16, 0.85});

@@ -22,12 +22,15 @@ bool Fail(EncoderSink error, void* context, const std::string& message) {
 bool EncodeOrThrow(const EncoderRequest& request, EncoderSink file, EncoderSink error, void* context) {
   OIIO::attribute("threads", 1);
   std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(request.file_name);
-  if (!output) return Fail(error, context, "no encoder for " + std::string(request.file_name) + ": " + OIIO::geterror());
-  if (!output->supports("ioproxy")) return Fail(error, context, std::string(output->format_name()) + " cannot be written to memory");
+  if (!output)
+    return Fail(error, context, "no encoder for " + std::string(request.file_name) + ": " + OIIO::geterror());
+  if (!output->supports("ioproxy"))
+    return Fail(error, context, std::string(output->format_name()) + " cannot be written to memory");
   OIIO::ImageSpec spec(request.width_px, request.height_px, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("png:compressionLevel", 4);
-  for (size_t i = 0; i < request.metadata_count; ++i) spec.attribute(request.metadata[i].name, request.metadata[i].value);
+  for (size_t i = 0; i < request.metadata_count; ++i)
+    spec.attribute(request.metadata[i].name, request.metadata[i].value);
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   if (!output->set_ioproxy(&memory) || !output->open(request.file_name, spec) ||
@@ -53,4 +56,4 @@ bool Encode(const EncoderRequest& request, EncoderSink file, EncoderSink error, 
 }  // namespace flair::renderer
 
 extern "C" const flair::renderer::EncoderModule flair_image_encoder = {flair::renderer::kEncoderModuleVersion,
-                                                                        flair::renderer::Encode};
+                                                                       flair::renderer::Encode};

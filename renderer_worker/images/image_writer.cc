@@ -47,7 +47,8 @@ absl::StatusOr<const EncoderModule*> LoadModule() {
     }
     return encoder;
   }
-  return absl::UnavailableError(fmt::format("cannot find {}; looked in {}; FLAIR_MODULE_DIR may name its folder", kFileName, tried));
+  return absl::UnavailableError(
+      fmt::format("cannot find {}; looked in {}; FLAIR_MODULE_DIR may name its folder", kFileName, tried));
 }
 
 struct Answer {
@@ -65,10 +66,16 @@ class ModuleImageWriter final : public ImageWriter {
     std::vector<EncoderMetadata> entries;
     for (const auto& [name, value] : metadata) entries.push_back({name.c_str(), value.c_str()});
     Answer answer;
-    const EncoderRequest request{"plan.png", pixels.width_px, pixels.height_px, pixels.rgb.data(), entries.data(), entries.size()};
-    const EncoderSink file = [](void* context, const char* bytes, size_t count) { static_cast<Answer*>(context)->file.append(bytes, count); };
-    const EncoderSink error = [](void* context, const char* bytes, size_t count) { static_cast<Answer*>(context)->error.append(bytes, count); };
-    if (!(*module)->encode(request, file, error, &answer)) return absl::InternalError("cannot encode the picture: " + answer.error);
+    const EncoderRequest request{"plan.png",        pixels.width_px, pixels.height_px,
+                                 pixels.rgb.data(), entries.data(),  entries.size()};
+    const EncoderSink file = [](void* context, const char* bytes, size_t count) {
+      static_cast<Answer*>(context)->file.append(bytes, count);
+    };
+    const EncoderSink error = [](void* context, const char* bytes, size_t count) {
+      static_cast<Answer*>(context)->error.append(bytes, count);
+    };
+    if (!(*module)->encode(request, file, error, &answer))
+      return absl::InternalError("cannot encode the picture: " + answer.error);
     return std::move(answer.file);
   }
 };

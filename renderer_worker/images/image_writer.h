@@ -18,12 +18,13 @@ using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 class ImageWriter {
  public:
   virtual ~ImageWriter() = default;
-  // The same bytes for the same pixels and metadata. UNAVAILABLE when the encoder cannot be loaded, INTERNAL when it fails.
+  // The same bytes for the same pixels and metadata. UNAVAILABLE when the encoder cannot be loaded, INTERNAL when it
+  // fails.
   virtual absl::StatusOr<std::string> WritePng(const Pixels& pixels, const ImageMetadata& metadata) = 0;
 };
 
-// Writes through OpenImageIO, which is loaded as a module on first use: beside the program, in ../lib or ../lib/flair of
-// it, in $FLAIR_MODULE_DIR, or where it was built.
+// Writes through OpenImageIO, which is loaded as a module on first use: beside the program, in ../lib or ../lib/flair
+// of it, in $FLAIR_MODULE_DIR, or where it was built.
 std::unique_ptr<ImageWriter> MakeImageWriter();
 
 }  // namespace flair::renderer

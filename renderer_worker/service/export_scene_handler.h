@@ -10,7 +10,8 @@ namespace flair::renderer {
 // Answers RendererService.ExportScene: this version draws plans only and says so.
 class ExportSceneHandler {
  public:
-  absl::StatusOr<v1::ExportSceneResponse> Handle(const v1::ExportSceneRequest& request, runtime::CallContext& call) const;
+  absl::StatusOr<v1::ExportSceneResponse> Handle(const v1::ExportSceneRequest& request,
+                                                 runtime::CallContext& call) const;
 };
 
 }  // namespace flair::renderer

@@ -24,7 +24,8 @@ ImageMetadata MetadataOf(const v1::RenderRequest& request, const DrawnPlan& plan
 
 }  // namespace
 
-absl::StatusOr<v1::RenderResponse> RenderHandler::Handle(const v1::RenderRequest& request, runtime::CallContext& call) const {
+absl::StatusOr<v1::RenderResponse> RenderHandler::Handle(const v1::RenderRequest& request,
+                                                         runtime::CallContext& call) const {
   if (absl::Status status = Validate(request); !status.ok()) return status;
   absl::StatusOr<DrawnPlan> plan = DrawPlan(request.solved_layout(), request.options());
   if (!plan.ok()) return plan.status();

@@ -42,8 +42,8 @@ void DrawBed(SymbolPen& pen) {
   pen.Shape(flap, Tone::kPale, Line::kDetail);
   for (int i = 1; i < 3; ++i) {
     const double y = turned + (duvet.y1 - turned) * (0.28 + 0.27 * i);
-    pen.Curve({duvet.x0 + 0.08, y}, {duvet.x0 + 0.3 * duvet.width(), y + 0.05}, {duvet.x1 - 0.4 * duvet.width(), y - 0.05},
-              {duvet.x1 - 0.1, y + 0.02}, Line::kFaint);
+    pen.Curve({duvet.x0 + 0.08, y}, {duvet.x0 + 0.3 * duvet.width(), y + 0.05},
+              {duvet.x1 - 0.4 * duvet.width(), y - 0.05}, {duvet.x1 - 0.1, y + 0.02}, Line::kFaint);
   }
 }
 
@@ -55,7 +55,8 @@ void DrawBunkBed(SymbolPen& pen) {
   const double y1 = pen.front() - std::min(0.2, 0.1 * pen.depth());
   pen.Area({x0, y0, pen.right(), y1}, Tone::kWood, Line::kDetail);
   for (int i = 1; i < 4; ++i) pen.Segment({x0, y0 + (y1 - y0) * i / 4}, {pen.right(), y0 + (y1 - y0) * i / 4});
-  pen.Area({pen.left() + 0.03, pen.back() + 0.03, pen.right() - 0.03, pen.front() - 0.03}, Tone::kNone, Line::kDashed, 0.02);
+  pen.Area({pen.left() + 0.03, pen.back() + 0.03, pen.right() - 0.03, pen.front() - 0.03}, Tone::kNone, Line::kDashed,
+           0.02);
 }
 
 void DrawCot(SymbolPen& pen) {
@@ -72,15 +73,16 @@ void DrawCot(SymbolPen& pen) {
   const double head = mattress.y0 + 0.05;
   const double middle = 0.3 * mattress.width();
   pen.Area({-middle, head, middle, head + std::min(0.2, 0.2 * pen.depth())}, Tone::kLight, Line::kDetail, 0.06);
-  pen.Area({mattress.x0 + 0.02, mattress.y0 + 0.42 * mattress.height(), mattress.x1 - 0.02, mattress.y1 - 0.02}, Tone::kBody,
-           Line::kDetail, 0.03);
+  pen.Area({mattress.x0 + 0.02, mattress.y0 + 0.42 * mattress.height(), mattress.x1 - 0.02, mattress.y1 - 0.02},
+           Tone::kBody, Line::kDetail, 0.03);
 }
 
 void DrawCoffin(SymbolPen& pen) {
   const auto outline = [&pen](double inset) {
     const double w = pen.width() / 2 - inset, y0 = pen.back() + inset, y1 = pen.front() - inset;
     const double shoulder = y0 + 0.3 * (y1 - y0);
-    return std::vector<Point>{{-0.58 * w, y0}, {0.58 * w, y0}, {w, shoulder}, {0.5 * w, y1}, {-0.5 * w, y1}, {-w, shoulder}};
+    return std::vector<Point>{{-0.58 * w, y0}, {0.58 * w, y0}, {w, shoulder},
+                              {0.5 * w, y1},   {-0.5 * w, y1}, {-w, shoulder}};
   };
   pen.Shape(outline(0), Tone::kBody);
   pen.Shape(outline(std::min(0.05, 0.07 * pen.width())), Tone::kLight, Line::kDetail);
@@ -89,7 +91,7 @@ void DrawCoffin(SymbolPen& pen) {
   const double arm = 0.17 * pen.width(), bar = 0.05 * pen.width();
   const double top = pen.back() + 0.16 * pen.depth(), foot = pen.back() + 0.6 * pen.depth();
   const double y = top + 0.3 * (foot - top);
-  const Point cross[] = {{-bar, top}, {bar, top}, {bar, y - bar}, {arm, y - bar}, {arm, y + bar}, {bar, y + bar},
+  const Point cross[] = {{-bar, top}, {bar, top},   {bar, y - bar},  {arm, y - bar},  {arm, y + bar},  {bar, y + bar},
                          {bar, foot}, {-bar, foot}, {-bar, y + bar}, {-arm, y + bar}, {-arm, y - bar}, {-bar, y - bar}};
   pen.Shape(cross, Tone::kDeep, Line::kDetail);
 }
@@ -101,7 +103,8 @@ void DrawDaybed(SymbolPen& pen) {
   pen.Area(mattress, Tone::kLight, Line::kDetail, 0.05);
   const double cushion = std::min(0.42, 0.25 * pen.width());
   for (double x : {mattress.x0 + 0.03, mattress.x1 - 0.03 - cushion}) {
-    pen.Area({x, mattress.y0 + 0.03, x + cushion, mattress.y0 + 0.03 + 0.45 * cushion}, Tone::kPale, Line::kDetail, 0.07);
+    pen.Area({x, mattress.y0 + 0.03, x + cushion, mattress.y0 + 0.03 + 0.45 * cushion}, Tone::kPale, Line::kDetail,
+             0.07);
   }
   pen.Segment({mattress.x0 + 0.04, mattress.y1 - 0.07}, {mattress.x1 - 0.04, mattress.y1 - 0.07}, Line::kFaint);
 }

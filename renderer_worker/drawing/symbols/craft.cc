@@ -10,14 +10,16 @@ namespace flair::renderer {
 using std::numbers::pi;
 
 void DrawEasel(SymbolPen& pen) {
-  const Point leg_back{0, pen.back()}, left{0.8 * pen.left(), 0.8 * pen.front()}, right{0.8 * pen.right(), 0.8 * pen.front()};
+  const Point leg_back{0, pen.back()}, left{0.8 * pen.left(), 0.8 * pen.front()},
+      right{0.8 * pen.right(), 0.8 * pen.front()};
   pen.Segment(leg_back, left, Line::kOutline);
   pen.Segment(leg_back, right, Line::kOutline);
   pen.Segment(leg_back, {0, 0.4 * pen.front()}, Line::kOutline);
   // The canvas leans on it and faces the painter.
   const double y = 0.22 * pen.depth();
   pen.Area({pen.left(), y, pen.right(), y + 0.08 * pen.depth()}, Tone::kPale, Line::kOutline);
-  pen.Area({0.9 * pen.left(), y + 0.08 * pen.depth(), 0.9 * pen.right(), pen.front()}, Tone::kWood, Line::kDetail, 0.01);
+  pen.Area({0.9 * pen.left(), y + 0.08 * pen.depth(), 0.9 * pen.right(), pen.front()}, Tone::kWood, Line::kDetail,
+           0.01);
   const Tone dabs[] = {Tone::kFire, Tone::kLeaf, Tone::kWater, Tone::kDeep};
   for (int i = 0; i < 4; ++i) {
     pen.Circle({(0.3 * i - 0.45) * pen.width(), 0.4 * pen.depth()}, 0.05 * pen.smaller(), dabs[i], Line::kFaint);
@@ -29,7 +31,7 @@ void DrawSewingMachine(SymbolPen& pen) {
   pen.Area(pen.whole(), Tone::kPale, Line::kOutline, 0.03);
   pen.Area({0.94 * pen.left(), -0.2 * d, 0.86 * pen.right(), 0.16 * d}, Tone::kBody, Line::kDetail, 0.06);
   pen.Area({0.5 * pen.right(), -0.34 * d, 0.86 * pen.right(), 0.3 * d}, Tone::kBody, Line::kDetail, 0.03);
-  pen.Circle({pen.right() - 0.05 * w, 0}, 0.13 * pen.smaller(), Tone::kMetal);
+  pen.Oval({pen.right() - 0.06 * w, 0}, 0.055 * w, 0.16 * d, Tone::kMetal);
   pen.Circle({-0.34 * w, 0.02 * d}, 0.06 * pen.smaller(), Tone::kDeep);
   pen.Circle({0.06 * w, -0.02 * d}, 0.09 * pen.smaller(), Tone::kFire, Line::kFaint);
 }
@@ -45,7 +47,7 @@ void DrawIroningBoard(SymbolPen& pen) {
   const bool along = pen.width() >= pen.depth();
   pen.Area(pen.whole(), Tone::kLight, Line::kOutline, 0.45 * pen.smaller());
   pen.Area(pen.whole().Grown(-0.12 * pen.smaller()), Tone::kNone, Line::kFaint, 0.38 * pen.smaller());
-  const double s = 0.16 * pen.smaller();
+  const double s = 0.12 * pen.smaller();
   const Point at = along ? Point{0.6 * pen.right(), 0} : Point{0, 0.6 * pen.front()};
   pen.Oval(at, along ? 1.6 * s : s, along ? s : 1.6 * s, Tone::kMetal);
 }
@@ -65,7 +67,8 @@ void DrawTelescope(SymbolPen& pen) {
     pen.Segment({0, 0}, {0.48 * pen.width() * std::cos(angle), 0.48 * pen.depth() * std::sin(angle)}, Line::kOutline);
   }
   const double half = 0.1 * pen.smaller();
-  const Point tube[] = {{-0.7 * half, pen.back()}, {0.7 * half, pen.back()}, {1.5 * half, pen.front()}, {-1.5 * half, pen.front()}};
+  const Point tube[] = {
+      {-0.7 * half, pen.back()}, {0.7 * half, pen.back()}, {1.5 * half, pen.front()}, {-1.5 * half, pen.front()}};
   pen.Shape(tube, Tone::kBody);
   pen.Segment({-half, 0.1 * pen.depth()}, {half, 0.1 * pen.depth()});
 }
@@ -85,7 +88,8 @@ void DrawTent(SymbolPen& pen) {
   Point rim[sides];
   for (int i = 0; i < sides; ++i) {
     const double angle = pi / 2 + 2 * pi * (i + 0.5) / sides;
-    rim[i] = {0.577 * pen.width() * std::cos(angle) * std::cos(pi / 6), 0.5 * pen.depth() * std::sin(angle) / std::cos(pi / 6)};
+    rim[i] = {0.577 * pen.width() * std::cos(angle) * std::cos(pi / 6),
+              0.5 * pen.depth() * std::sin(angle) / std::cos(pi / 6)};
     rim[i].x = std::clamp(rim[i].x / std::cos(pi / 6), pen.left(), pen.right());
     rim[i].y = std::clamp(rim[i].y, pen.back(), pen.front());
   }

@@ -15,7 +15,8 @@ void DrawPlant(SymbolPen& pen) {
   const int leaves = 9;
   for (int ring = 0; ring < 2; ++ring) {
     for (int i = 0; i < leaves; ++i) {
-      const double angle = 2 * pi * (i + 0.5 * ring) / leaves, reach = ring == 0 ? 1.0 : 0.66, half = ring == 0 ? 0.22 : 0.26;
+      const double angle = 2 * pi * (i + 0.5 * ring) / leaves, reach = ring == 0 ? 1.0 : 0.66,
+                   half = ring == 0 ? 0.22 : 0.26;
       const Point tip{reach * rx * std::cos(angle), reach * ry * std::sin(angle)};
       const Point side_1{0.55 * reach * rx * std::cos(angle + half), 0.55 * reach * ry * std::sin(angle + half)};
       const Point side_2{0.55 * reach * rx * std::cos(angle - half), 0.55 * reach * ry * std::sin(angle - half)};
@@ -46,7 +47,8 @@ void DrawScreen(SymbolPen& pen) {
 void DrawLaptop(SymbolPen& pen) {
   pen.Area(pen.whole(), Tone::kMetal, Line::kOutline, 0.015);
   pen.Area({pen.left(), pen.back(), pen.right(), pen.back() + 0.2 * pen.depth()}, Tone::kDeep, Line::kDetail, 0.01);
-  pen.Area({0.85 * pen.left(), -0.22 * pen.depth(), 0.85 * pen.right(), 0.16 * pen.depth()}, Tone::kLight, Line::kFaint);
+  pen.Area({0.85 * pen.left(), -0.22 * pen.depth(), 0.85 * pen.right(), 0.16 * pen.depth()}, Tone::kLight,
+           Line::kFaint);
   pen.Area({0.26 * pen.left(), 0.22 * pen.depth(), 0.26 * pen.right(), 0.42 * pen.depth()}, Tone::kPale, Line::kFaint);
 }
 
@@ -62,8 +64,8 @@ void DrawVase(SymbolPen& pen) {
   pen.Oval({0, 0}, rx, ry, Tone::kBody, Line::kOutline);
   for (int i = 0; i < 5; ++i) {
     const double angle = 2 * pi * i / 5 + 0.4;
-    pen.Oval({0.45 * rx * std::cos(angle), 0.45 * ry * std::sin(angle)}, 0.32 * rx, 0.32 * ry, i % 2 == 0 ? Tone::kPale : Tone::kLeaf,
-             Line::kFaint);
+    pen.Oval({0.45 * rx * std::cos(angle), 0.45 * ry * std::sin(angle)}, 0.32 * rx, 0.32 * ry,
+             i % 2 == 0 ? Tone::kPale : Tone::kLeaf, Line::kFaint);
   }
 }
 

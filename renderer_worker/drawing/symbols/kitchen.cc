@@ -74,7 +74,8 @@ void DrawHob(SymbolPen& pen) {
   pen.Area(pen.whole(), Tone::kLight);
   const double lip = std::min(0.06, 0.1 * pen.depth());
   pen.Area({pen.left(), pen.front() - lip, pen.right(), pen.front()}, Tone::kDark, Line::kDetail);
-  for (int i = -2; i <= 2; ++i) pen.Circle({0.16 * i * pen.width(), pen.front() - lip / 2}, 0.3 * lip, Tone::kPale, Line::kFaint);
+  for (int i = -2; i <= 2; ++i)
+    pen.Circle({0.16 * i * pen.width(), pen.front() - lip / 2}, 0.3 * lip, Tone::kPale, Line::kFaint);
   DrawRings(pen, {0.88 * pen.left(), 0.88 * pen.back(), 0.88 * pen.right(), pen.front() - lip - 0.06 * pen.depth()});
 }
 
@@ -108,28 +109,33 @@ void DrawDishwasher(SymbolPen& pen) {
 
 void DrawCauldron(SymbolPen& pen) {
   const double rx = pen.width() / 2, ry = pen.depth() / 2;
-  for (double side : {-1.0, 1.0}) pen.Circle({0.9 * side * rx, 0}, 0.1 * pen.smaller(), Tone::kDark, Line::kOutline);
+  for (double side : {-1.0, 1.0}) pen.Oval({0.9 * side * rx, 0}, 0.1 * rx, 0.16 * ry, Tone::kDark, Line::kOutline);
   pen.Oval({0, 0}, 0.92 * rx, ry, Tone::kDeep, Line::kOutline);
   pen.Oval({0, 0}, 0.74 * rx, 0.8 * ry, Tone::kLeaf);
   for (Point at : {Point{-0.25, 0.2}, Point{0.2, 0.3}, Point{0.3, -0.2}, Point{-0.1, -0.35}}) {
-    pen.Circle({at.x * rx, at.y * ry}, (0.07 + 0.06 * std::abs(at.x + at.y)) * pen.smaller(), Tone::kPale, Line::kFaint);
+    pen.Circle({at.x * rx, at.y * ry}, (0.07 + 0.06 * std::abs(at.x + at.y)) * pen.smaller(), Tone::kPale,
+               Line::kFaint);
   }
 }
 
 void DrawFireplace(SymbolPen& pen) {
   pen.Area(pen.whole(), Tone::kBody);
   const double jamb = 0.17 * pen.width(), y0 = pen.back() + 0.18 * pen.depth();
-  const Point opening[] = {{pen.left() + 1.5 * jamb, y0}, {pen.right() - 1.5 * jamb, y0}, {pen.right() - jamb, pen.front()},
+  const Point opening[] = {{pen.left() + 1.5 * jamb, y0},
+                           {pen.right() - 1.5 * jamb, y0},
+                           {pen.right() - jamb, pen.front()},
                            {pen.left() + jamb, pen.front()}};
   pen.Shape(opening, Tone::kDeep, Line::kDetail);
   const double r = 0.24 * pen.depth();
-  for (int i = -1; i <= 1; ++i) pen.Oval({0.13 * i * pen.width(), y0 + 1.5 * r}, 0.07 * pen.width(), r, Tone::kFire, Line::kFaint);
+  for (int i = -1; i <= 1; ++i)
+    pen.Oval({0.13 * i * pen.width(), y0 + 1.5 * r}, 0.07 * pen.width(), r, Tone::kFire, Line::kFaint);
   for (double x : {pen.left(), pen.right()}) pen.Segment({0.8 * x, pen.front()}, {x, 0.2 * pen.front()}, Line::kFaint);
 }
 
 void DrawSmallAppliance(SymbolPen& pen) {
   pen.Area(pen.whole(), Tone::kLight, Line::kOutline, 0.15 * pen.smaller());
-  pen.Area({0.7 * pen.left(), 0.6 * pen.back(), 0.25 * pen.right(), 0.6 * pen.front()}, Tone::kGlass, Line::kDetail, 0.02);
+  pen.Area({0.7 * pen.left(), 0.6 * pen.back(), 0.25 * pen.right(), 0.6 * pen.front()}, Tone::kGlass, Line::kDetail,
+           0.02);
   pen.Circle({0.65 * pen.right(), 0}, 0.1 * pen.smaller(), Tone::kDark);
 }
 

@@ -34,10 +34,16 @@ void DrawGrandPiano(SymbolPen& pen) {
   // Keys at the front, the long bass side on the right, the curved rim on the left, as seen by somebody behind it.
   const double y_key = pen.front() - std::min(0.3, 0.2 * pen.depth());
   const double w = pen.width(), d = pen.depth(), tail = pen.right() - 0.42 * w;
-  const Point rim[] = {{pen.right(), y_key}, {pen.right(), pen.back() + 0.05 * d}, {pen.right() - 0.08 * w, pen.back()},
-                       {tail, pen.back() + 0.02 * d}, {tail - 0.12 * w, pen.back() + 0.12 * d},
-                       {tail - 0.17 * w, pen.back() + 0.3 * d}, {tail - 0.28 * w, pen.back() + 0.44 * d},
-                       {pen.left() + 0.08 * w, pen.back() + 0.55 * d}, {pen.left(), pen.back() + 0.68 * d}, {pen.left(), y_key}};
+  const Point rim[] = {{pen.right(), y_key},
+                       {pen.right(), pen.back() + 0.05 * d},
+                       {pen.right() - 0.08 * w, pen.back()},
+                       {tail, pen.back() + 0.02 * d},
+                       {tail - 0.12 * w, pen.back() + 0.12 * d},
+                       {tail - 0.17 * w, pen.back() + 0.3 * d},
+                       {tail - 0.28 * w, pen.back() + 0.44 * d},
+                       {pen.left() + 0.08 * w, pen.back() + 0.55 * d},
+                       {pen.left(), pen.back() + 0.68 * d},
+                       {pen.left(), y_key}};
   pen.Shape(rim, Tone::kBody);
   pen.Area({pen.left(), y_key, pen.right(), pen.front()}, Tone::kDark, Line::kOutline, 0.02);
   DrawKeys(pen, 0.9 * pen.left(), 0.9 * pen.right(), y_key + 0.2 * (pen.front() - y_key), pen.front() - 0.02);
@@ -85,7 +91,8 @@ void DrawMusicStand(SymbolPen& pen) {
     pen.Segment({0, 0}, {foot.x * pen.width(), foot.y * pen.depth()}, Line::kOutline);
   }
   pen.Area({pen.left(), -0.16 * pen.depth(), pen.right(), 0.16 * pen.depth()}, Tone::kPale, Line::kOutline);
-  for (int i = -1; i <= 1; ++i) pen.Segment({0.9 * pen.left(), 0.08 * i * pen.depth()}, {0.9 * pen.right(), 0.08 * i * pen.depth()}, Line::kFaint);
+  for (int i = -1; i <= 1; ++i)
+    pen.Segment({0.9 * pen.left(), 0.08 * i * pen.depth()}, {0.9 * pen.right(), 0.08 * i * pen.depth()}, Line::kFaint);
 }
 
 void DrawSpeaker(SymbolPen& pen) {
@@ -104,8 +111,10 @@ void DrawTreadmill(SymbolPen& pen) {
     const double y = belt.y0 + belt.height() * i / 10;
     pen.Segment({belt.x0, y}, {belt.x1, y}, Line::kFaint);
   }
-  pen.Area({pen.left(), pen.back() + 0.3 * console, pen.right(), pen.back() + console}, Tone::kDark, Line::kDetail, 0.03);
-  pen.Area({0.45 * pen.left(), pen.back() + 0.42 * console, 0.45 * pen.right(), pen.back() + 0.84 * console}, Tone::kGlass, Line::kDetail);
+  pen.Area({pen.left(), pen.back() + 0.3 * console, pen.right(), pen.back() + console}, Tone::kDark, Line::kDetail,
+           0.03);
+  pen.Area({0.45 * pen.left(), pen.back() + 0.42 * console, 0.45 * pen.right(), pen.back() + 0.84 * console},
+           Tone::kGlass, Line::kDetail);
   for (double x : {pen.left() + 0.35 * rail, pen.right() - 0.35 * rail}) {
     pen.Segment({x, pen.back() + console}, {x, pen.back() + 0.5 * pen.depth()}, Line::kOutline);
   }
@@ -147,7 +156,8 @@ void DrawWeights(SymbolPen& pen) {
     const double x = pen.left() + pen.width() * (i + 0.5) / count, half = 0.32 * pen.width() / count;
     pen.Segment({x, 0.6 * pen.back()}, {x, 0.6 * pen.front()}, Line::kOutline);
     for (double side : {-1.0, 1.0}) {
-      pen.Area({x - half, side * 0.36 * pen.depth(), x + half, side * 0.16 * pen.depth()}, Tone::kDeep, Line::kDetail, 0.02);
+      pen.Area({x - half, side * 0.36 * pen.depth(), x + half, side * 0.16 * pen.depth()}, Tone::kDeep, Line::kDetail,
+               0.02);
     }
   }
 }

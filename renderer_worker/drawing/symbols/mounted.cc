@@ -19,7 +19,8 @@ void DrawMirror(SymbolPen& pen) {
   const int strokes = std::clamp(static_cast<int>(pen.width() / 0.12), 2, 12);
   for (int i = 1; i < strokes; ++i) {
     const double x = pen.left() + pen.width() * i / strokes;
-    pen.Segment({x - 0.3 * pen.depth(), pen.back()}, {x + 0.3 * pen.depth(), pen.front()}, Line::kFaint);
+    const double lean = std::min(0.3 * pen.depth(), 0.4 * pen.width() / strokes);
+    pen.Segment({x - lean, pen.back()}, {x + lean, pen.front()}, Line::kFaint);
   }
 }
 

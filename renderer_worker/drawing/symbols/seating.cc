@@ -19,7 +19,8 @@ void DrawSofa(SymbolPen& pen) {
   for (int i = 0; i < cushions; ++i) {
     const double x0 = seat_left + i * pitch, x1 = x0 + pitch;
     pen.Area({x0, pen.back() + rest, x1, pen.front() - 0.015}, Tone::kLight, Line::kDetail, 0.06);
-    pen.Area({x0 + 0.015, pen.back() + 0.45 * rest, x1 - 0.015, pen.back() + rest + 0.08}, Tone::kBody, Line::kDetail, 0.05);
+    pen.Area({x0 + 0.015, pen.back() + 0.45 * rest, x1 - 0.015, pen.back() + rest + 0.08}, Tone::kBody, Line::kDetail,
+             0.05);
   }
   pen.Area({pen.left(), pen.back() + 0.3 * rest, seat_left, pen.front()}, Tone::kBody, Line::kDetail, 0.07);
   pen.Area({seat_right, pen.back() + 0.3 * rest, pen.right(), pen.front()}, Tone::kBody, Line::kDetail, 0.07);
@@ -29,22 +30,27 @@ void DrawArmchair(SymbolPen& pen) {
   const double arm = std::min(0.15, 0.17 * pen.width());
   const double rest = std::min(0.2, 0.24 * pen.depth());
   pen.Area(pen.whole(), Tone::kDark, Line::kOutline, 0.14);
-  pen.Area({pen.left() + arm, pen.back() + rest, pen.right() - arm, pen.front() - 0.015}, Tone::kLight, Line::kDetail, 0.08);
-  pen.Area({pen.left(), pen.back() + 0.5 * rest, pen.left() + arm, pen.front() - 0.02}, Tone::kBody, Line::kDetail, 0.07);
-  pen.Area({pen.right() - arm, pen.back() + 0.5 * rest, pen.right(), pen.front() - 0.02}, Tone::kBody, Line::kDetail, 0.07);
-  pen.Area({pen.left() + 0.7 * arm, pen.back() + 0.3 * rest, pen.right() - 0.7 * arm, pen.back() + 1.25 * rest}, Tone::kBody,
-           Line::kDetail, 0.07);
+  pen.Area({pen.left() + arm, pen.back() + rest, pen.right() - arm, pen.front() - 0.015}, Tone::kLight, Line::kDetail,
+           0.08);
+  pen.Area({pen.left(), pen.back() + 0.5 * rest, pen.left() + arm, pen.front() - 0.02}, Tone::kBody, Line::kDetail,
+           0.07);
+  pen.Area({pen.right() - arm, pen.back() + 0.5 * rest, pen.right(), pen.front() - 0.02}, Tone::kBody, Line::kDetail,
+           0.07);
+  pen.Area({pen.left() + 0.7 * arm, pen.back() + 0.3 * rest, pen.right() - 0.7 * arm, pen.back() + 1.25 * rest},
+           Tone::kBody, Line::kDetail, 0.07);
 }
 
 void DrawChair(SymbolPen& pen) {
   const double rest = std::min(0.08, 0.17 * pen.depth());
   const double taper = 0.06 * pen.width();
-  const Point seat[] = {{pen.left() + taper, pen.back() + 0.4 * rest}, {pen.right() - taper, pen.back() + 0.4 * rest},
-                        {pen.right() - 0.2 * taper, pen.front()},      {pen.left() + 0.2 * taper, pen.front()}};
+  const Point seat[] = {{pen.left() + taper, pen.back() + 0.4 * rest},
+                        {pen.right() - taper, pen.back() + 0.4 * rest},
+                        {pen.right() - 0.2 * taper, pen.front()},
+                        {pen.left() + 0.2 * taper, pen.front()}};
   pen.Shape(seat, Tone::kLight);
   const double inset = 0.1 * pen.smaller();
-  pen.Area({pen.left() + 1.4 * inset, pen.back() + rest + inset, pen.right() - 1.4 * inset, pen.front() - inset}, Tone::kBody,
-           Line::kFaint, 0.05);
+  pen.Area({pen.left() + 1.4 * inset, pen.back() + rest + inset, pen.right() - 1.4 * inset, pen.front() - inset},
+           Tone::kBody, Line::kFaint, 0.05);
   pen.Area({pen.left(), pen.back(), pen.right(), pen.back() + rest}, Tone::kDark, Line::kOutline, 0.5 * rest);
 }
 
@@ -106,9 +112,10 @@ void DrawThrone(SymbolPen& pen) {
   pen.Area({pen.left(), pen.back() + 0.5 * rest, pen.right(), pen.front()}, Tone::kDark, Line::kOutline, 0.03);
   // A back with three points, seen from above as a crown.
   const double y0 = pen.back(), y1 = pen.back() + rest;
-  const Point crown[] = {{pen.left(), y1},          {pen.left(), y0},           {0.6 * pen.left(), y0 + 0.5 * rest},
-                         {0.28 * pen.left(), y0},   {0, y0 + 0.45 * rest},      {0.28 * pen.right(), y0},
-                         {0.6 * pen.right(), y0 + 0.5 * rest}, {pen.right(), y0}, {pen.right(), y1}};
+  const Point crown[] = {
+      {pen.left(), y1},      {pen.left(), y0},         {0.6 * pen.left(), y0 + 0.5 * rest},  {0.28 * pen.left(), y0},
+      {0, y0 + 0.45 * rest}, {0.28 * pen.right(), y0}, {0.6 * pen.right(), y0 + 0.5 * rest}, {pen.right(), y0},
+      {pen.right(), y1}};
   pen.Shape(crown, Tone::kBody);
   pen.Area({pen.left() + arm, y1, pen.right() - arm, pen.front() - 0.02}, Tone::kLight, Line::kDetail, 0.05);
   for (double side : {pen.left() + arm / 2, pen.right() - arm / 2}) {

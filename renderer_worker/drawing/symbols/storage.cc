@@ -14,7 +14,8 @@ void DrawFronts(SymbolPen& pen, double strip, double target_m) {
   pen.Area({pen.left(), pen.front() - strip, pen.right(), pen.front()}, Tone::kDark, Line::kDetail);
   for (int i = 0; i < count; ++i) {
     const double x = pen.left() + pen.width() * (i + 0.5) / count;
-    if (i > 0) pen.Segment({x - pen.width() / (2 * count), pen.front() - strip}, {x - pen.width() / (2 * count), pen.front()});
+    if (i > 0)
+      pen.Segment({x - pen.width() / (2 * count), pen.front() - strip}, {x - pen.width() / (2 * count), pen.front()});
     const double half = std::min(0.05, 0.2 * pen.width() / count);
     pen.Area({x - half, pen.front() - 0.3 * strip, x + half, pen.front()}, Tone::kDeep, Line::kNone);
   }
@@ -105,7 +106,8 @@ void DrawTrunk(SymbolPen& pen) {
     const double x = pen.left() + share * pen.width(), half = std::min(0.025, 0.04 * pen.width());
     pen.Area({x - half, pen.back(), x + half, pen.front()}, Tone::kDark, Line::kDetail);
   }
-  pen.Segment({pen.left(), pen.back() + 0.12 * pen.depth()}, {pen.right(), pen.back() + 0.12 * pen.depth()}, Line::kFaint);
+  pen.Segment({pen.left(), pen.back() + 0.12 * pen.depth()}, {pen.right(), pen.back() + 0.12 * pen.depth()},
+              Line::kFaint);
   const double lock = std::min(0.05, 0.1 * pen.width());
   pen.Area({-lock / 2, pen.front() - lock, lock / 2, pen.front()}, Tone::kDeep, Line::kNone);
 }

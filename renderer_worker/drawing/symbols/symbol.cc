@@ -93,14 +93,4 @@ void SymbolPen::FrontMark() {
   Shape(wedge, Tone::kDeep, Line::kNone);
 }
 
-void SymbolPen::ClipTo(Box box, double radius_m) {
-  canvas_.Rectangle(Ordered(box), radius_m);
-  canvas_.Clip();
-}
-
-void SymbolPen::ClipToOval() {
-  canvas_.Ellipse({0, 0}, width_m_ / 2, depth_m_ / 2);
-  canvas_.Clip();
-}
-
 }  // namespace flair::renderer

@@ -52,10 +52,6 @@ class SymbolPen {
   void Curve(Point from, Point control_1, Point control_2, Point to, Line line = Line::kDetail);
   // A small solid wedge on the front edge, pointing out: for pieces whose front cannot be told otherwise.
   void FrontMark();
-  // Keeps what follows inside the path of a box or oval.
-  void ClipTo(Box box, double radius_m = 0);
-  void ClipToOval();
-  void Unclip() { canvas_.Unclip(); }
 
  private:
   void Paint(Tone tone, Line line);

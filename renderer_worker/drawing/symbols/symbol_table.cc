@@ -11,8 +11,8 @@ namespace {
 
 using enum Outline;
 
-constexpr double kSeat = 0.40;   // seats slide under table tops
-constexpr double kTop = 0.74;    // table tops
+constexpr double kSeat = 0.40;  // seats slide under table tops
+constexpr double kTop = 0.74;   // table tops
 
 // Sorted by category; a test holds this and that every word in symbol_words.inc leads here.
 constexpr Symbol kSymbols[] = {
@@ -109,8 +109,9 @@ constexpr Symbol kSymbols[] = {
 std::span<const Symbol> Symbols() { return kSymbols; }
 
 const Symbol* FindSymbol(std::string_view category) {
-  const Symbol* at = std::lower_bound(std::begin(kSymbols), std::end(kSymbols), category,
-                                      [](const Symbol& symbol, std::string_view name) { return symbol.category < name; });
+  const Symbol* at =
+      std::lower_bound(std::begin(kSymbols), std::end(kSymbols), category,
+                       [](const Symbol& symbol, std::string_view name) { return symbol.category < name; });
   return at != std::end(kSymbols) && at->category == category ? at : nullptr;
 }
 

@@ -31,7 +31,9 @@ std::string_view Lookup(std::string_view words) {
 
 // "shelves" stays (it is in the list), "boxes" becomes "box", "candles" "candle"; "glass" stays.
 std::string Singular(const std::string& word) {
-  const auto ends = [&word](std::string_view suffix) { return word.size() > suffix.size() + 1 && word.ends_with(suffix); };
+  const auto ends = [&word](std::string_view suffix) {
+    return word.size() > suffix.size() + 1 && word.ends_with(suffix);
+  };
   if (ends("ches") || ends("shes") || ends("xes") || ends("sses")) return word.substr(0, word.size() - 2);
   if (ends("s") && !ends("ss") && !ends("us")) return word.substr(0, word.size() - 1);
   return word;
@@ -75,7 +77,8 @@ std::string_view CategoryFromWords(std::string_view text) {
   // "stack of books with a lamp": what comes before the first small word names the thing, unless it says nothing.
   for (size_t i = 1; i < words.size(); ++i) {
     const std::string& word = words[i];
-    if (word == "chest" || (word == "of" && words[i - 1] == "chest") || (word == "of" && words[i - 1] == "suit")) continue;
+    if (word == "chest" || (word == "of" && words[i - 1] == "chest") || (word == "of" && words[i - 1] == "suit"))
+      continue;
     if (word != "of" && word != "with" && word != "for" && word != "on" && word != "in" && word != "and") continue;
     const std::string_view head = CategoryOfWords(std::span(words).first(i));
     if (!head.empty()) return head;
@@ -90,7 +93,8 @@ const Symbol* SymbolFor(const v1::Object& object) {
   if (symbol == nullptr) symbol = FindSymbol(CategoryFromWords(object.category()));
   if (symbol == nullptr) symbol = FindSymbol(CategoryFromWords(object.id()));
   // What hangs from the ceiling is seen from below its outline; what lies on the floor to be walked over is a rug.
-  if (object.kind() == v1::OBJECT_KIND_CEILING && (symbol == nullptr || symbol == FindSymbol("lamp"))) return FindSymbol("pendant");
+  if (object.kind() == v1::OBJECT_KIND_CEILING && (symbol == nullptr || symbol == FindSymbol("lamp")))
+    return FindSymbol("pendant");
   if (object.kind() == v1::OBJECT_KIND_WALL && symbol == FindSymbol("lamp")) return FindSymbol("wall_lamp");
   if (object.walk_over() && symbol == nullptr) return FindSymbol("rug");
   if (symbol == nullptr) return box;

@@ -53,8 +53,10 @@ void DrawMat(SymbolPen& pen) {
   const int stripes = std::clamp(static_cast<int>(std::max(pen.width(), pen.depth()) / 0.16), 3, 16);
   for (int i = 1; i < stripes; ++i) {
     const double share = static_cast<double>(i) / stripes - 0.5;
-    along ? pen.Segment({share * pen.width(), 0.38 * pen.back()}, {share * pen.width(), 0.38 * pen.front()}, Line::kFaint)
-          : pen.Segment({0.38 * pen.left(), share * pen.depth()}, {0.38 * pen.right(), share * pen.depth()}, Line::kFaint);
+    along
+        ? pen.Segment({share * pen.width(), 0.38 * pen.back()}, {share * pen.width(), 0.38 * pen.front()}, Line::kFaint)
+        : pen.Segment({0.38 * pen.left(), share * pen.depth()}, {0.38 * pen.right(), share * pen.depth()},
+                      Line::kFaint);
   }
 }
 

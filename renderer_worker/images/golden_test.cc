@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of the sample layouts against stored ones, and what a written file says of itself.
+// Our own headers first: OpenImageIO redefines byte-swapping names that protobuf's headers use.
+#include "renderer_worker/drawing/testdata/read_layout.h"
+#include "renderer_worker/images/image_writer.h"
+// clang-format off
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imageio.h>
+// clang-format on
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+namespace flair::renderer {
+namespace {
+
+// As OpenImageIO's own test suite: few pixels may differ visibly, hardly any strongly, none beyond all measure.
+constexpr int kFailLevel = 24;         // of 255, per channel
+constexpr double kFailShare = 0.005;   // of the pixels
+constexpr double kHardShare = 0.0005;  // of the pixels, beyond 3 * kFailLevel
+constexpr int kSizePx = 800;
+
+std::string GoldenPath(const std::string& name) {
+  return std::string(FLAIR_SOURCE_DIR) + "/renderer_worker/drawing/testdata/" + name + ".png";
+}
+
+absl::StatusOr<std::string> Picture(const std::string& name, DrawnPlan& plan) {
+  v1::RenderOptions options;
+  options.set_size_px(kSizePx);
+  absl::StatusOr<DrawnPlan> drawn = DrawPlan(ReadSample(name), options);
+  if (!drawn.ok()) return drawn.status();
+  plan = *std::move(drawn);
+  return MakeImageWriter()->WritePng(plan.pixels,
+                                     {{"Title", plan.title}, {"flair:scale", "1:" + std::to_string(plan.scale)}});
+}
+
+class Golden : public testing::TestWithParam<std::string> {};
+
+TEST_P(Golden, LooksAsStored) {
+  DrawnPlan plan;
+  const absl::StatusOr<std::string> png = Picture(GetParam(), plan);
+  ASSERT_TRUE(png.ok()) << png.status();
+  if (std::getenv("FLAIR_UPDATE_GOLDENS") != nullptr) std::ofstream(GoldenPath(GetParam()), std::ios::binary) << *png;
+  OIIO::ImageBuf golden(GoldenPath(GetParam()));
+  ASSERT_TRUE(golden.read(0, 0, true, OIIO::TypeDesc::UINT8)) << golden.geterror();
+  ASSERT_EQ(golden.spec().width, plan.pixels.width_px);
+  ASSERT_EQ(golden.spec().height, plan.pixels.height_px);
+  std::vector<uint8_t> stored(plan.pixels.rgb.size());
+  ASSERT_TRUE(golden.get_pixels(golden.roi(), OIIO::TypeDesc::UINT8, stored.data()));
+  int failed = 0, hard = 0;
+  for (size_t i = 0; i < stored.size(); i += 3) {
+    int worst = 0;
+    for (size_t c = 0; c < 3; ++c) worst = std::max(worst, std::abs(stored[i + c] - plan.pixels.rgb[i + c]));
+    failed += worst > kFailLevel;
+    hard += worst > 3 * kFailLevel;
+  }
+  const double pixels = static_cast<double>(stored.size()) / 3;
+  EXPECT_LE(failed / pixels, kFailShare);
+  EXPECT_LE(hard / pixels, kHardShare);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Golden, testing::ValuesIn(SampleLayouts()),
+                         [](const auto& info) { return info.param; });
+
+TEST(ImageWriter, WritesTheSameBytesTwiceAndSaysWhatItIs) {
+  DrawnPlan plan;
+  const absl::StatusOr<std::string> first = Picture("vampire_bedroom", plan), second = Picture("vampire_bedroom", plan);
+  ASSERT_TRUE(first.ok()) << first.status();
+  ASSERT_TRUE(second.ok());
+  EXPECT_EQ(*first, *second);
+  OIIO::Filesystem::IOMemReader memory(const_cast<char*>(first->data()), first->size());
+  const auto input = OIIO::ImageInput::open("plan.png", nullptr, &memory);
+  ASSERT_NE(input, nullptr) << OIIO::geterror();
+  EXPECT_EQ(input->spec().get_string_attribute("DocumentName"),  // its name for PNG's Title
+            "A bedroom for a vampire.");
+  EXPECT_EQ(input->spec().get_string_attribute("flair:scale"), "1:25");
+  std::vector<uint8_t> read(plan.pixels.rgb.size());
+  ASSERT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, read.data()));
+  EXPECT_EQ(read, plan.pixels.rgb);
+}
+
+}  // namespace
+}  // namespace flair::renderer
