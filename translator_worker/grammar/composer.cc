@@ -139,11 +139,8 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
       break;
     case RefKind::kGroup:
       objects = Group(reference.name, movers);
-      // "the seating" is the main piece of the zone when it has some.
-      if (reference.name == "seating" && !reference.each) {
-        if (!movers.empty()) KeepZone(objects, movers.front());
-        KeepMain(objects);
-      }
+      // "the seating" is that of the zone when it has some.
+      if (reference.name == "seating" && !reference.each && !movers.empty()) KeepZone(objects, movers.front());
       break;
     case RefKind::kZone: {
       const int main = names_.MainObject(reference.name);
@@ -245,13 +242,6 @@ void Composer::KeepZone(std::vector<int>& objects, const Placed& mover) const {
     if (object(index).zone_id() == object(mover.object).zone_id()) same.push_back(index);
   }
   if (!same.empty()) objects = same;
-}
-
-void Composer::KeepMain(std::vector<int>& objects) const {
-  if (objects.empty()) return;
-  const auto primary = std::find_if(objects.begin(), objects.end(),
-                                    [&](int index) { return object(index).role() == v1::OBJECT_ROLE_PRIMARY; });
-  objects = {primary == objects.end() ? objects.front() : *primary};
 }
 
 void Composer::SetPair(std::vector<Placed> movers, std::vector<Placed> targets) {

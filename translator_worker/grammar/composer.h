@@ -85,8 +85,6 @@ class Composer {
   std::vector<Placed> Resolve(const Reference& reference, const std::vector<Placed>& movers, bool target);
   std::vector<int> Choose(const Reference& reference, const std::vector<Placed>& movers);
   void KeepZone(std::vector<int>& objects, const Placed& mover) const;
-  // Leaves the first primary, else the first.
-  void KeepMain(std::vector<int>& objects) const;
   // "The TV screen" of a TV stand is the stand where floor objects are spoken of.
   Placed PieceFor(const Placed& placed) const;
   std::vector<int> Group(const std::string& name, const std::vector<Placed>& movers) const;

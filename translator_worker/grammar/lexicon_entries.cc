@@ -14,7 +14,7 @@ relation aligned: aligned with | align with | aligns with | in line with | lined
 relation near: near | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
   | proximity to | in the vicinity of | within [easy|arm 's|arms|comfortable|convenient|close] reach of | not far from | not too far from
   | easily accessible from | conveniently accessible from | in reach of | [within] [a] comfortable sitting distance (from|of)
-  | within [a] (comfortable|short|reasonable|walking|easy) distance (of|from) | within easy reach | within arm 's reach
+  | within [a] (comfortable|short|reasonable|walking|easy) distance (of|from) | within [easy|arm 's|close] reach from | within easy reach | within arm 's reach
   | convenient to | closer to | as close as possible to | grouped with | paired with | grouped near | at arm 's length from
 relation nearby: have nearby access to
 relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | adjacent | alongside of | side by side with

@@ -30,7 +30,7 @@ void Contact(const Placed& mover, const Target& target, Composer& composer) {
     std::string other_side = OneSide(composer, other);
     if (lateral) other_side = SidesOf(composer, other).front();
     std::string side = OneSide(composer, mover);
-    if (mover.side == "side") side = SidesOf(composer, mover).front();
+    if (mover.side == "side") side = lateral ? OppositeSide(other_side) : SidesOf(composer, mover).front();
     if (lateral && side.empty()) side = OppositeSide(other_side);
     composer.EmitFirst({Call("next_to")
                             .Text("object", composer.id(mover))

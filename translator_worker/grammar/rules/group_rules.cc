@@ -63,6 +63,15 @@ void Row(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+void NearEachOther(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> movers = composer.Movers(match.a);
+  if (movers.size() < 2) movers = composer.subjects();
+  if (movers.size() < 2) composer.Refuse("unknown_sentence", "nothing says what is near what; name two objects");
+  for (size_t i = 1; i < movers.size(); ++i) {
+    composer.EmitFirst({Call("near").Text("object", composer.id(movers[i])).Text("target", composer.id(movers[0]))});
+  }
+}
+
 }  // namespace
 
 std::vector<Rule> GroupRules() {
@@ -75,7 +84,8 @@ std::vector<Rule> GroupRules() {
       {"A? centered between B", Between},
       {"A? side_by_side", Row},
       {"A? side_by_side ,? side_by_side", Row},
-      {"A? next_to/near both_ways", Row},
+      {"A? next_to both_ways", Row},
+      {"A? near both_ways", NearEachOther},
       {"A? next_to both_ways ,? side_by_side", Row},
   };
 }
