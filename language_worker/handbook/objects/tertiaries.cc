@@ -6,6 +6,9 @@
 namespace flair::language {
 namespace {
 
+// Share of a top that things on it may cover.
+constexpr double kMostCovered = 0.6;
+
 bool IsRoomWord(const std::string& word) {
   return word == "wall" || word == "ceiling" || word == "floor" || word == "window";
 }
@@ -29,7 +32,11 @@ class Sharer {
     std::vector<HostedPiece> pieces;
     for (int i = 0; i < count; ++i) {
       const v1::Object* host = hosts.empty() ? nullptr : hosts[static_cast<std::size_t>(i) % hosts.size()];
-      if (furniture.kind() == hb::FURNITURE_KIND_SURFACE && !TakePlace(*host)) continue;
+      if (furniture.kind() == hb::FURNITURE_KIND_SURFACE && !TakePlace(*host, furniture)) continue;
+      if (host != nullptr && HangsAbove(item) && !TakeWall(*host, furniture)) {
+        if (!item.requested && !MayHangAnywhere(item)) continue;
+        host = nullptr;
+      }
       pieces.push_back({&item, host});
     }
     return pieces;
@@ -56,10 +63,37 @@ class Sharer {
     return !hosts.empty();
   }
 
-  bool TakePlace(const v1::Object& host) {
+  // A top takes as many pieces as its class says, as long as a good part of it stays free.
+  bool TakePlace(const v1::Object& host, const hb::Furniture& piece) {
     const hb::Furniture* furniture = handbook_.FindFurniture(host.name());
     const int places = furniture == nullptr ? 1 : std::max(1, furniture->top_places());
-    return taken_[host.id()]++ < places;
+    const double area_m2 = piece.width_m().typical() * piece.depth_m().typical();
+    const double covered_m2 = covered_m2_[host.id()] + area_m2;
+    const bool first = taken_[host.id()] == 0;
+    if (taken_[host.id()] >= places || (!first && covered_m2 > kMostCovered * host.width_m() * host.depth_m()))
+      return false;
+    ++taken_[host.id()];
+    covered_m2_[host.id()] = covered_m2;
+    return true;
+  }
+
+  static bool HangsAbove(const ProgramItem& item) {
+    if (item.furniture->kind() != hb::FURNITURE_KIND_WALL) return false;
+    return item.entry == nullptr || item.entry->sentence().empty() ||
+           item.entry->sentence().find("above") != std::string::npos;
+  }
+
+  bool MayHangAnywhere(const ProgramItem& item) const {
+    const std::vector<std::string> classes = HostClasses(item, program_);
+    return std::find(classes.begin(), classes.end(), "wall") != classes.end();
+  }
+
+  // The wall above a piece takes one thing, and more only when they fit side by side.
+  bool TakeWall(const v1::Object& host, const hb::Furniture& piece) {
+    double& hung_m = hung_m_[host.id()];
+    if (hung_m > 0 && hung_m + piece.width_m().typical() > host.width_m()) return false;
+    hung_m += piece.width_m().typical();
+    return true;
   }
 
   const RoomProgram& program_;
@@ -67,6 +101,8 @@ class Sharer {
   const Handbook& handbook_;
   int windows_ = 0;
   std::map<std::string, int> taken_;
+  std::map<std::string, double> covered_m2_;
+  std::map<std::string, double> hung_m_;
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ class ConstraintLister {
   v1::ConstraintList List() {
     std::set<std::string> done;
     for (const v1::Object& object : objects_.objects()) {
-      if (done.insert(object.name()).second) WriteGroup(object.name(), writer_.groups().at(object.name()));
+      if (done.insert(object.name()).second) WriteParts(object.name(), writer_.groups().at(object.name()));
     }
     // Ids follow the translation passes: the room first, then pairs, then tertiaries.
     std::stable_sort(sentences_.begin(), sentences_.end(),
@@ -69,6 +69,16 @@ class ConstraintLister {
 
  private:
   using Relations = std::vector<const hb::Relation*>;
+
+  // Objects of one name that are attached in the same way: with a host or without, in the middle of its top or at its
+  // edge.
+  void WriteParts(const std::string& name, const Group& group) {
+    std::map<std::pair<bool, bool>, Group> parts;
+    for (const v1::Object* object : group) {
+      parts[{object->host_id().empty(), !IsFirstOnHost(*object)}].push_back(object);
+    }
+    for (const auto& [attachment, part] : parts) WriteGroup(name, part);
+  }
 
   // Sentences of the room's kind, its themes and needs; then of the class; then the general rules: what is said about a
   // topic at one level is not said again at a later one.
@@ -94,6 +104,7 @@ class ConstraintLister {
 
   // The first thing on a top takes its middle.
   bool IsFirstOnHost(const v1::Object& object) const {
+    if (object.kind() != v1::OBJECT_KIND_SURFACE) return false;
     for (const v1::Object& other : objects_.objects()) {
       if (other.kind() == v1::OBJECT_KIND_SURFACE && other.host_id() == object.host_id())
         return other.id() == object.id();
@@ -126,10 +137,13 @@ class ConstraintLister {
 
   void WriteLevel(const Relations& relations, const Group& group, std::set<std::string>& topics) {
     const std::set<std::string> said_before = topics;
+    const bool tertiary = group.front()->role() == v1::OBJECT_ROLE_TERTIARY;
     std::map<std::string, std::vector<std::vector<v1::Sentence>>> choices;
     std::vector<std::string> choice_order;
     for (const hb::Relation* relation : relations) {
       if (!relation->topic().empty() && said_before.count(relation->topic()) > 0) continue;
+      // [Paper] One constraint per tertiary object: the first that can be written says where it goes.
+      if (tertiary && !topics.empty()) return;
       std::vector<v1::Sentence> written = writer_.Write(*relation, group);
       if (written.empty()) continue;
       topics.insert(relation->topic());

@@ -85,6 +85,17 @@ bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object&
     }
     return !targets.empty();
   }
+  if (object.role() == v1::OBJECT_ROLE_TERTIARY) {
+    // What hangs or stands somewhere is paired with its own host; a wall piece without one belongs to no other object.
+    if (object.host_id().empty() && object.kind() == v1::OBJECT_KIND_WALL && needs_target) return false;
+    for (const v1::Object& host : objects_.objects()) {
+      if (host.id() != object.host_id()) continue;
+      const std::vector<std::string> names = WithSubstitutes(relation.targets(), program_);
+      if (std::find(names.begin(), names.end(), host.name()) == names.end()) continue;
+      targets = {&host};
+      return true;
+    }
+  }
   for (const std::string& name : WithSubstitutes(relation.targets(), program_)) {
     const auto group = groups_.find(name);
     if (group == groups_.end()) continue;
