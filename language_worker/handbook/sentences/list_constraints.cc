@@ -143,7 +143,7 @@ class ConstraintLister {
     for (const hb::Relation* relation : relations) {
       if (!relation->topic().empty() && said_before.count(relation->topic()) > 0) continue;
       // [Paper] One constraint per tertiary object: the first that can be written says where it goes.
-      if (tertiary && !topics.empty()) return;
+      if (tertiary && !topics.empty() && choices.count(relation->choice()) == 0) continue;
       std::vector<v1::Sentence> written = writer_.Write(*relation, group);
       if (written.empty()) continue;
       topics.insert(relation->topic());
