@@ -20,6 +20,7 @@ bool OfSort(const Mention& mention, const std::string& sort) {
   if (sort == "side") return !mention.references.front().side.empty();
   if (sort == "pronoun") return kind == RefKind::kPronoun;
   if (sort == "vague") return kind == RefKind::kVague;
+  if (sort == "list") return mention.references.size() > 1 && kind == RefKind::kObjects;
   if (sort == "group") return kind == RefKind::kGroup;
   if (sort == "thing" && kind == RefKind::kZone) return false;
   return kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kGroup || kind == RefKind::kZone ||

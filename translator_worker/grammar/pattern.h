@@ -22,7 +22,9 @@ struct Match {
 
 // The form of a fact, such as "A? not? near B ,? D?". Elements, separated by spaces:
 //   A B C     a noun phrase, bound; A is what the fact moves, B and C what it is related to
-//   A.wall    only one that refers to that: object (also zones and absent things), wall, feature, ceiling, room, zone
+//   A.wall    only one that refers to that: object (also zones and absent things), thing (no zones),
+//             wall, feature, ceiling, room, floor, zone, group, vague, pronoun; side: with a side named; list: several
+//             objects
 //   D         a length, bound
 //   ,         a comma, "and", "with"
 //   word      that lemma of the lexicon; word/word is either

@@ -159,6 +159,7 @@ std::vector<Rule> AccessRules() {
       {"A.vague accessible", Unreachable},
       {"accessible_from A.vague", Unreachable},
       {"A swing_open", SpaceAt, "named"},
+      {"A.object? space D? for/to swing_open ,? C.feature?", SpaceAt, "named"},
       {"space for? A swing_open", SpaceAt, "named"},
       {"A.object accessible ,? not block", Accessible},
   };

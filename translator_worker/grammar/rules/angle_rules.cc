@@ -92,7 +92,7 @@ void InFrontOf(const Match& match, std::string_view, Composer& composer) {
     for (const Placed& other : target.objects) {
       const bool own = movers.empty() || (movers.size() == 1 && movers.front().object == other.object);
       const bool at_least = match.distance != nullptr && !match.distance->max_m;
-      if (match.a == nullptr && (own || at_least)) {
+      if ((own && match.distance != nullptr) || (match.a == nullptr && (own || at_least))) {
         Call call = Call("accessible").Text("object", composer.id(other)).Texts("sides", {"front"});
         if (match.distance != nullptr) call.Number("min_clearance_m", match.distance->Nominal());
         composer.EmitFirst({std::move(call)});

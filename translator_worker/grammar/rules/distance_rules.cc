@@ -36,10 +36,17 @@ void AwayFromOne(const Placed& mover, const Target& target, const Distance* dist
   if (!target.objects.empty()) composer.SetPair({mover}, target.objects);
 }
 
-void AwayFrom(const Match& match, std::string_view, Composer& composer) {
+void AwayFrom(const Match& match, std::string_view tag, Composer& composer) {
+  // "Not within 0.5 m of" is at least so far away.
+  Distance turned;
+  const Distance* distance = match.distance;
+  if (!tag.empty() && distance != nullptr && distance->max_m) {
+    turned.min_m = distance->max_m;
+    distance = &turned;
+  }
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers, false)) {
-    for (const Placed& mover : movers) AwayFromOne(mover, target, match.distance, composer);
+    for (const Placed& mover : movers) AwayFromOne(mover, target, distance, composer);
   }
 }
 
@@ -148,7 +155,12 @@ void BareDistance(const Match& match, std::string_view, Composer& composer) {
 
 std::vector<Rule> DistanceRules() {
   return {
-      {"A? not? space? D? space? away_from B", AwayFrom},
+      {"A? space? D? space? away_from B", AwayFrom},
+      {"A? not space? D? space? away_from B", AwayFrom, "not"},
+      {"A? not D of/near B", AwayFrom, "not"},
+      {"A? not? D space? to B.object", AwayFrom, "to"},
+      {"A.list D space?", ApartFromEachOther},
+      {"A.list space ,? D?", ApartFromEachOther},
       {"A? space? away_from B ,? D", AwayFrom},
       {"A? space? away_from B next_to D", AwayFrom},
       {"A? D space? of B", AwayFrom},

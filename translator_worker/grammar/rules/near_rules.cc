@@ -77,13 +77,16 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   const std::vector<Placed> targets =
       composer.TargetObjects(*match.b, match.a == nullptr ? std::vector<Placed>{} : movers);
+  // "The chairs have 0.6 m behind them".
+  const bool own = match.a != nullptr && match.distance != nullptr && !movers.empty() && !targets.empty() &&
+                   movers.front().object == targets.front().object;
   // "At least 0.6 m behind each chair": free space, when nobody else is spoken of.
-  if (match.a == nullptr && match.distance != nullptr && !match.distance->max_m) {
+  if (own || (match.a == nullptr && match.distance != nullptr && !match.distance->max_m)) {
     for (const Placed& other : targets) {
       composer.EmitFirst({Call("accessible")
                               .Text("object", composer.id(other))
                               .Texts("sides", {tag == "side" ? "left" : std::string(tag)})
-                              .Number("min_clearance_m", *match.distance->min_m)});
+                              .Number("min_clearance_m", match.distance->Nominal())});
     }
     return;
   }
