@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/brief_facts.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/loading/load_handbook.h"
+
+namespace flair::language {
+namespace {
+
+const Handbook& Data() {
+  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
+  return **handbook;
+}
+
+BriefFacts Read(const std::string& text) {
+  v1::Brief brief;
+  brief.set_text(text);
+  return *ReadBrief(brief, Data());
+}
+
+int WishCount(const BriefFacts& facts, const std::string& name) {
+  for (const Wish& wish : facts.wishes) {
+    if (wish.furniture->name() == name) return wish.count;
+  }
+  return 0;
+}
+
+struct RoomCase {
+  const char* name;
+  const char* text;
+  const char* archetype;
+};
+class RoomKind : public testing::TestWithParam<RoomCase> {};
+TEST_P(RoomKind, IsFoundInTheBrief) { EXPECT_EQ(Read(GetParam().text).archetype->name(), GetParam().archetype); }
+INSTANTIATE_TEST_SUITE_P(Briefs, RoomKind,
+                         testing::Values(RoomCase{"plain", "A bedroom that is 4m x 5m.", "bedroom"},
+                                         RoomCase{"slash", "A living/dining room that is 6m x 3m.",
+                                                  "living dining room"},
+                                         RoomCase{"inside_furniture", "A bedroom with an office chair", "bedroom"},
+                                         RoomCase{"synonym", "An office for a bestselling writer", "home office"}),
+                         [](const auto& info) { return info.param.name; });
+
+struct WishCase {
+  const char* name;
+  const char* text;
+  const char* furniture;
+  int count;
+};
+class Wishes : public testing::TestWithParam<WishCase> {};
+TEST_P(Wishes, AreCounted) { EXPECT_EQ(WishCount(Read(GetParam().text), GetParam().furniture), GetParam().count); }
+INSTANTIATE_TEST_SUITE_P(Briefs, Wishes,
+                         testing::Values(WishCase{"word", "a living room with two armchairs", "armchair", 2},
+                                         WishCase{"adjectives", "a living room with three deep leather armchairs",
+                                                  "armchair", 3},
+                                         WishCase{"pair", "a living room with a pair of armchairs", "armchair", 2},
+                                         WishCase{"digits", "a bedroom with 2 nightstands", "nightstand", 2},
+                                         WishCase{"refused", "a bedroom without a desk", "desk", 0}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(ReadBrief, CountsPeople) {
+  EXPECT_EQ(Read("A dining room for eight people").people, 8);
+  EXPECT_EQ(Read("A meeting room for 6").people, 6);
+  EXPECT_FALSE(Read("A bedroom for a vampire").people.has_value());
+}
+
+TEST(ReadBrief, AKingBedMakesNoKing) {
+  EXPECT_TRUE(Read("a bedroom with a king bed").themes.empty());
+  EXPECT_FALSE(Read("a bedroom for a king").themes.empty());
+}
+
+TEST(ReadBrief, AColourBeforeAPieceBelongsToThePiece) {
+  const BriefFacts piece = Read("A bedroom with a green armchair");
+  EXPECT_TRUE(piece.colours.empty());
+  ASSERT_EQ(piece.object_colours.size(), 1u);
+  EXPECT_EQ(piece.object_colours[0].first->name(), "armchair");
+  EXPECT_EQ(Read("A small green boho dining room.").colours.size(), 1u);
+}
+
+TEST(ReadBrief, TheSquareOfSquareMetresIsNoShape) {
+  EXPECT_FALSE(Read("A bedroom of 20 square metres").size.side_ratio.has_value());
+  EXPECT_TRUE(Read("A square bedroom").size.side_ratio.has_value());
+}
+
+}  // namespace
+}  // namespace flair::language

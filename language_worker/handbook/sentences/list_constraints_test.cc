@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/sentences/list_constraints.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/objects/list_objects.h"
+#include "language_worker/handbook/rooms/describe_room.h"
+
+namespace flair::language {
+namespace {
+
+const Handbook& Data() {
+  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
+  return **handbook;
+}
+
+struct Design {
+  v1::ObjectList objects;
+  v1::ConstraintList constraints;
+};
+
+Design Ask(const std::string& text, std::int64_t seed) {
+  v1::Brief brief;
+  brief.set_text(text);
+  brief.set_seed(seed);
+  const v1::Room room = *DescribeRoom(brief, Data());
+  const v1::ZonePlan zones = *PlanZones(brief, room, Data());
+  Design design;
+  design.objects = *ListObjects(brief, room, zones, Data());
+  design.constraints = *ListConstraints(brief, room, zones, design.objects, Data());
+  return design;
+}
+
+// Over every kind of room and a few seeds.
+template <typename Check>
+void ForEachDesign(Check check) {
+  for (const hb::Archetype& archetype : Data().contents().archetypes()) {
+    for (std::int64_t seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(archetype.name() + " seed " + std::to_string(seed));
+      check(Ask("A " + archetype.name(), seed));
+    }
+  }
+}
+
+TEST(ListConstraints, EveryTertiaryIsPlacedByExactlyOneSentence) {
+  ForEachDesign([](const Design& design) {
+    std::map<std::string, int> sentences;
+    for (const v1::Sentence& sentence : design.constraints.sentences()) {
+      if (sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY) ++sentences[sentence.subject_ids(0)];
+    }
+    for (const v1::Object& object : design.objects.objects()) {
+      if (object.role() == v1::OBJECT_ROLE_TERTIARY) EXPECT_EQ(sentences[object.id()], 1) << object.id();
+    }
+  });
+}
+
+TEST(ListConstraints, EveryFloorObjectIsTheSubjectOfASentence) {
+  ForEachDesign([](const Design& design) {
+    std::map<std::string, int> sentences;
+    for (const v1::Sentence& sentence : design.constraints.sentences()) {
+      for (const std::string& id : sentence.subject_ids()) ++sentences[id];
+    }
+    for (const v1::Object& object : design.objects.objects()) EXPECT_GT(sentences[object.id()], 0) << object.id();
+  });
+}
+
+TEST(ListConstraints, TheThingsOnATopHaveTheirOwnSpots) {
+  ForEachDesign([](const Design& design) {
+    std::map<std::string, std::string> on_host;  // spot of a host -> who stands there
+    std::map<std::string, std::string> host_of;
+    for (const v1::Object& object : design.objects.objects()) {
+      if (object.kind() == v1::OBJECT_KIND_SURFACE) host_of[object.id()] = object.host_id();
+    }
+    for (const v1::Sentence& sentence : design.constraints.sentences()) {
+      const auto host = host_of.find(sentence.subject_ids(0));
+      if (host == host_of.end()) continue;
+      const std::size_t corner = sentence.text().find(" corner of ");
+      const std::string spot = corner == std::string::npos ? "centre" : sentence.text().substr(corner - 10, 10);
+      const auto [there, free] = on_host.emplace(host->second + ":" + spot, host->first);
+      EXPECT_TRUE(free) << there->second << " and " << host->first << " both: " << sentence.text();
+    }
+  });
+}
+
+TEST(ListConstraints, VerbsFollowPluralNames) {
+  const Design design = Ask("A dining room", 1);
+  for (const v1::Sentence& sentence : design.constraints.sentences()) {
+    EXPECT_EQ(sentence.text().find("flowers is"), std::string::npos) << sentence.text();
+    EXPECT_EQ(sentence.text().find("candles is"), std::string::npos) << sentence.text();
+  }
+}
+
+}  // namespace
+}  // namespace flair::language
