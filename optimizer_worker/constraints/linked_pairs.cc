@@ -1,34 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/constraints/linked_pairs.h"
 
-#include <array>
-#include <string_view>
+#include <string>
 
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/registry.h"
 
 namespace flair::optimizer {
 namespace {
 
-// Types that put two objects together. Facing alone does too: a chair that faces a desk is meant to be used there.
-constexpr std::array<std::string_view, 8> kLinking = {"next_to", "facing", "in_front_of",   "surround",
-                                                      "between", "row",    "perpendicular", "on"};
+constexpr unsigned Bit(Side side) { return 1u << static_cast<unsigned>(side); }
+constexpr unsigned kAll = 0xF;
+constexpr unsigned kFront = Bit(Side::kFront);
+constexpr unsigned kBeside = Bit(Side::kLeft) | Bit(Side::kRight);
+
+unsigned SetOf(const std::optional<Side>& side) { return side.has_value() ? Bit(*side) : kAll; }
 
 }  // namespace
+
+void LinkedPairs::Link(int a, int b) {
+  Place(a, b, kAll);
+  Place(b, a, kAll);
+}
+
+bool LinkedPairs::BelongsAt(int object, int other, Side side) const {
+  const auto found = sides_.find({object, other});
+  return found != sides_.end() && (found->second & Bit(side)) != 0;
+}
+
+int LinkedPairs::CountAbove(int target) const {
+  const auto found = above_.find(target);
+  return found == above_.end() ? 0 : found->second;
+}
 
 void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
   const ConstraintFacts* facts = FindConstraint(edge.type());
   if (facts == nullptr) return;
-  if (facts->name == "on_wall_above") {
-    const absl::StatusOr<Arguments> arguments = Arguments::Resolve(*facts, edge, scene);
-    if (arguments.ok()) ++above_[arguments->Object("target")];
+  const absl::StatusOr<Arguments> resolved = Arguments::Resolve(*facts, edge, scene);
+  if (!resolved.ok()) return;
+  const Arguments& a = *resolved;
+  const std::string& type = facts->name;
+  if (type == "on_wall_above") ++above_[a.Object("target")];
+  if (type == "next_to") {
+    Place(a.Object("object"), a.Object("target"), SetOf(a.MaybeSide("object_side")));
+    Place(a.Object("target"), a.Object("object"), SetOf(a.MaybeSide("target_side")));
+  } else if (type == "in_front_of") {
+    Place(a.Object("object"), a.Object("target"), kAll);
+    Place(a.Object("target"), a.Object("object"), kFront);
+  } else if (type == "facing") {
+    // A chair that faces a desk is meant to be used there, whichever side it comes from.
+    Place(a.Object("object"), a.Object("target"), kFront);
+    Place(a.Object("target"), a.Object("object"), kAll);
+  } else if (type == "on") {
+    Link(a.Object("object"), a.Object("target"));
+  } else if (type == "between" || type == "row" || type == "perpendicular" || type == "surround") {
+    AddGroup(a);
   }
-  bool linking = false;
-  for (std::string_view type : kLinking) linking = linking || facts->name == type;
-  if (!linking) return;
-  const std::vector<int> objects = NamedObjects(edge, scene);
-  for (size_t i = 0; i < objects.size(); ++i) {
-    for (size_t j = i + 1; j < objects.size(); ++j) Link(objects[i], objects[j]);
+}
+
+void LinkedPairs::AddGroup(const Arguments& a) {
+  if (a.Has("first")) {
+    for (const char* neighbour : {"first", "second"}) {
+      Place(a.Object("object"), a.Object(neighbour), kBeside);
+      Place(a.Object(neighbour), a.Object("object"), kAll);
+    }
+  } else if (a.Has("target")) {
+    if (!a.Has("center")) return;
+    for (const char* looker : {"object", "target"}) {
+      Place(a.Object(looker), a.Object("center"), kFront);
+      Place(a.Object("center"), a.Object(looker), kAll);
+    }
+  } else if (a.Has("center")) {
+    for (int seat : a.Objects("objects")) {
+      Place(seat, a.Object("center"), kFront);
+      Place(a.Object("center"), seat, kAll);
+    }
+  } else {
+    for (int one : a.Objects("objects")) {
+      for (int other : a.Objects("objects")) {
+        if (one != other) Place(one, other, kBeside);
+      }
+    }
   }
 }
 

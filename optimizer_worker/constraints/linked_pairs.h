@@ -1,41 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which objects belong together: a chair at its desk, a coffee table before its sofa. What belongs to an object does
-// not block the way to it.
+// Which objects belong together, and where: a chair at the front of its desk, a coffee table before its sofa. What
+// belongs at a side of an object does not block the way to that side.
 #pragma once
 
-#include <algorithm>
 #include <map>
-#include <set>
 #include <span>
 #include <utility>
 
 #include "flair/v1/layout_graph.pb.h"
+#include "room/geometry/footprint.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {
 
+class Arguments;
+
 class LinkedPairs {
  public:
   LinkedPairs() = default;
-  // Links what next_to, facing, in_front_of, surround, between, row, perpendicular and on calls put together.
+  // Links what next_to, facing, in_front_of, surround, between, row, perpendicular and on calls put together, at the
+  // sides that the calls name.
   template <typename Edges>
   LinkedPairs(const Scene& scene, const Edges& edges) {
     for (const v1::ConstraintEdge& edge : edges) AddEdge(scene, edge);
   }
 
-  void Link(int a, int b) { pairs_.insert(std::minmax(a, b)); }
-  // Symmetric.
-  bool Linked(int a, int b) const { return pairs_.contains(std::minmax(a, b)); }
+  // Both belong to each other at all sides.
+  void Link(int a, int b);
+  // Symmetric: whether one belongs at some side of the other.
+  bool Linked(int a, int b) const { return sides_.contains({a, b}) || sides_.contains({b, a}); }
+  // Whether `other` belongs at that side of `object`.
+  bool BelongsAt(int object, int other, Side side) const;
   // How many on_wall_above calls hang something above `target`: several share the place.
-  int CountAbove(int target) const {
-    const auto found = above_.find(target);
-    return found == above_.end() ? 0 : found->second;
-  }
+  int CountAbove(int target) const;
 
  private:
-  void AddEdge(const Scene& scene, const v1::ConstraintEdge& edge);
+  using SideSet = unsigned;
 
-  std::set<std::pair<int, int>> pairs_;
+  void AddEdge(const Scene& scene, const v1::ConstraintEdge& edge);
+  void AddGroup(const Arguments& arguments);
+  void Place(int object, int other, SideSet sides) { sides_[{object, other}] |= sides; }
+
+  // (object, other) -> sides of the object where the other belongs.
+  std::map<std::pair<int, int>, SideSet> sides_;
   std::map<int, int> above_;
 };
 

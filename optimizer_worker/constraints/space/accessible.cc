@@ -15,11 +15,16 @@ AccessibleCost::AccessibleCost(const BindContext& context, int object, std::vect
   const std::vector<Object>& all = context.scene.objects;
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const Object& other = all[static_cast<size_t>(i)];
-    const bool linked = context.linked != nullptr && context.linked->Linked(object, i);
-    if (i != object && (other.kind != ObjectKind::kFloor || other.walk_over || linked)) continue;
+    unsigned belongs = 0;
+    for (size_t k = 0; k < sides_.size() && context.linked != nullptr; ++k) {
+      if (context.linked->BelongsAt(object, i, sides_[k])) belongs |= 1u << k;
+    }
+    const bool everywhere = belongs == (1u << sides_.size()) - 1;
+    if (i != object && (other.kind != ObjectKind::kFloor || other.walk_over || everywhere)) continue;
     if (i == object) own_ = objects_.size();
     objects_.push_back(i);
     footprints_.push_back(other.footprint);
+    belongs_.push_back(belongs);
     reaches_m_.push_back(std::hypot(other.footprint.width_m, other.footprint.depth_m) / 2);
   }
   // The pieces reach far behind their walls; no strip that is in the room does.
@@ -54,11 +59,12 @@ T AccessibleCost::RoomCost(const Frame<T>& frame) const {
 }
 
 template <typename T>
-T AccessibleCost::BlockCost(const Frame<T>& frame, const Footprint& other, const Frame<T>& other_frame) const {
-  const Box<T> box(other, other_frame);
+T AccessibleCost::BlockCost(const Frame<T>& frame, size_t other, const Frame<T>& other_frame) const {
+  const Box<T> box(footprints_[other], other_frame);
   T sum(0.0);
-  for (Side side : sides_) {
-    sum += SquaredPenetration<T>(Box<T>::Before(footprints_[own_], frame, side, clearance_m_), box);
+  for (size_t k = 0; k < sides_.size(); ++k) {
+    if ((belongs_[other] >> k & 1u) != 0) continue;
+    sum += SquaredPenetration<T>(Box<T>::Before(footprints_[own_], frame, sides_[k], clearance_m_), box);
   }
   return sum;
 }
@@ -74,7 +80,7 @@ double AccessibleCost::Value(std::span<const Pose<double>> poses) const {
   double sum = RoomCost(frame);
   for (size_t i = 0; i < poses.size(); ++i) {
     if (i == own_ || OutOfReach(poses[own_], poses[i], reaches_m_[i])) continue;
-    sum += BlockCost(frame, footprints_[i], FrameOf(poses[i]));
+    sum += BlockCost(frame, i, FrameOf(poses[i]));
   }
   return sum;
 }
@@ -88,9 +94,9 @@ double AccessibleCost::Gradient(std::span<const Pose<double>> poses, std::span<d
   }
   for (size_t i = 0; i < poses.size(); ++i) {
     if (i == own_ || OutOfReach(poses[own_], poses[i], reaches_m_[i])) continue;
-    if (BlockCost(frame, footprints_[i], FrameOf(poses[i])) == 0) continue;
+    if (BlockCost(frame, i, FrameOf(poses[i])) == 0) continue;
     sum += AddPair(poses, own_, i, gradient,
-                   [this, i](const auto& f, const auto& other) { return BlockCost(f, footprints_[i], other); });
+                   [this, i](const auto& f, const auto& other) { return BlockCost(f, i, other); });
   }
   return sum;
 }

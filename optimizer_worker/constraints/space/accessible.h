@@ -35,9 +35,9 @@ class AccessibleCost final : public Cost {
   // What depends on the object alone: floor and doors.
   template <typename T>
   T RoomCost(const Frame<T>& frame) const;
-  // One other object in the way.
+  // The object at position `other` of objects_ in the way.
   template <typename T>
-  T BlockCost(const Frame<T>& frame, const Footprint& other, const Frame<T>& other_frame) const;
+  T BlockCost(const Frame<T>& frame, size_t other, const Frame<T>& other_frame) const;
   // Too far away to be in the way of any strip.
   bool OutOfReach(const Pose<double>& own, const Pose<double>& other, double other_reach_m) const;
 
@@ -46,6 +46,8 @@ class AccessibleCost final : public Cost {
   std::vector<Footprint> footprints_;
   // From their centres to their corners.
   std::vector<double> reaches_m_;
+  // Bit k: it belongs at sides_[k].
+  std::vector<unsigned> belongs_;
   // Where the object itself is in objects_.
   size_t own_ = 0;
   std::vector<Side> sides_;

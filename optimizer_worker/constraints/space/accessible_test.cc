@@ -35,6 +35,20 @@ TEST(Accessible, CallsThatPutTwoTogetherLinkThem) {
   EXPECT_FALSE(linked.Linked(0, 2));
 }
 
+TEST(Accessible, AThingBelongsOnlyWhereItsCallPutsIt) {
+  const auto text = ParseScene("5x5 room; sofa 2x1 at 2,0.5,0; stand 0.5x0.5 at 3,0.5,0");
+  ASSERT_TRUE(text.ok());
+  const std::vector<v1::ConstraintEdge> edges = {EdgeFromText("next_to", "object=stand target=sofa target_side=right")};
+  const LinkedPairs linked(text->scene, edges);
+  EXPECT_TRUE(linked.BelongsAt(0, 1, Side::kRight));
+  EXPECT_FALSE(linked.BelongsAt(0, 1, Side::kFront));
+  const char* in_the_way = "5x5 room; sofa 2x1 at 2,0.5,0; stand 0.5x0.5 at 2.5,1.4,0";
+  EXPECT_GT(CostAt(in_the_way, "accessible", "object=sofa", &linked), 0.01);
+  EXPECT_EQ(CostAt("5x5 room; sofa 2x1 at 2,0.5,0; stand 0.5x0.5 at 3.2,0.5,0", "accessible", "object=sofa sides=right",
+                   &linked),
+            0);
+}
+
 TEST(Accessible, TheStripMustBeInsideTheRoom) {
   EXPECT_NEAR(CostAt("5x5 room; bed 1.6x2 at 2,3.5,0", "accessible", "object=bed"), 2 * 0.01, 1e-12);
 }
