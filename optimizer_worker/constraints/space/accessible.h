@@ -4,10 +4,10 @@
 //                             + sum over doors of depth(strip, swing)^2                                   [m2]
 //   strip  the rectangle of depth min_clearance_m before the side;  out  its corners' distance outside the floor
 //   depth  shortest push that parts the two
-// Others are floor objects that are not walked over and do not belong to the object: a chair that is linked to its desk
-// by a call (LinkedPairs) may stand before it. Zero exactly when every strip is inside the room and free. The released
-// ind_accessible jumps at contact, draws random numbers for "long" and tests "mat" in "mattress" (SEMANTICS.md section
-// 3).
+// Others are floor objects that are not walked over and do not belong at that side: a chair that a call puts at the front
+// of its desk may stand there (LinkedPairs). Zero exactly when every strip is inside the room and free. The released
+// ind_accessible jumps at contact, draws random numbers for "long" and tests "mat" in "mattress" (SEMANTICS.md
+// section 3).
 #pragma once
 
 #include <vector>
