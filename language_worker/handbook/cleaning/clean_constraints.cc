@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "language_worker/handbook/cleaning/split.h"
+#include "language_worker/handbook/cleaning/stance.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
@@ -31,24 +33,6 @@ std::optional<std::string> WithoutFillers(const std::string& text) {
   for (const std::string_view filler : kFillers) {
     if (text.size() > filler.size() && text.compare(0, filler.size(), filler) == 0)
       return Capital(text.substr(filler.size()));
-  }
-  return std::nullopt;
-}
-
-// "… doors or windows …" as one sentence about doors and one about windows.
-std::optional<std::pair<std::string, std::string>> SplitOpenings(const std::string& text) {
-  constexpr std::array<std::array<std::string_view, 2>, 2> kNouns = {{{"doors", "windows"}, {"door", "window"}}};
-  for (const auto& [door, window] : kNouns) {
-    for (const std::string_view joint : {" or ", " and ", " or the ", " and the ", " or any ", " nor "}) {
-      for (const auto& [first, second] : {std::pair(door, window), std::pair(window, door)}) {
-        const std::string both = std::string(first) + std::string(joint) + std::string(second);
-        const std::size_t at = text.find(both);
-        const char after = at == std::string::npos || at + both.size() >= text.size() ? '.' : text[at + both.size()];
-        if (at == std::string::npos || std::isalpha(static_cast<unsigned char>(after)) != 0) continue;
-        const auto with = [&](std::string_view noun) { return std::string(text).replace(at, both.size(), noun); };
-        return std::pair(with(first), with(second));
-      }
-    }
   }
   return std::nullopt;
 }
@@ -86,7 +70,9 @@ class Cleaner {
     for (const v1::Sentence& sentence : raw_.sentences()) Simplify(sentence);
     for (const v1::Sentence& sentence : work_) Keep(sentence);
     v1::ConstraintList cleaned;
-    for (const v1::Sentence& sentence : kept_) *cleaned.add_sentences() = sentence;
+    for (const v1::Sentence& sentence : kept_) {
+      if (dropped_.count(sentence.id()) == 0) *cleaned.add_sentences() = sentence;
+    }
     for (const v1::CleaningStep& step : steps_) *cleaned.add_cleaning_steps() = step;
     *cleaned.mutable_diagnostics() = raw_.diagnostics();
     return cleaned;
@@ -129,15 +115,16 @@ class Cleaner {
     }
   }
 
+  // [Paper] Tertiary constraints are not split: each says one thing.
   void Split(const v1::Sentence& sentence) {
-    const auto parts = SplitOpenings(sentence.text());
-    if (!parts) {
+    const std::vector<std::string> statements = SplitStatements(sentence.text());
+    if (statements.size() < 2 || sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY) {
       work_.push_back(sentence);
       return;
     }
-    v1::CleaningStep& step = Step(v1::CLEANING_ACTION_SPLIT, "Doors and windows are two constraints.");
+    v1::CleaningStep& step = Step(v1::CLEANING_ACTION_SPLIT, "It says several things, each a constraint of its own.");
     step.add_from_ids(sentence.id());
-    for (const std::string& text : {parts->first, parts->second}) {
+    for (const std::string& text : statements) {
       work_.push_back(Changed(sentence, text));
       step.add_to_ids(work_.back().id());
     }
@@ -148,8 +135,10 @@ class Cleaner {
     const Claim claim = ClaimOf(sentence);
     const auto known = by_claim_.find(claim.words);
     if (known == by_claim_.end()) {
+      if (!Outweighs(sentence)) return;
       by_claim_[claim.words] = {kept_.size(), claim.denied};
       kept_.push_back(sentence);
+      stances_.push_back(StanceOf(sentence));
       return;
     }
     v1::Sentence& there = kept_[known->second.first];
@@ -170,13 +159,41 @@ class Cleaner {
         .add_from_ids(loser.id());
     if (!replaces) return;
     there = sentence;
+    stances_[known->second.first] = StanceOf(sentence);
     known->second.second = claim.denied;
+  }
+
+  // Settles contradictions with what is kept: true when the sentence may come in, for which weaker ones go.
+  bool Outweighs(const v1::Sentence& sentence) {
+    const Stance stance = StanceOf(sentence);
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      if (Contradict(stance, stances_[i]) && kept_[i].weight() >= sentence.weight()) {
+        Remove(sentence, kept_[i]);
+        return false;
+      }
+    }
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      if (!Contradict(stance, stances_[i])) continue;
+      Remove(kept_[i], sentence);
+      stances_[i] = Stance();
+      dropped_.insert(kept_[i].id());
+    }
+    return true;
+  }
+
+  void Remove(const v1::Sentence& loser, const v1::Sentence& winner) {
+    Step(v1::CLEANING_ACTION_CONTRADICTION_REMOVED,
+         fmt::format("\"{}\" cannot hold together with \"{}\", which matters {}.", loser.text(), winner.text(),
+                     winner.weight() > loser.weight() ? "more" : "at least as much"))
+        .add_from_ids(loser.id());
   }
 
   const v1::ConstraintList& raw_;
   std::set<std::string> ids_;
   std::vector<v1::Sentence> work_;
   std::vector<v1::Sentence> kept_;
+  std::vector<Stance> stances_;  // of kept_, in its order
+  std::set<std::string> dropped_;
   std::map<std::string, std::pair<std::size_t, bool>> by_claim_;
   std::vector<v1::CleaningStep> steps_;
 };

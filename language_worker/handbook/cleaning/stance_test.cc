@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/cleaning/stance.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace flair::language {
+namespace {
+
+struct PairCase {
+  const char* name;
+  const char* first;
+  const char* second;
+  bool contradict;
+};
+
+Stance Of(const char* text, bool pair) {
+  v1::Sentence sentence;
+  sentence.set_text(text);
+  sentence.add_subject_ids("desk");
+  if (pair) sentence.add_subject_ids("bed");
+  return StanceOf(sentence);
+}
+
+class Stances : public testing::TestWithParam<PairCase> {};
+
+TEST_P(Stances, ContradictOnlyWhenNoLayoutFollowsBoth) {
+  const auto of = [](const char* text) { return Of(text, std::string(text).find("bed") != std::string::npos); };
+  EXPECT_EQ(Contradict(of(GetParam().first), of(GetParam().second)), GetParam().contradict);
+  EXPECT_EQ(Contradict(of(GetParam().second), of(GetParam().first)), GetParam().contradict);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Pairs, Stances,
+    testing::Values(
+        PairCase{"wall_and_centre", "The desk is against a wall.", "The desk is in the centre of the room.", true},
+        PairCase{"corner_and_off_walls", "The desk is in a corner.", "The desk is not against a wall.", true},
+        PairCase{"two_walls", "The desk is against the north wall.", "The desk is against the south wall.", true},
+        PairCase{"wall_and_named_wall", "The desk is against a wall.", "The desk is against the south wall.", false},
+        PairCase{"near_and_away", "The desk is near the window.", "The desk is away from the window.", true},
+        PairCase{"other_features", "The desk is near the window.", "The desk is away from the door.", false},
+        PairCase{"a_ring", "The desk is within 2 m of the bed.", "The desk is at least 1 m away from the bed.", false},
+        PairCase{"no_ring", "The desk is within 1 m of the bed.", "The desk is at least 2 m away from the bed.", true},
+        PairCase{"facing", "The desk faces the bed.", "The desk does not face the bed.", true},
+        PairCase{"wall_and_window", "The desk is against a wall.", "The desk is near the window.", false}),
+    [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace flair::language
