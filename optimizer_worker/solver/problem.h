@@ -2,6 +2,7 @@
 // A sum of weighted costs over the poses of a scene's objects, of which some are free to move.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -35,13 +36,18 @@ struct Term {
 // hard terms that are smaller than this.
 inline constexpr double kHardFactor = 40;
 
-// What a wish of cost c is worth in the search: c + kMissed c / (c + kNearly). Zero where c is zero, grows with c, and
-// adds almost kMissed as soon as the wish is missed at all: least squares alone would rather miss every wish by some
-// centimetres than one of them honestly.
+// What a wish of cost c is worth in the search:
+//   kHopeless log(1 + c / kHopeless) + kMissed c / (c + kNearly)
+// Zero where c is zero, grows with c, adds almost kMissed as soon as the wish is missed at all, and grows slowly when
+// it is missed by far: least squares alone would rather miss every wish by some centimetres than one of them honestly,
+// and let one that cannot be met (2 m from the door in a 3 m room) spoil the others.
 inline constexpr double kMissed = 0.3;
 inline constexpr double kNearly = 0.01;
-inline double Wish(double cost) { return cost + kMissed * cost / (cost + kNearly); }
-inline double WishSlope(double cost) { return 1 + kMissed * kNearly / ((cost + kNearly) * (cost + kNearly)); }
+inline constexpr double kHopeless = 0.2;
+inline double Wish(double cost) { return kHopeless * std::log1p(cost / kHopeless) + kMissed * cost / (cost + kNearly); }
+inline double WishSlope(double cost) {
+  return kHopeless / (kHopeless + cost) + kMissed * kNearly / ((cost + kNearly) * (cost + kNearly));
+}
 
 // Where objects stand that are not placed yet: so far away that no cost between them and the room acts.
 Pose<double> FarAway(int object);

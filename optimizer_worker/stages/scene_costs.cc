@@ -88,6 +88,8 @@ class Collector {
     term.weight = hard && factor < kHardFactor ? factor * kHardFactor : factor;
     term.hard = hard;
     term.name = name;
+    // A crooked piece is missed like a wish.
+    term.wish = term.name == "aligned";
   }
 
   const SolveInput& input_;
