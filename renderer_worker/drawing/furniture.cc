@@ -74,7 +74,8 @@ void DrawOverhead(Canvas& canvas, const PlanObject& object, const Sheet& sheet) 
 void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
     if (object.kind == v1::OBJECT_KIND_WALL || object.kind == v1::OBJECT_KIND_CEILING) continue;
-    if (!object.walk_over && object.kind == v1::OBJECT_KIND_FLOOR) DrawShadow(canvas, object, sheet);
+    const bool casts = object.kind == v1::OBJECT_KIND_FLOOR && object.symbol->outline != Outline::kOpen;
+    if (casts && !object.walk_over) DrawShadow(canvas, object, sheet);
     DrawSymbol(canvas, object, sheet);
   }
 }

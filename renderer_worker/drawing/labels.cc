@@ -10,8 +10,9 @@
 namespace flair::renderer {
 namespace {
 
-constexpr double kGapMm = 0.7;      // between two labels
-constexpr double kPaddingMm = 0.8;  // between a label and its piece's outline
+constexpr double kGapMm = 0.7;       // between two labels
+constexpr double kPaddingMm = 0.8;   // between a label and its piece's outline
+constexpr double kOutsideCost = 12;  // per corner of a zone's name beyond its zone
 constexpr size_t kMostLabels = 600;
 
 std::array<Point, 4> CornersOf(const Box& box) {
@@ -104,7 +105,10 @@ class Placer {
       if (!PolygonContains(floor_, corner)) return;
     }
     const LabelItem& it = items_[item];
-    if (!it.region_mm.empty() && !PolygonContains(it.region_mm, box.centre())) return;
+    if (!it.region_mm.empty()) {
+      if (!PolygonContains(it.region_mm, box.centre())) return;
+      for (Point corner : CornersOf(box)) cost += PolygonContains(it.region_mm, corner) ? 0 : kOutsideCost;
+    }
     for (const PlacedLabel& other : placed_) {
       if (other.box_mm.Overlaps(box.Grown(kGapMm))) return;
     }

@@ -20,8 +20,8 @@ enum class Tone { kNone, kBody, kLight, kPale, kDark, kDeep, kWater, kGlass, kLe
 // How a symbol's line is drawn.
 enum class Line { kNone, kOutline, kDetail, kFaint, kDashed };
 
-// The plan outline of a symbol, for shadows and for fitting labels.
-enum class Outline { kRectangle, kRounded, kEllipse };
+// The plan outline of a symbol, for shadows and for fitting labels; open frames cast none.
+enum class Outline { kRectangle, kRounded, kEllipse, kOpen };
 
 // Draws one plan symbol in object frame O: origin in the middle, x to the right of someone who stands behind the object
 // and looks the way it faces, y to its front, metres. Symbols fill exactly [left, right] x [back, front].

@@ -15,8 +15,8 @@ std::span<const Symbol> Symbols();
 // The symbol of a category; null when there is none.
 const Symbol* FindSymbol(std::string_view category);
 
-// The symbol that `object` is drawn with: of its category, or what the words of its category and name suggest. The last
-// telling word wins ("desk lamp" is a lamp), whole phrases before words ("chest of drawers"). Never null: a plain box.
+// The symbol that `object` is drawn with: what the words of its name call for, else its category. The last telling word
+// wins ("desk lamp" is a lamp), whole phrases before words ("chest of drawers"). Never null: a plain box.
 const Symbol* SymbolFor(const v1::Object& object);
 
 // The category that free text names, such as "adjustable dumbbell set" -> "weights"; empty when no word is telling.

@@ -53,15 +53,18 @@ TEST(SymbolTable, UnknownNamesBecomeABox) {
   EXPECT_EQ(SymbolFor(Named(std::string(10000, 'x')))->category, "box");
 }
 
-TEST(SymbolTable, TheCategoryWinsOverTheName) {
-  v1::Object object = Named("throne of books");
-  object.set_category("armchair");
-  EXPECT_EQ(SymbolFor(object)->category, "armchair");
+TEST(SymbolTable, TheNameWinsOverTheCategoryWhichHelpsWhenTheNameSaysNothing) {
+  v1::Object object = Named("office chair");
+  object.set_category("chair");
+  EXPECT_EQ(SymbolFor(object)->category, "office_chair");
+  object.set_name("Old Faithful");
+  EXPECT_EQ(SymbolFor(object)->category, "chair");
 }
 
 TEST(SymbolTable, LampsOnTheCeilingArePendants) {
   EXPECT_EQ(SymbolFor(Named("lamp", v1::OBJECT_KIND_CEILING))->category, "pendant");
   EXPECT_EQ(SymbolFor(Named("lamp", v1::OBJECT_KIND_WALL))->category, "wall_lamp");
+  EXPECT_EQ(SymbolFor(Named("torch stand"))->category, "lamp");
 }
 
 // The ink of a symbol of this size, in millimetres at 1:10.

@@ -88,17 +88,20 @@ std::string_view CategoryFromWords(std::string_view text) {
 
 const Symbol* SymbolFor(const v1::Object& object) {
   const Symbol* box = FindSymbol("box");
-  const Symbol* symbol = FindSymbol(object.category());
-  if (symbol == nullptr || symbol == box) symbol = FindSymbol(CategoryFromWords(object.name()));
+  // Names say more than classes: an office chair is a chair, a weight bench a bench.
+  const Symbol* symbol = FindSymbol(CategoryFromWords(object.name()));
+  if (symbol == nullptr) symbol = FindSymbol(object.category());
   if (symbol == nullptr) symbol = FindSymbol(CategoryFromWords(object.category()));
   if (symbol == nullptr) symbol = FindSymbol(CategoryFromWords(object.id()));
-  // What hangs from the ceiling is seen from below its outline; what lies on the floor to be walked over is a rug.
-  if (object.kind() == v1::OBJECT_KIND_CEILING && (symbol == nullptr || symbol == FindSymbol("lamp")))
-    return FindSymbol("pendant");
-  if (object.kind() == v1::OBJECT_KIND_WALL && symbol == FindSymbol("lamp")) return FindSymbol("wall_lamp");
+  // The same words mean other things on the floor, on walls and above.
+  const Symbol* lamp = FindSymbol("lamp");
+  const Symbol* wall_lamp = FindSymbol("wall_lamp");
+  const bool above = object.kind() == v1::OBJECT_KIND_CEILING, on_wall = object.kind() == v1::OBJECT_KIND_WALL;
+  if (above && (symbol == nullptr || symbol == lamp || symbol == wall_lamp)) return FindSymbol("pendant");
+  if (on_wall && symbol == lamp) return wall_lamp;
+  if (!on_wall && symbol == wall_lamp) return lamp;
   if (object.walk_over() && symbol == nullptr) return FindSymbol("rug");
-  if (symbol == nullptr) return box;
-  return symbol;
+  return symbol == nullptr ? box : symbol;
 }
 
 }  // namespace flair::renderer
