@@ -49,7 +49,7 @@ constexpr Symbol kSymbols[] = {
     {"fireplace", DrawFireplace, kRectangle, 0xA79C92},
     {"fridge", DrawFridge, kRectangle, 0xDCE1E3},
     {"globe", DrawGlobe, kEllipse, 0xA9814F},
-    {"grand_piano", DrawGrandPiano, kRectangle, 0x2E2A28},
+    {"grand_piano", DrawGrandPiano, kOpen, 0x2E2A28},
     {"guitar", DrawGuitar, kOpen, 0xB5713A},
     {"hob", DrawHob, kRectangle, 0xC6C9CA},
     {"ironing_board", DrawIroningBoard, kRounded, 0xA9BCCB},
@@ -99,7 +99,7 @@ constexpr Symbol kSymbols[] = {
     {"wall_lamp", DrawWallLamp, kRectangle, 0xE6CF8E},
     {"wardrobe", DrawWardrobe, kRectangle, 0xB9946A},
     {"washing_machine", DrawWasher, kRectangle, 0xE3E7E9},
-    {"weight_bench", DrawWeightBench, kRectangle, 0x6E7780},
+    {"weight_bench", DrawWeightBench, kOpen, 0x6E7780},
     {"weights", DrawWeights, kRectangle, 0x7F868C},
     {"workbench", DrawWorkbench, kRectangle, 0xB98F62, kTop},
 };
