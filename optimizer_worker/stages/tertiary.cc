@@ -77,8 +77,9 @@ void Tidy(const SolveInput& input, int object, PartialLayout& state) {
     case ObjectKind::kSurface: {
       const int carrier = CarrierOf(input.scene, object, state);
       if (carrier >= 0) {
-        return PutOnTop(input.scene.objects[carrier].footprint, state.layout[carrier], what.footprint, pose);
+        PutOnTop(input.scene.objects[carrier].footprint, state.layout[carrier], what.footprint, pose);
       }
+      // A blanket that is larger than its sofa hangs over, but not through a wall.
       return PutInRoom(input.keep_out, what.footprint, pose);
     }
     case ObjectKind::kFloor:
