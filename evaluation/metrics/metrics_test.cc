@@ -107,6 +107,10 @@ TEST(Reach, ATableIsUsedFromAnySide) {
   EXPECT_FALSE(HasFront(table));
   table.name = "dressing table";
   EXPECT_TRUE(HasFront(table));
+  table.name = "dining chair";
+  EXPECT_FALSE(HasFront(table));
+  table.name = "armchair";
+  EXPECT_TRUE(HasFront(table));
   table.name = "wardrobe";
   EXPECT_TRUE(HasFront(table));
 }

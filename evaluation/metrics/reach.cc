@@ -19,9 +19,9 @@ constexpr double kPersonRadius_m = 0.3;
 constexpr double kDoorFront_m = 0.6;
 constexpr double kFrontStrip_m = 0.6;
 constexpr double kLeastStripHalfWidth_m = 0.15;
-constexpr std::array<std::string_view, 14> kWithoutFront = {"table",     "plant",  "lamp",    "vase",    "stool",
-                                                            "pouf",      "pouffe", "ottoman", "basket",  "bin",
-                                                            "sculpture", "globe",  "tree",    "pedestal"};
+constexpr std::array<std::string_view, 16> kWithoutFront = {"table",     "chair", "bench",  "plant",   "lamp",   "vase",
+                                                            "stool",     "pouf",  "pouffe", "ottoman", "basket", "bin",
+                                                            "sculpture", "globe", "tree",   "pedestal"};
 
 // Free floor, and where the centre of a person can be.
 struct Floor {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a person 0.6 m wide gets to from the door, on a raster of 0.025 m (coarser beyond 25 m). A gap of exactly 0.6 m
-// lets the person through. Same definitions as the neutral judge of the released rooms.
+// lets the person through. As the neutral judge of the released rooms, but for things without a front: the judge counts
+// a chair at its table as out of reach.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@ struct Reach {
   // Share of the free floor that the person's disc sweeps; 1 when no floor is free.
   double floor_share = 1;
   // Share of solid objects that can be stood at: a reached position within 0.6 m of the front; of any side for things
-  // without a front (tables, plants, lamps). 1 when there are none.
+  // without a front or with one that belongs to another thing (tables, chairs, plants, lamps). 1 when there are none.
   double front_share = 1;
   // Objects that cannot be.
   std::vector<std::string> blocked;
