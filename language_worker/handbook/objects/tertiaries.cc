@@ -7,7 +7,9 @@ namespace flair::language {
 namespace {
 
 // Share of a top that things on it may cover.
-constexpr double kMostCovered = 0.6;
+constexpr double kMostCovered = 0.45;
+// Pieces up to this footprint find a spot on any top, m2.
+constexpr double kSmallM2 = 0.025;
 
 bool IsRoomWord(const std::string& word) {
   return word == "wall" || word == "ceiling" || word == "floor" || word == "window";
@@ -70,8 +72,8 @@ class Sharer {
     const double area_m2 = piece.width_m().typical() * piece.depth_m().typical();
     const double covered_m2 = covered_m2_[host.id()] + area_m2;
     const bool first = taken_[host.id()] == 0;
-    if (taken_[host.id()] >= places || (!first && covered_m2 > kMostCovered * host.width_m() * host.depth_m()))
-      return false;
+    const bool full = area_m2 > kSmallM2 && covered_m2 > kMostCovered * host.width_m() * host.depth_m();
+    if (taken_[host.id()] >= places || (!first && full)) return false;
     ++taken_[host.id()];
     covered_m2_[host.id()] = covered_m2;
     return true;

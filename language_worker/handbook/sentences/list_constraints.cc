@@ -75,7 +75,7 @@ class ConstraintLister {
   void WriteParts(const std::string& name, const Group& group) {
     std::map<std::pair<bool, bool>, Group> parts;
     for (const v1::Object* object : group) {
-      parts[{object->host_id().empty(), !IsFirstOnHost(*object)}].push_back(object);
+      parts[{object->host_id().empty(), !TakesCentre(objects_, *object)}].push_back(object);
     }
     for (const auto& [attachment, part] : parts) WriteGroup(name, part);
   }
@@ -96,20 +96,10 @@ class ConstraintLister {
     }
     WriteLevel(own, group, topics);
     for (const hb::GeneralRule& rule : handbook_.contents().general_rules()) {
-      if (Selects(rule.selector(), *group.front(), furniture, IsFirstOnHost(*group.front()))) {
+      if (Selects(rule.selector(), *group.front(), furniture, TakesCentre(objects_, *group.front()))) {
         WriteLevel({&rule.relation()}, group, topics);
       }
     }
-  }
-
-  // The first thing on a top takes its middle.
-  bool IsFirstOnHost(const v1::Object& object) const {
-    if (object.kind() != v1::OBJECT_KIND_SURFACE) return false;
-    for (const v1::Object& other : objects_.objects()) {
-      if (other.kind() == v1::OBJECT_KIND_SURFACE && other.host_id() == object.host_id())
-        return other.id() == object.id();
-    }
-    return false;
   }
 
   static void Collect(const google::protobuf::RepeatedPtrField<hb::Relation>& relations, const std::string& name,

@@ -47,6 +47,21 @@ std::string WithVerb(std::string text, const std::string& object, bool plural) {
 
 }  // namespace
 
+bool TakesCentre(const v1::ObjectList& objects, const v1::Object& object) {
+  constexpr double kFlatM = 0.03;
+  if (object.kind() != v1::OBJECT_KIND_SURFACE) return false;
+  if (object.height_m() <= kFlatM) return true;
+  const v1::Object* largest = nullptr;
+  for (const v1::Object& other : objects.objects()) {
+    if (other.kind() != v1::OBJECT_KIND_SURFACE || other.host_id() != object.host_id() || other.height_m() <= kFlatM)
+      continue;
+    const bool larger =
+        largest == nullptr || other.width_m() * other.depth_m() > largest->width_m() * largest->depth_m();
+    if (larger) largest = &other;
+  }
+  return largest == &object;
+}
+
 SentenceWriter::SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
                                const Handbook& handbook, const RoomProgram& program, const Choice& choice)
     : room_(room),
@@ -214,7 +229,10 @@ std::string SentenceWriter::CornerOf(const v1::Object& object) const {
   std::size_t before = 0;
   for (const v1::Object& other : objects_.objects()) {
     if (other.id() == object.id()) break;
-    if (other.kind() == v1::OBJECT_KIND_SURFACE && other.host_id() == object.host_id()) ++before;
+    if (other.kind() == v1::OBJECT_KIND_SURFACE && other.host_id() == object.host_id() &&
+        !TakesCentre(objects_, other)) {
+      ++before;
+    }
   }
   return kCorners[before % kCorners.size()];
 }

@@ -18,6 +18,10 @@ namespace flair::language {
 // Objects of one name, in list order.
 using Group = std::vector<const v1::Object*>;
 
+// Whether a piece takes the middle of the top that it stands on: the one of the largest footprint does, and flat things
+// (a runner, a mat) lie under the others. False for what stands on no top.
+bool TakesCentre(const v1::ObjectList& objects, const v1::Object& object);
+
 // Writes the sentences of relations about groups of objects: decides whether a relation applies, pairs objects with
 // partners and fills in the words. The arguments must outlive it.
 class SentenceWriter {
