@@ -16,7 +16,7 @@ namespace {
 
 // The brief's first sentence, cut at a word when it is long.
 std::string TitleOf(const std::string& text) {
-  constexpr std::size_t kMost = 90;
+  constexpr std::size_t kMost = 120;
   std::string title = text.substr(0, text.find_first_of("\n\r"));
   if (title.size() > kMost) {
     const std::size_t space = title.rfind(' ', kMost);
