@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kCornerGapM = 0.3;  // of windows
 constexpr double kSocketGapM = 0.35;
+constexpr double kShortWallM = 2.4;
 
 double Or(double value, double fallback) { return value > 0 ? value : fallback; }
 double RoundDown(double length_m) { return std::floor(length_m * 20 + 1e-9) / 20; }
@@ -46,7 +47,8 @@ class OpeningMaker {
     door_wall_ = DoorWall();
     const double wall_m = lengths_[door_wall_];
     const double width_m = std::min(plan_.door_width_m, RoundDown(wall_m - 0.2));
-    const double near_m = choice_.Stepped("door.gap", 0.2, 0.5, 0.05);
+    // A short wall leaves no room beside a door that stands further in.
+    const double near_m = wall_m < kShortWallM ? 0.1 : choice_.Stepped("door.gap", 0.2, 0.5, 0.05);
     double offset_m = std::min(near_m, (wall_m - width_m) / 2);
     if (plan_.rules.door_central() && wall_m > width_m + 2) offset_m = (wall_m - width_m) / 2;
     const bool at_end = choice_.Index("door.end", 2) == 1;
