@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/service/evaluate_handler.h"
 
-#include "optimizer_worker/stages/solve_layout.h"
+#include "optimizer_worker/stages/evaluate_layout.h"
 
 namespace flair::optimizer {
 

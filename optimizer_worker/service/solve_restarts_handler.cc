@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/service/solve_restarts_handler.h"
 
-#include "optimizer_worker/stages/solve_layout.h"
+#include "optimizer_worker/stages/solve_stage_restarts.h"
 
 namespace flair::optimizer {
 

@@ -7,7 +7,6 @@
 
 #include "fmt/format.h"
 #include "optimizer_worker/stages/exact_step.h"
-#include "optimizer_worker/stages/tertiary.h"
 #include "optimizer_worker/zones/voronoi_zones.h"
 #include "room/geometry/angle.h"
 
@@ -32,23 +31,6 @@ int MissingObject(const Term& term, const PartialLayout& state) {
 
 std::string HowFarOff(const std::string& type, double cost) {
   return fmt::format("\"{}\" is not met: its cost is {:.3g}, {} would be met", type, cost, kSatisfiedCost);
-}
-
-double UndersideOf(const SolveInput& input, int object, const PartialLayout& state) {
-  const Scene& scene = input.scene;
-  const Object& what = scene.objects[object];
-  switch (what.kind) {
-    case ObjectKind::kFloor:
-    case ObjectKind::kWall:
-      return what.elevation_m;
-    case ObjectKind::kCeiling:
-      return std::max(0.0, scene.room.height_m - what.height_m);
-    case ObjectKind::kSurface: {
-      const int carrier = CarrierOf(scene, object, state);
-      return what.elevation_m + (carrier >= 0 ? scene.TopOf(carrier) : 0.0);
-    }
-  }
-  return 0;
 }
 
 v1::Diagnostic DoesNotFit(const Scene& scene, const Violation& violation) {
@@ -108,20 +90,6 @@ std::vector<v1::TermOutcome> TermOutcomes(const SolveInput& input, const SceneCo
   std::vector<v1::TermOutcome> outcomes;
   for (auto& [name, outcome] : by_name) outcomes.push_back(std::move(outcome));
   return outcomes;
-}
-
-std::vector<v1::Placement> MakePlacements(const SolveInput& input, const PartialLayout& state) {
-  std::vector<v1::Placement> placements;
-  for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
-    if (!state.placed[i]) continue;
-    v1::Placement& placement = placements.emplace_back();
-    placement.set_object_id(input.scene.objects[i].id);
-    placement.set_x_m(state.layout[i].x_m + 0.0);
-    placement.set_y_m(state.layout[i].y_m + 0.0);
-    placement.set_z_m(UndersideOf(input, i, state));
-    placement.set_theta_rad(WrapHeading(state.layout[i].theta_rad));
-  }
-  return placements;
 }
 
 std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const PartialLayout& state) {

@@ -20,9 +20,6 @@ std::vector<v1::EdgeOutcome> EdgeOutcomes(const SolveInput& input, const SceneCo
 // One per kind of whole-room term, sorted by name, over all placed objects.
 std::vector<v1::TermOutcome> TermOutcomes(const SolveInput& input, const SceneCosts& costs, const PartialLayout& state);
 
-// The poses as messages, with the heights at which the objects stand or hang.
-std::vector<v1::Placement> MakePlacements(const SolveInput& input, const PartialLayout& state);
-
 // One "does_not_fit" per object that still collides, and one "not_placed" per object without a pose.
 std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const PartialLayout& state);
 

@@ -8,6 +8,8 @@
 #include "fmt/format.h"
 #include "google/protobuf/text_format.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/stages/evaluate_layout.h"
+#include "optimizer_worker/stages/solve_stage_restarts.h"
 #include "room/geometry/angle.h"
 
 namespace flair::optimizer {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The account of a solve as a message.
+#pragma once
+
+#include <vector>
+
+#include "flair/v1/solved_layout.pb.h"
+#include "optimizer_worker/stages/driver.h"
+#include "optimizer_worker/stages/solve_input.h"
+
+namespace flair::optimizer {
+
+// The first of `branches` (not empty) as the layout, the others as runners-up.
+v1::SolvedLayout MakeSolvedLayout(const SolveInput& input, const std::vector<Branch>& branches);
+
+}  // namespace flair::optimizer
