@@ -21,11 +21,11 @@ using Frames = std::array<Frame<T>, K>;
 
 // The frame of one object, with derivatives by variables `first`, `first + 1`, `first + 2` for x, y, theta.
 template <int N>
-Frame<Dual<N>> DualFrame(const Pose<double>& pose, int first) {
-  const double c = std::cos(pose.theta_rad);
-  const double s = std::sin(pose.theta_rad);
+Frame<Dual<N>> DualFrame(const Frame<double>& value, int first) {
+  const double c = value.right.x;
+  const double s = value.right.y;
   Frame<Dual<N>> frame;
-  frame.center = {Dual<N>::Variable(pose.x_m, first), Dual<N>::Variable(pose.y_m, first + 1)};
+  frame.center = {Dual<N>::Variable(value.center.x, first), Dual<N>::Variable(value.center.y, first + 1)};
   frame.right = {Dual<N>(c), Dual<N>(s)};
   frame.right.x.partial[static_cast<size_t>(first + 2)] = -s;
   frame.right.y.partial[static_cast<size_t>(first + 2)] = c;
@@ -49,21 +49,21 @@ class FormulaCost final : public Cost {
 
   std::span<const int> objects() const override { return sorted_; }
 
-  double Value(std::span<const Pose<double>> poses) const override {
-    Frames<double, kCount> frames;
-    for (int k = 0; k < kCount; ++k) frames[k] = FrameOf(poses[slot_[k]]);
-    return formula_(frames);
+  double ValueAt(std::span<const Frame<double>> frames) const override {
+    Frames<double, kCount> operands;
+    for (int k = 0; k < kCount; ++k) operands[k] = frames[slot_[k]];
+    return formula_(operands);
   }
 
-  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const override {
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override {
     // Costs are never negative, so where one is 0 its gradient is 0 too; this is the common case while solving.
-    if (Value(poses) == 0) {
+    if (ValueAt(frames) == 0) {
       std::fill(gradient.begin(), gradient.end(), 0.0);
       return 0;
     }
-    Frames<Dual<kVariables>, kCount> frames;
-    for (int k = 0; k < kCount; ++k) frames[k] = DualFrame<kVariables>(poses[slot_[k]], 3 * slot_[k]);
-    const Dual<kVariables> cost = formula_(frames);
+    Frames<Dual<kVariables>, kCount> operands;
+    for (int k = 0; k < kCount; ++k) operands[k] = DualFrame<kVariables>(frames[slot_[k]], 3 * slot_[k]);
+    const Dual<kVariables> cost = formula_(operands);
     std::copy(cost.partial.begin(), cost.partial.end(), gradient.begin());
     return cost.value;
   }

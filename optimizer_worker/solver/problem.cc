@@ -14,7 +14,9 @@ Problem::Problem(std::span<const Term> terms, std::vector<int> active, int objec
       hard_touching_(object_count, 0),
       requiring_(object_count),
       missing_(active_.size(), 0),
-      placed_(object_count, false) {
+      placed_(object_count, false),
+      seen_poses_(object_count),
+      seen_frames_(object_count, FrameOf(Pose<double>())) {
   std::stable_partition(active_.begin(), active_.end(), [&](int t) { return terms_[t].hard; });
   size_t most_operands = 0;
   for (int slot = 0; slot < static_cast<int>(active_.size()); ++slot) {
@@ -37,16 +39,24 @@ void Problem::SetPlaced(int object, bool placed) {
   for (int slot : requiring_[object]) missing_[slot] += placed ? -1 : 1;
 }
 
-std::span<const Pose<double>> Problem::Gather(int slot, std::span<const Pose<double>> poses) {
+const Frame<double>& Problem::FrameAt(int object, std::span<const Pose<double>> poses) {
+  if (!(seen_poses_[object] == poses[object])) {
+    seen_poses_[object] = poses[object];
+    seen_frames_[object] = FrameOf(poses[object]);
+  }
+  return seen_frames_[object];
+}
+
+std::span<const Frame<double>> Problem::Gather(int slot, std::span<const Pose<double>> poses) {
   const std::span<const int> objects = terms_[active_[slot]].cost->objects();
-  for (size_t k = 0; k < objects.size(); ++k) operands_[k] = poses[objects[k]];
+  for (size_t k = 0; k < objects.size(); ++k) operands_[k] = FrameAt(objects[k], poses);
   return {operands_.data(), objects.size()};
 }
 
 double Problem::Value(int slot, std::span<const Pose<double>> poses) {
   ++evaluations_;
   const Term& term = terms_[active_[slot]];
-  const double cost = term.cost->Value(Gather(slot, poses));
+  const double cost = term.cost->ValueAt(Gather(slot, poses));
   return term.weight * (term.wish ? Wish(cost) : cost);
 }
 
@@ -59,19 +69,40 @@ double Problem::Total(std::span<const Pose<double>> poses) {
 }
 
 double Problem::Around(int object, std::span<const Pose<double>> poses, double limit) {
-  return SumTouching(object, 0, poses, limit);
-}
-
-double Problem::SoftAround(int object, std::span<const Pose<double>> poses, double limit) {
-  return SumTouching(object, hard_touching_[object], poses, limit);
-}
-
-double Problem::SumTouching(int object, int first, std::span<const Pose<double>> poses, double limit) {
   double sum = 0;
-  for (size_t i = first; i < touching_[object].size(); ++i) {
-    const int slot = touching_[object][i];
+  for (int slot : touching_[object]) {
     if (missing_[slot] != 0) continue;
     sum += Value(slot, poses);
+    if (sum > limit) return sum;
+  }
+  return sum;
+}
+
+void Problem::Hold(int object, std::span<const Pose<double>> poses, bool soft_only) {
+  held_.clear();
+  held_frames_.clear();
+  for (size_t i = soft_only ? hard_touching_[object] : 0; i < touching_[object].size(); ++i) {
+    const int slot = touching_[object][i];
+    if (missing_[slot] != 0) continue;
+    const Term& term = terms_[active_[slot]];
+    const std::span<const int> objects = term.cost->objects();
+    const size_t moving =
+        static_cast<size_t>(std::lower_bound(objects.begin(), objects.end(), object) - objects.begin());
+    const std::span<const Frame<double>> frames = Gather(slot, poses);
+    held_.push_back({&term, held_frames_.size(), moving, term.cost->FixedPart(frames, moving)});
+    held_frames_.insert(held_frames_.end(), frames.begin(), frames.end());
+  }
+}
+
+double Problem::AroundHeld(const Pose<double>& pose, double limit) {
+  const Frame<double> frame = FrameOf(pose);
+  double sum = 0;
+  for (const HeldTerm& held : held_) {
+    ++evaluations_;
+    held_frames_[held.first + held.moving] = frame;
+    const std::span<const Frame<double>> frames(held_frames_.data() + held.first, held.term->cost->objects().size());
+    const double cost = held.term->cost->ValueGiven(held.fixed_part, frames, held.moving);
+    sum += held.term->weight * (held.term->wish ? Wish(cost) : cost);
     if (sum > limit) return sum;
   }
   return sum;
@@ -85,7 +116,7 @@ double Problem::Gradient(std::span<const Pose<double>> poses, std::span<double> 
     const Term& term = terms_[active_[slot]];
     const std::span<const int> objects = term.cost->objects();
     const std::span<double> part(operand_gradient_.data(), 3 * objects.size());
-    const double cost = term.cost->Gradient(Gather(slot, poses), part);
+    const double cost = term.cost->GradientAt(Gather(slot, poses), part);
     sum += term.weight * (term.wish ? Wish(cost) : cost);
     const double slope = term.weight * (term.wish ? WishSlope(cost) : 1.0);
     for (size_t k = 0; k < objects.size(); ++k) {

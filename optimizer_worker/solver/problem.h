@@ -67,8 +67,13 @@ class Problem {
   double Total(std::span<const Pose<double>> poses);
   // Sum of the terms that read `object`; may stop early with any number above `limit`.
   double Around(int object, std::span<const Pose<double>> poses, double limit);
-  // The same without the hard terms.
-  double SoftAround(int object, std::span<const Pose<double>> poses, double limit);
+
+  // For trying many poses of `object` while all others stay as in `poses`: works out once what they share. With
+  // `soft_only` the hard terms are left out.
+  void Hold(int object, std::span<const Pose<double>> poses, bool soft_only);
+  // As Around with the held object at `pose`; valid until the next Hold or SetPlaced.
+  double AroundHeld(const Pose<double>& pose, double limit);
+
   // Sum of all terms that count; adds each gradient into `gradient`, three numbers per object of the scene.
   double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient);
   // Sum of the hard terms.
@@ -80,9 +85,16 @@ class Problem {
   std::span<const int> active() const { return active_; }
 
  private:
-  double SumTouching(int object, int first, std::span<const Pose<double>> poses, double limit);
+  // A term that reads the held object, whose frame goes to held_frames_[first + moving].
+  struct HeldTerm {
+    const Term* term;
+    size_t first;
+    size_t moving;
+    double fixed_part;
+  };
   double Value(int slot, std::span<const Pose<double>> poses);
-  std::span<const Pose<double>> Gather(int slot, std::span<const Pose<double>> poses);
+  const Frame<double>& FrameAt(int object, std::span<const Pose<double>> poses);
+  std::span<const Frame<double>> Gather(int slot, std::span<const Pose<double>> poses);
 
   std::span<const Term> terms_;
   std::vector<int> active_;                 // slot -> term, hard terms first
@@ -91,7 +103,12 @@ class Problem {
   std::vector<std::vector<int>> requiring_;
   std::vector<int> missing_;  // slot -> required objects without a pose
   std::vector<char> placed_;
-  std::vector<Pose<double>> operands_;
+  // The frames of the poses seen last: most objects stay where they are from one evaluation to the next.
+  std::vector<Pose<double>> seen_poses_;
+  std::vector<Frame<double>> seen_frames_;
+  std::vector<HeldTerm> held_;
+  std::vector<Frame<double>> held_frames_;
+  std::vector<Frame<double>> operands_;
   std::vector<double> operand_gradient_;
   int64_t evaluations_ = 0;
 };

@@ -11,15 +11,15 @@ class Spread final : public Cost {
  public:
   explicit Spread(std::vector<int> objects) : objects_(std::move(objects)) {}
   std::span<const int> objects() const override { return objects_; }
-  double Value(std::span<const Pose<double>> poses) const override {
-    const double d = poses[0].x_m - poses[1].x_m;
+  double ValueAt(std::span<const Frame<double>> frames) const override {
+    const double d = frames[0].center.x - frames[1].center.x;
     return d * d;
   }
-  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const override {
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override {
     std::fill(gradient.begin(), gradient.end(), 0.0);
-    gradient[0] = 2 * (poses[0].x_m - poses[1].x_m);
+    gradient[0] = 2 * (frames[0].center.x - frames[1].center.x);
     gradient[3] = -gradient[0];
-    return Value(poses);
+    return ValueAt(frames);
   }
 
  private:

@@ -68,17 +68,16 @@ void LayoutSearch::Propose(int object, const CandidateDensity& density, Random& 
 
 void LayoutSearch::Rank(int object, double limit, double noise, Random& random, size_t keep) {
   choices_.clear();
-  const Pose<double> before = layout_[object];
   const bool solid = IsSolid(input_.scene.objects[object]);
   if (solid) hard_cost_.Prepare(object, problem_, layout_);
+  problem_.Hold(object, layout_, solid);
   for (const Pose<double>& candidate : candidates_) {
-    layout_[object] = candidate;
     const double handicap = noise > 0 ? noise * random.Uniform() : 0.0;
     const double bound = choices_.size() < keep ? limit : std::min(limit, choices_.back().cost);
     double cost = handicap;
     if (solid) cost += hard_cost_.At(candidate, bound - cost);
     if (cost >= bound) continue;
-    cost += solid ? problem_.SoftAround(object, layout_, bound - cost) : problem_.Around(object, layout_, bound - cost);
+    cost += problem_.AroundHeld(candidate, bound - cost);
     if (cost >= bound) continue;
     const auto place = std::upper_bound(choices_.begin(), choices_.end(), cost,
                                         [](double value, const Choice& choice) { return value < choice.cost; });
@@ -86,7 +85,6 @@ void LayoutSearch::Rank(int object, double limit, double noise, Random& random, 
     choices_.insert(place, {candidate, cost});
     if (choices_.size() > keep) choices_.pop_back();
   }
-  layout_[object] = before;
 }
 
 void LayoutSearch::Construct(std::span<const int> objects, double noise, Random& random) {

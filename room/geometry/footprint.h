@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -20,6 +21,11 @@ struct Footprint {
   double area_m2() const { return width_m * depth_m; }
   friend bool operator==(const Footprint&, const Footprint&) = default;
 };
+
+// From its centre to its corners.
+inline double CircumscribedRadius(const Footprint& footprint) {
+  return std::sqrt(footprint.width_m * footprint.width_m + footprint.depth_m * footprint.depth_m) / 2;
+}
 
 enum class Side { kFront, kBack, kLeft, kRight };
 inline constexpr std::array<Side, 4> kSides = {Side::kFront, Side::kBack, Side::kLeft, Side::kRight};

@@ -16,15 +16,15 @@ RowCost::RowCost(const Scene& scene, const std::vector<int>& objects) : objects_
   for (int i : objects_) footprints_.push_back(scene.objects[static_cast<size_t>(i)].footprint);
 }
 
-std::array<size_t, RowCost::kMaxObjects> RowCost::Order(std::span<const Pose<double>> poses) const {
+std::array<size_t, RowCost::kMaxObjects> RowCost::Order(std::span<const Frame<double>> frames) const {
   std::array<size_t, kMaxObjects> order{};
   std::array<double, kMaxObjects> place{};
-  const Vec2<double> right = FrameOf(poses[0]).right;
-  for (size_t i = 0; i < poses.size(); ++i) {
+  const Vec2<double> right = frames[0].right;
+  for (size_t i = 0; i < frames.size(); ++i) {
     order[i] = i;
-    place[i] = Dot(right, Center(poses[i]));
+    place[i] = Dot(right, frames[i].center);
   }
-  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(poses.size()),
+  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(frames.size()),
             [&place](size_t a, size_t b) { return place[a] != place[b] ? place[a] < place[b] : a < b; });
   return order;
 }
@@ -39,23 +39,22 @@ T RowCost::NeighbourCost(const Footprint& left, const Frame<T>& left_frame, cons
   return SquaredOutside(gap, 0, kAir_m) + Square(offset) + Turn(left_frame.front, right_frame.front);
 }
 
-double RowCost::Value(std::span<const Pose<double>> poses) const {
-  const auto order = Order(poses);
+double RowCost::ValueAt(std::span<const Frame<double>> frames) const {
+  const auto order = Order(frames);
   double sum = 0;
-  for (size_t k = 0; k + 1 < poses.size(); ++k) {
-    sum += NeighbourCost(footprints_[order[k]], FrameOf(poses[order[k]]), footprints_[order[k + 1]],
-                         FrameOf(poses[order[k + 1]]));
+  for (size_t k = 0; k + 1 < frames.size(); ++k) {
+    sum += NeighbourCost(footprints_[order[k]], frames[order[k]], footprints_[order[k + 1]], frames[order[k + 1]]);
   }
   return sum;
 }
 
-double RowCost::Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const {
+double RowCost::GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const {
   std::fill(gradient.begin(), gradient.end(), 0.0);
-  const auto order = Order(poses);
+  const auto order = Order(frames);
   double sum = 0;
-  for (size_t k = 0; k + 1 < poses.size(); ++k) {
+  for (size_t k = 0; k + 1 < frames.size(); ++k) {
     const size_t left = order[k], right = order[k + 1];
-    sum += AddPair(poses, left, right, gradient, [this, left, right](const auto& a, const auto& b) {
+    sum += AddPair(frames, left, right, gradient, [this, left, right](const auto& a, const auto& b) {
       return NeighbourCost(footprints_[left], a, footprints_[right], b);
     });
   }

@@ -22,12 +22,12 @@ class RowCost final : public Cost {
   RowCost(const Scene& scene, const std::vector<int>& objects);
 
   std::span<const int> objects() const override { return objects_; }
-  double Value(std::span<const Pose<double>> poses) const override;
-  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const override;
+  double ValueAt(std::span<const Frame<double>> frames) const override;
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
 
  private:
   // Positions in objects_, from left to right.
-  std::array<size_t, kMaxObjects> Order(std::span<const Pose<double>> poses) const;
+  std::array<size_t, kMaxObjects> Order(std::span<const Frame<double>> frames) const;
   template <typename T>
   T NeighbourCost(const Footprint& left, const Frame<T>& left_frame, const Footprint& right,
                   const Frame<T>& right_frame) const;

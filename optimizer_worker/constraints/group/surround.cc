@@ -84,14 +84,14 @@ T SurroundCost::SeatCost(const Frame<T>& center, const Frame<T>& seat, const Foo
          (Dot(seat.front, NormalOf(center, place.side)) + 1.0);
 }
 
-std::array<int, SurroundCost::kMaxSeats> SurroundCost::Assign(std::span<const Pose<double>> poses,
+std::array<int, SurroundCost::kMaxSeats> SurroundCost::Assign(std::span<const Frame<double>> frames,
                                                               const Places& places) const {
   std::array<std::array<double, kMaxSeats>, kMaxSeats> cost;
-  const Frame<double> center = FrameOf(poses[center_]);
+  const Frame<double> center = frames[center_];
   const size_t seats = seats_.size();
   const size_t count = static_cast<size_t>(places.count);
   for (size_t i = 0; i < seats; ++i) {
-    const Frame<double> seat = FrameOf(poses[seats_[i]]);
+    const Frame<double> seat = frames[seats_[i]];
     for (size_t p = 0; p < count; ++p) cost[i][p] = SeatCost(center, seat, footprints_[i], places.items[p]);
   }
   std::array<int, kMaxSeats> of_place;
@@ -133,25 +133,25 @@ std::array<int, SurroundCost::kMaxSeats> SurroundCost::Assign(std::span<const Po
   return place_of;
 }
 
-double SurroundCost::Value(std::span<const Pose<double>> poses) const {
-  const Frame<double> center = FrameOf(poses[center_]);
+double SurroundCost::ValueAt(std::span<const Frame<double>> frames) const {
+  const Frame<double> center = frames[center_];
   const Places places = PlacesAround(center);
-  const std::array<int, kMaxSeats> place_of = Assign(poses, places);
+  const std::array<int, kMaxSeats> place_of = Assign(frames, places);
   double sum = 0;
   for (size_t i = 0; i < seats_.size(); ++i) {
-    sum += SeatCost(center, FrameOf(poses[seats_[i]]), footprints_[i], places.items[static_cast<size_t>(place_of[i])]);
+    sum += SeatCost(center, frames[seats_[i]], footprints_[i], places.items[static_cast<size_t>(place_of[i])]);
   }
   return sum;
 }
 
-double SurroundCost::Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const {
+double SurroundCost::GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const {
   std::fill(gradient.begin(), gradient.end(), 0.0);
-  const Places places = PlacesAround(FrameOf(poses[center_]));
-  const std::array<int, kMaxSeats> place_of = Assign(poses, places);
+  const Places places = PlacesAround(frames[center_]);
+  const std::array<int, kMaxSeats> place_of = Assign(frames, places);
   double sum = 0;
   for (size_t i = 0; i < seats_.size(); ++i) {
     const Place& place = places.items[static_cast<size_t>(place_of[i])];
-    sum += AddPair(poses, center_, seats_[i], gradient, [this, i, &place](const auto& center, const auto& seat) {
+    sum += AddPair(frames, center_, seats_[i], gradient, [this, i, &place](const auto& center, const auto& seat) {
       return SeatCost(center, seat, footprints_[i], place);
     });
   }

@@ -27,8 +27,8 @@ class SurroundCost final : public Cost {
   SurroundCost(const Scene& scene, int center, const std::vector<int>& seats);
 
   std::span<const int> objects() const override { return objects_; }
-  double Value(std::span<const Pose<double>> poses) const override;
-  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const override;
+  double ValueAt(std::span<const Frame<double>> frames) const override;
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
 
  private:
   struct Place {
@@ -46,7 +46,7 @@ class SurroundCost final : public Cost {
   bool HasRoom(const Frame<double>& center, Side side) const;
   void AddPlaces(Side side, int count, Places& places) const;
   // The place of each seat, cheapest together: greedy, then exchanged pairwise while that helps.
-  std::array<int, kMaxSeats> Assign(std::span<const Pose<double>> poses, const Places& places) const;
+  std::array<int, kMaxSeats> Assign(std::span<const Frame<double>> frames, const Places& places) const;
   template <typename T>
   T SeatCost(const Frame<T>& center, const Frame<T>& seat, const Footprint& footprint, const Place& place) const;
 

@@ -117,9 +117,25 @@ T Gap(const A& a, const B& b) {
   return Along<T>(a, b, NearestFeatures(a, b, axis));
 }
 
+// Whether all of `b` is beyond one of the edges of `a`.
+template <typename A, typename B>
+bool BeyondAnEdge(const A& a, const B& b) {
+  for (int i = 0; i < a.count(); ++i) {
+    if (!a.exit(i)) continue;
+    const Vec2<double>& n = a.value_normal(i);
+    const double edge = Dot(n, a.value(i));
+    bool beyond = true;
+    for (int j = 0; beyond && j < b.count(); ++j) beyond = Dot(n, b.value(j)) >= edge;
+    if (beyond) return true;
+  }
+  return false;
+}
+
 // max(-gap, 0)^2 [m2]: zero when apart, squared penetration depth else. Cheaper than Gap.
 template <typename T, typename A, typename B>
 T SquaredPenetration(const A& a, const B& b) {
+  // Most are apart, and one edge that shows it is enough.
+  if (BeyondAnEdge(a, b) || BeyondAnEdge(b, a)) return T(0.0);
   const Witness axis = SeparatingAxis(a, b);
   if (axis.gap_m >= 0) return T(0.0);
   return Square(Along<T>(a, b, axis));

@@ -8,10 +8,11 @@
 
 namespace flair::optimizer {
 
-// Adds the gradient of `term(frame_i, frame_j)` to `gradient` (three numbers per pose) and returns its value.
+// Adds the gradient of `term(frame_i, frame_j)` to `gradient` (three numbers per frame) and returns its value.
 template <typename Term>
-double AddPair(std::span<const Pose<double>> poses, size_t i, size_t j, std::span<double> gradient, const Term& term) {
-  const Dual<6> value = term(DualFrame<6>(poses[i], 0), DualFrame<6>(poses[j], 3));
+double AddPair(std::span<const Frame<double>> frames, size_t i, size_t j, std::span<double> gradient,
+               const Term& term) {
+  const Dual<6> value = term(DualFrame<6>(frames[i], 0), DualFrame<6>(frames[j], 3));
   for (size_t k = 0; k < 3; ++k) {
     gradient[3 * i + k] += value.partial[k];
     gradient[3 * j + k] += value.partial[3 + k];
@@ -21,8 +22,8 @@ double AddPair(std::span<const Pose<double>> poses, size_t i, size_t j, std::spa
 
 // The same for a term of one object.
 template <typename Term>
-double AddSingle(std::span<const Pose<double>> poses, size_t i, std::span<double> gradient, const Term& term) {
-  const Dual<3> value = term(DualFrame<3>(poses[i], 0));
+double AddSingle(std::span<const Frame<double>> frames, size_t i, std::span<double> gradient, const Term& term) {
+  const Dual<3> value = term(DualFrame<3>(frames[i], 0));
   for (size_t k = 0; k < 3; ++k) gradient[3 * i + k] += value.partial[k];
   return value.value;
 }

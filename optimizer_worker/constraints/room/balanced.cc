@@ -15,16 +15,16 @@ BalancedCost::BalancedCost(const Scene& scene, std::vector<int> objects)
   for (int i : objects_) shares_.push_back(scene.objects[static_cast<size_t>(i)].footprint.area_m2() / total);
 }
 
-Vec2<double> BalancedCost::Offset(std::span<const Pose<double>> poses) const {
+Vec2<double> BalancedCost::Offset(std::span<const Frame<double>> frames) const {
   Vec2<double> offset = -room_center_;
-  for (size_t i = 0; i < shares_.size(); ++i) offset += shares_[i] * Center(poses[i]);
+  for (size_t i = 0; i < shares_.size(); ++i) offset += shares_[i] * frames[i].center;
   return offset;
 }
 
-double BalancedCost::Value(std::span<const Pose<double>> poses) const { return SquaredNorm(Offset(poses)); }
+double BalancedCost::ValueAt(std::span<const Frame<double>> frames) const { return SquaredNorm(Offset(frames)); }
 
-double BalancedCost::Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const {
-  const Vec2<double> offset = Offset(poses);
+double BalancedCost::GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const {
+  const Vec2<double> offset = Offset(frames);
   for (size_t i = 0; i < shares_.size(); ++i) {
     gradient[3 * i] = 2 * shares_[i] * offset.x;
     gradient[3 * i + 1] = 2 * shares_[i] * offset.y;

@@ -19,12 +19,12 @@ class BalancedCost final : public Cost {
   BalancedCost(const Scene& scene, std::vector<int> objects);
 
   std::span<const int> objects() const override { return objects_; }
-  double Value(std::span<const Pose<double>> poses) const override;
-  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const override;
+  double ValueAt(std::span<const Frame<double>> frames) const override;
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
 
  private:
   // Centre of mass minus centre of the room.
-  Vec2<double> Offset(std::span<const Pose<double>> poses) const;
+  Vec2<double> Offset(std::span<const Frame<double>> frames) const;
 
   std::vector<int> objects_;
   // a_i / sum a_i.

@@ -69,33 +69,42 @@ T AccessibleCost::BlockCost(const Frame<T>& frame, size_t other, const Frame<T>&
   return sum;
 }
 
-bool AccessibleCost::OutOfReach(const Pose<double>& own, const Pose<double>& other, double other_reach_m) const {
-  const double reach = reach_m_ + other_reach_m;
-  const double dx = own.x_m - other.x_m, dy = own.y_m - other.y_m;
-  return dx * dx + dy * dy >= reach * reach;
+double AccessibleCost::BlockValue(std::span<const Frame<double>> frames, size_t other) const {
+  const double reach = reach_m_ + reaches_m_[other];
+  if (SquaredNorm(frames[own_].center - frames[other].center) >= reach * reach) return 0;
+  return BlockCost(frames[own_], other, frames[other]);
 }
 
-double AccessibleCost::Value(std::span<const Pose<double>> poses) const {
-  const Frame<double> frame = FrameOf(poses[own_]);
-  double sum = RoomCost(frame);
-  for (size_t i = 0; i < poses.size(); ++i) {
-    if (i == own_ || OutOfReach(poses[own_], poses[i], reaches_m_[i])) continue;
-    sum += BlockCost(frame, i, FrameOf(poses[i]));
+double AccessibleCost::ValueAt(std::span<const Frame<double>> frames) const {
+  double sum = RoomCost(frames[own_]);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    if (i != own_) sum += BlockValue(frames, i);
   }
   return sum;
 }
 
-double AccessibleCost::Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const {
-  std::fill(gradient.begin(), gradient.end(), 0.0);
-  const Frame<double> frame = FrameOf(poses[own_]);
-  double sum = 0;
-  if (RoomCost(frame) > 0) {
-    sum += AddSingle(poses, own_, gradient, [this](const auto& f) { return RoomCost(f); });
+double AccessibleCost::FixedPart(std::span<const Frame<double>> frames, size_t moving) const {
+  if (moving == own_) return 0;
+  double sum = RoomCost(frames[own_]);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    if (i != own_ && i != moving) sum += BlockValue(frames, i);
   }
-  for (size_t i = 0; i < poses.size(); ++i) {
-    if (i == own_ || OutOfReach(poses[own_], poses[i], reaches_m_[i])) continue;
-    if (BlockCost(frame, i, FrameOf(poses[i])) == 0) continue;
-    sum += AddPair(poses, own_, i, gradient,
+  return sum;
+}
+
+double AccessibleCost::ValueGiven(double fixed_part, std::span<const Frame<double>> frames, size_t moving) const {
+  return moving == own_ ? ValueAt(frames) : fixed_part + BlockValue(frames, moving);
+}
+
+double AccessibleCost::GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const {
+  std::fill(gradient.begin(), gradient.end(), 0.0);
+  double sum = 0;
+  if (RoomCost(frames[own_]) > 0) {
+    sum += AddSingle(frames, own_, gradient, [this](const auto& f) { return RoomCost(f); });
+  }
+  for (size_t i = 0; i < frames.size(); ++i) {
+    if (i == own_ || BlockValue(frames, i) == 0) continue;
+    sum += AddPair(frames, own_, i, gradient,
                    [this, i](const auto& f, const auto& other) { return BlockCost(f, i, other); });
   }
   return sum;

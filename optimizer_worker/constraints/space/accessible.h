@@ -4,9 +4,9 @@
 //                             + sum over doors of depth(strip, swing)^2                                   [m2]
 //   strip  the rectangle of depth min_clearance_m before the side;  out  its corners' distance outside the floor
 //   depth  shortest push that parts the two
-// Others are floor objects that are not walked over and do not belong at that side: a chair that a call puts at the front
-// of its desk may stand there (LinkedPairs). Zero exactly when every strip is inside the room and free. The released
-// ind_accessible jumps at contact, draws random numbers for "long" and tests "mat" in "mattress" (SEMANTICS.md
+// Others are floor objects that are not walked over and do not belong at that side: a chair that a call puts at the
+// front of its desk may stand there (LinkedPairs). Zero exactly when every strip is inside the room and free. The
+// released ind_accessible jumps at contact, draws random numbers for "long" and tests "mat" in "mattress" (SEMANTICS.md
 // section 3).
 #pragma once
 
@@ -28,8 +28,10 @@ class AccessibleCost final : public Cost {
   AccessibleCost(const BindContext& context, int object, std::vector<Side> sides, double clearance_m);
 
   std::span<const int> objects() const override { return objects_; }
-  double Value(std::span<const Pose<double>> poses) const override;
-  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const override;
+  double ValueAt(std::span<const Frame<double>> frames) const override;
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
+  double FixedPart(std::span<const Frame<double>> frames, size_t moving) const override;
+  double ValueGiven(double fixed_part, std::span<const Frame<double>> frames, size_t moving) const override;
 
  private:
   // What depends on the object alone: floor and doors.
@@ -38,8 +40,8 @@ class AccessibleCost final : public Cost {
   // The object at position `other` of objects_ in the way.
   template <typename T>
   T BlockCost(const Frame<T>& frame, size_t other, const Frame<T>& other_frame) const;
-  // Too far away to be in the way of any strip.
-  bool OutOfReach(const Pose<double>& own, const Pose<double>& other, double other_reach_m) const;
+  // The same, without work for objects that are too far away to be in the way of any strip.
+  double BlockValue(std::span<const Frame<double>> frames, size_t other) const;
 
   std::vector<int> objects_;
   // In the order of objects_.
