@@ -16,6 +16,7 @@ Problem::Problem(std::span<const Term> terms, std::vector<int> active, int objec
       missing_(active_.size(), 0),
       placed_(object_count, false),
       seen_poses_(object_count),
+      is_held_(active_.size(), 0),
       seen_frames_(object_count, FrameOf(Pose<double>())) {
   std::stable_partition(active_.begin(), active_.end(), [&](int t) { return terms_[t].hard; });
   size_t most_operands = 0;
@@ -78,30 +79,50 @@ double Problem::Around(int object, std::span<const Pose<double>> poses, double l
   return sum;
 }
 
-void Problem::Hold(int object, std::span<const Pose<double>> poses, bool soft_only) {
+void Problem::Hold(std::span<const int> objects, std::span<const Pose<double>> poses, bool soft_only) {
   held_.clear();
+  moves_.clear();
   held_frames_.clear();
-  for (size_t i = soft_only ? hard_touching_[object] : 0; i < touching_[object].size(); ++i) {
-    const int slot = touching_[object][i];
-    if (missing_[slot] != 0) continue;
-    const Term& term = terms_[active_[slot]];
-    const std::span<const int> objects = term.cost->objects();
-    const size_t moving =
-        static_cast<size_t>(std::lower_bound(objects.begin(), objects.end(), object) - objects.begin());
-    const std::span<const Frame<double>> frames = Gather(slot, poses);
-    held_.push_back({&term, held_frames_.size(), moving, term.cost->FixedPart(frames, moving)});
-    held_frames_.insert(held_frames_.end(), frames.begin(), frames.end());
+  moved_frames_.resize(objects.size());
+  for (int object : objects) {
+    for (size_t i = soft_only ? hard_touching_[object] : 0; i < touching_[object].size(); ++i) {
+      const int slot = touching_[object][i];
+      if (missing_[slot] != 0 || is_held_[slot]) continue;
+      is_held_[slot] = 1;
+      HoldTerm(slot, objects, poses);
+    }
+  }
+  for (int object : objects) {
+    for (int slot : touching_[object]) is_held_[slot] = 0;
   }
 }
 
-double Problem::AroundHeld(const Pose<double>& pose, double limit) {
-  const Frame<double> frame = FrameOf(pose);
+void Problem::HoldTerm(int slot, std::span<const int> held, std::span<const Pose<double>> poses) {
+  const Term& term = terms_[active_[slot]];
+  const std::span<const int> objects = term.cost->objects();
+  const std::span<const Frame<double>> frames = Gather(slot, poses);
+  HeldTerm entry{&term, held_frames_.size(), moves_.size(), 0, 0};
+  for (size_t h = 0; h < held.size(); ++h) {
+    const auto operand = std::lower_bound(objects.begin(), objects.end(), held[h]);
+    if (operand == objects.end() || *operand != held[h]) continue;
+    moves_.push_back({static_cast<size_t>(operand - objects.begin()), h});
+    ++entry.move_count;
+  }
+  if (entry.move_count == 1) entry.fixed_part = term.cost->FixedPart(frames, moves_.back().operand);
+  held_.push_back(entry);
+  held_frames_.insert(held_frames_.end(), frames.begin(), frames.end());
+}
+
+double Problem::AroundHeld(std::span<const Pose<double>> poses, double limit) {
+  for (size_t h = 0; h < poses.size(); ++h) moved_frames_[h] = FrameOf(poses[h]);
   double sum = 0;
   for (const HeldTerm& held : held_) {
     ++evaluations_;
-    held_frames_[held.first + held.moving] = frame;
-    const std::span<const Frame<double>> frames(held_frames_.data() + held.first, held.term->cost->objects().size());
-    const double cost = held.term->cost->ValueGiven(held.fixed_part, frames, held.moving);
+    const std::span<Frame<double>> frames(held_frames_.data() + held.first, held.term->cost->objects().size());
+    const std::span<const Move> moves(moves_.data() + held.first_move, held.move_count);
+    for (const Move& move : moves) frames[move.operand] = moved_frames_[move.held];
+    const double cost = held.move_count == 1 ? held.term->cost->ValueGiven(held.fixed_part, frames, moves[0].operand)
+                                             : held.term->cost->ValueAt(frames);
     sum += held.term->weight * (held.term->wish ? Wish(cost) : cost);
     if (sum > limit) return sum;
   }

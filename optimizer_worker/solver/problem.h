@@ -68,11 +68,12 @@ class Problem {
   // Sum of the terms that read `object`; may stop early with any number above `limit`.
   double Around(int object, std::span<const Pose<double>> poses, double limit);
 
-  // For trying many poses of `object` while all others stay as in `poses`: works out once what they share. With
+  // For trying many poses of `objects` while all others stay as in `poses`: works out once what they share. With
   // `soft_only` the hard terms are left out.
-  void Hold(int object, std::span<const Pose<double>> poses, bool soft_only);
-  // As Around with the held object at `pose`; valid until the next Hold or SetPlaced.
-  double AroundHeld(const Pose<double>& pose, double limit);
+  void Hold(std::span<const int> objects, std::span<const Pose<double>> poses, bool soft_only);
+  // Sum of the terms that read any of the held objects, with these at `poses` (in Hold's order); may stop early with
+  // any number above `limit`. Valid until the next Hold or SetPlaced.
+  double AroundHeld(std::span<const Pose<double>> poses, double limit);
 
   // Sum of all terms that count; adds each gradient into `gradient`, three numbers per object of the scene.
   double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient);
@@ -85,13 +86,20 @@ class Problem {
   std::span<const int> active() const { return active_; }
 
  private:
-  // A term that reads the held object, whose frame goes to held_frames_[first + moving].
+  // A term that reads held objects; its operands' frames begin at held_frames_[first], its moves at moves_[first_move].
   struct HeldTerm {
     const Term* term;
     size_t first;
-    size_t moving;
+    size_t first_move;
+    size_t move_count;
     double fixed_part;
   };
+  // Where the frame of the held object number `held` goes among a term's operands.
+  struct Move {
+    size_t operand;
+    size_t held;
+  };
+  void HoldTerm(int slot, std::span<const int> held, std::span<const Pose<double>> poses);
   double Value(int slot, std::span<const Pose<double>> poses);
   const Frame<double>& FrameAt(int object, std::span<const Pose<double>> poses);
   std::span<const Frame<double>> Gather(int slot, std::span<const Pose<double>> poses);
@@ -107,6 +115,9 @@ class Problem {
   std::vector<Pose<double>> seen_poses_;
   std::vector<Frame<double>> seen_frames_;
   std::vector<HeldTerm> held_;
+  std::vector<Move> moves_;
+  std::vector<char> is_held_;  // per slot, while Hold runs
+  std::vector<Frame<double>> moved_frames_;
   std::vector<Frame<double>> held_frames_;
   std::vector<Frame<double>> operands_;
   std::vector<double> operand_gradient_;

@@ -70,14 +70,14 @@ void LayoutSearch::Rank(int object, double limit, double noise, Random& random, 
   choices_.clear();
   const bool solid = IsSolid(input_.scene.objects[object]);
   if (solid) hard_cost_.Prepare(object, problem_, layout_);
-  problem_.Hold(object, layout_, solid);
+  problem_.Hold({&object, 1}, layout_, solid);
   for (const Pose<double>& candidate : candidates_) {
     const double handicap = noise > 0 ? noise * random.Uniform() : 0.0;
     const double bound = choices_.size() < keep ? limit : std::min(limit, choices_.back().cost);
     double cost = handicap;
     if (solid) cost += hard_cost_.At(candidate, bound - cost);
     if (cost >= bound) continue;
-    cost += problem_.AroundHeld(candidate, bound - cost);
+    cost += problem_.AroundHeld({&candidate, 1}, bound - cost);
     if (cost >= bound) continue;
     const auto place = std::upper_bound(choices_.begin(), choices_.end(), cost,
                                         [](double value, const Choice& choice) { return value < choice.cost; });
@@ -129,33 +129,34 @@ bool LayoutSearch::MoveTogether(int anchor, std::span<const int> members, const 
                                 Random& random) {
   const Layout before = layout_;
   const Frame<double> old_frame = FrameOf(before[anchor]);
-  const double walk_before = WalkPenalty();
-  double best_cost = problem_.Total(layout_);
-  const double score_before = best_cost + walk_before;
+  std::vector<int> group = {anchor};
+  group.insert(group.end(), members.begin(), members.end());
+  std::vector<Pose<double>> start, moved, best;
+  for (int object : group) start.push_back(before[object]);
+  moved = start;
   Propose(anchor, density, random);
   ProposeNudges(before[anchor], random, candidates_);
-  const std::vector<Pose<double>> candidates = candidates_;
-  Layout best = before;
-  // The best pose by cost, then one look at the way.
-  best_cost += walk_before;
-  bool found = false;
-  for (const Pose<double>& candidate : candidates) {
+  problem_.Hold(group, layout_, false);
+  const double cost_before = problem_.AroundHeld(start, kNever);
+  const double walk_before = WalkPenalty();
+  // The best pose by cost, then one look at the way: a little more cost may free it.
+  double least = cost_before + walk_before;
+  for (const Pose<double>& candidate : candidates_) {
     const Frame<double> frame = FrameOf(candidate);
-    layout_[anchor] = candidate;
-    for (int member : members) {
-      const Vec2<double> local = old_frame.ToObject(Center(before[member]));
+    moved[0] = candidate;
+    for (size_t k = 1; k < group.size(); ++k) {
+      const Vec2<double> local = old_frame.ToObject(Center(start[k]));
       const Vec2<double> p = frame.ToRoom(local.x, local.y);
-      layout_[member] = {p.x, p.y, before[member].theta_rad + candidate.theta_rad - before[anchor].theta_rad};
+      moved[k] = {p.x, p.y, start[k].theta_rad + candidate.theta_rad - start[0].theta_rad};
     }
-    if (problem_.Around(anchor, layout_, best_cost) >= best_cost) continue;
-    const double cost = problem_.Total(layout_);
-    if (cost >= best_cost) continue;
-    best_cost = cost;
-    best = layout_;
-    found = true;
+    const double cost = problem_.AroundHeld(moved, least);
+    if (cost >= least) continue;
+    least = cost;
+    best = moved;
   }
-  layout_ = best;
-  if (found && best_cost + WalkPenalty() < score_before - kLeastGain) return true;
+  if (best.empty()) return false;
+  for (size_t k = 0; k < group.size(); ++k) layout_[group[k]] = best[k];
+  if (least + WalkPenalty() < cost_before + walk_before - kLeastGain) return true;
   layout_ = before;
   return false;
 }
