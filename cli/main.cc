@@ -21,6 +21,9 @@ int main(int argc, char** argv) {
   flair::cli::AddJobs(program, result);
   flair::cli::AddRender(program, result);
   flair::cli::AddSolve(program, result);
+  flair::cli::AddImport(program, result);
+  flair::cli::AddExport(program, result);
+  flair::cli::AddBench(program, result);
   flair::cli::AddDoctor(program, result);
   try {
     program.parse(argc, argv);

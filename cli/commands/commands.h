@@ -12,6 +12,9 @@ void AddInspect(CLI::App& program, absl::Status& result);
 void AddJobs(CLI::App& program, absl::Status& result);
 void AddRender(CLI::App& program, absl::Status& result);
 void AddSolve(CLI::App& program, absl::Status& result);
+void AddImport(CLI::App& program, absl::Status& result);
+void AddExport(CLI::App& program, absl::Status& result);
+void AddBench(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
 
 }  // namespace flair::cli

@@ -8,6 +8,7 @@
 #include "evaluation/readers/flairgpt_calls.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "room/geometry/angle.h"
 
 namespace flair::evaluation {
 namespace {
@@ -135,10 +136,12 @@ std::string ZoneId(const std::string& name) {
   return id;
 }
 
+std::string ObjectId(bool tertiary, int index) { return fmt::format("{}_{}", tertiary ? "item" : "floor", index); }
+
 void AddObject(const json& record, v1::ObjectRole role, v1::LayoutGraph& graph) {
   v1::Object* object = graph.mutable_object_list()->add_objects();
   const bool tertiary = role == v1::OBJECT_ROLE_TERTIARY;
-  object->set_id(fmt::format("{}_{}", tertiary ? "item" : "floor", record.at("index").get<int>()));
+  object->set_id(ObjectId(tertiary, record.at("index")));
   object->set_name(record.at("name"));
   object->set_role(role);
   object->set_width_m(std::max(kLeastExtent_m, record.at("width").get<double>()));
@@ -204,7 +207,38 @@ v1::LayoutGraph ReadProblem(const json& problem) {
   return graph;
 }
 
+absl::StatusOr<v1::SolvedLayout> ReadSolution(const json& problem, const v1::LayoutGraph& graph) {
+  v1::SolvedLayout layout;
+  *layout.mutable_graph() = graph;
+  for (const char* stage : {"primary", "secondary", "tertiary"}) {
+    const json objects = problem.value(stage, json::array());
+    const json solution = problem.value("solution", json::object());
+    const json poses = solution.value(stage, json::array());
+    if (poses.size() != objects.size()) {
+      return absl::NotFoundError(
+          fmt::format("the recorded layout has {} {} poses for {} objects", poses.size(), stage, objects.size()));
+    }
+    for (size_t i = 0; i < poses.size(); ++i) {
+      v1::Placement* placement = layout.add_placements();
+      const bool tertiary = std::string_view(stage) == "tertiary";
+      placement->set_object_id(ObjectId(tertiary, objects[i].at("index")));
+      placement->set_x_m(poses[i].at(0));
+      placement->set_y_m(poses[i].at(1));
+      placement->set_theta_rad(WrapHeading(poses[i].at(2).get<double>()));
+    }
+  }
+  return layout;
+}
+
 }  // namespace
+
+absl::StatusOr<v1::SolvedLayout> ReadFlairGptSolution(const std::string& text, const v1::LayoutGraph& graph) {
+  try {
+    return ReadSolution(json::parse(text), graph);
+  } catch (const json::exception& error) {
+    return absl::NotFoundError(fmt::format("no recorded layout: {}", error.what()));
+  }
+}
 
 absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& text) {
   try {

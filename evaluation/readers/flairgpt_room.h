@@ -16,6 +16,10 @@ namespace flair::evaluation {
 // heights, which it lacks, take one plausible value per kind. INVALID_ARGUMENT when the text is not such a file.
 absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& json);
 
+// The layout that was recorded with the problem, by the released implementation; `graph` is what ReadFlairGptRoom made
+// of the same text. Placements only. NOT_FOUND when the recording has no layout or not all of one.
+absl::StatusOr<v1::SolvedLayout> ReadFlairGptSolution(const std::string& json, const v1::LayoutGraph& graph);
+
 // A layout of such a graph as the judge reads it. `name` is the problem's name; `seconds` what the solve took.
 std::string WriteFlairGptLayout(const v1::SolvedLayout& layout, const std::string& name, double seconds);
 

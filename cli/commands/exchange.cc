@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair import and flair export: to and from the formats of other systems.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands/commands.h"
+#include "cli/input/files.h"
+#include "cli/output/layout_artifact.h"
+#include "cli/output/output_folder.h"
+#include "evaluation/readers/flairgpt_room.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+struct ExchangeArguments {
+  std::string in;
+  std::string out;
+  std::string name;
+};
+
+absl::Status ImportFlairGpt(const ExchangeArguments& arguments) {
+  const absl::StatusOr<std::string> text = ReadFile(arguments.in);
+  if (!text.ok()) return text.status();
+  const absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(*text);
+  if (!graph.ok()) {
+    return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.in, std::string(graph.status().message())));
+  }
+  if (absl::Status status = WriteOutputFile(arguments.out, GraphArtifactBytes(*graph)); !status.ok()) return status;
+  for (const v1::Diagnostic& diagnostic : graph->diagnostics())
+    fmt::print(stderr, "left out: {}\n", diagnostic.message());
+  fmt::print(stderr, "{}: {} objects, {} constraints, {} calls left out\n", arguments.out,
+             graph->object_list().objects_size(), graph->edges_size(), graph->diagnostics_size());
+  return absl::OkStatus();
+}
+
+absl::Status ExportFlairGpt(const ExchangeArguments& arguments) {
+  const absl::StatusOr<v1::Artifact> artifact = ReadArtifact(arguments.in);
+  if (!artifact.ok()) return artifact.status();
+  if (!artifact->has_solved_layout()) {
+    return absl::InvalidArgumentError(fmt::format("{}: not a layout; give what flair solve wrote", arguments.in));
+  }
+  const std::string name =
+      arguments.name.empty() ? std::filesystem::path(arguments.out).stem().string() : arguments.name;
+  // How long somebody took is not in a layout.
+  return WriteOutputFile(arguments.out, evaluation::WriteFlairGptLayout(artifact->solved_layout(), name, 0));
+}
+
+}  // namespace
+
+void AddImport(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<ExchangeArguments>();
+  CLI::App* command = program.add_subcommand("import", "Problems of other systems as graphs.");
+  command->require_subcommand(1);
+  CLI::App* flairgpt = command->add_subcommand("flairgpt", "A recorded problem of the released implementation.");
+  flairgpt->add_option("ROOM", arguments->in, "Its .json")->required();
+  flairgpt->add_option("-o,--out", arguments->out, "Where the graph (.pb) goes")->required()->type_name("FILE");
+  flairgpt->callback([arguments, &result] { result = ImportFlairGpt(*arguments); });
+}
+
+void AddExport(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<ExchangeArguments>();
+  CLI::App* command = program.add_subcommand("export", "Layouts in the formats of other systems.");
+  command->require_subcommand(1);
+  CLI::App* flairgpt = command->add_subcommand("flairgpt", "Poses as the released implementation writes them.");
+  flairgpt->add_option("LAYOUT", arguments->in, "layout.pb or layout.json")->required();
+  flairgpt->add_option("-o,--out", arguments->out, "Where the .json goes")->required()->type_name("FILE");
+  flairgpt->add_option("--name", arguments->name, "Name of the problem; that of FILE when left out");
+  flairgpt->callback([arguments, &result] { result = ExportFlairGpt(*arguments); });
+}
+
+}  // namespace flair::cli
