@@ -2,6 +2,8 @@
 #include "evaluation/metrics/layout_metrics.h"
 
 #include "evaluation/metrics/overlap.h"
+#include "evaluation/metrics/pathway.h"
+#include "evaluation/metrics/penetration.h"
 #include "evaluation/metrics/reach.h"
 #include "room/conversion/scene_conversion.h"
 
@@ -14,6 +16,8 @@ v1::LayoutMetrics MeasureLayout(const LayoutView& view) {
   metrics.set_oor_percent(OorPercent(view));
   metrics.set_reachable_floor_share(reach.floor_share);
   metrics.set_reachable_front_share(reach.front_share);
+  metrics.set_pathway_cost_m3(PathwayCost_m3(view));
+  metrics.set_deepest_overlap_m(DeepestOverlap_m(view));
   return metrics;
 }
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluation/metrics/ways.h"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "room/geometry/footprint.h"
+#include "room/geometry/polygon.h"
+
+namespace flair::evaluation {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
+using Point = Kernel::Point_2;
+
+constexpr double kSpacing_m = 0.04;
+constexpr double kPiece_m = 0.05;
+// sin^2 of half the angle at which the two places are seen: 90 and 135 degrees.
+constexpr double kCorner = 0.5, kOpposite = 0.8535533905932737;
+constexpr double kSlit_m = 0.1, kGap_m = 0.2;
+
+// Linear from 0 at `low` to 1 at `high`.
+double Ramp(double value, double low, double high) { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
+
+// Both ends, and points in between at even steps.
+void SampleSegment(const Vec2<double>& from, const Vec2<double>& to, std::vector<Point>& samples) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(Distance(from, to) / kSpacing_m)));
+  for (int i = 0; i <= steps; ++i) {
+    const Vec2<double> p = from + (static_cast<double>(i) / steps) * (to - from);
+    samples.emplace_back(p.x, p.y);
+  }
+}
+
+// A wall as the parts between its doors.
+void SampleWall(const Room& room, int index, std::vector<Point>& samples) {
+  const Wall& wall = room.walls[static_cast<size_t>(index)];
+  std::vector<std::pair<double, double>> doors;
+  for (const Opening& opening : room.openings) {
+    if (opening.kind != OpeningKind::kDoor || opening.wall != index) continue;
+    doors.emplace_back(std::max(0.0, opening.offset_m), std::min(wall.length_m, opening.offset_m + opening.width_m));
+  }
+  std::sort(doors.begin(), doors.end());
+  double from = 0;
+  for (const auto& [low, high] : doors) {
+    if (low > from) SampleSegment(wall.PointAt(from), wall.PointAt(low), samples);
+    from = std::max(from, high);
+  }
+  if (from < wall.length_m) SampleSegment(wall.PointAt(from), wall.PointAt(wall.length_m), samples);
+}
+
+struct Solid {
+  Frame<double> frame;
+  Footprint footprint;
+
+  bool Covers(const Vec2<double>& p) const {
+    const Vec2<double> local = frame.ToObject(p);
+    return std::abs(local.x) < footprint.width_m / 2 && std::abs(local.y) < footprint.depth_m / 2;
+  }
+};
+
+std::vector<Solid> SolidsOf(const LayoutView& view) {
+  std::vector<Solid> solids;
+  for (size_t i = 0; i < view.scene.objects.size(); ++i) {
+    if (!view.Has(i) || !IsSolid(view.scene.objects[i])) continue;
+    solids.push_back({FrameOf(view.layout[i]), view.scene.objects[i].footprint});
+  }
+  return solids;
+}
+
+std::vector<Point> SampleBoundary(const LayoutView& view, const std::vector<Solid>& solids) {
+  std::vector<Point> samples;
+  for (int i = 0; i < static_cast<int>(view.scene.room.walls.size()); ++i) SampleWall(view.scene.room, i, samples);
+  for (const Solid& solid : solids) {
+    const std::array<Vec2<double>, 4> corners = Corners(solid.footprint, solid.frame);
+    for (size_t k = 0; k < 4; ++k) SampleSegment(corners[k], corners[(k + 1) % 4], samples);
+  }
+  return samples;
+}
+
+// Walks along a ridge between the cells of `a` and `b` and adds the pieces that are on free floor.
+void AddRidge(const Vec2<double>& from, const Vec2<double>& to, const Vec2<double>& a, const Vec2<double>& b,
+              const Polygon& floor, const std::vector<Solid>& solids, std::vector<WayPiece>& pieces) {
+  const double width = Distance(a, b);
+  const double slit = Ramp(width, kSlit_m, kGap_m);
+  const double length = Distance(from, to);
+  if (slit == 0 || length == 0) return;
+  const int steps = static_cast<int>(std::ceil(length / kPiece_m));
+  for (int i = 0; i < steps; ++i) {
+    const Vec2<double> p = from + ((i + 0.5) / steps) * (to - from);
+    const double radius = Distance(p, a);
+    const double opposite = Ramp(width * width / (4 * radius * radius), kCorner, kOpposite);
+    if (opposite == 0 || !Contains(floor, p)) continue;
+    if (std::any_of(solids.begin(), solids.end(), [&p](const Solid& solid) { return solid.Covers(p); })) continue;
+    pieces.push_back({p, (1 / width) * (b - a), slit * opposite * length / steps, radius});
+  }
+}
+
+}  // namespace
+
+std::vector<WayPiece> FindWays(const LayoutView& view) {
+  const std::vector<Solid> solids = SolidsOf(view);
+  const std::vector<Point> samples = SampleBoundary(view, solids);
+  const Delaunay delaunay(samples.begin(), samples.end());
+  // Ridges that leave the room end here.
+  const BoundingBox box = BoundsOf(view.scene.room.floor);
+  const double far = box.width_m() + box.height_m();
+  std::vector<WayPiece> pieces;
+  for (auto edge = delaunay.finite_edges_begin(); edge != delaunay.finite_edges_end(); ++edge) {
+    const auto& [face, index] = *edge;
+    const auto neighbour = face->neighbor(index);
+    // Beyond the hull of the samples is no floor.
+    if (delaunay.is_infinite(face) || delaunay.is_infinite(neighbour)) continue;
+    const Point& a = face->vertex(Delaunay::cw(index))->point();
+    const Point& b = face->vertex(Delaunay::ccw(index))->point();
+    // The ridge counts only where its two places are opposite: within a circle round their middle.
+    const Vec2<double> pa{a.x(), a.y()}, pb{b.x(), b.y()}, middle = 0.5 * (pa + pb);
+    const Vec2<double> along = Perpendicular((1 / Distance(pa, pb)) * (pb - pa));
+    const auto end = [&](const auto& cell) {
+      const Point center = delaunay.dual(cell);
+      return Dot(Vec2<double>{center.x(), center.y()} - middle, along);
+    };
+    const double reach = std::min(far, Distance(pa, pb) / 2);
+    const double one = std::clamp(end(face), -reach, reach), other = std::clamp(end(neighbour), -reach, reach);
+    if (one == other) continue;
+    AddRidge(middle + std::min(one, other) * along, middle + std::max(one, other) * along, pa, pb,
+             view.scene.room.floor, solids, pieces);
+  }
+  return pieces;
+}
+
+}  // namespace flair::evaluation

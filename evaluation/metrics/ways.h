@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ways through a furnished room: the medial axis of the free floor, from Voronoi ridges of samples on its boundary.
+// [Paper] pathway cost, where the ridges of the same kind of diagram are the ways.
+//   boundary  walls without their door openings, and the outlines of solid floor objects (rugs are walked over)
+//   way       points with the same distance to two places of the boundary that lie on opposite sides of them
+// A ridge counts by how opposite its two places are: not at all when they are seen at 90 degrees or less (the branch
+// into a corner of the room is no way), fully from 135. A slit narrower than 0.1 m is no way; one of 0.2 m counts
+// fully. Both rise linearly in between, so that the result changes steadily as objects move.
+#pragma once
+
+#include <vector>
+
+#include "evaluation/metrics/layout_view.h"
+#include "room/geometry/vec2.h"
+
+namespace flair::evaluation {
+
+// A short piece of a way.
+struct WayPiece {
+  Vec2<double> middle;
+  // Unit vector across the way, towards one of the two places.
+  Vec2<double> across;
+  // Length times how much it counts.
+  double weighted_length_m = 0;
+  // Distance to the boundary: half the way's width.
+  double half_width_m = 0;
+};
+
+// Pieces of at most 0.05 m on the floor and outside of objects. Deterministic; exact to the samples' spacing of 0.04 m.
+std::vector<WayPiece> FindWays(const LayoutView& view);
+
+}  // namespace flair::evaluation
