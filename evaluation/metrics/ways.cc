@@ -18,11 +18,11 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
 using Point = Kernel::Point_2;
 
-constexpr double kSpacing_m = 0.04;
+constexpr double kSpacing_m = 0.02;
 constexpr double kPiece_m = 0.05;
 // sin^2 of half the angle at which the two places are seen: 90 and 135 degrees.
 constexpr double kCorner = 0.5, kOpposite = 0.8535533905932737;
-constexpr double kSlit_m = 0.1, kGap_m = 0.2;
+constexpr double kSlit_m = 0.02, kGap_m = 0.04;
 
 // Linear from 0 at `low` to 1 at `high`.
 double Ramp(double value, double low, double high) { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
