@@ -2,12 +2,17 @@
 #include "optimizer_worker/solver/candidates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "room/geometry/angle.h"
 
 namespace flair::optimizer {
 namespace {
+
+// Left by slides, so that rounding does not make touching an overlap.
+constexpr double kAir_m = 5e-8;
 
 // Turn from "back on the wall" to "this side on the wall".
 double TurnOf(Side side) {
@@ -245,6 +250,47 @@ void ProposeCandidates(const CandidateContext& context, int object, const Candid
       return proposer.Ceiling();
     case ObjectKind::kSurface:
       return proposer.Surface();
+  }
+}
+
+void ProposeSlides(const CandidateContext& context, int object, const Pose<double>& pose, double way_m,
+                   std::vector<Pose<double>>& out) {
+  const Scene& scene = context.scene;
+  const Frame<double> frame = FrameOf(pose);
+  const double half_u = scene.objects[object].footprint.width_m / 2,
+               half_v = scene.objects[object].footprint.depth_m / 2;
+  // Free distance to the right, left, front and back.
+  std::array<double, 4> free;
+  free.fill(std::numeric_limits<double>::infinity());
+  const auto see = [&](double low_u, double high_u, double low_v, double high_v) {
+    const bool beside = high_v > -half_v && low_v<half_v, before = high_u> - half_u && low_u < half_u;
+    if (beside && low_u >= 0) free[0] = std::min(free[0], low_u - half_u);
+    if (beside && high_u <= 0) free[1] = std::min(free[1], -half_u - high_u);
+    if (before && low_v >= 0) free[2] = std::min(free[2], low_v - half_v);
+    if (before && high_v <= 0) free[3] = std::min(free[3], -half_v - high_v);
+  };
+  const auto see_all = [&](std::span<const Vec2<double>> points) {
+    Vec2<double> low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const Vec2<double>& point : points) {
+      const Vec2<double> local = frame.ToObject(point);
+      low = {std::min(low.x, local.x), std::min(low.y, local.y)};
+      high = {std::max(high.x, local.x), std::max(high.y, local.y)};
+    }
+    see(low.x, high.x, low.y, high.y);
+  };
+  for (int other : context.placed) {
+    const Object& neighbour = scene.objects[other];
+    if (other == object || neighbour.kind != ObjectKind::kFloor || neighbour.walk_over) continue;
+    see_all(Corners(neighbour.footprint, context.layout[other]));
+  }
+  for (const Wall& wall : scene.room.walls) see_all(std::array<Vec2<double>, 2>{wall.start, wall.end});
+  const std::array<Vec2<double>, 4> directions = {frame.right, -frame.right, frame.front, -frame.front};
+  for (size_t k = 0; k < 4; ++k) {
+    if (!(free[k] < 1e3)) continue;
+    for (double slide : {free[k] - kAir_m, free[k] - way_m - kAir_m}) {
+      if (std::abs(slide) < 1e-6 || slide < -way_m) continue;
+      out.push_back({pose.x_m + slide * directions[k].x, pose.y_m + slide * directions[k].y, pose.theta_rad});
+    }
   }
 }
 

@@ -41,6 +41,11 @@ struct CandidateDensity {
 void ProposeCandidates(const CandidateContext& context, int object, const CandidateDensity& density, Random& random,
                        std::vector<Pose<double>>& out);
 
+// Appends poses of a floor object slid from `pose` in each direction until it touches what is there, and until it
+// leaves `way_m` before it. Only neighbours and walls at multiples of 90 degrees are seen.
+void ProposeSlides(const CandidateContext& context, int object, const Pose<double>& pose, double way_m,
+                   std::vector<Pose<double>>& out);
+
 // Appends small moves of `pose`: along and across its heading, by 1 to 40 cm.
 void ProposeNudges(const Pose<double>& pose, Random& random, std::vector<Pose<double>>& out);
 

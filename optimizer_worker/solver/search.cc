@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "optimizer_worker/solver/crowding.h"
 #include "optimizer_worker/solver/separation.h"
 
 namespace flair::optimizer {
@@ -14,10 +15,15 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 // A re-placement must gain this much, or rounding would move things forever.
 constexpr double kLeastGain = 1e-7;
 // How many of the best poses of an object are also judged by walkability.
-constexpr size_t kWalkChoices = 4;
+constexpr size_t kWalkChoices = 6;
 // An object that costs less than this, in a room whose ways cost less than that, stays where it is.
 constexpr double kContent = 1e-4, kWalkable = 0.1;
 constexpr double kBox_m = 0.3;
+constexpr int kSettleRounds = 3;
+// Hard terms may grow by this when things touch.
+constexpr double kRounding = 1e-12;
+// Free floor that a slid object leaves before a neighbour.
+constexpr double kWay_m = 0.6;
 
 }  // namespace
 
@@ -45,7 +51,8 @@ double LayoutSearch::WalkPenalty() {
   const WalkResult walk = walk_grid_.front().Measure(obstacles_);
   const WalkWeights& weights = input_.walk_weights;
   walk_penalty_ = weights.unreachable_floor * (1 - walk.reachable_share) + weights.blocked_front * walk.blocked_fronts +
-                  (walk.door_free ? 0.0 : weights.blocked_door);
+                  (walk.door_free ? 0.0 : weights.blocked_door) +
+                  weights.crowding * CrowdingCost_m3(input_.scene.room, obstacles_);
   return walk_penalty_;
 }
 
@@ -64,6 +71,14 @@ void LayoutSearch::Propose(int object, const CandidateDensity& density, Random& 
     const Vec2<double> middle = BoundsOf(input_.scene.room.floor).Center();
     candidates_.push_back({middle.x, middle.y, 0});
   }
+}
+
+void LayoutSearch::ProposeNear(int object, const CandidateDensity& density, Random& random) {
+  Propose(object, density, random);
+  ProposeNudges(layout_[object], random, candidates_);
+  if (walk_grid_.empty() || !IsSolid(input_.scene.objects[object])) return;
+  const CandidateContext context{input_.scene, layout_, placed_, input_.partners[object], input_.zone_centers};
+  ProposeSlides(context, object, layout_[object], kWay_m, candidates_);
 }
 
 void LayoutSearch::Rank(int object, double limit, double noise, Random& random, size_t keep) {
@@ -104,8 +119,7 @@ void LayoutSearch::Sweep(std::span<const int> objects, int rounds, const Candida
       const double cost_before = problem_.Around(object, layout_, kNever);
       const double walk_before = WalkPenalty();
       if (cost_before < kContent && walk_before < kWalkable) continue;
-      Propose(object, density, random);
-      ProposeNudges(before, random, candidates_);
+      ProposeNear(object, density, random);
       // A pose may cost a little more when it frees the way.
       Rank(object, cost_before + walk_before, 0, random, walk_grid_.empty() ? 1 : kWalkChoices);
       double best = cost_before + walk_before - kLeastGain;
@@ -134,8 +148,7 @@ bool LayoutSearch::MoveTogether(int anchor, std::span<const int> members, const 
   std::vector<Pose<double>> start, moved, best;
   for (int object : group) start.push_back(before[object]);
   moved = start;
-  Propose(anchor, density, random);
-  ProposeNudges(before[anchor], random, candidates_);
+  ProposeNear(anchor, density, random);
   problem_.Hold(group, layout_, false);
   const double cost_before = problem_.AroundHeld(start, kNever);
   const double walk_before = WalkPenalty();
@@ -159,6 +172,57 @@ bool LayoutSearch::MoveTogether(int anchor, std::span<const int> members, const 
   if (least + WalkPenalty() < cost_before + walk_before - kLeastGain) return true;
   layout_ = before;
   return false;
+}
+
+bool LayoutSearch::SettleGroup(std::span<const int> group) {
+  const Layout before = layout_;
+  placed_.clear();
+  for (int i = 0; i < problem_.object_count(); ++i) {
+    if (problem_.placed(i) && std::find(group.begin(), group.end(), i) == group.end()) placed_.push_back(i);
+  }
+  const CandidateContext context{input_.scene, layout_, placed_, input_.partners[group[0]], input_.zone_centers};
+  candidates_.clear();
+  for (int object : group) {
+    const size_t first = candidates_.size();
+    ProposeSlides(context, object, before[object], kWay_m, candidates_);
+    // As slides of the leader.
+    for (size_t i = first; i < candidates_.size(); ++i) {
+      candidates_[i].x_m += before[group[0]].x_m - before[object].x_m;
+      candidates_[i].y_m += before[group[0]].y_m - before[object].y_m;
+      candidates_[i].theta_rad = before[group[0]].theta_rad;
+    }
+  }
+  const double hard_before = problem_.Hard(before);
+  double least = problem_.Total(before) + WalkPenalty() - kLeastGain;
+  Layout best;
+  for (const Pose<double>& candidate : candidates_) {
+    for (int object : group) {
+      layout_[object].x_m = before[object].x_m + candidate.x_m - before[group[0]].x_m;
+      layout_[object].y_m = before[object].y_m + candidate.y_m - before[group[0]].y_m;
+    }
+    const double cost = problem_.Total(layout_);
+    if (cost >= least || problem_.Hard(layout_) > hard_before + kRounding) continue;
+    const double score = cost + WalkPenalty();
+    if (score >= least) continue;
+    least = score;
+    best = layout_;
+  }
+  layout_ = best.empty() ? before : best;
+  return !best.empty();
+}
+
+void LayoutSearch::Settle(std::span<const int> objects, std::span<const std::vector<int>> members_of) {
+  for (int round = 0; round < kSettleRounds; ++round) {
+    bool moved = false;
+    for (size_t i = 0; i < objects.size(); ++i) {
+      moved |= SettleGroup({&objects[i], 1});
+      if (members_of[i].empty()) continue;
+      std::vector<int> group = {objects[i]};
+      group.insert(group.end(), members_of[i].begin(), members_of[i].end());
+      moved |= SettleGroup(group);
+    }
+    if (!moved) return;
+  }
 }
 
 bool LayoutSearch::Replace(std::span<const int> objects, double noise, Random& random) {

@@ -17,9 +17,11 @@ namespace flair::optimizer {
 // What the walkability of a layout is worth, in units of cost: the paper has no term for it. Small against a wish that
 // is missed, large against nearly equal minima.
 struct WalkWeights {
-  double unreachable_floor = 4.0;
-  double blocked_front = 0.3;
+  double unreachable_floor = 5.0;
+  double blocked_front = 0.4;
   double blocked_door = 2.0;
+  // Per m3, see CrowdingCost_m3.
+  double crowding = 3.0;
 };
 
 // All that a search reads. Borrowed; must outlive it.
@@ -46,6 +48,9 @@ class LayoutSearch {
   void Sweep(std::span<const int> objects, int rounds, const CandidateDensity& density, Random& random);
   // Moves `anchor` and the objects attached to it as one piece to the best candidate, if that helps.
   bool MoveTogether(int anchor, std::span<const int> members, const CandidateDensity& density, Random& random);
+  // Slides each of `objects`, alone and with those attached to it (`members_of`), until it touches what is beside it or
+  // leaves a way, while that helps; never makes the hard terms worse. For layouts that are exact already.
+  void Settle(std::span<const int> objects, std::span<const std::vector<int>> members_of);
   // Takes objects out and places them anew; keeps the result only if the score falls.
   bool Replace(std::span<const int> objects, double noise, Random& random);
   // Descends along the gradient over x, y, theta of `objects`.
@@ -66,8 +71,12 @@ class LayoutSearch {
   };
   // What the ways through the present layout cost; kept until an object moves.
   double WalkPenalty();
+  // Tries the slides of `group` as one piece, its first object leading; true when one was taken.
+  bool SettleGroup(std::span<const int> group);
   // The candidate poses of `object`, given all else, into candidates_.
   void Propose(int object, const CandidateDensity& density, Random& random);
+  // The same and poses near the present one.
+  void ProposeNear(int object, const CandidateDensity& density, Random& random);
   // The best few of candidates_, best first.
   void Rank(int object, double limit, double noise, Random& random, size_t keep);
 

@@ -45,7 +45,7 @@ void Improve(const SolveInput& input, const StageSpec& stage, LayoutSearch& sear
     const std::vector<int> members = MembersOf(input, stage, anchor);
     if (!members.empty()) search.MoveTogether(anchor, members, kSparse, random);
   }
-  const int attempts = static_cast<int>(stage.objects.size());
+  const int attempts = 2 * static_cast<int>(stage.objects.size());
   for (int i = 0; i < attempts; ++i) search.Replace(Neighbourhood(input, stage, random), kNoise, random);
 }
 
@@ -68,6 +68,10 @@ RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, con
       layout = search.layout();
       const std::vector<Violation> left = MakeExact(input, search.problem(), stage.objects, layout);
       search.set_layout(layout);
+      std::vector<std::vector<int>> members_of;
+      for (int object : stage.objects) members_of.push_back(MembersOf(input, stage, object));
+      search.Settle(stage.objects, members_of);
+      layout = search.layout();
       result.score = search.Score();
       for (const Violation& violation : left) result.score += kInfeasible * (0.01 + violation.depth_m);
     }
