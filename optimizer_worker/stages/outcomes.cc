@@ -70,7 +70,7 @@ std::vector<v1::EdgeOutcome> EdgeOutcomes(const SolveInput& input, const SceneCo
     const double cost = CostOf(term, state.layout);
     const bool satisfied = cost <= kSatisfiedCost;
     outcome.set_cost(cost);
-    outcome.set_weighted_cost(cost * term.weight);
+    outcome.set_weighted_cost(cost * term.factor);
     outcome.set_status(satisfied ? v1::OUTCOME_STATUS_SATISFIED : v1::OUTCOME_STATUS_VIOLATED);
     if (!satisfied) outcome.set_reason(HowFarOff(input.graph.edges(term.edge).type(), cost));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/stages/scene_costs.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "absl/status/statusor.h"
@@ -27,8 +28,10 @@ class Collector {
       }
       Term& term = costs_.terms.emplace_back();
       term.cost = *std::move(cost);
-      term.weight = term.factor = edge.weight() > 0 ? edge.weight() : 1.0;
       term.required = NamedObjects(edge, input_.scene);
+      term.factor = edge.weight() > 0 ? edge.weight() : 1.0;
+      // A call about many objects stands for as many wishes: four chairs round a table are more than one of them.
+      term.weight = term.factor * std::max(1, static_cast<int>(term.required.size()) / 2);
       term.edge = e;
       term.wish = true;
       term.name = edge.type();
