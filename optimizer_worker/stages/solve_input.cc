@@ -2,42 +2,12 @@
 #include "optimizer_worker/stages/solve_input.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
-#include "optimizer_worker/solver/parallel.h"
 #include "room/conversion/scene_conversion.h"
 
 namespace flair::optimizer {
 namespace {
-
-absl::Status ReadLambda(bool given, double value, const char* name, double& target) {
-  if (!given) return absl::OkStatus();
-  if (!std::isfinite(value) || value < 0) {
-    return absl::InvalidArgumentError(fmt::format("options.lambdas.{}: {} is not a number >= 0", name, value));
-  }
-  target = value;
-  return absl::OkStatus();
-}
-
-absl::Status ReadLambdas(const v1::Lambdas& from, LambdaValues& to) {
-  for (const absl::Status& status : {
-           ReadLambda(from.has_door_overlap(), from.door_overlap(), "door_overlap", to.door_overlap),
-           ReadLambda(from.has_wall_attraction_divisor(), from.wall_attraction_divisor(), "wall_attraction_divisor",
-                      to.wall_attraction_divisor),
-           ReadLambda(from.has_no_overlap(), from.no_overlap(), "no_overlap", to.no_overlap),
-           ReadLambda(from.has_balanced(), from.balanced(), "balanced", to.balanced),
-           ReadLambda(from.has_in_bounds(), from.in_bounds(), "in_bounds", to.in_bounds),
-           ReadLambda(from.has_zone(), from.zone(), "zone", to.zone),
-           ReadLambda(from.has_tertiary_in_bounds(), from.tertiary_in_bounds(), "tertiary_in_bounds",
-                      to.tertiary_in_bounds),
-           ReadLambda(from.has_on_wall(), from.on_wall(), "on_wall", to.on_wall),
-       }) {
-    if (!status.ok()) return status;
-  }
-  return absl::OkStatus();
-}
 
 std::vector<std::vector<int>> PartnersOf(const v1::LayoutGraph& graph, const Scene& scene) {
   std::vector<std::vector<int>> partners(scene.objects.size());
@@ -54,31 +24,6 @@ std::vector<std::vector<int>> PartnersOf(const v1::LayoutGraph& graph, const Sce
 }
 
 }  // namespace
-
-absl::StatusOr<SolveSettings> ReadSettings(const v1::SolveOptions& options) {
-  SolveSettings settings;
-  settings.seed = static_cast<uint64_t>(options.seed());
-  if (options.seed() < 0) {
-    return absl::InvalidArgumentError(fmt::format("options.seed: {} is negative", options.seed()));
-  }
-  if (options.has_max_restart_count() && (options.max_restart_count() < 1 || options.max_restart_count() > 10000)) {
-    return absl::InvalidArgumentError(
-        fmt::format("options.max_restart_count: {} is not in [1, 10000]", options.max_restart_count()));
-  }
-  settings.max_restarts = options.max_restart_count();
-  if (options.has_thread_count() && (options.thread_count() < 1 || options.thread_count() > 256)) {
-    return absl::InvalidArgumentError(
-        fmt::format("options.thread_count: {} is not in [1, 256]", options.thread_count()));
-  }
-  settings.threads = ThreadCount(options.thread_count());
-  if (options.has_path_width_m()) settings.path_width_m = options.path_width_m();
-  if (!std::isfinite(settings.path_width_m) || settings.path_width_m < 0 || settings.path_width_m > 2) {
-    return absl::InvalidArgumentError(fmt::format("options.path_width_m: {} is not in [0, 2]", settings.path_width_m));
-  }
-  const absl::Status status = ReadLambdas(options.lambdas(), settings.lambdas);
-  if (!status.ok()) return status;
-  return settings;
-}
 
 absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1::SolveOptions& options,
                                           const Solver& solver, CancelCheck cancelled) {

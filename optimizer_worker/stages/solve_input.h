@@ -2,7 +2,6 @@
 // One solve's problem and settings, worked out once from the messages.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -11,36 +10,15 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/layout_graph.pb.h"
-#include "flair/v1/optimizer_service.pb.h"
 #include "optimizer_worker/constraints/linked_pairs.h"
 #include "optimizer_worker/solver/problem.h"
 #include "optimizer_worker/solver/separation.h"
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/solver/walk_grid.h"
+#include "optimizer_worker/stages/solve_settings.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {
-
-// The paper's factors of the whole-room terms; names as in flair.v1.Lambdas.
-struct LambdaValues {
-  double door_overlap = 100;
-  double wall_attraction_divisor = 20;
-  double no_overlap = 5;
-  double balanced = 10;
-  double in_bounds = 10;
-  double zone = 10;
-  double tertiary_in_bounds = 500;
-  double on_wall = 500;
-};
-
-struct SolveSettings {
-  uint64_t seed = 0;
-  // 0: each stage's own number.
-  int max_restarts = 0;
-  int threads = 1;
-  double path_width_m = 0.6;
-  LambdaValues lambdas;
-};
 
 // True when nobody waits for the answer any more; polled once per restart, from any thread.
 using CancelCheck = std::function<bool()>;
@@ -58,9 +36,6 @@ struct SolveInput {
   const Solver& solver;
   CancelCheck cancelled;
 };
-
-// The settings with defaults filled in. INVALID_ARGUMENT names the field.
-absl::StatusOr<SolveSettings> ReadSettings(const v1::SolveOptions& options);
 
 // `graph` and `solver` must outlive the result. INVALID_ARGUMENT when the graph does not validate.
 absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1::SolveOptions& options,

@@ -23,6 +23,15 @@ void CheckLambdas(const v1::Lambdas& lambdas, const Field& at) {
   if (lambdas.has_on_wall()) at["on_wall"].InRange(lambdas.on_wall(), kFactor);
 }
 
+void CheckTolerances(const v1::Tolerances& tolerances, const Field& at) {
+  constexpr Range kTolerance{.least = 0, .most = 1e9, .open_least = true};
+  if (tolerances.has_relative()) at["relative"].InRange(tolerances.relative(), kTolerance);
+  if (tolerances.has_absolute()) at["absolute"].InRange(tolerances.absolute(), kTolerance);
+  if (tolerances.has_max_evaluation_count()) {
+    at["max_evaluation_count"].InRange(tolerances.max_evaluation_count(), {.least = 1, .most = 100000});
+  }
+}
+
 }  // namespace
 
 void Check(const v1::SolveOptions& options, const Field& at) {
@@ -33,6 +42,15 @@ void Check(const v1::SolveOptions& options, const Field& at) {
   if (options.has_thread_count()) at["thread_count"].InRange(options.thread_count(), {.least = 1, .most = 256});
   if (options.has_path_width_m()) at["path_width_m"].InRange(options.path_width_m(), {.least = 0, .most = 2});
   CheckLambdas(options.lambdas(), at["lambdas"]);
+  CheckTolerances(options.tolerances(), at["tolerances"]);
+  if (options.has_variant_count()) at["variant_count"].InRange(options.variant_count(), {.least = 1, .most = 32});
+  if (!v1::MisfitPolicy_IsValid(options.misfit_policy())) {
+    at["misfit_policy"].Reject("{} is no known value", int{options.misfit_policy()});
+  }
+  if (options.has_time_limit()) {
+    const double seconds = static_cast<double>(options.time_limit().seconds()) + 1e-9 * options.time_limit().nanos();
+    at["time_limit"].InRange(seconds, {.least = 0, .most = 315576000000.0, .open_least = true});
+  }
 }
 
 void Check(const v1::RenderOptions& options, const Field& at) {
