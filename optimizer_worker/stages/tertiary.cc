@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "optimizer_worker/constraints/room/on_wall.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "optimizer_worker/solver/separation.h"
 #include "room/geometry/angle.h"
@@ -15,14 +16,41 @@ namespace {
 constexpr int kSweeps = 3;
 constexpr double kNoise = 0.05;
 constexpr int kPushRounds = 60;
+constexpr int kPartAttempts = 6;
 constexpr double kMargin_m = 1e-7;
 constexpr CandidateDensity kDense{.wall_samples = 12, .floor_samples = 24, .partner_samples = 2};
 
-// Back exactly on the nearest wall that it is nearly parallel to.
-void PutOnWall(const Scene& scene, const Footprint& footprint, Pose<double>& pose) {
-  const Wall* best = nullptr;
+// The place along a wall nearest to `offset` where an object `2 * half` wide is off its openings; the nearest on the
+// wall when there is none.
+double FreeOffset(const HangingWall& place, double half, double offset) {
+  const double low = half, high = std::max(half, place.wall.length_m - half);
+  const auto is_free = [&](double at) {
+    return at >= low - kMargin_m && at <= high + kMargin_m &&
+           std::none_of(place.blocked.begin(), place.blocked.end(), [&](const HangingWall::Interval& b) {
+             return at > b.start_m - half + kMargin_m && at < b.end_m + half - kMargin_m;
+           });
+  };
+  const double wanted = std::clamp(offset, low, high);
+  if (is_free(wanted)) return wanted;
+  double best = wanted, least = std::numeric_limits<double>::infinity();
+  for (const HangingWall::Interval& b : place.blocked) {
+    for (double at : {b.start_m - half, b.end_m + half}) {
+      if (!is_free(at) || std::abs(at - wanted) >= least) continue;
+      least = std::abs(at - wanted);
+      best = at;
+    }
+  }
+  return best;
+}
+
+// Back exactly on the nearest wall that it is nearly parallel to, off its doors and windows.
+void PutOnWall(const Scene& scene, int object, Pose<double>& pose) {
+  const Footprint& footprint = scene.objects[object].footprint;
+  const std::vector<HangingWall> places = HangingWalls(scene.room, scene.BottomOf(object), scene.TopOf(object));
+  const HangingWall* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const Wall& wall : scene.room.walls) {
+  for (const HangingWall& place : places) {
+    const Wall& wall = place.wall;
     if (footprint.width_m > wall.length_m + 1e-9) continue;
     const double offset = wall.Offset(Center(pose));
     const double beyond = std::max({0.0, -offset, offset - wall.length_m});
@@ -30,13 +58,12 @@ void PutOnWall(const Scene& scene, const Footprint& footprint, Pose<double>& pos
                        AngleBetween(pose.theta_rad, wall.BackHeading());
     if (off >= least) continue;
     least = off;
-    best = &wall;
+    best = &place;
   }
   if (!best) return;
-  const double half = footprint.width_m / 2;
-  const double offset = std::clamp(best->Offset(Center(pose)), half, std::max(half, best->length_m - half));
-  const Vec2<double> p = best->PointAt(offset) + (footprint.depth_m / 2) * best->inward_normal;
-  pose = {p.x, p.y, WrapHeading(best->BackHeading())};
+  const double offset = FreeOffset(*best, footprint.width_m / 2, best->wall.Offset(Center(pose)));
+  const Vec2<double> p = best->wall.PointAt(offset) + (footprint.depth_m / 2) * best->wall.inward_normal;
+  pose = {p.x, p.y, WrapHeading(best->wall.BackHeading())};
 }
 
 void PutInRoom(const KeepOut& keep_out, const Footprint& footprint, Pose<double>& pose) {
@@ -73,7 +100,7 @@ void Tidy(const SolveInput& input, int object, PartialLayout& state) {
   Pose<double>& pose = state.layout[object];
   switch (what.kind) {
     case ObjectKind::kWall:
-      return PutOnWall(input.scene, what.footprint, pose);
+      return PutOnWall(input.scene, object, pose);
     case ObjectKind::kSurface: {
       const int carrier = CarrierOf(input.scene, object, state);
       if (carrier >= 0) {
@@ -130,6 +157,26 @@ void PushApart(const SolveInput& input, const StageSpec& stage, PartialLayout& s
   }
 }
 
+// Pieces that are in each other's way are taken out and placed anew together, in another order each time.
+void PartByReplacing(const SolveInput& input, const StageSpec& stage, LayoutSearch& search, Random& random) {
+  for (int attempt = 0; attempt < kPartAttempts; ++attempt) {
+    std::vector<int> tangled;
+    for (int object : stage.objects) {
+      const bool in_the_way = std::any_of(stage.objects.begin(), stage.objects.end(), [&](int other) {
+        if (!CanCollide(input.scene, object, other)) return false;
+        const Vec2<double> push = PushOf(input.scene, object, other, search.layout());
+        return push.x != 0 || push.y != 0;
+      });
+      if (in_the_way) tangled.push_back(object);
+    }
+    if (tangled.empty()) return;
+    for (size_t i = tangled.size() - 1; i > 0; --i) {
+      std::swap(tangled[i], tangled[static_cast<size_t>(random.Below(static_cast<int>(i) + 1))]);
+    }
+    search.Replace(tangled, attempt == 0 ? 0.0 : kNoise, random);
+  }
+}
+
 // SLSQP for one piece; kept only when it helps. Wall pieces slide along their wall in the sweeps instead.
 void DescendEach(const SolveInput& input, const StageSpec& stage, LayoutSearch& search) {
   for (int object : stage.objects) {
@@ -177,6 +224,7 @@ RestartResult TertiaryRestart(const SolveInput& input, const StageSpec& stage, c
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
   search.Construct(stage.objects, restart == 0 ? 0.0 : kNoise, random);
   search.Sweep(stage.objects, kSweeps, kDense, random);
+  PartByReplacing(input, stage, search, random);
   DescendEach(input, stage, search);
   for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
   for (int object : stage.objects) Tidy(input, object, result.state);
