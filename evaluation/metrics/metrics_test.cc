@@ -7,27 +7,13 @@
 #include "evaluation/metrics/layout_metrics.h"
 #include "evaluation/metrics/overlap.h"
 #include "evaluation/metrics/reach.h"
-#include "room/text_format/scene_text.h"
+#include "evaluation/metrics/testing/furnished.h"
 
 namespace flair::evaluation {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-// A room from text, kept alive for its view.
-class Furnished {
- public:
-  explicit Furnished(const std::string& text) {
-    absl::StatusOr<SceneText> parsed = ParseScene(text);
-    EXPECT_TRUE(parsed.ok()) << parsed.status();
-    if (parsed.ok()) text_ = *std::move(parsed);
-  }
-  LayoutView view() const { return {text_.scene, text_.layout}; }
-
- private:
-  SceneText text_;
-};
 
 TEST(Oob, IsTheAreaOutsideInPercentOfTheRoom) {
   // 0.1 m of a 1 m wide desk is beyond the south wall of a 20 m² room.

@@ -18,10 +18,12 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
 using Point = Kernel::Point_2;
 
-constexpr double kSpacing_m = 0.02;
+// Less than a slit, or neighbouring samples would be one.
+constexpr double kSpacing_m = 0.018;
 constexpr double kPiece_m = 0.05;
-// sin^2 of half the angle at which the two places are seen: 90 and 135 degrees.
-constexpr double kCorner = 0.5, kOpposite = 0.8535533905932737;
+// sin^2 of half the angle at which the two places are seen: 104 and 143 degrees. A corner of 90 degrees, sampled, stays
+// below.
+constexpr double kCorner = 0.62, kOpposite = 0.9;
 constexpr double kSlit_m = 0.02, kGap_m = 0.04;
 
 // Linear from 0 at `low` to 1 at `high`.
@@ -100,32 +102,39 @@ void AddRidge(const Vec2<double>& from, const Vec2<double>& to, const Vec2<doubl
   }
 }
 
+// The vertex across the edge `index` of the triangle on that side of it which is finite.
+Vec2<double> ThirdVertex(const Delaunay& delaunay, Delaunay::Face_handle face, int index,
+                         Delaunay::Face_handle neighbour) {
+  const Point& p =
+      delaunay.is_infinite(face) ? neighbour->vertex(neighbour->index(face))->point() : face->vertex(index)->point();
+  return {p.x(), p.y()};
+}
+
 }  // namespace
 
 std::vector<WayPiece> FindWays(const LayoutView& view) {
   const std::vector<Solid> solids = SolidsOf(view);
   const std::vector<Point> samples = SampleBoundary(view, solids);
   const Delaunay delaunay(samples.begin(), samples.end());
-  // Ridges that leave the room end here.
-  const BoundingBox box = BoundsOf(view.scene.room.floor);
-  const double far = box.width_m() + box.height_m();
   std::vector<WayPiece> pieces;
   for (auto edge = delaunay.finite_edges_begin(); edge != delaunay.finite_edges_end(); ++edge) {
     const auto& [face, index] = *edge;
     const auto neighbour = face->neighbor(index);
-    // Beyond the hull of the samples is no floor.
-    if (delaunay.is_infinite(face) || delaunay.is_infinite(neighbour)) continue;
     const Point& a = face->vertex(Delaunay::cw(index))->point();
     const Point& b = face->vertex(Delaunay::ccw(index))->point();
     // The ridge counts only where its two places are opposite: within a circle round their middle.
     const Vec2<double> pa{a.x(), a.y()}, pb{b.x(), b.y()}, middle = 0.5 * (pa + pb);
     const Vec2<double> along = Perpendicular((1 / Distance(pa, pb)) * (pb - pa));
-    const auto end = [&](const auto& cell) {
+    // Where the ridge ends beside a triangle; on the hull (in a door, say) it goes on and on to the other side.
+    const auto end = [&](const auto& cell, double beyond) {
+      if (delaunay.is_infinite(cell)) return beyond;
       const Point center = delaunay.dual(cell);
       return Dot(Vec2<double>{center.x(), center.y()} - middle, along);
     };
-    const double reach = std::min(far, Distance(pa, pb) / 2);
-    const double one = std::clamp(end(face), -reach, reach), other = std::clamp(end(neighbour), -reach, reach);
+    const double reach = Distance(pa, pb) / 2;
+    const bool ahead = Dot(along, ThirdVertex(delaunay, face, index, neighbour) - middle) > 0;
+    const double one = std::clamp(end(face, ahead ? -reach : reach), -reach, reach);
+    const double other = std::clamp(end(neighbour, ahead ? -reach : reach), -reach, reach);
     if (one == other) continue;
     AddRidge(middle + std::min(one, other) * along, middle + std::max(one, other) * along, pa, pb,
              view.scene.room.floor, solids, pieces);

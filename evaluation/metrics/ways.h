@@ -3,9 +3,9 @@
 // [Paper] pathway cost, where the ridges of the same kind of diagram are the ways.
 //   boundary  walls without their door openings, and the outlines of solid floor objects (rugs are walked over)
 //   way       points with the same distance to two places of the boundary that lie on opposite sides of them
-// A ridge counts by how opposite its two places are: not at all when they are seen at 90 degrees or less (the branch
-// into a corner of the room is no way), fully from 135. A slit narrower than 0.02 m is no way: things touch; one of 0.04 m counts
-// fully. Both rise linearly in between, so that the result changes steadily as objects move.
+// A ridge counts by how opposite its two places are: not at all when they are seen at 104 degrees or less (the branch
+// into a corner of the room is no way), fully from 143. A slit narrower than 0.02 m is no way: things touch; one of
+// 0.04 m counts fully. Both rise linearly in between, so that the result changes steadily as objects move.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@ struct WayPiece {
   double half_width_m = 0;
 };
 
-// Pieces of at most 0.05 m on the floor and outside of objects. Deterministic; exact to the samples' spacing of 0.02 m.
+// Pieces of at most 0.05 m on the floor and outside of objects. Deterministic; exact to the samples' spacing of 0.018 m.
 std::vector<WayPiece> FindWays(const LayoutView& view);
 
 }  // namespace flair::evaluation
