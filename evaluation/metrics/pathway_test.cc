@@ -40,7 +40,7 @@ TEST(Ways, LeadThroughDoorsButNotThroughWalls) {
 
 TEST(Ways, StayOnTheFloorAndOutsideOfFurniture) {
   const Furnished room(
-      "room 0,0 4,0 4,2 2,2 2,4 0,4; door south 2.5 0.9; bed 1.6x2 at 0.9,2.9,180; carpet 1x1 at 3,1,0 rug");
+      "room 0,0 4,0 4,2 2,2 2,4 0,4; door wall_1 2.5 0.9; bed 1.6x2 at 0.9,2.9,180; carpet 1x1 at 3,1,0 rug");
   for (const WayPiece& piece : FindWays(room.view())) {
     EXPECT_FALSE(piece.middle.x > 2 && piece.middle.y > 2);
     EXPECT_FALSE(std::abs(piece.middle.x - 0.9) < 0.8 && std::abs(piece.middle.y - 2.9) < 1.0);
