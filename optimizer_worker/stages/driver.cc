@@ -4,13 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimizer_worker/solver/parallel.h"
+#include "optimizer_worker/stages/pins.h"
+#include "optimizer_worker/stages/polish_holding.h"
+#include "optimizer_worker/stages/variants.h"
+
 namespace flair::optimizer {
 namespace {
 
-// How many of the best, distinct primary layouts are furnished to the end.
+// How many of the best, distinct primary layouts are furnished to the end; with variants so many more than asked for.
 constexpr size_t kBeam = 3;
-// Primary layouts nearer than this (sum over objects) are the same.
+constexpr size_t kSpareVariants = 2;
+// Primary layouts nearer than this (sum over objects) are the same when only one layout is wanted.
 constexpr double kSame_m = 0.3;
+// With variants the primaries get up to this many times their restarts, until enough layouts differ.
+constexpr int kMostBatches = 8;
 
 double DistanceOf(const StageSpec& stage, const PartialLayout& a, const PartialLayout& b) {
   double sum = 0;
@@ -19,22 +27,6 @@ double DistanceOf(const StageSpec& stage, const PartialLayout& a, const PartialL
            (1 - std::cos(a.layout[object].theta_rad - b.layout[object].theta_rad));
   }
   return sum;
-}
-
-// Up to `count` results that differ visibly, best first.
-std::vector<size_t> DistinctBest(const StageSpec& stage, const std::vector<RestartResult>& results, size_t count) {
-  std::vector<size_t> order(results.size());
-  for (size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return results[a].score < results[b].score; });
-  std::vector<size_t> kept;
-  for (size_t i : order) {
-    if (kept.size() == count) break;
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](size_t k) {
-      return DistanceOf(stage, results[i].state, results[k].state) < kSame_m;
-    });
-    if (!known) kept.push_back(i);
-  }
-  return kept;
 }
 
 }  // namespace
@@ -50,40 +42,63 @@ void Driver::Record(Branch& branch, const StageSpec& stage, const std::vector<Re
   outcome.set_stage(std::string(StageName(stage.kind)));
   if (stage.zone >= 0) outcome.set_zone_id(input_.scene.zones[stage.zone].id);
   outcome.set_restart_count(static_cast<int>(results.size()));
-  outcome.set_best_restart(results[taken].restart);
+  outcome.set_best_restart(results[taken].restart - branch.first_restart);
   int64_t evaluations = 0;
   for (const RestartResult& result : results) evaluations += result.evaluations;
   outcome.set_evaluation_count(evaluations);
-  outcome.set_seed(static_cast<int64_t>(RestartSeed(input_.settings, stage, 0)));
+  outcome.set_seed(static_cast<int64_t>(RestartSeed(input_.settings, stage, branch.first_restart)));
   outcome.set_cost(results[taken].score);
+  outcome.set_stopped_early(static_cast<int>(results.size()) < RestartsOf(stage));
   branch.durations.push_back(absl::Now() - started);
   branch.state = results[taken].state;
   branch.score = results[taken].score;
 }
 
-absl::StatusOr<std::vector<Branch>> Driver::Primaries() const {
-  const StageSpec stage = MakeStage(input_.scene, StageKind::kPrimary);
-  std::vector<Branch> branches;
-  if (stage.objects.empty()) {
-    branches.push_back({PartialLayout(input_.scene), 0, {}, {}});
-    return branches;
-  }
+absl::StatusOr<std::vector<Branch>> Driver::Primaries(const StageSpec& stage) const {
   const absl::Time started = absl::Now();
-  absl::StatusOr<std::vector<RestartResult>> results =
-      runner_.Run(input_, stage, PartialLayout(input_.scene), 0, RestartsOf(stage));
-  if (!results.ok()) return results.status();
-  for (size_t taken : DistinctBest(stage, *results, kBeam)) {
-    Branch& branch = branches.emplace_back(Branch{PartialLayout(input_.scene), 0, {}, {}});
-    Record(branch, stage, *results, taken, started);
+  const PartialLayout before = StartOf(input_);
+  const size_t wanted = wants_variants() ? input_.settings.variant_count + kSpareVariants : kBeam;
+  const auto differ = [&](const PartialLayout& a, const PartialLayout& b) {
+    return wants_variants() ? DifferVisibly(stage.objects, a.layout, b.layout) : DistanceOf(stage, a, b) >= kSame_m;
+  };
+  std::vector<RestartResult> results;
+  std::vector<size_t> chosen;
+  const int count = RestartsOf(stage);
+  const bool may_add = wants_variants() && input_.settings.max_restarts == 0;
+  for (int batch = 0; batch < (may_add ? kMostBatches : 1); ++batch) {
+    absl::StatusOr<std::vector<RestartResult>> more = runner_.Run(input_, stage, before, batch * count, count);
+    if (!more.ok()) return more.status();
+    std::move(more->begin(), more->end(), std::back_inserter(results));
+    chosen = BestDistinct(
+        results.size(), wanted, [&](size_t i) { return results[i].score; },
+        [&](size_t a, size_t b) { return differ(results[a].state, results[b].state); });
+    if (chosen.size() == wanted || input_.OutOfTime()) break;
+  }
+  std::vector<Branch> branches;
+  for (size_t taken : chosen) {
+    Record(branches.emplace_back(Branch{before, 0, {}, {}}), stage, results, taken, started);
   }
   return branches;
 }
 
-absl::Status Driver::Extend(Branch& branch, StageKind kind, int zone) const {
-  const StageSpec stage = MakeStage(input_.scene, kind, zone);
+absl::StatusOr<std::vector<Branch>> Driver::Starts() const {
+  const StageSpec stage = FreeStage(input_, StageKind::kPrimary);
+  if (!stage.objects.empty()) return Primaries(stage);
+  // No primary may move. What variants there are differ in what else stands on the floor.
+  std::vector<Branch> branches(1, Branch{StartOf(input_), 0, {}, {}});
+  if (!wants_variants() || LeadingObjects(input_).empty()) return branches;
+  branches.resize(2 * input_.settings.variant_count, branches.front());
+  // Far enough apart that no two branches share a restart.
+  for (size_t i = 0; i < branches.size(); ++i) branches[i].first_restart = static_cast<int>(i) * 10000;
+  return branches;
+}
+
+absl::Status Driver::Extend(const SolveInput& input, Branch& branch, StageKind kind, int zone) const {
+  const StageSpec stage = FreeStage(input, kind, zone);
   if (stage.objects.empty()) return absl::OkStatus();
   const absl::Time started = absl::Now();
-  absl::StatusOr<std::vector<RestartResult>> results = runner_.Run(input_, stage, branch.state, 0, RestartsOf(stage));
+  absl::StatusOr<std::vector<RestartResult>> results =
+      runner_.Run(input, stage, branch.state, branch.first_restart, RestartsOf(stage));
   if (!results.ok()) return results.status();
   const double floor_score = branch.score;
   Record(branch, stage, *results, BestOf(*results), started);
@@ -91,20 +106,104 @@ absl::Status Driver::Extend(Branch& branch, StageKind kind, int zone) const {
   return absl::OkStatus();
 }
 
-absl::StatusOr<std::vector<Branch>> Driver::Run() const {
-  absl::StatusOr<std::vector<Branch>> branches = Primaries();
-  if (!branches.ok()) return branches.status();
-  for (Branch& branch : *branches) {
-    for (int zone = 0; zone < static_cast<int>(input_.scene.zones.size()); ++zone) {
-      if (absl::Status status = Extend(branch, StageKind::kSecondary, zone); !status.ok()) return status;
-    }
-    if (absl::Status status = Extend(branch, StageKind::kSecondary, -1); !status.ok()) return status;
-    if (absl::Status status = Extend(branch, StageKind::kPolish, -1); !status.ok()) return status;
+// The floor. One that `may_give_up` does so when time is up.
+absl::Status Driver::Furnish(const SolveInput& input, Branch& branch, bool may_give_up, bool& gave_up) const {
+  std::vector<std::pair<StageKind, int>> steps;
+  for (int zone = 0; zone < static_cast<int>(input.scene.zones.size()); ++zone) {
+    steps.emplace_back(StageKind::kSecondary, zone);
   }
-  std::stable_sort(branches->begin(), branches->end(),
-                   [](const Branch& a, const Branch& b) { return a.score < b.score; });
-  if (absl::Status status = Extend(branches->front(), StageKind::kTertiary, -1); !status.ok()) return status;
-  return branches;
+  steps.emplace_back(StageKind::kSecondary, -1);
+  steps.emplace_back(StageKind::kPolish, -1);
+  for (const auto& [kind, zone] : steps) {
+    gave_up = may_give_up && input.OutOfTime();
+    if (gave_up) return absl::OkStatus();
+    if (kind == StageKind::kPolish) branch.unpolished = branch.state;
+    if (absl::Status status = Extend(input, branch, kind, zone); !status.ok()) return status;
+  }
+  return absl::OkStatus();
+}
+
+template <typename Work>
+absl::Status Driver::ForBranches(std::vector<Branch>& branches, size_t first, size_t count, const Work& work) const {
+  // The branches share the threads; each has what is left over for its own restarts.
+  SolveInput input = input_;
+  input.settings.threads = std::max(1, input_.settings.threads / static_cast<int>(count));
+  std::vector<absl::Status> statuses(count);
+  ForEachIndex(static_cast<int>(count), input_.settings.threads,
+               [&](int i) { statuses[i] = work(input, branches[first + i], first + i); });
+  for (absl::Status& status : statuses) {
+    if (!status.ok()) return std::move(status);
+  }
+  return absl::OkStatus();
+}
+
+std::vector<Branch> Driver::Distinct(std::vector<Branch> branches) const {
+  const std::vector<int> leading = LeadingObjects(input_);
+  const size_t most = wants_variants() ? input_.settings.variant_count : branches.size();
+  const std::vector<size_t> kept = BestDistinct(
+      branches.size(), most, [&](size_t i) { return branches[i].score; },
+      [&](size_t a, size_t b) {
+        return !wants_variants() || DifferVisibly(leading, branches[a].state.layout, branches[b].state.layout);
+      });
+  std::vector<Branch> best;
+  for (size_t i : kept) best.push_back(std::move(branches[i]));
+  return best;
+}
+
+// Polishes all again with their leading objects held where they were: the polish may have led several to one layout.
+absl::Status Driver::HoldApart(std::vector<Branch>& branches) const {
+  const std::vector<int> leading = LeadingObjects(input_);
+  return ForBranches(branches, 0, branches.size(), [&](const SolveInput& input, Branch& branch, size_t) {
+    if (input.Cancelled()) return absl::CancelledError("cancelled in stage polish");
+    const StageSpec stage = FreeStage(input, StageKind::kPolish);
+    if (stage.objects.empty() || input.OutOfTime()) return absl::OkStatus();
+    const absl::Time started = absl::Now();
+    const RestartResult held = PolishHolding(input, branch.unpolished, leading, branch.first_restart);
+    branch.outcomes.pop_back();
+    branch.durations.pop_back();
+    Record(branch, stage, {held}, 0, started);
+    return absl::OkStatus();
+  });
+}
+
+absl::StatusOr<std::vector<Branch>> Driver::FurnishEnough(std::vector<Branch> starts) const {
+  const size_t wanted = wants_variants() ? input_.settings.variant_count : 1;
+  // All that differ are furnished, spares included: which one is best shows only at the end.
+  std::vector<char> gave_up(starts.size(), 0);
+  const absl::Status status =
+      ForBranches(starts, 0, starts.size(), [&](const SolveInput& input, Branch& branch, size_t i) {
+        bool gives_up = false;
+        const absl::Status furnished = Furnish(input, branch, i > 0, gives_up);
+        gave_up[i] = gives_up;
+        return furnished;
+      });
+  if (!status.ok()) return status;
+  std::vector<Branch> furnished;
+  for (size_t i = 0; i < starts.size(); ++i) {
+    if (!gave_up[i]) furnished.push_back(std::move(starts[i]));
+  }
+  const bool any_gave_up = furnished.size() < starts.size();
+  std::vector<Branch> best = Distinct(furnished);
+  if (best.size() < wanted && furnished.size() > best.size()) {
+    const absl::Status held = HoldApart(furnished);
+    if (!held.ok()) return held;
+    std::move(best.begin(), best.end(), std::back_inserter(furnished));
+    best = Distinct(std::move(furnished));
+  }
+  if (any_gave_up && !best.front().outcomes.empty()) best.front().outcomes.back().set_stopped_early(true);
+  const size_t complete = std::min(wanted, best.size());
+  const absl::Status tertiaries = ForBranches(best, 0, complete, [&](const SolveInput& input, Branch& branch, size_t) {
+    branch.complete = true;
+    return Extend(input, branch, StageKind::kTertiary, -1);
+  });
+  if (!tertiaries.ok()) return tertiaries;
+  return best;
+}
+
+absl::StatusOr<std::vector<Branch>> Driver::Run() const {
+  absl::StatusOr<std::vector<Branch>> starts = Starts();
+  if (!starts.ok()) return starts.status();
+  return FurnishEnough(*std::move(starts));
 }
 
 }  // namespace flair::optimizer

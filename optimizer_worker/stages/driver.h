@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes a problem through the stages in order: primaries, secondaries zone by zone, polish, tertiaries. The best few
-// primary layouts are furnished to the end, and the best of those wins.
+// primary layouts are furnished to the end, each by itself, and the best of those wins. Variants are the best that
+// differ visibly.
 #pragma once
 
 #include <vector>
@@ -22,6 +23,12 @@ struct Branch {
   std::vector<v1::StageOutcome> outcomes;
   // Wall time per outcome.
   std::vector<absl::Duration> durations;
+  // Every stage of it begins at this restart: how branches differ that have no primaries to differ in.
+  int first_restart = 0;
+  // Has all stages, tertiaries too.
+  bool complete = false;
+  // Where everything stood before the polish.
+  PartialLayout unpolished = state;
 };
 
 class Driver {
@@ -29,15 +36,28 @@ class Driver {
   // Borrows both; they must outlive it.
   Driver(const SolveInput& input, const RestartRunner& runner) : input_(input), runner_(runner) {}
 
-  // The branches, best first; the first has all stages. CANCELLED when the caller has gone, and the runner's errors.
+  // The branches, best first. The first has all stages; with variants asked for all do, they differ visibly, and there
+  // are as many as were asked for if so many were found. Never empty. CANCELLED when the caller has gone, and the
+  // runner's errors. Branches run beside each other on the settings' threads; the result does not depend on how many.
   absl::StatusOr<std::vector<Branch>> Run() const;
 
  private:
+  bool wants_variants() const { return input_.settings.variant_count > 1; }
   int RestartsOf(const StageSpec& stage) const;
   void Record(Branch& branch, const StageSpec& stage, const std::vector<RestartResult>& results, size_t taken,
               absl::Time started) const;
-  absl::StatusOr<std::vector<Branch>> Primaries() const;
-  absl::Status Extend(Branch& branch, StageKind kind, int zone) const;
+  // All ways to begin that are worth furnishing, best first.
+  absl::StatusOr<std::vector<Branch>> Starts() const;
+  absl::StatusOr<std::vector<Branch>> Primaries(const StageSpec& stage) const;
+  absl::Status Extend(const SolveInput& input, Branch& branch, StageKind kind, int zone) const;
+  absl::Status Furnish(const SolveInput& input, Branch& branch, bool may_give_up, bool& gave_up) const;
+  // Calls `work` for branches [first, first + count) of `branches`, beside each other.
+  template <typename Work>
+  absl::Status ForBranches(std::vector<Branch>& branches, size_t first, size_t count, const Work& work) const;
+  absl::Status HoldApart(std::vector<Branch>& branches) const;
+  // Furnishes `starts`, the best first, until enough of them differ.
+  absl::StatusOr<std::vector<Branch>> FurnishEnough(std::vector<Branch> starts) const;
+  std::vector<Branch> Distinct(std::vector<Branch> branches) const;
 
   const SolveInput& input_;
   const RestartRunner& runner_;

@@ -6,14 +6,11 @@
 #include <map>
 
 #include "fmt/format.h"
-#include "optimizer_worker/stages/exact_step.h"
 #include "optimizer_worker/zones/voronoi_zones.h"
 #include "room/geometry/angle.h"
 
 namespace flair::optimizer {
 namespace {
-
-constexpr double kFits_m = 1e-6;
 
 double CostOf(const Term& term, const Layout& layout) {
   std::vector<Pose<double>> poses;
@@ -31,22 +28,6 @@ int MissingObject(const Term& term, const PartialLayout& state) {
 
 std::string HowFarOff(const std::string& type, double cost) {
   return fmt::format("\"{}\" is not met: its cost is {:.3g}, {} would be met", type, cost, kSatisfiedCost);
-}
-
-v1::Diagnostic DoesNotFit(const Scene& scene, const Violation& violation) {
-  v1::Diagnostic diagnostic;
-  diagnostic.set_severity(v1::SEVERITY_WARNING);
-  diagnostic.set_code("does_not_fit");
-  diagnostic.set_subject_id(scene.objects[violation.object].id);
-  const std::string where = violation.other >= 0 ? fmt::format("overlaps \"{}\"", scene.objects[violation.other].id)
-                            : violation.at_door  ? "stands in the way of a door"
-                                                 : "reaches out of the room";
-  const Footprint& footprint = scene.objects[violation.object].footprint;
-  diagnostic.set_message(
-      fmt::format("\"{}\" ({:.2f} m x {:.2f} m) {} by {:.2f} m: the furniture does not fit; leave something out or "
-                  "take smaller pieces",
-                  scene.objects[violation.object].id, footprint.width_m, footprint.depth_m, where, violation.depth_m));
-  return diagnostic;
 }
 
 }  // namespace
@@ -90,27 +71,6 @@ std::vector<v1::TermOutcome> TermOutcomes(const SolveInput& input, const SceneCo
   std::vector<v1::TermOutcome> outcomes;
   for (auto& [name, outcome] : by_name) outcomes.push_back(std::move(outcome));
   return outcomes;
-}
-
-std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const PartialLayout& state) {
-  const Scene& scene = input.scene;
-  std::vector<v1::Diagnostic> diagnostics;
-  std::vector<int> floor;
-  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
-    if (state.placed[i]) {
-      floor.push_back(i);
-      continue;
-    }
-    v1::Diagnostic& diagnostic = diagnostics.emplace_back();
-    diagnostic.set_severity(v1::SEVERITY_ERROR);
-    diagnostic.set_code("not_placed");
-    diagnostic.set_subject_id(scene.objects[i].id);
-    diagnostic.set_message(fmt::format("\"{}\" was not placed", scene.objects[i].id));
-  }
-  for (const Violation& violation : FindViolations(scene, input.keep_out, floor, state.layout, kFits_m)) {
-    diagnostics.push_back(DoesNotFit(scene, violation));
-  }
-  return diagnostics;
 }
 
 std::vector<v1::ZoneRegion> MakeZoneRegions(const SolveInput& input, const PartialLayout& state) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a layout amounts to: the outcome of every edge and whole-room term, zone areas, and what does not fit.
+// What a layout amounts to: the outcome of every edge and whole-room term, and zone areas.
 #pragma once
 
 #include <vector>
@@ -19,9 +19,6 @@ std::vector<v1::EdgeOutcome> EdgeOutcomes(const SolveInput& input, const SceneCo
 
 // One per kind of whole-room term, sorted by name, over all placed objects.
 std::vector<v1::TermOutcome> TermOutcomes(const SolveInput& input, const SceneCosts& costs, const PartialLayout& state);
-
-// One "does_not_fit" per object that still collides, and one "not_placed" per object without a pose.
-std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const PartialLayout& state);
 
 // The Voronoi areas of the zones.
 std::vector<v1::ZoneRegion> MakeZoneRegions(const SolveInput& input, const PartialLayout& state);

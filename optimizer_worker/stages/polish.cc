@@ -61,7 +61,7 @@ RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, con
     const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
                                    input.keep_out, &input.walk_grid, {}};
     LayoutSearch search(search_input, MakeProblem(input, costs, stage, result.state), result.state.layout);
-    Improve(input, stage, search, random);
+    if (!input.OutOfTime()) Improve(input, stage, search, random);
     Layout layout = search.layout();
     if (pass + 1 == kPasses) {
       search.Descend(stage.objects, {.max_evaluations = 60, .relative_tolerance = 1e-4, .absolute_tolerance = 1e-5});

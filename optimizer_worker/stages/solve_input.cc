@@ -2,6 +2,7 @@
 #include "optimizer_worker/stages/solve_input.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "optimizer_worker/constraints/registry.h"
 #include "room/conversion/scene_conversion.h"
@@ -23,6 +24,21 @@ std::vector<std::vector<int>> PartnersOf(const v1::LayoutGraph& graph, const Sce
   return partners;
 }
 
+std::vector<Pin> PinsOf(const v1::LayoutGraph& graph, const Scene& scene) {
+  std::vector<Pin> pins;
+  for (const v1::Placement& placement : graph.pinned_placements()) {
+    pins.push_back({scene.IndexOf(placement.object_id()), {placement.x_m(), placement.y_m(), placement.theta_rad()}});
+  }
+  return pins;
+}
+
+CancelCheck TimeIsUp(absl::Duration limit) {
+  if (limit == absl::InfiniteDuration()) return nullptr;
+  // The steady clock: setting the computer's clock ends no solve.
+  const auto end = std::chrono::steady_clock::now() + absl::ToChronoNanoseconds(limit);
+  return [end] { return std::chrono::steady_clock::now() >= end; };
+}
+
 }  // namespace
 
 absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1::SolveOptions& options,
@@ -35,15 +51,22 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
   KeepOut keep_out(scene->room);
   WalkGrid walk_grid(scene->room, settings->path_width_m);
   LinkedPairs linked(*scene, graph.edges());
+  std::vector<Pin> pins = PinsOf(graph, *scene);
+  std::vector<char> pinned(scene->objects.size(), 0);
+  for (const Pin& pin : pins) pinned[pin.object] = 1;
+  CancelCheck out_of_time = TimeIsUp(settings->time_limit);
   return SolveInput{graph,
                     *std::move(scene),
                     *std::move(settings),
+                    std::move(pins),
+                    std::move(pinned),
                     std::move(partners),
                     std::move(linked),
                     std::move(keep_out),
                     std::move(walk_grid),
                     solver,
-                    std::move(cancelled)};
+                    std::move(cancelled),
+                    std::move(out_of_time)};
 }
 
 std::vector<Vec2<double>> ZoneCenters(const Scene& scene, std::span<const char> placed, const Layout& layout) {

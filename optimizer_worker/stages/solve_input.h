@@ -23,10 +23,19 @@ namespace flair::optimizer {
 // True when nobody waits for the answer any more; polled once per restart, from any thread.
 using CancelCheck = std::function<bool()>;
 
+// An object that stands where the user put it.
+struct Pin {
+  int object = -1;
+  Pose<double> pose;
+};
+
 struct SolveInput {
   const v1::LayoutGraph& graph;
   Scene scene;
   SolveSettings settings;
+  std::vector<Pin> pins;
+  // Per object, whether it is pinned.
+  std::vector<char> pinned;
   // Per object, the objects that edges name together with it, without repeats.
   std::vector<std::vector<int>> partners;
   // Pairs that belong together, for the costs.
@@ -35,6 +44,12 @@ struct SolveInput {
   WalkGrid walk_grid;
   const Solver& solver;
   CancelCheck cancelled;
+  // True when the settings' time limit has passed since MakeSolveInput; then every stage ends as soon as it has one
+  // result. Null when there is no limit.
+  CancelCheck out_of_time;
+
+  bool Cancelled() const { return cancelled && cancelled(); }
+  bool OutOfTime() const { return out_of_time && out_of_time(); }
 };
 
 // `graph` and `solver` must outlive the result. INVALID_ARGUMENT when the graph does not validate.

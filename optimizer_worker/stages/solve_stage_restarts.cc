@@ -2,6 +2,7 @@
 #include "optimizer_worker/stages/solve_stage_restarts.h"
 
 #include "fmt/format.h"
+#include "optimizer_worker/stages/pins.h"
 #include "optimizer_worker/stages/placements.h"
 #include "optimizer_worker/stages/stage.h"
 
@@ -18,7 +19,7 @@ absl::StatusOr<StageSpec> ReadStage(const SolveInput& input, const v1::SolveRest
         return absl::InvalidArgumentError(fmt::format("zone_id: \"{}\" is not a zone of the graph", request.zone_id()));
       }
     }
-    return MakeStage(input.scene, kind, zone);
+    return FreeStage(input, kind, zone);
   }
   return absl::InvalidArgumentError(
       fmt::format("stage: \"{}\" is not one of primary, secondary, polish, tertiary", request.stage()));
@@ -37,7 +38,7 @@ absl::StatusOr<std::vector<v1::RestartOutcome>> SolveStageRestarts(const v1::Sol
   if (!input.ok()) return input.status();
   absl::StatusOr<StageSpec> stage = ReadStage(*input, request);
   if (!stage.ok()) return stage.status();
-  PartialLayout before(input->scene);
+  PartialLayout before = StartOf(*input);
   if (absl::Status status = ReadPlacements(*input, request.placements(), before); !status.ok()) return status;
   for (int object : stage->objects) {
     if (stage->kind != StageKind::kPolish) {

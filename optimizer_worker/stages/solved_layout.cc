@@ -1,40 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/stages/solved_layout.h"
 
+#include <algorithm>
+
 #include "evaluation/metrics/layout_metrics.h"
+#include "fmt/format.h"
+#include "optimizer_worker/stages/fit_diagnostics.h"
 #include "optimizer_worker/stages/outcomes.h"
 #include "optimizer_worker/stages/placements.h"
 
 namespace flair::optimizer {
+namespace {
+
+template <typename Message>
+void MoveInto(std::vector<Message> messages, google::protobuf::RepeatedPtrField<Message>& field) {
+  for (Message& message : messages) *field.Add() = std::move(message);
+}
+
+// What a layout and a runner-up have in common.
+template <typename Message>
+void Describe(const SolveInput& input, const SceneCosts& costs, const PartialLayout& state, Message& message) {
+  MoveInto(MakePlacements(input, state), *message.mutable_placements());
+  MoveInto(MakeZoneRegions(input, state), *message.mutable_zone_regions());
+  MoveInto(EdgeOutcomes(input, costs, state), *message.mutable_edge_outcomes());
+  MoveInto(FitDiagnostics(input, costs, state), *message.mutable_diagnostics());
+  *message.mutable_metrics() = evaluation::MeasureLayout({input.scene, state.layout, state.placed});
+}
+
+SceneCosts CostsOf(const SolveInput& input, const PartialLayout& state) {
+  return BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout));
+}
+
+v1::RunnerUp MakeRunnerUp(const SolveInput& input, const Branch& branch) {
+  v1::RunnerUp runner_up;
+  runner_up.set_cost(branch.score);
+  if (branch.complete) {
+    Describe(input, CostsOf(input, branch.state), branch.state, runner_up);
+  } else {
+    MoveInto(MakePlacements(input, branch.state), *runner_up.mutable_placements());
+  }
+  return runner_up;
+}
+
+v1::Diagnostic Note(v1::Severity severity, const char* code, std::string message) {
+  v1::Diagnostic diagnostic;
+  diagnostic.set_severity(severity);
+  diagnostic.set_code(code);
+  diagnostic.set_message(std::move(message));
+  return diagnostic;
+}
+
+}  // namespace
+
+std::vector<v1::Diagnostic> SolveDiagnostics(const SolveInput& input, const std::vector<Branch>& branches) {
+  std::vector<v1::Diagnostic> diagnostics;
+  const auto& outcomes = branches.front().outcomes;
+  const bool stopped =
+      std::any_of(outcomes.begin(), outcomes.end(), [](const v1::StageOutcome& o) { return o.stopped_early(); });
+  if (stopped) {
+    diagnostics.push_back(Note(v1::SEVERITY_NOTE, "time_limit",
+                               fmt::format("the time limit of {:.3g} s ended the search: this is the best layout until "
+                                           "then; more time may find a better one",
+                                           absl::ToDoubleSeconds(input.settings.time_limit))));
+  }
+  const int wanted = input.settings.variant_count, found = static_cast<int>(branches.size());
+  if (found < wanted) {
+    diagnostics.push_back(Note(v1::SEVERITY_WARNING, "fewer_variants",
+                               fmt::format("{} layouts were asked for and {} found that differ visibly (a primary "
+                                           "object 0.5 m away or turned by 30 degrees)",
+                                           wanted, found)));
+  }
+  return diagnostics;
+}
 
 v1::SolvedLayout MakeSolvedLayout(const SolveInput& input, const std::vector<Branch>& branches) {
   const Branch& best = branches.front();
   v1::SolvedLayout layout;
   *layout.mutable_graph() = input.graph;
-  const SceneCosts costs = BindCosts(input, ZoneCenters(input.scene, best.state.placed, best.state.layout));
-  for (v1::Placement& placement : MakePlacements(input, best.state)) *layout.add_placements() = std::move(placement);
-  for (v1::ZoneRegion& region : MakeZoneRegions(input, best.state)) *layout.add_zone_regions() = std::move(region);
+  const SceneCosts costs = CostsOf(input, best.state);
+  Describe(input, costs, best.state, layout);
+  MoveInto(TermOutcomes(input, costs, best.state), *layout.mutable_term_outcomes());
   double total = 0;
-  for (v1::EdgeOutcome& outcome : EdgeOutcomes(input, costs, best.state)) {
-    total += outcome.weighted_cost();
-    *layout.add_edge_outcomes() = std::move(outcome);
-  }
-  for (v1::TermOutcome& outcome : TermOutcomes(input, costs, best.state)) {
-    total += outcome.cost() * outcome.factor();
-    *layout.add_term_outcomes() = std::move(outcome);
-  }
-  for (const v1::StageOutcome& outcome : best.outcomes) *layout.add_stage_outcomes() = outcome;
-  for (size_t i = 1; i < branches.size(); ++i) {
-    v1::RunnerUp* runner_up = layout.add_runner_ups();
-    runner_up->set_cost(branches[i].score);
-    for (v1::Placement& placement : MakePlacements(input, branches[i].state)) {
-      *runner_up->add_placements() = std::move(placement);
-    }
-  }
-  for (v1::Diagnostic& diagnostic : FitDiagnostics(input, best.state))
-    *layout.add_diagnostics() = std::move(diagnostic);
+  for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) total += outcome.weighted_cost();
+  for (const v1::TermOutcome& outcome : layout.term_outcomes()) total += outcome.cost() * outcome.factor();
   layout.set_total_cost(total);
-  *layout.mutable_metrics() = evaluation::MeasureLayout({input.scene, best.state.layout, best.state.placed});
+  for (const v1::StageOutcome& outcome : best.outcomes) *layout.add_stage_outcomes() = outcome;
+  for (size_t i = 1; i < branches.size(); ++i) *layout.add_runner_ups() = MakeRunnerUp(input, branches[i]);
+  MoveInto(SolveDiagnostics(input, branches), *layout.mutable_diagnostics());
   return layout;
 }
 

@@ -11,6 +11,8 @@
 namespace flair::optimizer {
 namespace {
 
+constexpr int kNotRun = -1;
+
 bool IsFloorPiece(const Object& object) { return object.kind == ObjectKind::kFloor; }
 
 bool Belongs(const Object& object, StageKind kind, int zone) {
@@ -98,14 +100,16 @@ uint64_t RestartSeed(const SolveSettings& settings, const StageSpec& stage, int 
 
 absl::StatusOr<std::vector<RestartResult>> RunRestarts(const SolveInput& input, const StageSpec& stage,
                                                        const PartialLayout& before, int first, int count) {
-  std::vector<RestartResult> results(count, RestartResult{0, 0, 0, before});
+  std::vector<RestartResult> results(count, RestartResult{kNotRun, 0, 0, before});
   ForEachIndex(count, input.settings.threads, [&](int i) {
-    if (input.cancelled && input.cancelled()) return;
+    // The first one runs in any case: a stage that has begun has a result.
+    if (input.Cancelled() || (i > 0 && input.OutOfTime())) return;
     results[i] = RunRestart(input, stage, before, first + i);
   });
-  if (input.cancelled && input.cancelled()) {
+  if (input.Cancelled()) {
     return absl::CancelledError(std::string("cancelled in stage ") + std::string(StageName(stage.kind)));
   }
+  std::erase_if(results, [](const RestartResult& result) { return result.restart == kNotRun; });
   return results;
 }
 

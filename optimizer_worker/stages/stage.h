@@ -55,7 +55,8 @@ int DefaultRestarts(const StageSpec& stage);
 uint64_t RestartSeed(const SolveSettings& settings, const StageSpec& stage, int restart);
 
 // Runs restarts [first, first + count) on the settings' threads; results in order of restart. Pure: bit-identical for
-// any number of threads and any split of the range. CANCELLED when the caller has gone.
+// any number of threads and any split of the range. CANCELLED when the caller has gone. Only when the input has a time
+// limit some may be missing, but never all.
 absl::StatusOr<std::vector<RestartResult>> RunRestarts(const SolveInput& input, const StageSpec& stage,
                                                        const PartialLayout& before, int first, int count);
 

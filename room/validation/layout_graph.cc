@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "room/validation/checks.h"
@@ -40,6 +41,25 @@ void CheckEdge(const v1::ConstraintEdge& edge, const NameSet& sentences, const F
   }
 }
 
+// A pinned object may stick out of the room, which the solve reports; further away it is a slip of the pen.
+constexpr double kPinMargin_m = 1;
+
+void CheckPins(const v1::LayoutGraph& graph, const Known& known, const Field& at) {
+  CheckPlacements(graph.pinned_placements(), known, at);
+  double least_x = 0, most_x = 0, least_y = 0, most_y = 0;
+  for (const v1::Point2& p : graph.room().floor().vertices()) {
+    least_x = std::min(least_x, p.x_m());
+    most_x = std::max(most_x, p.x_m());
+    least_y = std::min(least_y, p.y_m());
+    most_y = std::max(most_y, p.y_m());
+  }
+  for (int i = 0; i < graph.pinned_placements_size(); ++i) {
+    const v1::Placement& pin = graph.pinned_placements(i);
+    at[i]["x_m"].InRange(pin.x_m(), {.least = least_x - kPinMargin_m, .most = most_x + kPinMargin_m});
+    at[i]["y_m"].InRange(pin.y_m(), {.least = least_y - kPinMargin_m, .most = most_y + kPinMargin_m});
+  }
+}
+
 }  // namespace
 
 // The edges' arguments against the catalogue are the optimizer's business: it alone knows the types.
@@ -63,6 +83,7 @@ void Check(const v1::LayoutGraph& graph, const Field& at) {
     at["edges"][i]["id"].NewId(graph.edges(i).id(), seen);
     CheckEdge(graph.edges(i), sentences, at["edges"][i]);
   }
+  CheckPins(graph, known, at["pinned_placements"]);
   CheckDiagnostics(graph.diagnostics(), at["diagnostics"]);
 }
 

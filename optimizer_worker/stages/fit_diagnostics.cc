@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/fit_diagnostics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fmt/format.h"
+#include "optimizer_worker/stages/free_place.h"
+
+namespace flair::optimizer {
+namespace {
+
+constexpr double kFits_m = 1e-6;
+
+Misfit OnTheFloor(const Violation& violation) {
+  if (violation.other >= 0) return {violation.object, violation.other, "overlaps", violation.depth_m};
+  return {violation.object, -1, violation.at_door ? "stands in the way of a door" : "reaches out of the room",
+          violation.depth_m};
+}
+
+// What a hard term about something that does not stand on the floor says; all are squared metres.
+Misfit OffTheFloor(const Term& term, double cost) {
+  const bool pair = term.name == "no_overlap";
+  const std::string what = pair                        ? "overlaps"
+                           : term.name == "on_wall"    ? "does not fit on a wall beside doors and windows"
+                           : term.name == "door_clear" ? "stands in the way of a door"
+                                                       : "reaches out of the room";
+  const int first = std::min(term.required.front(), term.required.back());
+  const int last = std::max(term.required.front(), term.required.back());
+  return {last, pair ? first : -1, what, std::sqrt(cost)};
+}
+
+bool IsPlaced(const Term& term, const PartialLayout& state) {
+  return std::all_of(term.required.begin(), term.required.end(), [&](int object) { return state.placed[object] != 0; });
+}
+
+std::string SizeOf(const Object& object) {
+  return fmt::format("\"{}\" ({:.2f} m x {:.2f} m)", object.id, object.footprint.width_m, object.footprint.depth_m);
+}
+
+v1::Diagnostic Describe(const SolveInput& input, const PartialLayout& state, const Misfit& misfit) {
+  const Scene& scene = input.scene;
+  v1::Diagnostic diagnostic;
+  diagnostic.set_severity(v1::SEVERITY_WARNING);
+  diagnostic.set_subject_id(scene.objects[misfit.object].id);
+  const std::string whom = misfit.other >= 0 ? " " + SizeOf(scene.objects[misfit.other]) : "";
+  const std::string fact =
+      fmt::format("{} {}{} by {:.2f} m", SizeOf(scene.objects[misfit.object]), misfit.what, whom, misfit.depth_m);
+  if (input.pinned[misfit.object] && (misfit.other < 0 || input.pinned[misfit.other])) {
+    diagnostic.set_code("pinned_collides");
+    diagnostic.set_message(fact + ": it is pinned there; move or unpin it");
+    return diagnostic;
+  }
+  diagnostic.set_code("does_not_fit");
+  const std::string place =
+      IsSolid(scene.objects[misfit.object]) ? NoFreePlace(input, state, misfit.object) + "; " : "";
+  diagnostic.set_message(fmt::format("{}: {}leave something out or take smaller pieces", fact, place));
+  return diagnostic;
+}
+
+v1::Diagnostic NotPlaced(const Object& object) {
+  v1::Diagnostic diagnostic;
+  diagnostic.set_severity(v1::SEVERITY_ERROR);
+  diagnostic.set_code("not_placed");
+  diagnostic.set_subject_id(object.id);
+  diagnostic.set_message(fmt::format("\"{}\" was not placed", object.id));
+  return diagnostic;
+}
+
+}  // namespace
+
+std::vector<Misfit> FindMisfits(const SolveInput& input, const SceneCosts& costs, const PartialLayout& state) {
+  const Scene& scene = input.scene;
+  std::vector<int> floor;
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+    if (state.placed[i]) floor.push_back(i);
+  }
+  std::vector<Misfit> misfits;
+  for (const Violation& violation : FindViolations(scene, input.keep_out, floor, state.layout, kFits_m)) {
+    misfits.push_back(OnTheFloor(violation));
+  }
+  for (const Term& term : costs.terms) {
+    if (!term.hard || !IsPlaced(term, state)) continue;
+    const auto solid = [&](int object) { return IsSolid(scene.objects[object]); };
+    if (std::all_of(term.required.begin(), term.required.end(), solid)) continue;
+    std::vector<Pose<double>> poses;
+    for (int object : term.cost->objects()) poses.push_back(state.layout[object]);
+    const double cost = term.cost->Value(poses);
+    if (cost > kFits_m * kFits_m) misfits.push_back(OffTheFloor(term, cost));
+  }
+  return misfits;
+}
+
+std::string NoFreePlace(const SolveInput& input, const PartialLayout& state, int object) {
+  std::vector<int> others;
+  for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
+    if (i != object && state.placed[i] && IsSolid(input.scene.objects[i])) others.push_back(i);
+  }
+  const FreePlace free = LargestFreePlace(input.scene, input.keep_out, others, state.layout);
+  const Footprint& footprint = input.scene.objects[object].footprint;
+  const double across = std::max(footprint.width_m, footprint.depth_m);
+  const double along = std::min(footprint.width_m, footprint.depth_m);
+  // There may be one, but not where its constraints or the ways let it stand.
+  if (across <= free.long_m && along <= free.short_m) {
+    return fmt::format("the free place of {:.2f} m x {:.2f} m does not suit it", free.long_m, free.short_m);
+  }
+  return fmt::format("no free place of {:.2f} m x {:.2f} m; the largest free one is {:.2f} m x {:.2f} m", across, along,
+                     free.long_m, free.short_m);
+}
+
+std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const SceneCosts& costs,
+                                           const PartialLayout& state) {
+  std::vector<v1::Diagnostic> diagnostics;
+  for (size_t i = 0; i < input.scene.objects.size(); ++i) {
+    if (!state.placed[i]) diagnostics.push_back(NotPlaced(input.scene.objects[i]));
+  }
+  for (const Misfit& misfit : FindMisfits(input, costs, state)) {
+    diagnostics.push_back(Describe(input, state, misfit));
+  }
+  return diagnostics;
+}
+
+}  // namespace flair::optimizer
