@@ -2,6 +2,8 @@
 #include "optimizer_worker/service/make_optimizer_service.h"
 
 #include "flair/v1/optimizer_service.grpc.pb.h"
+#include "fmt/format.h"
+#include "optimizer_worker/fanout/grpc_peer.h"
 #include "optimizer_worker/service/evaluate_handler.h"
 #include "optimizer_worker/service/list_constraint_types_handler.h"
 #include "optimizer_worker/service/solve_handler.h"
@@ -14,7 +16,8 @@ namespace {
 
 class Service final : public v1::OptimizerService::CallbackService {
  public:
-  explicit Service(runtime::WorkerContext& worker) : worker_(worker) {}
+  Service(runtime::WorkerContext& worker, std::vector<std::unique_ptr<PeerOptimizer>> peers)
+      : worker_(worker), peers_(std::move(peers), worker.clock) {}
 
   grpc::ServerUnaryReactor* ListConstraintTypes(grpc::CallbackServerContext* context,
                                                 const v1::ListConstraintTypesRequest* request,
@@ -38,16 +41,25 @@ class Service final : public v1::OptimizerService::CallbackService {
   runtime::WorkerContext& worker_;
   const NloptSolver solver_;
   ListConstraintTypesHandler list_constraint_types_;
-  SolveHandler solve_{solver_};
+  PeerPool peers_;
+  SolveHandler solve_{solver_, peers_};
   SolveRestartsHandler solve_restarts_{solver_};
   EvaluateHandler evaluate_{solver_};
 };
 
 }  // namespace
 
-absl::StatusOr<std::unique_ptr<grpc::Service>> MakeOptimizerService(const config::v1::OptimizerWorkerConfig&,
+absl::StatusOr<std::unique_ptr<grpc::Service>> MakeOptimizerService(const config::v1::OptimizerWorkerConfig& config,
                                                                     runtime::WorkerContext& worker) {
-  return std::make_unique<Service>(worker);
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  for (int i = 0; i < config.peer_addresses_size(); ++i) {
+    absl::StatusOr<std::unique_ptr<PeerOptimizer>> peer = MakeGrpcPeer(config.peer_addresses(i), worker.clock);
+    if (!peer.ok()) {
+      return absl::InvalidArgumentError(fmt::format("peer_addresses[{}]: {}", i, std::string(peer.status().message())));
+    }
+    peers.push_back(*std::move(peer));
+  }
+  return std::make_unique<Service>(worker, std::move(peers));
 }
 
 }  // namespace flair::optimizer

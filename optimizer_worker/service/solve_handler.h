@@ -3,6 +3,7 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/optimizer_service.pb.h"
+#include "optimizer_worker/fanout/peer_pool.h"
 #include "optimizer_worker/solver/solver.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
@@ -11,12 +12,13 @@ namespace flair::optimizer {
 // Answers OptimizerService.Solve.
 class SolveHandler {
  public:
-  // `solver` must outlive the handler.
-  explicit SolveHandler(const Solver& solver) : solver_(solver) {}
+  // Both must outlive the handler. `peers` may be empty.
+  SolveHandler(const Solver& solver, PeerPool& peers) : solver_(solver), peers_(peers) {}
   absl::StatusOr<v1::SolveResponse> Handle(const v1::SolveRequest& request, runtime::CallContext& call) const;
 
  private:
   const Solver& solver_;
+  PeerPool& peers_;
 };
 
 }  // namespace flair::optimizer

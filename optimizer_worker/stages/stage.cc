@@ -7,6 +7,7 @@
 #include "optimizer_worker/stages/furnish.h"
 #include "optimizer_worker/stages/polish.h"
 #include "optimizer_worker/stages/tertiary.h"
+#include "room/geometry/angle.h"
 
 namespace flair::optimizer {
 namespace {
@@ -31,7 +32,7 @@ bool Belongs(const Object& object, StageKind kind, int zone) {
   return false;
 }
 
-RestartResult RunRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart) {
+RestartResult RunKind(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart) {
   switch (stage.kind) {
     case StageKind::kPolish:
       return PolishRestart(input, stage, before, restart);
@@ -42,6 +43,17 @@ RestartResult RunRestart(const SolveInput& input, const StageSpec& stage, const 
       break;
   }
   return FurnishRestart(input, stage, before, restart);
+}
+
+// Poses leave a restart as they would arrive in a message (no -0, headings in [0, 2 pi)), so that it does not matter to
+// the last bit where it ran.
+RestartResult RunRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart) {
+  RestartResult result = RunKind(input, stage, before, restart);
+  for (int object : stage.objects) {
+    const Pose<double>& pose = result.state.layout[object];
+    result.state.Place(object, {pose.x_m + 0.0, pose.y_m + 0.0, WrapHeading(pose.theta_rad)});
+  }
+  return result;
 }
 
 }  // namespace

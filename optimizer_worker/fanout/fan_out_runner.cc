@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/fanout/fan_out_runner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "fmt/format.h"
+#include "optimizer_worker/fanout/range_plan.h"
+#include "optimizer_worker/stages/placements.h"
+
+namespace flair::optimizer {
+namespace {
+
+// Pieces per taker: enough that the last ones end at about the same time.
+constexpr int kPiecesPerTaker = 4;
+constexpr int kLargestPiece = 32;
+// How often a taker that waits looks whether the caller has gone.
+constexpr std::chrono::milliseconds kGlance(20);
+
+// What a peer answered, checked: it is a stranger.
+absl::StatusOr<std::vector<RestartResult>> ReadOutcomes(const SolveInput& input, const StageSpec& stage,
+                                                        const PartialLayout& before, const RangePlan::Range& range,
+                                                        const v1::SolveRestartsResponse& response) {
+  if (response.outcomes_size() != range.count) {
+    return absl::InternalError(fmt::format("{} outcomes for {} restarts", response.outcomes_size(), range.count));
+  }
+  std::vector<RestartResult> results;
+  for (int i = 0; i < range.count; ++i) {
+    const v1::RestartOutcome& outcome = response.outcomes(i);
+    RestartResult result{range.first + i, outcome.cost(), outcome.evaluation_count(), before};
+    if (outcome.restart() != result.restart || !std::isfinite(result.score)) {
+      return absl::InternalError(
+          fmt::format("outcome {} is of restart {}, not {}", i, outcome.restart(), result.restart));
+    }
+    PartialLayout moved(input.scene);
+    if (absl::Status status = ReadPlacements(input, outcome.placements(), moved); !status.ok()) return status;
+    for (int object : stage.objects) {
+      if (!moved.placed[object]) return absl::InternalError(fmt::format("outcome {} lacks an object", i));
+      result.state.Place(object, moved.layout[object]);
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+// One Run: the plan, what has come in, and those who work on it.
+class Gathering {
+ public:
+  Gathering(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int first, int count,
+            int range_size)
+      : input_(input), stage_(stage), before_(before), first_(first), plan_(first, count, range_size), slots_(count) {}
+
+  // Takes pieces until there are none left.
+  void WorkHere(int taker) {
+    for (std::optional<RangePlan::Range> range; (range = Next(taker));) {
+      std::vector<RestartResult> results;
+      for (int i = 0; i < range->count && !Over(); ++i) {
+        absl::StatusOr<std::vector<RestartResult>> one = RunRestarts(input_, stage_, before_, range->first + i, 1);
+        if (!one.ok()) return GiveUp(*range, taker);
+        results.push_back(std::move(one->front()));
+      }
+      if (static_cast<int>(results.size()) < range->count) return GiveUp(*range, taker);
+      Finish(*range, taker, std::move(results));
+    }
+  }
+
+  // The same by way of a peer; ends at its first failure. OK when it never failed by itself.
+  absl::Status WorkThere(int taker, PeerOptimizer& peer, v1::SolveRestartsRequest request) {
+    for (std::optional<RangePlan::Range> range; (range = Next(taker));) {
+      request.set_first_restart(range->first);
+      request.set_restart_count(range->count);
+      const absl::StatusOr<v1::SolveRestartsResponse> response = peer.SolveRestarts(request, over_);
+      absl::StatusOr<std::vector<RestartResult>> results =
+          response.ok() ? ReadOutcomes(input_, stage_, before_, *range, *response) : response.status();
+      if (!results.ok()) {
+        const bool not_needed = Over();
+        GiveUp(*range, taker);
+        return not_needed ? absl::OkStatus() : results.status();
+      }
+      Finish(*range, taker, *std::move(results));
+    }
+    return absl::OkStatus();
+  }
+
+  // After all takers have ended.
+  absl::StatusOr<std::vector<RestartResult>> Results() {
+    if (!plan_.done()) {
+      return absl::CancelledError(fmt::format("cancelled in stage {}", StageName(stage_.kind)));
+    }
+    std::vector<RestartResult> results;
+    for (std::optional<RestartResult>& slot : slots_) results.push_back(*std::move(slot));
+    return results;
+  }
+
+ private:
+  bool Over() { return over_.cancelled() || input_.Cancelled(); }
+
+  // Waits for something to do; nullopt when all is done or nobody waits for it.
+  std::optional<RangePlan::Range> Next(int taker) {
+    std::unique_lock lock(mutex_);
+    while (!plan_.done() && !Over()) {
+      if (std::optional<RangePlan::Range> range = plan_.Take(taker)) return range;
+      changed_.wait_for(lock, kGlance);
+    }
+    lock.unlock();
+    over_.Cancel();
+    return std::nullopt;
+  }
+
+  void Finish(const RangePlan::Range& range, int taker, std::vector<RestartResult> results) {
+    bool done = false;
+    {
+      const std::lock_guard lock(mutex_);
+      if (plan_.Finish(range, taker)) {
+        for (RestartResult& result : results) slots_[static_cast<size_t>(result.restart - first_)] = std::move(result);
+      }
+      done = plan_.done();
+    }
+    // Calls that are still out bring nothing new.
+    if (done) over_.Cancel();
+    changed_.notify_all();
+  }
+
+  void GiveUp(const RangePlan::Range& range, int taker) {
+    {
+      const std::lock_guard lock(mutex_);
+      plan_.GiveUp(range, taker);
+    }
+    changed_.notify_all();
+  }
+
+  const SolveInput& input_;
+  const StageSpec& stage_;
+  const PartialLayout& before_;
+  const int first_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  RangePlan plan_;
+  std::vector<std::optional<RestartResult>> slots_;
+  runtime::Cancellation over_;
+};
+
+v1::SolveRestartsRequest RequestFor(const SolveInput& input, const v1::SolveOptions& options, const StageSpec& stage,
+                                    const PartialLayout& before) {
+  v1::SolveRestartsRequest request;
+  request.set_request_id("fan-out");
+  *request.mutable_layout_graph() = input.graph;
+  *request.mutable_options() = options;
+  request.set_stage(std::string(StageName(stage.kind)));
+  if (stage.zone >= 0) request.set_zone_id(input.scene.zones[stage.zone].id);
+  for (v1::Placement& placement : MakePlacements(input, before)) *request.add_placements() = std::move(placement);
+  return request;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<RestartResult>> FanOutRestartRunner::Run(const SolveInput& input, const StageSpec& stage,
+                                                                    const PartialLayout& before, int first,
+                                                                    int count) const {
+  const bool worth_it = count >= kLeastRestarts && !options_.has_time_limit() && !stage.objects.empty();
+  const std::vector<PeerOptimizer*> peers = worth_it ? pool_.Available() : std::vector<PeerOptimizer*>();
+  if (peers.empty()) return RunRestarts(input, stage, before, first, count);
+
+  const int own = std::max(1, std::min(input.settings.threads, count));
+  const int takers = own + static_cast<int>(peers.size());
+  const int range_size = std::clamp(count / (kPiecesPerTaker * takers), 1, kLargestPiece);
+  Gathering gathering(input, stage, before, first, count, range_size);
+  const v1::SolveRestartsRequest request = RequestFor(input, options_, stage, before);
+  std::vector<std::thread> threads;
+  for (int i = 1; i < own; ++i) threads.emplace_back([&gathering, i] { gathering.WorkHere(i); });
+  for (size_t i = 0; i < peers.size(); ++i) {
+    threads.emplace_back([&, i] {
+      const absl::Status status = gathering.WorkThere(own + static_cast<int>(i), *peers[i], request);
+      status.ok() ? pool_.ReportSuccess(*peers[i]) : pool_.ReportFailure(*peers[i]);
+    });
+  }
+  gathering.WorkHere(0);
+  for (std::thread& thread : threads) thread.join();
+  return gathering.Results();
+}
+
+}  // namespace flair::optimizer

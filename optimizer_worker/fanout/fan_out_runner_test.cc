@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/fanout/fan_out_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+
+#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/stages/solve_layout.h"
+#include "optimizer_worker/stages/solve_stage_restarts.h"
+#include "optimizer_worker/stages/testing/graphs.h"
+#include "worker_runtime/clock/fake_clock.h"
+
+namespace flair::optimizer {
+namespace {
+
+using Behaviour =
+    std::function<absl::StatusOr<v1::SolveRestartsResponse>(const v1::SolveRestartsRequest&, runtime::Cancellation&)>;
+
+class FakePeer final : public PeerOptimizer {
+ public:
+  explicit FakePeer(Behaviour behaviour) : behaviour_(std::move(behaviour)) {}
+  const std::string& name() const override { return name_; }
+  absl::StatusOr<v1::SolveRestartsResponse> SolveRestarts(const v1::SolveRestartsRequest& request,
+                                                          runtime::Cancellation& cancellation) override {
+    return behaviour_(request, cancellation);
+  }
+
+ private:
+  std::string name_ = "fake";
+  Behaviour behaviour_;
+};
+
+// Works as a real one does: through the messages.
+absl::StatusOr<v1::SolveRestartsResponse> Answer(const v1::SolveRestartsRequest& request) {
+  absl::StatusOr<std::vector<v1::RestartOutcome>> outcomes = SolveStageRestarts(request, NloptSolver());
+  if (!outcomes.ok()) return outcomes.status();
+  v1::SolveRestartsResponse response;
+  for (v1::RestartOutcome& outcome : *outcomes) *response.add_outcomes() = std::move(outcome);
+  return response;
+}
+
+Behaviour Working(std::atomic<int>& calls) {
+  return [&calls](const v1::SolveRestartsRequest& request, runtime::Cancellation&) {
+    ++calls;
+    return Answer(request);
+  };
+}
+
+absl::StatusOr<v1::SolveRestartsResponse> Dead(const v1::SolveRestartsRequest&, runtime::Cancellation&) {
+  return absl::UnavailableError("connection reset");
+}
+
+// Answers only when the call is cancelled: a process that was stopped.
+absl::StatusOr<v1::SolveRestartsResponse> Stuck(const v1::SolveRestartsRequest&, runtime::Cancellation& cancellation) {
+  std::mutex mutex;
+  std::condition_variable cancelled;
+  const runtime::OnCancel guard(cancellation, [&] {
+    const std::lock_guard lock(mutex);
+    cancelled.notify_all();
+  });
+  std::unique_lock lock(mutex);
+  cancelled.wait(lock, [&] { return cancellation.cancelled(); });
+  return absl::CancelledError("cancelled");
+}
+
+absl::StatusOr<v1::SolveRestartsResponse> Lying(const v1::SolveRestartsRequest& request, runtime::Cancellation&) {
+  absl::StatusOr<v1::SolveRestartsResponse> response = Answer(request);
+  if (response.ok()) response->mutable_outcomes(0)->clear_placements();
+  return response;
+}
+
+std::string SolvedWith(std::vector<Behaviour> behaviours, int threads = 2, int64_t seed = 3) {
+  runtime::FakeClock clock;
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  for (Behaviour& behaviour : behaviours) peers.push_back(std::make_unique<FakePeer>(std::move(behaviour)));
+  PeerPool pool(std::move(peers), clock);
+  v1::SolveOptions options;
+  options.set_seed(seed);
+  options.set_max_restart_count(24);
+  options.set_thread_count(threads);
+  const FanOutRestartRunner runner(pool, options);
+  absl::StatusOr<SolveResult> result = SolveLayout(Bedroom(), options, NloptSolver(), nullptr, runner);
+  EXPECT_TRUE(result.ok()) << result.status();
+  return result.ok() ? result->layout.SerializeAsString() : "";
+}
+
+TEST(FanOut, AnyNumberOfPeersGivesTheSameBytes) {
+  const std::string alone = SolvedWith({}, 1);
+  for (int peers : {1, 2, 7}) {
+    std::atomic<int> calls = 0;
+    std::vector<Behaviour> behaviours(static_cast<size_t>(peers), Working(calls));
+    EXPECT_TRUE(SolvedWith(behaviours, 1 + peers % 3) == alone) << peers << " peers";
+    EXPECT_GT(calls, 0) << "no peer was asked";
+  }
+}
+
+TEST(FanOut, ADeadPeerChangesNothing) {
+  std::atomic<int> calls = 0;
+  EXPECT_TRUE(SolvedWith({Dead, Working(calls), Dead}) == SolvedWith({}));
+}
+
+TEST(FanOut, APeerThatDiesInTheMiddleChangesNothing) {
+  std::atomic<int> calls = 0;
+  const Behaviour dying = [&calls](const v1::SolveRestartsRequest& request,
+                                   runtime::Cancellation&) -> absl::StatusOr<v1::SolveRestartsResponse> {
+    if (++calls > 3) return absl::UnavailableError("killed");
+    return Answer(request);
+  };
+  EXPECT_TRUE(SolvedWith({dying, dying}) == SolvedWith({}));
+}
+
+TEST(FanOut, AStuckPeerHoldsNobodyUp) { EXPECT_TRUE(SolvedWith({Stuck, Stuck}) == SolvedWith({})); }
+
+TEST(FanOut, APeerThatAnswersWronglyIsNotBelieved) { EXPECT_TRUE(SolvedWith({Lying}) == SolvedWith({})); }
+
+TEST(FanOut, AFailureSendsThePeerToRest) {
+  runtime::FakeClock clock;
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  std::atomic<int> calls = 0;
+  peers.push_back(std::make_unique<FakePeer>(
+      [&calls](const v1::SolveRestartsRequest&, runtime::Cancellation&) -> absl::StatusOr<v1::SolveRestartsResponse> {
+        ++calls;
+        return absl::UnavailableError("down");
+      }));
+  PeerPool pool(std::move(peers), clock);
+  v1::SolveOptions options;
+  options.set_max_restart_count(24);
+  options.set_thread_count(1);
+  const FanOutRestartRunner runner(pool, options);
+  ASSERT_TRUE(SolveLayout(Bedroom(), options, NloptSolver(), nullptr, runner).ok());
+  const int asked = calls;
+  EXPECT_GE(asked, 1);
+  ASSERT_TRUE(SolveLayout(Bedroom(), options, NloptSolver(), nullptr, runner).ok());
+  EXPECT_EQ(calls, asked) << "it was asked although it rests";
+}
+
+TEST(FanOut, ACancelledCallerEndsIt) {
+  runtime::FakeClock clock;
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  peers.push_back(std::make_unique<FakePeer>(Stuck));
+  PeerPool pool(std::move(peers), clock);
+  v1::SolveOptions options;
+  options.set_max_restart_count(24);
+  const FanOutRestartRunner runner(pool, options);
+  const absl::StatusOr<SolveResult> result =
+      SolveLayout(Bedroom(), options, NloptSolver(), [] { return true; }, runner);
+  EXPECT_EQ(result.status().code(), absl::StatusCode::kCancelled) << result.status();
+}
+
+}  // namespace
+}  // namespace flair::optimizer

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/fanout/grpc_peer.h"
+
+#include "flair/v1/optimizer_service.grpc.pb.h"
+#include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/status.h"
+
+namespace flair::optimizer {
+namespace {
+
+// Restarts take milliseconds; a peer that needs longer than this is as good as dead.
+constexpr absl::Duration kPatience = absl::Minutes(1);
+
+class GrpcPeer final : public PeerOptimizer {
+ public:
+  GrpcPeer(std::string address, const std::shared_ptr<grpc::Channel>& channel, const runtime::Clock& clock)
+      : address_(std::move(address)), stub_(v1::OptimizerService::NewStub(channel)), clock_(clock) {}
+
+  const std::string& name() const override { return address_; }
+
+  absl::StatusOr<v1::SolveRestartsResponse> SolveRestarts(const v1::SolveRestartsRequest& request,
+                                                          runtime::Cancellation& cancellation) override {
+    grpc::ClientContext context;
+    context.set_deadline(absl::ToChronoTime(clock_.Now() + kPatience));
+    v1::SolveRestartsResponse response;
+    grpc::Status status;
+    {
+      const runtime::OnCancel guard(cancellation, [&context] { context.TryCancel(); });
+      status = stub_->SolveRestarts(&context, request, &response);
+    }
+    if (!status.ok()) return runtime::FromGrpcStatus(status);
+    return response;
+  }
+
+ private:
+  const std::string address_;
+  const std::unique_ptr<v1::OptimizerService::Stub> stub_;
+  const runtime::Clock& clock_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<PeerOptimizer>> MakeGrpcPeer(const std::string& address, const runtime::Clock& clock) {
+  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel =
+      runtime::MakeChannel(address, v1::OptimizerService::service_full_name());
+  if (!channel.ok()) return channel.status();
+  return std::make_unique<GrpcPeer>(address, *channel, clock);
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/fanout/peer_pool.h"
+
+#include <gtest/gtest.h>
+
+#include "worker_runtime/clock/fake_clock.h"
+
+namespace flair::optimizer {
+namespace {
+
+class IdlePeer final : public PeerOptimizer {
+ public:
+  const std::string& name() const override { return name_; }
+  absl::StatusOr<v1::SolveRestartsResponse> SolveRestarts(const v1::SolveRestartsRequest&,
+                                                          runtime::Cancellation&) override {
+    return absl::UnavailableError("idle");
+  }
+
+ private:
+  std::string name_ = "idle";
+};
+
+TEST(PeerPool, APeerThatFailsRestsLongerEachTimeAndOneSuccessEndsThat) {
+  runtime::FakeClock clock;
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  peers.push_back(std::make_unique<IdlePeer>());
+  PeerPool pool(std::move(peers), clock);
+  ASSERT_EQ(pool.Available().size(), 1u);
+  const PeerOptimizer& peer = *pool.Available()[0];
+  for (int rest_s : {1, 2, 4, 8, 16, 32, 60, 60}) {
+    pool.ReportFailure(peer);
+    clock.Advance(absl::Seconds(rest_s) - absl::Milliseconds(1));
+    EXPECT_TRUE(pool.Available().empty()) << rest_s;
+    clock.Advance(absl::Milliseconds(1));
+    EXPECT_EQ(pool.Available().size(), 1u) << rest_s;
+  }
+  pool.ReportSuccess(peer);
+  pool.ReportFailure(peer);
+  clock.Advance(absl::Seconds(1));
+  EXPECT_EQ(pool.Available().size(), 1u);
+}
+
+TEST(PeerPool, OnePeersFailureLeavesTheOthers) {
+  runtime::FakeClock clock;
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  peers.push_back(std::make_unique<IdlePeer>());
+  peers.push_back(std::make_unique<IdlePeer>());
+  PeerPool pool(std::move(peers), clock);
+  PeerOptimizer* const second = pool.Available()[1];
+  pool.ReportFailure(*pool.Available()[0]);
+  ASSERT_EQ(pool.Available().size(), 1u);
+  EXPECT_EQ(pool.Available()[0], second);
+}
+
+}  // namespace
+}  // namespace flair::optimizer

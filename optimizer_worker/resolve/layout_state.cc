@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/resolve/layout_state.h"
+
+#include <algorithm>
+
+#include "optimizer_worker/stages/fit_diagnostics.h"
+#include "optimizer_worker/stages/outcomes.h"
+#include "optimizer_worker/stages/polish.h"
+
+namespace flair::optimizer {
+namespace {
+
+void AddOnce(std::vector<int>& list, int value) {
+  const auto place = std::lower_bound(list.begin(), list.end(), value);
+  if (place == list.end() || *place != value) list.insert(place, value);
+}
+
+bool Satisfied(const Term& term, const PartialLayout& state) {
+  std::vector<Pose<double>> poses;
+  for (int object : term.cost->objects()) poses.push_back(state.layout[object]);
+  return term.cost->Value(poses) <= kSatisfiedCost;
+}
+
+}  // namespace
+
+Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, const std::vector<char>& held) {
+  Grievances grievances;
+  const SceneCosts costs = BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout));
+  for (const Misfit& misfit : FindMisfits(input, costs, state)) {
+    for (int object : {misfit.object, misfit.other}) {
+      if (object < 0 || input.pinned[object]) continue;
+      const bool floor = IsSolid(input.scene.objects[object]);
+      // Where something on a wall meets something on the floor, the first gives way.
+      const bool other_floor = misfit.other < 0 || (IsSolid(input.scene.objects[misfit.object]) &&
+                                                    IsSolid(input.scene.objects[misfit.other]));
+      if (floor && other_floor) AddOnce(grievances.colliding, object);
+      if (!floor) AddOnce(grievances.astray, object);
+    }
+    grievances.depth_m += misfit.depth_m;
+  }
+  for (const Term& term : costs.terms) {
+    if (term.edge < 0 || !held[term.edge]) continue;
+    const bool there = std::all_of(term.required.begin(), term.required.end(),
+                                   [&](int object) { return state.placed[object] != 0; });
+    if (there && !Satisfied(term, state)) grievances.broken.push_back(term.edge);
+  }
+  return grievances;
+}
+
+double FloorScore(const SolveInput& input, const StageSpec& stage, const PartialLayout& state) {
+  const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, state.placed, state.layout);
+  const SceneCosts costs = BindCosts(input, centers);
+  const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
+                                 input.keep_out, &input.walk_grid, {}};
+  LayoutSearch search(search_input, MakeProblem(input, costs, stage, state), state.layout);
+  double score = search.Score();
+  std::vector<int> standing;
+  for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
+    if (state.placed[i]) standing.push_back(i);
+  }
+  for (const Violation& violation : FindViolations(input.scene, input.keep_out, standing, state.layout, 1e-7)) {
+    score += kInfeasible * (0.01 + violation.depth_m);
+  }
+  return score;
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Improves a layout from where it stands, moving only what has to move: begins with the objects that an edit is about
+// and grows outwards, to what collides with them and what their moves have spoiled, while anything is left to repair.
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+#include "flair/v1/solved_layout.pb.h"
+#include "optimizer_worker/stages/solve_input.h"
+#include "optimizer_worker/stages/stage.h"
+
+namespace flair::optimizer {
+
+struct WarmStart {
+  // Where everything stands; objects without a pose are placed.
+  PartialLayout state;
+  // Per object: where it stood before the edits, if it did. Things that stand on it follow it from there.
+  PartialLayout before;
+  // Objects that may move from the beginning, ascending; pinned ones are skipped.
+  std::vector<int> touched;
+  // Per edge of the input's graph: held before the edits and has not been edited, so it should hold afterwards.
+  std::vector<char> held;
+};
+
+struct WarmResult {
+  PartialLayout state;
+  // Cost of the floor in the last round.
+  double score = 0;
+  std::vector<v1::StageOutcome> outcomes;
+  std::vector<absl::Duration> durations;
+};
+
+// Objects that no round frees keep their poses bit for bit. Deterministic. CANCELLED when the caller has gone.
+absl::StatusOr<WarmResult> SearchWarm(const SolveInput& input, const WarmStart& start);
+
+}  // namespace flair::optimizer
