@@ -9,38 +9,51 @@
 
 namespace flair::cli {
 
-absl::StatusOr<std::vector<std::filesystem::path>> ListProblemFiles(const std::filesystem::path& path) {
+namespace fs = std::filesystem;
+
+absl::StatusOr<std::vector<ProblemFile>> ListProblemFiles(const fs::path& path) {
   std::error_code error;
-  if (std::filesystem::is_regular_file(path, error)) return std::vector<std::filesystem::path>{path};
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
-    const std::string ending = entry.path().extension().string();
-    if (ending == ".json" || ending == ".pb") files.push_back(entry.path());
+  if (fs::is_regular_file(path, error)) return std::vector<ProblemFile>{{path.stem().string(), path}};
+  std::vector<ProblemFile> files;
+  for (const auto& entry : fs::directory_iterator(path, error)) {
+    const fs::path file = entry.path();
+    if (file.extension() == ".json" || file.extension() == ".pb") files.push_back({file.stem().string(), file});
+    const fs::path graph = file / "graph.pb";
+    std::error_code absent;
+    if (entry.is_directory(absent) && fs::is_regular_file(graph, absent)) {
+      files.push_back({file.filename().string(), graph});
+    }
   }
   if (error) return absl::NotFoundError(fmt::format("{}: {}", path.string(), error.message()));
   if (files.empty()) return absl::NotFoundError(fmt::format("{}: no .json or .pb files in it", path.string()));
-  std::sort(files.begin(), files.end());
+  std::sort(files.begin(), files.end(), [](const ProblemFile& a, const ProblemFile& b) { return a.path < b.path; });
   return files;
 }
 
-absl::StatusOr<BenchProblem> ReadBenchProblem(const std::filesystem::path& path) {
-  absl::StatusOr<std::string> text = ReadFile(path);
+absl::StatusOr<BenchProblem> ReadBenchProblem(const ProblemFile& file) {
+  absl::StatusOr<std::string> text = ReadFile(file.path);
   if (!text.ok()) return text.status();
-  BenchProblem problem{path.stem().string(), {}, std::nullopt};
-  absl::StatusOr<v1::LayoutGraph> recorded = evaluation::ReadFlairGptRoom(*text);
-  if (recorded.ok()) {
-    problem.graph = *std::move(recorded);
-    absl::StatusOr<v1::SolvedLayout> solution = evaluation::ReadFlairGptSolution(*text, problem.graph);
-    if (solution.ok()) problem.recorded = *std::move(solution);
-    return problem;
-  }
-  const absl::StatusOr<v1::Artifact> artifact = ReadArtifact(path);
+  BenchProblem problem{file.name, {}, std::nullopt};
+  const absl::StatusOr<v1::Artifact> artifact = ReadArtifact(file.path);
   if (artifact.ok() && artifact->has_layout_graph()) {
     problem.graph = artifact->layout_graph();
     return problem;
   }
-  return absl::InvalidArgumentError(fmt::format("{}: neither a graph nor a recorded problem ({})", path.string(),
-                                                std::string(recorded.status().message())));
+  if (artifact.ok() && artifact->has_solved_layout()) {
+    problem.graph = artifact->solved_layout().graph();
+    problem.recorded = artifact->solved_layout();
+    return problem;
+  }
+  if (artifact.ok()) return absl::InvalidArgumentError("an artifact, but neither a graph nor a layout");
+  absl::StatusOr<v1::LayoutGraph> recorded = evaluation::ReadFlairGptRoom(*text);
+  if (!recorded.ok()) {
+    return absl::InvalidArgumentError(fmt::format("neither a graph, nor a layout, nor a recorded problem: {}",
+                                                  std::string(recorded.status().message())));
+  }
+  problem.graph = *std::move(recorded);
+  absl::StatusOr<v1::SolvedLayout> solution = evaluation::ReadFlairGptSolution(*text, problem.graph);
+  if (solution.ok()) problem.recorded = *std::move(solution);
+  return problem;
 }
 
 }  // namespace flair::cli

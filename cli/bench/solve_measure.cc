@@ -1,47 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bench/solve_measure.h"
 
-#include <sys/resource.h>
-#include <time.h>
+#include <vector>
 
-#include <algorithm>
-#include <cmath>
-
-#include "evaluation/metrics/layout_metrics.h"
+#include "cli/bench/statistics.h"
+#include "fmt/format.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/stages/evaluate_layout.h"
 #include "optimizer_worker/stages/solve_layout.h"
 
 namespace flair::cli {
 namespace {
 
-double Seconds(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+template <typename Message>  // SolvedLayout or EvaluateResponse
+Quality QualityOf(const Message& message) {
+  Quality quality{message.metrics(), 0, 0, 0};
+  for (const v1::EdgeOutcome& edge : message.edge_outcomes()) {
+    quality.held += edge.status() == v1::OUTCOME_STATUS_SATISFIED;
+    quality.missed += edge.status() == v1::OUTCOME_STATUS_VIOLATED;
+    quality.dropped += edge.status() == v1::OUTCOME_STATUS_DROPPED;
+  }
+  return quality;
+}
+
+std::optional<Quality> MeasureRecorded(const BenchProblem& problem, const v1::SolveOptions& options,
+                                       const optimizer::Solver& solver) {
+  if (!problem.recorded) return std::nullopt;
+  v1::EvaluateRequest request;
+  request.set_request_id("flair-bench");
+  *request.mutable_layout_graph() = problem.graph;
+  *request.mutable_placements() = problem.recorded->placements();
+  *request.mutable_options() = options;
+  const absl::StatusOr<v1::EvaluateResponse> response = optimizer::EvaluateLayout(request, solver);
+  if (!response.ok()) return std::nullopt;
+  return QualityOf(*response);
 }
 
 }  // namespace
 
-int SolveMeasure::restart_count() const {
-  int count = 0;
-  for (const v1::StageOutcome& stage : layout.stage_outcomes()) count += stage.restart_count();
+int64_t SolveMeasure::restart_count() const {
+  int64_t count = 0;
+  for (const StageTally& stage : stages) count += stage.restarts;
   return count;
 }
 
 int64_t SolveMeasure::evaluation_count() const {
   int64_t count = 0;
-  for (const v1::StageOutcome& stage : layout.stage_outcomes()) count += stage.evaluation_count();
+  for (const StageTally& stage : stages) count += stage.evaluations;
   return count;
 }
 
-int SolveMeasure::CountOf(v1::OutcomeStatus status) const {
-  return static_cast<int>(std::count_if(layout.edge_outcomes().begin(), layout.edge_outcomes().end(),
-                                        [status](const v1::EdgeOutcome& edge) { return edge.status() == status; }));
-}
-
-double SolveMeasure::CostOf(const std::string& stage) const {
+double SolveMeasure::CostOf(optimizer::StageKind stage) const {
   double cost = 0;
-  for (const v1::StageOutcome& outcome : layout.stage_outcomes()) cost += outcome.stage() == stage ? outcome.cost() : 0;
+  for (const v1::StageOutcome& outcome : layout.stage_outcomes()) {
+    if (outcome.stage() == optimizer::StageName(stage)) cost += outcome.cost();
+  }
   return cost;
 }
 
@@ -50,33 +63,29 @@ absl::StatusOr<SolveMeasure> MeasureSolve(const BenchProblem& problem, const v1:
   measure.name = problem.name;
   const optimizer::NloptSolver solver;
   std::vector<double> cpu_s, wall_s;
+  std::array<std::vector<double>, kStages.size()> stage_cpu_s;
   for (int i = 0; i < repeats; ++i) {
-    const double cpu = Seconds(CLOCK_PROCESS_CPUTIME_ID), wall = Seconds(CLOCK_MONOTONIC);
-    absl::StatusOr<optimizer::SolveResult> result = optimizer::SolveLayout(problem.graph, options, solver);
-    cpu_s.push_back(Seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu);
-    wall_s.push_back(Seconds(CLOCK_MONOTONIC) - wall);
+    const CountingRunner runner;
+    const double cpu = ProcessCpu_s(), wall = Wall_s();
+    absl::StatusOr<optimizer::SolveResult> result =
+        optimizer::SolveLayout(problem.graph, options, solver, nullptr, runner);
+    cpu_s.push_back(ProcessCpu_s() - cpu);
+    wall_s.push_back(Wall_s() - wall);
     if (!result.ok()) return result.status();
+    if (i > 0 && result->layout.SerializeAsString() != measure.layout.SerializeAsString()) {
+      return absl::InternalError(
+          fmt::format("solve {} of {} gave another layout than the ones before", i + 1, repeats));
+    }
     measure.layout = std::move(result->layout);
+    measure.stages = runner.Tallies();
+    for (size_t s = 0; s < kStages.size(); ++s) stage_cpu_s[s].push_back(measure.stages[s].cpu_s);
   }
   measure.cpu_s = Quantile(cpu_s, 0.5);
   measure.wall_s = Quantile(wall_s, 0.5);
-  if (problem.recorded) {
-    absl::StatusOr<v1::LayoutMetrics> recorded = evaluation::MeasureLayout(*problem.recorded);
-    if (recorded.ok()) measure.recorded = *std::move(recorded);
-  }
+  for (size_t s = 0; s < kStages.size(); ++s) measure.stages[s].cpu_s = Quantile(stage_cpu_s[s], 0.5);
+  measure.quality = QualityOf(measure.layout);
+  measure.recorded = MeasureRecorded(problem, options, solver);
   return measure;
-}
-
-double PeakMemory_MiB() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
-double Quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
 }
 
 }  // namespace flair::cli

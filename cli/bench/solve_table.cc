@@ -1,121 +1,141 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bench/solve_table.h"
 
+#include <algorithm>
+#include <functional>
+
+#include "cli/bench/statistics.h"
 #include "fmt/format.h"
-#include "nlohmann/json.hpp"
 
 namespace flair::cli {
 namespace {
 
-using nlohmann::ordered_json;
+using Measures = std::vector<SolveMeasure>;
+using Figure = std::function<double(const SolveMeasure&)>;
 
-constexpr char kRow[] =
-    "{:<26} {:>4} {:>7} {:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>7} {:>7} {:>6} {:>6} {:>8} {:>4}/{:<4}\n";
-
-// Mean of a metric over the measures, or over their recorded layouts.
-template <typename Metric>
-double MeanOf(const std::vector<SolveMeasure>& measures, bool recorded, const Metric& metric) {
-  double sum = 0;
-  int count = 0;
-  for (const SolveMeasure& measure : measures) {
-    if (recorded && !measure.recorded) continue;
-    sum += metric(recorded ? *measure.recorded : measure.layout.metrics());
-    ++count;
-  }
-  return count > 0 ? sum / count : 0;
+std::vector<double> Collect(const Measures& measures, const Figure& figure) {
+  std::vector<double> values;
+  for (const SolveMeasure& measure : measures) values.push_back(figure(measure));
+  return values;
 }
 
-struct MetricColumn {
-  const char* name;
-  double (*of)(const v1::LayoutMetrics&);
-};
-
-constexpr MetricColumn kMetrics[] = {
-    {"oob_percent", [](const v1::LayoutMetrics& m) { return m.oob_percent(); }},
-    {"oor_percent", [](const v1::LayoutMetrics& m) { return m.oor_percent(); }},
-    {"deepest_overlap_m", [](const v1::LayoutMetrics& m) { return m.deepest_overlap_m(); }},
-    {"reachable_floor_share", [](const v1::LayoutMetrics& m) { return m.reachable_floor_share(); }},
-    {"reachable_front_share", [](const v1::LayoutMetrics& m) { return m.reachable_front_share(); }},
-    {"pathway_cost_m3", [](const v1::LayoutMetrics& m) { return m.pathway_cost_m3(); }},
-};
-
-ordered_json MetricsToJson(const v1::LayoutMetrics& metrics) {
-  ordered_json json;
-  for (const MetricColumn& column : kMetrics) json[column.name] = column.of(metrics);
-  return json;
+double HeldShare(const Quality& quality) {
+  return static_cast<double>(quality.held) / std::max(1, quality.held + quality.missed);
 }
 
-std::vector<double> CpuOf(const std::vector<SolveMeasure>& measures) {
-  std::vector<double> cpu_s;
-  for (const SolveMeasure& measure : measures) cpu_s.push_back(measure.cpu_s);
-  return cpu_s;
-}
-
-}  // namespace
-
-std::string SolveTableHeader() {
-  return fmt::format(fmt::runtime(kRow), "room", "objs", "CPU ms", "runs", "evals", "primary", "second", "polish",
-                     "tertiary", "OOB %", "OOR %", "floor", "fronts", "path m3", "held", "missed");
-}
-
-std::string SolveTableRow(const SolveMeasure& m) {
-  const auto cost = [&m](const char* stage) { return fmt::format("{:.3f}", m.CostOf(stage)); };
-  const v1::LayoutMetrics& metrics = m.layout.metrics();
-  return fmt::format(
-      fmt::runtime(kRow), m.name.substr(0, 26), m.object_count(), fmt::format("{:.0f}", 1e3 * m.cpu_s),
-      m.restart_count(), fmt::format("{:.2f}M", 1e-6 * static_cast<double>(m.evaluation_count())), cost("primary"),
-      cost("secondary"), cost("polish"), cost("tertiary"), fmt::format("{:.3f}", metrics.oob_percent()),
-      fmt::format("{:.3f}", metrics.oor_percent()), fmt::format("{:.3f}", metrics.reachable_floor_share()),
-      fmt::format("{:.3f}", metrics.reachable_front_share()), fmt::format("{:.4f}", metrics.pathway_cost_m3()),
-      m.CountOf(v1::OUTCOME_STATUS_SATISFIED), m.CountOf(v1::OUTCOME_STATUS_VIOLATED));
-}
-
-std::string SolveTableSummary(const std::vector<SolveMeasure>& measures) {
-  int held = 0, missed = 0;
+// "name 1.23, name 1.11, name 0.9": the worst three of those that are not perfect.
+std::string Worst(const Measures& measures, const Figure& figure, const char* form, double perfect) {
+  std::vector<std::pair<double, std::string>> order;
   for (const SolveMeasure& m : measures) {
-    held += m.CountOf(v1::OUTCOME_STATUS_SATISFIED);
-    missed += m.CountOf(v1::OUTCOME_STATUS_VIOLATED);
+    if (std::abs(figure(m) - perfect) > 1e-9) order.emplace_back(std::abs(figure(m) - perfect), m.name);
   }
-  const std::vector<double> cpu_s = CpuOf(measures);
-  std::string text = fmt::format(
-      "\n{} rooms: CPU median {:.0f} ms, 95th percentile {:.0f} ms; {} of {} constraints hold ({:.1f} %); "
-      "peak memory {:.0f} MiB\n",
-      measures.size(), 1e3 * Quantile(cpu_s, 0.5), 1e3 * Quantile(cpu_s, 0.95), held, held + missed,
-      100.0 * held / std::max(1, held + missed), PeakMemory_MiB());
-  text += fmt::format("{:<24} {:>10} {:>10}\n", "mean over rooms", "ours", "recorded");
+  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string text;
+  for (size_t i = 0; i < std::min<size_t>(3, order.size()); ++i) {
+    const double value = perfect > 0 ? perfect - order[i].first : order[i].first;
+    text += fmt::format("{}{} {}", i > 0 ? ", " : "", order[i].second, fmt::format(fmt::runtime(form), value));
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string WorstRooms(const Measures& measures) {
+  const auto metric = [](const MetricColumn& column) {
+    return [&column](const SolveMeasure& m) { return column.of(m.quality.metrics); };
+  };
+  std::string text = "worst rooms\n";
+  const auto line = [&](const char* name, const Figure& figure, const char* form, double perfect) {
+    text += fmt::format("  {:<22} {}\n", name, Worst(measures, figure, form, perfect));
+  };
+  line("CPU s", [](const SolveMeasure& m) { return m.cpu_s; }, "{:.3f}", 0);
+  line("missed", [](const SolveMeasure& m) { return m.quality.missed; }, "{:.0f}", 0);
+  for (const MetricColumn& column : kMetrics)
+    line(column.name, metric(column), "{:.4g}", column.less_is_better ? 0 : 1);
+  return text;
+}
+
+// The measures beside those of the recorded layouts, over the rooms that have one.
+std::string BesideRecorded(const Measures& all) {
+  Measures paired;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(paired),
+               [](const SolveMeasure& m) { return m.recorded.has_value(); });
+  if (paired.empty()) return "";
+  const TextTable table({fmt::format("mean over {} rooms with a recorded layout", paired.size()), "ours", "recorded",
+                         "ratio", "ours no worse in"},
+                        46, 9);
+  std::string text = table.Header();
+  const auto row = [&](const std::string& name, bool less_is_better, const std::function<double(const Quality&)>& of) {
+    const double ours = Mean(Collect(paired, [&](const SolveMeasure& m) { return of(m.quality); }));
+    const double theirs = Mean(Collect(paired, [&](const SolveMeasure& m) { return of(*m.recorded); }));
+    const auto no_worse = std::count_if(paired.begin(), paired.end(), [&](const SolveMeasure& m) {
+      const double difference = of(m.quality) - of(*m.recorded);
+      return less_is_better ? difference <= 1e-9 : difference >= -1e-9;
+    });
+    text += table.Row({name, fmt::format("{:.4f}", ours), fmt::format("{:.4f}", theirs),
+                       theirs > 0 ? fmt::format("{:.3f}", ours / theirs) : "", fmt::format("{} rooms", no_worse)});
+  };
+  row("share of constraints that hold, by our terms", false, HeldShare);
   for (const MetricColumn& column : kMetrics) {
-    text += fmt::format("{:<24} {:>10.4f} {:>10.4f}\n", column.name, MeanOf(measures, false, column.of),
-                        MeanOf(measures, true, column.of));
+    row(column.name, column.less_is_better, [&](const Quality& quality) { return column.of(quality.metrics); });
   }
   return text;
 }
 
-std::string SolveMeasuresToJson(const std::vector<SolveMeasure>& measures) {
-  ordered_json rooms = ordered_json::array();
+}  // namespace
+
+TextTable SolveTable(size_t name_width) {
+  return TextTable({"room", "objs", "CPU ms", "runs", "evals k", "primary", "second", "polish", "tertiary", "OOB %",
+                    "OOR %", "deep mm", "floor", "fronts", "path m3", "held", "missed", "path rec", "held rec"},
+                   name_width, 5);
+}
+
+std::vector<std::string> SolveCells(const SolveMeasure& m) {
+  const v1::LayoutMetrics& metrics = m.quality.metrics;
+  std::vector<std::string> cells = {m.name, fmt::format("{}", m.object_count()), fmt::format("{:.0f}", 1e3 * m.cpu_s),
+                                    fmt::format("{}", m.restart_count()),
+                                    fmt::format("{:.0f}", 1e-3 * static_cast<double>(m.evaluation_count()))};
+  for (const optimizer::StageKind stage : kStages) cells.push_back(fmt::format("{:.3f}", m.CostOf(stage)));
+  for (const std::string& cell :
+       {fmt::format("{:.4f}", metrics.oob_percent()), fmt::format("{:.4f}", metrics.oor_percent()),
+        fmt::format("{:.3f}", 1e3 * metrics.deepest_overlap_m()),
+        fmt::format("{:.3f}", metrics.reachable_floor_share()), fmt::format("{:.3f}", metrics.reachable_front_share()),
+        fmt::format("{:.4f}", metrics.pathway_cost_m3()), fmt::format("{}", m.quality.held),
+        fmt::format("{}", m.quality.missed),
+        m.recorded ? fmt::format("{:.4f}", m.recorded->metrics.pathway_cost_m3()) : "-",
+        m.recorded ? fmt::format("{}", m.recorded->held) : "-"}) {
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+std::string SolveSummary(const Measures& measures, double memory_before_MiB) {
+  int held = 0, missed = 0;
   for (const SolveMeasure& m : measures) {
-    ordered_json room{{"name", m.name},
-                      {"objects", m.object_count()},
-                      {"cpu_s", m.cpu_s},
-                      {"wall_s", m.wall_s},
-                      {"restarts", m.restart_count()},
-                      {"evaluations", m.evaluation_count()},
-                      {"total_cost", m.layout.total_cost()},
-                      {"satisfied", m.CountOf(v1::OUTCOME_STATUS_SATISFIED)},
-                      {"violated", m.CountOf(v1::OUTCOME_STATUS_VIOLATED)},
-                      {"dropped", m.CountOf(v1::OUTCOME_STATUS_DROPPED)}};
-    for (const char* stage : {"primary", "secondary", "polish", "tertiary"}) room["cost"][stage] = m.CostOf(stage);
-    room["metrics"] = MetricsToJson(m.layout.metrics());
-    if (m.recorded) room["recorded_metrics"] = MetricsToJson(*m.recorded);
-    rooms.push_back(std::move(room));
+    held += m.quality.held;
+    missed += m.quality.missed;
   }
-  ordered_json summary{{"cpu_median_s", Quantile(CpuOf(measures), 0.5)},
-                       {"cpu_p95_s", Quantile(CpuOf(measures), 0.95)},
-                       {"peak_memory_mib", PeakMemory_MiB()}};
-  for (const MetricColumn& column : kMetrics) {
-    summary["ours"][column.name] = MeanOf(measures, false, column.of);
-    summary["recorded"][column.name] = MeanOf(measures, true, column.of);
+  const std::vector<double> cpu_s = Collect(measures, [](const SolveMeasure& m) { return m.cpu_s; });
+  const double restarts = Mean(Collect(measures, [](const SolveMeasure& m) { return m.restart_count(); }));
+  const double evaluations = Mean(Collect(measures, [](const SolveMeasure& m) { return m.evaluation_count(); }));
+  std::string text = fmt::format(
+      "\n{} rooms: CPU median {:.3f} s, mean {:.3f} s, 95th percentile {:.3f} s, most {:.3f} s\n"
+      "restarts {:.1f}, evaluations {:.0f} k a room; {} of {} constraints hold ({:.1f} %)\n"
+      "memory of the process: {:.1f} MiB before the first solve, {:.1f} MiB at most\n\n",
+      measures.size(), Quantile(cpu_s, 0.5), Mean(cpu_s), Quantile(cpu_s, 0.95), Quantile(cpu_s, 1), restarts,
+      1e-3 * evaluations, held, held + missed, 100.0 * held / std::max(1, held + missed), memory_before_MiB,
+      PeakMemory_MiB());
+  const TextTable stages({"stage", "CPU ms", "share", "runs", "evals k"}, 10, 8);
+  text += "mean per room\n" + stages.Header();
+  for (size_t s = 0; s < kStages.size(); ++s) {
+    const auto mean = [&](const auto& of) {
+      return Mean(Collect(measures, [&](const auto& m) { return of(m.stages[s]); }));
+    };
+    const double stage_cpu_s = mean([](const StageTally& t) { return t.cpu_s; });
+    text += stages.Row({std::string(optimizer::StageName(kStages[s])), fmt::format("{:.1f}", 1e3 * stage_cpu_s),
+                        fmt::format("{:.0f} %", 100 * stage_cpu_s / std::max(1e-9, Mean(cpu_s))),
+                        fmt::format("{:.1f}", mean([](const StageTally& t) { return t.restarts; })),
+                        fmt::format("{:.0f}", 1e-3 * mean([](const StageTally& t) { return t.evaluations; }))});
   }
-  return ordered_json{{"rooms", rooms}, {"summary", summary}}.dump(1) + "\n";
+  return text + "\n" + WorstRooms(measures) + "\n" + BesideRecorded(measures);
 }
 
 }  // namespace flair::cli

@@ -1,21 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures of solves, for people and for programs.
+// Measures of solves, for people.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "cli/bench/solve_measure.h"
+#include "cli/bench/text_table.h"
 
 namespace flair::cli {
 
-// Lines of one table, each ending in a newline.
-std::string SolveTableHeader();
-std::string SolveTableRow(const SolveMeasure& measure);
-// Medians and means over all rows, beside those of the recorded layouts.
-std::string SolveTableSummary(const std::vector<SolveMeasure>& measures);
+// One of the measures of a layout, by its name in LayoutMetrics.
+struct MetricColumn {
+  const char* name;
+  double (*of)(const v1::LayoutMetrics&);
+  // Which end is good.
+  bool less_is_better;
+};
 
-// {"rooms": [...], "summary": {...}}, indented, ending in a newline.
-std::string SolveMeasuresToJson(const std::vector<SolveMeasure>& measures);
+inline constexpr MetricColumn kMetrics[] = {
+    {"oob_percent", [](const v1::LayoutMetrics& m) { return m.oob_percent(); }, true},
+    {"oor_percent", [](const v1::LayoutMetrics& m) { return m.oor_percent(); }, true},
+    {"deepest_overlap_m", [](const v1::LayoutMetrics& m) { return m.deepest_overlap_m(); }, true},
+    {"reachable_floor_share", [](const v1::LayoutMetrics& m) { return m.reachable_floor_share(); }, false},
+    {"reachable_front_share", [](const v1::LayoutMetrics& m) { return m.reachable_front_share(); }, false},
+    {"pathway_cost_m3", [](const v1::LayoutMetrics& m) { return m.pathway_cost_m3(); }, true},
+};
+
+// One line a room; `name_width` is that of the longest name.
+TextTable SolveTable(size_t name_width);
+std::vector<std::string> SolveCells(const SolveMeasure& measure);
+
+// Medians and means over all rooms, the rooms that are worst by each measure, and, beside those of the recorded
+// layouts, the measures over the rooms that have one. `memory_before_MiB` is what the process held before the first
+// solve.
+std::string SolveSummary(const std::vector<SolveMeasure>& measures, double memory_before_MiB);
 
 }  // namespace flair::cli

@@ -7,8 +7,11 @@
 #include <memory>
 #include <optional>
 
+#include "cli/bench/problem.h"
+#include "cli/bench/solve_json.h"
 #include "cli/bench/solve_measure.h"
 #include "cli/bench/solve_table.h"
+#include "cli/bench/statistics.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/output/layout_artifact.h"
@@ -40,58 +43,83 @@ v1::SolveOptions OptionsOf(const BenchArguments& arguments) {
 
 // NAME.json for the judge of the reference data, NAME.pb for flair render and flair inspect.
 absl::Status WriteLayout(const SolveMeasure& measure, const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return FileError(fmt::format("{}: {}", folder.string(), error.message()));
   const absl::Status status = WriteOutputFile(
       folder / (measure.name + ".json"), evaluation::WriteFlairGptLayout(measure.layout, measure.name, measure.cpu_s));
   if (!status.ok()) return status;
   return WriteOutputFile(folder / (measure.name + ".pb"), LayoutArtifactBytes(measure.layout));
 }
 
-// Solves the files in order, a line each. Those that cannot be read or solved are named and skipped; `failures` counts.
-absl::StatusOr<std::vector<SolveMeasure>> MeasureAll(const BenchArguments& arguments,
-                                                     const std::vector<std::filesystem::path>& files, int& failures) {
+absl::Status MakeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  return error ? FileError(fmt::format("{}: {}", folder.string(), error.message())) : absl::OkStatus();
+}
+
+struct BenchResults {
   std::vector<SolveMeasure> measures;
-  for (const std::filesystem::path& file : files) {
-    const bool chosen = arguments.only.empty() || std::find(arguments.only.begin(), arguments.only.end(),
-                                                            file.stem().string()) != arguments.only.end();
-    if (!chosen) continue;
-    const absl::StatusOr<BenchProblem> problem = ReadBenchProblem(file);
+  std::vector<BenchFailure> failures;
+};
+
+// Solves the files in order and prints a line each. Those that cannot be read or solved are named and skipped.
+absl::StatusOr<BenchResults> MeasureAll(const BenchArguments& arguments, const std::vector<ProblemFile>& files) {
+  BenchResults results;
+  size_t name_width = 0;
+  for (const ProblemFile& file : files) name_width = std::max(name_width, file.name.size());
+  const TextTable table = SolveTable(name_width);
+  fmt::print("{}", table.Header());
+  // The table's lines show how far it is, unless they go elsewhere.
+  const bool show_progress = isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
+  for (size_t i = 0; i < files.size(); ++i) {
+    if (show_progress) fmt::print(stderr, "\r\033[K{}/{} {}", i + 1, files.size(), files[i].name);
+    const absl::StatusOr<BenchProblem> problem = ReadBenchProblem(files[i]);
     absl::StatusOr<SolveMeasure> measure =
         problem.ok() ? MeasureSolve(*problem, OptionsOf(arguments), arguments.repeats) : problem.status();
     if (!measure.ok()) {
-      ++failures;
-      fmt::print(stderr, "{}: {}\n", file.filename().string(), std::string(measure.status().message()));
+      const BenchFailure& failure =
+          results.failures.emplace_back(files[i].path.string(), std::string(measure.status().message()));
+      fmt::print(stderr, "{}{}: {}\n", show_progress ? "\r\033[K" : "", failure.file, failure.reason);
       continue;
     }
-    fmt::print("{}", SolveTableRow(*measure));
+    fmt::print("{}", table.Row(SolveCells(*measure)));
     std::fflush(stdout);
     if (!arguments.out.empty()) {
       if (absl::Status status = WriteLayout(*measure, arguments.out); !status.ok()) return status;
     }
-    measures.push_back(*std::move(measure));
+    results.measures.push_back(*std::move(measure));
   }
-  return measures;
+  if (show_progress) fmt::print(stderr, "\r\033[K");
+  return results;
+}
+
+absl::Status KeepOnly(const std::vector<std::string>& names, std::vector<ProblemFile>& files) {
+  for (const std::string& name : names) {
+    const bool known = std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.name == name; });
+    if (!known) return absl::NotFoundError(fmt::format("--only: {}: no such problem in the folder", name));
+  }
+  if (names.empty()) return absl::OkStatus();
+  std::erase_if(
+      files, [&](const ProblemFile& file) { return std::find(names.begin(), names.end(), file.name) == names.end(); });
+  return absl::OkStatus();
 }
 
 absl::Status BenchSolve(const BenchArguments& arguments) {
-  const absl::StatusOr<std::vector<std::filesystem::path>> files = ListProblemFiles(arguments.problems);
+  absl::StatusOr<std::vector<ProblemFile>> files = ListProblemFiles(arguments.problems);
   if (!files.ok()) return files.status();
-  fmt::print("{}", SolveTableHeader());
-  int failures = 0;
-  const absl::StatusOr<std::vector<SolveMeasure>> measures = MeasureAll(arguments, *files, failures);
-  if (!measures.ok()) return measures.status();
-  if (!measures->empty()) fmt::print("{}", SolveTableSummary(*measures));
+  if (absl::Status status = KeepOnly(arguments.only, *files); !status.ok()) return status;
+  if (absl::Status status = MakeFolder(arguments.out); !status.ok()) return status;
+  const double memory_before_MiB = Memory_MiB();
+  const absl::StatusOr<BenchResults> results = MeasureAll(arguments, *files);
+  if (!results.ok()) return results.status();
+  const auto& [measures, failures] = *results;
+  if (!measures.empty()) fmt::print("{}", SolveSummary(measures, memory_before_MiB));
   std::fflush(stdout);
   if (!arguments.json.empty()) {
-    if (absl::Status status = WriteOutputFile(arguments.json, SolveMeasuresToJson(*measures)); !status.ok()) {
-      return status;
-    }
+    const absl::Status status =
+        WriteOutputFile(arguments.json, SolveMeasuresToJson(measures, failures, memory_before_MiB));
+    if (!status.ok()) return status;
   }
-  if (failures > 0) return absl::InvalidArgumentError(fmt::format("{} of the files could not be measured", failures));
-  if (measures->empty()) return absl::NotFoundError("--only names none of the files");
-  return absl::OkStatus();
+  if (failures.empty()) return absl::OkStatus();
+  return absl::UnknownError(fmt::format("{} of {} problems could not be measured", failures.size(), files->size()));
 }
 
 }  // namespace
@@ -101,12 +129,12 @@ void AddBench(CLI::App& program, absl::Status& result) {
   CLI::App* bench = program.add_subcommand("bench", "Measure the solver.");
   bench->require_subcommand(1);
   CLI::App* command = bench->add_subcommand("solve", "Solve every problem of a folder: times, costs, measures.");
-  command->add_option("DIR", arguments->problems, "Folder of graphs (.pb) or recorded FlairGPT problems (.json)")
+  command->add_option("DIR", arguments->problems, "Folder (or file) of graphs, layouts or recorded FlairGPT problems")
       ->required();
   command->add_option("-o,--out", arguments->out, "Folder for the layouts, as .pb and in the FlairGPT format")
       ->type_name("DIR");
   command->add_option("--json", arguments->json, "All figures, for programs")->type_name("FILE");
-  command->add_option("--only", arguments->only, "These files only, without their ending")->type_name("NAME");
+  command->add_option("--only", arguments->only, "These problems only, by file name without ending")->type_name("NAME");
   command->add_option("--threads", arguments->threads, "1 to 256; changes no result")
       ->type_name("N")
       ->capture_default_str()
