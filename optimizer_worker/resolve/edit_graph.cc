@@ -159,7 +159,8 @@ class Editor {
     // Objects are listed by role.
     auto& objects = *graph().mutable_object_list()->mutable_objects();
     *objects.Add() = object;
-    for (int i = objects.size() - 1; i > 0 && objects[i - 1].role() > object.role(); --i) objects.SwapElements(i, i - 1);
+    for (int i = objects.size() - 1; i > 0 && objects[i - 1].role() > object.role(); --i)
+      objects.SwapElements(i, i - 1);
     problem_.touched.insert(object.id());
     if (absl::Status status = Check("add_object"); !status.ok()) return status;
     for (int i = 0; i < added.edges_size(); ++i) {
@@ -174,7 +175,8 @@ class Editor {
     for (const v1::Object& object : graph().object_list().objects()) {
       if (object.host_id() == id) problem_.touched.insert(object.id());
     }
-    for (v1::Diagnostic& diagnostic : RemoveObjects({id}, graph())) problem_.diagnostics.push_back(std::move(diagnostic));
+    for (v1::Diagnostic& diagnostic : RemoveObjects({id}, graph()))
+      problem_.diagnostics.push_back(std::move(diagnostic));
     std::erase_if(problem_.placements, [&](const v1::Placement& p) { return p.object_id() == id; });
     problem_.touched.erase(id);
     return Check("remove_object_id");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "optimizer_worker/stages/exact_step.h"
 #include "optimizer_worker/stages/fit_diagnostics.h"
 #include "optimizer_worker/stages/outcomes.h"
 #include "optimizer_worker/stages/polish.h"
@@ -15,6 +16,10 @@ void AddOnce(std::vector<int>& list, int value) {
   if (place == list.end() || *place != value) list.insert(place, value);
 }
 
+SceneCosts CostsOf(const SolveInput& input, const PartialLayout& state) {
+  return BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout));
+}
+
 bool Satisfied(const Term& term, const PartialLayout& state) {
   std::vector<Pose<double>> poses;
   for (int object : term.cost->objects()) poses.push_back(state.layout[object]);
@@ -23,42 +28,52 @@ bool Satisfied(const Term& term, const PartialLayout& state) {
 
 }  // namespace
 
-Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, const std::vector<char>& held) {
+Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, const Baseline& baseline) {
   Grievances grievances;
-  const SceneCosts costs = BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout));
+  const auto solid = [&](int object) { return object < 0 || IsSolid(input.scene.objects[object]); };
+  const SceneCosts costs = CostsOf(input, state);
   for (const Misfit& misfit : FindMisfits(input, costs, state)) {
+    if (baseline.tolerated.contains({misfit.object, misfit.other})) continue;
+    const bool on_floor = solid(misfit.object) && solid(misfit.other);
+    if (on_floor) grievances.depth_m += misfit.depth_m;
     for (int object : {misfit.object, misfit.other}) {
       if (object < 0 || input.pinned[object]) continue;
-      const bool floor = IsSolid(input.scene.objects[object]);
+      if (on_floor) AddOnce(grievances.colliding, object);
       // Where something on a wall meets something on the floor, the first gives way.
-      const bool other_floor = misfit.other < 0 || (IsSolid(input.scene.objects[misfit.object]) &&
-                                                    IsSolid(input.scene.objects[misfit.other]));
-      if (floor && other_floor) AddOnce(grievances.colliding, object);
-      if (!floor) AddOnce(grievances.astray, object);
+      if (!solid(object)) AddOnce(grievances.astray, object);
     }
-    grievances.depth_m += misfit.depth_m;
   }
   for (const Term& term : costs.terms) {
-    if (term.edge < 0 || !held[term.edge]) continue;
-    const bool there = std::all_of(term.required.begin(), term.required.end(),
-                                   [&](int object) { return state.placed[object] != 0; });
+    if (term.edge < 0 || !baseline.held[term.edge]) continue;
+    const bool there =
+        std::all_of(term.required.begin(), term.required.end(), [&](int object) { return state.placed[object] != 0; });
     if (there && !Satisfied(term, state)) grievances.broken.push_back(term.edge);
   }
   return grievances;
 }
 
-double FloorScore(const SolveInput& input, const StageSpec& stage, const PartialLayout& state) {
+std::set<std::pair<int, int>> PairsInTheWay(const SolveInput& input, const PartialLayout& state) {
+  std::set<std::pair<int, int>> pairs;
+  for (const Misfit& misfit : FindMisfits(input, CostsOf(input, state), state)) {
+    pairs.emplace(misfit.object, misfit.other);
+  }
+  return pairs;
+}
+
+double ScoreOf(const SolveInput& input, const StageSpec& stage, const PartialLayout& state) {
+  const bool floor = stage.kind != StageKind::kTertiary;
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, state.placed, state.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
-                                 input.keep_out, &input.walk_grid, {}};
+  const SearchInput search_input{
+      input.scene, input.partners, centers, input.solver, input.keep_out, floor ? &input.walk_grid : nullptr, {}};
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, state), state.layout);
   double score = search.Score();
+  if (!floor) return score;
   std::vector<int> standing;
   for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
     if (state.placed[i]) standing.push_back(i);
   }
-  for (const Violation& violation : FindViolations(input.scene, input.keep_out, standing, state.layout, 1e-7)) {
+  for (const Violation& violation : FindViolations(input.scene, input.keep_out, standing, state.layout, kTouching_m)) {
     score += kInfeasible * (0.01 + violation.depth_m);
   }
   return score;

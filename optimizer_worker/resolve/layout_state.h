@@ -2,6 +2,8 @@
 // What is wrong with a layout, for deciding what must move and whether a move has helped.
 #pragma once
 
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "optimizer_worker/stages/solve_input.h"
@@ -9,23 +11,31 @@
 
 namespace flair::optimizer {
 
+// What is no business of an edit.
+struct Baseline {
+  // Per edge of the graph: it held before the edits and has not been edited, so it should hold afterwards.
+  std::vector<char> held;
+  // Pairs (object, other or -1) that were in each other's way before.
+  std::set<std::pair<int, int>> tolerated;
+};
+
 struct Grievances {
-  // Floor objects of which one collides, pairs as they are; the room and pinned objects are not listed.
+  // Floor objects that collide, ascending, without pinned ones.
   std::vector<int> colliding;
-  // Sum of the depths, of all collisions.
+  // Sum of the depths of their collisions.
   double depth_m = 0;
   // Edges (indices) that held before and do not now.
   std::vector<int> broken;
-  // Wall, ceiling, surface objects and rugs that are in the way.
+  // Wall, ceiling and surface objects and rugs that are in the way, without pinned ones.
   std::vector<int> astray;
-
-  bool none() const { return colliding.empty() && broken.empty() && astray.empty(); }
 };
 
-// `held` says which edges should hold.
-Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, const std::vector<char>& held);
+Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, const Baseline& baseline);
 
-// Cost of the stage's objects and of the ways through the room, as the polish reckons it, collisions included.
-double FloorScore(const SolveInput& input, const StageSpec& stage, const PartialLayout& state);
+// The pairs that are in each other's way in `state`.
+std::set<std::pair<int, int>> PairsInTheWay(const SolveInput& input, const PartialLayout& state);
+
+// Cost of the stage's objects, as the stage reckons it; on the floor with the ways through the room and collisions.
+double ScoreOf(const SolveInput& input, const StageSpec& stage, const PartialLayout& state);
 
 }  // namespace flair::optimizer

@@ -8,6 +8,7 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/solved_layout.pb.h"
+#include "optimizer_worker/resolve/layout_state.h"
 #include "optimizer_worker/stages/solve_input.h"
 #include "optimizer_worker/stages/stage.h"
 
@@ -16,18 +17,15 @@ namespace flair::optimizer {
 struct WarmStart {
   // Where everything stands; objects without a pose are placed.
   PartialLayout state;
-  // Per object: where it stood before the edits, if it did. Things that stand on it follow it from there.
+  // Where they stood before the edits. What stands on an object follows it from there.
   PartialLayout before;
   // Objects that may move from the beginning, ascending; pinned ones are skipped.
   std::vector<int> touched;
-  // Per edge of the input's graph: held before the edits and has not been edited, so it should hold afterwards.
-  std::vector<char> held;
+  Baseline baseline;
 };
 
 struct WarmResult {
   PartialLayout state;
-  // Cost of the floor in the last round.
-  double score = 0;
   std::vector<v1::StageOutcome> outcomes;
   std::vector<absl::Duration> durations;
 };

@@ -49,11 +49,13 @@ std::vector<v1::Diagnostic> RemoveObjects(const IdSet& ids, v1::LayoutGraph& gra
     bool shrunk = false;
     const std::string gone = Shrink(ids, edge, shrunk);
     if (!gone.empty()) {
-      diagnostics.push_back(About(
-          "edge_removed", edge, fmt::format("\"{}\" ({}) is gone with \"{}\", which it names", edge.id(), edge.type(), gone)));
+      diagnostics.push_back(
+          About("edge_removed", edge,
+                fmt::format("\"{}\" ({}) is gone with \"{}\", which it names", edge.id(), edge.type(), gone)));
     } else if (shrunk) {
       diagnostics.push_back(
-          About("edge_shortened", edge, fmt::format("\"{}\" ({}) is about the objects that are left", edge.id(), edge.type())));
+          About("edge_shortened", edge,
+                fmt::format("\"{}\" ({}) is about the objects that are left", edge.id(), edge.type())));
     }
     return !gone.empty();
   });

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What goes along when an object moves.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "optimizer_worker/stages/solve_input.h"
+#include "optimizer_worker/stages/stage.h"
+
+namespace flair::optimizer {
+
+// Things that stood on one of `movers` in `before` keep their place on it in `after`, and so does what stands on them.
+// Pinned things and those that are movers themselves do not follow.
+void Follow(const SolveInput& input, const PartialLayout& before, std::span<const int> movers, PartialLayout& after);
+
+// Objects that an edge names, ascending.
+std::vector<int> ObjectsOfEdge(const SolveInput& input, int edge);
+
+}  // namespace flair::optimizer

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/resolve/resolve_layout.h"
+
+#include <algorithm>
+#include <map>
+
+#include "optimizer_worker/resolve/edit_graph.h"
+#include "optimizer_worker/resolve/warm_search.h"
+#include "optimizer_worker/stages/driver.h"
+#include "optimizer_worker/stages/placements.h"
+#include "optimizer_worker/stages/solved_layout.h"
+#include "room/validation/validate.h"
+
+namespace flair::optimizer {
+namespace {
+
+constexpr double kFits_m = 1e-6;
+
+using PlacementList = google::protobuf::RepeatedPtrField<v1::Placement>;
+
+// The placements of objects that the input knows.
+absl::StatusOr<PartialLayout> StateOf(const SolveInput& input, const PlacementList& placements) {
+  PlacementList known;
+  for (const v1::Placement& placement : placements) {
+    if (input.scene.IndexOf(placement.object_id()) >= 0) *known.Add() = placement;
+  }
+  PartialLayout state(input.scene);
+  if (absl::Status status = ReadPlacements(input, known, state); !status.ok()) return status;
+  return state;
+}
+
+Baseline MakeBaseline(const SolveInput& input, const v1::SolvedLayout& layout, const EditedProblem& problem,
+                      const PartialLayout& before, const std::vector<int>& touched) {
+  std::map<std::string_view, bool> satisfied;
+  for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
+    satisfied[outcome.edge_id()] = outcome.status() == v1::OUTCOME_STATUS_SATISFIED;
+  }
+  Baseline baseline;
+  for (const v1::ConstraintEdge& edge : input.graph.edges()) {
+    const auto known = satisfied.find(edge.id());
+    // A new or changed edge is to be tried for as well.
+    const bool edited = problem.edited_edges.contains(edge.id());
+    baseline.held.push_back(edited || (known != satisfied.end() && known->second));
+  }
+  PartialLayout untouched = before;
+  for (int object : touched) untouched.placed[object] = 0;
+  baseline.tolerated = PairsInTheWay(input, untouched);
+  return baseline;
+}
+
+// Everything anew, but for the pins.
+absl::StatusOr<WarmResult> SolveAnew(const SolveInput& input) {
+  absl::StatusOr<std::vector<Branch>> branches = Driver(input, LocalRestartRunner()).Run();
+  if (!branches.ok()) return branches.status();
+  Branch& best = branches->front();
+  return WarmResult{std::move(best.state), std::move(best.outcomes), std::move(best.durations)};
+}
+
+absl::StatusOr<WarmResult> Search(const SolveInput& input, const WarmStart& start) {
+  absl::StatusOr<WarmResult> warm = SearchWarm(input, start);
+  if (!warm.ok() || input.OutOfTime()) return warm;
+  const double left_m = FindGrievances(input, warm->state, start.baseline).depth_m;
+  if (left_m <= kFits_m) return warm;
+  absl::StatusOr<WarmResult> anew = SolveAnew(input);
+  if (!anew.ok()) return anew.status();
+  return FindGrievances(input, anew->state, start.baseline).depth_m < left_m ? anew : warm;
+}
+
+std::vector<std::string> MovedIds(const SolveInput& input, const PartialLayout& before, const PartialLayout& after) {
+  std::vector<std::string> ids;
+  for (size_t i = 0; i < after.layout.size(); ++i) {
+    if (!after.placed[i] || (before.placed[i] && before.layout[i] == after.layout[i])) continue;
+    ids.push_back(input.scene.objects[i].id);
+  }
+  return ids;
+}
+
+}  // namespace
+
+absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, const EditList& edits,
+                                            const v1::SolveOptions& options, const Solver& solver,
+                                            const CancelCheck& cancelled) {
+  if (absl::Status status = Validate(layout); !status.ok()) return status;
+  const absl::StatusOr<EditedProblem> problem = ApplyEdits(layout, edits);
+  if (!problem.ok()) return problem.status();
+  v1::SolveOptions one = options;
+  one.clear_variant_count();
+  const absl::StatusOr<SolveInput> input = MakeSolveInput(problem->graph, one, solver, cancelled);
+  if (!input.ok()) return input.status();
+  const absl::StatusOr<PartialLayout> before = StateOf(*input, layout.placements());
+  if (!before.ok()) return before.status();
+  const absl::StatusOr<PartialLayout> now =
+      StateOf(*input, PlacementList(problem->placements.begin(), problem->placements.end()));
+  if (!now.ok()) return now.status();
+
+  WarmStart start{*now, *before, {}, {}};
+  for (const Pin& pin : input->pins) start.state.Place(pin.object, pin.pose);
+  for (int i = 0; i < static_cast<int>(input->scene.objects.size()); ++i) {
+    if (problem->touched.contains(input->scene.objects[i].id)) start.touched.push_back(i);
+  }
+  start.baseline = MakeBaseline(*input, layout, *problem, *before, start.touched);
+  absl::StatusOr<WarmResult> found = Search(*input, start);
+  if (!found.ok()) return found.status();
+
+  ResolveResult result;
+  result.moved_ids = MovedIds(*input, *before, found->state);
+  result.stage_durations = found->durations;
+  Branch branch{std::move(found->state), 0, std::move(found->outcomes), std::move(found->durations)};
+  result.layout = MakeSolvedLayout(*input, {branch});
+  for (const v1::Diagnostic& diagnostic : problem->diagnostics) *result.layout.add_diagnostics() = diagnostic;
+  return result;
+}
+
+}  // namespace flair::optimizer

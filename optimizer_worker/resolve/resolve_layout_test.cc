@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/resolve/resolve_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "optimizer_worker/resolve/edit_text.h"
+#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/stages/solve_layout.h"
+#include "optimizer_worker/stages/testing/graphs.h"
+#include "room/geometry/angle.h"
+
+namespace flair::optimizer {
+namespace {
+
+// The bedroom with a wardrobe and a desk that carries a lamp.
+v1::LayoutGraph Furnished() {
+  return Parse(
+      RoomText(4.5, 4) + "object_list {" + ObjectText("bed", "PRIMARY", "FLOOR", 1.6, 2.0) +
+      ObjectText("nightstand", "SECONDARY", "FLOOR", 0.5, 0.4) +
+      ObjectText("wardrobe", "SECONDARY", "FLOOR", 1.5, 0.6) + ObjectText("desk", "SECONDARY", "FLOOR", 1.2, 0.6) +
+      ObjectText("picture", "TERTIARY", "WALL", 0.8, 0.05) + ObjectText("lamp", "TERTIARY", "SURFACE", 0.2, 0.2) + "}" +
+      EdgeText("e1", "against_wall", Text("object", "bed")) +
+      EdgeText("e2", "next_to",
+               Text("object", "nightstand") + Text("target", "bed") + Text("object_side", "right") +
+                   Text("target_side", "left")) +
+      EdgeText("e3", "against_wall", Text("object", "wardrobe")) +
+      EdgeText("e4", "against_wall", Text("object", "desk")) +
+      EdgeText("e5", "on_wall_above", Text("object", "picture") + Text("target", "bed")) +
+      EdgeText("e6", "on_top_center", Text("object", "lamp") + Text("host", "desk")));
+}
+
+const v1::SolvedLayout& Start() {
+  static const v1::SolvedLayout layout = SolveLayout(Furnished(), {}, NloptSolver())->layout;
+  return layout;
+}
+
+absl::StatusOr<ResolveResult> TryEdit(const v1::SolvedLayout& layout, const std::vector<std::string>& lines,
+                                      int threads = 1) {
+  google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
+  for (const std::string& line : lines) *edits.Add() = *EditFromText(line, layout);
+  v1::SolveOptions options;
+  options.set_thread_count(threads);
+  return ResolveLayout(layout, edits, options, NloptSolver());
+}
+
+ResolveResult Edit(const v1::SolvedLayout& layout, const std::vector<std::string>& lines) {
+  absl::StatusOr<ResolveResult> result = TryEdit(layout, lines);
+  EXPECT_TRUE(result.ok()) << result.status();
+  return result.ok() ? *std::move(result) : ResolveResult{};
+}
+
+// Objects that are not among `moved` stand exactly where they stood.
+void ExpectOthersUntouched(const v1::SolvedLayout& before, const ResolveResult& after) {
+  const std::set<std::string> moved(after.moved_ids.begin(), after.moved_ids.end());
+  for (const v1::Placement& placement : after.layout.placements()) {
+    if (moved.contains(placement.object_id())) continue;
+    EXPECT_EQ(placement.SerializeAsString(), PlacementOf(before, placement.object_id()).SerializeAsString());
+  }
+}
+
+int Satisfied(const v1::SolvedLayout& layout) {
+  int count = 0;
+  for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
+    count += outcome.status() == v1::OUTCOME_STATUS_SATISFIED;
+  }
+  return count;
+}
+
+TEST(ResolveLayout, WithoutEditsMovesNothing) {
+  const ResolveResult result = Edit(Start(), {});
+  EXPECT_TRUE(result.moved_ids.empty());
+  EXPECT_EQ(result.layout.total_cost(), Start().total_cost());
+  ExpectOthersUntouched(Start(), result);
+}
+
+TEST(ResolveLayout, PinningMovesNothingAndIsRemembered) {
+  const ResolveResult result = Edit(Start(), {"pin bed"});
+  EXPECT_TRUE(result.moved_ids.empty());
+  ASSERT_EQ(result.layout.graph().pinned_placements_size(), 1);
+  const ResolveResult free = Edit(result.layout, {"unpin bed"});
+  EXPECT_EQ(free.layout.graph().pinned_placements_size(), 0);
+}
+
+TEST(ResolveLayout, WhatBelongsToAMovedObjectComesAlong) {
+  ASSERT_EQ(Satisfied(Start()), 6);
+  const double x_m = PlacementOf(Start(), "bed").x_m() > 2.25 ? 0.8 : 3.7;
+  const ResolveResult result = Edit(Start(), {fmt::format("move bed {} 3.0 180", x_m)});
+  const v1::Placement& bed = PlacementOf(result.layout, "bed");
+  EXPECT_EQ(bed.x_m(), x_m);
+  EXPECT_EQ(bed.y_m(), 3.0);
+  EXPECT_EQ(result.layout.diagnostics_size(), 0) << result.layout.diagnostics(0).message();
+  EXPECT_LT(result.layout.metrics().deepest_overlap_m(), 1e-6);
+  // Its headboard is at the north wall, so everything can hold again.
+  EXPECT_EQ(Satisfied(result.layout), 6);
+  ExpectOthersUntouched(Start(), result);
+}
+
+TEST(ResolveLayout, ThingsOnTopRideAlong) {
+  const v1::Placement& desk = PlacementOf(Start(), "desk");
+  const v1::Placement& lamp = PlacementOf(Start(), "lamp");
+  const v1::SolvedLayout bigger = Edit(Start(), {"remove wardrobe", "remove bed", "remove nightstand"}).layout;
+  const ResolveResult result = Edit(bigger, {"move desk 2.2 2.0 37"});
+  const v1::Placement& after = PlacementOf(result.layout, "lamp");
+  EXPECT_NEAR(std::hypot(after.x_m() - 2.2, after.y_m() - 2.0),
+              std::hypot(lamp.x_m() - desk.x_m(), lamp.y_m() - desk.y_m()), 1e-9);
+}
+
+TEST(ResolveLayout, AResizedObjectFitsAgain) {
+  const ResolveResult result = Edit(Start(), {"resize wardrobe 1.9x0.7x2.2"});
+  EXPECT_EQ(result.layout.diagnostics_size(), 0) << result.layout.diagnostics(0).message();
+  EXPECT_LT(result.layout.metrics().deepest_overlap_m(), 1e-6);
+  EXPECT_EQ(Satisfied(result.layout), 6);
+  ExpectOthersUntouched(Start(), result);
+}
+
+TEST(ResolveLayout, AnAddedObjectIsPlacedAndARemovedOneTakesItsEdges) {
+  const ResolveResult added = Edit(Start(), {"add plant 0.3x0.3x1 near desk"});
+  EXPECT_EQ(added.layout.placements_size(), 7);
+  EXPECT_EQ(added.layout.edge_outcomes_size(), 7);
+  EXPECT_EQ(added.moved_ids.front(), "plant") << added.moved_ids.size();
+  EXPECT_LT(added.layout.metrics().deepest_overlap_m(), 1e-6);
+  const ResolveResult removed = Edit(added.layout, {"remove plant"});
+  EXPECT_EQ(removed.layout.placements_size(), 6);
+  EXPECT_EQ(removed.layout.edge_outcomes_size(), 6);
+  ASSERT_EQ(removed.layout.diagnostics_size(), 1);
+  EXPECT_EQ(removed.layout.diagnostics(0).code(), "edge_removed");
+  EXPECT_TRUE(removed.moved_ids.empty());
+}
+
+TEST(ResolveLayout, ANewConstraintIsMetAndADroppedOneIsGone) {
+  const std::string wall = PlacementOf(Start(), "desk").y_m() > 2 ? "east" : "north";
+  const ResolveResult added = Edit(Start(), {"edge against_wall object=desk wall=" + wall});
+  const v1::EdgeOutcome& outcome = added.layout.edge_outcomes(6);
+  EXPECT_EQ(outcome.status(), v1::OUTCOME_STATUS_SATISFIED) << outcome.ShortDebugString();
+  EXPECT_EQ(Satisfied(added.layout), 7);
+  const ResolveResult dropped = Edit(added.layout, {"drop e7", "weight e1 3"});
+  EXPECT_EQ(dropped.layout.edge_outcomes_size(), 6);
+  EXPECT_EQ(dropped.layout.graph().edges(0).weight(), 3);
+}
+
+TEST(ResolveLayout, IsBitIdenticalForAnyNumberOfThreads) {
+  const auto one = TryEdit(Start(), {"move desk 2.2 2.0", "resize bed 1.8x2.1"}, 1);
+  const auto four = TryEdit(Start(), {"move desk 2.2 2.0", "resize bed 1.8x2.1"}, 4);
+  ASSERT_TRUE(one.ok() && four.ok());
+  EXPECT_EQ(one->layout.SerializeAsString(), four->layout.SerializeAsString());
+  EXPECT_EQ(one->moved_ids, four->moved_ids);
+}
+
+TEST(ResolveLayout, NamesTheEditThatIsWrong) {
+  struct Case {
+    const char* line;
+    const char* says;
+  };
+  const Case cases[] = {
+      {"move ghost 1 1", "edits[1].move_object: \"ghost\""},
+      {"move bed 90 1", "edits[1].move_object"},
+      {"pin ghost", "edits[1].pin_object_id"},
+      {"unpin wardrobe", "edits[1].unpin_object_id: \"wardrobe\" is not pinned"},
+      {"resize bed 0x2", "edits[1].resize_object"},
+      {"add bed 1x1x1", "edits[1].add_object.object.id"},
+      {"add plant -1x1x1", "edits[1].add_object"},
+      {"remove ghost", "edits[1].remove_object_id"},
+      {"drop e99", "edits[1].remove_edge_id: \"e99\""},
+      {"weight e1 0", "edits[1].set_edge_weight.weight: 0"},
+      {"edge no_such_type object=bed", "edits[1].add_edge"},
+      {"edge against_wall object=bed wall=up", "edits[1].add_edge"},
+  };
+  for (const Case& c : cases) {
+    const absl::Status status = TryEdit(Start(), {"pin bed", c.line}).status();
+    EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << c.line;
+    EXPECT_NE(status.message().find(c.says), absl::string_view::npos) << c.line << ": " << status;
+  }
+}
+
+TEST(ResolveLayout, AnEditWithoutContentIsRejected) {
+  google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
+  edits.Add();
+  const absl::Status status = ResolveLayout(Start(), edits, {}, NloptSolver()).status();
+  EXPECT_NE(status.message().find("edits[0]: is not set"), absl::string_view::npos) << status;
+}
+
+TEST(ResolveLayout, StopsWhenCancelled) {
+  google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
+  *edits.Add() = *EditFromText("move desk 2.2 2.0", Start());
+  const auto result = ResolveLayout(Start(), edits, {}, NloptSolver(), [] { return true; });
+  EXPECT_EQ(result.status().code(), absl::StatusCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace flair::optimizer

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/resolve/warm_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optimizer_worker/resolve/follow.h"
+#include "optimizer_worker/stages/furnish.h"
+#include "optimizer_worker/stages/pins.h"
+#include "optimizer_worker/stages/polish.h"
+#include "optimizer_worker/stages/tertiary.h"
+#include "room/geometry/angle.h"
+
+namespace flair::optimizer {
+namespace {
+
+constexpr int kFloorRounds = 4;
+constexpr int kTertiaryRounds = 2;
+constexpr int kPlaceRestarts = 2;
+// Objects this near to a trouble that its own objects cannot end are moved too.
+constexpr double kNeighbour_m = 0.6;
+// Nothing moves for a gain of less than this; a tenth of what a wish missed costs.
+constexpr double kWorthMoving = 0.05;
+// Moves smaller than these are taken back.
+constexpr double kNoMove_m = 1e-3;
+constexpr double kNoTurn_rad = 2e-3;
+constexpr double kFits_m = 1e-6;
+
+class WarmSearch {
+ public:
+  WarmSearch(const SolveInput& input, const WarmStart& start)
+      : input_(input),
+        start_(start),
+        floor_(Flags(FreeStage(input, StageKind::kPolish).objects)),
+        tertiary_(Flags(FreeStage(input, StageKind::kTertiary).objects)),
+        result_{start.state, {}, {}} {}
+
+  absl::StatusOr<WarmResult> Run() {
+    // What the user has moved takes along what stands on it.
+    Follow(input_, start_.before, start_.touched, result_.state);
+    PlaceNewcomers();
+    for (absl::Status (WarmSearch::*step)() : {&WarmSearch::SettleFloor, &WarmSearch::SettleTertiaries}) {
+      if (absl::Status status = (this->*step)(); !status.ok()) return status;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<char> Flags(const std::vector<int>& objects) const {
+    std::vector<char> flags(input_.scene.objects.size(), 0);
+    for (int object : objects) flags[object] = 1;
+    return flags;
+  }
+
+  void Record(const StageSpec& stage, const RestartResult& result, int restarts, absl::Time began) {
+    v1::StageOutcome& outcome = result_.outcomes.emplace_back();
+    outcome.set_stage(std::string(StageName(stage.kind)));
+    outcome.set_restart_count(restarts);
+    outcome.set_best_restart(std::clamp(result.restart, 0, restarts - 1));
+    outcome.set_evaluation_count(result.evaluations);
+    outcome.set_seed(static_cast<int64_t>(RestartSeed(input_.settings, stage, 0)));
+    outcome.set_cost(result.score);
+    result_.durations.push_back(absl::Now() - began);
+  }
+
+  // Gives the floor objects without a pose one, among those that stand.
+  void PlaceNewcomers() {
+    StageSpec stage{StageKind::kSecondary, -1, {}};
+    for (int object : start_.touched) {
+      if (floor_[object] && !result_.state.placed[object]) stage.objects.push_back(object);
+    }
+    if (stage.objects.empty()) return;
+    const absl::Time began = absl::Now();
+    std::vector<RestartResult> results;
+    for (int restart = 0; restart < kPlaceRestarts; ++restart) {
+      results.push_back(FurnishRestart(input_, stage, result_.state, restart));
+    }
+    const RestartResult& best = results[BestOf(results)];
+    Record(stage, best, kPlaceRestarts, began);
+    result_.state = best.state;
+  }
+
+  // The floor objects that may move and are to blame: those that collide, and those that broken edges name.
+  std::vector<int> ToBlame(const Grievances& grievances) const {
+    std::vector<char> blamed = Flags(grievances.colliding);
+    for (int edge : grievances.broken) {
+      for (int object : ObjectsOfEdge(input_, edge)) blamed[object] = 1;
+    }
+    std::vector<int> objects;
+    for (size_t i = 0; i < blamed.size(); ++i) {
+      if (blamed[i] && floor_[i] && result_.state.placed[i]) objects.push_back(static_cast<int>(i));
+    }
+    return objects;
+  }
+
+  // How bad it is for the floor: depth of collisions, then weight of broken edges.
+  std::pair<double, double> Trouble(const Grievances& grievances) const {
+    double weight = 0;
+    for (int edge : grievances.broken) {
+      const std::vector<int> named = ObjectsOfEdge(input_, edge);
+      const bool on_floor =
+          std::all_of(named.begin(), named.end(), [&](int object) { return IsSolid(input_.scene.objects[object]); });
+      if (on_floor) weight += input_.graph.edges(edge).weight();
+    }
+    return {grievances.depth_m > kFits_m ? grievances.depth_m : 0.0, weight};
+  }
+
+  bool Near(int object, const std::vector<int>& others) const {
+    const Layout& layout = result_.state.layout;
+    const auto box = [&](int i) { return Box<double>(input_.scene.objects[i].footprint, FrameOf(layout[i])); };
+    return std::any_of(others.begin(), others.end(), [&](int other) {
+      return other == object || Separate(box(object), box(other)).gap_m < kNeighbour_m;
+    });
+  }
+
+  // Adds those to blame to `free`; when all of them are free already, their neighbours.
+  bool Grow(const Grievances& grievances, std::vector<char>& free) const {
+    const std::vector<int> blamed = ToBlame(grievances);
+    bool grown = false;
+    for (int object : blamed) {
+      grown = grown || !free[object];
+      free[object] = 1;
+    }
+    if (grown || blamed.empty()) return grown;
+    for (size_t i = 0; i < free.size(); ++i) {
+      if (free[i] || !floor_[i] || !result_.state.placed[i] || !Near(static_cast<int>(i), blamed)) continue;
+      free[i] = 1;
+      grown = true;
+    }
+    return grown;
+  }
+
+  absl::Status SettleFloor() {
+    std::vector<char> free = Flags(start_.touched);
+    Grievances grievances = FindGrievances(input_, result_.state, start_.baseline);
+    Grow(grievances, free);
+    for (int round = 0; round < kFloorRounds; ++round) {
+      if (input_.Cancelled()) return absl::CancelledError("cancelled while solving again");
+      StageSpec stage{StageKind::kPolish, -1, {}};
+      for (size_t i = 0; i < free.size(); ++i) {
+        if (free[i] && floor_[i] && result_.state.placed[i]) stage.objects.push_back(static_cast<int>(i));
+      }
+      if (stage.objects.empty() || (round > 0 && input_.OutOfTime())) return absl::OkStatus();
+      Polish(stage, round, grievances);
+      if (Trouble(grievances) == std::pair<double, double>{0, 0} || !Grow(grievances, free)) return absl::OkStatus();
+    }
+    return absl::OkStatus();
+  }
+
+  // One round; keeps what it finds when it is better, and says in `grievances` how things stand then.
+  void Polish(const StageSpec& stage, int round, Grievances& grievances) {
+    const absl::Time began = absl::Now();
+    const PartialLayout before = result_.state;
+    RestartResult polished = PolishRestart(input_, stage, before, round);
+    TakeBackSmallMoves(stage, before, polished.state);
+    Follow(input_, before, stage.objects, polished.state);
+    const Grievances after = FindGrievances(input_, polished.state, start_.baseline);
+    const auto trouble_before = Trouble(grievances), trouble_after = Trouble(after);
+    bool better = trouble_after < trouble_before;
+    if (trouble_after == trouble_before) {
+      better = ScoreOf(input_, stage, polished.state) < ScoreOf(input_, stage, before) - kWorthMoving;
+    }
+    Record(stage, polished, 1, began);
+    if (!better) return;
+    result_.state = std::move(polished.state);
+    grievances = after;
+  }
+
+  // Puts those back exactly that have hardly moved, if that breaks nothing.
+  void TakeBackSmallMoves(const StageSpec& stage, const PartialLayout& before, PartialLayout& after) const {
+    PartialLayout taken_back = after;
+    bool any = false;
+    for (int object : stage.objects) {
+      const Pose<double>& from = before.layout[object];
+      const Pose<double>& to = after.layout[object];
+      if (from == to || Distance(Center(from), Center(to)) > kNoMove_m ||
+          AngleBetween(from.theta_rad, to.theta_rad) > kNoTurn_rad) {
+        continue;
+      }
+      taken_back.layout[object] = from;
+      any = true;
+    }
+    if (!any) return;
+    const auto now = Trouble(FindGrievances(input_, after, start_.baseline));
+    if (Trouble(FindGrievances(input_, taken_back, start_.baseline)) <= now) after = std::move(taken_back);
+  }
+
+  // Tertiaries that have no place, lie in the way, or whose edges are broken.
+  bool GrowTertiaries(const Grievances& grievances, std::vector<char>& free) const {
+    bool grown = false;
+    const auto add = [&](int object) {
+      if (!tertiary_[object] || free[object]) return;
+      free[object] = 1;
+      grown = true;
+    };
+    for (int object : grievances.astray) add(object);
+    for (int edge : grievances.broken) {
+      for (int object : ObjectsOfEdge(input_, edge)) add(object);
+    }
+    return grown;
+  }
+
+  absl::Status SettleTertiaries() {
+    std::vector<char> free(input_.scene.objects.size(), 0);
+    for (int object : start_.touched) free[object] = tertiary_[object];
+    Grievances grievances = FindGrievances(input_, result_.state, start_.baseline);
+    GrowTertiaries(grievances, free);
+    for (int round = 0; round < kTertiaryRounds; ++round) {
+      if (input_.Cancelled()) return absl::CancelledError("cancelled while solving again");
+      StageSpec stage{StageKind::kTertiary, -1, {}};
+      for (size_t i = 0; i < free.size(); ++i) {
+        if (free[i]) stage.objects.push_back(static_cast<int>(i));
+      }
+      if (stage.objects.empty()) return absl::OkStatus();
+      Replace(stage, grievances);
+      if (!GrowTertiaries(grievances, free)) return absl::OkStatus();
+    }
+    return absl::OkStatus();
+  }
+
+  // Places the stage's tertiaries anew, all of them; keeps that when it is better or some had no place.
+  void Replace(const StageSpec& stage, Grievances& grievances) {
+    const absl::Time began = absl::Now();
+    PartialLayout without = result_.state;
+    bool complete = true;
+    for (int object : stage.objects) {
+      complete = complete && result_.state.placed[object];
+      without.placed[object] = 0;
+      without.layout[object] = FarAway(object);
+    }
+    const RestartResult placed = TertiaryRestart(input_, stage, without, 0);
+    Record(stage, placed, 1, began);
+    const Grievances after = FindGrievances(input_, placed.state, start_.baseline);
+    const size_t now = grievances.astray.size() + grievances.broken.size();
+    const size_t then = after.astray.size() + after.broken.size();
+    const bool better =
+        !complete || then < now ||
+        (then == now && ScoreOf(input_, stage, placed.state) < ScoreOf(input_, stage, result_.state) - kWorthMoving);
+    if (!better) return;
+    result_.state = placed.state;
+    grievances = after;
+  }
+
+  const SolveInput& input_;
+  const WarmStart& start_;
+  std::vector<char> floor_, tertiary_;
+  WarmResult result_;
+};
+
+}  // namespace
+
+absl::StatusOr<WarmResult> SearchWarm(const SolveInput& input, const WarmStart& start) {
+  return WarmSearch(input, start).Run();
+}
+
+}  // namespace flair::optimizer
