@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   flair::cli::AddJobs(program, result);
   flair::cli::AddRender(program, result);
   flair::cli::AddSolve(program, result);
+  flair::cli::AddResolve(program, result);
   flair::cli::AddImport(program, result);
   flair::cli::AddExport(program, result);
   flair::cli::AddBench(program, result);

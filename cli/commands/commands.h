@@ -11,6 +11,7 @@ void AddDesign(CLI::App& program, absl::Status& result);
 void AddInspect(CLI::App& program, absl::Status& result);
 void AddJobs(CLI::App& program, absl::Status& result);
 void AddRender(CLI::App& program, absl::Status& result);
+void AddResolve(CLI::App& program, absl::Status& result);
 void AddSolve(CLI::App& program, absl::Status& result);
 void AddImport(CLI::App& program, absl::Status& result);
 void AddExport(CLI::App& program, absl::Status& result);

@@ -42,6 +42,11 @@ absl::StatusOr<v1::SolveResponse> CallSolve(const v1::SolveRequest& request, con
                                     &v1::OptimizerService::StubInterface::Solve);
 }
 
+absl::StatusOr<v1::ResolveResponse> CallResolve(const v1::ResolveRequest& request, const std::string& address) {
+  return Call<v1::OptimizerService>(request, address, &orchestrator::StageChannels::optimizer,
+                                    &v1::OptimizerService::StubInterface::Resolve);
+}
+
 absl::StatusOr<v1::RenderResponse> CallRender(const v1::RenderRequest& request, const std::string& address) {
   return Call<v1::RendererService>(request, address, &orchestrator::StageChannels::renderer,
                                    &v1::RendererService::StubInterface::Render);

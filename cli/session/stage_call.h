@@ -12,6 +12,7 @@ namespace flair::cli {
 
 // `address` empty: a worker in this process.
 absl::StatusOr<v1::SolveResponse> CallSolve(const v1::SolveRequest& request, const std::string& address);
+absl::StatusOr<v1::ResolveResponse> CallResolve(const v1::ResolveRequest& request, const std::string& address);
 absl::StatusOr<v1::RenderResponse> CallRender(const v1::RenderRequest& request, const std::string& address);
 
 }  // namespace flair::cli

@@ -6,6 +6,7 @@
 #include "optimizer_worker/fanout/grpc_peer.h"
 #include "optimizer_worker/service/evaluate_handler.h"
 #include "optimizer_worker/service/list_constraint_types_handler.h"
+#include "optimizer_worker/service/resolve_handler.h"
 #include "optimizer_worker/service/solve_handler.h"
 #include "optimizer_worker/service/solve_restarts_handler.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
@@ -32,6 +33,10 @@ class Service final : public v1::OptimizerService::CallbackService {
                                           v1::SolveRestartsResponse* response) override {
     return runtime::ServeUnary(worker_, "SolveRestarts", context, request, response, solve_restarts_);
   }
+  grpc::ServerUnaryReactor* Resolve(grpc::CallbackServerContext* context, const v1::ResolveRequest* request,
+                                    v1::ResolveResponse* response) override {
+    return runtime::ServeUnary(worker_, "Resolve", context, request, response, resolve_);
+  }
   grpc::ServerUnaryReactor* Evaluate(grpc::CallbackServerContext* context, const v1::EvaluateRequest* request,
                                      v1::EvaluateResponse* response) override {
     return runtime::ServeUnary(worker_, "Evaluate", context, request, response, evaluate_);
@@ -44,6 +49,7 @@ class Service final : public v1::OptimizerService::CallbackService {
   PeerPool peers_;
   SolveHandler solve_{solver_, peers_};
   SolveRestartsHandler solve_restarts_{solver_};
+  ResolveHandler resolve_{solver_};
   EvaluateHandler evaluate_{solver_};
 };
 

@@ -2,19 +2,11 @@
 #include "optimizer_worker/service/solve_handler.h"
 
 #include "optimizer_worker/fanout/fan_out_runner.h"
+#include "optimizer_worker/service/durations.h"
 #include "optimizer_worker/service/producer.h"
 #include "optimizer_worker/stages/solve_layout.h"
 
 namespace flair::optimizer {
-namespace {
-
-void WriteDuration(absl::Duration duration, google::protobuf::Duration& message) {
-  message.set_seconds(absl::ToInt64Seconds(duration));
-  message.set_nanos(static_cast<int32_t>(absl::ToInt64Nanoseconds(duration % absl::Seconds(1))));
-}
-
-}  // namespace
-
 absl::StatusOr<v1::SolveResponse> SolveHandler::Handle(const v1::SolveRequest& request,
                                                        runtime::CallContext& call) const {
   const FanOutRestartRunner runner(peers_, request.options());
@@ -24,7 +16,7 @@ absl::StatusOr<v1::SolveResponse> SolveHandler::Handle(const v1::SolveRequest& r
   if (!result.ok()) return result.status();
   v1::SolveResponse response;
   *response.mutable_solved_layout() = std::move(result->layout);
-  for (absl::Duration duration : result->stage_durations) WriteDuration(duration, *response.add_stage_durations());
+  WriteDurations(result->stage_durations, *response.mutable_stage_durations());
   *response.mutable_producer() = OptimizerProducer();
   return response;
 }

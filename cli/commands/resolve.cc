@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair resolve: a layout after edits, with as little moved as they ask for.
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cli/commands/commands.h"
+#include "cli/input/files.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/layout_remarks.h"
+#include "cli/output/output_folder.h"
+#include "cli/session/stage_call.h"
+#include "fmt/format.h"
+#include "fmt/ranges.h"
+#include "google/protobuf/text_format.h"
+#include "optimizer_worker/resolve/edit_text.h"
+#include "orchestrator/pipeline/summary.h"
+#include "orchestrator/store/artifact_id.h"
+#include "orchestrator/store/sha256.h"
+
+namespace flair::cli {
+namespace {
+
+struct ResolveArguments {
+  std::string layout;
+  std::string out;
+  std::vector<std::string> edits;
+  std::string edits_file;
+  std::string optimizer;
+  int64_t seed = 0;
+  bool leave_out = false;
+};
+
+// The edits of a file, as text of a ResolveRequest: edits { pin_object_id: "bed" } edits { ... }
+absl::Status ReadEdits(const std::string& path, v1::ResolveRequest& request) {
+  const absl::StatusOr<std::string> text = ReadFile(path);
+  if (!text.ok()) return text.status();
+  v1::ResolveRequest read;
+  if (!google::protobuf::TextFormat::ParseFromString(*text, &read)) {
+    return absl::InvalidArgumentError(
+        fmt::format("{}: not edits; should be like: edits {{ pin_object_id: \"bed\" }}", path));
+  }
+  request.mutable_edits()->MergeFrom(read.edits());
+  return absl::OkStatus();
+}
+
+absl::StatusOr<v1::ResolveRequest> MakeRequest(const ResolveArguments& arguments, const v1::Artifact& layout) {
+  v1::ResolveRequest request;
+  request.set_request_id("flair-resolve");
+  *request.mutable_solved_layout() = layout.solved_layout();
+  for (const std::string& line : arguments.edits) {
+    absl::StatusOr<v1::LayoutEdit> edit = optimizer::EditFromText(line, layout.solved_layout());
+    if (!edit.ok()) return edit.status();
+    *request.add_edits() = *std::move(edit);
+  }
+  if (!arguments.edits_file.empty()) {
+    if (absl::Status status = ReadEdits(arguments.edits_file, request); !status.ok()) return status;
+  }
+  if (request.edits().empty()) return absl::InvalidArgumentError("no edits; give --edit or --edits");
+  request.mutable_options()->set_seed(arguments.seed);
+  if (arguments.leave_out) request.mutable_options()->set_misfit_policy(v1::MISFIT_POLICY_LEAVE_OUT);
+  return request;
+}
+
+absl::Status Resolve(const ResolveArguments& arguments) {
+  const absl::StatusOr<v1::Artifact> before = ReadArtifact(arguments.layout);
+  if (!before.ok()) return before.status();
+  if (!before->has_solved_layout()) {
+    return absl::InvalidArgumentError(
+        fmt::format("{}: not a layout; give what flair solve or design wrote", arguments.layout));
+  }
+  const absl::StatusOr<v1::ResolveRequest> request = MakeRequest(arguments, *before);
+  if (!request.ok()) return request.status();
+  const absl::StatusOr<v1::ResolveResponse> response = CallResolve(*request, arguments.optimizer);
+  if (!response.ok()) return response.status();
+
+  v1::Artifact layout;
+  layout.add_made_from_ids(before->id());
+  *layout.mutable_producer() = response->producer();
+  layout.set_options_digest(orchestrator::Sha256Hex(orchestrator::CanonicalBytes(request->options())));
+  *layout.mutable_solved_layout() = response->solved_layout();
+  layout.set_id(orchestrator::ComputeArtifactId(layout));
+  if (absl::Status status = WriteOutputFile(arguments.out, ArtifactBytes(layout)); !status.ok()) return status;
+  fmt::print(stderr, "{}: {}\n", arguments.out, orchestrator::Summarize(layout));
+  fmt::print(stderr, "{:<11}{}\n", "moved",
+             response->moved_object_ids().empty() ? "nothing"
+                                                  : fmt::format("{}", fmt::join(response->moved_object_ids(), ", ")));
+  fmt::print(stderr, "{}", LayoutRemarks(response->solved_layout()));
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+void AddResolve(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<ResolveArguments>();
+  CLI::App* command = program.add_subcommand("resolve", "Change a layout and solve again what the change affects.");
+  command->add_option("LAYOUT", arguments->layout, "layout.pb or layout.json")->required();
+  command->add_option("-o,--out", arguments->out, "Where the layout (.pb) goes")->required()->type_name("FILE");
+  command->add_option("--edit", arguments->edits, "A change, see below; may be given often")->type_name("TEXT");
+  command->add_option("--edits", arguments->edits_file, "Changes as protobuf text: edits { ... }, after all --edit")
+      ->type_name("FILE");
+  command->add_option("--seed", arguments->seed, "Another seed, another layout")
+      ->capture_default_str()
+      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1));
+  command->add_flag("--leave-out", arguments->leave_out, "Leave out what does not fit");
+  command->add_option("--optimizer", arguments->optimizer, "Use this one instead of an own one")
+      ->type_name("HOST:PORT");
+  command->footer(
+      "Changes: move desk 1.2 0.5 90 | pin bed | unpin bed | resize wardrobe 1.5x0.6x2.1 | remove plant_1 |\n"
+      "  add lamp 0.4x0.4x1.5 near sofa | weight e17 3 | drop e17 | edge against_wall object=desk side=back\n"
+      "Metres and degrees; a heading of 0 faces north. What is moved is pinned.");
+  command->callback([arguments, &result] { result = Resolve(*arguments); });
+}
+
+}  // namespace flair::cli
