@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/input/files.h"
+#include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 

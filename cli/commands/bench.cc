@@ -16,7 +16,7 @@
 #include "cli/exit_code.h"
 #include "cli/output/layout_artifact.h"
 #include "cli/output/output_folder.h"
-#include "evaluation/readers/flairgpt_room.h"
+#include "evaluation/readers/flairgpt_layout.h"
 #include "fmt/format.h"
 
 namespace flair::cli {

@@ -8,6 +8,7 @@
 #include "cli/input/files.h"
 #include "cli/output/layout_artifact.h"
 #include "cli/output/output_folder.h"
+#include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 

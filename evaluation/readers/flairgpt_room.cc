@@ -5,10 +5,10 @@
 #include <set>
 #include <sstream>
 
+#include "evaluation/readers/flairgpt_arguments.h"
 #include "evaluation/readers/flairgpt_calls.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
-#include "room/geometry/angle.h"
 
 namespace flair::evaluation {
 namespace {
@@ -77,7 +77,8 @@ void AddOpening(v1::Opening opening, v1::Room& room) {
   *room.add_openings() = std::move(opening);
 }
 
-void AddFeature(const json& feature, double width, double length, v1::Room& room) {
+// `number` counts the features: what merges leaves its id unused.
+void AddFeature(const json& feature, int number, double width, double length, v1::Room& room) {
   if (!feature.contains("wall") || !feature["wall"].is_string() || !feature.value("position", json()).is_number())
     return;
   const std::string wall = feature["wall"];
@@ -98,7 +99,7 @@ void AddFeature(const json& feature, double width, double length, v1::Room& room
   }
   v1::Opening fresh;
   v1::Opening* opening = &fresh;
-  opening->set_id(fmt::format("{}_{}", kind, room.openings_size() + 1));
+  opening->set_id(fmt::format("{}_{}", kind, number));
   opening->set_wall(wall);
   opening->set_offset_m(offset);
   opening->set_width_m(size_m);
@@ -118,7 +119,7 @@ void AddFeature(const json& feature, double width, double length, v1::Room& room
 }
 
 void ReadRoom(const json& problem, v1::Room& room) {
-  const double width = problem["room"]["width"], length = problem["room"]["length"];
+  const double width = problem.at("room").at("width"), length = problem.at("room").at("length");
   room.set_room_type("room");
   room.set_title(problem.value("prompt", problem.value("name", "")));
   AddVertex(0, 0, room);
@@ -127,7 +128,10 @@ void ReadRoom(const json& problem, v1::Room& room) {
   AddVertex(0, length, room);
   for (const char* name : {"south", "east", "north", "west"}) room.add_walls()->set_name(name);
   room.set_height_m(kRoomHeight_m);
-  for (const json& feature : problem.value("fixed_objects", json::array())) AddFeature(feature, width, length, room);
+  int number = 0;
+  for (const json& feature : problem.value("fixed_objects", json::array())) {
+    AddFeature(feature, ++number, width, length, room);
+  }
 }
 
 std::string ZoneId(const std::string& name) {
@@ -136,12 +140,10 @@ std::string ZoneId(const std::string& name) {
   return id;
 }
 
-std::string ObjectId(bool tertiary, int index) { return fmt::format("{}_{}", tertiary ? "item" : "floor", index); }
-
 void AddObject(const json& record, v1::ObjectRole role, v1::LayoutGraph& graph) {
   v1::Object* object = graph.mutable_object_list()->add_objects();
   const bool tertiary = role == v1::OBJECT_ROLE_TERTIARY;
-  object->set_id(ObjectId(tertiary, record.at("index")));
+  object->set_id(FlairGptObjectId(tertiary, record.at("index")));
   object->set_name(record.at("name"));
   object->set_role(role);
   object->set_width_m(std::max(kLeastExtent_m, record.at("width").get<double>()));
@@ -165,24 +167,50 @@ void AddObject(const json& record, v1::ObjectRole role, v1::LayoutGraph& graph) 
   }
 }
 
+void AddDiagnostic(const std::string& message, v1::LayoutGraph& graph) {
+  // Recordings repeat the calls of their zones for all of them.
+  const bool known = std::any_of(graph.diagnostics().begin(), graph.diagnostics().end(),
+                                 [&](const v1::Diagnostic& other) { return other.message() == message; });
+  if (known) return;
+  v1::Diagnostic* diagnostic = graph.add_diagnostics();
+  diagnostic->set_severity(v1::SEVERITY_WARNING);
+  diagnostic->set_code("unusable_call");
+  diagnostic->set_message(message);
+}
+
+void AddEdge(v1::ConstraintEdge edge, v1::LayoutGraph& graph) {
+  const std::string content = edge.SerializeAsString();
+  const bool known = std::any_of(graph.edges().begin(), graph.edges().end(), [&](v1::ConstraintEdge other) {
+    other.clear_id();
+    return other.SerializeAsString() == content;
+  });
+  if (known) return;
+  edge.set_id(fmt::format("e{}", graph.edges_size() + 1));
+  *graph.add_edges() = std::move(edge);
+}
+
+// As a model would write it: "io_near(3, 1, max_dist=0.5)".
+std::string CallText(const json& call) {
+  const auto text = [](const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); };
+  if (!call.is_object() || !call.value("function", json()).is_string()) return text(call);
+  std::string inside;
+  for (const json& argument : call.value("args", json::array()))
+    inside += (inside.empty() ? "" : ", ") + text(argument);
+  const json keywords = call.value("kwargs", json::object());
+  for (const auto& [keyword, value] : keywords.items()) {
+    inside += fmt::format("{}{}={}", inside.empty() ? "" : ", ", keyword, text(value));
+  }
+  return fmt::format("{}({})", call["function"].get<std::string>(), inside);
+}
+
 void AddCalls(const json& calls, v1::LayoutGraph& graph) {
   for (const json& call : calls) {
-    absl::StatusOr<v1::ConstraintEdge> edge = ReadFlairGptCall(call, graph);
-    if (!edge.ok()) {
-      v1::Diagnostic* diagnostic = graph.add_diagnostics();
-      diagnostic->set_severity(v1::SEVERITY_WARNING);
-      diagnostic->set_code("unusable_call");
-      diagnostic->set_message(fmt::format("{}: {}", call.dump(), std::string(edge.status().message())));
+    absl::StatusOr<std::vector<v1::ConstraintEdge>> edges = ReadFlairGptCall(call, graph);
+    if (!edges.ok()) {
+      AddDiagnostic(fmt::format("{}: {}", CallText(call), std::string(edges.status().message())), graph);
       continue;
     }
-    const std::string content = edge->SerializeAsString();
-    const bool known = std::any_of(graph.edges().begin(), graph.edges().end(), [&](v1::ConstraintEdge other) {
-      other.clear_id();
-      return other.SerializeAsString() == content;
-    });
-    if (known) continue;
-    edge->set_id(fmt::format("e{}", graph.edges_size() + 1));
-    *graph.add_edges() = *std::move(edge);
+    for (v1::ConstraintEdge& edge : *edges) AddEdge(std::move(edge), graph);
   }
 }
 
@@ -207,38 +235,7 @@ v1::LayoutGraph ReadProblem(const json& problem) {
   return graph;
 }
 
-absl::StatusOr<v1::SolvedLayout> ReadSolution(const json& problem, const v1::LayoutGraph& graph) {
-  v1::SolvedLayout layout;
-  *layout.mutable_graph() = graph;
-  for (const char* stage : {"primary", "secondary", "tertiary"}) {
-    const json objects = problem.value(stage, json::array());
-    const json solution = problem.value("solution", json::object());
-    const json poses = solution.value(stage, json::array());
-    if (poses.size() != objects.size()) {
-      return absl::NotFoundError(
-          fmt::format("the recorded layout has {} {} poses for {} objects", poses.size(), stage, objects.size()));
-    }
-    for (size_t i = 0; i < poses.size(); ++i) {
-      v1::Placement* placement = layout.add_placements();
-      const bool tertiary = std::string_view(stage) == "tertiary";
-      placement->set_object_id(ObjectId(tertiary, objects[i].at("index")));
-      placement->set_x_m(poses[i].at(0));
-      placement->set_y_m(poses[i].at(1));
-      placement->set_theta_rad(WrapHeading(poses[i].at(2).get<double>()));
-    }
-  }
-  return layout;
-}
-
 }  // namespace
-
-absl::StatusOr<v1::SolvedLayout> ReadFlairGptSolution(const std::string& text, const v1::LayoutGraph& graph) {
-  try {
-    return ReadSolution(json::parse(text), graph);
-  } catch (const json::exception& error) {
-    return absl::NotFoundError(fmt::format("no recorded layout: {}", error.what()));
-  }
-}
 
 absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& text) {
   try {
@@ -246,27 +243,6 @@ absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& text) {
   } catch (const json::exception& error) {
     return absl::InvalidArgumentError(fmt::format("not a recorded FlairGPT problem: {}", error.what()));
   }
-}
-
-std::string WriteFlairGptLayout(const v1::SolvedLayout& layout, const std::string& name, double seconds) {
-  json objects = json::array();
-  for (const v1::Object& object : layout.graph().object_list().objects()) {
-    const auto placement = std::find_if(layout.placements().begin(), layout.placements().end(),
-                                        [&](const v1::Placement& p) { return p.object_id() == object.id(); });
-    if (placement == layout.placements().end()) continue;
-    const char* role = object.role() == v1::OBJECT_ROLE_PRIMARY     ? "primary"
-                       : object.role() == v1::OBJECT_ROLE_SECONDARY ? "secondary"
-                                                                    : "tertiary";
-    objects.push_back({{"role", role},
-                       {"index", std::stoi("0" + object.id().substr(object.id().rfind('_') + 1))},
-                       {"name", object.name()},
-                       {"x", placement->x_m()},
-                       {"y", placement->y_m()},
-                       {"theta", placement->theta_rad()},
-                       {"width", object.width_m()},
-                       {"length", object.depth_m()}});
-  }
-  return json{{"name", name}, {"seconds", seconds}, {"objects", objects}}.dump(1);
 }
 
 }  // namespace flair::evaluation

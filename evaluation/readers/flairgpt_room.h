@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads and writes the reference implementation's recorded problems: a JSON file with room, fixed objects, zones,
-// objects and constraint calls becomes a LayoutGraph; a SolvedLayout becomes the file that its judge scores.
+// Reads the reference implementation's recorded problems: a JSON file with room, fixed objects, zones, objects and
+// constraint calls becomes a LayoutGraph.
 #pragma once
 
 #include <string>
 
 #include "absl/status/statusor.h"
 #include "flair/v1/layout_graph.pb.h"
-#include "flair/v1/solved_layout.pb.h"
 
 namespace flair::evaluation {
 
@@ -15,12 +14,5 @@ namespace flair::evaluation {
 // that name absent objects, features or functions become diagnostics, as the recording is a model's and models err;
 // heights, which it lacks, take one plausible value per kind. INVALID_ARGUMENT when the text is not such a file.
 absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& json);
-
-// The layout that was recorded with the problem, by the released implementation; `graph` is what ReadFlairGptRoom made
-// of the same text. Placements only. NOT_FOUND when the recording has no layout or not all of one.
-absl::StatusOr<v1::SolvedLayout> ReadFlairGptSolution(const std::string& json, const v1::LayoutGraph& graph);
-
-// A layout of such a graph as the judge reads it. `name` is the problem's name; `seconds` what the solve took.
-std::string WriteFlairGptLayout(const v1::SolvedLayout& layout, const std::string& name, double seconds);
 
 }  // namespace flair::evaluation

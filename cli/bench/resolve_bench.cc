@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bench/resolve_bench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "cli/bench/statistics.h"
+#include "fmt/format.h"
+#include "optimizer_worker/resolve/edit_text.h"
+#include "optimizer_worker/resolve/resolve_layout.h"
+#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/stages/solve_layout.h"
+#include "room/geometry/angle.h"
+
+namespace flair::cli {
+namespace {
+
+int Held(const v1::SolvedLayout& layout) {
+  return static_cast<int>(std::count_if(layout.edge_outcomes().begin(), layout.edge_outcomes().end(),
+                                        [](const auto& e) { return e.status() == v1::OUTCOME_STATUS_SATISFIED; }));
+}
+
+const v1::Placement* PlacementOf(const v1::SolvedLayout& layout, const std::string& id) {
+  for (const v1::Placement& placement : layout.placements()) {
+    if (placement.object_id() == id) return &placement;
+  }
+  return nullptr;
+}
+
+// Half a metre towards the middle of the room, where nobody is pushed through a wall.
+std::string MoveLine(const v1::SolvedLayout& layout, const v1::Placement& at, double turn_deg) {
+  double x = 0, y = 0;
+  const auto& vertices = layout.graph().room().floor().vertices();
+  for (const v1::Point2& p : vertices) {
+    x += p.x_m() / vertices.size();
+    y += p.y_m() / vertices.size();
+  }
+  const double far = std::max(1e-9, std::hypot(x - at.x_m(), y - at.y_m())),
+               step = turn_deg == 0 ? std::min(0.5, far) : 0;
+  return fmt::format("move {} {} {} {}", at.object_id(), at.x_m() + step / far * (x - at.x_m()),
+                     at.y_m() + step / far * (y - at.y_m()), at.theta_rad() * 180 / kPi + turn_deg);
+}
+
+std::vector<std::string> EditsOf(const v1::SolvedLayout& layout, int per_kind) {
+  std::vector<std::string> lines;
+  const auto& objects = layout.graph().object_list().objects();
+  const int step = std::max(1, objects.size() / per_kind);
+  for (int i = 0; i < objects.size(); i += step) {
+    const v1::Object& object = objects[i];
+    const v1::Placement* at = PlacementOf(layout, object.id());
+    if (at == nullptr) continue;
+    lines.push_back(MoveLine(layout, *at, 0));
+    lines.push_back(fmt::format("resize {} {}x{}", object.id(), 1.2 * object.width_m(), 1.2 * object.depth_m()));
+    lines.push_back(fmt::format("pin {}", object.id()));
+    lines.push_back(fmt::format("remove {}", object.id()));
+    if (object.kind() != v1::OBJECT_KIND_FLOOR || object.walk_over()) continue;
+    lines.push_back(MoveLine(layout, *at, 90));
+    lines.push_back(fmt::format("add extra_piece {}x{}x{} near {}", std::min(0.5, object.width_m()),
+                                std::min(0.5, object.depth_m()), object.height_m(), object.id()));
+  }
+  const int stride = std::max(1, layout.graph().edges_size() / per_kind);
+  for (int e = 0; e < layout.graph().edges_size(); e += stride) {
+    lines.push_back(fmt::format("weight {} 5", layout.graph().edges(e).id()));
+    lines.push_back(fmt::format("drop {}", layout.graph().edges(e).id()));
+  }
+  return lines;
+}
+
+std::string KindOf(const ResolveMeasure& measure) { return measure.edit.substr(0, measure.edit.find(' ')); }
+
+std::string Line(const std::string& name, const std::vector<const ResolveMeasure*>& measures) {
+  std::vector<double> cpu_ms;
+  double moved = 0, before = 0, after = 0, anew = 0, after_compared = 0;
+  double deepest = 0;
+  int compared = 0;
+  for (const ResolveMeasure* m : measures) {
+    cpu_ms.push_back(1e3 * m->cpu_s);
+    moved += m->moved_count;
+    before += m->held_before;
+    after += m->held_after;
+    deepest = std::max(deepest, m->deepest_overlap_m);
+    if (m->held_anew < 0) continue;
+    ++compared;
+    anew += m->held_anew;
+    after_compared += m->held_after;
+  }
+  const double n = static_cast<double>(measures.size());
+  return fmt::format("{:<28}{:>6}{:>10.1f}{:>10.1f}{:>10.1f}{:>8.2f}{:>9.2f}{:>9.2f}{:>10}{:>10}{:>10.1e}\n", name,
+                     measures.size(), Quantile(cpu_ms, 0.5), Quantile(cpu_ms, 0.95), Quantile(cpu_ms, 1), moved / n,
+                     before / n, after / n, compared ? fmt::format("{:.2f}", after_compared / compared) : "-",
+                     compared ? fmt::format("{:.2f}", anew / compared) : "-", deepest);
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<ResolveMeasure>> MeasureResolves(const BenchProblem& problem,
+                                                            const v1::SolveOptions& options, int per_kind,
+                                                            int compare_every) {
+  const optimizer::NloptSolver solver;
+  const absl::StatusOr<optimizer::SolveResult> start = optimizer::SolveLayout(problem.graph, options, solver);
+  if (!start.ok()) return start.status();
+  std::vector<ResolveMeasure> measures;
+  for (const std::string& line : EditsOf(start->layout, per_kind)) {
+    absl::StatusOr<v1::LayoutEdit> edit = optimizer::EditFromText(line, start->layout);
+    if (!edit.ok()) return edit.status();
+    google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
+    *edits.Add() = *std::move(edit);
+    const double began = ProcessCpu_s();
+    const absl::StatusOr<optimizer::ResolveResult> result =
+        optimizer::ResolveLayout(start->layout, edits, options, solver);
+    const double cpu_s = ProcessCpu_s() - began;
+    // An object grown or added beyond what validation lets through is no measure of the solver.
+    if (!result.ok()) continue;
+    ResolveMeasure& measure = measures.emplace_back();
+    measure.room = problem.name;
+    measure.edit = line;
+    measure.cpu_s = cpu_s;
+    measure.object_count = problem.graph.object_list().objects_size();
+    measure.moved_count = static_cast<int>(result->moved_ids.size());
+    measure.held_before = Held(start->layout);
+    measure.held_after = Held(result->layout);
+    measure.deepest_overlap_m = result->layout.metrics().deepest_overlap_m();
+    if (compare_every == 0 || measures.size() % compare_every != 1 % compare_every) continue;
+    const auto anew = optimizer::SolveLayout(result->layout.graph(), options, solver);
+    if (anew.ok()) measure.held_anew = Held(anew->layout);
+  }
+  return measures;
+}
+
+std::string ResolveTable(const std::vector<ResolveMeasure>& measures) {
+  std::map<std::string, std::vector<const ResolveMeasure*>> rooms, kinds;
+  std::vector<const ResolveMeasure*> all;
+  for (const ResolveMeasure& measure : measures) {
+    rooms[measure.room].push_back(&measure);
+    kinds[KindOf(measure)].push_back(&measure);
+    all.push_back(&measure);
+  }
+  std::string text = fmt::format("{:<28}{:>6}{:>10}{:>10}{:>10}{:>8}{:>9}{:>9}{:>10}{:>10}{:>10}\n", "", "edits",
+                                 "cpu ms", "p95", "most", "moved", "held", "after", "compared", "anew", "overlap m");
+  for (const auto& [name, list] : rooms) text += Line(name, list);
+  for (const auto& [name, list] : kinds) text += Line("all: " + name, list);
+  return text + Line("all", all);
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluation/readers/flairgpt_arguments.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "fmt/format.h"
+
+namespace flair::evaluation {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+constexpr double kLargestIndex = 1e6;
+
+// `name` without the words that only say that it is a zone.
+std::string ZoneWords(const std::string& name) {
+  static const std::set<std::string> empty = {"area", "zone", "region", "space", "nook"};
+  std::istringstream words(FlairGptWords(name));
+  std::string left;
+  for (std::string word; words >> word;) {
+    if (empty.count(word) == 0) left += (left.empty() ? "" : " ") + word;
+  }
+  return left;
+}
+
+std::string Quoted(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
+
+std::string SideNamed(const std::string& word) {
+  static const std::map<std::string, std::string> names = {
+      {"back", "back"},   {"top", "back"},     {"head", "back"},  {"headboard", "back"}, {"rear", "back"},
+      {"front", "front"}, {"bottom", "front"}, {"foot", "front"}, {"left", "left"},      {"right", "right"}};
+  const auto it = names.find(word);
+  return it == names.end() ? "" : it->second;
+}
+
+// The sides that a word means on an object that is `wide`: not deeper than wide. INVALID_ARGUMENT when none.
+absl::StatusOr<Words> SidesNamed(const std::string& word, bool wide) {
+  const Words ends = {"front", "back"}, flanks = {"left", "right"};
+  if (word == "all" || word == "every" || word == "all sides") return Words{"front", "back", "left", "right"};
+  if (word == "side" || word == "sides") return flanks;
+  if (word.rfind("long", 0) == 0 || word == "length") return wide ? ends : flanks;
+  if (word.rfind("short", 0) == 0 || word == "width") return wide ? flanks : ends;
+  if (const std::string side = SideNamed(word); !side.empty()) return Words{side};
+  return absl::InvalidArgumentError(fmt::format("unknown side \"{}\"", word));
+}
+
+absl::StatusOr<std::string> Corner(const json& value) {
+  static const std::map<std::string, std::string> corners = {
+      {"tl", "back_left"}, {"tr", "back_right"}, {"br", "front_right"}, {"bl", "front_left"}};
+  const auto it = value.is_string() ? corners.find(value.get<std::string>()) : corners.end();
+  if (it == corners.end()) return absl::InvalidArgumentError(fmt::format("unknown corner {}", Quoted(value)));
+  return it->second;
+}
+
+}  // namespace
+
+std::string FlairGptWords(const std::string& name) {
+  std::string words;
+  for (char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte)) words += static_cast<char>(std::tolower(byte));
+    if (!std::isalnum(byte) && !words.empty() && words.back() != ' ') words += ' ';
+  }
+  if (!words.empty() && words.back() == ' ') words.pop_back();
+  return words;
+}
+
+std::string FlairGptObjectId(bool tertiary, int index) {
+  return fmt::format("{}_{}", tertiary ? "item" : "floor", index);
+}
+
+absl::StatusOr<std::string> FlairGptArguments::ObjectId(const json& recorded, bool tertiary) const {
+  const json value = recorded.is_array() && recorded.size() == 1 ? json(recorded[0]) : recorded;
+  std::string id;
+  if (value.is_number()) {
+    const double index = value.get<double>();
+    if (index == std::floor(index) && std::abs(index) <= kLargestIndex) {
+      id = FlairGptObjectId(tertiary, static_cast<int>(index));
+    }
+  }
+  int matches = 0;
+  for (const v1::Object& object : graph_.object_list().objects()) {
+    if (object.id() == id) return id;
+    if (value.is_string() && FlairGptWords(object.name()) == FlairGptWords(value) && ++matches > 0) id = object.id();
+  }
+  if (value.is_string() && matches == 1) return id;
+  return absl::NotFoundError(fmt::format("no object {}", Quoted(recorded)));
+}
+
+absl::StatusOr<std::string> FlairGptArguments::Feature(const json& value) const {
+  static const std::map<std::string, std::string> words = {{"window", "window"},
+                                                           {"windows", "window"},
+                                                           {"door", "door"},
+                                                           {"doors", "door"},
+                                                           {"doorway", "door"},
+                                                           {"entrance", "door"},
+                                                           {"socket", "socket"},
+                                                           {"sockets", "socket"},
+                                                           {"plug", "socket"},
+                                                           {"outlet", "socket"},
+                                                           {"power outlet", "socket"},
+                                                           {"power socket", "socket"},
+                                                           {"electrical outlet", "socket"}};
+  const auto it = value.is_string() ? words.find(FlairGptWords(value)) : words.end();
+  if (it == words.end()) return absl::NotFoundError(fmt::format("no feature {}", Quoted(value)));
+  for (const v1::Opening& opening : graph_.room().openings()) {
+    if (it->second == (opening.kind() == v1::OPENING_KIND_DOOR ? "door" : "window")) return it->second;
+  }
+  if (it->second == "socket" && graph_.room().sockets_size() > 0) return it->second;
+  return absl::NotFoundError(fmt::format("the room has no {}", it->second));
+}
+
+absl::StatusOr<std::string> FlairGptArguments::ZoneId(const json& value) const {
+  std::vector<std::string> matches;
+  for (const v1::Zone& zone : graph_.zone_plan().zones()) {
+    if (!value.is_string()) break;
+    if (FlairGptWords(zone.name()) == FlairGptWords(value)) return zone.id();
+    const std::string left = ZoneWords(value);
+    if (!left.empty() && ZoneWords(zone.name()) == left) matches.push_back(zone.id());
+  }
+  if (matches.size() == 1) return matches.front();
+  return absl::NotFoundError(fmt::format("no zone {}", Quoted(value)));
+}
+
+absl::StatusOr<Words> FlairGptArguments::Sides(const json& value, const std::string& object_id) const {
+  Words words, sides;
+  if (value.is_string()) words.push_back(value);
+  if (value.is_array()) {
+    for (const json& word : value) words.push_back(word.is_string() ? word.get<std::string>() : Quoted(word));
+  }
+  bool wide = true;
+  for (const v1::Object& object : graph_.object_list().objects()) {
+    if (object.id() == object_id) wide = object.width_m() >= object.depth_m();
+  }
+  for (const std::string& word : words) {
+    if (word == "one" || word == "any") return Words{"front"};
+    const absl::StatusOr<Words> named = SidesNamed(word, wide);
+    if (!named.ok()) return named.status();
+    for (const std::string& side : *named) {
+      if (std::find(sides.begin(), sides.end(), side) == sides.end()) sides.push_back(side);
+    }
+  }
+  return sides;
+}
+
+absl::StatusOr<Words> FlairGptArguments::Objects(const json& value) const {
+  if (!value.is_array()) return absl::InvalidArgumentError(fmt::format("{} is not a list of objects", Quoted(value)));
+  Words ids;
+  for (const json& item : value) {
+    absl::StatusOr<std::string> id = ObjectId(item, false);
+    if (!id.ok()) return id.status();
+    if (std::find(ids.begin(), ids.end(), *id) == ids.end()) ids.push_back(*std::move(id));
+  }
+  return ids;
+}
+
+absl::StatusOr<std::optional<v1::Argument>> FlairGptArguments::Read(const FlairGptParameter& parameter,
+                                                                    const json& value,
+                                                                    const std::string& object_id) const {
+  if (parameter.kind == FlairGptKind::kIgnored) return std::nullopt;
+  if (value.is_null()) {
+    if (parameter.required) return absl::InvalidArgumentError(fmt::format("{} is not given", parameter.name));
+    return std::nullopt;
+  }
+  v1::Argument argument;
+  argument.set_name(parameter.name);
+  absl::StatusOr<std::string> text;
+  absl::StatusOr<Words> texts;
+  switch (parameter.kind) {
+    case FlairGptKind::kNumber:
+      if (!value.is_number()) {
+        return absl::InvalidArgumentError(fmt::format("{} is {}, not a number", parameter.name, Quoted(value)));
+      }
+      argument.mutable_value()->set_number(value.get<double>());
+      return argument;
+    case FlairGptKind::kFlag:
+      argument.mutable_value()->set_flag(value.is_boolean() && value.get<bool>());
+      return argument;
+    case FlairGptKind::kSide:
+    case FlairGptKind::kSides:
+      texts = Sides(value, object_id);
+      break;
+    case FlairGptKind::kFloorObjects:
+      texts = Objects(value);
+      break;
+    case FlairGptKind::kZone:
+      text = ZoneId(value);
+      break;
+    case FlairGptKind::kFeature:
+      text = Feature(value);
+      break;
+    case FlairGptKind::kCorner:
+      text = Corner(value);
+      break;
+    default:
+      text = ObjectId(value, parameter.kind == FlairGptKind::kItem);
+  }
+  const bool many = parameter.kind == FlairGptKind::kSides || parameter.kind == FlairGptKind::kFloorObjects;
+  if (many || parameter.kind == FlairGptKind::kSide) {
+    if (!texts.ok()) return texts.status();
+    // "At its sides" where one side is asked for leaves the side open.
+    if (texts->empty() || (!many && texts->size() != 1)) return std::nullopt;
+    if (!many) {
+      text = texts->front();
+    } else {
+      for (const std::string& item : *texts) argument.mutable_value()->mutable_texts()->add_items(item);
+      return argument;
+    }
+  }
+  if (!text.ok()) return text.status();
+  argument.mutable_value()->set_text(*text);
+  return argument;
+}
+
+}  // namespace flair::evaluation
