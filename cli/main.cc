@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   flair::cli::AddImport(program, result);
   flair::cli::AddExport(program, result);
   flair::cli::AddBench(program, result);
+  flair::cli::AddBenchResolve(program, result);
   flair::cli::AddDoctor(program, result);
   try {
     program.parse(argc, argv);

@@ -16,6 +16,8 @@ void AddSolve(CLI::App& program, absl::Status& result);
 void AddImport(CLI::App& program, absl::Status& result);
 void AddExport(CLI::App& program, absl::Status& result);
 void AddBench(CLI::App& program, absl::Status& result);
+// After AddBench.
+void AddBenchResolve(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
 
 }  // namespace flair::cli

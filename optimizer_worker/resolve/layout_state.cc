@@ -34,6 +34,8 @@ Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, c
   const SceneCosts costs = CostsOf(input, state);
   for (const Misfit& misfit : FindMisfits(input, costs, state)) {
     if (baseline.tolerated.contains({misfit.object, misfit.other})) continue;
+    // Where the user has put things into each other or through a wall, nobody can help.
+    if (input.pinned[misfit.object] && (misfit.other < 0 || input.pinned[misfit.other])) continue;
     const bool on_floor = solid(misfit.object) && solid(misfit.other);
     if (on_floor) grievances.depth_m += misfit.depth_m;
     for (int object : {misfit.object, misfit.other}) {
