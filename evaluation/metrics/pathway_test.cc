@@ -67,6 +67,12 @@ TEST(Pathway, RugsAreWalkedOver) {
   EXPECT_EQ(PathwayOf("4x4 room; door south 1 0.9; carpet 2x2 at 2,2,0 rug"), PathwayOf("4x4 room; door south 1 0.9"));
 }
 
+TEST(Pathway, IsTheSameToTheLastBitEachTime) {
+  const char* const room = "4x4 room; door south 0.5 0.9; bed 1.6x2 at 1.2,3,180; desk 1.2x0.6 at 3.7,2,90";
+  const double cost = PathwayOf(room);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(PathwayOf(room), cost);
+}
+
 TEST(Pathway, AMirroredRoomCostsTheSame) {
   const double cost = PathwayOf("4x4 room; door south 0.5 0.9; bed 1.6x2 at 1.2,3,180; desk 1.2x0.6 at 3.7,2,90");
   const double mirrored = PathwayOf("4x4 room; door south 2.6 0.9; bed 1.6x2 at 2.8,3,180; desk 1.2x0.6 at 0.3,2,-90");

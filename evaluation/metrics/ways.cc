@@ -115,7 +115,11 @@ Vec2<double> ThirdVertex(const Delaunay& delaunay, Delaunay::Face_handle face, i
 std::vector<WayPiece> FindWays(const LayoutView& view) {
   const std::vector<Solid> solids = SolidsOf(view);
   const std::vector<Point> samples = SampleBoundary(view, solids);
-  const Delaunay delaunay(samples.begin(), samples.end());
+  // One after the other: inserting a range shuffles it by a generator that all of the process shares, and the sum of the
+  // pieces would differ in its last bits from call to call. Samples follow each other, so the last one is a good hint.
+  Delaunay delaunay;
+  Delaunay::Face_handle hint;
+  for (const Point& sample : samples) hint = delaunay.insert(sample, hint)->face();
   std::vector<WayPiece> pieces;
   for (auto edge = delaunay.finite_edges_begin(); edge != delaunay.finite_edges_end(); ++edge) {
     const auto& [face, index] = *edge;
