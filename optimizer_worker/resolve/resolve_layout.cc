@@ -7,6 +7,7 @@
 #include "optimizer_worker/resolve/edit_graph.h"
 #include "optimizer_worker/resolve/warm_search.h"
 #include "optimizer_worker/stages/driver.h"
+#include "optimizer_worker/stages/leave_out.h"
 #include "optimizer_worker/stages/placements.h"
 #include "optimizer_worker/stages/solved_layout.h"
 #include "room/validation/validate.h"
@@ -106,6 +107,7 @@ absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, cons
   result.moved_ids = MovedIds(*input, *before, found->state);
   result.stage_durations = found->durations;
   Branch branch{std::move(found->state), 0, std::move(found->outcomes), std::move(found->durations)};
+  if (input->settings.leave_out_misfits) LeaveOutOf(*input, branch);
   result.layout = MakeSolvedLayout(*input, {branch});
   for (const v1::Diagnostic& diagnostic : problem->diagnostics) *result.layout.add_diagnostics() = diagnostic;
   return result;

@@ -4,6 +4,7 @@
 // differ visibly.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -14,6 +15,13 @@
 #include "optimizer_worker/stages/stage.h"
 
 namespace flair::optimizer {
+
+// An object that a layout does without.
+struct LeftOut {
+  int object = -1;
+  // "no free place of 1.60 m x 0.90 m; ..."
+  std::string reason;
+};
 
 // One way through the stages so far.
 struct Branch {
@@ -27,6 +35,7 @@ struct Branch {
   int first_restart = 0;
   // Has all stages, tertiaries too.
   bool complete = false;
+  std::vector<LeftOut> left_out = {};
   // Where everything stood before the polish.
   PartialLayout unpolished = state;
 };

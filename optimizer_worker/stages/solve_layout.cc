@@ -2,6 +2,7 @@
 #include "optimizer_worker/stages/solve_layout.h"
 
 #include "optimizer_worker/stages/driver.h"
+#include "optimizer_worker/stages/leave_out.h"
 #include "optimizer_worker/stages/solved_layout.h"
 
 namespace flair::optimizer {
@@ -13,6 +14,10 @@ absl::StatusOr<SolveResult> SolveLayout(const v1::LayoutGraph& graph, const v1::
   if (!input.ok()) return input.status();
   absl::StatusOr<std::vector<Branch>> branches = Driver(*input, runner).Run();
   if (!branches.ok()) return branches.status();
+  if (input->settings.leave_out_misfits) {
+    branches = SolveWithoutMisfits(*input, runner, *std::move(branches));
+    if (!branches.ok()) return branches.status();
+  }
   return SolveResult{MakeSolvedLayout(*input, *branches), branches->front().durations};
 }
 

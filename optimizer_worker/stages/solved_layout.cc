@@ -5,6 +5,7 @@
 
 #include "evaluation/metrics/layout_metrics.h"
 #include "fmt/format.h"
+#include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/stages/fit_diagnostics.h"
 #include "optimizer_worker/stages/outcomes.h"
 #include "optimizer_worker/stages/placements.h"
@@ -17,13 +18,38 @@ void MoveInto(std::vector<Message> messages, google::protobuf::RepeatedPtrField<
   for (Message& message : messages) *field.Add() = std::move(message);
 }
 
+// Says of each object that was left out on purpose why, instead of that it is not placed.
+template <typename Message>
+void ExplainLeftOut(const SolveInput& input, const Branch& branch, Message& message) {
+  for (const LeftOut& left : branch.left_out) {
+    const Object& object = input.scene.objects[left.object];
+    for (v1::Diagnostic& diagnostic : *message.mutable_diagnostics()) {
+      if (diagnostic.code() != "not_placed" || diagnostic.subject_id() != object.id) continue;
+      const bool requested = input.graph.object_list().objects(left.object).requested();
+      diagnostic.set_severity(requested ? v1::SEVERITY_ERROR : v1::SEVERITY_WARNING);
+      diagnostic.set_code("left_out");
+      diagnostic.set_message(fmt::format("\"{}\" ({:.2f} m x {:.2f} m) is left out: {}", object.id,
+                                         object.footprint.width_m, object.footprint.depth_m, left.reason));
+    }
+    for (int e = 0; e < input.graph.edges_size(); ++e) {
+      const std::vector<int> named = NamedObjects(input.graph.edges(e), input.scene);
+      v1::EdgeOutcome& outcome = *message.mutable_edge_outcomes(e);
+      const bool names_it = std::find(named.begin(), named.end(), left.object) != named.end();
+      if (!names_it || outcome.status() != v1::OUTCOME_STATUS_DROPPED) continue;
+      outcome.set_reason(fmt::format("\"{}\" is left out: {}", object.id, left.reason));
+    }
+  }
+}
+
 // What a layout and a runner-up have in common.
 template <typename Message>
-void Describe(const SolveInput& input, const SceneCosts& costs, const PartialLayout& state, Message& message) {
+void Describe(const SolveInput& input, const SceneCosts& costs, const Branch& branch, Message& message) {
+  const PartialLayout& state = branch.state;
   MoveInto(MakePlacements(input, state), *message.mutable_placements());
   MoveInto(MakeZoneRegions(input, state), *message.mutable_zone_regions());
   MoveInto(EdgeOutcomes(input, costs, state), *message.mutable_edge_outcomes());
   MoveInto(FitDiagnostics(input, costs, state), *message.mutable_diagnostics());
+  ExplainLeftOut(input, branch, message);
   *message.mutable_metrics() = evaluation::MeasureLayout({input.scene, state.layout, state.placed});
 }
 
@@ -35,7 +61,7 @@ v1::RunnerUp MakeRunnerUp(const SolveInput& input, const Branch& branch) {
   v1::RunnerUp runner_up;
   runner_up.set_cost(branch.score);
   if (branch.complete) {
-    Describe(input, CostsOf(input, branch.state), branch.state, runner_up);
+    Describe(input, CostsOf(input, branch.state), branch, runner_up);
   } else {
     MoveInto(MakePlacements(input, branch.state), *runner_up.mutable_placements());
   }
@@ -78,7 +104,7 @@ v1::SolvedLayout MakeSolvedLayout(const SolveInput& input, const std::vector<Bra
   v1::SolvedLayout layout;
   *layout.mutable_graph() = input.graph;
   const SceneCosts costs = CostsOf(input, best.state);
-  Describe(input, costs, best.state, layout);
+  Describe(input, costs, best, layout);
   MoveInto(TermOutcomes(input, costs, best.state), *layout.mutable_term_outcomes());
   double total = 0;
   for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) total += outcome.weighted_cost();

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/leave_out.h"
+
+#include <algorithm>
+#include <map>
+
+#include "fmt/format.h"
+#include "optimizer_worker/stages/fit_diagnostics.h"
+#include "optimizer_worker/stages/furnish.h"
+#include "optimizer_worker/stages/pins.h"
+#include "optimizer_worker/stages/placements.h"
+#include "optimizer_worker/stages/polish.h"
+#include "optimizer_worker/stages/remove_objects.h"
+#include "optimizer_worker/stages/tertiary.h"
+
+namespace flair::optimizer {
+namespace {
+
+// Solves of the rest; each leaves out what the one before could not place.
+constexpr int kMostSolves = 4;
+
+std::vector<Misfit> MisfitsOf(const SolveInput& input, const PartialLayout& state) {
+  return FindMisfits(input, BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout)), state);
+}
+
+// Small for what is left out first.
+int ImportanceOf(const SolveInput& input, int object) {
+  switch (input.scene.objects[object].role) {
+    case ObjectRole::kTertiary:
+      return 0;
+    case ObjectRole::kSecondary:
+      return input.graph.object_list().objects(object).requested() ? 2 : 1;
+    case ObjectRole::kPrimary:
+      return 3;
+  }
+  return 3;
+}
+
+// The object of all misfits that is to go: least important, then deepest in the way, then last; -1 when all are pinned.
+int Scapegoat(const SolveInput& input, const std::vector<Misfit>& misfits) {
+  std::map<int, double> depth_of;
+  for (const Misfit& misfit : misfits) {
+    for (int object : {misfit.object, misfit.other}) {
+      if (object >= 0 && !input.pinned[object]) depth_of[object] += misfit.depth_m;
+    }
+  }
+  int chosen = -1;
+  for (const auto& [object, depth_m] : depth_of) {
+    const int importance = ImportanceOf(input, object);
+    const int least = chosen < 0 ? 0 : ImportanceOf(input, chosen);
+    if (chosen < 0 || importance < least || (importance == least && depth_m >= depth_of[chosen])) chosen = object;
+  }
+  return chosen;
+}
+
+std::string ReasonOf(const SolveInput& input, const PartialLayout& without, const std::vector<Misfit>& misfits,
+                     int object) {
+  if (IsSolid(input.scene.objects[object])) return NoFreePlace(input, without, object);
+  const auto named = [object](const Misfit& m) { return m.object == object || m.other == object; };
+  const Misfit& misfit = *std::find_if(misfits.begin(), misfits.end(), named);
+  if (misfit.other < 0) return fmt::format("it {} by {:.2f} m wherever it is put", misfit.what, misfit.depth_m);
+  const int other = misfit.object == object ? misfit.other : misfit.object;
+  return fmt::format("it {} \"{}\" by {:.2f} m wherever it is put", misfit.what, input.scene.objects[other].id,
+                     misfit.depth_m);
+}
+
+void TakeOut(Branch& branch, int object, std::string reason) {
+  branch.state.placed[object] = 0;
+  branch.state.layout[object] = FarAway(object);
+  branch.left_out.push_back({object, std::move(reason)});
+}
+
+// What stands on `carrier`, by its host.
+void TakeOutRiders(const SolveInput& input, int carrier, Branch& branch) {
+  for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
+    if (input.scene.objects[i].host != carrier || !branch.state.placed[i] || input.pinned[i]) continue;
+    TakeOut(branch, i, fmt::format("it belongs to \"{}\", which is left out", input.scene.objects[carrier].id));
+    TakeOutRiders(input, i, branch);
+  }
+}
+
+// A layout of a part of the input's objects, as one of the input.
+PartialLayout Widen(const SolveInput& part, const PartialLayout& state, const SolveInput& input) {
+  PartialLayout wide(input.scene);
+  for (size_t i = 0; i < part.scene.objects.size(); ++i) {
+    if (state.placed[i]) wide.Place(input.scene.IndexOf(part.scene.objects[i].id), state.layout[i]);
+  }
+  return wide;
+}
+
+// Solves without what `out` leaves out.
+absl::StatusOr<std::vector<Branch>> SolveRest(const SolveInput& input, const RestartRunner& runner,
+                                              const std::vector<LeftOut>& out) {
+  IdSet ids;
+  for (const LeftOut& left : out) ids.insert(input.scene.objects[left.object].id);
+  if (ids.size() == input.scene.objects.size()) {
+    return std::vector<Branch>(1, Branch{PartialLayout(input.scene), 0, {}, {}});
+  }
+  v1::LayoutGraph rest = input.graph;
+  RemoveObjects(ids, rest);
+  absl::StatusOr<SolveInput> part = MakeSolveInput(rest, {}, input.solver, input.cancelled);
+  if (!part.ok()) return part.status();
+  part->settings = input.settings;
+  part->out_of_time = input.out_of_time;
+  absl::StatusOr<std::vector<Branch>> branches = Driver(*part, runner).Run();
+  if (!branches.ok()) return branches.status();
+  for (Branch& branch : *branches) branch.state = Widen(*part, branch.state, input);
+  return branches;
+}
+
+// Puts `object` where it suits the layout best and lets the floor make room for it; false when that does not work out.
+bool PutBack(const SolveInput& input, int object, Branch& branch) {
+  const bool floor = IsSolid(input.scene.objects[object]);
+  const StageSpec alone{floor ? StageKind::kSecondary : StageKind::kTertiary, -1, {object}};
+  PartialLayout state = floor ? FurnishRestart(input, alone, branch.state, 0).state
+                              : TertiaryRestart(input, alone, branch.state, 0).state;
+  if (floor) {
+    StageSpec all = FreeStage(input, StageKind::kPolish);
+    std::erase_if(all.objects, [&](int i) { return !state.placed[i]; });
+    state = PolishRestart(input, all, state, 0).state;
+    StageSpec rest = FreeStage(input, StageKind::kTertiary);
+    std::erase_if(rest.objects, [&](int i) { return !state.placed[i]; });
+    for (int i : rest.objects) state.placed[i] = 0;
+    state = TertiaryRestart(input, rest, state, 0).state;
+  }
+  if (MisfitsOf(input, state).size() > MisfitsOf(input, branch.state).size()) return false;
+  branch.state = std::move(state);
+  return true;
+}
+
+void PutBackWhatFits(const SolveInput& input, Branch& branch) {
+  std::vector<LeftOut> out = std::move(branch.left_out);
+  branch.left_out.clear();
+  std::stable_sort(out.begin(), out.end(), [&](const LeftOut& a, const LeftOut& b) {
+    return ImportanceOf(input, a.object) > ImportanceOf(input, b.object);
+  });
+  for (LeftOut& left : out) {
+    const int host = input.scene.objects[left.object].host;
+    const bool hosted = host < 0 || branch.state.placed[host];
+    if (hosted && !input.Cancelled() && !input.OutOfTime() && PutBack(input, left.object, branch)) continue;
+    // The free places of the layout as it is now.
+    if (hosted && IsSolid(input.scene.objects[left.object])) {
+      left.reason = NoFreePlace(input, branch.state, left.object);
+    }
+    branch.left_out.push_back(std::move(left));
+  }
+}
+
+}  // namespace
+
+void LeaveOutOf(const SolveInput& input, Branch& branch) {
+  for (;;) {
+    const std::vector<Misfit> misfits = MisfitsOf(input, branch.state);
+    const int object = Scapegoat(input, misfits);
+    if (object < 0) return;
+    branch.state.placed[object] = 0;
+    std::string reason = ReasonOf(input, branch.state, misfits, object);
+    TakeOut(branch, object, std::move(reason));
+    TakeOutRiders(input, object, branch);
+  }
+}
+
+absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input, const RestartRunner& runner,
+                                                        std::vector<Branch> branches) {
+  std::vector<LeftOut> out;
+  for (int solve = 0; solve < kMostSolves; ++solve) {
+    Branch trial = branches.front();
+    LeaveOutOf(input, trial);
+    if (trial.left_out.size() == branches.front().left_out.size()) break;
+    out = trial.left_out;
+    if (input.OutOfTime() || solve + 1 == kMostSolves) {
+      branches.front() = std::move(trial);
+      break;
+    }
+    absl::StatusOr<std::vector<Branch>> rest = SolveRest(input, runner, out);
+    if (!rest.ok()) return rest.status();
+    branches = *std::move(rest);
+    for (Branch& branch : branches) branch.left_out = out;
+  }
+  if (!branches.front().left_out.empty()) PutBackWhatFits(input, branches.front());
+  return branches;
+}
+
+}  // namespace flair::optimizer

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Misfits left out: what cannot stand in a room with the rest does not have to.
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "optimizer_worker/stages/driver.h"
+#include "optimizer_worker/stages/restart_runner.h"
+#include "optimizer_worker/stages/solve_input.h"
+
+namespace flair::optimizer {
+
+// Takes the fewest and least important objects out of a layout so that nothing is in anything's way any more:
+// tertiaries first, then secondaries, then those that the brief asked for, primaries last, pinned ones never; what is
+// carried by one that goes, goes with it. Notes each with its reason.
+void LeaveOutOf(const SolveInput& input, Branch& branch);
+
+// The same for the best of `branches`, then solves the rest anew and puts back, most important first, what fits after
+// all. Returns `branches` when everything fits. Errors as Driver::Run.
+absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input, const RestartRunner& runner,
+                                                        std::vector<Branch> branches);
+
+}  // namespace flair::optimizer
