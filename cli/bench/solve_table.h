@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/bench/solve_measure.h"
-#include "cli/bench/text_table.h"
+#include "cli/output/text_table.h"
 
 namespace flair::cli {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bench/text_table.h"
+#include "cli/output/text_table.h"
 
 #include <algorithm>
 #include <numeric>

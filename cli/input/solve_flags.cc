@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/input/solve_flags.h"
+
+#include <google/protobuf/io/tokenizer.h>
+#include <google/protobuf/text_format.h>
+
+#include <cmath>
+
+#include "cli/input/files.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+// Keeps the first error.
+class FirstError final : public google::protobuf::io::ErrorCollector {
+ public:
+  void AddError(int line, google::protobuf::io::ColumnNumber column, const std::string& message) override {
+    if (text.empty()) text = fmt::format("line {}, column {}: {}", line + 1, column + 1, message);
+  }
+  std::string text;
+};
+
+absl::Status ReadOptionsFile(const std::string& path, v1::SolveOptions& options) {
+  const absl::StatusOr<std::string> text = ReadFile(path);
+  if (!text.ok()) return text.status();
+  FirstError error;
+  google::protobuf::TextFormat::Parser parser;
+  parser.RecordErrorsTo(&error);
+  if (parser.ParseFromString(*text, &options)) return absl::OkStatus();
+  return absl::InvalidArgumentError(fmt::format(
+      "--options: {}: {}; should hold fields of SolveOptions, such as: max_restart_count: 8 lambdas {{ balanced: 0 }}",
+      path, error.text));
+}
+
+std::string FieldNames(const google::protobuf::Descriptor& type) {
+  std::string names;
+  for (int i = 0; i < type.field_count(); ++i) names += (i > 0 ? ", " : "") + type.field(i)->name();
+  return names;
+}
+
+// Sets the numeric field that "name=value" names.
+absl::Status SetField(const char* flag, const std::string& text, google::protobuf::Message& message) {
+  const size_t equals = text.find('=');
+  const std::string name = text.substr(0, equals);
+  const google::protobuf::FieldDescriptor* field = message.GetDescriptor()->FindFieldByName(name);
+  if (field == nullptr) {
+    return absl::InvalidArgumentError(
+        fmt::format("{}: {}: should be NAME=VALUE with one of {}", flag, text, FieldNames(*message.GetDescriptor())));
+  }
+  double value = 0;
+  const bool whole = field->cpp_type() == google::protobuf::FieldDescriptor::CPPTYPE_INT32;
+  const bool read = equals != std::string::npos && CLI::detail::lexical_cast(text.substr(equals + 1), value) &&
+                    std::isfinite(value) && (!whole || (value == std::floor(value) && std::abs(value) < 1e9));
+  if (!read) {
+    return absl::InvalidArgumentError(
+        fmt::format("{}: {}: should be {}=VALUE with a {}number", flag, text, name, whole ? "whole " : ""));
+  }
+  if (whole) {
+    message.GetReflection()->SetInt32(&message, field, static_cast<int>(value));
+  } else {
+    message.GetReflection()->SetDouble(&message, field, value);
+  }
+  return absl::OkStatus();
+}
+
+// Like CLI::Range, without repeating the range in the help.
+template <typename Number>
+CLI::Validator Within(Number least, Number most) {
+  return CLI::Range(least, most).description("");
+}
+
+}  // namespace
+
+void AddSolveFlags(CLI::App& command, SolveFlags& flags) {
+  command.add_option("--seed", flags.seed, "Another seed, another layout (0)")
+      ->type_name("N")
+      ->check(Within(int64_t{0}, (int64_t{1} << 53) - 1));
+  command.add_option("--restarts", flags.restarts, "Restarts per stage, 1 to 10000 (by the stage's size)")
+      ->type_name("N")
+      ->check(Within(1, 10000));
+  command.add_option("--threads", flags.threads, "1 to 256 (all cores); changes no result")
+      ->type_name("N")
+      ->check(Within(1, 256));
+  command.add_option("--variants", flags.variants, "Layouts that differ visibly, 1 to 32 (1), best first")
+      ->type_name("K")
+      ->check(Within(1, 32));
+  command
+      .add_option("--path-width", flags.path_width_m, "Of the way from the door to everything, metres, 0 to 2 (0.6)")
+      ->type_name("M")
+      ->check(Within(0.0, 2.0));
+  command
+      .add_option("--misfits", flags.misfits, "What does not fit: keep it where it is least bad, or leave-out (keep)")
+      ->type_name("HOW")
+      ->check(CLI::IsMember({"keep", "leave-out"}).description(""));
+  command
+      .add_option("--time-limit", flags.time_limit_s,
+                  "End with the best layout after so many seconds; results then vary")
+      ->type_name("S")
+      ->check(Within(1e-3, 1e6));
+  command.add_flag("--contradictions", flags.contradictions, "Find the constraints that cannot hold together");
+  command.add_option("--lambda", flags.lambdas, "A factor of the paper: no_overlap=5, balanced=10, ...")
+      ->type_name("NAME=VALUE");
+  command.add_option("--tolerance", flags.tolerances, "When a descent ends: relative=1e-4, absolute=1e-5, ...")
+      ->type_name("NAME=VALUE");
+  command.add_option("--options", flags.file, "All of these and more, as text of a SolveOptions; flags go before it")
+      ->type_name("FILE");
+}
+
+absl::StatusOr<v1::SolveOptions> ReadSolveFlags(const SolveFlags& flags) {
+  v1::SolveOptions options;
+  if (!flags.file.empty()) {
+    if (absl::Status status = ReadOptionsFile(flags.file, options); !status.ok()) return status;
+  }
+  if (flags.seed) options.set_seed(*flags.seed);
+  if (flags.restarts) options.set_max_restart_count(*flags.restarts);
+  if (flags.threads) options.set_thread_count(*flags.threads);
+  if (flags.variants) options.set_variant_count(*flags.variants);
+  if (flags.path_width_m) options.set_path_width_m(*flags.path_width_m);
+  if (flags.misfits == "keep") options.set_misfit_policy(v1::MISFIT_POLICY_KEEP);
+  if (flags.misfits == "leave-out") options.set_misfit_policy(v1::MISFIT_POLICY_LEAVE_OUT);
+  if (flags.time_limit_s) {
+    const double whole_s = std::floor(*flags.time_limit_s);
+    options.mutable_time_limit()->set_seconds(static_cast<int64_t>(std::min(whole_s, 1e11)));
+    options.mutable_time_limit()->set_nanos(static_cast<int32_t>(1e9 * (*flags.time_limit_s - whole_s)));
+  }
+  if (flags.contradictions) options.set_find_contradictions(true);
+  for (const std::string& lambda : flags.lambdas) {
+    if (absl::Status status = SetField("--lambda", lambda, *options.mutable_lambdas()); !status.ok()) return status;
+  }
+  for (const std::string& tolerance : flags.tolerances) {
+    absl::Status status = SetField("--tolerance", tolerance, *options.mutable_tolerances());
+    if (!status.ok()) return status;
+  }
+  if (!options.has_seed()) options.set_seed(0);
+  return options;
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a solve did and found, for people.
+#pragma once
+
+#include <string>
+
+#include "flair/v1/optimizer_service.pb.h"
+
+namespace flair::cli {
+
+// Per stage restarts, evaluations, cost and time; the whole-room terms; the constraints that do not hold and why; the
+// measures.
+std::string SolveStats(const v1::SolveResponse& response);
+
+// A line for the layout and each of its runner-ups that is complete. `files` names where each went, in that order;
+// empty when they went nowhere.
+std::string VariantsTable(const v1::SolvedLayout& layout, const std::vector<std::string>& files);
+
+// Runner-up `index` of a layout as a layout of its own; its whole-room terms are not known here.
+v1::SolvedLayout VariantOf(const v1::SolvedLayout& layout, int index);
+
+// A runner-up with an account of all edges; the others hold floor objects only.
+bool IsComplete(const v1::RunnerUp& runner_up);
+
+}  // namespace flair::cli
