@@ -27,6 +27,8 @@ struct Run {
   Objective& objective;
   const Bounds& bounds;
   std::vector<double> best;
+  nlopt_opt handle = nullptr;
+  const StopCheck* stop = nullptr;
   double best_value = std::numeric_limits<double>::infinity();
   double best_violation = std::numeric_limits<double>::infinity();
   int64_t evaluations = 0;
@@ -46,6 +48,7 @@ double Callback(unsigned n, const double* x, double* gradient, void* data) {
   const double value = run.objective.Evaluate(point, gradient ? std::span<double>(gradient, n) : std::span<double>());
   ++run.evaluations;
   run.Offer(point, value);
+  if (run.stop != nullptr && *run.stop && (*run.stop)()) nlopt_force_stop(run.handle);
   return value;
 }
 
@@ -99,6 +102,8 @@ SolverReport NloptSolver::Minimize(Objective& objective, const Bounds& bounds, c
   for (size_t i = 0; i < bounds.lower.size(); ++i) point[i] = std::clamp(point[i], bounds.lower[i], bounds.upper[i]);
   Run run{objective, bounds, point};
   const Handle handle = Configure(run, bounds, limits, static_cast<unsigned>(x.size()));
+  run.handle = handle.get();
+  run.stop = limits.stop;
   double value = 0;
   report.end = EndOf(nlopt_optimize(handle.get(), point.data(), &value));
   std::copy(run.best.begin(), run.best.end(), x.begin());

@@ -95,5 +95,17 @@ TEST(NloptSolver, AnswersAProblemWithoutVariables) {
   EXPECT_EQ(NloptSolver().Minimize(objective, {}, {}, none).value, 0);
 }
 
+TEST(NloptSolver, AStopEndsARunAtTheBestPointSeen) {
+  Banana banana;
+  int polls = 0;
+  const StopCheck stop = [&] { return ++polls == 3; };
+  std::vector<double> x = {-1.2, 1};
+  const double before = banana.Evaluate(x, {});
+  const SolverReport report = NloptSolver().Minimize(banana, {}, {.stop = &stop}, x);
+  EXPECT_EQ(report.evaluations, 3);
+  EXPECT_LE(report.value, before);
+  EXPECT_EQ(report.value, banana.Evaluate(x, {}));
+}
+
 }  // namespace
 }  // namespace flair::optimizer

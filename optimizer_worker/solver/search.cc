@@ -115,6 +115,7 @@ void LayoutSearch::Sweep(std::span<const int> objects, int rounds, const Candida
   for (int round = 0; round < rounds; ++round) {
     bool moved = false;
     for (int object : objects) {
+      if (input_.Stopped()) return;
       const Pose<double> before = layout_[object];
       const double cost_before = problem_.Around(object, layout_, kNever);
       const double walk_before = WalkPenalty();
@@ -141,6 +142,7 @@ void LayoutSearch::Sweep(std::span<const int> objects, int rounds, const Candida
 
 bool LayoutSearch::MoveTogether(int anchor, std::span<const int> members, const CandidateDensity& density,
                                 Random& random) {
+  if (input_.Stopped()) return false;
   const Layout before = layout_;
   const Frame<double> old_frame = FrameOf(before[anchor]);
   std::vector<int> group = {anchor};
@@ -215,6 +217,7 @@ void LayoutSearch::Settle(std::span<const int> objects, std::span<const std::vec
   for (int round = 0; round < kSettleRounds; ++round) {
     bool moved = false;
     for (size_t i = 0; i < objects.size(); ++i) {
+      if (input_.Stopped()) return;
       moved |= SettleGroup({&objects[i], 1});
       if (members_of[i].empty()) continue;
       std::vector<int> group = {objects[i]};
@@ -226,6 +229,7 @@ void LayoutSearch::Settle(std::span<const int> objects, std::span<const std::vec
 }
 
 bool LayoutSearch::Replace(std::span<const int> objects, double noise, Random& random) {
+  if (input_.Stopped()) return false;
   const Layout before = layout_;
   const double score_before = Score();
   for (int object : objects) {
@@ -247,7 +251,9 @@ SolverReport LayoutSearch::Descend(std::span<const int> objects, const SolverLim
     bounds.lower.insert(bounds.lower.end(), {box.min.x - kBox_m, box.min.y - kBox_m, x[3 * i + 2] - 1.0});
     bounds.upper.insert(bounds.upper.end(), {box.max.x + kBox_m, box.max.y + kBox_m, x[3 * i + 2] + 1.0});
   }
-  const SolverReport report = input_.solver.Minimize(objective, bounds, limits, x);
+  SolverLimits stoppable = limits;
+  stoppable.stop = &input_.stop;
+  const SolverReport report = input_.solver.Minimize(objective, bounds, stoppable, x);
   objective.Apply(x);
   return report;
 }

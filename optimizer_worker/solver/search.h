@@ -35,6 +35,10 @@ struct SearchInput {
   // Null when walking does not matter (tertiaries).
   const WalkGrid* walk_grid = nullptr;
   WalkWeights walk_weights;
+  // Ends improvements between two moves, with the best layout so far. Objects under construction still get a pose.
+  StopCheck stop;
+
+  bool Stopped() const { return stop && stop(); }
 };
 
 class LayoutSearch {

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "optimizer_worker/solver/objective.h"
 
 namespace flair::optimizer {
+
+// True when nobody wants better results any more; asked often, from any thread.
+using StopCheck = std::function<bool()>;
 
 // When to stop.
 struct SolverLimits {
@@ -18,6 +22,8 @@ struct SolverLimits {
   double absolute_tolerance = 1e-7;
   // Stop as soon as the value is at most this.
   double good_enough = 1e-9;
+  // Asked after every evaluation; borrowed, null for never.
+  const StopCheck* stop = nullptr;
 };
 
 // Why a solver ended.

@@ -130,5 +130,18 @@ TEST(Driver, StopsWithinOneRestartWhenCancelledOnTheWay) {
   EXPECT_LT(polls, 20);
 }
 
+TEST(Driver, StopsInTheMiddleOfARestart) {
+  // One stage with one restart: without polls on the way it would run to its end.
+  v1::SolveOptions options;
+  options.set_thread_count(1);
+  options.set_max_restart_count(1);
+  for (int most : {1, 10, 40}) {
+    int polls = 0;
+    const auto result = SolveLayout(Study(), options, NloptSolver(), [&] { return ++polls > most; });
+    EXPECT_EQ(result.status().code(), absl::StatusCode::kCancelled) << most;
+    EXPECT_LT(polls, most + 20);
+  }
+}
+
 }  // namespace
 }  // namespace flair::optimizer

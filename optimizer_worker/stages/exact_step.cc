@@ -59,8 +59,10 @@ std::vector<Violation> MakeExact(const SolveInput& input, Problem& problem, std:
   }
   SnapHeadings(input.scene, moving, layout);
   std::vector<Violation> left = FindViolations(input.scene, input.keep_out, all, layout, kTouching_m);
-  const SolverLimits limits{.max_evaluations = 40, .relative_tolerance = 1e-4, .absolute_tolerance = 1e-6};
-  for (int round = 0; round < kRounds; ++round) {
+  const SolverLimits limits{
+      .max_evaluations = 40, .relative_tolerance = 1e-4, .absolute_tolerance = 1e-6, .stop = &input.cancelled};
+  // Exact even when time is up; not when nobody waits.
+  for (int round = 0; round < kRounds && !input.Cancelled(); ++round) {
     ProblemObjective objective(problem, layout, moving, false);
     std::vector<double> x = objective.Start();
     const std::vector<LinearInequality> rows =

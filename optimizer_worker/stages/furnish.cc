@@ -24,7 +24,7 @@ RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, co
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, before.placed, before.layout);
   const SceneCosts costs = BindCosts(input, centers);
   const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
-                                 input.keep_out, &input.walk_grid, {}};
+                                 input.keep_out, &input.walk_grid, {},      input.Over()};
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
 
   search.Construct(OrderOf(stage, restart, random), restart == 0 ? 0.0 : kNoise, random);

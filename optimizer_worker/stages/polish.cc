@@ -59,7 +59,7 @@ RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, con
     const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, result.state.placed, result.state.layout);
     const SceneCosts costs = BindCosts(input, centers);
     const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
-                                   input.keep_out, &input.walk_grid, {}};
+                                   input.keep_out, &input.walk_grid, {},      input.Over()};
     LayoutSearch search(search_input, MakeProblem(input, costs, stage, result.state), result.state.layout);
     if (!input.OutOfTime()) Improve(input, stage, search, random);
     Layout layout = search.layout();

@@ -50,6 +50,11 @@ struct SolveInput {
 
   bool Cancelled() const { return cancelled && cancelled(); }
   bool OutOfTime() const { return out_of_time && out_of_time(); }
+  // For searches: true when improving should end. Borrows this.
+  StopCheck Over() const {
+    if (!cancelled && !out_of_time) return nullptr;
+    return [this] { return Cancelled() || OutOfTime(); };
+  }
 };
 
 // `graph` and `solver` must outlive the result. INVALID_ARGUMENT when the graph does not validate.
