@@ -6,6 +6,7 @@
 #include "evaluation/metrics/layout_metrics.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
+#include "optimizer_worker/stages/contradictions.h"
 #include "optimizer_worker/stages/fit_diagnostics.h"
 #include "optimizer_worker/stages/outcomes.h"
 #include "optimizer_worker/stages/placements.h"
@@ -112,6 +113,9 @@ v1::SolvedLayout MakeSolvedLayout(const SolveInput& input, const std::vector<Bra
   layout.set_total_cost(total);
   for (const v1::StageOutcome& outcome : best.outcomes) *layout.add_stage_outcomes() = outcome;
   for (size_t i = 1; i < branches.size(); ++i) *layout.add_runner_ups() = MakeRunnerUp(input, branches[i]);
+  if (input.settings.find_contradictions) {
+    MoveInto(FindContradictions(input, layout), *layout.mutable_contradictions());
+  }
   MoveInto(SolveDiagnostics(input, branches), *layout.mutable_diagnostics());
   return layout;
 }

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/contradictions.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "fmt/format.h"
+#include "fmt/ranges.h"
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/registry.h"
+#include "optimizer_worker/stages/driver.h"
+#include "optimizer_worker/stages/fit_diagnostics.h"
+#include "optimizer_worker/stages/outcomes.h"
+#include "optimizer_worker/stages/remove_objects.h"
+#include "optimizer_worker/stages/scene_costs.h"
+
+namespace flair::optimizer {
+namespace {
+
+// Most satisfied edges that are suspected beside a violated one; the first of the graph.
+constexpr size_t kMostSuspects = 8;
+
+// How a group of edges came out where it was solved alone.
+struct Trial {
+  bool holds = false;
+  // Of the group's last edge, at the end.
+  v1::EdgeOutcome last;
+};
+
+class Finder {
+ public:
+  Finder(const SolveInput& input, const v1::SolvedLayout& layout) : input_(input), layout_(layout) {
+    for (const v1::ConstraintEdge& edge : input.graph.edges()) named_.push_back(NamedObjects(edge, input.scene));
+  }
+
+  std::vector<v1::Contradiction> Run() {
+    std::vector<v1::Contradiction> found;
+    for (int e = 0; e < layout_.edge_outcomes_size(); ++e) {
+      if (layout_.edge_outcomes(e).status() != v1::OUTCOME_STATUS_VIOLATED || IsAboutZones(e)) continue;
+      std::optional<v1::Contradiction> contradiction = Explain(e);
+      if (trials_ > kMostTrials || input_.Cancelled() || input_.OutOfTime()) break;
+      if (!contradiction) continue;
+      const bool known = std::any_of(found.begin(), found.end(), [&](const v1::Contradiction& other) {
+        return std::equal(other.edge_ids().begin(), other.edge_ids().end(), contradiction->edge_ids().begin(),
+                          contradiction->edge_ids().end());
+      });
+      if (!known) found.push_back(*std::move(contradiction));
+    }
+    return found;
+  }
+
+ private:
+  bool IsAboutZones(int edge) const {
+    const ConstraintFacts* facts = FindConstraint(input_.graph.edges(edge).type());
+    return facts == nullptr ||
+           std::any_of(facts->parameters.begin(), facts->parameters.end(),
+                       [](const v1::ParameterSpec& spec) { return spec.kind() == v1::PARAMETER_KIND_ZONE; });
+  }
+
+  // Satisfied edges that share an object with the violated one.
+  std::vector<int> SuspectsOf(int violated) const {
+    std::vector<int> suspects;
+    for (int e = 0; e < layout_.edge_outcomes_size() && suspects.size() < kMostSuspects; ++e) {
+      if (layout_.edge_outcomes(e).status() != v1::OUTCOME_STATUS_SATISFIED || IsAboutZones(e)) continue;
+      const bool shares = std::any_of(named_[e].begin(), named_[e].end(), [&](int object) {
+        return std::binary_search(named_[violated].begin(), named_[violated].end(), object);
+      });
+      if (shares) suspects.push_back(e);
+    }
+    return suspects;
+  }
+
+  // The problem of these edges alone: their objects, the pinned ones, and what carries them.
+  v1::LayoutGraph GraphOf(const std::vector<int>& edges) const {
+    std::vector<char> kept = input_.pinned;
+    for (int e : edges) {
+      for (int object : named_[e]) kept[object] = 1;
+    }
+    for (size_t i = 0; i < kept.size(); ++i) {
+      // Ends at the latest where hosts go round in a circle.
+      int host = kept[i] ? input_.scene.objects[i].host : -1;
+      for (; host >= 0 && !kept[host]; host = input_.scene.objects[host].host) kept[host] = 1;
+    }
+    IdSet gone;
+    for (size_t i = 0; i < kept.size(); ++i) {
+      if (!kept[i]) gone.insert(input_.scene.objects[i].id);
+    }
+    v1::LayoutGraph graph = input_.graph;
+    graph.clear_edges();
+    for (int e : edges) *graph.add_edges() = input_.graph.edges(e);
+    RemoveObjects(gone, graph);
+    return graph;
+  }
+
+  // Solves them by themselves. Only what they say and exactness counts: no zones, balance, pull of walls or ways.
+  Trial Try(const std::vector<int>& edges) {
+    ++trials_;
+    const v1::LayoutGraph graph = GraphOf(edges);
+    v1::SolveOptions options;
+    options.set_max_restart_count(kHoldRestarts);
+    options.set_path_width_m(0);
+    options.mutable_lambdas()->set_wall_attraction_divisor(0);
+    options.mutable_lambdas()->set_zone(0);
+    options.mutable_lambdas()->set_balanced(0);
+    Trial trial;
+    absl::StatusOr<SolveInput> alone = MakeSolveInput(graph, options, input_.solver, input_.cancelled);
+    if (!alone.ok()) return Trial{true, {}};
+    alone->settings.seed = input_.settings.seed;
+    alone->settings.threads = input_.settings.threads;
+    const absl::StatusOr<std::vector<Branch>> branches = Driver(*alone, LocalRestartRunner()).Run();
+    if (!branches.ok()) return Trial{true, {}};
+    for (const Branch& branch : *branches) {
+      if (!branch.complete) break;
+      const SceneCosts costs = BindCosts(*alone, ZoneCenters(alone->scene, branch.state.placed, branch.state.layout));
+      const std::vector<v1::EdgeOutcome> outcomes = EdgeOutcomes(*alone, costs, branch.state);
+      trial.holds = FindMisfits(*alone, costs, branch.state).empty() &&
+                    std::none_of(outcomes.begin(), outcomes.end(), [](const v1::EdgeOutcome& outcome) {
+                      return outcome.status() == v1::OUTCOME_STATUS_VIOLATED;
+                    });
+      trial.last = outcomes.back();
+      if (trial.holds) break;
+    }
+    return trial;
+  }
+
+  std::optional<v1::Contradiction> Explain(int violated) {
+    const Trial by_itself = Try({violated});
+    if (!by_itself.holds) return Describe({violated}, violated, by_itself.last);
+    std::vector<int> group = SuspectsOf(violated);
+    group.push_back(violated);
+    Trial clash = Try(group);
+    if (clash.holds || group.size() < 2) return std::nullopt;
+    for (size_t k = 0; k + 1 < group.size() && trials_ <= kMostTrials;) {
+      std::vector<int> without = group;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(k));
+      const Trial trial = without.size() == 1 ? by_itself : Try(without);
+      if (trial.holds) {
+        ++k;
+        continue;
+      }
+      group = std::move(without);
+      clash = trial;
+    }
+    return Describe(std::move(group), violated, clash.last);
+  }
+
+  // The sentence that an edge comes from, or its call.
+  std::string Words(int edge) const {
+    const v1::ConstraintEdge& call = input_.graph.edges(edge);
+    for (const v1::Sentence& sentence : input_.graph.constraint_list().sentences()) {
+      if (!call.sentence_id().empty() && sentence.id() == call.sentence_id()) {
+        return fmt::format("{} \"{}\"", call.id(), sentence.text());
+      }
+    }
+    std::vector<std::string> objects;
+    for (int object : named_[edge]) objects.push_back(input_.scene.objects[object].id);
+    return fmt::format("{} {}({})", call.id(), call.type(), fmt::join(objects, ", "));
+  }
+
+  v1::Contradiction Describe(std::vector<int> group, int violated, const v1::EdgeOutcome& best) const {
+    std::sort(group.begin(), group.end());
+    v1::Contradiction contradiction;
+    std::vector<std::string> others;
+    for (int e : group) {
+      contradiction.add_edge_ids(input_.graph.edges(e).id());
+      if (e != violated) others.push_back(Words(e));
+    }
+    const std::string missed = best.has_missed_by()
+                                   ? fmt::format("missed by {:.2f} {} at best", best.missed_by(), best.unit())
+                                   : fmt::format("not met at best: {}", best.reason());
+    contradiction.set_explanation(
+        others.empty()
+            ? fmt::format("{} cannot hold in this room, even with nothing else in it: {}", Words(violated), missed)
+            : fmt::format("{} cannot hold together with {}: {}", Words(violated), fmt::join(others, " and "),
+                          best.status() == v1::OUTCOME_STATUS_VIOLATED ? missed : "one of them is missed"));
+    return contradiction;
+  }
+
+  const SolveInput& input_;
+  const v1::SolvedLayout& layout_;
+  // Per edge, the objects that it names, ascending.
+  std::vector<std::vector<int>> named_;
+  int trials_ = 0;
+};
+
+}  // namespace
+
+std::vector<v1::Contradiction> FindContradictions(const SolveInput& input, const v1::SolvedLayout& layout) {
+  return Finder(input, layout).Run();
+}
+
+}  // namespace flair::optimizer
