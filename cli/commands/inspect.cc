@@ -8,6 +8,7 @@
 #include "cli/exit_code.h"
 #include "cli/input/files.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/layout_remarks.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
@@ -50,6 +51,7 @@ void ShowSummary(const v1::Artifact& artifact, const std::filesystem::path& path
     fmt::print("{:<11}{}{}\n", i == 0 ? "made from" : "", artifact.made_from_ids(i),
                neighbour.empty() ? "" : "  " + neighbour);
   }
+  if (artifact.has_solved_layout()) fmt::print("{}", LayoutRemarks(artifact.solved_layout()));
   if (const absl::Status status = Validate(artifact); !status.ok()) {
     fmt::print("{:<11}{}\n", "remark", std::string(status.message()));
   }

@@ -121,6 +121,14 @@ std::string SentenceText(const v1::SolvedLayout& layout, const v1::ConstraintLis
   return text;
 }
 
+std::string ContradictionText(const v1::SolvedLayout& layout) {
+  std::string text;
+  for (const v1::Contradiction& contradiction : layout.contradictions()) {
+    text += fmt::format("- {}\n", contradiction.explanation());
+  }
+  return text.empty() ? "" : "\n## What cannot hold together\n\n" + text;
+}
+
 std::string LeftOutText(const v1::ObjectList& objects) {
   if (objects.omissions_size() == 0) return "";
   std::string text = "\n## Left out\n\n";
@@ -171,6 +179,7 @@ std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   text += ZoneText(layout.graph().zone_plan());
   text += ObjectText(layout, style, constraints);
   text += SentenceText(layout, constraints);
+  text += ContradictionText(layout);
   text += RemarkText(report);
   text += MakerText(artifacts, report, job);
   return text;
