@@ -2,7 +2,6 @@
 #include "cli/output/layout_remarks.h"
 
 #include "fmt/format.h"
-#include "fmt/ranges.h"
 
 namespace flair::cli {
 
@@ -12,8 +11,7 @@ std::string LayoutRemarks(const v1::SolvedLayout& layout) {
     text += fmt::format("{:<11}{}\n", "remark", diagnostic.message());
   }
   for (const v1::Contradiction& contradiction : layout.contradictions()) {
-    text +=
-        fmt::format("{:<11}{}: {}\n", "clash", fmt::join(contradiction.edge_ids(), ", "), contradiction.explanation());
+    text += fmt::format("{:<11}{}\n", "clash", contradiction.explanation());
   }
   return text;
 }

@@ -23,8 +23,8 @@ constexpr size_t kMostSuspects = 8;
 // How a group of edges came out where it was solved alone.
 struct Trial {
   bool holds = false;
-  // Of the group's last edge, at the end.
-  v1::EdgeOutcome last;
+  // Of what is missed at best: the first violated edge.
+  v1::EdgeOutcome missed;
 };
 
 class Finder {
@@ -113,11 +113,11 @@ class Finder {
       if (!branch.complete) break;
       const SceneCosts costs = BindCosts(*alone, ZoneCenters(alone->scene, branch.state.placed, branch.state.layout));
       const std::vector<v1::EdgeOutcome> outcomes = EdgeOutcomes(*alone, costs, branch.state);
-      trial.holds = FindMisfits(*alone, costs, branch.state).empty() &&
-                    std::none_of(outcomes.begin(), outcomes.end(), [](const v1::EdgeOutcome& outcome) {
-                      return outcome.status() == v1::OUTCOME_STATUS_VIOLATED;
-                    });
-      trial.last = outcomes.back();
+      const auto missed = std::find_if(outcomes.begin(), outcomes.end(), [](const v1::EdgeOutcome& outcome) {
+        return outcome.status() == v1::OUTCOME_STATUS_VIOLATED;
+      });
+      trial.missed = missed == outcomes.end() ? v1::EdgeOutcome() : *missed;
+      trial.holds = missed == outcomes.end() && FindMisfits(*alone, costs, branch.state).empty();
       if (trial.holds) break;
     }
     return trial;
@@ -125,7 +125,7 @@ class Finder {
 
   std::optional<v1::Contradiction> Explain(int violated) {
     const Trial by_itself = Try({violated});
-    if (!by_itself.holds) return Describe({violated}, violated, by_itself.last);
+    if (!by_itself.holds) return Describe({violated}, violated, by_itself.missed);
     std::vector<int> group = SuspectsOf(violated);
     group.push_back(violated);
     Trial clash = Try(group);
@@ -141,38 +141,49 @@ class Finder {
       group = std::move(without);
       clash = trial;
     }
-    return Describe(std::move(group), violated, clash.last);
+    return Describe(std::move(group), violated, clash.missed);
+  }
+
+  static std::string Words(const v1::ArgumentValue& value) {
+    if (value.has_texts()) return fmt::format("{}", fmt::join(value.texts().items(), ","));
+    if (value.has_number()) return fmt::format("{:.6g}", value.number());
+    return value.has_flag() ? (value.flag() ? "true" : "false") : value.text();
   }
 
   // The sentence that an edge comes from, or its call.
-  std::string Words(int edge) const {
-    const v1::ConstraintEdge& call = input_.graph.edges(edge);
+  std::string Words(const v1::ConstraintEdge& edge) const {
     for (const v1::Sentence& sentence : input_.graph.constraint_list().sentences()) {
-      if (!call.sentence_id().empty() && sentence.id() == call.sentence_id()) {
-        return fmt::format("{} \"{}\"", call.id(), sentence.text());
+      if (!edge.sentence_id().empty() && sentence.id() == edge.sentence_id()) {
+        return fmt::format("{} \"{}\"", edge.id(), sentence.text());
       }
     }
-    std::vector<std::string> objects;
-    for (int object : named_[edge]) objects.push_back(input_.scene.objects[object].id);
-    return fmt::format("{} {}({})", call.id(), call.type(), fmt::join(objects, ", "));
+    std::string call;
+    for (const v1::Argument& argument : edge.arguments()) {
+      call += fmt::format(" {}={}", argument.name(), Words(argument.value()));
+    }
+    return fmt::format("{} ({}{})", edge.id(), edge.type(), call);
   }
 
-  v1::Contradiction Describe(std::vector<int> group, int violated, const v1::EdgeOutcome& best) const {
+  v1::Contradiction Describe(std::vector<int> group, int violated, const v1::EdgeOutcome& missed) const {
     std::sort(group.begin(), group.end());
     v1::Contradiction contradiction;
     std::vector<std::string> others;
     for (int e : group) {
       contradiction.add_edge_ids(input_.graph.edges(e).id());
-      if (e != violated) others.push_back(Words(e));
+      if (e != violated) others.push_back(Words(input_.graph.edges(e)));
     }
-    const std::string missed = best.has_missed_by()
-                                   ? fmt::format("missed by {:.2f} {} at best", best.missed_by(), best.unit())
-                                   : fmt::format("not met at best: {}", best.reason());
+    // Without a missed edge it is the furniture that does not fit.
+    std::string best = "the objects do not fit";
+    if (missed.has_missed_by()) {
+      best = fmt::format("{} is missed by {:.2f} {}", missed.edge_id(), missed.missed_by(), missed.unit());
+    } else if (!missed.edge_id().empty()) {
+      best = fmt::format("{} is missed, {}", missed.edge_id(), missed.reason());
+    }
+    const std::string what = Words(input_.graph.edges(violated));
     contradiction.set_explanation(
         others.empty()
-            ? fmt::format("{} cannot hold in this room, even with nothing else in it: {}", Words(violated), missed)
-            : fmt::format("{} cannot hold together with {}: {}", Words(violated), fmt::join(others, " and "),
-                          best.status() == v1::OUTCOME_STATUS_VIOLATED ? missed : "one of them is missed"));
+            ? fmt::format("{} cannot hold in this room, even with nothing else in it: at best {}", what, best)
+            : fmt::format("{} cannot hold together with {}: at best {}", what, fmt::join(others, " and "), best));
     return contradiction;
   }
 
