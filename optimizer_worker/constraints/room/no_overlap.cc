@@ -37,8 +37,10 @@ bool Carries(const Scene& scene, int carrier, int object) {
 bool CanCollide(const Scene& scene, int a, int b) {
   const Object& first = scene.objects[static_cast<size_t>(a)];
   const Object& second = scene.objects[static_cast<size_t>(b)];
-  if (a == b || first.walk_over || second.walk_over || Carries(scene, a, b) || Carries(scene, b, a)) return false;
+  if (a == b || first.walk_over || second.walk_over) return false;
+  // Both stand on the floor, whatever is said about one carrying the other.
   if (first.kind == ObjectKind::kFloor && second.kind == ObjectKind::kFloor) return true;
+  if (Carries(scene, a, b) || Carries(scene, b, a)) return false;
   const bool on_surface = first.kind == ObjectKind::kSurface || second.kind == ObjectKind::kSurface;
   const bool on_floor = first.kind == ObjectKind::kFloor || second.kind == ObjectKind::kFloor;
   // A thing on a table stays within the table, which keeps clear of other furniture.

@@ -27,7 +27,8 @@ TEST(NoOverlap, RugsCarriersAndOtherHeightsAreExempt) {
       "height 0.4;"
       "art 0.6x0.05 at 2,0,0 wall height 0.5 elevation 1.4; shelf 1x0.3 at 2,0.15,0 height 2; bulb 0.5x0.5 at 2,1,0 "
       "ceiling "
-      "height 0.5 elevation 2.4; screen 0.5x0.1 at 2,0.2,0 surface on desk height 0.4");
+      "height 0.5 elevation 2.4; screen 0.5x0.1 at 2,0.2,0 surface on desk height 0.4; bin 0.3x0.3 at 2,0.3,0 on desk "
+      "height 0.4");
   ASSERT_TRUE(text.ok());
   const Scene& scene = text->scene;
   const auto collide = [&scene](const char* a, const char* b) {
@@ -41,6 +42,8 @@ TEST(NoOverlap, RugsCarriersAndOtherHeightsAreExempt) {
   EXPECT_TRUE(collide("art", "shelf"));
   EXPECT_TRUE(collide("desk", "shelf"));
   EXPECT_TRUE(collide("lamp", "screen"));
+  // Two pieces on the floor, whatever is said about one carrying the other.
+  EXPECT_TRUE(collide("bin", "desk"));
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/targets.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+namespace flair::fuzz {
+
+std::span<const Target> AllTargets() {
+  static constexpr std::array<Target, 4> kTargets = {{{"read_graph", ReadGraph},
+                                                      {"solve_problem", SolveProblem},
+                                                      {"read_reference_room", ReadReferenceRoom},
+                                                      {"read_scene_text", ReadSceneText}}};
+  return kTargets;
+}
+
+void Require(bool holds, std::string_view promise) {
+  if (holds) return;
+  std::fprintf(stderr, "broken promise: %.*s\n", static_cast<int>(promise.size()), promise.data());
+  std::abort();
+}
+
+}  // namespace flair::fuzz

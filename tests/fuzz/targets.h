@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is fuzzed. Each target takes any bytes and returns; it aborts with a message when a promise is broken. The same
+// functions run under libFuzzer (fuzz_main.cc) and, over the corpus, in every run of the tests (corpus_test.cc).
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace flair::fuzz {
+
+// An artifact or graph, as binary, JSON or text message: parsed, validated, and made a scene when it is good.
+void ReadGraph(std::string_view bytes);
+
+// The bytes as choices that make a small problem, mostly good: solved with tight limits. See solve_problem.cc for what
+// must hold of the result.
+void SolveProblem(std::string_view bytes);
+
+// A recorded problem in the reference implementation's JSON.
+void ReadReferenceRoom(std::string_view bytes);
+
+// The short text form of scenes.
+void ReadSceneText(std::string_view bytes);
+
+struct Target {
+  std::string_view name;
+  void (*run)(std::string_view bytes);
+};
+
+// All of the above.
+std::span<const Target> AllTargets();
+
+// Aborts with `promise` unless it holds.
+void Require(bool holds, std::string_view promise);
+
+}  // namespace flair::fuzz
