@@ -4,11 +4,16 @@
 // [Paper] Eq. zone, as released (without its weight). Zero exactly in the own Voronoi cell.
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "optimizer_worker/autodiff/smooth.h"
 
 namespace flair::optimizer {
+
+// Callers give a zone in which nothing stands yet a middle at least this far away; nothing can be in it.
+inline constexpr double kNoPlace_m = 1e5;
+inline bool HasPlace(const Vec2<double>& center) { return std::abs(center.x) < kNoPlace_m; }
 
 template <typename T>
 T SquaredBeyondBorders(const Vec2<T>& p, std::span<const Vec2<double>> centers, int own) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/constraints/on_wall/on_wall_in_zone.h"
 
+#include <fmt/format.h>
+
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/zones.h"
@@ -35,6 +37,10 @@ ConstraintFacts OnWallInZoneFacts() {
             const int zone = a.Zone("zone");
             if (static_cast<size_t>(zone) >= context.zone_centers.size()) {
               return absl::FailedPreconditionError("the zones have no places yet");
+            }
+            if (!HasPlace(context.zone_centers[static_cast<size_t>(zone)])) {
+              return absl::FailedPreconditionError(fmt::format("nothing stands in zone \"{}\", so it has no place",
+                                                               context.scene.zones[static_cast<size_t>(zone)].name));
             }
             return MakeCost(OnWallInZone{FootprintOf(context, object),
                                          HangingWalls(context.scene.room, context.scene.BottomOf(object),

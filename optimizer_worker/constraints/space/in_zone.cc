@@ -16,7 +16,7 @@ T InZone::operator()(const Frames<T, 1>& frames) const {
 
 std::unique_ptr<Cost> ZoneAffinity(const Scene& scene, int object, std::span<const Vec2<double>> zone_centers) {
   const int zone = scene.objects[static_cast<size_t>(object)].zone;
-  if (zone < 0 || zone_centers.size() < 2) return nullptr;
+  if (zone < 0 || zone_centers.size() < 2 || !HasPlace(zone_centers[static_cast<size_t>(zone)])) return nullptr;
   return MakeCost(InZone{{zone_centers.begin(), zone_centers.end()}, zone}, {object});
 }
 
@@ -39,6 +39,10 @@ ConstraintFacts InZoneFacts() {
             const int zone = a.Zone("zone");
             if (static_cast<size_t>(zone) >= context.zone_centers.size()) {
               return absl::FailedPreconditionError("the zones have no places yet");
+            }
+            if (!HasPlace(context.zone_centers[static_cast<size_t>(zone)])) {
+              return absl::FailedPreconditionError(fmt::format("nothing stands in zone \"{}\", so it has no place",
+                                                               context.scene.zones[static_cast<size_t>(zone)].name));
             }
             return MakeCost(InZone{{context.zone_centers.begin(), context.zone_centers.end()}, zone},
                             {a.Object("object")});
