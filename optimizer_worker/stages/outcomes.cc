@@ -6,6 +6,7 @@
 #include <map>
 
 #include "fmt/format.h"
+#include "optimizer_worker/explain/explain.h"
 #include "optimizer_worker/zones/voronoi_zones.h"
 #include "room/geometry/angle.h"
 
@@ -26,8 +27,17 @@ int MissingObject(const Term& term, const PartialLayout& state) {
   return -1;
 }
 
-std::string HowFarOff(const std::string& type, double cost) {
-  return fmt::format("\"{}\" is not met: its cost is {:.3g}, {} would be met", type, cost, kSatisfiedCost);
+// Why an edge of this cost does not hold: what is missed by most, or at least how much its cost is.
+void SayWhy(const v1::ConstraintEdge& edge, const Furnished& where, v1::EdgeOutcome& outcome) {
+  const std::optional<Shortfall> shortfall = Explain(edge, where);
+  if (!shortfall) {
+    outcome.set_reason(fmt::format("\"{}\" is not met: its cost is {:.3g}, {} would be met", edge.type(),
+                                   outcome.cost(), kSatisfiedCost));
+    return;
+  }
+  outcome.set_reason(shortfall->sentence);
+  outcome.set_missed_by(shortfall->missed_by);
+  outcome.set_unit(shortfall->unit);
 }
 
 }  // namespace
@@ -40,6 +50,8 @@ std::vector<v1::EdgeOutcome> EdgeOutcomes(const SolveInput& input, const SceneCo
     outcomes[e].set_status(v1::OUTCOME_STATUS_DROPPED);
     outcomes[e].set_reason(costs.dropped[e]);
   }
+  const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, state.placed, state.layout);
+  const Furnished where{input.scene, state.layout, centers, &input.linked};
   for (const Term& term : costs.terms) {
     if (term.edge < 0) continue;
     v1::EdgeOutcome& outcome = outcomes[term.edge];
@@ -53,7 +65,7 @@ std::vector<v1::EdgeOutcome> EdgeOutcomes(const SolveInput& input, const SceneCo
     outcome.set_cost(cost);
     outcome.set_weighted_cost(cost * term.factor);
     outcome.set_status(satisfied ? v1::OUTCOME_STATUS_SATISFIED : v1::OUTCOME_STATUS_VIOLATED);
-    if (!satisfied) outcome.set_reason(HowFarOff(input.graph.edges(term.edge).type(), cost));
+    if (!satisfied) SayWhy(input.graph.edges(term.edge), where, outcome);
   }
   return outcomes;
 }
