@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair catalog: the constraints that the optimizer understands.
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands/commands.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/catalog_text.h"
+#include "fmt/format.h"
+#include "optimizer_worker/constraints/facts.h"
+
+namespace flair::cli {
+namespace {
+
+struct CatalogArguments {
+  std::string type;
+  bool markdown = false;
+  bool json = false;
+};
+
+absl::Status Catalog(const CatalogArguments& arguments) {
+  const v1::ConstraintCatalog& catalog = optimizer::MakeCatalog();
+  if (!arguments.type.empty()) {
+    const optimizer::ConstraintFacts* const facts = optimizer::FindConstraint(arguments.type);
+    if (facts == nullptr) {
+      return absl::NotFoundError(fmt::format("\"{}\" is not a constraint; flair catalog lists them", arguments.type));
+    }
+    for (const v1::ConstraintType& type : catalog.types()) {
+      if (type.name() == facts->name) fmt::print("{}", arguments.json ? ToJson(type) : TypeText(type));
+    }
+    return absl::OkStatus();
+  }
+  fmt::print("{}", arguments.json       ? ToJson(catalog)
+                   : arguments.markdown ? CatalogMarkdown(catalog)
+                                        : CatalogOverview(catalog));
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+void AddCatalog(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<CatalogArguments>();
+  CLI::App* command = program.add_subcommand("catalog", "The constraints that the optimizer understands.");
+  command->add_option("TYPE", arguments->type, "One of them in full, by name or alias");
+  CLI::Option* const json = command->add_flag("--json", arguments->json, "As JSON");
+  command->add_flag("--markdown", arguments->markdown, "All of them in full, as docs/constraints.md")->excludes(json);
+  command->callback([arguments, &result] {
+    result = Catalog(*arguments);
+    std::fflush(stdout);
+  });
+}
+
+}  // namespace flair::cli

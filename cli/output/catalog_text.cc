@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/catalog_text.h"
+
+#include <array>
+#include <utility>
+
+#include "absl/strings/str_join.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 10> kFamilies = {{
+    {"wall", "Objects at walls"},
+    {"feature", "Objects and doors, windows, sockets"},
+    {"space", "Objects in the room"},
+    {"pair", "Two objects"},
+    {"group", "Several objects"},
+    {"rug", "Rugs"},
+    {"surface", "Things on top of others"},
+    {"on_wall", "Things that hang on walls"},
+    {"ceiling", "Things that hang from the ceiling"},
+    {"room", "Whole-room terms, which the optimizer adds itself"},
+}};
+
+std::string KindText(v1::ParameterKind kind) {
+  std::string text = v1::ParameterKind_Name(kind).substr(std::string("PARAMETER_KIND_").size());
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string ValueText(const v1::ArgumentValue& value) {
+  switch (value.value_case()) {
+    case v1::ArgumentValue::kText:
+      return value.text();
+    case v1::ArgumentValue::kTexts:
+      return absl::StrJoin(value.texts().items(), ",");
+    case v1::ArgumentValue::kNumber:
+      return fmt::format("{:g}", value.number());
+    case v1::ArgumentValue::kFlag:
+      return value.flag() ? "true" : "false";
+    case v1::ArgumentValue::VALUE_NOT_SET:
+      break;
+  }
+  return "";
+}
+
+std::string RangeText(const v1::ParameterSpec& parameter) {
+  if (!parameter.has_min_number() && !parameter.has_max_number()) return "";
+  return fmt::format("[{}, {}]{}", parameter.has_min_number() ? fmt::format("{:g}", parameter.min_number()) : "-inf",
+                     parameter.has_max_number() ? fmt::format("{:g}", parameter.max_number()) : "inf",
+                     parameter.unit().empty() ? "" : " " + parameter.unit());
+}
+
+std::string DefaultText(const v1::ParameterSpec& parameter) {
+  if (parameter.required()) return "required";
+  return parameter.has_default_value() ? ValueText(parameter.default_value()) : "-";
+}
+
+std::string CallText(const v1::ConstraintType& type, const v1::CallExample& example) {
+  std::string text;
+  for (const v1::Argument& argument : example.arguments()) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", argument.name(), ValueText(argument.value()));
+  }
+  return fmt::format("{}({})", type.name(), text);
+}
+
+std::string TypeMarkdown(const v1::ConstraintType& type) {
+  std::string text = fmt::format("### {}\n\n{}\n\n{}\n", type.name(), type.summary(), type.doc());
+  if (type.aliases_size() > 0) {
+    text += fmt::format("\nAlso read as: `{}`.\n", absl::StrJoin(type.aliases(), "`, `"));
+  }
+  text += "\n| parameter | kind | default | range | meaning |\n| --- | --- | --- | --- | --- |\n";
+  for (const v1::ParameterSpec& parameter : type.parameters()) {
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", parameter.name(), KindText(parameter.kind()),
+                        DefaultText(parameter), RangeText(parameter), parameter.doc());
+  }
+  for (const v1::CallExample& example : type.examples()) {
+    text += fmt::format("\n> {}  \n> `{}`\n", example.sentence(), CallText(type, example));
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string CatalogMarkdown(const v1::ConstraintCatalog& catalog) {
+  std::string text = fmt::format(
+      "# Constraints\n\nWhat `{}` understands. Written by `flair catalog --markdown`; a test fails when it is stale.\n"
+      "Costs are zero exactly where the sentence is true. Lengths are metres, angles radians unless said "
+      "otherwise.\n\n",
+      catalog.library());
+  for (const auto& [family, title] : kFamilies) {
+    text += fmt::format("## {}\n\n", title);
+    for (const v1::ConstraintType& type : catalog.types()) {
+      if (type.family() == family) text += TypeMarkdown(type);
+    }
+  }
+  return text;
+}
+
+std::string TypeText(const v1::ConstraintType& type) {
+  std::string text = fmt::format("{}: {}\n\n{}\n\n", type.name(), type.summary(), type.doc());
+  if (type.aliases_size() > 0) text += fmt::format("also read as {}\n\n", absl::StrJoin(type.aliases(), ", "));
+  for (const v1::ParameterSpec& parameter : type.parameters()) {
+    text += fmt::format("  {:<18} {:<8} {:<10} {:<12} {}\n", parameter.name(), KindText(parameter.kind()),
+                        DefaultText(parameter), RangeText(parameter), parameter.doc());
+  }
+  for (const v1::CallExample& example : type.examples()) {
+    text += fmt::format("\n  \"{}\"\n  {}\n", example.sentence(), CallText(type, example));
+  }
+  return text;
+}
+
+std::string CatalogOverview(const v1::ConstraintCatalog& catalog) {
+  std::string text;
+  for (const v1::ConstraintType& type : catalog.types()) {
+    if (!type.built_in()) text += fmt::format("{:<18} {}\n", type.name(), type.summary());
+  }
+  return text;
+}
+
+}  // namespace flair::cli
