@@ -113,7 +113,7 @@ class WarmSearch {
     });
   }
 
-  // Adds those to blame to `free`; when all of them are free already, their neighbours.
+  // Adds those to blame to `free`; when all of them are free already and things still collide, their neighbours.
   bool Grow(const Grievances& grievances, std::vector<char>& free) const {
     const std::vector<int> blamed = ToBlame(grievances);
     bool grown = false;
@@ -121,7 +121,7 @@ class WarmSearch {
       grown = grown || !free[object];
       free[object] = 1;
     }
-    if (grown || blamed.empty()) return grown;
+    if (grown || blamed.empty() || grievances.depth_m <= kFits_m) return grown;
     for (size_t i = 0; i < free.size(); ++i) {
       if (free[i] || !floor_[i] || !result_.state.placed[i] || !Near(static_cast<int>(i), blamed)) continue;
       free[i] = 1;
@@ -141,8 +141,12 @@ class WarmSearch {
         if (free[i] && floor_[i] && result_.state.placed[i]) stage.objects.push_back(static_cast<int>(i));
       }
       if (stage.objects.empty() || (round > 0 && input_.OutOfTime())) return absl::OkStatus();
+      const std::pair<double, double> before = Trouble(grievances);
       Polish(stage, round, grievances);
-      if (Trouble(grievances) == std::pair<double, double>{0, 0} || !Grow(grievances, free)) return absl::OkStatus();
+      const std::pair<double, double> after = Trouble(grievances);
+      // What more freedom has not mended once, it will not mend: not every constraint survives every edit.
+      const bool in_vain = round > 0 && after.first == 0 && after == before;
+      if (after == std::pair<double, double>{0, 0} || in_vain || !Grow(grievances, free)) return absl::OkStatus();
     }
     return absl::OkStatus();
   }
