@@ -79,6 +79,18 @@ void TakeOutRiders(const SolveInput& input, int carrier, Branch& branch) {
   }
 }
 
+// When something went while less important furniture stays: takes that out too, to see whether the first fits then.
+void MakeRoomForTheImportant(const SolveInput& input, Branch& branch) {
+  int most = 0;
+  for (const LeftOut& left : branch.left_out) most = std::max(most, ImportanceOf(input, left.object));
+  for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
+    const bool lesser = IsSolid(input.scene.objects[i]) && !input.pinned[i] && ImportanceOf(input, i) < most;
+    if (!lesser || !branch.state.placed[i]) continue;
+    TakeOut(branch, i, "");
+    TakeOutRiders(input, i, branch);
+  }
+}
+
 // A layout of a part of the input's objects, as one of the input.
 PartialLayout Widen(const SolveInput& part, const PartialLayout& state, const SolveInput& input) {
   PartialLayout wide(input.scene);
@@ -167,9 +179,10 @@ absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input,
     Branch trial = branches.front();
     LeaveOutOf(input, trial);
     if (trial.left_out.size() == branches.front().left_out.size()) break;
+    if (solve == 0) MakeRoomForTheImportant(input, trial);
     out = trial.left_out;
     if (input.OutOfTime() || solve + 1 == kMostSolves) {
-      branches.front() = std::move(trial);
+      branches.assign(1, std::move(trial));
       break;
     }
     absl::StatusOr<std::vector<Branch>> rest = SolveRest(input, runner, out);

@@ -77,6 +77,17 @@ TEST(LeaveOut, AnObjectLargerThanTheRoomLeavesAnEmptyRoom) {
   EXPECT_EQ(layout.diagnostics(0).code(), "left_out");
 }
 
+TEST(LeaveOut, APrimaryStaysRatherThanWhatWouldFitInItsPlace) {
+  // Two chests fit beside each other, or the bed and one of them.
+  const v1::LayoutGraph graph = Parse(
+      RoomText(2.2, 2.9) + "object_list {" + ObjectText("chest_1", "SECONDARY", "FLOOR", 1.9, 0.8) +
+      ObjectText("chest_2", "SECONDARY", "FLOOR", 1.9, 0.8) + ObjectText("bed", "PRIMARY", "FLOOR", 1.3, 2.0) + "}");
+  const v1::SolvedLayout layout = Solve(graph, v1::MISFIT_POLICY_LEAVE_OUT);
+  EXPECT_TRUE(IsPlaced(layout, "bed"));
+  EXPECT_FALSE(IsPlaced(layout, "chest_1") && IsPlaced(layout, "chest_2"));
+  EXPECT_LT(layout.metrics().deepest_overlap_m(), 1e-6);
+}
+
 TEST(LeaveOut, NeverLeavesOutWhatIsPinned) {
   v1::LayoutGraph graph = Crowded();
   v1::Placement* pin = graph.add_pinned_placements();

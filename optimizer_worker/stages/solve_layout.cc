@@ -14,10 +14,10 @@ absl::StatusOr<SolveResult> SolveLayout(const v1::LayoutGraph& graph, const v1::
   if (!input.ok()) return input.status();
   absl::StatusOr<std::vector<Branch>> branches = Driver(*input, runner).Run();
   if (!branches.ok()) return branches.status();
-  if (input->settings.leave_out_misfits) {
-    branches = SolveWithoutMisfits(*input, runner, *std::move(branches));
-    if (!branches.ok()) return branches.status();
-  }
+  absl::StatusOr<std::vector<Branch>> fitting = SolveWithoutMisfits(*input, runner, *branches);
+  if (!fitting.ok()) return fitting.status();
+  // Placing the misfits last may find room for all of them; when it does not, the policy decides.
+  if (input->settings.leave_out_misfits || fitting->front().left_out.empty()) branches = std::move(fitting);
   return SolveResult{MakeSolvedLayout(*input, *branches), branches->front().durations};
 }
 
