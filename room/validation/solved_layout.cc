@@ -61,7 +61,18 @@ void Check(const v1::SolvedLayout& layout, const Field& at) {
   CheckRegions(layout, known, at["zone_regions"]);
   CheckEdgeOutcomes(layout.edge_outcomes(), known, at["edge_outcomes"]);
   for (int i = 0; i < layout.runner_ups_size(); ++i) {
-    CheckPlacements(layout.runner_ups(i).placements(), known, at["runner_ups"][i]["placements"]);
+    const v1::RunnerUp& runner_up = layout.runner_ups(i);
+    const Field field = at["runner_ups"][i];
+    CheckPlacements(runner_up.placements(), known, field["placements"]);
+    CheckEdgeOutcomes(runner_up.edge_outcomes(), known, field["edge_outcomes"]);
+    CheckDiagnostics(runner_up.diagnostics(), field["diagnostics"]);
+  }
+  for (int i = 0; i < layout.contradictions_size(); ++i) {
+    const Field field = at["contradictions"][i];
+    field["edge_ids"].Count(layout.contradictions(i).edge_ids_size(), 1, 20000, "edges");
+    for (int k = 0; k < layout.contradictions(i).edge_ids_size(); ++k) {
+      field["edge_ids"][k].Refers(layout.contradictions(i).edge_ids(k), edges, "an edge");
+    }
   }
   CheckDiagnostics(layout.diagnostics(), at["diagnostics"]);
   if (!std::isfinite(layout.total_cost())) at["total_cost"].Reject("{} is no number", layout.total_cost());

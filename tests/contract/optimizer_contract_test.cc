@@ -63,6 +63,55 @@ TEST_F(OptimizerContract, EvaluatesGivenPlacements) {
   EXPECT_NEAR(answer->metrics().oob_percent(), 100 * 1.6 * 0.5 / 20, 1e-6);
 }
 
+TEST_F(OptimizerContract, SolvesAgainAfterAnEditAndSaysWhatMoved) {
+  const auto solved = Ask(*stub_, &Service::Solve, Request());
+  ASSERT_TRUE(solved.ok()) << solved.status();
+  v1::ResolveRequest request;
+  request.set_request_id("r3");
+  *request.mutable_solved_layout() = solved->solved_layout();
+  v1::Placement& target = *request.add_edits()->mutable_move_object();
+  target = solved->solved_layout().placements(0);
+  target.set_x_m(2);
+  target.set_y_m(2);
+  const auto answer = Ask(*stub_, &Service::Resolve, request);
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  EXPECT_TRUE(Validate(answer->solved_layout()).ok()) << Validate(answer->solved_layout());
+  EXPECT_EQ(answer->solved_layout().placements(0).x_m(), 2);
+  EXPECT_EQ(answer->solved_layout().graph().pinned_placements_size(), 1);
+  ASSERT_GE(answer->moved_object_ids_size(), 1);
+  EXPECT_EQ(answer->moved_object_ids(0), target.object_id());
+  const bool other_moved = answer->moved_object_ids_size() > 1;
+  EXPECT_EQ(answer->solved_layout().placements(1).SerializeAsString() ==
+                solved->solved_layout().placements(1).SerializeAsString(),
+            !other_moved);
+}
+
+TEST_F(OptimizerContract, ABadEditIsInvalidArgumentAndNamesTheEdit) {
+  const auto solved = Ask(*stub_, &Service::Solve, Request());
+  ASSERT_TRUE(solved.ok()) << solved.status();
+  v1::ResolveRequest request;
+  *request.mutable_solved_layout() = solved->solved_layout();
+  request.add_edits()->set_pin_object_id("ghost");
+  const auto answer = Ask(*stub_, &Service::Resolve, request);
+  EXPECT_EQ(answer.status().code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_THAT(std::string(answer.status().message()), HasSubstr("edits[0]"));
+}
+
+TEST_F(OptimizerContract, PinnedObjectsStayWhereTheyAre) {
+  v1::SolveRequest request = Request();
+  v1::Placement& pin = *request.mutable_layout_graph()->add_pinned_placements();
+  pin.set_object_id(request.layout_graph().object_list().objects(0).id());
+  pin.set_x_m(2.25);
+  pin.set_y_m(2.5);
+  pin.set_theta_rad(0.75);
+  const auto answer = Ask(*stub_, &Service::Solve, request);
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  const v1::Placement& placed = answer->solved_layout().placements(0);
+  EXPECT_EQ(placed.x_m(), 2.25);
+  EXPECT_EQ(placed.y_m(), 2.5);
+  EXPECT_EQ(placed.theta_rad(), 0.75);
+}
+
 TEST_F(OptimizerContract, ABadGraphIsInvalidArgumentAndNamesTheField) {
   v1::SolveRequest request = Request();
   request.mutable_layout_graph()->mutable_object_list()->mutable_objects(0)->set_width_m(-1);
