@@ -8,15 +8,11 @@
 #include "room/geometry/angle.h"
 
 namespace flair::optimizer {
-namespace {
-
 Pose<double> Carried(const Pose<double>& carrier_before, const Pose<double>& carrier_after, const Pose<double>& rider) {
   const Vec2<double> local = FrameOf(carrier_before).ToObject(Center(rider));
   const Vec2<double> p = FrameOf(carrier_after).ToRoom(local.x, local.y);
   return {p.x, p.y, WrapHeading(rider.theta_rad + carrier_after.theta_rad - carrier_before.theta_rad)};
 }
-
-}  // namespace
 
 void Follow(const SolveInput& input, const PartialLayout& before, std::span<const int> movers, PartialLayout& after) {
   std::vector<char> settled(input.scene.objects.size(), 0);

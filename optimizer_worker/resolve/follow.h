@@ -10,6 +10,9 @@
 
 namespace flair::optimizer {
 
+// The pose of a rider that keeps its place relative to its carrier.
+Pose<double> Carried(const Pose<double>& carrier_before, const Pose<double>& carrier_after, const Pose<double>& rider);
+
 // Things that stood on one of `movers` in `before` keep their place on it in `after`, and so does what stands on them.
 // Pinned things and those that are movers themselves do not follow.
 void Follow(const SolveInput& input, const PartialLayout& before, std::span<const int> movers, PartialLayout& after);

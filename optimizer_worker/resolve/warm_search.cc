@@ -38,6 +38,7 @@ class WarmSearch {
   absl::StatusOr<WarmResult> Run() {
     // What the user has moved takes along what stands on it.
     Follow(input_, start_.before, start_.touched, result_.state);
+    BringAlong();
     PlaceNewcomers();
     for (absl::Status (WarmSearch::*step)() : {&WarmSearch::SettleFloor, &WarmSearch::SettleTertiaries}) {
       if (absl::Status status = (this->*step)(); !status.ok()) return status;
@@ -61,6 +62,38 @@ class WarmSearch {
     outcome.set_seed(static_cast<int64_t>(RestartSeed(input_.settings, stage, 0)));
     outcome.set_cost(result.score);
     result_.durations.push_back(absl::Now() - began);
+  }
+
+  // Moves what belongs to an object that the user has moved along with it as one piece, chairs with their table, where
+  // that mends more than it spoils: all of it, or else piece by piece. What is left to mend is for the search.
+  void BringAlong() {
+    for (int leader : start_.touched) {
+      const bool moved = start_.before.placed[leader] && result_.state.placed[leader] &&
+                         !(start_.before.layout[leader] == result_.state.layout[leader]);
+      if (!moved || !IsSolid(input_.scene.objects[leader])) continue;
+      std::vector<int> belongings;
+      for (int partner : input_.partners[leader]) {
+        const bool smaller =
+            input_.scene.objects[partner].footprint.area_m2() < input_.scene.objects[leader].footprint.area_m2();
+        const bool free = floor_[partner] && IsSolid(input_.scene.objects[partner]);
+        if (smaller && free && start_.before.placed[partner] && !IsTouched(partner)) belongings.push_back(partner);
+      }
+      if (belongings.empty() || Bring(leader, belongings) || belongings.size() == 1) continue;
+      for (int one : belongings) Bring(leader, {one});
+    }
+  }
+  bool IsTouched(int object) const { return std::binary_search(start_.touched.begin(), start_.touched.end(), object); }
+  bool Bring(int leader, const std::vector<int>& belongings) {
+    PartialLayout brought = result_.state;
+    for (int object : belongings) {
+      brought.layout[object] =
+          Carried(start_.before.layout[leader], brought.layout[leader], start_.before.layout[object]);
+    }
+    Follow(input_, result_.state, belongings, brought);
+    const auto now = Trouble(FindGrievances(input_, result_.state, start_.baseline));
+    if (!(Trouble(FindGrievances(input_, brought, start_.baseline)) < now)) return false;
+    result_.state = std::move(brought);
+    return true;
   }
 
   // Gives the floor objects without a pose one, among those that stand.
