@@ -243,6 +243,7 @@ bool LayoutSearch::Replace(std::span<const int> objects, double noise, Random& r
 }
 
 SolverReport LayoutSearch::Descend(std::span<const int> objects, const SolverLimits& limits) {
+  if (input_.Stopped()) return {.value = Cost(), .end = SolverEnd::kStoppedEarly};
   ProblemObjective objective(problem_, layout_, {objects.begin(), objects.end()}, true);
   std::vector<double> x = objective.Start();
   Bounds bounds;
