@@ -2,7 +2,9 @@
 #include "optimizer_worker/fanout/fan_out_runner.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -19,6 +21,15 @@ constexpr int kPiecesPerTaker = 4;
 constexpr int kLargestPiece = 32;
 // How often a taker that waits looks whether the caller has gone.
 constexpr std::chrono::milliseconds kGlance(20);
+
+bool SameBits(const RestartResult& a, const RestartResult& b, const std::vector<int>& objects) {
+  const auto bits = [](double value) { return std::bit_cast<uint64_t>(value); };
+  if (bits(a.score) != bits(b.score) || a.evaluations != b.evaluations) return false;
+  return std::all_of(objects.begin(), objects.end(), [&](int object) {
+    const Pose<double>&p = a.state.layout[object], &q = b.state.layout[object];
+    return bits(p.x_m) == bits(q.x_m) && bits(p.y_m) == bits(q.y_m) && bits(p.theta_rad) == bits(q.theta_rad);
+  });
+}
 
 // What a peer answered, checked: it is a stranger.
 absl::StatusOr<std::vector<RestartResult>> ReadOutcomes(const SolveInput& input, const StageSpec& stage,
@@ -67,9 +78,19 @@ class Gathering {
     }
   }
 
-  // The same by way of a peer; ends at its first failure. OK when it never failed by itself.
-  absl::Status WorkThere(int taker, PeerOptimizer& peer, v1::SolveRestartsRequest request) {
-    for (std::optional<RangePlan::Range> range; (range = Next(taker));) {
+  // The same by way of a peer; ends at its first failure. CANCELLED when nothing can be said about the peer.
+  absl::Status WorkThere(int taker, PeerPool& pool, PeerOptimizer& peer, v1::SolveRestartsRequest request) {
+    bool answered = false;
+    while (!Over()) {
+      // Held for the call only: other solves want the peer too.
+      std::optional<PeerPool::Slot> slot = pool.WaitForSlot(peer, [this] { return Over() || Done(); });
+      if (!slot) break;
+      const std::optional<RangePlan::Range> range = TakeNow(taker);
+      if (!range) {
+        slot.reset();
+        if (!WaitForChange()) break;
+        continue;
+      }
       request.set_first_restart(range->first);
       request.set_restart_count(range->count);
       const absl::StatusOr<v1::SolveRestartsResponse> response = peer.SolveRestarts(request, over_);
@@ -78,12 +99,17 @@ class Gathering {
       if (!results.ok()) {
         const bool not_needed = Over();
         GiveUp(*range, taker);
-        return not_needed ? absl::OkStatus() : results.status();
+        if (not_needed) break;
+        return results.status();
       }
       Finish(*range, taker, *std::move(results));
+      answered = true;
     }
-    return absl::OkStatus();
+    return answered ? absl::OkStatus() : absl::CancelledError("not needed any more");
   }
+
+  // Somebody's answer differs from somebody else's. After all takers have ended.
+  bool disagreed() const { return disagreed_; }
 
   // After all takers have ended.
   absl::StatusOr<std::vector<RestartResult>> Results() {
@@ -96,6 +122,10 @@ class Gathering {
   }
 
  private:
+  bool Done() {
+    const std::lock_guard lock(mutex_);
+    return plan_.done();
+  }
   bool Over() { return over_.cancelled() || input_.Cancelled(); }
 
   // Waits for something to do; nullopt when all is done or nobody waits for it.
@@ -110,12 +140,28 @@ class Gathering {
     return std::nullopt;
   }
 
+  std::optional<RangePlan::Range> TakeNow(int taker) {
+    const std::lock_guard lock(mutex_);
+    return plan_.Take(taker);
+  }
+
+  // False when all is done.
+  bool WaitForChange() {
+    std::unique_lock lock(mutex_);
+    if (!plan_.done()) changed_.wait_for(lock, kGlance);
+    return !plan_.done();
+  }
+
   void Finish(const RangePlan::Range& range, int taker, std::vector<RestartResult> results) {
     bool done = false;
     {
       const std::lock_guard lock(mutex_);
       if (plan_.Finish(range, taker)) {
         for (RestartResult& result : results) slots_[static_cast<size_t>(result.restart - first_)] = std::move(result);
+      } else {
+        for (const RestartResult& result : results) {
+          disagreed_ |= !SameBits(result, *slots_[static_cast<size_t>(result.restart - first_)], stage_.objects);
+        }
       }
       done = plan_.done();
     }
@@ -140,6 +186,7 @@ class Gathering {
   std::condition_variable changed_;
   RangePlan plan_;
   std::vector<std::optional<RestartResult>> slots_;
+  bool disagreed_ = false;
   runtime::Cancellation over_;
 };
 
@@ -151,7 +198,15 @@ v1::SolveRestartsRequest RequestFor(const SolveInput& input, const v1::SolveOpti
   *request.mutable_options() = options;
   request.set_stage(std::string(StageName(stage.kind)));
   if (stage.zone >= 0) request.set_zone_id(input.scene.zones[stage.zone].id);
-  for (v1::Placement& placement : MakePlacements(input, before)) *request.add_placements() = std::move(placement);
+  // The poses as they are: MakePlacements would tidy -0 and headings, which this process does not do.
+  for (size_t i = 0; i < before.layout.size(); ++i) {
+    if (!before.placed[i]) continue;
+    v1::Placement& placement = *request.add_placements();
+    placement.set_object_id(input.scene.objects[i].id);
+    placement.set_x_m(before.layout[i].x_m);
+    placement.set_y_m(before.layout[i].y_m);
+    placement.set_theta_rad(before.layout[i].theta_rad);
+  }
   return request;
 }
 
@@ -173,13 +228,17 @@ absl::StatusOr<std::vector<RestartResult>> FanOutRestartRunner::Run(const SolveI
   for (int i = 1; i < own; ++i) threads.emplace_back([&gathering, i] { gathering.WorkHere(i); });
   for (size_t i = 0; i < peers.size(); ++i) {
     threads.emplace_back([&, i] {
-      const absl::Status status = gathering.WorkThere(own + static_cast<int>(i), *peers[i], request);
-      status.ok() ? pool_.ReportSuccess(*peers[i]) : pool_.ReportFailure(*peers[i]);
+      const absl::Status status = gathering.WorkThere(own + static_cast<int>(i), pool_, *peers[i], request);
+      if (status.ok()) pool_.ReportSuccess(*peers[i]);
+      if (!status.ok() && !absl::IsCancelled(status)) pool_.ReportFailure(*peers[i]);
     });
   }
   gathering.WorkHere(0);
   for (std::thread& thread : threads) thread.join();
-  return gathering.Results();
+  if (!gathering.disagreed()) return gathering.Results();
+  // A peer computes something else (another processor, another build) and nobody knows in which answers.
+  for (const PeerOptimizer* peer : peers) pool_.ReportFailure(*peer);
+  return RunRestarts(input, stage, before, first, count);
 }
 
 }  // namespace flair::optimizer

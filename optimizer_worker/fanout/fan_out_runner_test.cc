@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <thread>
 
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
@@ -117,6 +119,39 @@ TEST(FanOut, AStuckPeerHoldsNobodyUp) { EXPECT_TRUE(SolvedWith({Stuck, Stuck}) =
 
 TEST(FanOut, APeerThatAnswersWronglyIsNotBelieved) { EXPECT_TRUE(SolvedWith({Lying}) == SolvedWith({})); }
 
+TEST(FanOut, SeveralSolvesAtOnceShareThePeersAndGiveTheSameBytes) {
+  runtime::FakeClock clock;
+  std::atomic<int> now = 0, most = 0;
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  peers.push_back(std::make_unique<FakePeer>([&](const v1::SolveRestartsRequest& request, runtime::Cancellation&) {
+    const int in_flight = ++now;
+    for (int seen = most; seen < in_flight && !most.compare_exchange_weak(seen, in_flight);) {
+    }
+    absl::StatusOr<v1::SolveRestartsResponse> response = Answer(request);
+    --now;
+    return response;
+  }));
+  PeerPool pool(std::move(peers), clock);
+  v1::SolveOptions options;
+  options.set_seed(3);
+  options.set_max_restart_count(24);
+  options.set_thread_count(1);
+  std::vector<std::string> layouts(6);
+  std::vector<std::thread> threads;
+  for (std::string& layout : layouts) {
+    threads.emplace_back([&] {
+      const FanOutRestartRunner runner(pool, options);
+      absl::StatusOr<SolveResult> result = SolveLayout(Bedroom(), options, NloptSolver(), nullptr, runner);
+      if (result.ok()) layout = result->layout.SerializeAsString();
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  const std::string alone = SolvedWith({}, 1);
+  for (const std::string& layout : layouts) EXPECT_TRUE(layout == alone);
+  EXPECT_GE(most, 1);
+  EXPECT_LE(most, PeerPool::kMostCalls);
+}
+
 TEST(FanOut, AFailureSendsThePeerToRest) {
   runtime::FakeClock clock;
   std::vector<std::unique_ptr<PeerOptimizer>> peers;
@@ -136,6 +171,32 @@ TEST(FanOut, AFailureSendsThePeerToRest) {
   EXPECT_GE(asked, 1);
   ASSERT_TRUE(SolveLayout(Bedroom(), options, NloptSolver(), nullptr, runner).ok());
   EXPECT_EQ(calls, asked) << "it was asked although it rests";
+}
+
+TEST(FanOut, APeerWhoseAnswerDiffersInOneBitIsFoundOutAndNotBelieved) {
+  runtime::FakeClock clock;
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  // Comes too late, so that its piece has been run here as well.
+  peers.push_back(
+      std::make_unique<FakePeer>([](const v1::SolveRestartsRequest& request, runtime::Cancellation& cancellation) {
+        (void)Stuck(request, cancellation);
+        absl::StatusOr<v1::SolveRestartsResponse> response = Answer(request);
+        if (!response.ok()) return response;
+        for (v1::RestartOutcome& outcome : *response->mutable_outcomes()) {
+          outcome.set_cost(std::nextafter(outcome.cost(), -1));
+        }
+        return response;
+      }));
+  PeerPool pool(std::move(peers), clock);
+  v1::SolveOptions options;
+  options.set_seed(3);
+  options.set_max_restart_count(24);
+  options.set_thread_count(1);
+  const FanOutRestartRunner runner(pool, options);
+  const absl::StatusOr<SolveResult> result = SolveLayout(Bedroom(), options, NloptSolver(), nullptr, runner);
+  ASSERT_TRUE(result.ok()) << result.status();
+  EXPECT_TRUE(result->layout.SerializeAsString() == SolvedWith({}, 1));
+  EXPECT_TRUE(pool.Available().empty());
 }
 
 TEST(FanOut, ACancelledCallerEndsIt) {

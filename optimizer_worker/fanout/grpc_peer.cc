@@ -2,6 +2,7 @@
 #include "optimizer_worker/fanout/grpc_peer.h"
 
 #include "flair/v1/optimizer_service.grpc.pb.h"
+#include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/status.h"
 
@@ -13,8 +14,12 @@ constexpr absl::Duration kPatience = absl::Minutes(1);
 
 class GrpcPeer final : public PeerOptimizer {
  public:
-  GrpcPeer(std::string address, const std::shared_ptr<grpc::Channel>& channel, const runtime::Clock& clock)
-      : address_(std::move(address)), stub_(v1::OptimizerService::NewStub(channel)), clock_(clock) {}
+  GrpcPeer(std::string address, std::string producer, const std::shared_ptr<grpc::Channel>& channel,
+           const runtime::Clock& clock)
+      : address_(std::move(address)),
+        producer_(std::move(producer)),
+        stub_(v1::OptimizerService::NewStub(channel)),
+        clock_(clock) {}
 
   const std::string& name() const override { return address_; }
 
@@ -29,22 +34,36 @@ class GrpcPeer final : public PeerOptimizer {
       status = stub_->SolveRestarts(&context, request, &response);
     }
     if (!status.ok()) return runtime::FromGrpcStatus(status);
+    const auto& metadata = context.GetServerInitialMetadata();
+    const auto producer = metadata.find(kProducerMetadata);
+    const std::string theirs =
+        producer == metadata.end() ? "" : std::string(producer->second.data(), producer->second.size());
+    if (theirs != producer_) {
+      return absl::FailedPreconditionError(
+          fmt::format("peer {} is \"{}\", this optimizer \"{}\": equal ones are needed", address_, theirs, producer_));
+    }
     return response;
   }
 
  private:
   const std::string address_;
+  const std::string producer_;
   const std::unique_ptr<v1::OptimizerService::Stub> stub_;
   const runtime::Clock& clock_;
 };
 
 }  // namespace
 
-absl::StatusOr<std::unique_ptr<PeerOptimizer>> MakeGrpcPeer(const std::string& address, const runtime::Clock& clock) {
+std::string ProducerText(const v1::Producer& producer) {
+  return fmt::format("{} {} {}", producer.program(), producer.method(), producer.version());
+}
+
+absl::StatusOr<std::unique_ptr<PeerOptimizer>> MakeGrpcPeer(const std::string& address, const v1::Producer& producer,
+                                                            const runtime::Clock& clock) {
   absl::StatusOr<std::shared_ptr<grpc::Channel>> channel =
       runtime::MakeChannel(address, v1::OptimizerService::service_full_name());
   if (!channel.ok()) return channel.status();
-  return std::make_unique<GrpcPeer>(address, *channel, clock);
+  return std::make_unique<GrpcPeer>(address, ProducerText(producer), *channel, clock);
 }
 
 }  // namespace flair::optimizer

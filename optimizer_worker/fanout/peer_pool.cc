@@ -2,17 +2,20 @@
 #include "optimizer_worker/fanout/peer_pool.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace flair::optimizer {
 namespace {
 
 constexpr absl::Duration kFirstRest = absl::Seconds(1), kLongestRest = absl::Minutes(1);
 constexpr int kMostDoublings = 6;
+// How often one who waits looks whether it still wants to.
+constexpr std::chrono::milliseconds kGlance(5);
 
 }  // namespace
 
 PeerPool::PeerPool(std::vector<std::unique_ptr<PeerOptimizer>> peers, const runtime::Clock& clock) : clock_(clock) {
-  for (std::unique_ptr<PeerOptimizer>& peer : peers) peers_.push_back({std::move(peer), 0, absl::ZeroDuration()});
+  for (std::unique_ptr<PeerOptimizer>& peer : peers) peers_.emplace_back().peer = std::move(peer);
 }
 
 PeerPool::Entry& PeerPool::EntryOf(const PeerOptimizer& peer) {
@@ -38,6 +41,36 @@ void PeerPool::ReportFailure(const PeerOptimizer& peer) {
 void PeerPool::ReportSuccess(const PeerOptimizer& peer) {
   const std::lock_guard lock(mutex_);
   EntryOf(peer).failures = 0;
+}
+
+std::optional<PeerPool::Slot> PeerPool::WaitForSlot(const PeerOptimizer& peer, const std::function<bool()>& gives_up) {
+  std::unique_lock lock(mutex_);
+  Entry& entry = EntryOf(peer);
+  const int64_t ticket = next_ticket_++;
+  entry.queue.push_back(ticket);
+  bool mine = false, tired = false;
+  while (!mine && !tired) {
+    mine = entry.queue.front() == ticket && entry.calls < kMostCalls;
+    if (mine) break;
+    changed_.wait_for(lock, kGlance);
+    lock.unlock();
+    tired = gives_up();
+    lock.lock();
+  }
+  entry.queue.erase(std::find(entry.queue.begin(), entry.queue.end(), ticket));
+  if (mine) ++entry.calls;
+  lock.unlock();
+  changed_.notify_all();
+  if (!mine) return std::nullopt;
+  return std::optional<Slot>(std::in_place, *this, peer);
+}
+
+void PeerPool::Leave(const PeerOptimizer& peer) {
+  {
+    const std::lock_guard lock(mutex_);
+    --EntryOf(peer).calls;
+  }
+  changed_.notify_all();
 }
 
 }  // namespace flair::optimizer

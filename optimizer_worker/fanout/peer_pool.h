@@ -2,8 +2,13 @@
 // The peers of this optimizer, and which of them are worth asking now.
 #pragma once
 
+#include <condition_variable>
+#include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "optimizer_worker/fanout/peer_optimizer.h"
@@ -11,9 +16,28 @@
 
 namespace flair::optimizer {
 
-// Thread-safe. A peer that fails rests for a second, then two, four ... up to a minute; one success ends that.
+// Thread-safe. All solves of this process share the peers: a peer has at most kMostCalls calls at a time, and who waits
+// for one is served in the order of coming. A peer that fails rests for a second, then two, four ... up to a minute;
+// one success ends that.
 class PeerPool {
  public:
+  static constexpr int kMostCalls = 2;
+
+  // The right to one call; ends with the object.
+  class Slot {
+   public:
+    Slot(PeerPool& pool, const PeerOptimizer& peer) : pool_(&pool), peer_(&peer) {}
+    Slot(Slot&& other) noexcept : pool_(std::exchange(other.pool_, nullptr)), peer_(other.peer_) {}
+    Slot& operator=(Slot&&) = delete;
+    ~Slot() {
+      if (pool_ != nullptr) pool_->Leave(*peer_);
+    }
+
+   private:
+    PeerPool* pool_;
+    const PeerOptimizer* peer_;
+  };
+
   // `clock` must outlive the pool.
   PeerPool(std::vector<std::unique_ptr<PeerOptimizer>> peers, const runtime::Clock& clock);
 
@@ -22,17 +46,25 @@ class PeerPool {
   std::vector<PeerOptimizer*> Available() const;
   void ReportFailure(const PeerOptimizer& peer);
   void ReportSuccess(const PeerOptimizer& peer);
+  // Waits until `peer` may be called; nullopt once `gives_up` says so, which is asked every few milliseconds.
+  std::optional<Slot> WaitForSlot(const PeerOptimizer& peer, const std::function<bool()>& gives_up);
 
  private:
   struct Entry {
     std::unique_ptr<PeerOptimizer> peer;
     int failures = 0;
     absl::Duration rests_until = absl::ZeroDuration();
+    int calls = 0;
+    // Those who wait for a call, by ticket.
+    std::deque<int64_t> queue;
   };
+  void Leave(const PeerOptimizer& peer);
   Entry& EntryOf(const PeerOptimizer& peer);
 
   const runtime::Clock& clock_;
   mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  int64_t next_ticket_ = 0;
   std::vector<Entry> peers_;
 };
 

@@ -52,5 +52,24 @@ TEST(PeerPool, OnePeersFailureLeavesTheOthers) {
   EXPECT_EQ(pool.Available()[0], second);
 }
 
+TEST(PeerPool, APeerHasABoundedNumberOfCallsAndOneThatEndsMakesRoom) {
+  runtime::FakeClock clock;
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  peers.push_back(std::make_unique<IdlePeer>());
+  peers.push_back(std::make_unique<IdlePeer>());
+  PeerPool pool(std::move(peers), clock);
+  const PeerOptimizer &busy = *pool.Available()[0], &free = *pool.Available()[1];
+  const auto at_once = [] { return true; };
+  std::vector<std::optional<PeerPool::Slot>> slots;
+  for (int i = 0; i < PeerPool::kMostCalls; ++i) {
+    slots.push_back(pool.WaitForSlot(busy, at_once));
+    EXPECT_TRUE(slots.back().has_value());
+  }
+  EXPECT_FALSE(pool.WaitForSlot(busy, at_once).has_value());
+  EXPECT_TRUE(pool.WaitForSlot(free, at_once).has_value());
+  slots.back().reset();
+  EXPECT_TRUE(pool.WaitForSlot(busy, at_once).has_value());
+}
+
 }  // namespace
 }  // namespace flair::optimizer

@@ -6,6 +6,7 @@
 #include "optimizer_worker/fanout/grpc_peer.h"
 #include "optimizer_worker/service/evaluate_handler.h"
 #include "optimizer_worker/service/list_constraint_types_handler.h"
+#include "optimizer_worker/service/producer.h"
 #include "optimizer_worker/service/resolve_handler.h"
 #include "optimizer_worker/service/solve_handler.h"
 #include "optimizer_worker/service/solve_restarts_handler.h"
@@ -31,6 +32,7 @@ class Service final : public v1::OptimizerService::CallbackService {
   }
   grpc::ServerUnaryReactor* SolveRestarts(grpc::CallbackServerContext* context, const v1::SolveRestartsRequest* request,
                                           v1::SolveRestartsResponse* response) override {
+    context->AddInitialMetadata(kProducerMetadata, ProducerText(OptimizerProducer()));
     return runtime::ServeUnary(worker_, "SolveRestarts", context, request, response, solve_restarts_);
   }
   grpc::ServerUnaryReactor* Resolve(grpc::CallbackServerContext* context, const v1::ResolveRequest* request,
@@ -59,7 +61,8 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeOptimizerService(const config
                                                                     runtime::WorkerContext& worker) {
   std::vector<std::unique_ptr<PeerOptimizer>> peers;
   for (int i = 0; i < config.peer_addresses_size(); ++i) {
-    absl::StatusOr<std::unique_ptr<PeerOptimizer>> peer = MakeGrpcPeer(config.peer_addresses(i), worker.clock);
+    absl::StatusOr<std::unique_ptr<PeerOptimizer>> peer =
+        MakeGrpcPeer(config.peer_addresses(i), OptimizerProducer(), worker.clock);
     if (!peer.ok()) {
       return absl::InvalidArgumentError(fmt::format("peer_addresses[{}]: {}", i, std::string(peer.status().message())));
     }
