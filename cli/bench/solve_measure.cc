@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bench/solve_measure.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "cli/bench/statistics.h"
@@ -21,6 +22,16 @@ Quality QualityOf(const Message& message) {
     quality.dropped += edge.status() == v1::OUTCOME_STATUS_DROPPED;
   }
   return quality;
+}
+
+// The first stage whose account differs; the metrics and outcomes come after all stages.
+std::string FirstDifference(const v1::SolvedLayout& a, const v1::SolvedLayout& b) {
+  const int count = std::min(a.stage_outcomes_size(), b.stage_outcomes_size());
+  for (int i = 0; i < count; ++i) {
+    const v1::StageOutcome& stage = a.stage_outcomes(i);
+    if (stage.SerializeAsString() != b.stage_outcomes(i).SerializeAsString()) return stage.stage();
+  }
+  return "report";
 }
 
 std::optional<Quality> MeasureRecorded(const BenchProblem& problem, const v1::SolveOptions& options,
@@ -74,7 +85,8 @@ absl::StatusOr<SolveMeasure> MeasureSolve(const BenchProblem& problem, const v1:
     if (!result.ok()) return result.status();
     if (i > 0 && result->layout.SerializeAsString() != measure.layout.SerializeAsString()) {
       return absl::InternalError(
-          fmt::format("solve {} of {} gave another layout than the ones before", i + 1, repeats));
+          fmt::format("solve {} of {} gave another layout than the ones before, from stage {} on", i + 1, repeats,
+                      FirstDifference(measure.layout, result->layout)));
     }
     measure.layout = std::move(result->layout);
     measure.stages = runner.Tallies();

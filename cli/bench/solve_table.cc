@@ -85,7 +85,7 @@ std::string BesideRecorded(const Measures& all) {
 TextTable SolveTable(size_t name_width) {
   return TextTable({"room", "objs", "CPU ms", "runs", "evals k", "primary", "second", "polish", "tertiary", "OOB %",
                     "OOR %", "deep mm", "floor", "fronts", "path m3", "held", "missed", "path rec", "held rec"},
-                   name_width, 5);
+                   name_width);
 }
 
 std::vector<std::string> SolveCells(const SolveMeasure& m) {

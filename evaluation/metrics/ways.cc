@@ -3,6 +3,7 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/hilbert_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -110,19 +111,34 @@ Vec2<double> ThirdVertex(const Delaunay& delaunay, Delaunay::Face_handle face, i
   return {p.x(), p.y()};
 }
 
+// The finite edges, each seen from the triangle in which its lesser end comes first.
+std::vector<Delaunay::Edge> EdgesInOrder(const Delaunay& delaunay) {
+  std::vector<Delaunay::Edge> edges;
+  for (auto face = delaunay.all_faces_begin(); face != delaunay.all_faces_end(); ++face) {
+    for (int index = 0; index < 3; ++index) {
+      const auto a = face->vertex(Delaunay::cw(index)), b = face->vertex(Delaunay::ccw(index));
+      if (delaunay.is_infinite(a) || delaunay.is_infinite(b) || !(a->point() < b->point())) continue;
+      edges.emplace_back(face, index);
+    }
+  }
+  return edges;
+}
+
 }  // namespace
 
 std::vector<WayPiece> FindWays(const LayoutView& view) {
   const std::vector<Solid> solids = SolidsOf(view);
-  const std::vector<Point> samples = SampleBoundary(view, solids);
-  // One after the other: inserting a range shuffles it by a generator that all of the process shares, and the sum of the
-  // pieces would differ in its last bits from call to call. Samples follow each other, so the last one is a good hint.
+  std::vector<Point> samples = SampleBoundary(view, solids);
+  // In the order of a Hilbert curve, one after the other: inserting a range shuffles it by a generator that all of the
+  // process shares, and the sum of the pieces would differ in its last bits from call to call. On the curve the last
+  // sample is a good hint for the next one, and no long thin triangles are flipped again and again.
+  CGAL::hilbert_sort(samples.begin(), samples.end());
   Delaunay delaunay;
   Delaunay::Face_handle hint;
   for (const Point& sample : samples) hint = delaunay.insert(sample, hint)->face();
   std::vector<WayPiece> pieces;
-  for (auto edge = delaunay.finite_edges_begin(); edge != delaunay.finite_edges_end(); ++edge) {
-    const auto& [face, index] = *edge;
+  // CGAL's own list of edges takes each from the triangle of lower address, which differs from call to call.
+  for (const auto& [face, index] : EdgesInOrder(delaunay)) {
     const auto neighbour = face->neighbor(index);
     const Point& a = face->vertex(Delaunay::cw(index))->point();
     const Point& b = face->vertex(Delaunay::ccw(index))->point();

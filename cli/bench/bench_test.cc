@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "cli/bench/problem.h"
+#include "cli/bench/solve_json.h"
+#include "cli/bench/solve_measure.h"
+#include "cli/bench/solve_table.h"
+#include "cli/bench/statistics.h"
+#include "cli/output/layout_artifact.h"
+#include "fmt/format.h"
+#include "nlohmann/json.hpp"
+
+namespace flair::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const fs::path kStudy = FLAIR_SOURCE_DIR "/evaluation/readers/testdata/small_study.json";
+
+class BenchTest : public testing::Test {
+ protected:
+  BenchTest() : folder_(fs::path(testing::TempDir()) / fmt::format("flair_bench_{}", getpid())) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "bedroom");
+  }
+  ~BenchTest() override { fs::remove_all(folder_); }
+  void Write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+  }
+  const fs::path folder_;
+};
+
+BenchProblem Study() { return ReadBenchProblem({"small_study", kStudy}).value(); }
+
+const SolveMeasure& Measure() {
+  static const SolveMeasure measure = [] {
+    v1::SolveOptions options;
+    options.set_seed(0);
+    options.set_thread_count(1);
+    return MeasureSolve(Study(), options, 2).value();
+  }();
+  return measure;
+}
+
+TEST_F(BenchTest, FilesAndGraphsOfDesignsAreListedByName) {
+  for (const char* name : {"b.json", "a.pb", "notes.txt", "bedroom/graph.pb", "bedroom/room.pb"}) Write(name, "x");
+  const absl::StatusOr<std::vector<ProblemFile>> files = ListProblemFiles(folder_);
+  ASSERT_TRUE(files.ok()) << files.status();
+  std::vector<std::string> names;
+  for (const ProblemFile& file : *files) names.push_back(file.name);
+  EXPECT_THAT(names, ElementsAre("a", "b", "bedroom"));
+}
+
+TEST_F(BenchTest, FoldersWithoutProblemsAreNotFound) {
+  EXPECT_EQ(ListProblemFiles(folder_).status().code(), absl::StatusCode::kNotFound);
+  EXPECT_EQ(ListProblemFiles(folder_ / "none").status().code(), absl::StatusCode::kNotFound);
+}
+
+TEST_F(BenchTest, GraphsAndLayoutsOfOursAreProblems) {
+  Write("graph.pb", GraphArtifactBytes(Study().graph));
+  Write("layout.pb", LayoutArtifactBytes(*Study().recorded));
+  const absl::StatusOr<BenchProblem> graph = ReadBenchProblem({"graph", folder_ / "graph.pb"});
+  const absl::StatusOr<BenchProblem> layout = ReadBenchProblem({"layout", folder_ / "layout.pb"});
+  ASSERT_TRUE(graph.ok() && layout.ok());
+  EXPECT_EQ(graph->graph.SerializeAsString(), Study().graph.SerializeAsString());
+  EXPECT_FALSE(graph->recorded);
+  EXPECT_EQ(layout->graph.SerializeAsString(), Study().graph.SerializeAsString());
+  EXPECT_TRUE(layout->recorded);
+}
+
+TEST_F(BenchTest, FilesOfAnotherKindAreRefusedWithAReason) {
+  Write("bad.json", "{\"a\":");
+  const absl::StatusOr<BenchProblem> problem = ReadBenchProblem({"bad", folder_ / "bad.json"});
+  EXPECT_EQ(problem.status().code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_THAT(std::string(problem.status().message()), HasSubstr("neither a graph, nor a layout"));
+}
+
+TEST(SolveMeasureTest, CountsTheWorkOfEveryStage) {
+  const SolveMeasure& measure = Measure();
+  EXPECT_GT(measure.cpu_s, 0);
+  for (const StageTally& stage : measure.stages) {
+    EXPECT_GT(stage.restarts, 0);
+    EXPECT_GT(stage.evaluations, 0);
+    EXPECT_GT(stage.cpu_s, 0);
+    EXPECT_LE(stage.cpu_s, measure.cpu_s);
+  }
+  // The account of the branch that won is part of it.
+  int64_t winner = 0;
+  for (const v1::StageOutcome& outcome : measure.layout.stage_outcomes()) winner += outcome.evaluation_count();
+  EXPECT_LE(winner, measure.evaluation_count());
+}
+
+TEST(SolveMeasureTest, MeasuresTheRecordedLayoutOnTheSameScale) {
+  const SolveMeasure& measure = Measure();
+  ASSERT_TRUE(measure.recorded);
+  EXPECT_EQ(measure.quality.held + measure.quality.missed + measure.quality.dropped, Study().graph.edges_size());
+  EXPECT_EQ(measure.recorded->held + measure.recorded->missed + measure.recorded->dropped, Study().graph.edges_size());
+  EXPECT_GE(measure.quality.held, measure.recorded->held);
+}
+
+TEST(SolveMeasureTest, AProblemThatDoesNotValidateIsAnError) {
+  BenchProblem problem = Study();
+  problem.graph.mutable_object_list()->mutable_objects(0)->set_width_m(-1);
+  EXPECT_EQ(MeasureSolve(problem, {}, 1).status().code(), absl::StatusCode::kInvalidArgument);
+}
+
+TEST(SolveTableTest, RowsHaveACellForEveryTitle) {
+  EXPECT_EQ(SolveCells(Measure()).size(), 19u);
+  const std::string header = SolveTable(12).Header(), row = SolveTable(12).Row(SolveCells(Measure()));
+  EXPECT_EQ(row.find('\n'), header.find('\n')) << header << row;
+}
+
+TEST(SolveTableTest, TheSummaryComparesWithTheRecordedLayout) {
+  const std::string summary = SolveSummary({Measure()}, 10);
+  EXPECT_THAT(summary, HasSubstr("1 rooms: CPU median"));
+  EXPECT_THAT(summary, HasSubstr("mean over 1 rooms with a recorded layout"));
+  EXPECT_THAT(summary, HasSubstr("10.0 MiB before the first solve"));
+}
+
+TEST(SolveJsonTest, HoldsRoomsFailuresAndMissedConstraints) {
+  const auto json = nlohmann::json::parse(SolveMeasuresToJson({Measure()}, {{"bad.json", "no"}}, 10));
+  EXPECT_EQ(json["rooms"][0]["name"], "small_study");
+  EXPECT_EQ(json["rooms"][0]["missed"].size(), static_cast<size_t>(Measure().quality.missed));
+  EXPECT_EQ(json["failures"][0]["reason"], "no");
+  EXPECT_EQ(json["summary"]["rooms"], 1);
+}
+
+TEST(Statistics, QuantilesAreValuesOfTheSample) {
+  EXPECT_EQ(Quantile({}, 0.5), 0);
+  EXPECT_EQ(Quantile({3, 1, 2}, 0.5), 2);
+  EXPECT_EQ(Quantile({3, 1, 2}, 0), 1);
+  EXPECT_EQ(Quantile({3, 1, 2}, 1), 3);
+  EXPECT_EQ(Mean({1, 2, 6}), 3);
+}
+
+}  // namespace
+}  // namespace flair::cli
