@@ -32,10 +32,16 @@ struct Floor {
 Floor EmptyFloor(const Room& room, const WalkRaster& raster, double radius_m) {
   Floor floor{CellSet(raster.size(), 0), CellSet(raster.size(), 0)};
   for (int r = 0; r < raster.rows(); ++r) {
-    for (int c = 0; c < raster.columns(); ++c) {
+    for (int c = 0; c < raster.columns();) {
       const double distance = SignedDistance(room.floor, raster.CenterOf(c, r));
-      floor.free[raster.IndexOf(c, r)] = distance >= 0;
-      floor.roomy[raster.IndexOf(c, r)] = distance >= radius_m;
+      const char free = distance >= 0, roomy = distance >= radius_m;
+      // The distance changes by no more than the way walked: for so many cells the answers stay the same.
+      const double to_change = std::min(std::abs(distance), std::abs(distance - radius_m));
+      const int same = std::max(1, static_cast<int>(to_change / raster.cell_m()) - 1);
+      for (const int end = std::min(raster.columns(), c + same); c < end; ++c) {
+        floor.free[raster.IndexOf(c, r)] = free;
+        floor.roomy[raster.IndexOf(c, r)] = roomy;
+      }
     }
   }
   return floor;
