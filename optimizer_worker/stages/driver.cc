@@ -48,7 +48,7 @@ void Driver::Record(Branch& branch, const StageSpec& stage, const std::vector<Re
   outcome.set_evaluation_count(evaluations);
   outcome.set_seed(static_cast<int64_t>(RestartSeed(input_.settings, stage, branch.first_restart)));
   outcome.set_cost(results[taken].score);
-  outcome.set_stopped_early(static_cast<int>(results.size()) < RestartsOf(stage));
+  outcome.set_stopped_early(static_cast<int>(results.size()) < RestartsOf(stage) || input_.OutOfTime());
   branch.durations.push_back(absl::Now() - started);
   branch.state = results[taken].state;
   branch.score = results[taken].score;
