@@ -133,5 +133,68 @@ TEST_F(OptimizerContract, AnEdgeOfNoKnownTypeIsNoReasonToFail) {
   EXPECT_NE(answer->solved_layout().edge_outcomes(0).reason(), "");
 }
 
+// Restarts are a pure function of their numbers: what lets a solve be spread over several servers.
+TEST_F(OptimizerContract, RestartsDoNotDependOnHowTheirRangeIsCut) {
+  v1::SolveRestartsRequest request;
+  *request.mutable_layout_graph() = BedroomGraph();
+  request.mutable_options()->set_seed(5);
+  request.set_stage("primary");
+  request.set_restart_count(5);
+  const auto whole = Ask(*stub_, &Service::SolveRestarts, request);
+  ASSERT_TRUE(whole.ok()) << whole.status();
+  ASSERT_EQ(whole->outcomes_size(), 5);
+  std::string pieces, together;
+  for (const auto& [first, count] : {std::pair(0, 1), std::pair(1, 3), std::pair(4, 1)}) {
+    request.set_first_restart(first);
+    request.set_restart_count(count);
+    const auto piece = Ask(*stub_, &Service::SolveRestarts, request);
+    ASSERT_TRUE(piece.ok()) << piece.status();
+    for (const v1::RestartOutcome& outcome : piece->outcomes()) pieces += outcome.SerializeAsString();
+  }
+  for (const v1::RestartOutcome& outcome : whole->outcomes()) together += outcome.SerializeAsString();
+  EXPECT_TRUE(pieces == together);
+}
+
+TEST_F(OptimizerContract, BadRestartsAreInvalidArgumentAndNameTheField) {
+  v1::SolveRestartsRequest good;
+  *good.mutable_layout_graph() = BedroomGraph();
+  good.set_stage("primary");
+  good.set_restart_count(1);
+  const auto refused = [&](const v1::SolveRestartsRequest& request, const char* field) {
+    const auto answer = Ask(*stub_, &Service::SolveRestarts, request);
+    EXPECT_EQ(answer.status().code(), absl::StatusCode::kInvalidArgument) << field;
+    EXPECT_THAT(std::string(answer.status().message()), HasSubstr(field));
+  };
+  v1::SolveRestartsRequest bad = good;
+  bad.set_stage("quaternary");
+  refused(bad, "stage");
+  bad = good;
+  bad.set_restart_count(1001);
+  refused(bad, "restart_count");
+  bad = good;
+  bad.set_first_restart(-1);
+  refused(bad, "first_restart");
+  bad = good;
+  bad.set_stage("secondary");
+  bad.set_zone_id("nowhere");
+  refused(bad, "zone_id");
+  bad = good;
+  bad.add_placements()->set_object_id("ghost");
+  refused(bad, "placements[0].object_id");
+}
+
+// Would take minutes.
+TEST_F(OptimizerContract, ADeadlineEndsASolve) {
+  v1::SolveRequest request = Request();
+  request.mutable_options()->set_max_restart_count(10000);
+  request.mutable_options()->set_thread_count(1);
+  runtime::CallContext call;
+  const auto answer =
+      runtime::UnaryRequest(*stub_, &Service::Solve, request, call, absl::Now() + absl::Milliseconds(300));
+  EXPECT_EQ(answer.status().code(), absl::StatusCode::kDeadlineExceeded) << answer.status();
+  // The server is free again at once.
+  EXPECT_TRUE(Ask(*stub_, &Service::Solve, Request()).ok());
+}
+
 }  // namespace
 }  // namespace flair::testing
