@@ -179,6 +179,14 @@ absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input,
     Branch trial = branches.front();
     LeaveOutOf(input, trial);
     if (trial.left_out.size() == branches.front().left_out.size()) break;
+    // For a picture nobody moves the furniture.
+    const bool floor_fits = std::none_of(trial.left_out.begin(), trial.left_out.end(), [&](const LeftOut& left) {
+      return IsSolid(input.scene.objects[left.object]);
+    });
+    if (floor_fits) {
+      branches.front() = std::move(trial);
+      break;
+    }
     if (solve == 0) MakeRoomForTheImportant(input, trial);
     out = trial.left_out;
     if (input.OutOfTime() || solve + 1 == kMostSolves) {
@@ -191,6 +199,10 @@ absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input,
     for (Branch& branch : branches) branch.left_out = out;
   }
   if (!branches.front().left_out.empty()) PutBackWhatFits(input, branches.front());
+  // Variants do without what does not fit in them.
+  for (size_t i = 1; i < branches.size(); ++i) {
+    if (branches[i].complete) LeaveOutOf(input, branches[i]);
+  }
   return branches;
 }
 

@@ -17,8 +17,8 @@ namespace flair::optimizer {
 void LeaveOutOf(const SolveInput& input, Branch& branch);
 
 // The same for the best of `branches`, then solves the rest anew and puts back, most important first, what fits after
-// all: sometimes everything. Nothing stays out for something less important that fits only without it. Returns
-// `branches` when everything fits. Errors as Driver::Run.
+// all: sometimes everything. Other complete branches lose what does not fit in them. Nothing stays out for something
+// less important that fits only without it. Returns `branches` when everything fits. Errors as Driver::Run.
 absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input, const RestartRunner& runner,
                                                         std::vector<Branch> branches);
 

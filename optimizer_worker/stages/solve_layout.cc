@@ -17,7 +17,11 @@ absl::StatusOr<SolveResult> SolveLayout(const v1::LayoutGraph& graph, const v1::
   absl::StatusOr<std::vector<Branch>> fitting = SolveWithoutMisfits(*input, runner, *branches);
   if (!fitting.ok()) return fitting.status();
   // Placing the misfits last may find room for all of them; when it does not, the policy decides.
-  if (input->settings.leave_out_misfits || fitting->front().left_out.empty()) branches = std::move(fitting);
+  if (input->settings.leave_out_misfits) {
+    branches = std::move(fitting);
+  } else if (fitting->front().left_out.empty()) {
+    branches->front() = std::move(fitting->front());
+  }
   return SolveResult{MakeSolvedLayout(*input, *branches), branches->front().durations};
 }
 
