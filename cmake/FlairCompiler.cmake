@@ -10,7 +10,7 @@ add_compile_options(-Wall -Wextra -Wno-unused-parameter -Werror=return-type -Wer
 add_compile_options(-ffp-contract=off)
 
 if(FLAIR_SANITIZE)
-  add_compile_options(-fsanitize=${FLAIR_SANITIZE} -fno-omit-frame-pointer -g1)
+  add_compile_options(-fsanitize=${FLAIR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${FLAIR_SANITIZE})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     # CGAL casts faces of arrangements to a class that they are not of; GCC's build, which has this check, lets it pass.

@@ -149,7 +149,9 @@ std::vector<WayPiece> FindWays(const LayoutView& view) {
     const auto end = [&](const auto& cell, double beyond) {
       if (delaunay.is_infinite(cell)) return beyond;
       const Point center = delaunay.dual(cell);
-      return Dot(Vec2<double>{center.x(), center.y()} - middle, along);
+      const double at = Dot(Vec2<double>{center.x(), center.y()} - middle, along);
+      // A triangle that is flat but for rounding has its centre nowhere.
+      return std::isfinite(at) ? at : beyond;
     };
     const double reach = Distance(pa, pb) / 2;
     const bool ahead = Dot(along, ThirdVertex(delaunay, face, index, neighbour) - middle) > 0;
