@@ -99,6 +99,16 @@ class Editor {
     }
   }
 
+  // The surface objects that an edge names together with `id`.
+  void TouchRidersOf(const std::string& id, const v1::ConstraintEdge& edge) {
+    const auto named = [&](const v1::Argument& argument) { return argument.value().text() == id; };
+    if (std::none_of(edge.arguments().begin(), edge.arguments().end(), named)) return;
+    for (const v1::Argument& argument : edge.arguments()) {
+      const v1::Object* object = FindObject(argument.value().text());
+      if (object != nullptr && object->kind() == v1::OBJECT_KIND_SURFACE) problem_.touched.insert(object->id());
+    }
+  }
+
   absl::Status Move(const v1::Placement& target) {
     if (FindObject(target.object_id()) == nullptr) return Wrong(NoObject("move_object", target.object_id()));
     if (!std::isfinite(target.theta_rad()) || std::abs(target.theta_rad()) > 1e6) {
@@ -175,6 +185,7 @@ class Editor {
     for (const v1::Object& object : graph().object_list().objects()) {
       if (object.host_id() == id) problem_.touched.insert(object.id());
     }
+    for (const v1::ConstraintEdge& edge : graph().edges()) TouchRidersOf(id, edge);
     for (v1::Diagnostic& diagnostic : RemoveObjects({id}, graph()))
       problem_.diagnostics.push_back(std::move(diagnostic));
     std::erase_if(problem_.placements, [&](const v1::Placement& p) { return p.object_id() == id; });

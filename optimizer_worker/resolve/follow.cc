@@ -8,6 +8,13 @@
 #include "room/geometry/angle.h"
 
 namespace flair::optimizer {
+namespace {
+
+// Nobody puts a lamp on top of a wardrobe.
+constexpr double kReach_m = 1.3;
+
+}  // namespace
+
 Pose<double> Carried(const Pose<double>& carrier_before, const Pose<double>& carrier_after, const Pose<double>& rider) {
   const Vec2<double> local = FrameOf(carrier_before).ToObject(Center(rider));
   const Vec2<double> p = FrameOf(carrier_after).ToRoom(local.x, local.y);
@@ -33,6 +40,39 @@ void Follow(const SolveInput& input, const PartialLayout& before, std::span<cons
       queue.push_back(i);
     }
   }
+}
+
+void PutOnNearestTop(const SolveInput& input, int object, PartialLayout& state) {
+  const Scene& scene = input.scene;
+  const Footprint& footprint = scene.objects[object].footprint;
+  const Vec2<double> from = Center(state.layout[object]);
+  std::vector<int> tops;
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+    const Object& top = scene.objects[i];
+    const bool holds = top.footprint.width_m >= footprint.width_m && top.footprint.depth_m >= footprint.depth_m;
+    if (state.placed[i] && IsSolid(top) && holds && top.height_m <= kReach_m) tops.push_back(i);
+  }
+  std::stable_sort(tops.begin(), tops.end(), [&](int a, int b) {
+    return Distance(Center(state.layout[a]), from) < Distance(Center(state.layout[b]), from);
+  });
+  const auto free = [&](const Pose<double>& pose) {
+    const Box<double> box(footprint, FrameOf(pose));
+    for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+      if (i == object || !state.placed[i] || scene.objects[i].kind != ObjectKind::kSurface) continue;
+      if (Separate(Box<double>(scene.objects[i].footprint, FrameOf(state.layout[i])), box).gap_m < 0) return false;
+    }
+    return true;
+  };
+  for (int top : tops) {
+    const double u = (scene.objects[top].footprint.width_m - footprint.width_m) / 2;
+    for (double along : {0.0, -u, u}) {
+      const Vec2<double> p = FrameOf(state.layout[top]).ToRoom(along, 0);
+      const Pose<double> pose{p.x, p.y, state.layout[top].theta_rad};
+      if (free(pose)) return state.Place(object, pose);
+    }
+  }
+  state.placed[object] = 0;
+  state.layout[object] = FarAway(object);
 }
 
 std::vector<int> ObjectsOfEdge(const SolveInput& input, int edge) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "google/protobuf/text_format.h"
 #include "optimizer_worker/resolve/edit_text.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
@@ -128,6 +129,41 @@ TEST(ResolveLayout, AnAddedObjectIsPlacedAndARemovedOneTakesItsEdges) {
   ASSERT_EQ(removed.layout.diagnostics_size(), 1);
   EXPECT_EQ(removed.layout.diagnostics(0).code(), "edge_removed");
   EXPECT_TRUE(removed.moved_ids.empty());
+}
+
+TEST(ResolveLayout, AnAddedPictureIsHungAndNothingElseMoves) {
+  google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
+  v1::AddObject& add = *edits.Add()->mutable_add_object();
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(
+      R"(id: "mirror" name: "mirror" role: OBJECT_ROLE_TERTIARY kind: OBJECT_KIND_WALL zone_id: "sleeping"
+         width_m: 0.5 depth_m: 0.03 height_m: 0.7 elevation_m: 1.4)",
+      add.mutable_object()));
+  const absl::StatusOr<ResolveResult> result = ResolveLayout(Start(), edits, {}, NloptSolver());
+  ASSERT_TRUE(result.ok()) << result.status();
+  EXPECT_EQ(result->moved_ids, std::vector<std::string>{"mirror"});
+  EXPECT_EQ(result->layout.diagnostics_size(), 0) << result->layout.diagnostics(0).message();
+  EXPECT_EQ(PlacementOf(result->layout, "mirror").z_m(), 1.4);
+  ExpectOthersUntouched(Start(), *result);
+}
+
+TEST(ResolveLayout, WhatStoodOnARemovedObjectFindsAnotherPlace) {
+  const ResolveResult result = Edit(Start(), {"remove desk"});
+  EXPECT_EQ(result.layout.placements_size(), 5);
+  EXPECT_EQ(result.layout.edge_outcomes_size(), 4);
+  // On top of something that is left, not in the air.
+  EXPECT_GT(PlacementOf(result.layout, "lamp").z_m(), 0.1);
+  EXPECT_EQ(result.moved_ids, std::vector<std::string>{"lamp"});
+}
+
+TEST(ResolveLayout, LeavesOutWhatNoLongerFitsWhenAskedTo) {
+  google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
+  *edits.Add() = *EditFromText("resize wardrobe 4.4x3.9", Start());
+  v1::SolveOptions options;
+  options.set_misfit_policy(v1::MISFIT_POLICY_LEAVE_OUT);
+  const absl::StatusOr<ResolveResult> result = ResolveLayout(Start(), edits, options, NloptSolver());
+  ASSERT_TRUE(result.ok()) << result.status();
+  EXPECT_LT(result->layout.metrics().deepest_overlap_m(), 1e-6);
+  EXPECT_LT(result->layout.placements_size(), 6);
 }
 
 TEST(ResolveLayout, ANewConstraintIsMetAndADroppedOneIsGone) {

@@ -239,7 +239,13 @@ class WarmSearch {
 
   absl::Status SettleTertiaries() {
     std::vector<char> free(input_.scene.objects.size(), 0);
-    for (int object : start_.touched) free[object] = tertiary_[object];
+    for (int object : start_.touched) {
+      const bool in_the_air = tertiary_[object] && result_.state.placed[object] &&
+                              input_.scene.objects[object].kind == ObjectKind::kSurface &&
+                              CarrierOf(input_.scene, object, result_.state) < 0;
+      free[object] = tertiary_[object] && !in_the_air;
+      if (in_the_air) PutOnNearestTop(input_, object, result_.state);
+    }
     Grievances grievances = FindGrievances(input_, result_.state, start_.baseline);
     GrowTertiaries(grievances, free);
     for (int round = 0; round < kTertiaryRounds; ++round) {
