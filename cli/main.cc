@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   flair::cli::AddExport(program, result);
   flair::cli::AddBench(program, result);
   flair::cli::AddBenchResolve(program, result);
+  flair::cli::AddBenchRestarts(program, result);
   flair::cli::AddCatalog(program, result);
   flair::cli::AddDoctor(program, result);
   try {

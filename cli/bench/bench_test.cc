@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "cli/bench/problem.h"
+#include "cli/bench/restarts_measure.h"
 #include "cli/bench/solve_json.h"
 #include "cli/bench/solve_measure.h"
 #include "cli/bench/solve_table.h"
@@ -129,6 +130,32 @@ TEST(SolveJsonTest, HoldsRoomsFailuresAndMissedConstraints) {
   EXPECT_EQ(json["rooms"][0]["missed"].size(), static_cast<size_t>(Measure().quality.missed));
   EXPECT_EQ(json["failures"][0]["reason"], "no");
   EXPECT_EQ(json["summary"]["rooms"], 1);
+}
+
+TEST(RestartsMeasureTest, ScoresDoNotDependOnHowManyAreAskedFor) {
+  const absl::StatusOr<RestartsMeasure> few = MeasureRestarts(Study(), {}, 2), more = MeasureRestarts(Study(), {}, 4);
+  ASSERT_TRUE(few.ok() && more.ok());
+  EXPECT_THAT(few->scores, ElementsAre(more->scores[0], more->scores[1]));
+}
+
+TEST(RestartsMeasureTest, HitsAreWithinAHundredthOfTheBest) {
+  const RestartsMeasure measure{"room", {10, 8.07, 8, 8.09}, {1, 1, 1, 1}};
+  EXPECT_EQ(measure.Best(), 8);
+  EXPECT_FALSE(measure.Hits(0));
+  EXPECT_TRUE(measure.Hits(1));
+  EXPECT_FALSE(measure.Hits(3));
+  EXPECT_EQ(measure.HitShare(), 0.5);
+}
+
+TEST(RestartsMeasureTest, TheCurveEndsWithAllRestartsAtTheBest) {
+  const auto json = nlohmann::json::parse(RestartsToJson({{"a", {3, 2, 1, 4, 5}, {1, 1, 1, 1, 1}}}));
+  std::vector<int> counts;
+  for (const auto& point : json["curve"]) counts.push_back(point["restarts"]);
+  EXPECT_THAT(counts, ElementsAre(1, 2, 4, 5));
+  EXPECT_EQ(json["curve"][0]["share_of_rooms"], 0);
+  EXPECT_EQ(json["curve"][1]["mean_gap"], 1);
+  EXPECT_EQ(json["curve"][2]["share_of_rooms"], 1);
+  EXPECT_EQ(json["curve"][2]["median_cpu_s"], 4);
 }
 
 TEST(Statistics, QuantilesAreValuesOfTheSample) {

@@ -18,6 +18,7 @@ void AddExport(CLI::App& program, absl::Status& result);
 void AddBench(CLI::App& program, absl::Status& result);
 // After AddBench.
 void AddBenchResolve(CLI::App& program, absl::Status& result);
+void AddBenchRestarts(CLI::App& program, absl::Status& result);
 void AddCatalog(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
 

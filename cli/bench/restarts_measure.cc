@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bench/restarts_measure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/bench/statistics.h"
+#include "cli/output/text_table.h"
+#include "fmt/format.h"
+#include "nlohmann/json.hpp"
+#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/stages/stage.h"
+
+namespace flair::cli {
+namespace {
+
+// The state of a room after its first `count` restarts.
+struct Point {
+  bool found = false;
+  // Of the best so far above the best of all.
+  double gap = 0;
+  double cpu_s = 0;
+};
+
+Point After(const RestartsMeasure& room, size_t count) {
+  Point point;
+  double best = room.scores.front();
+  for (size_t k = 0; k < std::min(count, room.scores.size()); ++k) {
+    point.found = point.found || room.Hits(k);
+    point.cpu_s += room.cpu_s[k];
+    best = std::min(best, room.scores[k]);
+  }
+  point.gap = best - room.Best();
+  return point;
+}
+
+struct CurvePoint {
+  size_t restarts = 0;
+  double rooms_found = 0;
+  double mean_gap = 0;
+  double median_cpu_s = 0;
+};
+
+std::vector<CurvePoint> Curve(const std::vector<RestartsMeasure>& measures) {
+  std::vector<CurvePoint> curve;
+  size_t most = 0;
+  for (const RestartsMeasure& room : measures) most = std::max(most, room.scores.size());
+  for (size_t count = 1; count / 2 < most; count *= 2) {
+    std::vector<double> found, gaps, cpu_s;
+    for (const RestartsMeasure& room : measures) {
+      const Point point = After(room, std::min(count, most));
+      found.push_back(point.found ? 1 : 0);
+      gaps.push_back(point.gap);
+      cpu_s.push_back(point.cpu_s);
+    }
+    curve.push_back({std::min(count, most), Mean(found), Mean(gaps), Quantile(cpu_s, 0.5)});
+  }
+  return curve;
+}
+
+double MeanHitShare(const std::vector<RestartsMeasure>& measures) {
+  std::vector<double> shares;
+  for (const RestartsMeasure& room : measures) shares.push_back(room.HitShare());
+  return Mean(shares);
+}
+
+}  // namespace
+
+double RestartsMeasure::Best() const { return *std::min_element(scores.begin(), scores.end()); }
+
+bool RestartsMeasure::Hits(size_t k) const {
+  const double best = Best();
+  return scores[k] <= best + std::max(1e-3, 0.01 * std::abs(best));
+}
+
+double RestartsMeasure::HitShare() const {
+  size_t hits = 0;
+  for (size_t k = 0; k < scores.size(); ++k) hits += Hits(k);
+  return static_cast<double>(hits) / static_cast<double>(scores.size());
+}
+
+absl::StatusOr<RestartsMeasure> MeasureRestarts(const BenchProblem& problem, v1::SolveOptions options, int count) {
+  options.set_thread_count(1);
+  const optimizer::NloptSolver solver;
+  const absl::StatusOr<optimizer::SolveInput> input =
+      optimizer::MakeSolveInput(problem.graph, options, solver, nullptr);
+  if (!input.ok()) return input.status();
+  const optimizer::StageSpec stage = optimizer::MakeStage(input->scene, optimizer::StageKind::kPrimary);
+  if (stage.objects.empty()) return absl::NotFoundError("the room has no primary objects");
+  RestartsMeasure measure{problem.name, {}, {}};
+  for (int k = 0; k < count; ++k) {
+    const double started = ThreadCpu_s();
+    const absl::StatusOr<std::vector<optimizer::RestartResult>> results =
+        optimizer::RunRestarts(*input, stage, optimizer::PartialLayout(input->scene), k, 1);
+    if (!results.ok()) return results.status();
+    measure.cpu_s.push_back(ThreadCpu_s() - started);
+    measure.scores.push_back(results->front().score);
+  }
+  return measure;
+}
+
+std::string RestartsTable(const std::vector<RestartsMeasure>& measures) {
+  const TextTable rooms({"room", "best", "first hit", "hits %", "ms each"}, 28, 9);
+  std::string text = rooms.Header();
+  for (const RestartsMeasure& room : measures) {
+    size_t first = 0;
+    while (!room.Hits(first)) ++first;
+    text += rooms.Row({room.name, fmt::format("{:.4f}", room.Best()), fmt::format("{}", first),
+                       fmt::format("{:.1f}", 100 * room.HitShare()), fmt::format("{:.2f}", 1e3 * Mean(room.cpu_s))});
+  }
+  const TextTable curve({"restarts", "rooms at their best %", "mean cost above it", "median CPU ms"}, 8, 9);
+  text += fmt::format("\n{} rooms; {:.1f} % of single restarts reach the best\n", measures.size(),
+                      100 * MeanHitShare(measures));
+  text += curve.Header();
+  for (const CurvePoint& point : Curve(measures)) {
+    text += curve.Row({fmt::format("{}", point.restarts), fmt::format("{:.1f}", 100 * point.rooms_found),
+                       fmt::format("{:.4f}", point.mean_gap), fmt::format("{:.1f}", 1e3 * point.median_cpu_s)});
+  }
+  return text;
+}
+
+std::string RestartsToJson(const std::vector<RestartsMeasure>& measures) {
+  nlohmann::ordered_json json{{"hit_share", MeanHitShare(measures)}};
+  for (const CurvePoint& point : Curve(measures)) {
+    json["curve"].push_back({{"restarts", point.restarts},
+                             {"share_of_rooms", point.rooms_found},
+                             {"mean_gap", point.mean_gap},
+                             {"median_cpu_s", point.median_cpu_s}});
+  }
+  for (const RestartsMeasure& room : measures) {
+    json["rooms"].push_back({{"name", room.name}, {"scores", room.scores}, {"cpu_s", room.cpu_s}});
+  }
+  return json.dump(1) + "\n";
+}
+
+}  // namespace flair::cli
