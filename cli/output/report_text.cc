@@ -49,9 +49,13 @@ std::string Verdict(const v1::Report& report, const v1::SolvedLayout& layout) {
       "| OOR | {:.4f} % | furniture in furniture or in a door's swing, of the room's area |\n"
       "| floor reached | {:.0f} % | of the free floor, by a person 0.6 m wide from the door |\n"
       "| fronts reached | {:.0f} % | of the furniture can be stood at |\n"
+      "| deepest overlap | {:.1f} mm | how far the worst thing stands in another, in a door's swing or beyond a wall "
+      "|\n"
+      "| pathway cost | {:.4f} m3 | how much furniture narrows the ways to less than 0.6 m |\n"
       "| constraints | {} hold, {} do not, {} dropped, {} not understood | {} calls |\n",
       m.oob_percent(), m.oor_percent(), 100 * m.reachable_floor_share(), 100 * m.reachable_front_share(),
-      c.satisfied_count(), c.violated_count(), c.dropped_count(), c.untranslated_count(), layout.graph().edges_size());
+      1e3 * m.deepest_overlap_m(), m.pathway_cost_m3(), c.satisfied_count(), c.violated_count(), c.dropped_count(),
+      c.untranslated_count(), layout.graph().edges_size());
 }
 
 std::string ZoneText(const v1::ZonePlan& plan) {
