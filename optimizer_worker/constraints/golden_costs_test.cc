@@ -28,7 +28,8 @@ struct Sample {
 
 Sample ReadSample(const std::string& text) {
   Sample sample{json::parse(text), {}, {}, {}};
-  sample.scene.room = RectangularRoom(sample.line["width"], sample.line["length"]);
+  const json& room = sample.line.contains("room") ? sample.line["room"] : sample.line;
+  sample.scene.room = RectangularRoom(room["width"], room["length"]);
   for (const json& zone : sample.line["zones"]) {
     sample.scene.zones.push_back({zone["name"], zone["name"]});
     sample.zone_centers.push_back({zone["x"], zone["y"]});
@@ -43,10 +44,70 @@ Sample ReadSample(const std::string& text) {
   return sample;
 }
 
+// The released library swallowed an exception there, or its value depends on rounding.
+bool IsBroken(const json& line) {
+  const auto is_set = [&line](const char* key) { return line.contains(key) && !line[key].is_null(); };
+  return is_set("exception") || (is_set("jump") && line["jump"].get<bool>()) ||
+         (is_set("nested_exceptions") && !line["nested_exceptions"].empty()) || !line["value"].is_number();
+}
+
 double ValueOf(const Cost& cost, const Layout& layout) {
   std::vector<Pose<double>> poses;
   for (int i : cost.objects()) poses.push_back(layout[static_cast<size_t>(i)]);
   return cost.Value(poses);
+}
+
+// Functions of small objects, with the type of object that they act on.
+const std::map<std::string, std::string> kSmall = {{"rug_under_central", "floor"},
+                                                   {"center_ceiling", "ceiling"},
+                                                   {"ceiling_above", "ceiling"},
+                                                   {"on_top_central", "table"}};
+
+// With the least number of evaluations that must be compared.
+const std::map<std::string, int> kCompared = {
+    {"aligned", 50},           {"balanced", 41},
+    {"ceiling_above", 27},     {"center_ceiling", 27},
+    {"in_bounds", 50},         {"ind_facing_into_room", 42},
+    {"ind_in_region", 24},     {"ind_not_against_wall", 33},
+    {"io_facing", 84},         {"on_top_central", 4},
+    {"on_wall_in_region", 18}, {"rug_under_central", 27},
+};
+
+// What is wrong with the others; docs/paper_map.md says what ours do instead.
+const std::map<std::string, std::string> kNotCompared = {
+    {"LINK", "no layout constraint; takes ranks for indices"},
+    {"cost", "the pathway metric's sum, no constraint"},
+    {"ind_accessible", "jumps at contact"},
+    {"ind_away_from_fixed_object", "measures to the hinge and from the half diagonal"},
+    {"ind_central", "a product over the axes, or an offset that is never 0"},
+    {"ind_close_to_fixed_object", "measures to the hinge, compares squared metres"},
+    {"ind_in_corner", "wants the object across the corner"},
+    {"ind_near_wall", "ignores the side"},
+    {"ind_next_to_wall", "multiplies the distances to two walls"},
+    {"ind_not_block_fixed_object", "jumps at contact, ignores sockets"},
+    {"ind_under_window", "wants the centre on the wall"},
+    {"io_away_from", "never 0"},
+    {"io_between", "made of io_next_to"},
+    {"io_infront", "one point, headings wrap"},
+    {"io_near", "from centre to centre"},
+    {"io_next_to", "compares metres with fractions"},
+    {"io_not_facing", "always 0"},
+    {"io_on", "counts edges of the intersection"},
+    {"io_parallel", "headings wrap"},
+    {"io_perp", "reads another object's pose"},
+    {"io_surround", "depends on the order of the seats"},
+    {"io_under_central", "headings wrap"},
+    {"no_overlap", "jumps from 0 to 10 at contact"},
+    {"on_top_corner", "a point, and nothing when the two are apart"},
+    {"on_wall_near", "never 0"},
+    {"rug_under_central_forward", "not a number at its optimum"},
+    {"t_valid", "a product over all walls, headings not reduced"},
+    {"wall_attraction", "made of ind_near_wall"},
+};
+
+const char* GoldenFile() {
+  const char* const larger = std::getenv("FLAIR_GOLDEN_COSTS");
+  return larger != nullptr ? larger : FLAIR_SOURCE_DIR "/optimizer_worker/constraints/testdata/golden_costs.jsonl";
 }
 
 class GoldenCosts : public testing::Test {
@@ -83,8 +144,9 @@ class GoldenCosts : public testing::Test {
     if (function == "balanced") return Balance(s);
     if (function == "ind_in_region" || function == "on_wall_in_region") return Zone(s);
     if (function == "ind_facing_into_room") {
-      // Turned exactly away the released function loses the value.
-      return s.line["value"] == 0 ? NAN : Call(s, function, "object=" + Id(s, "object_index"));
+      const double ours = Call(s, function, "object=" + Id(s, "object_index"));
+      // Turned exactly away, where it is largest, the released function loses the value.
+      return s.line["value"] == 0 && ours > 0.999 * (0.75 * kPi) * (0.75 * kPi) ? NAN : ours;
     }
     if (function == "ind_not_against_wall") return FreeStanding(s);
     if (function == "io_facing") {
@@ -92,7 +154,7 @@ class GoldenCosts : public testing::Test {
                   "object=" + Id(s, "object1_index") + " target=" + Id(s, "object2_index") +
                       " both=" + (args["both"].get<bool>() ? "true" : "false"));
     }
-    return Small(s, function);
+    return kSmall.contains(function) ? Small(s, function) : NAN;
   }
 
   static double Balance(const Sample& s) {
@@ -132,12 +194,8 @@ class GoldenCosts : public testing::Test {
 
   static double Small(const Sample& s, const std::string& function) {
     const bool rug = function == "rug_under_central";
-    const std::map<std::string, std::string> types = {{"rug_under_central", "floor"},
-                                                      {"center_ceiling", "ceiling"},
-                                                      {"ceiling_above", "ceiling"},
-                                                      {"on_top_central", "table"}};
     const size_t item = s.line["args"]["tertiary_index"];
-    if (s.line["objects"][item]["type"] != types.at(function)) return NAN;
+    if (s.line["objects"][item]["type"] != kSmall.at(function)) return NAN;
     if (function == "center_ceiling") return Call(s, function, "object=" + Id(s, "tertiary_index"));
     const char* other = rug ? "object_index" : "other_index";
     if (function == "on_top_central") {
@@ -151,13 +209,12 @@ class GoldenCosts : public testing::Test {
 };
 
 TEST_F(GoldenCosts, EqualTheReleasedFunctionsWhereTheseAreSane) {
-  const char* larger = std::getenv("FLAIR_GOLDEN_COSTS");
-  std::ifstream file(larger != nullptr ? larger
-                                       : FLAIR_SOURCE_DIR "/optimizer_worker/constraints/testdata/golden_costs.jsonl");
+  std::ifstream file(GoldenFile());
   ASSERT_TRUE(file.is_open());
   std::map<std::string, int> compared;
   for (std::string line; std::getline(file, line);) {
     const Sample sample = ReadSample(line);
+    if (IsBroken(sample.line)) continue;
     const double ours = Ours(sample);
     if (std::isnan(ours)) continue;
     const double golden = sample.line["value"];
@@ -165,9 +222,23 @@ TEST_F(GoldenCosts, EqualTheReleasedFunctionsWhereTheseAreSane) {
     EXPECT_NEAR(ours, golden, 1e-9 * std::max(1.0, std::abs(golden)))
         << sample.line["function"] << " " << sample.line["id"];
   }
-  for (const char* function : {"in_bounds", "aligned", "balanced", "ind_in_region", "ind_facing_into_room", "io_facing",
-                               "rug_under_central", "center_ceiling", "ceiling_above", "ind_not_against_wall"}) {
-    EXPECT_GE(compared[function], 3) << function;
+  for (const auto& [function, least] : kCompared) EXPECT_GE(compared[function], least) << function;
+  for (const auto& [function, count] : compared) {
+    EXPECT_TRUE(kCompared.contains(function)) << function << " is compared " << count << " times but not listed";
+  }
+}
+
+TEST_F(GoldenCosts, EveryReleasedFunctionIsComparedOrHasAReasonNotToBe) {
+  const auto is_listed = [](const std::string& function) {
+    return kCompared.contains(function) != kNotCompared.contains(function);
+  };
+  for (const auto& [function, reason] : kNotCompared) {
+    EXPECT_FALSE(reason.empty() || kCompared.contains(function)) << function;
+  }
+  std::ifstream file(GoldenFile());
+  for (std::string line; std::getline(file, line);) {
+    const std::string function = json::parse(line)["function"];
+    EXPECT_TRUE(is_listed(function)) << function;
   }
 }
 
