@@ -87,18 +87,11 @@ TEST(Reach, AWardrobeThatLooksAtTheWallIsBlocked) {
   EXPECT_EQ(reach.front_share, 0);
 }
 
-TEST(Reach, ATableIsUsedFromAnySide) {
-  Object table;
-  table.name = "dining tables";
-  EXPECT_FALSE(HasFront(table));
-  table.name = "dressing table";
-  EXPECT_TRUE(HasFront(table));
-  table.name = "dining chair";
-  EXPECT_FALSE(HasFront(table));
-  table.name = "armchair";
-  EXPECT_TRUE(HasFront(table));
-  table.name = "wardrobe";
-  EXPECT_TRUE(HasFront(table));
+TEST(Reach, EverythingIsStoodAtFromItsFrontOnly) {
+  const std::string room = "4x5 room; door south 1 0.9; table 1x1 at 2,4.45,0; ";
+  EXPECT_THAT(MeasureReach(Furnished(room).view()).blocked, ElementsAre("table"));
+  const Reach turned = MeasureReach(Furnished("4x5 room; door south 1 0.9; table 1x1 at 2,4.45,180").view());
+  EXPECT_THAT(turned.blocked, IsEmpty());
 }
 
 TEST(Reach, ObjectsThatAreNotPlacedAreNotInTheWay) {

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <numeric>
-#include <string_view>
 
 #include "evaluation/metrics/walk_raster.h"
 #include "room/geometry/footprint.h"
@@ -19,9 +17,6 @@ constexpr double kPersonRadius_m = 0.3;
 constexpr double kDoorFront_m = 0.6;
 constexpr double kFrontStrip_m = 0.6;
 constexpr double kLeastStripHalfWidth_m = 0.15;
-constexpr std::array<std::string_view, 16> kWithoutFront = {"table",     "chair", "bench",  "plant",   "lamp",   "vase",
-                                                            "stool",     "pouf",  "pouffe", "ottoman", "basket", "bin",
-                                                            "sculpture", "globe", "tree",   "pedestal"};
 
 // Free floor, and where the centre of a person can be.
 struct Floor {
@@ -84,11 +79,11 @@ CellSet ReachedFrom(const Room& room, const WalkRaster& raster, const CellSet& r
   return reached;
 }
 
-bool SideReached(const LayoutView& view, size_t i, Side side, const WalkRaster& raster, const CellSet& reached) {
+bool FrontReached(const LayoutView& view, size_t i, const WalkRaster& raster, const CellSet& reached) {
   const Footprint& footprint = view.scene.objects[i].footprint;
-  const SideEdge<double> edge = EdgeOf(footprint, view.layout[i], side);
+  const SideEdge<double> edge = EdgeOf(footprint, view.layout[i], Side::kFront);
   const Vec2<double> middle = edge.Middle();
-  const double half = std::max(SideLength(footprint, side) / 2, kLeastStripHalfWidth_m);
+  const double half = std::max(SideLength(footprint, Side::kFront) / 2, kLeastStripHalfWidth_m);
   const Vec2<double> along = Perpendicular(edge.outward_normal);
   const std::array<Vec2<double>, 4> strip = {middle + half * along, middle - half * along,
                                              middle + half * along + kFrontStrip_m * edge.outward_normal,
@@ -102,35 +97,9 @@ bool SideReached(const LayoutView& view, size_t i, Side side, const WalkRaster& 
   return found;
 }
 
-bool CanBeStoodAt(const LayoutView& view, size_t i, const WalkRaster& raster, const CellSet& reached) {
-  if (HasFront(view.scene.objects[i])) return SideReached(view, i, Side::kFront, raster, reached);
-  return std::any_of(kSides.begin(), kSides.end(),
-                     [&](Side side) { return SideReached(view, i, side, raster, reached); });
-}
-
 int Count(const CellSet& cells) { return std::accumulate(cells.begin(), cells.end(), 0); }
 
 }  // namespace
-
-bool HasFront(const Object& object) {
-  std::string word;
-  std::string last_word;
-  for (const char c : object.name + " " + object.category + " ") {
-    if (std::isalpha(static_cast<unsigned char>(c))) {
-      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      continue;
-    }
-    if (word.ends_with("s") && word.size() > 3 && !word.ends_with("ss")) word.pop_back();
-    if (std::find(kWithoutFront.begin(), kWithoutFront.end(), word) != kWithoutFront.end()) {
-      // A dressing table, a work table and the like are used from their front.
-      return last_word == "dressing" || last_word == "sewing" || last_word == "changing" || last_word == "cutting" ||
-             last_word == "console" || last_word == "bedside";
-    }
-    if (!word.empty()) last_word = word;
-    word.clear();
-  }
-  return true;
-}
 
 Reach MeasureReach(const LayoutView& view) {
   const Room& room = view.scene.room;
@@ -152,7 +121,7 @@ Reach MeasureReach(const LayoutView& view) {
   for (size_t i = 0; i < view.scene.objects.size(); ++i) {
     if (!view.Has(i) || !IsSolid(view.scene.objects[i])) continue;
     ++tested;
-    if (!CanBeStoodAt(view, i, raster, reached)) result.blocked.push_back(view.scene.objects[i].id);
+    if (!FrontReached(view, i, raster, reached)) result.blocked.push_back(view.scene.objects[i].id);
   }
   if (tested > 0) result.front_share = 1 - static_cast<double>(result.blocked.size()) / tested;
   return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a person 0.6 m wide gets to from the door, on a raster of 0.025 m (coarser beyond 25 m). A gap of exactly 0.6 m
-// lets the person through. As the neutral judge of the released rooms, but for things without a front: the judge counts
-// a chair at its table as out of reach.
+// lets the person through. Shares as the neutral judge of the released rooms has them (recorded_test.cc), so that they
+// compare with its figures: a chair pushed under its table counts as out of reach, as its front does.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace flair::evaluation {
 struct Reach {
   // Share of the free floor that the person's disc sweeps; 1 when no floor is free.
   double floor_share = 1;
-  // Share of solid objects that can be stood at: a reached position within 0.6 m of the front; of any side for things
-  // without a front or with one that belongs to another thing (tables, chairs, plants, lamps). 1 when there are none.
+  // Share of solid floor objects that can be stood at: a reached position within 0.6 m of the front. 1 when there are
+  // none.
   double front_share = 1;
   // Objects that cannot be.
   std::vector<std::string> blocked;
@@ -23,8 +23,5 @@ struct Reach {
 
 // Starts in the 0.6 m before each door; the largest area that begins there counts. Without doors, the largest of all.
 Reach MeasureReach(const LayoutView& view);
-
-// Whether the object has a side that it is used from. Read from category and name, word by word.
-bool HasFront(const Object& object);
 
 }  // namespace flair::evaluation

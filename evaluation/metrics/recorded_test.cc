@@ -12,6 +12,7 @@
 #include "absl/strings/str_split.h"
 #include "evaluation/metrics/overlap.h"
 #include "evaluation/metrics/paper_overlap.h"
+#include "evaluation/metrics/reach.h"
 #include "room/text_format/scene_text.h"
 
 namespace flair::evaluation {
@@ -68,6 +69,16 @@ TEST(RecordedOverlaps, OurOorDiffersByRugsAndDoorSwingsOnly) {
     EXPECT_NEAR(OorPercent(layout.view()), OorPaperPercent(layout.view()), 1e-9) << layout.name;
   }
   EXPECT_GT(differ, 0);
+}
+
+TEST(RecordedReach, SharesAreTheJudges) {
+  const std::vector<Recorded> all = ReadRecorded("recorded_reach.txt");
+  ASSERT_EQ(all.size(), 49u);
+  for (const Recorded& layout : all) {
+    const Reach reach = MeasureReach(layout.view());
+    EXPECT_NEAR(reach.floor_share, layout.first, 0.01) << layout.name;
+    EXPECT_NEAR(reach.front_share, layout.second, 1e-4) << layout.name;
+  }
 }
 
 }  // namespace
