@@ -5,6 +5,7 @@
 
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/explain/scope.h"
 
 namespace flair::optimizer {
@@ -23,14 +24,35 @@ std::string NameForPeople(const Scene& scene, int object) {
   return fmt::format("{} {}", name, before + 1);
 }
 
+namespace {
+
+// "the desk and the chair", the objects that the call names.
+std::string AllNamed(const v1::ConstraintEdge& edge, const Scene& scene) {
+  std::string names;
+  for (int object : NamedObjects(edge, scene)) {
+    names += (names.empty() ? "" : " and ") + NameForPeople(scene, object);
+  }
+  return names.empty() ? "the room" : names;
+}
+
+}  // namespace
+
 std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished& where) {
   const ConstraintFacts* const facts = FindConstraint(edge.type());
   if (facts == nullptr) return std::nullopt;
   const absl::StatusOr<Arguments> arguments = Arguments::Resolve(*facts, edge, where.scene);
   if (!arguments.ok()) return std::nullopt;
   const Scope scope(edge, *arguments, where);
+  const double missed = scope.CostRoot();
+  if (missed == 0) return std::nullopt;
   for (const auto find : {FindPlaceExplainer, FindPairExplainer, FindTertiaryExplainer}) {
-    if (const Explainer explainer = find(facts->name)) return explainer(scope);
+    const Explainer explainer = find(facts->name);
+    if (explainer == nullptr) continue;
+    const std::optional<Shortfall> shortfall = explainer(scope);
+    // Several small misses may add up to what none of them is.
+    if (shortfall) return shortfall;
+    return Worst(
+        {{fmt::format("what is asked of {} is missed by {:.2f} m", AllNamed(edge, where.scene), missed), missed, "m"}});
   }
   return std::nullopt;
 }

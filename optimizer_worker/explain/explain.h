@@ -31,8 +31,8 @@ struct Furnished {
   const LinkedPairs* linked = nullptr;
 };
 
-// For a call that binds, whose objects all have poses and whose cost is above zero. nullopt when no single measure of
-// it is off by more than 1 mm or 0.1 degrees, and for types without words. Pure; safe to call from several threads.
+// For a call that binds and whose objects all have poses. nullopt when its cost is 0, when no measure of it is off by
+// more than 1 mm or 0.1 degrees, and for types without words. Pure; safe to call from several threads.
 std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished& where);
 
 // "the desk"; "dining chair 2" when the scene has several of that name.

@@ -61,23 +61,36 @@ Found CenteredOnWall(const Scope& scope) {
 Found NearWall(const Scope& scope) {
   const int object = scope.arguments().Object("object");
   const Side side = scope.arguments().OneSide("side");
+  const double most = scope.arguments().Number("max_distance_m");
   const Frame<double> frame = scope.FrameOf(object);
   const Vec2<double> middle = MiddleOf(scope.FootprintOf(object), frame, side);
-  const Wall& wall =
-      BestWall(scope, [&](const Wall& w) { return std::abs(w.Height(middle)) + 10 * TurnToWall(frame, side, w); });
-  return Worst({TooFar(SideOf(scope.Name(object), side), WallName(wall), wall.Height(middle),
-                       scope.arguments().Number("max_distance_m")),
-                Turned(SideOf(scope.Name(object), side), WallName(wall),
-                       AngleOf(NormalOf(frame, side), -wall.inward_normal), kPi / 4)});
+  const auto beyond_end = [&](const Wall& w) {
+    return std::max({0.0, -w.Offset(middle), w.Offset(middle) - w.length_m});
+  };
+  const Wall& wall = BestWall(scope, [&](const Wall& w) {
+    const double turn = TurnToWall(frame, side, w), height = w.Height(middle);
+    const double off = std::max({0.0, height - most, -height});
+    return off * off + std::max(0.0, turn - 1 + std::sqrt(0.5)) + beyond_end(w) * beyond_end(w);
+  });
+  const std::string what = SideOf(scope.Name(object), side), place = WallName(wall);
+  return Worst(
+      {TooFar(what, place, wall.Height(middle), most),
+       Turned(what, place, AngleOf(NormalOf(frame, side), -wall.inward_normal), kPi / 4),
+       {fmt::format("{} is {:.2f} m beyond {}", what, -wall.Height(middle), place), -wall.Height(middle), "m"},
+       {fmt::format("{} is {:.2f} m beyond the end of {}", what, beyond_end(wall), place), beyond_end(wall), "m"}});
 }
 
 Found NotAgainstWall(const Scope& scope) {
   const int object = scope.arguments().Object("object");
+  const std::optional<Side> side = scope.arguments().MaybeSide("side");
+  const Box<double> box =
+      side ? Box<double>::Before(scope.FootprintOf(object), scope.FrameOf(object), *side, 0) : scope.BoxOf(object);
+  const std::string what = side ? SideOf(scope.Name(object), *side) : scope.Name(object);
   std::vector<Shortfall> misses;
   for (const Wall& wall : scope.scene().room.walls) {
     const ConvexPiece piece(Segment{wall.start, wall.end});
-    misses.push_back(TooNear(scope.Name(object), WallName(wall), Gap<double>(scope.BoxOf(object), piece),
-                             scope.arguments().Number("min_distance_m")));
+    misses.push_back(
+        TooNear(what, WallName(wall), Gap<double>(box, piece), scope.arguments().Number("min_distance_m")));
   }
   return Worst(misses);
 }
@@ -129,7 +142,9 @@ Found FacesFeature(const Scope& scope) {
   const Frame<double> frame = scope.FrameOf(scope.arguments().Object("object"));
   double least = kPi;
   for (const Segment& s : FeatureSegments(scope.scene().room, scope.arguments().Feature("feature"))) {
-    least = std::min(least, AngleOf(frame.front, 0.5 * (s.start + s.end) - frame.center));
+    const Vec2<double> start = frame.ToObject(s.start), end = frame.ToObject(s.end);
+    if (end.x <= 0 && start.x >= 0 && start.y + end.y >= 0) return std::nullopt;
+    least = std::min({least, AngleOf(frame.front, s.start - frame.center), AngleOf(frame.front, s.end - frame.center)});
   }
   return Worst({Turned(SideOf(scope.NameOf("object"), Side::kFront), FeatureOf(scope), least)});
 }

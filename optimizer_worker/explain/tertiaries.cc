@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Families rug, surface, on_wall and ceiling: what is attached to something.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/measure/beside.h"
+#include "optimizer_worker/constraints/room/on_wall.h"
 #include "optimizer_worker/explain/scope.h"
 #include "room/geometry/angle.h"
 
@@ -67,6 +69,17 @@ const Wall& WallOf(const Scope& scope, int object) {
   return *best;
 }
 
+// How an object misses hanging on any wall.
+Shortfall NotHanging(const Scope& scope, int object) {
+  const Scene& scene = scope.scene();
+  double least = std::numeric_limits<double>::infinity();
+  for (const HangingWall& place : HangingWalls(scene.room, scene.BottomOf(object), scene.TopOf(object))) {
+    least = std::min(least, HangsOn(scope.FootprintOf(object), scope.FrameOf(object), place));
+  }
+  return OffBy(scope.Name(object), "a place flat on one wall, clear of its doors and windows",
+               std::isfinite(least) ? std::sqrt(least) : 0);
+}
+
 // Metres along the wall from the object's middle to the interval that the target covers; and how far the target stands
 // from that wall.
 std::vector<Shortfall> Beside(const Scope& scope, double most_along_m, double most_away_m, const char* place) {
@@ -81,7 +94,8 @@ std::vector<Shortfall> Beside(const Scope& scope, double most_along_m, double mo
                        place, scope.Name(target)),
            (above ? from_middle : along) - most_along_m, "m"},
           TooFar(scope.Name(target), fmt::format("{}, where {} hangs", WallName(wall), scope.Name(object)),
-                 view.distance, most_away_m)};
+                 view.distance, most_away_m),
+          NotHanging(scope, object)};
 }
 
 Found OnWallNear(const Scope& scope) {
@@ -99,8 +113,10 @@ Found OnWallFacing(const Scope& scope) {
   return Worst({{fmt::format("{} hangs {:.2f} m to the side of where {} looks", scope.Name(object),
                              std::max(0.0, aside), scope.Name(target)),
                  aside, "m"},
+                {fmt::format("{} hangs {:.2f} m behind {}", scope.Name(object), -p.y, scope.Name(target)), -p.y, "m"},
                 Turned(SideOf(scope.Name(target), Side::kFront), scope.Name(object),
-                       kPi - AngleOf(frame.front, scope.FrameOf(object).front))});
+                       kPi - AngleOf(frame.front, scope.FrameOf(object).front)),
+                NotHanging(scope, object)});
 }
 
 Found OnWallInZone(const Scope& scope) {
