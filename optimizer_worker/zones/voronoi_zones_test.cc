@@ -82,5 +82,21 @@ TEST(VoronoiZones, ASiteFarOutsideGetsNothing) {
   EXPECT_TRUE(cells[1].empty());
 }
 
+TEST(VoronoiZones, VerticesInTheMiddleOfASideChangeNoCell) {
+  const std::vector<Vec2<double>> sites = {{0.7, 0.6}, {3.1, 0.9}, {2.2, 2.4}};
+  const Polygon divided{{{4, 1.1}, {4, 3}, {2.6, 3}, {0, 3}, {0, 0}, {1.3, 0}, {4, 0}}};
+  const std::vector<ZoneCell> expected = VoronoiZones(kRectangle, sites);
+  const std::vector<ZoneCell> actual = VoronoiZones(divided, sites);
+  for (size_t i = 0; i < sites.size(); ++i) EXPECT_NEAR(AreaOf(actual[i]), AreaOf(expected[i]), 1e-12) << i;
+  ExpectNearest(divided, sites);
+}
+
+TEST(VoronoiZones, AgreesWithTheNearestSiteInATShapeAndBetweenObliqueWalls) {
+  const Polygon t_shape{{{2, 0}, {3, 0}, {3, 3}, {5, 3}, {5, 5}, {0, 5}, {0, 3}, {2, 3}}};
+  ExpectNearest(t_shape, {{2.5, 0.4}, {0.6, 4}, {4.4, 4.2}});
+  const Polygon oblique{{{0, 0.4}, {3.7, 0}, {5, 2.2}, {3.1, 4.8}, {2.4, 3.3}, {0.3, 4.1}}};
+  ExpectNearest(oblique, {{1, 1}, {4, 2.1}, {2.9, 4}, {0.6, 3.5}});
+}
+
 }  // namespace
 }  // namespace flair::optimizer
