@@ -2,6 +2,7 @@
 // What every constraint must do, run over every registered type and every layout in its facts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <random>
@@ -180,6 +181,25 @@ TEST_P(ConstraintBattery, TurningRoomAndLayoutTogetherChangesNothing) {
     turned_poses.push_back({p.x, p.y, pose.theta_rad + kPi / 2});
   }
   EXPECT_NEAR(cost_->Value(turned_poses), value, 1e-9 * (1 + value));
+}
+
+TEST_P(ConstraintBattery, ARoomMayBeginAtAnyCorner) {
+  std::mt19937_64 random(16);
+  const std::vector<Pose<double>> poses = Disturbed(random, 1);
+  const double value = cost_->Value(poses);
+  Room& room = text_.scene.room;
+  std::vector<std::string> names;
+  for (const Wall& wall : room.walls) names.push_back(wall.name);
+  const int count = static_cast<int>(names.size());
+  for (int turn = 1; turn < count; ++turn) {
+    std::rotate(names.begin(), names.begin() + 1, names.end());
+    std::rotate(room.floor.vertices.begin(), room.floor.vertices.begin() + 1, room.floor.vertices.end());
+    room.walls = WallsOf(room.floor, names);
+    for (Opening& opening : room.openings) opening.wall = (opening.wall + count - 1) % count;
+    for (Socket& socket : room.sockets) socket.wall = (socket.wall + count - 1) % count;
+    Rebind();
+    EXPECT_NEAR(cost_->Value(poses), value, 1e-12 * (1 + value)) << "from vertex " << turn;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, ConstraintBattery, testing::ValuesIn(AllCases()), [](const auto& info) {
