@@ -61,8 +61,13 @@ absl::StatusOr<std::vector<RestartResult>> ReadOutcomes(const SolveInput& input,
 class Gathering {
  public:
   Gathering(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int first, int count,
-            int range_size)
-      : input_(input), stage_(stage), before_(before), first_(first), plan_(first, count, range_size), slots_(count) {}
+            int range_size, int own_takers)
+      : input_(input),
+        stage_(stage),
+        before_(before),
+        first_(first),
+        plan_(first, count, range_size, own_takers),
+        slots_(count) {}
 
   // Takes pieces until there are none left.
   void WorkHere(int taker) {
@@ -222,7 +227,7 @@ absl::StatusOr<std::vector<RestartResult>> FanOutRestartRunner::Run(const SolveI
   const int own = std::max(1, std::min(input.settings.threads, count));
   const int takers = own + static_cast<int>(peers.size());
   const int range_size = std::clamp(count / (kPiecesPerTaker * takers), 1, kLargestPiece);
-  Gathering gathering(input, stage, before, first, count, range_size);
+  Gathering gathering(input, stage, before, first, count, range_size, own);
   const v1::SolveRestartsRequest request = RequestFor(input, options_, stage, before);
   std::vector<std::thread> threads;
   for (int i = 1; i < own; ++i) threads.emplace_back([&gathering, i] { gathering.WorkHere(i); });

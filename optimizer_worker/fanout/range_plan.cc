@@ -5,12 +5,16 @@
 
 namespace flair::optimizer {
 
-RangePlan::RangePlan(int first, int count, int range_size) {
+RangePlan::RangePlan(int first, int count, int range_size, int own_takers) : own_takers_(own_takers) {
   for (int done = 0; done < count; done += range_size) {
     pieces_.push_back(
         {{static_cast<int>(pieces_.size()), first + done, std::min(range_size, count - done)}, {}, false});
   }
   unfinished_ = pieces_.size();
+}
+
+bool RangePlan::IsRunHere(const Piece& piece) const {
+  return !piece.takers.empty() && *piece.takers.begin() < own_takers_;
 }
 
 std::optional<RangePlan::Range> RangePlan::Take(int taker) {
@@ -20,6 +24,12 @@ std::optional<RangePlan::Range> RangePlan::Take(int taker) {
       piece.takers.insert(taker);
       return piece.range;
     }
+  }
+  if (taker >= own_takers_) return std::nullopt;
+  for (Piece& piece : pieces_) {
+    if (piece.finished || IsRunHere(piece)) continue;
+    piece.takers.insert(taker);
+    return piece.range;
   }
   return std::nullopt;
 }

@@ -18,12 +18,14 @@ class RangePlan {
     int count = 0;
   };
 
-  // Cuts [first, first + count) into pieces of `range_size`, the last may be shorter; all arguments positive but
-  // `first`, which is >= 0.
-  RangePlan(int first, int count, int range_size);
+  // Cuts [first, first + count) into pieces of `range_size`, the last may be shorter; all positive but `first`, which
+  // is
+  // >= 0. Takers below `own_takers` are this process's threads, which always come back; the others are peers.
+  RangePlan(int first, int count, int range_size, int own_takers);
 
   // What `taker` should run now: a piece that nobody runs; when there is none, the oldest unfinished one that a single
-  // other taker runs, so that a slow taker holds nobody up. nullopt: nothing at the moment.
+  // other taker runs, so that a slow taker holds nobody up; for an own thread then the oldest one that only peers run,
+  // however many, so that any number of stuck peers holds nobody up. nullopt: nothing at the moment.
   std::optional<Range> Take(int taker);
   // `taker` has the results. True when they are the first ones for this piece.
   bool Finish(const Range& range, int taker);
@@ -39,7 +41,11 @@ class RangePlan {
     bool finished = false;
   };
 
+  // Whether an own thread runs it.
+  bool IsRunHere(const Piece& piece) const;
+
   std::vector<Piece> pieces_;
+  const int own_takers_;
   size_t unfinished_;
 };
 

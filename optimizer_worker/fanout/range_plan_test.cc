@@ -7,7 +7,7 @@ namespace flair::optimizer {
 namespace {
 
 TEST(RangePlan, DealsEveryRestartOutOnceBeforeAnyTwice) {
-  RangePlan plan(10, 7, 3);
+  RangePlan plan(10, 7, 3, 0);
   const auto a = plan.Take(0), b = plan.Take(1), c = plan.Take(2);
   ASSERT_TRUE(a && b && c);
   EXPECT_EQ(a->first, 10);
@@ -19,7 +19,7 @@ TEST(RangePlan, DealsEveryRestartOutOnceBeforeAnyTwice) {
 }
 
 TEST(RangePlan, AnIdleTakerRepeatsTheOldestUnfinishedPiece) {
-  RangePlan plan(0, 2, 1);
+  RangePlan plan(0, 2, 1, 0);
   const auto slow = plan.Take(0), quick = plan.Take(1);
   ASSERT_TRUE(slow && quick);
   EXPECT_TRUE(plan.Finish(*quick, 1));
@@ -32,15 +32,27 @@ TEST(RangePlan, AnIdleTakerRepeatsTheOldestUnfinishedPiece) {
 }
 
 TEST(RangePlan, NobodyRepeatsItsOwnPieceAndNoPieceIsRunByThree) {
-  RangePlan plan(0, 1, 1);
+  RangePlan plan(0, 1, 1, 0);
   ASSERT_TRUE(plan.Take(0));
   EXPECT_FALSE(plan.Take(0));
   ASSERT_TRUE(plan.Take(1));
   EXPECT_FALSE(plan.Take(2));
 }
 
+TEST(RangePlan, AnOwnThreadTakesAPieceThatAnyNumberOfPeersHoldOnTo) {
+  RangePlan plan(0, 1, 1, 2);
+  const auto first_peer = plan.Take(2), second_peer = plan.Take(3);
+  ASSERT_TRUE(first_peer && second_peer);
+  EXPECT_FALSE(plan.Take(4)) << "a third peer";
+  const auto own = plan.Take(0);
+  ASSERT_TRUE(own);
+  EXPECT_FALSE(plan.Take(1)) << "an own thread runs it already";
+  EXPECT_TRUE(plan.Finish(*own, 0));
+  EXPECT_TRUE(plan.done());
+}
+
 TEST(RangePlan, APieceThatWasGivenUpIsTakenAgain) {
-  RangePlan plan(0, 1, 1);
+  RangePlan plan(0, 1, 1, 0);
   const auto dead = plan.Take(0);
   const auto hedge = plan.Take(1);
   ASSERT_TRUE(dead && hedge);
