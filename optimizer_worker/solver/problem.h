@@ -41,7 +41,7 @@ inline constexpr double kHardFactor = 40;
 // Zero where c is zero, grows with c, adds almost kMissed as soon as the wish is missed at all, and grows slowly when
 // it is missed by far: least squares alone would rather miss every wish by some centimetres than one of them honestly,
 // and let one that cannot be met (2 m from the door in a 3 m room) spoil the others.
-inline constexpr double kMissed = 0.7;
+inline constexpr double kMissed = 0.9;
 inline constexpr double kNearly = 0.01;
 inline constexpr double kHopeless = 0.2;
 inline double Wish(double cost) { return kHopeless * std::log1p(cost / kHopeless) + kMissed * cost / (cost + kNearly); }

@@ -17,11 +17,11 @@ namespace flair::optimizer {
 // What the walkability of a layout is worth, in units of cost: the paper has no term for it. Small against a wish that
 // is missed, large against nearly equal minima.
 struct WalkWeights {
-  double unreachable_floor = 6.0;
-  double blocked_front = 0.6;
+  double unreachable_floor = 7.0;
+  double blocked_front = 0.8;
   double blocked_door = 2.0;
   // Per m3, see CrowdingCost_m3.
-  double crowding = 2.5;
+  double crowding = 3.0;
 };
 
 // All that a search reads. Borrowed; must outlive it.
