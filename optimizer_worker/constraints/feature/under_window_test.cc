@@ -26,5 +26,11 @@ TEST(UnderWindow, AnySideMayLookAtTheWall) {
               1e-12);
 }
 
+TEST(UnderWindow, AWindowInAnInnerWallOfAnLShapedRoom) {
+  const std::string room = "room 0,0 4,0 4,2 2,2 2,4 0,4; window wall_3 0.5 1; ";
+  EXPECT_NEAR(CostAt(room + "desk 0.8x0.5 at 3,1.75,180", "under_window", "object=desk"), 0, 1e-12);
+  EXPECT_GT(CostAt(room + "desk 0.8x0.5 at 1,1.75,180", "under_window", "object=desk"), 0.5);
+}
+
 }  // namespace
 }  // namespace flair::optimizer

@@ -41,5 +41,19 @@ TEST(Surround, SeatsFaceTheTable) {
               2, 1e-12);
 }
 
+TEST(Surround, OneSeatTakesAnySide) {
+  for (const char* at : {"3,2.3,0", "3,3.7,180", "1.95,3,270", "4.05,3,90"}) {
+    EXPECT_NEAR(
+        CostAt(std::string("6x6 room; t 1.6x0.9 at 3,3,0; a 0.5x0.5 at ") + at, "surround", "center=t objects=a"), 0,
+        1e-12)
+        << at;
+  }
+}
+
+TEST(Surround, AGapBeyondTenCentimetresIsSquared) {
+  EXPECT_NEAR(CostAt("6x6 room; t 1.6x0.9 at 3,3,0; a 0.5x0.5 at 3,4,180", "surround", "center=t objects=a"), 0.04,
+              1e-12);
+}
+
 }  // namespace
 }  // namespace flair::optimizer

@@ -34,5 +34,12 @@ TEST(AgainstWall, TheSideMayNotStickOutBeyondAWallsEnd) {
   EXPECT_NEAR(CostAt(l_shape, "against_wall", "object=bed wall=wall_4"), 0.04, 1e-12);
 }
 
+TEST(AgainstWall, AnObliqueWallIsMeasuredAcrossIt) {
+  const std::string room = "room 0,0 4,0 4,2 2,4 0,4; ";
+  EXPECT_NEAR(CostAt(room + "desk 1.2x0.6 at 2.787868,2.787868,135", "against_wall", "object=desk"), 0, 1e-11);
+  EXPECT_NEAR(CostAt(room + "desk 1.2x0.6 at 2.717157,2.717157,135", "against_wall", "object=desk"), 0.01, 1e-6);
+  EXPECT_NEAR(CostAt(room + "desk 1.2x0.6 at 2.787868,2.787868,135", "centered_on_wall", "object=desk"), 0, 1e-11);
+}
+
 }  // namespace
 }  // namespace flair::optimizer

@@ -29,5 +29,13 @@ TEST(InCorner, ACornerThatSticksIntoTheRoomIsNone) {
   EXPECT_GT(CostAt("room 0,0 4,0 4,2 2,2 2,4 0,4; shelf 1x0.5 at 2.5,1.75,180", "in_corner", "object=shelf"), 0.1);
 }
 
+TEST(InCorner, TheOuterCornersOfATShapedRoomWillDo) {
+  const std::string room = "room 2,0 4,0 4,2 6,2 6,4 0,4 0,2 2,2; ";
+  for (const char* pose : {"5.5,2.25,0", "0.25,3.5,270", "2.5,0.25,0"}) {
+    EXPECT_NEAR(CostAt(room + "shelf 1x0.5 at " + pose, "in_corner", "object=shelf"), 0, 1e-12) << pose;
+  }
+  EXPECT_GT(CostAt(room + "shelf 1x0.5 at 4.5,2.25,0", "in_corner", "object=shelf"), 0.1);
+}
+
 }  // namespace
 }  // namespace flair::optimizer
