@@ -50,6 +50,15 @@ TEST(Oor, AWallObjectOverAWindowCountsAtTheWindowsHeight) {
   EXPECT_EQ(OorPercent(Furnished(room + "a 1x0.1 at 2,0.05,0 wall tertiary height 0.5 elevation 2.2").view()), 0);
 }
 
+TEST(Oor, APictureDoesNotHangBehindAWardrobe) {
+  const std::string picture = "4x5 room; art 0.5x0.05 at 2,0.025,0 wall tertiary height 0.5 elevation 1.4; ";
+  EXPECT_NEAR(OorPercent(Furnished(picture + "wardrobe 1x0.6 at 2,0.3,0 height 2").view()), 100 * 0.5 * 0.05 / 20,
+              1e-9);
+  EXPECT_EQ(OorPercent(Furnished(picture + "dresser 1x0.6 at 2,0.3,0 height 0.9").view()), 0);
+  EXPECT_EQ(OorPercent(Furnished(picture + "bookcase 1x0.4 at 2,0.2,0 height 1.405").view()), 0);
+  EXPECT_EQ(OorPercent(Furnished(picture + "wardrobe 1x0.6 at 2,0.36,0 height 2").view()), 0);
+}
+
 TEST(Oor, TheDoorsSwingIsASectorNotASquare) {
   const std::string room = "4x5 room; door south 1 1; ";
   // A quarter disc of radius 1 around (1, 0).

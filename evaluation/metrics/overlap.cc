@@ -14,6 +14,8 @@ namespace {
 constexpr double kLeastArea_m2 = 1e-12;
 constexpr int kArcPieces = 32;
 constexpr double kHeightSlack_m = 1e-9;
+// A picture may begin where a wardrobe ends, to the centimetre.
+constexpr double kAboveSlack_m = 0.01;
 // A runner, a tray, a throw: flat enough for other things to stand on.
 constexpr double kFlat_m = 0.05;
 // A wall object further than this from its wall hangs nowhere; it is then no matter of openings.
@@ -23,17 +25,26 @@ std::array<Vec2<double>, 4> CornersOf(const LayoutView& view, size_t i) {
   return Corners(view.scene.objects[i].footprint, view.layout[i]);
 }
 
-bool HeightsOverlap(double low_a, double high_a, double low_b, double high_b) {
-  return std::min(high_a, high_b) - std::max(low_a, low_b) > kHeightSlack_m;
+bool HeightsOverlap(double low_a, double high_a, double low_b, double high_b, double slack_m = kHeightSlack_m) {
+  return std::min(high_a, high_b) - std::max(low_a, low_b) > slack_m;
+}
+
+// A piece on the wall behind furniture that reaches up to it.
+bool HangsBehind(const Scene& scene, int on_wall, int on_floor) {
+  const Object& a = scene.objects[static_cast<size_t>(on_wall)];
+  const Object& b = scene.objects[static_cast<size_t>(on_floor)];
+  return a.kind == ObjectKind::kWall && IsSolid(b) && a.host != on_floor &&
+         HeightsOverlap(scene.BottomOf(on_wall), scene.TopOf(on_wall), scene.BottomOf(on_floor), scene.TopOf(on_floor),
+                        kAboveSlack_m);
 }
 
 bool CanCollide(const Scene& scene, size_t i, size_t k) {
   const Object& a = scene.objects[i];
   const Object& b = scene.objects[k];
-  if (a.kind != b.kind) return false;
+  const int ia = static_cast<int>(i), ib = static_cast<int>(k);
+  if (a.kind != b.kind) return HangsBehind(scene, ia, ib) || HangsBehind(scene, ib, ia);
   if (a.kind == ObjectKind::kFloor) return IsSolid(a) && IsSolid(b);
   if (a.kind == ObjectKind::kSurface && std::min(a.height_m, b.height_m) <= kFlat_m) return false;
-  const int ia = static_cast<int>(i), ib = static_cast<int>(k);
   return HeightsOverlap(scene.BottomOf(ia), scene.TopOf(ia), scene.BottomOf(ib), scene.TopOf(ib));
 }
 
