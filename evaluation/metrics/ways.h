@@ -26,7 +26,8 @@ struct WayPiece {
   double half_width_m = 0;
 };
 
-// Pieces of at most 0.05 m on the floor and outside of objects. Deterministic; exact to the samples' spacing of 0.018 m.
+// Pieces of at most 0.05 m on the floor and outside of objects. Deterministic; exact to the samples' spacing of 0.018
+// m.
 std::vector<WayPiece> FindWays(const LayoutView& view);
 
 }  // namespace flair::evaluation
