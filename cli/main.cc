@@ -7,6 +7,7 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "fmt/format.h"
+#include "worker_runtime/bootstrap/build_name.h"
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
@@ -14,7 +15,7 @@ int main(int argc, char** argv) {
   program.footer(fmt::format("{}\n\nTry: flair design \"A bedroom that is 4m x 5m.\" --out out/bedroom",
                              flair::cli::kExitCodeHelp));
   program.require_subcommand(1);
-  program.set_version_flag("--version", "flair " FLAIR_VERSION);
+  program.set_version_flag("--version", fmt::format("flair {}, build {}", FLAIR_VERSION, flair::runtime::BuildName()));
   absl::Status result;
   flair::cli::AddDesign(program, result);
   flair::cli::AddInspect(program, result);
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   flair::cli::AddBench(program, result);
   flair::cli::AddBenchResolve(program, result);
   flair::cli::AddBenchRestarts(program, result);
+  flair::cli::AddBenchTranslate(program, result);
   flair::cli::AddCatalog(program, result);
   flair::cli::AddDoctor(program, result);
   try {

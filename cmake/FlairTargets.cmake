@@ -5,6 +5,10 @@ function(flair_library name)
   if(arg_SOURCES)
     add_library(${name} STATIC ${arg_SOURCES})
     set(visibility PUBLIC)
+    # What the name of the build watches; tests decide no results.
+    if(NOT CMAKE_CURRENT_SOURCE_DIR MATCHES "^${CMAKE_SOURCE_DIR}/tests")
+      set_property(GLOBAL APPEND PROPERTY FLAIR_LIBRARIES ${name})
+    endif()
   else()
     add_library(${name} INTERFACE)
     set(visibility INTERFACE)
@@ -28,10 +32,11 @@ function(flair_test name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600)
 endfunction()
 
-# flair_program(NAME SOURCES main.cc ... DEPENDS lib ...): an executable in bin/, part of target `programs`.
+# flair_program(NAME SOURCES main.cc ... DEPENDS lib ...): an executable in bin/ that knows its build, part of target
+# `programs`.
 function(flair_program name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
-  add_executable(${name} ${arg_SOURCES})
+  add_executable(${name} ${arg_SOURCES} $<TARGET_OBJECTS:flair_build_name>)
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS})
   set_property(GLOBAL APPEND PROPERTY FLAIR_PROGRAMS ${name})

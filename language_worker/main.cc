@@ -3,6 +3,7 @@
 #include "flair/config/v1/language_worker_config.pb.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "language_worker/service/make_language_service.h"
+#include "worker_runtime/bootstrap/build_name.h"
 #include "worker_runtime/bootstrap/run.h"
 
 namespace flair {
@@ -20,6 +21,8 @@ absl::Status Assemble(const config::v1::LanguageWorkerConfig& config, runtime::W
 
 int main(int argc, char** argv) {
   return flair::runtime::Run<flair::config::v1::LanguageWorkerConfig>(
-      argc, argv, {"flair-language", "Serves flair.v1.LanguageService: describes rooms in words and lists."},
+      argc, argv,
+      {"flair-language", "Serves flair.v1.LanguageService: describes rooms in words and lists.",
+       flair::runtime::BuildName()},
       flair::Assemble);
 }

@@ -3,6 +3,7 @@
 #include "flair/config/v1/optimizer_worker_config.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "optimizer_worker/service/make_optimizer_service.h"
+#include "worker_runtime/bootstrap/build_name.h"
 #include "worker_runtime/bootstrap/run.h"
 
 namespace flair {
@@ -20,5 +21,6 @@ absl::Status Assemble(const config::v1::OptimizerWorkerConfig& config, runtime::
 
 int main(int argc, char** argv) {
   return flair::runtime::Run<flair::config::v1::OptimizerWorkerConfig>(
-      argc, argv, {"flair-optimizer", "Serves flair.v1.OptimizerService: places objects."}, flair::Assemble);
+      argc, argv, {"flair-optimizer", "Serves flair.v1.OptimizerService: places objects.", flair::runtime::BuildName()},
+      flair::Assemble);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair-orchestrator: serves OrchestratorService.
 #include "orchestrator/service/make_orchestrator_service.h"
+#include "worker_runtime/bootstrap/build_name.h"
 #include "worker_runtime/bootstrap/run.h"
 
 namespace flair::orchestrator {
@@ -21,6 +22,8 @@ absl::Status Assemble(const config::v1::OrchestratorConfig& config, runtime::Wor
 
 int main(int argc, char** argv) {
   return flair::runtime::Run<flair::config::v1::OrchestratorConfig>(
-      argc, argv, {"flair-orchestrator", "Serves flair.v1.OrchestratorService: runs briefs through the stages."},
+      argc, argv,
+      {"flair-orchestrator", "Serves flair.v1.OrchestratorService: runs briefs through the stages.",
+       flair::runtime::BuildName()},
       flair::orchestrator::Assemble, flair::orchestrator::CheckOrchestratorConfig);
 }

@@ -3,6 +3,7 @@
 #include "flair/config/v1/renderer_worker_config.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "renderer_worker/service/make_renderer_service.h"
+#include "worker_runtime/bootstrap/build_name.h"
 #include "worker_runtime/bootstrap/run.h"
 
 namespace flair {
@@ -20,5 +21,6 @@ absl::Status Assemble(const config::v1::RendererWorkerConfig& config, runtime::W
 
 int main(int argc, char** argv) {
   return flair::runtime::Run<flair::config::v1::RendererWorkerConfig>(
-      argc, argv, {"flair-renderer", "Serves flair.v1.RendererService: draws layouts."}, flair::Assemble);
+      argc, argv, {"flair-renderer", "Serves flair.v1.RendererService: draws layouts.", flair::runtime::BuildName()},
+      flair::Assemble);
 }

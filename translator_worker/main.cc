@@ -3,6 +3,7 @@
 #include "flair/config/v1/translator_worker_config.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "translator_worker/service/make_translator_service.h"
+#include "worker_runtime/bootstrap/build_name.h"
 #include "worker_runtime/bootstrap/run.h"
 
 namespace flair {
@@ -20,6 +21,8 @@ absl::Status Assemble(const config::v1::TranslatorWorkerConfig& config, runtime:
 
 int main(int argc, char** argv) {
   return flair::runtime::Run<flair::config::v1::TranslatorWorkerConfig>(
-      argc, argv, {"flair-translator", "Serves flair.v1.TranslatorService: turns sentences into constraint calls."},
+      argc, argv,
+      {"flair-translator", "Serves flair.v1.TranslatorService: turns sentences into constraint calls.",
+       flair::runtime::BuildName()},
       flair::Assemble);
 }

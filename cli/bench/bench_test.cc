@@ -64,8 +64,8 @@ TEST_F(BenchTest, FoldersWithoutProblemsAreNotFound) {
 }
 
 TEST_F(BenchTest, GraphsAndLayoutsOfOursAreProblems) {
-  Write("graph.pb", GraphArtifactBytes(Study().graph));
-  Write("layout.pb", LayoutArtifactBytes(*Study().recorded));
+  Write("graph.pb", GraphArtifactBytes(Study().graph, "test", ""));
+  Write("layout.pb", LayoutArtifactBytes(*Study().recorded, "test", ""));
   const absl::StatusOr<BenchProblem> graph = ReadBenchProblem({"graph", folder_ / "graph.pb"});
   const absl::StatusOr<BenchProblem> layout = ReadBenchProblem({"layout", folder_ / "layout.pb"});
   ASSERT_TRUE(graph.ok() && layout.ok());

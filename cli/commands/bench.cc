@@ -18,6 +18,7 @@
 #include "cli/output/output_folder.h"
 #include "evaluation/readers/flairgpt_layout.h"
 #include "fmt/format.h"
+#include "worker_runtime/bootstrap/build_name.h"
 
 namespace flair::cli {
 namespace {
@@ -46,7 +47,8 @@ absl::Status WriteLayout(const SolveMeasure& measure, const std::filesystem::pat
   const absl::Status status = WriteOutputFile(
       folder / (measure.name + ".json"), evaluation::WriteFlairGptLayout(measure.layout, measure.name, measure.cpu_s));
   if (!status.ok()) return status;
-  return WriteOutputFile(folder / (measure.name + ".pb"), LayoutArtifactBytes(measure.layout));
+  return WriteOutputFile(folder / (measure.name + ".pb"),
+                         LayoutArtifactBytes(measure.layout, "bench solve", runtime::BuildName()));
 }
 
 absl::Status MakeFolder(const std::filesystem::path& folder) {

@@ -19,6 +19,7 @@
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "fmt/format.h"
 #include "room/conversion/room_conversion.h"
+#include "worker_runtime/bootstrap/build_name.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 
@@ -47,7 +48,7 @@ void LookAtLibraries(Findings& findings) {
   int major = 0, minor = 0, patch = 0;
   nlopt_version(&major, &minor, &patch);
   const int protobuf = GOOGLE_PROTOBUF_VERSION;
-  findings.Good("program", "flair " FLAIR_VERSION);
+  findings.Good("program", fmt::format("flair {}, build {}", FLAIR_VERSION, runtime::BuildName()));
   findings.Good("libraries", fmt::format("gRPC {}, protobuf {}.{}.{}, NLopt {}.{}.{}, SQLite {}", grpc::Version(),
                                          protobuf / 1000000, protobuf / 1000 % 1000, protobuf % 1000, major, minor,
                                          patch, sqlite3_libversion()));
@@ -135,7 +136,11 @@ void LookAtAddress(const std::string& address, Findings& findings) {
   runtime::CallContext call;
   const auto worker = runtime::UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(),
                                             call, absl::Now() + absl::Seconds(5));
-  if (worker.ok()) return findings.Good(address, fmt::format("{} answers", worker->program()));
+  if (worker.ok()) {
+    const std::string build = worker->build().empty() ? "unknown" : worker->build();
+    return findings.Good(address, fmt::format("{} answers, build {}{}", worker->program(), build,
+                                              build == runtime::BuildName() ? "" : ": another one than this program"));
+  }
   if (worker.status().code() == absl::StatusCode::kUnimplemented) {
     return findings.Good(address, "a gRPC server that is not Flair's own answers");
   }

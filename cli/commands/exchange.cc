@@ -11,6 +11,7 @@
 #include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
+#include "worker_runtime/bootstrap/build_name.h"
 
 namespace flair::cli {
 namespace {
@@ -28,7 +29,10 @@ absl::Status ImportFlairGpt(const ExchangeArguments& arguments) {
   if (!graph.ok()) {
     return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.in, std::string(graph.status().message())));
   }
-  if (absl::Status status = WriteOutputFile(arguments.out, GraphArtifactBytes(*graph)); !status.ok()) return status;
+  if (absl::Status status =
+          WriteOutputFile(arguments.out, GraphArtifactBytes(*graph, "import flairgpt", runtime::BuildName()));
+      !status.ok())
+    return status;
   for (const v1::Diagnostic& diagnostic : graph->diagnostics())
     fmt::print(stderr, "left out: {}\n", diagnostic.message());
   fmt::print(stderr, "{}: {} objects, {} constraints, {} calls left out\n", arguments.out,

@@ -43,7 +43,8 @@ void ShowSummary(const v1::Artifact& artifact, const std::filesystem::path& path
   fmt::print("{:<11}{} ({})\n", "id", artifact.id(), whole ? "matches its bytes" : "does NOT match its bytes: corrupt");
   const v1::Producer& producer = artifact.producer();
   if (!producer.program().empty()) {
-    fmt::print("{:<11}{}, {}, version {}\n", "made by", producer.program(), producer.method(), producer.version());
+    fmt::print("{:<11}{}, {}, version {}{}\n", "made by", producer.program(), producer.method(), producer.version(),
+               producer.build().empty() ? "" : ", build " + producer.build());
   }
   if (!artifact.options_digest().empty()) fmt::print("{:<11}{}\n", "options", artifact.options_digest());
   for (int i = 0; i < artifact.made_from_ids_size(); ++i) {

@@ -14,6 +14,7 @@
 #include "optimizer_worker/service/make_optimizer_service.h"
 #include "renderer_worker/service/make_renderer_service.h"
 #include "translator_worker/service/make_translator_service.h"
+#include "worker_runtime/bootstrap/build_name.h"
 
 namespace flair::cli {
 namespace {
@@ -31,9 +32,11 @@ absl::Status StartWorker(const std::string& program, const Make& make,
                          std::unique_ptr<runtime::InProcessServer>& server, orchestrator::StageChannel& channel) {
   Config config;
   *config.mutable_runtime() = QuietRuntime();
-  auto started =
-      runtime::InProcessServer::Start(program, config.runtime(), Service::service_full_name(),
-                                      [&](runtime::WorkerContext& context) { return make(config, context); });
+  auto started = runtime::InProcessServer::Start(program, config.runtime(), Service::service_full_name(),
+                                                 [&](runtime::WorkerContext& context) {
+                                                   context.build = runtime::BuildName();
+                                                   return make(config, context);
+                                                 });
   if (!started.ok()) return started.status();
   server = *std::move(started);
   channel.channel = server->channel();
@@ -100,6 +103,7 @@ absl::Status EmbeddedServices::StartOrchestrator(const std::string& store_path) 
   auto started = runtime::InProcessServer::Start(
       "flair-orchestrator", config.runtime(), v1::OrchestratorService::service_full_name(),
       [&](runtime::WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
+        context.build = runtime::BuildName();
         auto service = orchestrator::MakeOrchestratorService(config, context, stages_);
         if (!service.ok()) return service.status();
         service_ = service->get();

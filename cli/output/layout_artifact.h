@@ -8,8 +8,9 @@
 
 namespace flair::cli {
 
-// A layout as the bytes of an artifact with its id. `made_from_id` may be empty.
-std::string LayoutArtifactBytes(const v1::SolvedLayout& layout, const std::string& made_from_id = "");
-std::string GraphArtifactBytes(const v1::LayoutGraph& graph);
+// A layout or a graph as the bytes of an artifact with its id, made by `flair` of the given build and, as the
+// producer's method, by the command given.
+std::string LayoutArtifactBytes(const v1::SolvedLayout& layout, const std::string& command, const std::string& build);
+std::string GraphArtifactBytes(const v1::LayoutGraph& graph, const std::string& command, const std::string& build);
 
 }  // namespace flair::cli

@@ -235,14 +235,15 @@ absl::StatusOr<std::vector<RestartResult>> FanOutRestartRunner::Run(const SolveI
     threads.emplace_back([&, i] {
       const absl::Status status = gathering.WorkThere(own + static_cast<int>(i), pool_, *peers[i], request);
       if (status.ok()) pool_.ReportSuccess(*peers[i]);
-      if (!status.ok() && !absl::IsCancelled(status)) pool_.ReportFailure(*peers[i]);
+      if (!status.ok() && !absl::IsCancelled(status)) pool_.ReportFailure(*peers[i], status);
     });
   }
   gathering.WorkHere(0);
   for (std::thread& thread : threads) thread.join();
   if (!gathering.disagreed()) return gathering.Results();
   // A peer computes something else (another processor, another build) and nobody knows in which answers.
-  for (const PeerOptimizer* peer : peers) pool_.ReportFailure(*peer);
+  const absl::Status disagreed = absl::InternalError("a restart that was run twice gave two results");
+  for (const PeerOptimizer* peer : peers) pool_.ReportFailure(*peer, disagreed);
   return RunRestarts(input, stage, before, first, count);
 }
 

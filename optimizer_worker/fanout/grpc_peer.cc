@@ -36,11 +36,12 @@ class GrpcPeer final : public PeerOptimizer {
     if (!status.ok()) return runtime::FromGrpcStatus(status);
     const auto& metadata = context.GetServerInitialMetadata();
     const auto producer = metadata.find(kProducerMetadata);
-    const std::string theirs =
-        producer == metadata.end() ? "" : std::string(producer->second.data(), producer->second.size());
+    const std::string theirs = producer == metadata.end()
+                                   ? "no Flair optimizer"
+                                   : std::string(producer->second.data(), producer->second.size());
     if (theirs != producer_) {
       return absl::FailedPreconditionError(
-          fmt::format("peer {} is \"{}\", this optimizer \"{}\": equal ones are needed", address_, theirs, producer_));
+          fmt::format("it is {}; this optimizer is {}. Run the same build on both", theirs, producer_));
     }
     return response;
   }
@@ -54,16 +55,12 @@ class GrpcPeer final : public PeerOptimizer {
 
 }  // namespace
 
-std::string ProducerText(const v1::Producer& producer) {
-  return fmt::format("{} {} {}", producer.program(), producer.method(), producer.version());
-}
-
-absl::StatusOr<std::unique_ptr<PeerOptimizer>> MakeGrpcPeer(const std::string& address, const v1::Producer& producer,
+absl::StatusOr<std::unique_ptr<PeerOptimizer>> MakeGrpcPeer(const std::string& address, const std::string& producer,
                                                             const runtime::Clock& clock) {
   absl::StatusOr<std::shared_ptr<grpc::Channel>> channel =
       runtime::MakeChannel(address, v1::OptimizerService::service_full_name());
   if (!channel.ok()) return channel.status();
-  return std::make_unique<GrpcPeer>(address, ProducerText(producer), *channel, clock);
+  return std::make_unique<GrpcPeer>(address, producer, *channel, clock);
 }
 
 }  // namespace flair::optimizer

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "fmt/format.h"
+
 namespace flair::optimizer {
 namespace {
 
@@ -14,7 +16,9 @@ constexpr std::chrono::milliseconds kGlance(5);
 
 }  // namespace
 
-PeerPool::PeerPool(std::vector<std::unique_ptr<PeerOptimizer>> peers, const runtime::Clock& clock) : clock_(clock) {
+PeerPool::PeerPool(std::vector<std::unique_ptr<PeerOptimizer>> peers, const runtime::Clock& clock,
+                   std::function<void(const std::string&)> remark)
+    : clock_(clock), remark_(std::move(remark)) {
   for (std::unique_ptr<PeerOptimizer>& peer : peers) peers_.emplace_back().peer = std::move(peer);
 }
 
@@ -31,11 +35,17 @@ std::vector<PeerOptimizer*> PeerPool::Available() const {
   return available;
 }
 
-void PeerPool::ReportFailure(const PeerOptimizer& peer) {
-  const std::lock_guard lock(mutex_);
-  Entry& entry = EntryOf(peer);
-  const int doublings = std::min(entry.failures++, kMostDoublings);
-  entry.rests_until = clock_.Elapsed() + std::min(kLongestRest, kFirstRest * (1 << doublings));
+void PeerPool::ReportFailure(const PeerOptimizer& peer, const absl::Status& why) {
+  absl::Duration rest;
+  {
+    const std::lock_guard lock(mutex_);
+    Entry& entry = EntryOf(peer);
+    const int doublings = std::min(entry.failures++, kMostDoublings);
+    rest = std::min(kLongestRest, kFirstRest * (1 << doublings));
+    entry.rests_until = clock_.Elapsed() + rest;
+  }
+  remark_(fmt::format("peer {} is left out for {} s: {}; its restarts run elsewhere", peer.name(),
+                      absl::ToInt64Seconds(rest), std::string(why.message())));
 }
 
 void PeerPool::ReportSuccess(const PeerOptimizer& peer) {

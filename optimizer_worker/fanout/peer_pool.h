@@ -8,9 +8,11 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "optimizer_worker/fanout/peer_optimizer.h"
 #include "worker_runtime/clock/clock.h"
 
@@ -18,7 +20,7 @@ namespace flair::optimizer {
 
 // Thread-safe. All solves of this process share the peers: a peer has at most kMostCalls calls at a time, and who waits
 // for one is served in the order of coming. A peer that fails rests for a second, then two, four ... up to a minute;
-// one success ends that.
+// one success ends that. Why it failed is told to `remark`, one sentence each time.
 class PeerPool {
  public:
   static constexpr int kMostCalls = 2;
@@ -38,13 +40,15 @@ class PeerPool {
     const PeerOptimizer* peer_;
   };
 
-  // `clock` must outlive the pool.
-  PeerPool(std::vector<std::unique_ptr<PeerOptimizer>> peers, const runtime::Clock& clock);
+  // `clock` must outlive the pool. `remark` is called from several threads.
+  PeerPool(
+      std::vector<std::unique_ptr<PeerOptimizer>> peers, const runtime::Clock& clock,
+      std::function<void(const std::string&)> remark = [](const std::string&) {});
 
   bool empty() const { return peers_.empty(); }
   // Those that do not rest, in the order given.
   std::vector<PeerOptimizer*> Available() const;
-  void ReportFailure(const PeerOptimizer& peer);
+  void ReportFailure(const PeerOptimizer& peer, const absl::Status& why);
   void ReportSuccess(const PeerOptimizer& peer);
   // Waits until `peer` may be called; nullopt once `gives_up` says so, which is asked every few milliseconds.
   std::optional<Slot> WaitForSlot(const PeerOptimizer& peer, const std::function<bool()>& gives_up);
@@ -62,6 +66,7 @@ class PeerPool {
   Entry& EntryOf(const PeerOptimizer& peer);
 
   const runtime::Clock& clock_;
+  const std::function<void(const std::string&)> remark_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   int64_t next_ticket_ = 0;

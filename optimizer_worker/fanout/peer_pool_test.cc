@@ -20,6 +20,25 @@ class IdlePeer final : public PeerOptimizer {
   std::string name_ = "idle";
 };
 
+const absl::Status kWhy = absl::UnavailableError("nobody listens");
+
+TEST(PeerPool, SaysWhyAPeerIsLeftOutAndForHowLong) {
+  runtime::FakeClock clock;
+  std::vector<std::unique_ptr<PeerOptimizer>> peers;
+  peers.push_back(std::make_unique<IdlePeer>());
+  std::vector<std::string> remarks;
+  PeerPool pool(std::move(peers), clock, [&](const std::string& remark) { remarks.push_back(remark); });
+  const PeerOptimizer& peer = *pool.Available()[0];
+  pool.ReportFailure(peer, kWhy);
+  pool.ReportSuccess(peer);
+  pool.ReportFailure(peer, kWhy);
+  pool.ReportFailure(peer, kWhy);
+  EXPECT_EQ(remarks,
+            (std::vector<std::string>{"peer idle is left out for 1 s: nobody listens; its restarts run elsewhere",
+                                      "peer idle is left out for 1 s: nobody listens; its restarts run elsewhere",
+                                      "peer idle is left out for 2 s: nobody listens; its restarts run elsewhere"}));
+}
+
 TEST(PeerPool, APeerThatFailsRestsLongerEachTimeAndOneSuccessEndsThat) {
   runtime::FakeClock clock;
   std::vector<std::unique_ptr<PeerOptimizer>> peers;
@@ -28,14 +47,14 @@ TEST(PeerPool, APeerThatFailsRestsLongerEachTimeAndOneSuccessEndsThat) {
   ASSERT_EQ(pool.Available().size(), 1u);
   const PeerOptimizer& peer = *pool.Available()[0];
   for (int rest_s : {1, 2, 4, 8, 16, 32, 60, 60}) {
-    pool.ReportFailure(peer);
+    pool.ReportFailure(peer, kWhy);
     clock.Advance(absl::Seconds(rest_s) - absl::Milliseconds(1));
     EXPECT_TRUE(pool.Available().empty()) << rest_s;
     clock.Advance(absl::Milliseconds(1));
     EXPECT_EQ(pool.Available().size(), 1u) << rest_s;
   }
   pool.ReportSuccess(peer);
-  pool.ReportFailure(peer);
+  pool.ReportFailure(peer, kWhy);
   clock.Advance(absl::Seconds(1));
   EXPECT_EQ(pool.Available().size(), 1u);
 }
@@ -47,7 +66,7 @@ TEST(PeerPool, OnePeersFailureLeavesTheOthers) {
   peers.push_back(std::make_unique<IdlePeer>());
   PeerPool pool(std::move(peers), clock);
   PeerOptimizer* const second = pool.Available()[1];
-  pool.ReportFailure(*pool.Available()[0]);
+  pool.ReportFailure(*pool.Available()[0], kWhy);
   ASSERT_EQ(pool.Available().size(), 1u);
   EXPECT_EQ(pool.Available()[0], second);
 }

@@ -19,7 +19,10 @@ namespace {
 class Service final : public v1::OptimizerService::CallbackService {
  public:
   Service(runtime::WorkerContext& worker, std::vector<std::unique_ptr<PeerOptimizer>> peers)
-      : worker_(worker), peers_(std::move(peers), worker.clock) {}
+      : worker_(worker),
+        identity_(PeerIdentity(worker.build)),
+        peers_(std::move(peers), worker.clock,
+               [&worker](const std::string& remark) { worker.logger->warn("{}", remark); }) {}
 
   grpc::ServerUnaryReactor* ListConstraintTypes(grpc::CallbackServerContext* context,
                                                 const v1::ListConstraintTypesRequest* request,
@@ -32,7 +35,7 @@ class Service final : public v1::OptimizerService::CallbackService {
   }
   grpc::ServerUnaryReactor* SolveRestarts(grpc::CallbackServerContext* context, const v1::SolveRestartsRequest* request,
                                           v1::SolveRestartsResponse* response) override {
-    context->AddInitialMetadata(kProducerMetadata, ProducerText(OptimizerProducer()));
+    context->AddInitialMetadata(kProducerMetadata, identity_);
     return runtime::ServeUnary(worker_, "SolveRestarts", context, request, response, solve_restarts_);
   }
   grpc::ServerUnaryReactor* Resolve(grpc::CallbackServerContext* context, const v1::ResolveRequest* request,
@@ -46,6 +49,7 @@ class Service final : public v1::OptimizerService::CallbackService {
 
  private:
   runtime::WorkerContext& worker_;
+  const std::string identity_;
   const NloptSolver solver_;
   ListConstraintTypesHandler list_constraint_types_;
   PeerPool peers_;
@@ -62,7 +66,7 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeOptimizerService(const config
   std::vector<std::unique_ptr<PeerOptimizer>> peers;
   for (int i = 0; i < config.peer_addresses_size(); ++i) {
     absl::StatusOr<std::unique_ptr<PeerOptimizer>> peer =
-        MakeGrpcPeer(config.peer_addresses(i), OptimizerProducer(), worker.clock);
+        MakeGrpcPeer(config.peer_addresses(i), PeerIdentity(worker.build), worker.clock);
     if (!peer.ok()) {
       return absl::InvalidArgumentError(fmt::format("peer_addresses[{}]: {}", i, std::string(peer.status().message())));
     }

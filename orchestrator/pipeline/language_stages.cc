@@ -37,6 +37,7 @@ absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run) {
   artifact.mutable_producer()->set_program("flair-orchestrator");
   artifact.mutable_producer()->set_method("request");
   artifact.mutable_producer()->set_version("1");
+  artifact.mutable_producer()->set_build(run.build);
   *artifact.mutable_brief() = run.spec.brief();
   const absl::string_view trimmed = absl::StripAsciiWhitespace(run.spec.brief().text());
   artifact.mutable_brief()->set_text(std::string(trimmed));

@@ -20,6 +20,8 @@ struct PipelineOptions {
   // That one call of a stage may take.
   absl::Duration stage_deadline = absl::Seconds(600);
   BackoffPolicy backoff;
+  // What this program was built from, for the artifacts that it makes itself.
+  std::string build;
   Waiter wait = WaitUnlessCancelled;
   // Called after each stored event with the job's id.
   std::function<void(const std::string&)> notify = [](const std::string&) {};

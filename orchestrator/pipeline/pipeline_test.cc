@@ -273,7 +273,8 @@ class EmptyRoomStages final : public StageClients {
   NEVER(Translate)
   NEVER(ListConstraintTypes)
   NEVER(Solve)
-  NEVER(Evaluate) NEVER(Render)
+  NEVER(Evaluate)
+  NEVER(Render)
 #undef NEVER
       absl::StatusOr<std::string> Revision(v1::ArtifactKind, Call&) override {
     return "";

@@ -50,6 +50,7 @@ absl::StatusOr<v1::Artifact> RunReport(const StageRun& run) {
   artifact.mutable_producer()->set_program("flair-orchestrator");
   artifact.mutable_producer()->set_method("report");
   artifact.mutable_producer()->set_version("1");
+  artifact.mutable_producer()->set_build(run.build);
   v1::Report& report = *artifact.mutable_report();
   report.set_job_id(run.job_id);
   *report.mutable_metrics() = response->metrics();

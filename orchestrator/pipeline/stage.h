@@ -23,6 +23,8 @@ struct StageRun {
   std::span<const v1::Artifact* const> inputs;
   // What the stage's `options` function returned.
   std::string options;
+  // What this program was built from; for the artifacts that it makes itself.
+  const std::string& build;
   // What the stages before it took; for the report.
   std::span<const v1::StageTiming> timings;
   StageClients& clients;

@@ -53,7 +53,7 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
                                                      std::span<const v1::StageTiming> timings) const {
   const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
   runtime::CallContext no_deadline;
-  StageRun run{job_.id(), job_.spec(), inputs, "", timings, clients_, no_deadline};
+  StageRun run{job_.id(), job_.spec(), inputs, "", options_.build, timings, clients_, no_deadline};
   if (stage.options != nullptr) {
     absl::StatusOr<std::string> options = Retry<std::string>(stage.options, run);
     if (!options.ok()) return options.status();
@@ -116,7 +116,7 @@ absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Res
   for (int attempt = 0;; ++attempt) {
     runtime::CallContext call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
     runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
-    StageRun current{run.job_id, run.spec, run.inputs, run.options, run.timings, run.clients, call};
+    StageRun current{run.job_id, run.spec, run.inputs, run.options, run.build, run.timings, run.clients, call};
     absl::StatusOr<Result> result = cancellation_.cancelled()
                                         ? absl::StatusOr<Result>(absl::CancelledError("the job was cancelled"))
                                         : function(current);

@@ -26,8 +26,10 @@ int QueuedJobLimit(const config::v1::OrchestratorConfig& config) {
   return config.queued_job_limit() > 0 ? config.queued_job_limit() : 10000;
 }
 
-PipelineOptions MakePipelineOptions(const config::v1::OrchestratorConfig& config, EventHub& hub) {
+PipelineOptions MakePipelineOptions(const config::v1::OrchestratorConfig& config, const std::string& build,
+                                    EventHub& hub) {
   PipelineOptions options;
+  options.build = build;
   if (config.has_stage_deadline_seconds()) options.stage_deadline = absl::Seconds(config.stage_deadline_seconds());
   options.notify = [&hub](const std::string& job_id) { hub.Notify(job_id); };
   return options;
@@ -40,7 +42,7 @@ class Service final : public OrchestratorService {
       : worker_(worker),
         store_(std::move(store)),
         clients_(MakeGrpcStageClients(channels)),
-        pipeline_options_(MakePipelineOptions(config, hub_)),
+        pipeline_options_(MakePipelineOptions(config, worker.build, hub_)),
         pipeline_(*store_, *clients_, worker.clock, pipeline_options_),
         runner_(*store_, pipeline_, worker.clock, *worker.logger, pipeline_options_,
                 {RunningJobLimit(config), config.requested_jobs_only()}),

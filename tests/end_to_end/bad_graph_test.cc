@@ -77,7 +77,7 @@ class GraphFile : public ::testing::TestWithParam<Case> {
   Finished SolveSpoiled() const {
     v1::LayoutGraph graph = Bedroom();
     GetParam().spoil(graph);
-    return Solve(cli::GraphArtifactBytes(graph));
+    return Solve(cli::GraphArtifactBytes(graph, "test", ""));
   }
   bool Written() const { return std::filesystem::exists(folder_ / "layout.pb"); }
 
@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST_F(GraphFile, CutOffOrNestedWithoutEndIsNoArtifact) {
-  const std::string good = cli::GraphArtifactBytes(Bedroom());
+  const std::string good = cli::GraphArtifactBytes(Bedroom(), "test", "");
   std::string nested;
   for (int i = 0; i < 100000; ++i) nested += "{\"layoutGraph\":";
   for (const std::string& bytes : {good.substr(0, 1), good.substr(0, good.size() / 2), good.substr(0, good.size() - 1),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same brief and seed give the same bytes, whoever does the work and however often it was interrupted.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -7,6 +8,8 @@
 
 namespace flair::testing {
 namespace {
+
+using ::testing::HasSubstr;
 
 constexpr char kBrief[] = "A bedroom that is 3m x 4m.";
 constexpr const char* kFiles[] = {"brief.pb",  "room.pb",        "zones.pb",         "objects.pb",
@@ -44,6 +47,26 @@ TEST(Determinism, SeparateProgramsGiveTheSameBytesAsOne) {
   Design(folder, "embedded", "home");
   Design(folder, "separate", "unused", {"--orchestrator", programs.orchestrator()});
   ExpectSame(folder / "embedded", folder / "separate");
+}
+
+TEST(Determinism, AllProgramsOfOneBuildSayTheSameBuildAndSoDoTheirArtifacts) {
+  const std::string build = BuildOfFlair();
+  ASSERT_FALSE(build.empty());
+  const TestFolder folder;
+  AllPrograms programs(folder.path());
+  const Finished doctor = RunProgram("flair",
+                                     {"doctor", programs.language(), programs.translator(), programs.optimizer(),
+                                      programs.renderer(), programs.orchestrator()},
+                                     {{"FLAIR_HOME", folder / "home"}});
+  EXPECT_EQ(doctor.exit_code, 0) << doctor.out;
+  for (const char* name : {"language", "translator", "optimizer", "renderer", "orchestrator"}) {
+    EXPECT_THAT(doctor.out, HasSubstr(std::string("flair-") + name + " answers, build " + build + "\n"));
+  }
+  Design(folder, "out", "home");
+  for (const char* name : kFiles) {
+    if (!std::string(name).ends_with(".pb")) continue;
+    EXPECT_THAT(RunProgram("flair", {"inspect", folder / "out" / name}).out, HasSubstr(", build " + build + "\n"));
+  }
 }
 
 TEST(Determinism, AnotherSeedGivesAnotherRoom) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A solve spread over several optimizer processes gives the same bytes as one alone, whatever happens to the others.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -10,7 +11,9 @@
 namespace flair::testing {
 namespace {
 
-constexpr char kListen[] = "runtime { listen_address: \"127.0.0.1:0\" log_level: \"error\" }\n";
+using ::testing::HasSubstr;
+
+constexpr char kListen[] = "runtime { listen_address: \"127.0.0.1:0\" log_level: \"warning\" }\n";
 
 // An optimizer that knows others, and a room for it to solve.
 class FanOut : public ::testing::Test {
@@ -41,10 +44,11 @@ class FanOut : public ::testing::Test {
     return ReadAll(*folder_ / (out + ".pb"));
   }
 
-  static std::unique_ptr<ServerProgram> Start(const std::string& name, const std::string& peers = "") {
+  static std::unique_ptr<ServerProgram> Start(const std::string& name, const std::string& peers = "",
+                                              const std::string& program_name = "flair-optimizer") {
     const std::filesystem::path folder = folder_->path() / name;
     std::filesystem::create_directories(folder);
-    auto program = std::make_unique<ServerProgram>("flair-optimizer", kListen + peers, folder);
+    auto program = std::make_unique<ServerProgram>(program_name, kListen + peers, folder);
     EXPECT_NE(program->address(), "");
     return program;
   }
@@ -80,6 +84,18 @@ TEST_F(FanOut, APeerThatStandsStillHoldsNobodyUp) {
   a->process().Signal(SIGSTOP);
   EXPECT_TRUE(Solve("stopped", driver->address()) == alone_);
   a->process().Signal(SIGCONT);
+}
+
+TEST_F(FanOut, APeerOfAnotherBuildIsRefusedAndTheOwnThreadsDoItsWork) {
+  const auto other = Start("other_build", "", "../test_bin/flair_other_optimizer");
+  const auto driver = Start("other_build_driver", PeerLine(*other));
+  EXPECT_TRUE(Solve("other_build", driver->address()) == alone_);
+  driver->process().Signal(SIGTERM);
+  const std::string log = driver->process().Wait().err;
+  EXPECT_THAT(log, HasSubstr("peer " + other->address() + " is left out"));
+  EXPECT_THAT(log, HasSubstr("it is flair-optimizer slsqp 1, build another-build; this optimizer is flair-optimizer "
+                             "slsqp 1, build " +
+                             BuildOfFlair()));
 }
 
 TEST_F(FanOut, APeerAddressThatCannotBeIsRefusedAtTheStart) {

@@ -67,6 +67,7 @@ int RunProgram(int argc, char** argv, const Program& program, google::protobuf::
   setenv("GRPC_VERBOSITY", "NONE", 0);
   const sigset_t signals = BlockStopSignals();
   Worker worker(program.name, runtime());
+  worker.context().build = program.build;
   absl::Status status = assemble(worker);
   if (status.ok()) status = worker.Start();
   if (!status.ok()) {

@@ -16,6 +16,8 @@ struct Program {
   std::string name;
   // One sentence, such as "Serves flair.v1.OptimizerService: places objects."
   std::string summary;
+  // BuildName(), for all but tests.
+  std::string build = "";
 };
 
 namespace internal {

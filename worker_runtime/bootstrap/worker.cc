@@ -9,6 +9,7 @@ absl::Status Worker::Start() {
   const std::string listen = config_.listen_address().empty() ? "127.0.0.1:0" : config_.listen_address();
   auto server = Server::Start({.program = resources_.program(),
                                .revision = context().revision,
+                               .build = context().build,
                                .listen_address = listen,
                                .max_message_mib = config_.max_message_mib()},
                               std::move(services_));
@@ -16,7 +17,7 @@ absl::Status Worker::Start() {
   server_ = *std::move(server);
   std::printf("listening on %s\n", server_->address().c_str());
   std::fflush(stdout);
-  context().logger->info("listening on {}", server_->address());
+  context().logger->info("listening on {}, build {}", server_->address(), context().build);
   return absl::OkStatus();
 }
 

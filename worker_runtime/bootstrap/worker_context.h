@@ -23,6 +23,8 @@ struct WorkerContext {
   // Names the data that the service answers from, beyond the program itself; set by the service while it is made. Two
   // servers whose answers may differ must differ here or in their build.
   std::string revision = "";
+  // What the program was built from (BuildName); ServeUnary writes it into every answer that names its producer.
+  std::string build = "";
 };
 
 // Owns what a WorkerContext refers to. Stop the server and destroy the service before it.

@@ -33,6 +33,7 @@ class InProcessServer {
     services.push_back({service_name, *std::move(service)});
     auto server = Server::Start({.program = program,
                                  .revision = result->resources_.context().revision,
+                                 .build = result->resources_.context().build,
                                  .listen_address = "",
                                  .max_message_mib = config.max_message_mib()},
                                 std::move(services));

@@ -32,6 +32,7 @@ class WorkerInfo final : public v1::WorkerService::CallbackService {
   explicit WorkerInfo(const ServerOptions& options) {
     worker_.set_program(options.program);
     worker_.set_revision(BuildId() + "/" + options.revision);
+    worker_.set_build(options.build);
   }
   grpc::ServerUnaryReactor* GetWorker(grpc::CallbackServerContext* context, const v1::GetWorkerRequest*,
                                       v1::GetWorkerResponse* response) override {

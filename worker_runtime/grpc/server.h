@@ -21,9 +21,10 @@ struct NamedService {
 };
 
 struct ServerOptions {
-  // Name of the program and the data it answers from; with the build, what WorkerService answers.
+  // Name of the program, the data it answers from and what it was built from: what WorkerService answers.
   std::string program;
   std::string revision;
+  std::string build;
   // "HOST:PORT" or "unix:PATH"; port 0 takes a free one. Empty: no port, in-process channels only.
   std::string listen_address;
   // Largest message in MiB; 32 when 0.

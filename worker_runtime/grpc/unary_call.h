@@ -39,7 +39,8 @@ std::string RequestIdOf(const Request& request) {
 
 // Answers a unary call of the callback API with a plain handler. `handler` is an object with
 //   absl::StatusOr<Response> Handle(const Request&, CallContext&)
-// or a callable of that form; it is called from several threads at once and must outlive the server. Use:
+// or a callable of that form; it is called from several threads at once and must outlive the server. An answer that
+// names its producer gets the worker's build. Use:
 //   grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
 //                                   v1::SolveResponse* response) override {
 //     return runtime::ServeUnary(worker_, "Solve", context, request, response, solve_handler_);
@@ -49,7 +50,7 @@ grpc::ServerUnaryReactor* ServeUnary(WorkerContext& worker, std::string_view met
                                      grpc::CallbackServerContext* context, const Request* request, Response* response,
                                      Handler& handler) {
   return StartUnary(worker, method, internal::RequestIdOf(*request), *context,
-                    [request, response, &handler](CallContext& call) -> absl::Status {
+                    [&worker, request, response, &handler](CallContext& call) -> absl::Status {
                       absl::StatusOr<Response> answer = [&]() -> absl::StatusOr<Response> {
                         if constexpr (requires { handler.Handle(*request, call); }) {
                           return handler.Handle(*request, call);
@@ -59,6 +60,9 @@ grpc::ServerUnaryReactor* ServeUnary(WorkerContext& worker, std::string_view met
                       }();
                       if (!answer.ok()) return answer.status();
                       *response = *std::move(answer);
+                      if constexpr (requires { response->mutable_producer(); }) {
+                        if (response->has_producer()) response->mutable_producer()->set_build(worker.build);
+                      }
                       return absl::OkStatus();
                     });
 }
