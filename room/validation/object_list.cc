@@ -19,6 +19,7 @@ void CheckObject(const v1::Object& object, const Known& known, const Field& at) 
   at["height_m"].InRange(object.height_m(), kHeight);
   at["elevation_m"].InRange(object.elevation_m(), kElevation);
   at["description"].Text(object.description(), 0, 4000);
+  at["placement"].Text(object.placement(), 0, 4000);
   if (!object.category().empty()) at["category"].Id(object.category());
   const bool standing = object.role() == v1::OBJECT_ROLE_PRIMARY || object.role() == v1::OBJECT_ROLE_SECONDARY;
   if (standing && object.kind() != v1::OBJECT_KIND_FLOOR && object.kind() != v1::OBJECT_KIND_UNSPECIFIED) {

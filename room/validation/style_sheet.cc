@@ -34,6 +34,7 @@ void Check(const v1::StyleSheet& sheet, const Known& known, const Field& at) {
     if (known.objects == nullptr || known.openings == nullptr || known.openings->contains(style.subject_id())) continue;
     field["subject_id"].Refers(style.subject_id(), *known.objects, "an object or opening");
   }
+  CheckDiagnostics(sheet.diagnostics(), at["diagnostics"]);
 }
 
 }  // namespace flair::validation
