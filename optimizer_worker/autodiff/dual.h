@@ -9,43 +9,80 @@
 
 namespace flair::optimizer {
 
+// N numbers kept two by two, as every x86-64 and ARM64 adds and multiplies them. Each lane is worked out like a double
+// on its own, so that results do not depend on the machine. An odd N has a last lane that stays 0 or is never read.
+template <int N>
+class Partials {
+ public:
+  Partials() = default;
+  // 1 at `index`, else 0.
+  static constexpr Partials Unit(int index) { return At(index, 1); }
+  // `value` at `index`, else 0.
+  static constexpr Partials At(int index, double value) {
+    Partials p;
+    for (int i = 0; i < kPairs; ++i) p.pairs_[i] = Pair{index == 2 * i ? value : 0, index == 2 * i + 1 ? value : 0};
+    return p;
+  }
+  double operator[](int i) const { return pairs_[i / 2][i % 2]; }
+
+  // slope * a
+  friend Partials Scaled(double slope, const Partials& a) {
+    Partials r;
+    for (int i = 0; i < kPairs; ++i) r.pairs_[i] = slope * a.pairs_[i];
+    return r;
+  }
+  // s * a + t * b
+  friend Partials Combined(double s, const Partials& a, double t, const Partials& b) {
+    Partials r;
+    for (int i = 0; i < kPairs; ++i) r.pairs_[i] = s * a.pairs_[i] + t * b.pairs_[i];
+    return r;
+  }
+  Partials& operator+=(const Partials& o) {
+    for (int i = 0; i < kPairs; ++i) pairs_[i] += o.pairs_[i];
+    return *this;
+  }
+  Partials& operator-=(const Partials& o) {
+    for (int i = 0; i < kPairs; ++i) pairs_[i] -= o.pairs_[i];
+    return *this;
+  }
+
+ private:
+  using Pair = double __attribute__((vector_size(16)));
+  static constexpr int kPairs = (N + 1) / 2;
+  std::array<Pair, kPairs> pairs_{};
+};
+
 template <int N>
 struct Dual {
   double value = 0;
-  std::array<double, N> partial{};
+  Partials<N> partial;
 
   Dual() = default;
   // A constant. Implicit, so that formulas may mix scalars.
   Dual(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
+  Dual(double v, const Partials<N>& p) : value(v), partial(p) {}
   // The variable number `index`.
-  static Dual Variable(double value, int index) {
-    Dual d(value);
-    d.partial[static_cast<size_t>(index)] = 1;
-    return d;
-  }
+  static Dual Variable(double value, int index) { return {value, Partials<N>::Unit(index)}; }
 
   Dual& operator+=(const Dual& o) {
     value += o.value;
-    for (int i = 0; i < N; ++i) partial[i] += o.partial[i];
+    partial += o.partial;
     return *this;
   }
   Dual& operator-=(const Dual& o) {
     value -= o.value;
-    for (int i = 0; i < N; ++i) partial[i] -= o.partial[i];
+    partial -= o.partial;
     return *this;
   }
   friend Dual operator+(Dual a, const Dual& b) { return a += b; }
   friend Dual operator-(Dual a, const Dual& b) { return a -= b; }
   friend Dual operator-(const Dual& a) { return a.Chain(-a.value, -1); }
   friend Dual operator*(const Dual& a, const Dual& b) {
-    Dual r(a.value * b.value);
-    for (int i = 0; i < N; ++i) r.partial[i] = a.partial[i] * b.value + a.value * b.partial[i];
-    return r;
+    return {a.value * b.value, Combined(b.value, a.partial, a.value, b.partial)};
   }
   friend Dual operator/(const Dual& a, const Dual& b) {
-    Dual r(a.value / b.value);
-    for (int i = 0; i < N; ++i) r.partial[i] = (a.partial[i] - r.value * b.partial[i]) / b.value;
-    return r;
+    const double ratio = a.value / b.value, inverse = 1 / b.value;
+    return {ratio, Combined(inverse, a.partial, -ratio * inverse, b.partial)};
   }
   friend Dual operator+(Dual a, double b) { return a.value += b, a; }
   friend Dual operator+(double a, Dual b) { return b.value += a, b; }
@@ -68,19 +105,13 @@ struct Dual {
   friend Dual cos(const Dual& a) { return a.Chain(std::cos(a.value), -std::sin(a.value)); }
   friend Dual atan2(const Dual& y, const Dual& x) {
     const double norm2 = x.value * x.value + y.value * y.value;
-    Dual r(std::atan2(y.value, x.value));
-    for (int i = 0; i < N; ++i) r.partial[i] = (x.value * y.partial[i] - y.value * x.partial[i]) / norm2;
-    return r;
+    return {std::atan2(y.value, x.value), Combined(x.value / norm2, y.partial, -y.value / norm2, x.partial)};
   }
   friend Dual abs(const Dual& a) { return a.value < 0 ? -a : a; }
 
  private:
   // f(a) with derivative `slope`.
-  Dual Chain(double f, double slope) const {
-    Dual r(f);
-    for (int i = 0; i < N; ++i) r.partial[i] = slope * partial[i];
-    return r;
-  }
+  Dual Chain(double f, double slope) const { return {f, Scaled(slope, partial)}; }
 };
 
 // The value of a scalar, without its derivatives.

@@ -19,18 +19,15 @@ namespace flair::optimizer {
 template <typename T, int K>
 using Frames = std::array<Frame<T>, K>;
 
-// The frame of one object, with derivatives by variables `first`, `first + 1`, `first + 2` for x, y, theta.
-template <int N>
-Frame<Dual<N>> DualFrame(const Frame<double>& value, int first) {
+// The frame of one object, with derivatives by variables kFirst, kFirst + 1, kFirst + 2 for x, y, theta.
+template <int N, int kFirst>
+Frame<Dual<N>> DualFrame(const Frame<double>& value) {
   const double c = value.right.x;
   const double s = value.right.y;
-  Frame<Dual<N>> frame;
-  frame.center = {Dual<N>::Variable(value.center.x, first), Dual<N>::Variable(value.center.y, first + 1)};
-  frame.right = {Dual<N>(c), Dual<N>(s)};
-  frame.right.x.partial[static_cast<size_t>(first + 2)] = -s;
-  frame.right.y.partial[static_cast<size_t>(first + 2)] = c;
-  frame.front = {-frame.right.y, frame.right.x};
-  return frame;
+  const auto turning = [](double v, double slope) { return Dual<N>(v, Partials<N>::At(kFirst + 2, slope)); };
+  return {{Dual<N>::Variable(value.center.x, kFirst), Dual<N>::Variable(value.center.y, kFirst + 1)},
+          {turning(c, -s), turning(s, c)},
+          {turning(-s, -c), turning(c, -s)}};
 }
 
 template <typename Formula>
@@ -61,14 +58,20 @@ class FormulaCost final : public Cost {
       std::fill(gradient.begin(), gradient.end(), 0.0);
       return 0;
     }
-    Frames<Dual<kVariables>, kCount> operands;
-    for (int k = 0; k < kCount; ++k) operands[k] = DualFrame<kVariables>(frames[slot_[k]], 3 * slot_[k]);
-    const Dual<kVariables> cost = formula_(operands);
-    std::copy(cost.partial.begin(), cost.partial.end(), gradient.begin());
+    const Dual<kVariables> cost = formula_(DualFrames(frames, std::make_integer_sequence<int, kCount>()));
+    for (int k = 0; k < kCount; ++k) {
+      for (int c = 0; c < 3; ++c) gradient[3 * slot_[k] + c] = cost.partial[3 * k + c];
+    }
     return cost.value;
   }
 
  private:
+  template <int... k>
+  Frames<Dual<kVariables>, kCount> DualFrames(std::span<const Frame<double>> frames,
+                                              std::integer_sequence<int, k...>) const {
+    return {DualFrame<kVariables, 3 * k>(frames[slot_[k]])...};
+  }
+
   Formula formula_;
   std::array<int, kCount> sorted_;
   std::array<int, kCount> slot_;

@@ -12,8 +12,8 @@ namespace flair::optimizer {
 template <typename Term>
 double AddPair(std::span<const Frame<double>> frames, size_t i, size_t j, std::span<double> gradient,
                const Term& term) {
-  const Dual<6> value = term(DualFrame<6>(frames[i], 0), DualFrame<6>(frames[j], 3));
-  for (size_t k = 0; k < 3; ++k) {
+  const Dual<6> value = term(DualFrame<6, 0>(frames[i]), DualFrame<6, 3>(frames[j]));
+  for (int k = 0; k < 3; ++k) {
     gradient[3 * i + k] += value.partial[k];
     gradient[3 * j + k] += value.partial[3 + k];
   }
@@ -23,8 +23,8 @@ double AddPair(std::span<const Frame<double>> frames, size_t i, size_t j, std::s
 // The same for a term of one object.
 template <typename Term>
 double AddSingle(std::span<const Frame<double>> frames, size_t i, std::span<double> gradient, const Term& term) {
-  const Dual<3> value = term(DualFrame<3>(frames[i], 0));
-  for (size_t k = 0; k < 3; ++k) gradient[3 * i + k] += value.partial[k];
+  const Dual<3> value = term(DualFrame<3, 0>(frames[i]));
+  for (int k = 0; k < 3; ++k) gradient[3 * i + k] += value.partial[k];
   return value.value;
 }
 
