@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/http/http_request.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "absl/strings/match.h"
+
+namespace flair::llm {
+namespace {
+
+// Bytes that may stand in the name of a header (RFC 9110, token).
+bool IsTokenByte(unsigned char c) {
+  return std::isalnum(c) != 0 ||
+         std::string_view("!#$%&'*+-.^_`|~").find(static_cast<char>(c)) != std::string_view::npos;
+}
+
+bool IsControlByte(unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7f; }
+
+}  // namespace
+
+std::string_view HttpResponse::header(std::string_view name) const {
+  const auto found = std::ranges::find(headers, name, &HttpHeader::name);
+  return found == headers.end() ? std::string_view() : std::string_view(found->value);
+}
+
+std::string PublicAddress(std::string_view url) {
+  url = url.substr(0, url.find_first_of("?#"));
+  const size_t scheme_end = url.find("://");
+  const size_t host_begin = scheme_end == std::string_view::npos ? 0 : scheme_end + 3;
+  const size_t host_end = std::min(url.find('/', host_begin), url.size());
+  const size_t at = url.substr(0, host_end).rfind('@');
+  std::string address(url.substr(0, host_begin));
+  address += url.substr(at == std::string_view::npos || at < host_begin ? host_begin : at + 1);
+  return address;
+}
+
+absl::Status CheckRequest(const HttpRequest& request) {
+  if (!absl::StartsWithIgnoreCase(request.url, "http://") && !absl::StartsWithIgnoreCase(request.url, "https://")) {
+    return absl::InvalidArgumentError(
+        fmt::format("'{}' is no address; it must begin with http:// or https://", PublicAddress(request.url)));
+  }
+  if (std::ranges::any_of(request.url, [](unsigned char c) { return IsControlByte(c) || c == ' '; })) {
+    return absl::InvalidArgumentError("the address holds a space or a control character");
+  }
+  for (const HttpHeader& header : request.headers) {
+    if (header.name.empty() || !std::ranges::all_of(header.name, IsTokenByte)) {
+      return absl::InvalidArgumentError(fmt::format("header '{}': not a name of a header", header.name));
+    }
+    if (std::ranges::any_of(header.value, IsControlByte)) {
+      return absl::InvalidArgumentError(
+          fmt::format("header '{}': its value holds a line break or another control character", header.name));
+    }
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace flair::llm

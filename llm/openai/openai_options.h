@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "llm/http/http_request.h"
+
+namespace flair::llm {
+
+// How answers are asked for; see AnswerForm in llm_config.proto.
+enum class AnswerForm { kJsonSchema, kJsonObject, kText };
+
+// Azure OpenAI: where the model is.
+struct AzureDeployment {
+  // Name of the deployment, such as "room-designer".
+  std::string name;
+  // Such as "2024-10-21".
+  std::string api_version;
+};
+
+// How one model is reached and asked; checked by whoever read it from a configuration.
+struct OpenAiOptions {
+  // Up to and without "/chat/completions", such as "https://api.openai.com/v1"; with Azure without "/openai".
+  std::string base_url;
+  // As the server calls it; with Azure only a name.
+  std::string model;
+  // Secret. Empty when the server wants none.
+  std::string api_key;
+  std::optional<AzureDeployment> azure;
+  // Sent with every request; the values may be secrets.
+  std::vector<HttpHeader> headers;
+  // [0, 2]; the server's default when unset.
+  std::optional<double> temperature;
+  std::optional<int64_t> seed;
+  // For requests that set no limit of their own; at least 1.
+  int max_output_token_count = 4096;
+  // The first form to try. With `fall_back`, weaker ones follow when the server rejects it.
+  AnswerForm answer_form = AnswerForm::kJsonSchema;
+  bool fall_back = true;
+  bool stream = false;
+};
+
+}  // namespace flair::llm
