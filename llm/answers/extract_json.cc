@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/answers/extract_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "llm/answers/choices.h"
+#include "llm/answers/json_scan.h"
+
+namespace flair::llm {
+namespace {
+
+using nlohmann::json;
+
+constexpr size_t kMostBytes = 1'000'000;
+constexpr int kMostCandidates = 50;
+
+// Bytes of the UTF-8 character that starts at `at`; 0 when none does.
+size_t CharacterAt(std::string_view text, size_t at) {
+  const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0; };
+  const auto follows = [&](size_t i) { return (byte(i) & 0xC0) == 0x80; };
+  const unsigned char lead = byte(at);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead < 0xE0) return follows(at + 1) ? 2 : 0;
+  if (lead >= 0xE0 && lead < 0xF0) {
+    // Overlong forms and surrogates are none.
+    if ((lead == 0xE0 && byte(at + 1) < 0xA0) || (lead == 0xED && byte(at + 1) > 0x9F)) return 0;
+    return follows(at + 1) && follows(at + 2) ? 3 : 0;
+  }
+  if (lead < 0xF0 || lead > 0xF4) return 0;
+  if ((lead == 0xF0 && byte(at + 1) < 0x90) || (lead == 0xF4 && byte(at + 1) > 0x8F)) return 0;
+  return follows(at + 1) && follows(at + 2) && follows(at + 3) ? 4 : 0;
+}
+
+// The text with U+FFFD for bytes that are no UTF-8.
+std::string ToUtf8(std::string_view text) {
+  std::string good;
+  for (size_t i = 0; i < text.size();) {
+    const size_t length = CharacterAt(text, i);
+    good += length == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(i, length);
+    i += std::max<size_t>(length, 1);
+  }
+  return good;
+}
+
+std::string_view Trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n\v\f";
+  const size_t first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+// What follows a model's thinking aloud.
+std::string_view WithoutThoughts(std::string_view text) {
+  constexpr std::string_view kEnd = "</think>";
+  const size_t end = text.rfind(kEnd);
+  return end == std::string_view::npos ? text : text.substr(end + kEnd.size());
+}
+
+bool IsHtml(std::string_view text) {
+  const std::string start = Bare(text.substr(0, 60));
+  return text.starts_with('<') && (start.starts_with("doctypehtml") || start.starts_with("html"));
+}
+
+// Whether the text behind a bracket is how JSON goes on, rather than prose in brackets.
+bool LooksLikeJson(std::string_view text, size_t start) {
+  const size_t next = text.find_first_not_of(" \t\r\n", start + 1);
+  if (next == std::string_view::npos) return true;
+  if (text[start] == '{') return std::string_view("\"'}/").find(text[next]) != std::string_view::npos;
+  return std::string_view("{[\"'-0123456789tfn]/").find(text[next]) != std::string_view::npos;
+}
+
+// Parses text whose brackets match; on failure `fault` says where and what.
+json Parse(const std::string& text, Fault& fault) {
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    const size_t byte = std::min(error.byte, text.size());
+    const std::string place = ScanJson(std::string_view(text).substr(0, byte), 0).path;
+    const size_t from = byte > 20 ? byte - 20 : 0;
+    fault.text = fmt::format("is no valid JSON{}{}, near {}; plain JSON with double quotes would be right",
+                             place.empty() ? "" : " at ", place, Quoted(std::string_view(text).substr(from, 40)));
+  } catch (const json::exception&) {
+    fault.text = "is no valid JSON: a number is too large; plain JSON would be right";
+  }
+  return json(json::value_t::discarded);
+}
+
+// What the search for the value has found so far.
+class Search {
+ public:
+  explicit Search(std::span<const std::string> keys) {
+    for (const std::string& key : keys) keys_.push_back(Bare(key));
+  }
+
+  void Run(std::string_view text) {
+    int tried = 0;
+    for (size_t at = text.find_first_of("{["); at != std::string_view::npos && tried < kMostCandidates;
+         at = text.find_first_of("{[", at)) {
+      if (!LooksLikeJson(text, at)) {
+        ++at;
+        continue;
+      }
+      ++tried;
+      at = std::max(at + 1, Try(text, at));
+    }
+  }
+
+  ExtractedJson Take(std::string_view text) {
+    // A value without any of the keys is an example or an aside when another one was cut off.
+    if (best_ && (best_known_ > 1 || !salvaged_)) return {std::move(*best_), {}};
+    if (salvaged_) return {std::move(*salvaged_), {*fault_}};
+    if (fault_) return {json(json::value_t::discarded), {*fault_}};
+    return {json(json::value_t::discarded),
+            {{"", fmt::format("has no JSON; it says {}; one JSON object and nothing else would be right",
+                              Quoted(Trimmed(text)))}}};
+  }
+
+ private:
+  // Tries the value that starts at `at` and returns where to look on.
+  size_t Try(std::string_view text, size_t at) {
+    const JsonScan scan = ScanJson(text, at);
+    Fault fault;
+    if (scan.end == JsonScan::End::kComplete) {
+      json value = Parse(scan.json, fault);
+      if (value.is_discarded()) {
+        if (!fault_) fault_ = fault;
+      } else {
+        Offer(std::move(value));
+      }
+      return scan.stop;
+    }
+    const std::string place = scan.path.empty() ? "" : " inside " + scan.path;
+    if (scan.end == JsonScan::End::kBroken) {
+      fault.text = fmt::format("is no valid JSON: a bracket that does not match{}, near {}", place,
+                               Quoted(text.substr(scan.stop > 20 ? scan.stop - 20 : 0, 40)));
+      if (!fault_) fault_ = fault;
+      return scan.stop;
+    }
+    fault.text = fmt::format("ended{}, after {}; the whole JSON would be right, shorter if need be", place,
+                             Quoted(text.substr(text.size() > 30 ? text.size() - 30 : 0)));
+    json value = scan.salvaged.empty() ? json(json::value_t::discarded) : Parse(scan.salvaged, fault);
+    if (!value.is_discarded()) {
+      fault.kind = FaultKind::kDoubtful;
+      salvaged_ = std::move(value);
+      fault_ = fault;
+    } else if (!fault_) {
+      fault_ = fault;
+    }
+    // Whatever values follow are parts of this one.
+    return text.size();
+  }
+
+  void Offer(json value) {
+    int known = 0;
+    if (value.is_object()) {
+      for (const auto& [key, member] : value.items()) {
+        known += std::find(keys_.begin(), keys_.end(), Bare(key)) != keys_.end() ? 2 : 0;
+      }
+      ++known;  // an object before a list
+    }
+    if (best_ && known < best_known_) return;
+    best_ = std::move(value);
+    best_known_ = known;
+  }
+
+  std::vector<std::string> keys_;
+  std::optional<json> best_;
+  int best_known_ = 0;
+  std::optional<json> salvaged_;
+  std::optional<Fault> fault_;  // of the first value that is none
+};
+
+}  // namespace
+
+ExtractedJson ExtractJson(std::string_view answer, std::span<const std::string> keys) {
+  const auto no_value = [](std::string text) {
+    return ExtractedJson{json(json::value_t::discarded), {{"", std::move(text)}}};
+  };
+  if (answer.size() > kMostBytes) {
+    return no_value(fmt::format("has {} bytes; at most {}", answer.size(), kMostBytes));
+  }
+  const std::string good = ToUtf8(answer);
+  const std::string_view text = Trimmed(WithoutThoughts(good));
+  if (text.empty()) return no_value("is empty; one JSON object would be right");
+  if (IsHtml(text)) return no_value(fmt::format("is an HTML page, {}; one JSON object would be right", Quoted(text)));
+  Search search(keys);
+  search.Run(text);
+  return search.Take(text);
+}
+
+}  // namespace flair::llm

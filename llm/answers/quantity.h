@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace flair::llm {
+
+// A number as people write it, in `unit`: "1.2", "1,2", "about 1.2 m". For "m" also "120 cm", "1200 mm", "48 in", "4
+// ft", "5'6\"", "5 ft 6 in", "1 m 20 cm"; for "deg" also "90°" and radians in "1.57 rad"; with no unit also words up to
+// twelve. Nothing when the meaning is not certain ("1,200", "1-2", "1.2 x 0.6").
+std::optional<double> ReadQuantity(std::string_view text, std::string_view unit);
+
+}  // namespace flair::llm

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/answers/read_answer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "llm/answers/extract_json.h"
+#include "llm/answers/field_facts.h"
+#include "llm/answers/quantity.h"
+
+namespace flair::llm {
+namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+using google::protobuf::Reflection;
+using nlohmann::json;
+
+constexpr int kMostItems = 1000;
+constexpr int kMostCharacters = 400;
+
+std::string Shown(const json& value) {
+  if (value.is_string()) return Quoted(value.get_ref<const std::string&>());
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return fmt::format("a list of {}", value.size());
+  return value.dump();
+}
+
+// One line without space around it; line ends and other control characters become spaces.
+std::string OneLine(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const bool space = static_cast<unsigned char>(c) <= 0x20 || c == 0x7F;
+    if (!space) {
+      line += c;
+    } else if (!line.empty() && line.back() != ' ') {
+      line += ' ';
+    }
+  }
+  if (!line.empty() && line.back() == ' ') line.pop_back();
+  return line;
+}
+
+// Cuts valid UTF-8 to `most` characters; false when it has no more.
+bool CutTo(int most, std::string& text) {
+  int count = 0;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80 && ++count > most) {
+      text.resize(i);
+      return true;
+    }
+  }
+  return false;
+}
+
+class Reader {
+ public:
+  explicit Reader(const FieldChoices& choices) : choices_(choices) {}
+
+  std::vector<Fault> TakeFaults() { return std::move(faults_); }
+
+  void ReadMessage(const json& value, const std::string& path, Message& message) {
+    const google::protobuf::Descriptor& type = *message.GetDescriptor();
+    if (!value.is_object()) {
+      Wrong(path, fmt::format("is {}; an object with {} would be right", Shown(value), FieldNames(type)));
+      return;
+    }
+    for (int i = 0; i < type.field_count(); ++i) {
+      const FieldDescriptor& field = *type.field(i);
+      ReadField(Member(value, field), field, path.empty() ? field.name() : path + "." + field.name(), message);
+    }
+  }
+
+ private:
+  void Wrong(const std::string& path, std::string text) {
+    faults_.push_back({path, std::move(text), FaultKind::kWrong});
+  }
+
+  static std::string FieldNames(const google::protobuf::Descriptor& type) {
+    std::string names;
+    for (int i = 0; i < type.field_count(); ++i) names += (i > 0 ? ", " : "") + type.field(i)->name();
+    return names;
+  }
+
+  // The member for a field: by its name, else by a name that is the same but for case, underscores and the unit.
+  static const json* Member(const json& value, const FieldDescriptor& field) {
+    if (const auto found = value.find(field.name()); found != value.end()) return &*found;
+    const std::string bare = Bare(field.name());
+    const std::string& unit = FactsOf(field).unit();
+    for (const auto& [key, member] : value.items()) {
+      const std::string name = Bare(key);
+      if (name == bare || (!unit.empty() && name + unit == bare)) return &member;
+    }
+    return nullptr;
+  }
+
+  void ReadField(const json* value, const FieldDescriptor& field, const std::string& path, Message& message) {
+    const bool absent = value == nullptr || value->is_null();
+    if (field.is_repeated()) {
+      ReadList(absent ? json::array() : *value, field, path, message);
+    } else if (absent) {
+      if (!field.has_optional_keyword() && field.cpp_type() != FieldDescriptor::CPPTYPE_BOOL) {
+        Wrong(path, fmt::format("is missing; {} would be right", RightFor(field, choices_)));
+      }
+    } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
+      ReadMessage(*value, path, *message.GetReflection()->MutableMessage(&message, &field));
+    } else {
+      ReadScalar(*value, field, path, message);
+    }
+  }
+
+  void ReadList(const json& value, const FieldDescriptor& field, const std::string& path, Message& message) {
+    const model::v1::FieldFacts& facts = FactsOf(field);
+    // One element alone is a list of one.
+    const json list = value.is_array() ? value : json::array({value});
+    const int most = facts.max_items() > 0 ? facts.max_items() : kMostItems;
+    const int count = static_cast<int>(list.size());
+    if (count < facts.min_items()) {
+      Wrong(path, fmt::format("has {} elements; at least {}", count, facts.min_items()));
+    } else if (count > most) {
+      faults_.push_back(
+          {path, fmt::format("has {} elements; at most {}, the first are taken", count, most), FaultKind::kDoubtful});
+    }
+    for (int i = 0; i < std::min(count, most); ++i) {
+      const std::string element = fmt::format("{}[{}]", path, i);
+      if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
+        ReadMessage(list[static_cast<size_t>(i)], element, *message.GetReflection()->AddMessage(&message, &field));
+      } else {
+        ReadScalar(list[static_cast<size_t>(i)], field, element, message);
+      }
+    }
+  }
+
+  void ReadScalar(const json& value, const FieldDescriptor& field, const std::string& path, Message& message) {
+    switch (field.cpp_type()) {
+      case FieldDescriptor::CPPTYPE_STRING:
+        SetText(ReadText(value, field, path), field, message);
+        break;
+      case FieldDescriptor::CPPTYPE_ENUM:
+        SetEnum(ReadText(value, field, path), field, message);
+        break;
+      case FieldDescriptor::CPPTYPE_BOOL:
+        SetBool(ReadBool(value, field, path), field, message);
+        break;
+      default:
+        SetNumber(ReadNumber(value, field, path), field, message);
+    }
+  }
+
+  std::string ReadText(const json& value, const FieldDescriptor& field, const std::string& path) {
+    const auto wrong = [&] {
+      Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
+      return std::string();
+    };
+    if (!value.is_string() && !value.is_number()) return wrong();
+    std::string text = OneLine(value.is_string() ? value.get<std::string>() : value.dump());
+    const FieldTexts texts(field, choices_);
+    if (text.empty()) return field.has_optional_keyword() ? text : wrong();
+    if (texts.get() != nullptr) {
+      const std::optional<std::string> chosen = FindChoice(text, *texts.get());
+      return chosen ? *chosen : wrong();
+    }
+    const int most = FactsOf(field).max_length() > 0 ? FactsOf(field).max_length() : kMostCharacters;
+    if (CutTo(most, text)) {
+      faults_.push_back({path, fmt::format("is longer than {} characters; cut there", most), FaultKind::kMended});
+    }
+    return text;
+  }
+
+  bool ReadBool(const json& value, const FieldDescriptor& field, const std::string& path) {
+    if (value.is_boolean()) return value.get<bool>();
+    if (value.is_number()) return value.get<double>() != 0;
+    const std::string word = value.is_string() ? Bare(value.get<std::string>()) : "";
+    if (word == "true" || word == "yes") return true;
+    if (word != "false" && word != "no") {
+      Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
+    }
+    return false;
+  }
+
+  std::optional<double> ReadNumber(const json& value, const FieldDescriptor& field, const std::string& path) {
+    const model::v1::FieldFacts& facts = FactsOf(field);
+    std::optional<double> number;
+    if (value.is_number()) number = value.get<double>();
+    if (value.is_string()) number = ReadQuantity(value.get_ref<const std::string&>(), facts.unit());
+    const bool whole = IsWhole(field);
+    const NumberRange range = RangeOf(field);
+    if (number && std::isfinite(*number) && (!whole || *number == std::floor(*number)) && *number >= range.least &&
+        *number <= range.most) {
+      return number;
+    }
+    Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
+    return std::nullopt;
+  }
+
+  static void SetText(const std::string& text, const FieldDescriptor& field, Message& message) {
+    const Reflection& reflection = *message.GetReflection();
+    if (field.is_repeated()) {
+      reflection.AddString(&message, &field, text);
+    } else if (!text.empty()) {
+      reflection.SetString(&message, &field, text);
+    }
+  }
+
+  static void SetEnum(const std::string& name, const FieldDescriptor& field, Message& message) {
+    const int number = EnumNumber(*field.enum_type(), name);
+    if (field.is_repeated()) {
+      message.GetReflection()->AddEnumValue(&message, &field, number);
+    } else if (number != 0) {
+      message.GetReflection()->SetEnumValue(&message, &field, number);
+    }
+  }
+
+  static void SetBool(bool value, const FieldDescriptor& field, Message& message) {
+    if (field.is_repeated()) {
+      message.GetReflection()->AddBool(&message, &field, value);
+    } else {
+      message.GetReflection()->SetBool(&message, &field, value);
+    }
+  }
+
+  static void SetNumber(std::optional<double> number, const FieldDescriptor& field, Message& message) {
+    // In a list a bad number keeps its place as 0.
+    if (!number && !field.is_repeated()) return;
+    SetNumberField(number.value_or(0), field, message);
+  }
+
+  const FieldChoices& choices_;
+  std::vector<Fault> faults_;
+};
+
+// The root that a value means: a list alone is that of the root's only list, and an object of one object without any of
+// the root's names is a wrapper.
+json RootOf(const json& value, const google::protobuf::Descriptor& type) {
+  if (value.is_array() && type.field_count() > 0) {
+    const FieldDescriptor* list = nullptr;
+    for (int i = 0; i < type.field_count(); ++i) {
+      if (!type.field(i)->is_repeated()) continue;
+      if (list != nullptr) return value;
+      list = type.field(i);
+    }
+    return list != nullptr ? json::object({{list->name(), value}}) : value;
+  }
+  if (!value.is_object() || value.size() != 1 || !value.begin()->is_object()) return value;
+  const std::string key = Bare(value.begin().key());
+  for (int i = 0; i < type.field_count(); ++i) {
+    if (Bare(type.field(i)->name()) == key) return value;
+  }
+  return *value.begin();
+}
+
+}  // namespace
+
+std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, Message& message) {
+  Reader reader(choices);
+  reader.ReadMessage(RootOf(value, *message.GetDescriptor()), "", message);
+  return reader.TakeFaults();
+}
+
+std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, Message& message) {
+  const google::protobuf::Descriptor& type = *message.GetDescriptor();
+  std::vector<std::string> keys;
+  for (int i = 0; i < type.field_count(); ++i) keys.push_back(type.field(i)->name());
+  ExtractedJson extracted = ExtractJson(answer, keys);
+  std::vector<Fault> faults = std::move(extracted.faults);
+  if (extracted.value.is_discarded()) return faults;
+  for (Fault& fault : ReadJson(extracted.value, choices, message)) faults.push_back(std::move(fault));
+  return faults;
+}
+
+}  // namespace flair::llm
