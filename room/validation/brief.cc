@@ -56,6 +56,14 @@ void Check(const v1::Brief& brief, const Field& at) {
   }
   at["seed"].InRange(static_cast<double>(brief.seed()), {.least = 0, .most = kSeedEnd, .open_most = true});
   if (brief.has_room()) Check(brief.room(), at["room"]);
+  if (brief.has_zone_plan()) Check(brief.zone_plan(), at["zone_plan"]);
+  const NameSet zones = ZoneIds(brief.zone_plan()), objects = ObjectIds(brief.object_list());
+  if (brief.has_object_list()) {
+    Check(brief.object_list(), {.zones = brief.has_zone_plan() ? &zones : nullptr}, at["object_list"]);
+  }
+  if (brief.has_constraint_list()) {
+    Check(brief.constraint_list(), {.objects = brief.has_object_list() ? &objects : nullptr}, at["constraint_list"]);
+  }
 }
 
 }  // namespace flair::validation

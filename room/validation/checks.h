@@ -5,6 +5,7 @@
 #include "flair/v1/artifact.pb.h"
 #include "flair/v1/job.pb.h"
 #include "flair/v1/language_service.pb.h"
+#include "flair/v1/model_call.pb.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/orchestrator_service.pb.h"
 #include "flair/v1/renderer_service.pb.h"
@@ -34,6 +35,7 @@ void Check(const v1::LayoutGraph& graph, const Field& at);
 void Check(const v1::SolvedLayout& layout, const Field& at);
 void Check(const v1::SolveOptions& options, const Field& at);
 void Check(const v1::RenderOptions& options, const Field& at);
+void Check(const v1::ModelOptions& options, const Field& at);
 void Check(const v1::JobSpec& spec, const Field& at);
 void Check(const v1::Preview& preview, const Field& at);
 void Check(const v1::Report& report, const Field& at);

@@ -59,10 +59,21 @@ void Check(const v1::RenderOptions& options, const Field& at) {
   if (options.has_size_px()) at["size_px"].InRange(options.size_px(), {.least = 256, .most = 8192});
 }
 
+void Check(const v1::ModelOptions& options, const Field& at) {
+  const v1::ModelBudget& budget = options.budget();
+  const Field limits = at["budget"];
+  if (budget.has_call_count()) limits["call_count"].InRange(budget.call_count(), {.least = 0, .most = 100000});
+  if (budget.has_token_count()) {
+    limits["token_count"].InRange(static_cast<double>(budget.token_count()), {.least = 0, .most = 1e9});
+  }
+  if (budget.has_cost_usd()) limits["cost_usd"].InRange(budget.cost_usd(), {.least = 0, .most = 1e6});
+}
+
 void Check(const v1::JobSpec& spec, const Field& at) {
   Check(spec.brief(), at["brief"]);
   Check(spec.solve_options(), at["solve_options"]);
   Check(spec.render_options(), at["render_options"]);
+  Check(spec.model_options(), at["model_options"]);
 }
 
 }  // namespace flair::validation

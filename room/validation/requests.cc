@@ -61,35 +61,52 @@ void CheckGraphPlacements(const v1::LayoutGraph& graph,
 }  // namespace
 
 absl::Status Validate(const v1::DescribeRoomRequest& request) {
-  return Parts().Id(request.request_id()).Part(request.brief(), "brief").Done();
+  return Parts()
+      .Id(request.request_id())
+      .Part(request.brief(), "brief")
+      .Part(request.model_options(), "model_options")
+      .Done();
 }
 
 absl::Status Validate(const v1::PlanZonesRequest& request) {
-  return Parts().Id(request.request_id()).Part(request.brief(), "brief").Part(request.room(), "room").Done();
+  return Parts()
+      .Id(request.request_id())
+      .Part(request.brief(), "brief")
+      .Part(request.room(), "room")
+      .Part(request.model_options(), "model_options")
+      .Done();
 }
 
 absl::Status Validate(const v1::ListObjectsRequest& request) {
   Parts parts;
   parts.Id(request.request_id()).Part(request.brief(), "brief").Part(request.room(), "room");
-  return parts.Zones(request.zone_plan()).Done();
+  return parts.Zones(request.zone_plan()).Part(request.model_options(), "model_options").Done();
 }
 
 absl::Status Validate(const v1::ChooseStyleRequest& request) {
   Parts parts;
   parts.Id(request.request_id()).Part(request.brief(), "brief").Part(request.room(), "room");
-  return parts.Zones(request.zone_plan()).Objects(request.object_list()).Done();
+  return parts.Zones(request.zone_plan())
+      .Objects(request.object_list())
+      .Part(request.model_options(), "model_options")
+      .Done();
 }
 
 absl::Status Validate(const v1::ListConstraintsRequest& request) {
   Parts parts;
   parts.Id(request.request_id()).Part(request.brief(), "brief").Part(request.room(), "room");
-  return parts.Zones(request.zone_plan()).Objects(request.object_list()).Done();
+  return parts.Zones(request.zone_plan())
+      .Objects(request.object_list())
+      .Part(request.model_options(), "model_options")
+      .Done();
 }
 
 absl::Status Validate(const v1::CleanConstraintsRequest& request) {
   Parts parts;
   parts.Id(request.request_id()).Part(request.room(), "room").Objects(request.object_list());
-  return parts.Referring(request.constraint_list(), "constraint_list").Done();
+  return parts.Referring(request.constraint_list(), "constraint_list")
+      .Part(request.model_options(), "model_options")
+      .Done();
 }
 
 absl::Status Validate(const v1::TranslateRequest& request) {
@@ -98,7 +115,7 @@ absl::Status Validate(const v1::TranslateRequest& request) {
   parts.Zones(request.zone_plan()).Objects(request.object_list());
   parts.Referring(request.constraint_list(), "constraint_list").Referring(request.style_sheet(), "style_sheet");
   if (request.has_catalog()) parts.Part(request.catalog(), "catalog");
-  return parts.Done();
+  return parts.Part(request.model_options(), "model_options").Done();
 }
 
 absl::Status Validate(const v1::SolveRequest& request) {

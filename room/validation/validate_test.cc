@@ -198,6 +198,30 @@ TEST(ValidateBrief, SeedEndsBeforeTwoToThe53) {
   EXPECT_THAT(Text(Validate(brief)), HasSubstr("brief.seed"));
 }
 
+TEST(ValidateBrief, ChecksThePartsThatItBrings) {
+  const v1::LayoutGraph graph = GoodGraph();
+  v1::Brief brief;
+  brief.set_text("A bedroom.");
+  *brief.mutable_room() = graph.room();
+  *brief.mutable_zone_plan() = graph.zone_plan();
+  *brief.mutable_object_list() = graph.object_list();
+  *brief.mutable_constraint_list() = graph.constraint_list();
+  EXPECT_EQ(Text(Validate(brief)), "");
+  brief.mutable_object_list()->mutable_objects(0)->set_zone_id("attic");
+  EXPECT_THAT(Text(Validate(brief)), HasSubstr("brief.object_list.objects[0].zone_id: \"attic\" is not a zone here"));
+  brief.clear_zone_plan();
+  EXPECT_EQ(Text(Validate(brief)), "") << "zones are planned for the objects then";
+  brief.mutable_zone_plan();
+  EXPECT_THAT(Text(Validate(brief)), HasSubstr("brief.zone_plan.zones: has 0 zones"));
+}
+
+TEST(ValidateRequests, ABudgetIsNotNegative) {
+  v1::DescribeRoomRequest request;
+  request.mutable_brief()->set_text("A bedroom.");
+  request.mutable_model_options()->mutable_budget()->set_token_count(-1);
+  EXPECT_EQ(Text(Validate(request)), "model_options.budget.token_count: -1 is outside [0, 1000000000]");
+}
+
 TEST(ValidateLayoutGraph, AcceptsAGoodOne) { EXPECT_EQ(Text(Validate(GoodGraph())), ""); }
 
 TEST(ValidateLayoutGraph, FollowsReferences) {
