@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/answers/conversation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "llm/answers/answer_schema.h"
+#include "llm/answers/read_answer.h"
+#include "llm/answers/utf8.h"
+
+namespace flair::llm {
+namespace {
+
+constexpr size_t kMostFaults = 30;          // told to the model or a person at once
+constexpr size_t kMostQuotedBytes = 20000;  // of a first answer, in its repair
+
+bool WorthAsking(const Fault& fault) { return fault.kind != FaultKind::kMended; }
+
+std::vector<std::string> SentencesOf(const std::vector<Fault>& faults, bool worth_asking_only) {
+  std::vector<std::string> sentences;
+  size_t left_out = 0;
+  for (const Fault& fault : faults) {
+    if (worth_asking_only && !WorthAsking(fault)) continue;
+    if (sentences.size() < kMostFaults) {
+      sentences.push_back(fault.Sentence());
+    } else {
+      ++left_out;
+    }
+  }
+  if (left_out > 0) sentences.push_back(fmt::format("and {} more", left_out));
+  return sentences;
+}
+
+std::string RoleName(Role role) {
+  return role == Role::kSystem ? "system" : (role == Role::kUser ? "user" : "assistant");
+}
+
+int64_t EstimateInput(const ChatRequest& request) {
+  int64_t tokens = EstimateTokens(request.schema);
+  for (const Message& message : request.messages) tokens += EstimateTokens(message.text);
+  return tokens;
+}
+
+absl::Status ForStep(const std::string& step, const absl::Status& status) {
+  absl::Status named(status.code(), fmt::format("step \"{}\": {}", step, std::string(status.message())));
+  status.ForEachPayload([&](auto url, const auto& payload) { named.SetPayload(url, payload); });
+  return named;
+}
+
+// Drops the elements with faults; returns those that make the whole answer useless.
+std::vector<Fault> LeaveOutFaulty(Reply& reply) { return DropFaulty(reply.faults, *reply.answer); }
+
+// Faults of the caller's check are dropped where the reader found one already: a number that could not be read is also
+// 0.
+void AddChecked(std::vector<Fault> checked, std::vector<Fault>& faults) {
+  std::set<std::string> known;
+  for (const Fault& fault : faults) known.insert(fault.path);
+  for (Fault& fault : checked) {
+    if (!known.contains(fault.path)) faults.push_back(std::move(fault));
+  }
+}
+
+}  // namespace
+
+PromptSpec RepairPrompt() { return {.name = "repair", .placeholders = {"faults"}, .required = {"faults"}}; }
+
+absl::StatusOr<Reply> Conversation::Ask(const Question& question) { return std::move(AskAll({&question, 1}).front()); }
+
+std::vector<absl::StatusOr<Reply>> Conversation::AskAll(std::span<const Question> questions) {
+  std::vector<Turn> turns(questions.size());
+  std::vector<Turn*> round;
+  for (size_t i = 0; i < questions.size(); ++i) {
+    const Question& question = questions[i];
+    turns[i].question = &question;
+    turns[i].request = {.step = question.step,
+                        .messages = {{Role::kSystem, question.system}, {Role::kUser, question.text}},
+                        .schema = AnswerSchema(*question.answer->GetDescriptor(), question.choices),
+                        .schema_name = AnswerSchemaName(*question.answer->GetDescriptor())};
+    round.push_back(&turns[i]);
+  }
+  Round(round);
+  round.clear();
+  for (Turn& turn : turns) {
+    if (!turn.error.ok() || turn.faults.empty()) continue;
+    PrepareRepair(turn);
+    round.push_back(&turn);
+  }
+  if (!round.empty()) Round(round);
+  std::vector<absl::StatusOr<Reply>> replies;
+  for (Turn& turn : turns) {
+    if (turn.error.ok()) turn.error = Finish(turn);
+    if (turn.error.ok()) {
+      replies.push_back(std::move(turn.reply));
+    } else {
+      replies.push_back(ForStep(turn.question->step, turn.error));
+    }
+  }
+  return replies;
+}
+
+absl::Status Conversation::Finish(Turn& turn) {
+  std::vector<Fault> useless = LeaveOutFaulty(turn.reply);
+  if (useless.empty()) return absl::OkStatus();
+  // A repair that made it worse is not taken.
+  if (turn.repairing && turn.first_reply.answer != nullptr && LeaveOutFaulty(turn.first_reply).empty()) {
+    turn.reply = std::move(turn.first_reply);
+    return absl::OkStatus();
+  }
+  return absl::DataLossError(fmt::format("the model's answer is of no use, also after a repair: {}",
+                                         fmt::join(SentencesOf(useless, /*worth_asking_only=*/true), "; ")));
+}
+
+void Conversation::Round(std::span<Turn* const> turns) {
+  absl::Status status = call_.CheckAlive();
+  if (status.ok()) status = CheckBudget(turns);
+  if (!status.ok()) {
+    for (Turn* turn : turns) turn->error = status;
+    return;
+  }
+  std::vector<ChatRequest> requests;
+  for (const Turn* turn : turns) requests.push_back(turn->request);
+  const std::vector<absl::StatusOr<ChatAnswer>> answers = AskAllAndWait(client_, requests, call_);
+  for (size_t i = 0; i < turns.size(); ++i) {
+    if (answers[i].ok()) {
+      Judge(*answers[i], *turns[i]);
+    } else {
+      turns[i]->error = answers[i].status();
+    }
+  }
+}
+
+absl::Status Conversation::CheckBudget(std::span<Turn* const> turns) const {
+  const v1::ModelBudget& budget = options_.budget();
+  int64_t tokens = 0;
+  double cost_usd = 0;
+  for (const v1::ModelCall& call : calls_) {
+    tokens += call.usage().input_token_count() + call.usage().output_token_count();
+    cost_usd += call.usage().cost_usd();
+  }
+  int64_t estimate = 0;
+  for (const Turn* turn : turns) estimate += EstimateInput(turn->request);
+  if (budget.has_call_count() && static_cast<int64_t>(calls_.size() + turns.size()) > budget.call_count()) {
+    return absl::ResourceExhaustedError(
+        fmt::format("the budget of {} calls is spent: {} were made and {} more are needed", budget.call_count(),
+                    calls_.size(), turns.size()));
+  }
+  if (budget.has_token_count() && tokens + estimate > budget.token_count()) {
+    return absl::ResourceExhaustedError(
+        fmt::format("the budget of {} tokens is spent: {} were consumed and about {} more are needed",
+                    budget.token_count(), tokens, estimate));
+  }
+  if (budget.has_cost_usd() && cost_usd >= budget.cost_usd()) {
+    return absl::ResourceExhaustedError(
+        fmt::format("the budget of {} US dollars is spent: {:.6f} were", budget.cost_usd(), cost_usd));
+  }
+  return absl::OkStatus();
+}
+
+void Conversation::Record(const Turn& turn, const ChatAnswer& answer, const std::vector<Fault>& faults) {
+  v1::ModelCall& call = calls_.emplace_back();
+  call.set_step(turn.request.step);
+  call.set_model(answer.model);
+  call.set_prompt_version(prompts_.version());
+  if (!options_.texts_omitted()) {
+    for (const Message& message : turn.request.messages) {
+      v1::ModelMessage& said = *call.add_messages();
+      said.set_role(RoleName(message.role));
+      said.set_text(message.text);
+    }
+    call.set_answer(ToUtf8(answer.text));
+  }
+  v1::ModelUsage& usage = *call.mutable_usage();
+  usage.set_call_count(1);
+  usage.set_input_token_count(answer.usage.input_token_count);
+  usage.set_output_token_count(answer.usage.output_token_count);
+  usage.set_cached_input_token_count(answer.usage.cached_input_token_count);
+  usage.set_estimated(answer.usage.estimated);
+  usage.set_cost_usd(answer.cost_usd);
+  for (const std::string& sentence : SentencesOf(faults, /*worth_asking_only=*/false)) call.add_faults(sentence);
+}
+
+void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
+  const Question& question = *turn.question;
+  turn.reply.answer.reset(question.answer->New());
+  std::vector<Fault> faults = ReadAnswer(answer.text, question.choices, *turn.reply.answer);
+  if (answer.finish == FinishReason::kLength && !faults.empty()) {
+    faults.push_back(
+        {"", "was cut off at the limit of its length; a shorter one would be right", FaultKind::kDoubtful});
+  }
+  const bool unread = !faults.empty() && faults.front().path.empty() && faults.front().kind == FaultKind::kWrong;
+  if (answer.finish == FinishReason::kRefused && unread) {
+    faults.front().text = fmt::format("is a refusal: {}", Quoted(answer.text));
+  }
+  // What could not be read at all need not be judged.
+  if (!unread && question.check) AddChecked(question.check(*turn.reply.answer), faults);
+  Record(turn, answer, faults);
+  turn.faults = SentencesOf(faults, /*worth_asking_only=*/true);
+  turn.reply.faults = std::move(faults);
+  turn.first_answer = answer.text;
+}
+
+void Conversation::PrepareRepair(Turn& turn) const {
+  turn.repairing = true;
+  turn.first_reply = std::move(turn.reply);
+  std::string faults;
+  for (const std::string& sentence : turn.faults) faults += fmt::format("- {}\n", CutBytes(sentence, 500));
+  turn.request.step += "/repair";
+  turn.request.messages.push_back({Role::kAssistant, CutBytes(ToUtf8(turn.first_answer), kMostQuotedBytes)});
+  turn.request.messages.push_back({Role::kUser, prompts_.Fill("repair", {{"faults", faults}})});
+}
+
+bool Conversation::IsModelFailure(const absl::Status& status) {
+  return status.code() == absl::StatusCode::kUnavailable || status.code() == absl::StatusCode::kDataLoss;
+}
+
+}  // namespace flair::llm

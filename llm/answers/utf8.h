@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace flair::llm {
+
+// The text with U+FFFD for every byte that is no UTF-8.
+std::string ToUtf8(std::string_view text);
+
+// The text cut to at most `most` bytes at a character's start, with " …" behind it when it was longer.
+std::string CutBytes(const std::string& text, size_t most);
+
+}  // namespace flair::llm
