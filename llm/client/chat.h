@@ -48,6 +48,8 @@ struct ChatAnswer {
   Usage usage;
   // As the server named it; the configured name when it did not.
   std::string model;
+  // US dollars, by the configured prices; 0 where there is none.
+  double cost_usd = 0;
 };
 
 // About as many tokens as the text has: a quarter of its bytes, rounded up.

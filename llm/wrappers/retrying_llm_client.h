@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "llm/client/llm_client.h"
+#include "worker_runtime/clock/clock.h"
+#include "worker_runtime/clock/timer.h"
+
+namespace flair::llm {
+
+// When a call is made again: after UNAVAILABLE, which stands for an overloaded or unreachable server.
+struct RetryPolicy {
+  int attempt_limit = 5;
+  // Before the second attempt; doubles from there.
+  absl::Duration first_delay = absl::Milliseconds(500);
+  // Most that is waited, also when the server asks for more; such an answer ends the call at once.
+  absl::Duration longest_delay = absl::Seconds(60);
+
+  // How long to wait after the failure of attempt `attempt` (1 is the first); nothing when there is no other. What the
+  // server asks for counts when it is longer. Spread by up to a half of itself, upwards, by `key`: callers that failed
+  // together do not come back together.
+  std::optional<absl::Duration> DelayAfter(const absl::Status& failure, int attempt, const std::string& key) const;
+};
+
+// Asks again by a policy, without a thread that waits. A wait that would outlast the call's deadline is not begun: the
+// last failure is returned, saying how many attempts were made.
+class RetryingLlmClient final : public LlmClient {
+ public:
+  // `timer` and `clock` outlive it.
+  RetryingLlmClient(std::unique_ptr<LlmClient> inner, RetryPolicy policy, runtime::Timer& timer,
+                    const runtime::Clock& clock);
+
+  void Ask(const ChatRequest& request, runtime::CallContext& call, AnswerCallback done) override;
+  std::string identity() const override { return inner_->identity(); }
+
+ private:
+  struct Pending;
+  void Try(std::shared_ptr<Pending> pending);
+  void Decide(std::shared_ptr<Pending> pending, absl::StatusOr<ChatAnswer> answer);
+
+  const RetryPolicy policy_;
+  runtime::Timer& timer_;
+  const runtime::Clock& clock_;
+  const std::unique_ptr<LlmClient> inner_;
+};
+
+}  // namespace flair::llm
