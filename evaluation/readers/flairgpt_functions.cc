@@ -29,6 +29,8 @@ const std::map<std::string, Row>& Rows() {
       {"ind_under_window", {"under_window", "object:o"}},
       {"ind_facing_into_room", {"facing_into_room", "object:o"}},
       {"ind_not_against_wall", {"not_against_wall", "object:o min_distance_m:n"}},
+      {"ind_not_in_corner", {"not_in_corner", "object:o"}},
+      {"ind_parallel_to_wall", {"parallel_to_wall", "object:o"}},
       {"io_next_to", {"next_to", "object:o target:o object_side:s target_side:s"}},
       {"io_away_from", {"away_from", "object:o target:o min_distance_m:n"}},
       {"io_near", {"near", "object:o target:o max_distance_m:n"}},

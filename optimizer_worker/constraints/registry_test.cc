@@ -71,6 +71,8 @@ TEST(Registry, RecordedNamesAreAliases) {
                            "ind_under_window",
                            "ind_facing_into_room",
                            "ind_not_against_wall",
+                           "ind_not_in_corner",
+                           "ind_parallel_to_wall",
                            "io_next_to",
                            "io_away_from",
                            "io_near",

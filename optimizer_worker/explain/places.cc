@@ -100,6 +100,16 @@ Found InCorner(const Scope& scope) {
   return Worst({OffBy(scope.Name(object), "the nearest corner that it fits", scope.CostRoot())});
 }
 
+Found NotInCorner(const Scope& scope) {
+  const double into = scope.CostRoot();
+  return Worst({{fmt::format("{} stands {:.2f} m too far into a corner", scope.NameOf("object"), into), into, "m"}});
+}
+
+Found ParallelToWall(const Scope& scope) {
+  const double angle_rad = std::asin(std::min(1.0, 2 * scope.CostRoot())) / 2;
+  return Worst({Turned(scope.NameOf("object"), "the direction of the nearest wall", angle_rad)});
+}
+
 // The features of the call's kind with the gap to the object, nearest first.
 double NearestFeature(const Scope& scope, int object) {
   const std::optional<Side> side =
@@ -212,6 +222,8 @@ Explainer FindPlaceExplainer(std::string_view type) {
       {"in_zone", InZone},
       {"near_wall", NearWall},
       {"not_against_wall", NotAgainstWall},
+      {"not_in_corner", NotInCorner},
+      {"parallel_to_wall", ParallelToWall},
       {"under_window", UnderWindow},
   };
   const auto found = explainers.find(type);
