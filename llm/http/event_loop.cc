@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/http/event_loop.h"
 
+#include <signal.h>
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -109,6 +110,11 @@ void EventLoop::Stop(std::function<void()> last) {
 }
 
 void EventLoop::Run() {
+  // Writing to a connection that the server has closed is an error of that connection, not the end of the process.
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   loop_thread_.store(std::this_thread::get_id(), std::memory_order_relaxed);
   while (true) {
     RunTasks();

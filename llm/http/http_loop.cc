@@ -35,8 +35,8 @@ struct Job {
 class HttpLoop::Impl {
  public:
   Impl()
-      : loop_([this](int fd, bool readable, bool writable) { multi_.OnSocket(fd, readable, writable); }),
-        multi_(loop_) {}
+      : loop_([this](int fd, bool readable, bool writable) { multi_->OnSocket(fd, readable, writable); }),
+        multi_(std::make_unique<CurlMulti>(loop_)) {}
 
   EventLoop& loop() { return loop_; }
 
@@ -45,9 +45,9 @@ class HttpLoop::Impl {
     const bool posted = loop_.Post([this, id, job, &call] {
       // First, as the call may end with the start.
       job->on_cancel.emplace(call.cancellation(), [this, id] {
-        loop_.Post([this, id] { multi_.Abort(id, absl::CancelledError("the caller cancelled the call")); });
+        loop_.Post([this, id] { multi_->Abort(id, absl::CancelledError("the caller cancelled the call")); });
       });
-      multi_.Start(id, std::move(job->transfer), [job](absl::StatusOr<HttpResponse> response) {
+      multi_->Start(id, std::move(job->transfer), [job](absl::StatusOr<HttpResponse> response) {
         job->on_cancel.reset();
         job->done(std::move(response));
       });
@@ -56,14 +56,17 @@ class HttpLoop::Impl {
   }
 
   void Stop() {
-    loop_.Stop([this] { multi_.AbortAll(Stopped()); });
+    loop_.Stop([this] {
+      multi_->AbortAll(Stopped());
+      // Here, as closing connections tells the loop and writes to them.
+      multi_.reset();
+    });
   }
 
  private:
   std::atomic<int64_t> next_id_ = 1;
-  // Destroyed last: closing connections tells it.
   EventLoop loop_;
-  CurlMulti multi_;
+  std::unique_ptr<CurlMulti> multi_;
 };
 
 HttpLoop::HttpLoop(const runtime::Clock& clock) : clock_(clock) {

@@ -25,11 +25,11 @@ struct HttpHeader {
 struct HttpRequest {
   // "http://..." or "https://...".
   std::string url;
-  std::vector<HttpHeader> headers;
-  std::string body;
+  std::vector<HttpHeader> headers = {};
+  std::string body = {};
   // When set, receives the body of a 2xx answer piece by piece, decompressed, in the thread of the loop, and the
   // response holds no body. An error ends the request with it. Must not block.
-  std::function<absl::Status(std::string_view piece)> on_piece;
+  std::function<absl::Status(std::string_view piece)> on_piece = {};
 };
 
 struct HttpResponse {
@@ -57,11 +57,11 @@ struct HttpTimeouts {
 
 // How requests to one server are made.
 struct HttpOptions {
-  HttpTimeouts timeouts;
+  HttpTimeouts timeouts = {};
   // PEM file of the certificates to trust; the system's when empty.
-  std::string ca_path;
+  std::string ca_path = {};
   // Such as "http://proxy:3128"; that of the environment (https_proxy, no_proxy ...) when empty. May hold a password.
-  std::string proxy;
+  std::string proxy = {};
   // Longest body of a 2xx answer after decompression, bytes.
   int64_t body_byte_limit = 16 << 20;
 };

@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a server may do to a request, seen from the HTTP client.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "llm/http/http_loop.h"
+#include "tests/fixtures/llm_server/scripted_server.h"
+#include "worker_runtime/clock/fake_clock.h"
+#include "worker_runtime/executor/test_gate.h"
+
+namespace flair::llm {
+namespace {
+
+using absl::StatusCode;
+using ::flair::testing::MakeExpiredCertificate;
+using ::flair::testing::MakeTestCertificate;
+using ::flair::testing::ReadScript;
+using ::flair::testing::ScriptedServer;
+using ::flair::testing::TestCertificate;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr char kQuestion[] = R"({"model":"m","messages":[{"role":"user","content":"Where does the bed go?"}]})";
+
+// A script of one exchange, which serves all requests.
+flair::testing::Script One(const std::string& exchange) {
+  return ReadScript(R"({"repeat_last": true, "exchanges": [)" + exchange + "]}");
+}
+
+HttpRequest Question(const std::string& address) {
+  return {.url = address + "/v1/chat/completions",
+          .headers = {{"Content-Type", "application/json"}, {"Authorization", "Bearer secret-key"}},
+          .body = kQuestion};
+}
+
+absl::StatusOr<HttpResponse> SendAndWait(HttpClient& client, HttpRequest request, runtime::CallContext& call) {
+  runtime::TestGate answered;
+  absl::StatusOr<HttpResponse> result;
+  client.Send(std::move(request), call, [&](absl::StatusOr<HttpResponse> response) {
+    result = std::move(response);
+    answered.Open();
+  });
+  answered.Wait();
+  return result;
+}
+
+class HttpClientTest : public ::testing::Test {
+ protected:
+  absl::StatusOr<HttpResponse> Ask(const std::string& address, const HttpOptions& options = {}) {
+    HttpClient client(loop_, options);
+    return SendAndWait(client, Question(address), call_);
+  }
+
+  // What a client with these timeouts makes of it.
+  absl::StatusOr<HttpResponse> AskWithin(const std::string& address, HttpTimeouts timeouts) {
+    return Ask(address, {.timeouts = timeouts});
+  }
+
+  // A file with the certificate, to be trusted.
+  std::string CaFile(const TestCertificate& certificate) {
+    const std::string path = ::testing::TempDir() + "flair_http_ca_" + std::to_string(getpid()) + ".pem";
+    std::ofstream(path) << certificate.certificate_pem;
+    return path;
+  }
+
+  HttpOptions Trusting(const TestCertificate& certificate) {
+    HttpOptions options;
+    options.ca_path = CaFile(certificate);
+    return options;
+  }
+
+  runtime::CallContext call_;
+  HttpLoop loop_;
+};
+
+TEST_F(HttpClientTest, GivesStatusHeadersAndBody) {
+  ScriptedServer server(
+      One(R"({"status": 429, "headers": {"Retry-After": "7", "Content-Type": "text/plain"}, "body": "later"})"));
+  const auto response = Ask(server.address());
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(response->status, 429);
+  EXPECT_EQ(response->header("retry-after"), "7");
+  EXPECT_EQ(response->body, "later");
+}
+
+TEST_F(HttpClientTest, SendsHeadersAndBodyAsTheyAre) {
+  ScriptedServer server(One(R"({"body": "ok"})"));
+  ASSERT_TRUE(Ask(server.address()).ok());
+  const auto request = server.requests().front();
+  EXPECT_EQ(request.method, "POST");
+  EXPECT_EQ(request.target, "/v1/chat/completions");
+  EXPECT_EQ(request.body, kQuestion);
+  EXPECT_EQ(request.header("authorization"), "Bearer secret-key");
+  EXPECT_EQ(request.header("content-type"), "application/json");
+  EXPECT_EQ(request.header("accept-encoding"), "gzip, deflate");
+}
+
+TEST_F(HttpClientTest, UsesAConnectionAgain) {
+  ScriptedServer server(One(R"({"body": "ok"})"));
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(Ask(server.address()).ok());
+  EXPECT_EQ(server.connection_count(), 1);
+}
+
+TEST_F(HttpClientTest, RunsRequestsAtTheSameTime) {
+  ScriptedServer server(One(R"({"body": "ok", "gate": "all came"})"));
+  HttpClient client(loop_, {});
+  runtime::TestGate all_answered;
+  std::atomic<int> ok_count = 0;
+  constexpr int kCount = 50;
+  for (int i = 0; i < kCount; ++i) {
+    client.Send(Question(server.address()), call_, [&](const absl::StatusOr<HttpResponse>& response) {
+      ASSERT_TRUE(response.ok()) << response.status();
+      if (++ok_count == kCount) all_answered.Open();
+    });
+  }
+  server.WaitForRequests(kCount);
+  EXPECT_EQ(ok_count, 0);
+  server.OpenGate("all came");
+  all_answered.Wait();
+}
+
+TEST_F(HttpClientTest, DoesNotFollowARedirect) {
+  ScriptedServer elsewhere(One(R"({"body": "gave away the key"})"));
+  ScriptedServer server(
+      One(R"({"status": 307, "headers": {"Location": ")" + elsewhere.base_url() + R"(/chat/completions"}})"));
+  const auto response = Ask(server.address());
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(response->status, 307);
+  EXPECT_EQ(elsewhere.connection_count(), 0);
+}
+
+TEST_F(HttpClientTest, UnpacksGzip) {
+  ScriptedServer server(One(R"({"body": "a long answer", "fill_bytes": 100000, "gzip": true})"));
+  const auto response = Ask(server.address());
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(response->body, "a long answer" + std::string(100000, 'x'));
+}
+
+TEST_F(HttpClientTest, BrokenGzipIsNoAnswer) {
+  ScriptedServer server(One(R"({"body": "not gzip at all", "headers": {"Content-Encoding": "gzip"}})"));
+  const auto response = Ask(server.address());
+  EXPECT_EQ(response.status().code(), StatusCode::kDataLoss) << response.status();
+}
+
+TEST_F(HttpClientTest, ABodyOfAGigabyteIsLeftWhereItIs) {
+  ScriptedServer server(One(R"({"fill_bytes": 1073741824})"));
+  const auto response = Ask(server.address());
+  EXPECT_EQ(response.status().code(), StatusCode::kDataLoss) << response.status();
+  EXPECT_THAT(response.status().message(), HasSubstr("more than 16777216 bytes"));
+  server.WaitForClosedByClient(1);
+}
+
+TEST_F(HttpClientTest, ABodyThatUnpacksToTooMuchIsLeftWhereItIs) {
+  ScriptedServer server(One(R"({"fill_bytes": 100000000, "gzip": true})"));
+  EXPECT_EQ(Ask(server.address()).status().code(), StatusCode::kDataLoss);
+}
+
+TEST_F(HttpClientTest, ALongErrorPageIsCutAndStillAnError) {
+  ScriptedServer server(One(R"({"status": 503, "fill_bytes": 1073741824})"));
+  const auto response = Ask(server.address());
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(response->status, 503);
+  EXPECT_EQ(response->body.size(), 64u << 10);
+  server.WaitForClosedByClient(1);
+}
+
+TEST_F(HttpClientTest, HeadersWithoutEndAreNoAnswer) {
+  ScriptedServer server(One(R"({"headers": {"X-Long": ")" + std::string(70000, 'h') + R"("}, "body": "ok"})"));
+  EXPECT_EQ(Ask(server.address()).status().code(), StatusCode::kDataLoss);
+}
+
+TEST_F(HttpClientTest, AResetInTheBodyIsABrokenConnection) {
+  ScriptedServer server(One(R"({"body": "half of an answer", "cut_after_bytes": 8, "end": "reset"})"));
+  const auto response = Ask(server.address());
+  EXPECT_EQ(response.status().code(), StatusCode::kUnavailable) << response.status();
+}
+
+TEST_F(HttpClientTest, AContentLengthBeyondTheBodyIsABrokenConnection) {
+  ScriptedServer server(One(R"({"body": "short", "content_length": 500, "end": "close"})"));
+  const auto response = Ask(server.address());
+  EXPECT_EQ(response.status().code(), StatusCode::kUnavailable) << response.status();
+}
+
+TEST_F(HttpClientTest, AConnectionClosedBeforeTheAnswerIsBroken) {
+  ScriptedServer server(One(R"({"chunked": true, "body": "ok", "cut_after_bytes": 0, "end": "close"})"));
+  EXPECT_EQ(Ask(server.address()).status().code(), StatusCode::kUnavailable);
+}
+
+TEST_F(HttpClientTest, NobodyListeningIsUnavailable) {
+  int port = 0;
+  {
+    ScriptedServer server(One(R"({"body": "ok"})"));
+    port = server.port();
+  }
+  const auto response = Ask("http://user:password@127.0.0.1:" + std::to_string(port));
+  EXPECT_EQ(response.status().code(), StatusCode::kUnavailable) << response.status();
+  EXPECT_THAT(response.status().message(), Not(HasSubstr("password")));
+}
+
+TEST_F(HttpClientTest, AServerThatNeverAnswersIsGivenUp) {
+  ScriptedServer server(One(R"({"body": "ok", "gate": "never"})"));
+  const auto response = AskWithin(server.address(), {.first_byte = absl::Milliseconds(20)});
+  EXPECT_EQ(response.status().code(), StatusCode::kUnavailable);
+  EXPECT_THAT(response.status().message(), HasSubstr("silent for 20ms"));
+  server.WaitForClosedByClient(1);
+}
+
+TEST_F(HttpClientTest, AServerThatStopsInTheMiddleIsGivenUp) {
+  ScriptedServer server(One(R"({"body": "half", "cut_after_bytes": 2, "gate_at_cut": "never"})"));
+  const auto response = AskWithin(server.address(), {.first_byte = absl::Milliseconds(40)});
+  EXPECT_THAT(response.status().message(), HasSubstr("silent for 40ms"));
+}
+
+TEST_F(HttpClientTest, AServerThatDripsIsGivenUpAtTheTotalTime) {
+  ScriptedServer server(One(R"({"fill_bytes": 1000000, "piece_bytes": [1], "piece_pause_ms": 1})"));
+  const auto response = AskWithin(server.address(), {.total = absl::Milliseconds(60)});
+  EXPECT_EQ(response.status().code(), StatusCode::kUnavailable);
+  EXPECT_THAT(response.status().message(), HasSubstr("no complete answer within 60ms"));
+  server.WaitForClosedByClient(1);
+}
+
+TEST_F(HttpClientTest, AServerThatTakesItsTimeButNeverFallsSilentIsHeardOut) {
+  ScriptedServer server(One(R"({"fill_bytes": 60, "piece_bytes": [1], "piece_pause_ms": 1})"));
+  const auto response = AskWithin(server.address(), {.first_byte = absl::Seconds(20)});
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(response->body.size(), 60u);
+}
+
+// A socket to which clients can connect, but that nobody serves.
+class DeafSocket {
+ public:
+  DeafSocket() : fd_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof(address);
+    EXPECT_EQ(bind(fd_, reinterpret_cast<sockaddr*>(&address), size), 0);
+    EXPECT_EQ(listen(fd_, 4), 0);
+    getsockname(fd_, reinterpret_cast<sockaddr*>(&address), &size);
+    port_ = ntohs(address.sin_port);
+  }
+  ~DeafSocket() { close(fd_); }
+  std::string port() const { return std::to_string(port_); }
+
+ private:
+  const int fd_;
+  int port_ = 0;
+};
+
+TEST_F(HttpClientTest, ConnectingIncludesTls) {
+  const DeafSocket server;
+  const auto response = AskWithin("https://127.0.0.1:" + server.port(), {.connect = absl::Milliseconds(20)});
+  EXPECT_EQ(response.status().code(), StatusCode::kUnavailable);
+  EXPECT_THAT(response.status().message(), HasSubstr("Timeout was reached"));
+}
+
+TEST_F(HttpClientTest, ACancelledCallClosesItsConnection) {
+  ScriptedServer server(One(R"({"body": "ok", "gate": "never"})"));
+  HttpClient client(loop_, {});
+  runtime::TestGate answered;
+  absl::Status status;
+  client.Send(Question(server.address()), call_, [&](const absl::StatusOr<HttpResponse>& response) {
+    status = response.status();
+    answered.Open();
+  });
+  server.WaitForRequests(1);
+  call_.cancellation().Cancel();
+  answered.Wait();
+  EXPECT_EQ(status.code(), StatusCode::kCancelled);
+  server.WaitForClosedByClient(1);
+}
+
+TEST_F(HttpClientTest, ACallThatIsOverSendsNothing) {
+  ScriptedServer server(One(R"({"body": "ok"})"));
+  HttpClient client(loop_, {});
+  runtime::CallContext cancelled;
+  cancelled.cancellation().Cancel();
+  EXPECT_EQ(SendAndWait(client, Question(server.address()), cancelled).status().code(), StatusCode::kCancelled);
+  runtime::CallContext late("", absl::InfinitePast(), runtime::SystemClock());
+  EXPECT_EQ(SendAndWait(client, Question(server.address()), late).status().code(), StatusCode::kDeadlineExceeded);
+  EXPECT_EQ(server.connection_count(), 0);
+}
+
+TEST_F(HttpClientTest, TheCallsDeadlineEndsTheRequest) {
+  ScriptedServer server(One(R"({"body": "ok", "gate": "never"})"));
+  const runtime::FakeClock clock;
+  HttpLoop loop(clock);
+  HttpClient client(loop, {});
+  runtime::CallContext call("", clock.Now() + absl::Milliseconds(30), clock);
+  EXPECT_EQ(SendAndWait(client, Question(server.address()), call).status().code(), StatusCode::kDeadlineExceeded);
+  server.WaitForClosedByClient(1);
+}
+
+TEST_F(HttpClientTest, StoppingTheLoopEndsEveryRequest) {
+  ScriptedServer server(One(R"({"body": "ok", "gate": "never"})"));
+  HttpClient client(loop_, {});
+  std::vector<StatusCode> codes;
+  const auto note = [&](const absl::StatusOr<HttpResponse>& response) { codes.push_back(response.status().code()); };
+  for (int i = 0; i < 3; ++i) client.Send(Question(server.address()), call_, note);
+  server.WaitForRequests(3);
+  loop_.Stop();
+  EXPECT_THAT(codes, ElementsAre(StatusCode::kCancelled, StatusCode::kCancelled, StatusCode::kCancelled));
+  client.Send(Question(server.address()), call_, note);
+  EXPECT_EQ(codes.back(), StatusCode::kCancelled);
+  EXPECT_EQ(codes.size(), 4u);
+  server.WaitForClosedByClient(3);
+}
+
+TEST_F(HttpClientTest, ABodyCanBeTakenPieceByPiece) {
+  ScriptedServer server(One(R"({"body": "grüner Tisch", "chunked": true, "piece_bytes": [3, 1, 4]})"));
+  HttpClient client(loop_, {});
+  std::string body;
+  int piece_count = 0;
+  HttpRequest request = Question(server.address());
+  request.on_piece = [&](std::string_view piece) {
+    body += piece;
+    ++piece_count;
+    return absl::OkStatus();
+  };
+  const auto response = SendAndWait(client, std::move(request), call_);
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(body, "grüner Tisch");
+  EXPECT_GE(piece_count, 4);
+  EXPECT_EQ(response->body, "");
+}
+
+TEST_F(HttpClientTest, APieceThatIsNotWantedEndsTheRequest) {
+  ScriptedServer server(One(R"({"body": "abc", "fill_bytes": 1073741824})"));
+  HttpClient client(loop_, {});
+  HttpRequest request = Question(server.address());
+  request.on_piece = [](std::string_view) { return absl::DataLossError("no stream"); };
+  EXPECT_EQ(SendAndWait(client, std::move(request), call_).status(), absl::DataLossError("no stream"));
+  server.WaitForClosedByClient(1);
+}
+
+TEST_F(HttpClientTest, TrustsTheCertificateItWasTold) {
+  const TestCertificate certificate = MakeTestCertificate();
+  ScriptedServer server(One(R"({"body": "ok"})"), certificate);
+  const auto response = Ask(server.address(), Trusting(certificate));
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(response->body, "ok");
+}
+
+TEST_F(HttpClientTest, OffersHttp2OverTls) {
+  const TestCertificate certificate = MakeTestCertificate();
+  ScriptedServer server(One(R"({"body": "ok"})"), certificate);
+  ASSERT_TRUE(Ask(server.address(), Trusting(certificate)).ok());
+  EXPECT_THAT(server.offered_protocols(), Contains("h2"));
+}
+
+TEST_F(HttpClientTest, SendsNothingToAServerWhoseCertificateIsNotTrusted) {
+  const TestCertificate certificate = MakeTestCertificate();
+  const TestCertificate expired = MakeExpiredCertificate();
+  const TestCertificate other_name = MakeTestCertificate("model.example");
+  const std::pair<TestCertificate, TestCertificate> cases[] = {
+      {certificate, MakeTestCertificate()}, {expired, expired}, {other_name, other_name}};
+  for (const auto& [shown, trusted] : cases) {
+    ScriptedServer server(One(R"({"body": "ok"})"), shown);
+    const auto response = Ask(server.address(), Trusting(trusted));
+    EXPECT_EQ(response.status().code(), StatusCode::kFailedPrecondition) << response.status();
+    EXPECT_THAT(response.status().message(), HasSubstr("certificate"));
+    EXPECT_THAT(server.requests(), ::testing::IsEmpty());
+  }
+}
+
+TEST_F(HttpClientTest, AMissingFileOfCertificatesTrustsNobody) {
+  ScriptedServer server(One(R"({"body": "ok"})"), MakeTestCertificate());
+  const auto response = Ask(server.address(), {.ca_path = "/nonexistent/ca.pem"});
+  EXPECT_EQ(response.status().code(), StatusCode::kFailedPrecondition) << response.status();
+}
+
+TEST_F(HttpClientTest, GoesThroughTheProxy) {
+  ScriptedServer proxy(One(R"({"body": "through the proxy"})"));
+  HttpOptions options;
+  options.proxy = "http://user:proxy-password@127.0.0.1:" + std::to_string(proxy.port());
+  const auto response = Ask("http://model.invalid", options);
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(response->body, "through the proxy");
+  EXPECT_EQ(proxy.requests().front().target, "http://model.invalid/v1/chat/completions");
+  EXPECT_THAT(proxy.requests().front().header("proxy-authorization"), StartsWith("Basic "));
+}
+
+TEST_F(HttpClientTest, ABrokenProxyIsUnavailableAndItsPasswordStaysSecret) {
+  const auto response = Ask("http://model.invalid", {.proxy = "http://u:proxy-password@127.0.0.1:1"});
+  EXPECT_EQ(response.status().code(), StatusCode::kUnavailable) << response.status();
+  EXPECT_THAT(response.status().message(), Not(HasSubstr("proxy-password")));
+}
+
+}  // namespace
+}  // namespace flair::llm
