@@ -31,12 +31,12 @@ struct Question {
   std::string system;
   // The task.
   std::string text;
-  FieldChoices choices;
+  FieldChoices choices = {};
   // The answer's type; its content is not looked at. Must outlive the call.
   const google::protobuf::Message* answer = nullptr;
   // What is wrong with an answer that reads well; may mend it (`kMended`), but leaves the number and order of list
   // elements. Called for the first answer and for the repaired one.
-  std::function<std::vector<Fault>(google::protobuf::Message&)> check;
+  std::function<std::vector<Fault>(google::protobuf::Message&)> check = {};
 };
 
 // Makes a Question's `check` of a function of the answer's own type.

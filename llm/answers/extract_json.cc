@@ -106,6 +106,10 @@ class Search {
       return scan.stop;
     }
     const std::string place = scan.path.empty() ? "" : " inside " + scan.path;
+    if (scan.end == JsonScan::End::kTooDeep) {
+      if (!fault_) fault_ = Fault{"", "is nested deeper than any answer; plain JSON would be right"};
+      return scan.stop;
+    }
     if (scan.end == JsonScan::End::kBroken) {
       fault.text = fmt::format("is no valid JSON: a bracket that does not match{}, near {}", place,
                                Quoted(text.substr(scan.stop > 20 ? scan.stop - 20 : 0, 40)));

@@ -32,7 +32,12 @@ class Scanner {
         if (!frames_.empty() && frames_.back().bracket == '[') ++frames_.back().index;
         if (!frames_.empty()) frames_.back().key.clear();
       } else if (c == '{' || c == '[') {
-        if (frames_.size() == kMostNesting) break;
+        if (frames_.size() == kMostNesting) {
+          // Nothing inside it is worth a look.
+          scan.end = JsonScan::End::kTooDeep;
+          scan.stop = text_.size();
+          return scan;
+        }
         EmitComma(scan.json);
         scan.json += c;
         frames_.push_back({c});

@@ -9,8 +9,9 @@ namespace flair::llm {
 
 // A stretch of text that may be one JSON value, found by its brackets.
 struct JsonScan {
-  // How it ended: with its own closing bracket, with the text, or with a bracket that closes another kind.
-  enum class End { kComplete, kTruncated, kBroken };
+  // How it ended: with its own closing bracket, with the text, or with a bracket that closes another kind, or
+  // deeper than 64 levels.
+  enum class End { kComplete, kTruncated, kBroken, kTooDeep };
   End end = End::kBroken;
   // Behind its last byte.
   size_t stop = 0;
@@ -22,7 +23,7 @@ struct JsonScan {
   std::string salvaged;
 };
 
-// Scans the bracket at `start` ('{' or '[') to its end. Linear in the text; values nested deeper than 64 are broken.
+// Scans the bracket at `start` ('{' or '[') to its end. Linear in the text.
 JsonScan ScanJson(std::string_view text, size_t start);
 
 }  // namespace flair::llm

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/answers/conversation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "flair/model/v1/room_answers.pb.h"
+#include "llm/client/fake_llm_client.h"
+
+namespace flair::llm {
+namespace {
+
+namespace fs = std::filesystem;
+using model::v1::ZonesAnswer;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const char* const kGood = R"({"zones":[{"name":"sleeping","purpose":"Sleep."}]})";
+const char* const kOneBad = R"({"zones":[{"name":"sleeping","purpose":"Sleep."},{"name":"dressing"}]})";
+
+class ConversationTest : public ::testing::Test {
+ protected:
+  ConversationTest() {
+    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    const fs::path folder = fs::path(::testing::TempDir()) / ("conversation_" + name);
+    fs::create_directories(folder);
+    std::ofstream(folder / "repair.txt") << "Wrong:\n{{faults}}\nAnswer again.";
+    prompts_ = *PromptLibrary::Load(folder, {}, {RepairPrompt()});
+    fs::remove_all(folder);
+  }
+
+  static Question Ask(const std::string& step = "zones") {
+    return {
+        .step = step, .system = "You design rooms.", .text = "Plan zones.", .answer = &ZonesAnswer::default_instance()};
+  }
+  Conversation Talk() { return Conversation(client_, prompts_, options_, call_); }
+  static std::vector<std::string> Names(const Reply& reply) {
+    std::vector<std::string> names;
+    for (const auto& zone : reply.As<ZonesAnswer>().zones()) names.push_back(zone.name());
+    return names;
+  }
+
+  FakeLlmClient client_;
+  PromptLibrary prompts_;
+  v1::ModelOptions options_;
+  runtime::CallContext call_;
+};
+
+TEST_F(ConversationTest, AGoodAnswerTakesOneCall) {
+  client_.Answer("zones", kGood);
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(Ask());
+  ASSERT_TRUE(reply.ok()) << reply.status();
+  EXPECT_THAT(Names(*reply), ElementsAre("sleeping"));
+  ASSERT_EQ(client_.requests().size(), 1U);
+  const ChatRequest request = client_.requests()[0];
+  EXPECT_EQ(request.schema_name, "zones_answer");
+  EXPECT_THAT(request.schema, HasSubstr("\"purpose\""));
+  ASSERT_EQ(request.messages.size(), 2U);
+  EXPECT_EQ(request.messages[0].role, Role::kSystem);
+  ASSERT_EQ(talk.calls().size(), 1U);
+  const v1::ModelCall& call = talk.calls()[0];
+  EXPECT_EQ(call.step(), "zones");
+  EXPECT_EQ(call.model(), "fake-1");
+  EXPECT_EQ(call.prompt_version(), prompts_.version());
+  EXPECT_EQ(call.answer(), kGood);
+  EXPECT_EQ(call.messages(1).text(), "Plan zones.");
+  EXPECT_EQ(call.usage().call_count(), 1);
+  EXPECT_THAT(call.faults(), IsEmpty());
+}
+
+TEST_F(ConversationTest, ARepairQuotesTheFaultsAndTheFirstAnswer) {
+  client_.Answer("zones", kOneBad);
+  client_.Answer("zones/repair", kGood);
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(Ask());
+  ASSERT_TRUE(reply.ok()) << reply.status();
+  EXPECT_THAT(Names(*reply), ElementsAre("sleeping"));
+  const auto messages = client_.requests().at(1).messages;
+  ASSERT_EQ(messages.size(), 4U);
+  EXPECT_EQ(messages[2].role, Role::kAssistant);
+  EXPECT_EQ(messages[2].text, kOneBad);
+  EXPECT_EQ(messages[3].text, "Wrong:\n- zones[1].purpose: is missing; a text would be right\n\nAnswer again.");
+  ASSERT_EQ(talk.calls().size(), 2U);
+  EXPECT_THAT(talk.calls()[0].faults(), ElementsAre("zones[1].purpose: is missing; a text would be right"));
+}
+
+TEST_F(ConversationTest, WhatStaysWrongIsLeftOut) {
+  client_.Answer("zones", kOneBad);
+  client_.Answer("zones/repair", kOneBad);
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(Ask());
+  ASSERT_TRUE(reply.ok()) << reply.status();
+  EXPECT_THAT(Names(*reply), ElementsAre("sleeping"));
+  ASSERT_EQ(reply->faults.size(), 1U);
+  EXPECT_EQ(client_.requests().size(), 2U);
+}
+
+TEST_F(ConversationTest, ARepairThatMadeItWorseIsNotTaken) {
+  client_.Answer("zones", kOneBad);
+  client_.Answer("zones/repair", "I'm sorry, I cannot do that.");
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(Ask());
+  ASSERT_TRUE(reply.ok()) << reply.status();
+  EXPECT_THAT(Names(*reply), ElementsAre("sleeping"));
+}
+
+TEST_F(ConversationTest, UselessAnswersEndWithTheStepAndTheFaults) {
+  client_.Answer("zones", "I'm sorry.", FinishReason::kRefused);
+  client_.Answer("zones/repair", "");
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(Ask());
+  EXPECT_EQ(reply.status().code(), absl::StatusCode::kDataLoss);
+  EXPECT_EQ(
+      reply.status().message(),
+      "step \"zones\": the model's answer is of no use, also after a repair: is empty; one JSON object would be right");
+  EXPECT_TRUE(Conversation::IsModelFailure(reply.status()));
+  EXPECT_THAT(talk.calls()[0].faults(), ElementsAre("is a refusal: \"I'm sorry.\""));
+}
+
+TEST_F(ConversationTest, AnAnswerCutOffAtItsLimitIsRepairedElseItsWholeElementsAreTaken) {
+  const std::string cut = std::string(kOneBad).substr(0, 60);
+  client_.Answer("zones", cut, FinishReason::kLength);
+  client_.Answer("zones/repair", cut, FinishReason::kLength);
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(Ask());
+  ASSERT_TRUE(reply.ok()) << reply.status();
+  EXPECT_THAT(Names(*reply), ElementsAre("sleeping"));
+  EXPECT_THAT(talk.calls()[0].faults(), ElementsAre(HasSubstr("ended inside zones[1]"), HasSubstr("was cut off")));
+}
+
+TEST_F(ConversationTest, TheCallersCheckIsAskedForBothAnswers) {
+  client_.Answer("zones", kGood);
+  client_.Answer("zones/repair", R"({"zones":[{"name":"working","purpose":"Work."}]})");
+  Question question = Ask();
+  question.check = CheckOf<ZonesAnswer>([](ZonesAnswer& answer) {
+    std::vector<Fault> faults;
+    if (answer.zones(0).name() == "sleeping") faults.push_back({"zones[0].name", "is for bedrooms"});
+    return faults;
+  });
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(question);
+  ASSERT_TRUE(reply.ok()) << reply.status();
+  EXPECT_THAT(Names(*reply), ElementsAre("working"));
+  EXPECT_THAT(client_.requests()[1].messages[3].text, HasSubstr("- zones[0].name: is for bedrooms"));
+}
+
+TEST_F(ConversationTest, MendedFaultsAreToldButNotAskedAbout) {
+  client_.Answer("zones", kGood);
+  Question question = Ask();
+  question.check = CheckOf<ZonesAnswer>([](ZonesAnswer& answer) {
+    answer.mutable_zones(0)->set_name("sleep");
+    return std::vector<Fault>{{"zones[0].name", "shortened", FaultKind::kMended}};
+  });
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(question);
+  EXPECT_THAT(Names(*reply), ElementsAre("sleep"));
+  EXPECT_THAT(talk.calls()[0].faults(), ElementsAre("zones[0].name: shortened"));
+  EXPECT_EQ(client_.requests().size(), 1U);
+}
+
+TEST_F(ConversationTest, QuestionsAreAskedTogetherAndRepairedEachOnItsOwn) {
+  client_.Answer("a", kGood);
+  client_.Answer("b", "nothing");
+  client_.Answer("b/repair", kGood);
+  client_.Answer("c", absl::UnavailableError("no route"));
+  Conversation talk = Talk();
+  const std::vector<Question> questions = {Ask("a"), Ask("b"), Ask("c")};
+  const auto replies = talk.AskAll(questions);
+  EXPECT_TRUE(replies[0].ok());
+  EXPECT_TRUE(replies[1].ok());
+  EXPECT_EQ(replies[2].status(), absl::UnavailableError("step \"c\": no route"));
+  std::vector<std::string> steps;
+  for (const v1::ModelCall& call : talk.calls()) steps.push_back(call.step());
+  EXPECT_THAT(steps, ElementsAre("a", "b", "b/repair"));
+}
+
+TEST_F(ConversationTest, BudgetsEndItBeforeTheCallThatExceedsThem) {
+  const auto ask = [&](const char* what) {
+    client_.Answer("zones", kOneBad);
+    Conversation talk = Talk();
+    const auto reply = talk.Ask(Ask());
+    EXPECT_EQ(reply.status().code(), absl::StatusCode::kResourceExhausted) << what;
+    EXPECT_FALSE(Conversation::IsModelFailure(reply.status()));
+    return std::string(reply.status().message());
+  };
+  options_.mutable_budget()->set_call_count(1);
+  EXPECT_EQ(ask("calls"), "step \"zones\": the budget of 1 calls is spent: 1 were made and 1 more are needed");
+  options_.mutable_budget()->clear_call_count();
+  options_.mutable_budget()->set_token_count(20);
+  EXPECT_THAT(ask("tokens"), HasSubstr("the budget of 20 tokens is spent: 0 were consumed and about"));
+  options_.mutable_budget()->clear_token_count();
+  options_.mutable_budget()->set_cost_usd(0);
+  EXPECT_THAT(ask("money"), HasSubstr("the budget of 0 US dollars is spent"));
+  EXPECT_EQ(client_.requests().size(), 1U) << "only the first had a call left";
+}
+
+TEST_F(ConversationTest, TextsCanBeLeftOut) {
+  options_.set_texts_omitted(true);
+  client_.Answer("zones", kGood);
+  Conversation talk = Talk();
+  EXPECT_TRUE(talk.Ask(Ask()).ok());
+  EXPECT_EQ(talk.calls()[0].answer(), "");
+  EXPECT_EQ(talk.calls()[0].messages_size(), 0);
+  EXPECT_GT(talk.calls()[0].usage().input_token_count(), 0);
+}
+
+TEST_F(ConversationTest, ACancelledCallAsksNothing) {
+  call_.cancellation().Cancel();
+  Conversation talk = Talk();
+  EXPECT_EQ(talk.Ask(Ask()).status().code(), absl::StatusCode::kCancelled);
+  EXPECT_THAT(client_.requests(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace flair::llm

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/answers/extract_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace flair::llm {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::vector<std::string> kKeys = {"zones"};
+
+struct Case {
+  std::string name;
+  std::string answer;
+  // Compact JSON, or nothing.
+  std::string value;
+  // Part of the first fault; empty for none.
+  std::string fault;
+};
+
+class ExtractJsonTest : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ExtractJsonTest, TakesTheValueOrSaysWhatThereIsInstead) {
+  const ExtractedJson extracted = ExtractJson(GetParam().answer, kKeys);
+  EXPECT_EQ(extracted.value.is_discarded() ? "" : extracted.value.dump(), GetParam().value);
+  ASSERT_EQ(extracted.faults.empty(), GetParam().fault.empty());
+  if (!extracted.faults.empty()) {
+    EXPECT_THAT(extracted.faults[0].text, HasSubstr(GetParam().fault));
+  }
+}
+
+const std::string kGood = R"({"zones":[{"name":"sleeping"}]})";
+
+INSTANTIATE_TEST_SUITE_P(
+    Answers, ExtractJsonTest,
+    ::testing::ValuesIn(std::vector<Case>{
+        {"Plain", kGood, kGood, ""},
+        {"Fenced", "```json\n" + kGood + "\n```", kGood, ""},
+        {"FenceThatNeverCloses", "```json\n" + kGood, kGood, ""},
+        {"ProseAround", "Sure! Here is {the plan} [as asked]:\n" + kGood + "\nEnjoy {it}.", kGood, ""},
+        {"ByteOrderMark", "\xEF\xBB\xBF" + kGood, kGood, ""},
+        {"TrailingCommas", R"({"zones":[{"name":"sleeping",},],})", kGood, ""},
+        {"Comments", "{ // the plan\n\"zones\": [ /* one */ {\"name\": \"sleeping\"} ] }", kGood, ""},
+        {"CommentMarksInsideAString", R"({"zones":["a // b, ] /* c */"]})", R"({"zones":["a // b, ] /* c */"]})", ""},
+        {"LineEndInsideAString", "{\"zones\":[\"a\nb\"]}", R"({"zones":["a\nb"]})", ""},
+        {"BracketsInsideAString", R"({"zones":["}]{["]})", R"({"zones":["}]{["]})", ""},
+        {"EscapedQuotes", R"({"zones":["say \"}\" \\"]})", R"({"zones":["say \"}\" \\"]})", ""},
+        {"Thoughts", "<think>{\"zones\": []} or rather</think>" + kGood, kGood, ""},
+        {"TheSchemaFirst", R"({"type":"object","properties":{"zones":{"type":"array"}}} )" + kGood, kGood, ""},
+        {"TheSecondThoughtCounts", R"({"zones":[]} no: )" + kGood, kGood, ""},
+        {"AnAsideAfterIt", kGood + R"( where {"x": 1} is mine)", kGood, ""},
+        {"Empty", "", "", "is empty"},
+        {"OnlySpace", " \n\t ", "", "is empty"},
+        {"Refusal", "I'm sorry, but I can't help with that.", "", "has no JSON; it says \"I'm sorry, but I can't"},
+        {"Html", "<!DOCTYPE html><html><script>var a = {\"zones\": []};</script></html>", "", "is an HTML page"},
+        {"HtmlWithoutDoctype", "<HTML><body>502 Bad Gateway", "", "is an HTML page"},
+        {"Truncated", R"({"zones":[{"name":"sleeping"},{"name":"dres)", kGood, "ended inside zones[1].name"},
+        {"TruncatedInTheFirst", R"({"zones":[{"name":"sle)", "", "ended inside zones[0].name"},
+        {"TruncatedAfterAComma", R"({"zones":[{"name":"sleeping"},)", kGood, "ended inside zones[1]"},
+        {"TruncatedAtOnce", "{", "", "ended"},
+        {"SingleQuotes", "{'zones': []}", "", "is no valid JSON"},
+        {"BareWord", R"({"zones":[{"name":sleeping}]})", "", "is no valid JSON at zones[0].name"},
+        {"MissingComma", R"({"zones":[{"name":"a"} {"name":"b"}]})", "", "is no valid JSON at zones"},
+        {"WrongBracket", R"({"zones":[{"name":"a"}})", "", "a bracket that does not match inside zones"},
+        {"HugeNumber", R"({"zones":1e999})", "", "a number is too large"},
+        {"LoneSurrogate", R"({"zones":"\ud800"})", "", "is no valid JSON"},
+    }),
+    [](const auto& info) { return info.param.name; });
+
+TEST(ExtractJson, BytesThatAreNoUtf8BecomeReplacementCharacters) {
+  const ExtractedJson extracted = ExtractJson("{\"zones\":\"a\xFF\xC0z\xED\xA0\x80\"}", kKeys);
+  ASSERT_TRUE(extracted.faults.empty());
+  EXPECT_EQ(extracted.value["zones"], "a\uFFFD\uFFFDz\uFFFD\uFFFD\uFFFD");
+}
+
+TEST(ExtractJson, NestingAndLengthHaveLimits) {
+  const ExtractedJson deep = ExtractJson(std::string(100000, '['), kKeys);
+  EXPECT_TRUE(deep.value.is_discarded());
+  EXPECT_FALSE(deep.faults.empty());
+  const ExtractedJson closed = ExtractJson(std::string(1000, '[') + std::string(1000, ']'), kKeys);
+  EXPECT_TRUE(closed.value.is_discarded());
+  const ExtractedJson lengthy = ExtractJson(std::string(2'000'000, ' '), kKeys);
+  ASSERT_EQ(lengthy.faults.size(), 1U);
+  EXPECT_EQ(lengthy.faults[0].text, "has 2000000 bytes; at most 1000000");
+}
+
+TEST(ExtractJson, EveryPrefixOfAGoodAnswerIsATruncatedOne) {
+  const std::string whole = R"({"zones":[{"name":"sleeping \"a\""},{"name":"b","n":[1,2]}],"x":{"y":null}})";
+  for (size_t length = 1; length < whole.size(); ++length) {
+    const ExtractedJson extracted = ExtractJson(whole.substr(0, length), kKeys);
+    ASSERT_EQ(extracted.faults.size(), 1U) << length;
+    EXPECT_THAT(extracted.faults[0].text, HasSubstr("ended")) << length;
+    if (!extracted.value.is_discarded()) {
+      EXPECT_FALSE(extracted.value["zones"].empty()) << length;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flair::llm

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/answers/quantity.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace flair::llm {
+namespace {
+
+struct Case {
+  std::string text;
+  std::string unit;
+  double value;
+};
+
+TEST(ReadQuantity, UnderstandsLengthsAsPeopleWriteThem) {
+  const std::vector<Case> cases = {
+      {"1.2", "m", 1.2},
+      {"1.2 m", "m", 1.2},
+      {"1,2 m", "m", 1.2},
+      {"120 cm", "m", 1.2},
+      {"120cm", "m", 1.2},
+      {"1200 mm", "m", 1.2},
+      {"48 in", "m", 1.2192},
+      {"48\"", "m", 1.2192},
+      {"48 inches", "m", 1.2192},
+      {"4 ft", "m", 1.2192},
+      {"4'", "m", 1.2192},
+      {"5'6\"", "m", 1.6764},
+      {"5 ft 6 in", "m", 1.6764},
+      {"5′ 6″", "m", 1.6764},
+      {"1 m 20 cm", "m", 1.2},
+      {"about 1.2 metres", "m", 1.2},
+      {"~0.9m wide", "m", 0.9},
+      {"  2 Meters.", "m", 2},
+      {"-1 m", "m", -1},
+      {".5 m", "m", 0.5},
+      {"90°", "deg", 90},
+      {"3.141592653589793 rad", "deg", 180},
+      {"4", "", 4},
+      {"four", "", 4},
+      {"2e0 m", "m", 2},
+  };
+  for (const Case& c : cases) {
+    const std::optional<double> value = ReadQuantity(c.text, c.unit);
+    ASSERT_TRUE(value.has_value()) << c.text;
+    EXPECT_NEAR(*value, c.value, 1e-9) << c.text;
+  }
+}
+
+TEST(ReadQuantity, GuessesNothing) {
+  for (const std::string text : {"",       " ",     "m",    "wide",  "1,200",      "1-2 m",    "1.2 m x 0.6 m",
+                                 "1.2 kg", "1/2 m", "nan",  "inf",   "infinity m", "1.2 m 3",  "6 in 5 ft",
+                                 "1.2.3",  "0x10",  "1 m2", "1,2,3", "٣ m",        "1.2 miles"}) {
+    EXPECT_FALSE(ReadQuantity(text, "m").has_value()) << text;
+  }
+  EXPECT_FALSE(ReadQuantity("4 m", "").has_value());
+  EXPECT_FALSE(ReadQuantity(std::string(1000, '1'), "m").has_value());
+}
+
+}  // namespace
+}  // namespace flair::llm
