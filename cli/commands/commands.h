@@ -19,6 +19,7 @@ void AddBench(CLI::App& program, absl::Status& result);
 // After AddBench.
 void AddBenchResolve(CLI::App& program, absl::Status& result);
 void AddBenchRestarts(CLI::App& program, absl::Status& result);
+void AddBenchTranslate(CLI::App& program, absl::Status& result);
 void AddCatalog(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
 

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bench/bench_translate_labels.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "cli/bench/bench_translate_gold.h"
+#include "cli/input/files.h"
+#include "evaluation/readers/flairgpt_room.h"
+#include "fmt/format.h"
+#include "nlohmann/json.hpp"
+
+namespace flair::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kLists[] = {"primary_intra", "primary_inter", "secondary_intra", "secondary_inter", "tertiary"};
+
+absl::StatusOr<std::vector<fs::path>> LabelFiles(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_regular_file(path, error)) return std::vector<fs::path>{path};
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(path, error)) {
+    if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
+  }
+  if (error) return absl::NotFoundError(fmt::format("{}: {}", path.string(), error.message()));
+  if (files.empty()) return absl::NotFoundError(fmt::format("{}: no .jsonl files in it", path.string()));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+v1::SentenceScope ScopeOf(const std::string& list) {
+  if (list == "tertiary") return v1::SENTENCE_SCOPE_TERTIARY;
+  return list.ends_with("intra") ? v1::SENTENCE_SCOPE_INTRA : v1::SENTENCE_SCOPE_INTER;
+}
+
+// What one line says, in the words of its room.
+struct Line {
+  std::string bullet;
+  std::string list;
+  std::vector<std::string> subject_ids;
+  TranslateLabel label;
+};
+
+absl::StatusOr<Line> ReadLine(const json& record, const v1::LayoutGraph& room) {
+  for (const char* key : {"list", "sentence"}) {
+    if (!record.contains(key) || !record[key].is_string()) {
+      return absl::InvalidArgumentError(fmt::format("{}: missing; wanted is a text", key));
+    }
+  }
+  Line line{record.value("bullet", record["sentence"].get<std::string>()), record["list"], {}, {}};
+  if (std::find(std::begin(kLists), std::end(kLists), line.list) == std::end(kLists)) {
+    return absl::InvalidArgumentError(
+        fmt::format("list: unknown list {}; known are {}", line.list, fmt::join(kLists, ", ")));
+  }
+  for (const json& index : record.value("subject_index", json::array())) {
+    absl::StatusOr<std::string> id = ReadGoldObject(index, room);
+    if (!id.ok()) return id.status();
+    line.subject_ids.push_back(*std::move(id));
+  }
+  line.label.text = record["sentence"];
+  line.label.function = "refuse";
+  if (!record.contains("gold") || !record["gold"].is_array()) {
+    return absl::InvalidArgumentError("gold: missing; wanted is a list of alternatives, empty to refuse");
+  }
+  for (const json& alternative : record["gold"]) {
+    std::vector<v1::ConstraintEdge>& calls = line.label.alternatives.emplace_back();
+    if (!alternative.is_array() || alternative.empty())
+      return absl::InvalidArgumentError("gold: an alternative without calls");
+    for (const json& call : alternative) {
+      absl::StatusOr<v1::ConstraintEdge> edge = ReadGoldCall(call, room);
+      if (!edge.ok()) return edge.status();
+      calls.push_back(*std::move(edge));
+    }
+    if (line.label.alternatives.size() == 1) line.label.function = alternative[0]["function"];
+  }
+  return line;
+}
+
+class Reader {
+ public:
+  Reader(const fs::path& path, const fs::path& rooms) {
+    const fs::path folder = fs::is_directory(path) ? path : path.parent_path();
+    folders_ = {folder, folder / "rooms", folder / ".." / "rooms"};
+    if (!rooms.empty()) folders_ = {rooms};
+  }
+
+  void Read(const fs::path& file, const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+      if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+      const absl::Status status = Add(line);
+      if (status.ok()) continue;
+      labels_.failures.push_back(fmt::format("{}:{}: {}", file.string(), number, std::string(status.message())));
+    }
+  }
+
+  TranslateLabels Finish() && {
+    for (auto& room : labels_.rooms) {
+      for (LabelledBullet& bullet : room.bullets) {
+        *room.request.mutable_constraint_list()->add_sentences() = bullet.sentence;
+      }
+    }
+    std::erase_if(labels_.rooms, [](const LabelledRoom& room) { return room.bullets.empty(); });
+    return std::move(labels_);
+  }
+
+ private:
+  absl::Status Add(const std::string& text) {
+    const json record = json::parse(text, nullptr, false);
+    if (!record.is_object()) return absl::InvalidArgumentError("not a JSON object");
+    if (!record.contains("room") || !record["room"].is_string()) return absl::InvalidArgumentError("room: missing");
+    try {
+      const std::string name = record["room"];
+      absl::StatusOr<const v1::LayoutGraph*> graph = Room(name);
+      if (!graph.ok()) return graph.status();
+      absl::StatusOr<Line> line = ReadLine(record, **graph);
+      if (!line.ok()) return line.status();
+      AddLine(labels_.rooms[index_[name]], *std::move(line));
+    } catch (const json::exception& error) {
+      return absl::InvalidArgumentError(error.what());
+    }
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<const v1::LayoutGraph*> Room(const std::string& name) {
+    if (const auto known = graphs_.find(name); known != graphs_.end()) return &known->second;
+    if (name.empty() || name.find('/') != std::string::npos)
+      return absl::InvalidArgumentError("room: not a file's name");
+    for (const fs::path& folder : folders_) {
+      const absl::StatusOr<std::string> text = ReadFile(folder / (name + ".json"));
+      if (!text.ok()) continue;
+      absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(*text);
+      if (!graph.ok()) return graph.status();
+      LabelledRoom& room = labels_.rooms.emplace_back();
+      room.name = name;
+      *room.request.mutable_room() = graph->room();
+      *room.request.mutable_zone_plan() = graph->zone_plan();
+      *room.request.mutable_object_list() = graph->object_list();
+      index_[name] = labels_.rooms.size() - 1;
+      return &(graphs_[name] = *std::move(graph));
+    }
+    return absl::NotFoundError(
+        fmt::format("room: no {}.json in {}; name its folder with --rooms", name, folders_[0].string()));
+  }
+
+  // Lines of one bullet are facts of one sentence.
+  static void AddLine(LabelledRoom& room, Line line) {
+    const bool same = !room.bullets.empty() && room.bullets.back().list == line.list &&
+                      room.bullets.back().sentence.text() == line.bullet && line.bullet != line.label.text;
+    if (!same) {
+      LabelledBullet& bullet = room.bullets.emplace_back();
+      bullet.list = line.list;
+      bullet.sentence.set_id(fmt::format("s{}", room.bullets.size()));
+      bullet.sentence.set_text(line.bullet);
+      bullet.sentence.set_scope(ScopeOf(line.list));
+      bullet.sentence.set_weight(1);
+      for (const std::string& id : line.subject_ids) bullet.sentence.add_subject_ids(id);
+    }
+    room.bullets.back().labels.push_back(std::move(line.label));
+  }
+
+  std::vector<fs::path> folders_;
+  std::map<std::string, v1::LayoutGraph> graphs_;
+  std::map<std::string, size_t> index_;
+  TranslateLabels labels_;
+};
+
+}  // namespace
+
+absl::StatusOr<TranslateLabels> ReadTranslateLabels(const fs::path& path, const fs::path& rooms) {
+  const absl::StatusOr<std::vector<fs::path>> files = LabelFiles(path);
+  if (!files.ok()) return files.status();
+  Reader reader(path, rooms);
+  for (const fs::path& file : *files) {
+    const absl::StatusOr<std::string> text = ReadFile(file);
+    if (!text.ok()) return text.status();
+    reader.Read(file, *text);
+  }
+  TranslateLabels labels = std::move(reader).Finish();
+  if (!labels.rooms.empty()) return labels;
+  return absl::InvalidArgumentError(labels.failures.empty() ? fmt::format("{}: no labels in it", path.string())
+                                                            : labels.failures.front());
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a translation compares with labels.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cli/bench/bench_translate_labels.h"
+#include "flair/v1/layout_graph.pb.h"
+
+namespace flair::cli {
+
+// What became of one labelled clause.
+enum class TranslateOutcome {
+  kCorrect,         // all calls of an alternative are made and none besides; or, where nothing is wanted, none is made
+  kWrong,           // a call is made that no alternative names
+  kMissed,          // other clauses of the sentence gave calls, or a part of this one's
+  kWronglyRefused,  // the sentence gave no call at all
+};
+inline constexpr std::array<const char*, 4> kTranslateOutcomes = {"correct", "wrong", "missed", "refused"};
+
+struct TranslateTally {
+  std::array<int, 4> counts = {};
+  int Total() const { return counts[0] + counts[1] + counts[2] + counts[3]; }
+  double CorrectShare() const { return Total() == 0 ? 1 : static_cast<double>(counts[0]) / Total(); }
+};
+
+// A sentence of which something is not correct, in words.
+struct TranslateMiss {
+  std::string room;
+  std::string list;
+  std::string text;
+  std::vector<std::string> wanted;
+  std::vector<std::string> made;
+  std::vector<std::string> remarks;
+};
+
+struct TranslateScore {
+  TranslateTally all;
+  // Functions of the reference, "refuse" for what is to be refused.
+  std::map<std::string, TranslateTally> by_function;
+  std::map<std::string, TranslateTally> by_list;
+  std::map<std::string, TranslateTally> by_room;
+  // Sentences that gave neither a call nor a remark.
+  int silent = 0;
+  std::vector<TranslateMiss> misses;
+};
+
+// Whether a made call is the labelled one: the same type, and each labelled argument the same. Types that mean the same
+// both ways may swap their objects with their sides; sides and surrounding objects are sets; against_wall and near_wall
+// without a labelled side mean the back, accessible without sides the front.
+bool MeetsGold(const v1::ConstraintEdge& made, const v1::ConstraintEdge& gold);
+
+// One outcome per label of the bullet. A call that no label of the bullet names counts once: against the first clause
+// that is not met, else against one to be refused, else against the last.
+std::vector<TranslateOutcome> OutcomesOf(const LabelledBullet& bullet, const std::vector<v1::ConstraintEdge>& made);
+
+// Adds a room's sentences, as its request was translated.
+void AddToScore(const LabelledRoom& room, const v1::LayoutGraph& translated, TranslateScore& score);
+
+}  // namespace flair::cli
