@@ -3,6 +3,9 @@
 //   static constexpr int kObjects;
 //   template <typename T> T operator()(const Frames<T, kObjects>& frames) const;   // T: double or Dual<3 * kObjects>
 // It gets frames, not poses: headings only ever enter by sine and cosine, so a full turn changes nothing.
+// It may also say
+//   static constexpr bool kOnlyRelative = true;  // the room does not enter: T has three derivatives fewer, see below
+//   static constexpr bool kSeesZero = true;      // finds out on values that it is 0, before any derivative
 #pragma once
 
 #include <algorithm>
@@ -19,7 +22,8 @@ namespace flair::optimizer {
 template <typename T, int K>
 using Frames = std::array<Frame<T>, K>;
 
-// The frame of one object, with derivatives by variables kFirst, kFirst + 1, kFirst + 2 for x, y, theta.
+// The frame of one object, with derivatives by variables kFirst, kFirst + 1, kFirst + 2 for x, y, theta; a constant
+// when there are no such variables.
 template <int N, int kFirst>
 Frame<Dual<N>> DualFrame(const Frame<double>& value) {
   const double c = value.right.x;
@@ -30,10 +34,28 @@ Frame<Dual<N>> DualFrame(const Frame<double>& value) {
           {turning(-s, -c), turning(c, -s)}};
 }
 
+// A cost that depends only on how its objects stand to each other does not change when all move together, so that the
+// derivatives by one pose follow from those by the others. What `moved`, with derivatives `gx, gy, gtheta` by its pose,
+// contributes to the derivatives by the pose of `fixed`:
+//   shift: sum over objects of (gx, gy) = 0;  turn about `fixed`: sum of gtheta + (p - p_fixed) x (gx, gy) = 0
+inline void AddReaction(const Frame<double>& moved, double gx, double gy, double gtheta, const Frame<double>& fixed,
+                        std::span<double> gradient) {
+  gradient[0] -= gx;
+  gradient[1] -= gy;
+  gradient[2] -= gtheta + Cross(moved.center - fixed.center, Vec2<double>{gx, gy});
+}
+
+template <typename Formula>
+concept OnlyRelative = requires { requires Formula::kOnlyRelative; };
+template <typename Formula>
+concept SeesZero = requires { requires Formula::kSeesZero; };
+
 template <typename Formula>
 class FormulaCost final : public Cost {
   static constexpr int kCount = Formula::kObjects;
-  static constexpr int kVariables = 3 * kCount;
+  // Of the formula's objects the first so many have derivatives.
+  static constexpr int kMoving = OnlyRelative<Formula> ? kCount - 1 : kCount;
+  static constexpr int kVariables = 3 * kMoving;
 
  public:
   // `objects` in the formula's order, all different.
@@ -54,13 +76,22 @@ class FormulaCost final : public Cost {
 
   double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override {
     // Costs are never negative, so where one is 0 its gradient is 0 too; this is the common case while solving.
-    if (ValueAt(frames) == 0) {
+    if (!SeesZero<Formula> && ValueAt(frames) == 0) {
       std::fill(gradient.begin(), gradient.end(), 0.0);
       return 0;
     }
     const Dual<kVariables> cost = formula_(DualFrames(frames, std::make_integer_sequence<int, kCount>()));
-    for (int k = 0; k < kCount; ++k) {
+    for (int k = 0; k < kMoving; ++k) {
       for (int c = 0; c < 3; ++c) gradient[3 * slot_[k] + c] = cost.partial[3 * k + c];
+    }
+    if constexpr (OnlyRelative<Formula>) {
+      const int last = slot_[kCount - 1];
+      const std::span<double> reaction = gradient.subspan(3 * last, 3);
+      std::fill(reaction.begin(), reaction.end(), 0.0);
+      for (int k = 0; k < kMoving; ++k) {
+        AddReaction(frames[slot_[k]], cost.partial[3 * k], cost.partial[3 * k + 1], cost.partial[3 * k + 2],
+                    frames[last], reaction);
+      }
     }
     return cost.value;
   }

@@ -10,7 +10,7 @@ template <typename T>
 T AwayFromFeature::operator()(const Frames<T, 1>& frames) const {
   const Box<T> box(footprint, frames[0]);
   T sum(0.0);
-  for (const ConvexPiece& feature : features) sum += SquaredHinge(min_distance_m - Gap<T>(box, feature));
+  for (const ConvexPiece& feature : features) sum += SquaredNearness<T>(box, feature, min_distance_m);
   return sum;
 }
 

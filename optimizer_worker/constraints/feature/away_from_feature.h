@@ -16,6 +16,7 @@ namespace flair::optimizer {
 
 struct AwayFromFeature {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   double min_distance_m;
   std::vector<ConvexPiece> features;

@@ -17,6 +17,7 @@ namespace flair::optimizer {
 
 struct ClearOfFeature {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::vector<ConvexPiece> areas;
 

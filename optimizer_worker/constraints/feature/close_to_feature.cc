@@ -11,8 +11,8 @@ template <typename T>
 T CloseToFeature::operator()(const Frames<T, 1>& frames) const {
   return LeastOf<T>(features, frames, [this](const ConvexPiece& feature, const auto& f) {
     using S = std::decay_t<decltype(f[0].center.x)>;
-    if (!side.has_value()) return SquaredHinge(Gap<S>(Box<S>(footprint, f[0]), feature) - max_distance_m);
-    return SquaredHinge(Gap<S>(Box<S>::Before(footprint, f[0], *side, 0), feature) - max_distance_m);
+    if (!side.has_value()) return SquaredDistanceBeyond<S>(Box<S>(footprint, f[0]), feature, max_distance_m);
+    return SquaredDistanceBeyond<S>(Box<S>::Before(footprint, f[0], *side, 0), feature, max_distance_m);
   });
 }
 

@@ -17,6 +17,7 @@ namespace flair::optimizer {
 
 struct CloseToFeature {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::optional<Side> side;
   double max_distance_m;

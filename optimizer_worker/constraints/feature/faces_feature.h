@@ -16,6 +16,7 @@ namespace flair::optimizer {
 
 struct FacesFeature {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   std::vector<Segment> features;
 
   template <typename T>

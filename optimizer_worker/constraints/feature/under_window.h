@@ -25,6 +25,7 @@ struct WindowPlace {
 
 struct UnderWindow {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::vector<WindowPlace> windows;
 

@@ -7,11 +7,24 @@
 #include <vector>
 
 #include "optimizer_worker/autodiff/smooth.h"
-#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/room/on_wall.h"
 #include "room/geometry/footprint.h"
 
 namespace flair::optimizer {
+
+// How far an object reaches from its centre along a direction of unit length.
+template <typename T>
+T Reach(const Footprint& footprint, const Frame<T>& frame, const Vec2<double>& direction) {
+  const Vec2<T> d = Cast<T>(direction);
+  return (footprint.width_m / 2) * Magnitude(Dot(frame.right, d)) +
+         (footprint.depth_m / 2) * Magnitude(Dot(frame.front, d));
+}
+
+// How far its nearest corner is from a wall.
+template <typename T>
+T DistanceFrom(const Footprint& footprint, const Frame<T>& frame, const Wall& wall) {
+  return wall.Height(frame.center) - Reach(footprint, frame, wall.inward_normal);
+}
 
 // The interval that an object covers along a wall, and how far its nearest corner is from the wall.
 template <typename T>
@@ -20,43 +33,49 @@ struct WallView {
   T high;
   T distance;
 
-  WallView(const Footprint& footprint, const Frame<T>& frame, const Wall& wall) {
-    const Box<T> box(footprint, frame);
-    int lowest = 0, highest = 0, nearest = 0;
-    for (int i = 1; i < box.count(); ++i) {
-      if (wall.Offset(box.value(i)) < wall.Offset(box.value(lowest))) lowest = i;
-      if (wall.Offset(box.value(i)) > wall.Offset(box.value(highest))) highest = i;
-      if (wall.Height(box.value(i)) < wall.Height(box.value(nearest))) nearest = i;
-    }
-    low = wall.Offset(box.vertex(lowest));
-    high = wall.Offset(box.vertex(highest));
-    distance = wall.Height(box.vertex(nearest));
+  WallView(const Footprint& footprint, const Frame<T>& frame, const Wall& wall)
+      : distance(DistanceFrom(footprint, frame, wall)) {
+    const T middle = wall.Offset(frame.center), reach = Reach(footprint, frame, wall.Along());
+    low = middle - reach;
+    high = middle + reach;
   }
   T Middle() const { return 0.5 * (low + high); }
   T Length() const { return high - low; }
 };
 
-// How far a floor object is from being at a wall: max(distance - max(least distance to any wall, near_m), 0)^2, so that
-// its nearest wall and every one within near_m count as its own [m2].
-template <typename T>
-T SquaredNotItsWall(const Footprint& footprint, const Frame<T>& frame, const HangingWall& place,
-                    const std::vector<HangingWall>& places, double near_m) {
-  constexpr double kSame_m = 0.02;
-  const Frame<double> value = ValueOf(frame);
-  double least = std::numeric_limits<double>::infinity();
-  const Wall* nearest = &place.wall;
-  for (const HangingWall& other : places) {
+// The wall that a floor object is nearest to, among those that it is beside.
+struct NearestWall {
+  const Wall* wall = nullptr;
+  double distance_m = std::numeric_limits<double>::infinity();
+};
+
+// What counts as the same distance from two walls.
+inline constexpr double kSameDistance_m = 0.02;
+
+inline NearestWall NearestWallTo(const Footprint& footprint, const Frame<double>& frame,
+                                 const std::vector<HangingWall>& places) {
+  NearestWall nearest;
+  for (const auto& [wall, blocked] : places) {
     // A wall that runs elsewhere is not a neighbour.
-    const double offset = other.wall.Offset(value.center);
-    if (offset < 0 || offset > other.wall.length_m) continue;
-    const double distance = WallView<double>(footprint, value, other.wall).distance;
-    if (distance < least && distance > -kSame_m) least = distance, nearest = &other.wall;
+    const double offset = wall.Offset(frame.center);
+    if (offset < 0 || offset > wall.length_m) continue;
+    const double distance_m = DistanceFrom(footprint, frame, wall);
+    if (distance_m < nearest.distance_m && distance_m > -kSameDistance_m) nearest = {&wall, distance_m};
   }
-  const double own = WallView<double>(footprint, value, place.wall).distance;
-  if (own <= std::max(std::min(least, own), near_m) + kSame_m) return T(0.0);
-  const T excess = WallView<T>(footprint, frame, place.wall).distance - kSame_m;
-  if (least <= near_m) return Square(excess - near_m);
-  return Square(excess - WallView<T>(footprint, frame, *nearest).distance);
+  return nearest;
+}
+
+// How far a floor object at `distance_m` from a wall is from being at it:
+//   max(distance - max(least distance to any wall, near_m), 0)^2 [m2],
+// so that its nearest wall and every one within near_m count as its own.
+template <typename T>
+T SquaredNotItsWall(const Footprint& footprint, const Frame<T>& frame, const T& distance_m, const NearestWall& nearest,
+                    double near_m) {
+  const double own_m = ValueOf(distance_m);
+  if (own_m <= std::max(std::min(nearest.distance_m, own_m), near_m) + kSameDistance_m) return T(0.0);
+  const T excess = distance_m - kSameDistance_m;
+  if (nearest.distance_m <= near_m) return Square(excess - near_m);
+  return Square(excess - DistanceFrom(footprint, frame, *nearest.wall));
 }
 
 }  // namespace flair::optimizer

@@ -11,8 +11,8 @@
 
 namespace flair::optimizer {
 
-// min over `ways` of way_cost(way, frames). Finds the least on the values and differentiates that one only; ties go to
-// the first. 0 when there are no ways.
+// min over `ways` of way_cost(way, frames). Finds the least on the values and differentiates that one only, unless it
+// is 0; ties go to the first. 0 when there are no ways.
 template <typename T, typename Ways, size_t K, typename WayCost>
 T LeastOf(const Ways& ways, const std::array<Frame<T>, K>& frames, const WayCost& way_cost) {
   const std::array<Frame<double>, K> values = ValuesOf(frames);
@@ -26,7 +26,7 @@ T LeastOf(const Ways& ways, const std::array<Frame<T>, K>& frames, const WayCost
   if constexpr (std::is_same_v<T, double>) {
     return least;
   } else {
-    return way_cost(ways[best], frames);
+    return least == 0 ? T(0.0) : way_cost(ways[best], frames);
   }
 }
 

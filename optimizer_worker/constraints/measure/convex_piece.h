@@ -61,6 +61,11 @@ class Box {
     return Box(strip, moved);
   }
 
+  double half_width() const { return half_width_; }
+  double half_depth() const { return half_depth_; }
+  Vec2<double> value_center() const { return ValueOf(frame_.center); }
+  Vec2<double> value_right() const { return value_normals_[1]; }
+  Vec2<double> value_front() const { return value_normals_[2]; }
   static constexpr int count() { return 4; }
   static constexpr bool exit(int) { return true; }
   // Back-left, back-right, front-right, front-left.

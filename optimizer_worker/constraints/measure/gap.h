@@ -5,23 +5,18 @@
 // Overlap by separating axes: over the edge normals n of either shape, gap_n = min_{q in other} n.(q - p), p on the
 // edge; the largest gap_n is minus the penetration depth. Apart, the nearest points are an edge and a vertex (again
 // gap_n) or two vertices. The deciding pair ("witness") is found on the values; only it is differentiated. Continuous
-// everywhere, differentiable but where the witness changes.
+// everywhere, differentiable but where the witness changes. Two boxes, the common case, have faster ways to find it
+// (box_gap.h).
 #pragma once
 
 #include <limits>
 
 #include "optimizer_worker/autodiff/smooth.h"
+#include "optimizer_worker/constraints/measure/box_gap.h"
 #include "optimizer_worker/constraints/measure/convex_piece.h"
+#include "optimizer_worker/constraints/measure/witness.h"
 
 namespace flair::optimizer {
-
-// Edge `edge` of one shape against vertex `vertex` of the other, or two vertices.
-struct Witness {
-  enum Kind { kEdgeOfFirst, kEdgeOfSecond, kVertices } kind = kEdgeOfFirst;
-  int first = 0;
-  int second = 0;
-  double gap_m = 0;
-};
 
 // Widest separation along edge normals of `a`; `vertex` is the vertex of `b` that is nearest to that edge.
 template <typename A, typename B>
@@ -108,13 +103,36 @@ T Along(const A& a, const B& b, const Witness& w) {
   return T(0.0);
 }
 
-template <typename T, typename A, typename B>
-T Gap(const A& a, const B& b) {
-  const Witness axis = SeparatingAxis(a, b);
+// The deciding pair, from the separating axis.
+template <typename A, typename B>
+Witness Deciding(const A& a, const B& b, const Witness& axis) {
   // Closer than this the axis is exact enough, and it has a slope at contact where a distance has none.
   constexpr double kContact_m = 1e-9;
-  if (axis.gap_m <= kContact_m) return Along<T>(a, b, axis);
-  return Along<T>(a, b, NearestFeatures(a, b, axis));
+  return axis.gap_m <= kContact_m ? axis : NearestFeatures(a, b, axis);
+}
+
+template <typename T, typename A, typename B>
+T Gap(const A& a, const B& b) {
+  return Along<T>(a, b, Deciding(a, b, SeparatingAxis(a, b)));
+}
+
+// max(least_m - gap, 0)^2 [m2], for least_m >= 0: zero when they are that far apart. Cheaper than Gap.
+template <typename T, typename A, typename B>
+T SquaredNearness(const A& a, const B& b, double least_m) {
+  const Witness axis = SeparatingAxis(a, b);
+  // The gap is at least that of any axis.
+  if (axis.gap_m >= least_m) return T(0.0);
+  const Witness deciding = Deciding(a, b, axis);
+  if (deciding.gap_m >= least_m) return T(0.0);
+  return SquaredHinge(least_m - Along<T>(a, b, deciding));
+}
+
+// max(gap - most_m, 0)^2 [m2], for most_m >= 0: zero when they are that close.
+template <typename T, typename A, typename B>
+T SquaredDistanceBeyond(const A& a, const B& b, double most_m) {
+  const Witness deciding = Deciding(a, b, SeparatingAxis(a, b));
+  if (deciding.gap_m <= most_m) return T(0.0);
+  return SquaredHinge(Along<T>(a, b, deciding) - most_m);
 }
 
 // Whether all of `b` is beyond one of the edges of `a`.

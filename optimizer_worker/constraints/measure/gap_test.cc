@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "optimizer_worker/constraints/measure/floor_shape.h"
@@ -60,6 +61,33 @@ TEST(Gap, AgreesWithBruteForceAndIsSymmetric) {
   }
   EXPECT_GT(apart, 500);
   EXPECT_GT(overlapping, 500);
+}
+
+TEST(Gap, OfTwoBoxesIsThatOfTheirPolygons) {
+  std::mt19937_64 random(24);
+  int apart = 0, overlapping = 0, corners = 0;
+  for (int round = 0; round < 6000; ++round) {
+    Placed a = RandomBox(random, 3), b = RandomBox(random, 3);
+    // Of every four one pair is square to the room, one on a grid, and one has a side without length.
+    if (round % 4 > 0) a.pose.theta_rad = b.pose.theta_rad = (random() % 4) * 1.5707963267948966;
+    if (round % 4 == 2) a.footprint = b.footprint = {1, 0.5};
+    if (round % 4 == 2) a.pose.x_m = std::round(2 * a.pose.x_m) / 2, b.pose.x_m = std::round(2 * b.pose.x_m) / 2;
+    if (round % 4 == 3) b.footprint.depth_m = 0, b.pose.theta_rad += 0.3;
+    const ConvexPiece first(a.polygon());
+    const double expected = Gap<double>(first, ConvexPiece(b.polygon()));
+    const Witness witness = Deciding(a.box(), b.box(), SeparatingAxis(a.box(), b.box()));
+    EXPECT_NEAR(witness.gap_m, expected, 1e-9) << round;
+    EXPECT_NEAR(Gap<double>(a.box(), b.box()), expected, 1e-9) << round;
+    EXPECT_NEAR(SquaredPenetration<double>(a.box(), b.box()), SquaredHinge(-expected), 1e-9) << round;
+    EXPECT_NEAR(SquaredNearness<double>(a.box(), b.box(), 0.7), SquaredHinge(0.7 - expected), 1e-9) << round;
+    EXPECT_NEAR(SquaredNearness<double>(a.box(), ConvexPiece(b.polygon()), 0.7), SquaredHinge(0.7 - expected), 1e-9);
+    EXPECT_NEAR(SquaredDistanceBeyond<double>(a.box(), b.box(), 0.7), SquaredHinge(expected - 0.7), 1e-9) << round;
+    ++(expected > 0 ? apart : overlapping);
+    corners += witness.kind == Witness::kVertices;
+  }
+  EXPECT_GT(apart, 1000);
+  EXPECT_GT(overlapping, 1000);
+  EXPECT_GT(corners, 300);
 }
 
 TEST(Gap, PushingApartByThePenetrationDepthEndsTheOverlap) {

@@ -9,14 +9,15 @@ namespace flair::optimizer {
 
 template <typename T>
 T OnWallAbove::operator()(const Frames<T, 2>& frames) const {
-  return LeastOf<T>(places, frames, [this](const HangingWall& place, const auto& f) {
+  const NearestWall nearest = NearestWallTo(target, ValueOf(frames[1]), places);
+  return LeastOf<T>(places, frames, [this, &nearest](const HangingWall& place, const auto& f) {
     using S = std::decay_t<decltype(f[0].center.x)>;
     constexpr double kAtWall_m = 0.15;
     const WallView<S> view(target, f[1], place.wall);
     const S beside = Magnitude(place.wall.Offset(f[0].center) - view.Middle());
     const S play = shares_place ? Positive(0.5 * (view.Length() - object.width_m)) : S(0.0);
     return HangsOn(object, f[0], place) + SquaredHinge(beside - play) +
-           SquaredNotItsWall(target, f[1], place, places, kAtWall_m);
+           SquaredNotItsWall(target, f[1], view.distance, nearest, kAtWall_m);
   });
 }
 

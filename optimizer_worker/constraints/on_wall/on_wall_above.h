@@ -17,6 +17,7 @@ namespace flair::optimizer {
 
 struct OnWallAbove {
   static constexpr int kObjects = 2;
+  static constexpr bool kSeesZero = true;
   Footprint object;
   Footprint target;
   std::vector<HangingWall> places;

@@ -9,14 +9,16 @@ namespace flair::optimizer {
 
 template <typename T>
 T OnWallNear::operator()(const Frames<T, 2>& frames) const {
-  return LeastOf<T>(places, frames, [this](const HangingWall& place, const auto& f) {
+  const NearestWall nearest = NearestWallTo(target, ValueOf(frames[1]), places);
+  return LeastOf<T>(places, frames, [this, &nearest](const HangingWall& place, const auto& f) {
     using S = std::decay_t<decltype(f[0].center.x)>;
     constexpr double kBeside_m = 0.5;
     const WallView<S> view(target, f[1], place.wall);
     const S offset = place.wall.Offset(f[0].center);
     const double reach = object.width_m / 2 + kBeside_m;
     return HangsOn(object, f[0], place) + SquaredHinge(view.low - offset - reach) +
-           SquaredHinge(offset - view.high - reach) + SquaredNotItsWall(target, f[1], place, places, kBeside_m);
+           SquaredHinge(offset - view.high - reach) +
+           SquaredNotItsWall(target, f[1], view.distance, nearest, kBeside_m);
   });
 }
 

@@ -19,6 +19,7 @@ namespace flair::optimizer {
 
 struct OnWallNear {
   static constexpr int kObjects = 2;
+  static constexpr bool kSeesZero = true;
   Footprint object;
   Footprint target;
   std::vector<HangingWall> places;

@@ -9,9 +9,8 @@ namespace flair::optimizer {
 template <typename T>
 T AwayFrom::operator()(const Frames<T, 2>& frames) const {
   // Far apart by their circles already.
-  const double reach = min_distance_m + CircumscribedRadius(object) + CircumscribedRadius(target);
-  if (SquaredNorm(ValueOf(frames[0].center) - ValueOf(frames[1].center)) >= reach * reach) return T(0.0);
-  return SquaredHinge(min_distance_m - Gap<T>(Box<T>(object, frames[0]), Box<T>(target, frames[1])));
+  if (SquaredNorm(ValueOf(frames[0].center) - ValueOf(frames[1].center)) >= reach_m * reach_m) return T(0.0);
+  return SquaredNearness<T>(Box<T>(object, frames[0]), Box<T>(target, frames[1]), min_distance_m);
 }
 
 ConstraintFacts AwayFromFacts() {

@@ -11,9 +11,13 @@ namespace flair::optimizer {
 
 struct AwayFrom {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  static constexpr bool kSeesZero = true;
   Footprint object;
   Footprint target;
   double min_distance_m;
+  // Their centres are at least this far apart: nothing to do.
+  double reach_m = min_distance_m + CircumscribedRadius(object) + CircumscribedRadius(target);
 
   template <typename T>
   T operator()(const Frames<T, 2>& frames) const;

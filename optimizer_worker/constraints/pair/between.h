@@ -14,6 +14,7 @@ namespace flair::optimizer {
 
 struct Between {
   static constexpr int kObjects = 3;
+  static constexpr bool kOnlyRelative = true;
   Footprint footprint;
 
   template <typename T>

@@ -14,6 +14,7 @@ namespace flair::optimizer {
 
 struct Facing {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
   Footprint object;
   Footprint target;
   bool both;

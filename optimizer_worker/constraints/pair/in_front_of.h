@@ -16,6 +16,7 @@ namespace flair::optimizer {
 
 struct InFrontOf {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
   Footprint object;
   Footprint target;
   double distance_m;

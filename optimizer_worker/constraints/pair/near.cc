@@ -11,7 +11,7 @@ T Near::operator()(const Frames<T, 2>& frames) const {
   // The gap is less than the distance of the centres.
   if (SquaredNorm(ValueOf(frames[0].center) - ValueOf(frames[1].center)) <= max_distance_m * max_distance_m)
     return T(0.0);
-  return SquaredHinge(Gap<T>(Box<T>(object, frames[0]), Box<T>(target, frames[1])) - max_distance_m);
+  return SquaredDistanceBeyond<T>(Box<T>(object, frames[0]), Box<T>(target, frames[1]), max_distance_m);
 }
 
 ConstraintFacts NearFacts() {

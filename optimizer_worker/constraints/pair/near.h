@@ -11,6 +11,8 @@ namespace flair::optimizer {
 
 struct Near {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  static constexpr bool kSeesZero = true;
   Footprint object;
   Footprint target;
   double max_distance_m;

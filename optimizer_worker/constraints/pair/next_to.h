@@ -26,6 +26,8 @@ T SidesMeet(const Footprint& first, const Frame<T>& first_frame, Side first_side
 
 struct NextTo {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  static constexpr bool kSeesZero = true;
   Footprint object;
   Footprint target;
   // Side of the object, side of the target.

@@ -13,6 +13,8 @@ namespace flair::optimizer {
 
 struct On {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  static constexpr bool kSeesZero = true;
   Footprint object;
   Footprint target;
 

@@ -14,6 +14,7 @@ namespace flair::optimizer {
 
 struct RightAngle {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
 
   template <typename T>
   T operator()(const Frames<T, 2>& frames) const;
@@ -21,6 +22,7 @@ struct RightAngle {
 
 struct PerpendicularAround {
   static constexpr int kObjects = 3;
+  static constexpr bool kOnlyRelative = true;
   Footprint object;
   Footprint target;
 

@@ -10,6 +10,7 @@ namespace flair::optimizer {
 
 struct UnderCenter {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
 
   template <typename T>
   T operator()(const Frames<T, 2>& frames) const;

@@ -28,6 +28,7 @@ std::vector<ConvexPiece> DoorAreas(const Room& room, double passage_m = kPassage
 
 struct DoorClearFormula {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::vector<ConvexPiece> areas;
 

@@ -15,6 +15,7 @@ namespace flair::optimizer {
 
 struct InBoundsFormula {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   FloorShape floor;
 

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/whole_room.h"
@@ -16,8 +14,7 @@ T NoOverlap::operator()(const Frames<T, 2>& frames) const {
   // Most pairs are far apart: their circles do not meet.
   const double dx = ValueOf(frames[0].center.x) - ValueOf(frames[1].center.x);
   const double dy = ValueOf(frames[0].center.y) - ValueOf(frames[1].center.y);
-  const double reach = (std::hypot(first.width_m, first.depth_m) + std::hypot(second.width_m, second.depth_m)) / 2;
-  if (dx * dx + dy * dy >= reach * reach) return T(0.0);
+  if (dx * dx + dy * dy >= reach_m * reach_m) return T(0.0);
   return SquaredPenetration<T>(Box<T>(first, frames[0]), Box<T>(second, frames[1]));
 }
 

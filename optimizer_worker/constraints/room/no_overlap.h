@@ -14,8 +14,12 @@ namespace flair::optimizer {
 
 struct NoOverlap {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  static constexpr bool kSeesZero = true;
   Footprint first;
   Footprint second;
+  // Their circles meet when the centres are closer than this.
+  double reach_m = CircumscribedRadius(first) + CircumscribedRadius(second);
 
   template <typename T>
   T operator()(const Frames<T, 2>& frames) const;

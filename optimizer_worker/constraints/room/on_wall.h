@@ -44,6 +44,7 @@ T HangsOn(const Footprint& footprint, const Frame<T>& frame, const HangingWall& 
 
 struct OnWallFormula {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::vector<HangingWall> places;
 

@@ -15,6 +15,7 @@ namespace flair::optimizer {
 
 struct WallAttractionFormula {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   std::vector<Wall> walls;
   // r + T.
   double free_m;

@@ -9,6 +9,7 @@ namespace flair::optimizer {
 
 struct RugUnderCenter {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
 
   template <typename T>
   T operator()(const Frames<T, 2>& frames) const;

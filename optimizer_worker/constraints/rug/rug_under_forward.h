@@ -13,6 +13,7 @@ namespace flair::optimizer {
 
 struct RugUnderForward {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
   Footprint rug;
   Footprint object;
 

@@ -14,6 +14,7 @@ namespace flair::optimizer {
 
 struct OnTopCorner {
   static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
   Footprint object;
   Footprint host;
   Vec2<double> signs;

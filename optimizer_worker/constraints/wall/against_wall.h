@@ -19,6 +19,7 @@ namespace flair::optimizer {
 
 struct AgainstWall {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   Side side;
   // The walls to choose from.

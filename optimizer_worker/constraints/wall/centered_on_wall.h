@@ -15,6 +15,7 @@ namespace flair::optimizer {
 
 struct CenteredOnWall {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::vector<Wall> walls;
 

@@ -26,6 +26,7 @@ struct RoomCorner {
 
 struct InCorner {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   Side side;
   std::vector<RoomCorner> corners;

@@ -18,6 +18,7 @@ namespace flair::optimizer {
 
 struct NearWall {
   static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
   Footprint footprint;
   Side side;
   double max_distance_m;

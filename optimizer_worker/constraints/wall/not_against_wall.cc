@@ -11,7 +11,7 @@ T NotAgainstWall::operator()(const Frames<T, 1>& frames) const {
   T sum(0.0);
   if (!convex && !side.has_value()) {
     const Box<T> box(footprint, frames[0]);
-    for (const ConvexPiece& piece : pieces) sum += SquaredHinge(min_distance_m - Gap<T>(box, piece));
+    for (const ConvexPiece& piece : pieces) sum += SquaredNearness<T>(box, piece, min_distance_m);
     return sum;
   }
   const auto corner_cost = [this, &sum](const Vec2<T>& corner) {
