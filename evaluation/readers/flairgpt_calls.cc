@@ -24,7 +24,10 @@ struct Call {
 bool IsSide(FlairGptKind kind) { return kind == FlairGptKind::kSide || kind == FlairGptKind::kSides; }
 
 absl::StatusOr<Call> Assign(const json& record) {
-  Call call{CanonicalFlairGptName(record.at("function").get<std::string>()), nullptr, {}};
+  if (!record.is_object() || !record.value("function", json()).is_string()) {
+    return absl::InvalidArgumentError("not a call; should be {\"function\": NAME, \"args\": [...], \"kwargs\": {...}}");
+  }
+  Call call{CanonicalFlairGptName(record["function"].get<std::string>()), nullptr, {}};
   call.function = FindFlairGptFunction(call.name);
   if (call.function == nullptr) return absl::NotFoundError(fmt::format("unknown function {}", call.name));
   const std::vector<FlairGptParameter>& parameters = call.function->parameters;

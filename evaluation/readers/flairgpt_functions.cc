@@ -39,6 +39,8 @@ const std::map<std::string, Row>& Rows() {
       {"io_not_facing", {"not_facing", "object:o target:o"}},
       {"io_infront", {"in_front_of", "object:o target:o distance_m:n parallel:b"}},
       {"io_perp", {"perpendicular", "object:o target:o center:O"}},
+      {"io_on", {"on", "object:o target:o"}},
+      {"io_under_central", {"under_center", "object:o target:o"}},
       {"io_surround", {"surround", "center:o objects:L"}},
       {"io_between", {"between", "object:o first:o second:o"}},
       {"rug_under_central", {"rug_under_center", "rug:i object:o"}},
@@ -129,6 +131,7 @@ int PositionOfKeyword(const std::string& keyword, const FlairGptFunction& functi
   // The empty name is that of what is ignored.
   static const std::map<std::string, std::vector<std::string>> names = {
       {"object_index", {"object", "host", "target"}},
+      {"other_index", {"object", "host", "target"}},
       {"object1_index", {"object"}},
       {"object2_index", {"target", "first"}},
       {"object3_index", {"second"}},
@@ -156,7 +159,8 @@ int PositionOfKeyword(const std::string& keyword, const FlairGptFunction& functi
   const std::vector<FlairGptParameter>& parameters = function.parameters;
   // A tertiary's object_index is the floor object that it belongs to: its own comes first.
   const bool item_first = !parameters.empty() && parameters[0].kind == FlairGptKind::kItem;
-  for (size_t p = keyword == "object_index" && item_first ? 1 : 0; p < parameters.size(); ++p) {
+  const bool of_floor = keyword == "object_index" || keyword == "other_index";
+  for (size_t p = of_floor && item_first ? 1 : 0; p < parameters.size(); ++p) {
     if (std::find(it->second.begin(), it->second.end(), parameters[p].name) != it->second.end()) {
       return static_cast<int>(p);
     }

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "evaluation/readers/flairgpt_arguments.h"
 #include "evaluation/readers/flairgpt_calls.h"
+#include "evaluation/readers/flairgpt_check.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 
@@ -238,10 +240,17 @@ v1::LayoutGraph ReadProblem(const json& problem) {
 }  // namespace
 
 absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& text) {
+  const auto refuse = [](std::string_view why) {
+    return absl::InvalidArgumentError(fmt::format("not a recorded FlairGPT problem: {}", why));
+  };
+  const absl::StatusOr<json> problem = ParseFlairGptText(text);
+  if (!problem.ok()) return refuse(std::string(problem.status().message()));
+  const absl::Status good = CheckFlairGptProblem(*problem);
+  if (!good.ok()) return refuse(std::string(good.message()));
   try {
-    return ReadProblem(json::parse(text));
+    return ReadProblem(*problem);
   } catch (const json::exception& error) {
-    return absl::InvalidArgumentError(fmt::format("not a recorded FlairGPT problem: {}", error.what()));
+    return refuse(error.what());
   }
 }
 

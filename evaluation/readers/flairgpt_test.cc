@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "evaluation/readers/flairgpt_functions.h"
 #include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "nlohmann/json.hpp"
@@ -144,6 +145,62 @@ TEST(FlairGptRoom, TextOfAnotherKindIsRefusedWithAReason) {
     const absl::StatusOr<v1::LayoutGraph> graph = ReadFlairGptRoom(text);
     EXPECT_EQ(graph.status().code(), absl::StatusCode::kInvalidArgument) << text.substr(0, 80);
     EXPECT_THAT(std::string(graph.status().message()), HasSubstr("not a recorded FlairGPT problem"));
+  }
+}
+
+TEST(FlairGptRoom, ARefusalNamesFieldValueAndWhatWouldBeRight) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"{\n\"a\":", "not JSON: parse error at line 2, column 5"},
+      {"{\"room\": {\"width\": NaN}}", "not JSON: parse error at line 1"},
+      {"[1]", "[1] is not an object"},
+      {StudyWith("/room/width", "wide"), "room.width: \"wide\" should be a number in (0, 100], metres"},
+      {StudyWith("/room/length", -3), "room.length: -3 should be a number in (0, 100], metres"},
+      {StudyWith("/room", json::object()), "room.width: is missing; should be a number in (0, 100], metres"},
+      {StudyWith("/zones/1", 4), "zones[1]: 4 should be text, a name"},
+      {StudyWith("/fixed_objects/0/wall", "up"), "fixed_objects[0].wall: \"up\" should be south, east, north or west"},
+      {StudyWith("/fixed_objects/2/width", "x"),
+       "fixed_objects[2].width: \"x\" should be a number in [0, 100], metres"},
+      {StudyWith("/primary/0/width", nullptr), "primary[0].width: null should be a number in [0, 20], metres"},
+      {StudyWith("/secondary/1/length", 1e9), "secondary[1].length: 1000000000.0 should be a number in [0, 20]"},
+      {StudyWith("/tertiary/3/width", -0.1), "tertiary[3].width: -0.1 should be a number in [0, 20], metres"},
+      {StudyWith("/secondary/0/index", 0),
+       "secondary[0].index: 0 should be a whole number that no other such object has"},
+      {StudyWith("/primary/0/index", 0.5), "primary[0].index: 0.5 should be a whole number"},
+      {StudyWith("/primary/0/name", 7), "primary[0].name: 7 should be text"},
+      {StudyWith("/tertiary", 5), "tertiary: 5 should be a list"},
+      {StudyWith("/calls/tertiary", "none"), "calls.tertiary: \"none\" should be a list"},
+      {StudyWith("/calls", nullptr), "calls: null should be an object"}};
+  for (const auto& [text, message] : cases) {
+    const absl::StatusOr<v1::LayoutGraph> graph = ReadFlairGptRoom(text);
+    EXPECT_EQ(graph.status().code(), absl::StatusCode::kInvalidArgument) << message;
+    EXPECT_THAT(std::string(graph.status().message()), HasSubstr("not a recorded FlairGPT problem: " + message));
+  }
+}
+
+TEST(FlairGptRoom, AtMostFiveFaultsAreListed) {
+  json study = json::parse(StudyText());
+  for (json& object : study["tertiary"]) object["width"] = object["length"] = "x";
+  const std::string message(ReadFlairGptRoom(study.dump()).status().message());
+  EXPECT_EQ(std::count(message.begin(), message.end(), ';'), 4) << message;
+}
+
+TEST(FlairGptFunctions, AllThatTheReferenceHasAndThatModelsCallWithAMeaningAreKnown) {
+  for (const char* name :
+       {"ind_next_to_wall", "ind_near_wall", "ind_in_corner", "ind_not_in_corner", "ind_parallel_to_wall",
+        "ind_close_to_fixed_object", "ind_away_from_fixed_object", "ind_accessible", "ind_central", "ind_in_region",
+        "ind_not_block_fixed_object", "ind_under_window", "ind_facing_into_room", "ind_not_against_wall", "io_next_to",
+        "io_away_from", "io_near", "io_parallel", "io_facing", "io_not_facing", "io_infront", "io_perp", "io_surround",
+        "io_between", "io_on", "io_under_central", "rug_under_central", "rug_under_central_forward", "on_top_central",
+        "on_top_corner", "on_wall_near", "on_wall_above_central", "on_wall_in_region", "center_ceiling",
+        "ceiling_above",
+        // Slips and names of other versions.
+        "p_next_to", "p_facing", "ind_not_facing", "ind_facing", "ind_away_from", "ind_next_to", "io_min_dist",
+        "io_accessible", "io_next_to_wall", "io_near_wall", "io_in_region", "io_central", "io_in_corner",
+        "ind_near_fixed_object", "ind_near", "ind_not_next_to_wall", "on_top_center", "on_wall_above"}) {
+    EXPECT_NE(FindFlairGptFunction(CanonicalFlairGptName(name)), nullptr) << name;
+  }
+  for (const char* name : {"ind_near_plumbing_lines", "io_air_breaks", "ind_not_in_pathway", "in_bounds", ""}) {
+    EXPECT_EQ(FindFlairGptFunction(CanonicalFlairGptName(name)), nullptr) << name;
   }
 }
 
