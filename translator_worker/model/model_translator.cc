@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/model/model_translator.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "flair/model/v1/calls_answers.pb.h"
+#include "fmt/format.h"
+#include "llm/answers/conversation.h"
+#include "translator_worker/catalog/catalog_index.h"
+#include "translator_worker/grammar/quote.h"
+#include "translator_worker/grammar/scene_names.h"
+#include "translator_worker/grammar/sentence_translator.h"
+#include "translator_worker/model/argument_reader.h"
+#include "translator_worker/model/passes.h"
+#include "translator_worker/model/prompt_texts.h"
+#include "translator_worker/model/read_calls.h"
+
+namespace flair::translator {
+namespace {
+
+using model::v1::CallsAnswer;
+
+// So many sentences' calls fit into the shortest answers that servers cut off.
+constexpr size_t kMostSentences = 60;
+
+// Sentences that are asked about together.
+struct Portion {
+  const Pass* pass = nullptr;
+  std::vector<const v1::Sentence*> sentences;
+};
+
+std::vector<Portion> Divide(const v1::ConstraintList& list) {
+  std::vector<Portion> portions;
+  for (const Pass& pass : kPasses) {
+    std::vector<const v1::Sentence*> sentences;
+    for (const v1::Sentence& sentence : list.sentences()) {
+      if (sentence.scope() == pass.scope) sentences.push_back(&sentence);
+    }
+    for (size_t begin = 0; begin < sentences.size(); begin += kMostSentences) {
+      const size_t end = std::min(begin + kMostSentences, sentences.size());
+      portions.push_back({&pass,
+                          {sentences.begin() + static_cast<std::ptrdiff_t>(begin),
+                           sentences.begin() + static_cast<std::ptrdiff_t>(end)}});
+    }
+  }
+  return portions;
+}
+
+v1::Diagnostic Remark(const v1::Sentence& sentence, v1::Severity severity, const char* code,
+                      const std::string& message) {
+  v1::Diagnostic remark;
+  remark.set_severity(severity);
+  remark.set_code(code);
+  remark.set_message(fmt::format("\"{}\": {}", Quote(sentence.text()), message));
+  remark.set_subject_id(sentence.id());
+  return remark;
+}
+
+// Translates the sentences of one request and collects the graph.
+class Run {
+ public:
+  Run(const v1::TranslateRequest& request, const llm::PromptLibrary& prompts)
+      : request_(request),
+        prompts_(prompts),
+        catalog_(request.catalog()),
+        reader_(request),
+        names_(request.room(), request.zone_plan(), request.object_list()) {}
+
+  llm::Question Ask(const Portion& portion, size_t number) const {
+    const std::vector<const v1::ConstraintType*> types = TypesFor(*portion.pass, request_.catalog());
+    llm::Question question;
+    question.step = std::string(portion.pass->step);
+    if (number > 0) question.step += fmt::format(".{}", number + 1);
+    question.system = prompts_.Fill("system", {});
+    question.text = prompts_.Fill("translate", {{"pass", std::string(portion.pass->task)},
+                                                {"functions", FunctionsText(types)},
+                                                {"room", RoomText(request_.room())},
+                                                {"zones", ZonesText(request_.zone_plan())},
+                                                {"objects", ObjectsText(request_.object_list())},
+                                                {"sentences", SentencesText(portion.sentences)}});
+    llm::Choices& ids = question.choices["flair.model.v1.SentenceCallsAnswer.id"];
+    for (const v1::Sentence* sentence : portion.sentences) ids.names.push_back(sentence->id());
+    llm::Choices& functions = question.choices["flair.model.v1.CallAnswer.function"];
+    for (const v1::ConstraintType* type : types) {
+      functions.names.push_back(type->name());
+      for (const std::string& alias : type->aliases()) functions.aliases.emplace(alias, type->name());
+    }
+    question.answer = &CallsAnswer::default_instance();
+    question.check = llm::CheckOf<CallsAnswer>([this, &portion](CallsAnswer& answer) {
+      std::vector<llm::Fault> faults;
+      ReadCalls(answer, portion.sentences, catalog_, reader_, &faults);
+      return faults;
+    });
+    return question;
+  }
+
+  void Take(const Portion& portion, const llm::Reply& reply) {
+    const auto calls = ReadCalls(reply.As<CallsAnswer>(), portion.sentences, catalog_, reader_, nullptr);
+    for (const v1::Sentence* sentence : portion.sentences) Keep(*sentence, calls.at(sentence->id()));
+    for (const llm::Fault& fault : reply.faults) {
+      if (fault.kind != llm::FaultKind::kWrong) continue;
+      v1::Diagnostic& remark = remarks_.emplace_back();
+      remark.set_severity(v1::SEVERITY_WARNING);
+      remark.set_code("answer_dropped");
+      remark.set_message(fmt::format("a part of the model's answer was left out: {}", fault.Sentence()));
+    }
+  }
+
+  // Without a model.
+  void StandIn(const Portion& portion, const absl::Status& failure) {
+    for (const v1::Sentence* sentence : portion.sentences) {
+      Translation translation = TranslateSentence(request_, names_, catalog_, *sentence);
+      Kept& kept = kept_[sentence->id()];
+      kept.calls = std::move(translation.calls);
+      kept.remarks = std::move(translation.diagnostics);
+      kept.weight_factor = translation.weight_factor;
+    }
+    v1::Diagnostic& remark = remarks_.emplace_back();
+    remark.set_severity(v1::SEVERITY_WARNING);
+    remark.set_code("stand_in");
+    remark.set_message(fmt::format("{} sentences were read by the grammar, as the model failed: {}",
+                                   portion.sentences.size(), std::string(failure.message())));
+  }
+
+  v1::LayoutGraph Graph() {
+    v1::LayoutGraph graph;
+    *graph.mutable_room() = request_.room();
+    *graph.mutable_zone_plan() = request_.zone_plan();
+    *graph.mutable_object_list() = request_.object_list();
+    if (request_.has_style_sheet()) *graph.mutable_style_sheet() = request_.style_sheet();
+    *graph.mutable_constraint_list() = request_.constraint_list();
+    graph.set_catalog_library(request_.catalog().library());
+    for (const v1::Sentence& sentence : request_.constraint_list().sentences()) {
+      Kept& kept = kept_[sentence.id()];
+      for (Call& call : kept.calls) {
+        v1::ConstraintEdge& edge = *graph.add_edges();
+        edge.set_id(fmt::format("e{}", graph.edges_size()));
+        edge.set_type(call.type);
+        for (v1::Argument& argument : call.arguments) *edge.add_arguments() = std::move(argument);
+        edge.set_weight((sentence.weight() > 0 ? sentence.weight() : 1) * kept.weight_factor);
+        edge.set_sentence_id(sentence.id());
+      }
+      for (v1::Diagnostic& remark : kept.remarks) *graph.add_diagnostics() = std::move(remark);
+    }
+    for (v1::Diagnostic& remark : remarks_) *graph.add_diagnostics() = std::move(remark);
+    return graph;
+  }
+
+ private:
+  struct Kept {
+    std::vector<Call> calls;
+    std::vector<v1::Diagnostic> remarks;
+    double weight_factor = 1;
+  };
+
+  void Keep(const v1::Sentence& sentence, const SentenceCalls& read) {
+    Kept& kept = kept_[sentence.id()];
+    kept.calls = read.calls;
+    const auto remark = [&](v1::Severity severity, const char* code, const std::string& message) {
+      kept.remarks.push_back(Remark(sentence, severity, code, message));
+    };
+    for (const std::string& problem : read.rejected) {
+      remark(v1::SEVERITY_WARNING, "call_rejected", "a call was left out: " + problem);
+    }
+    for (const std::string& change : read.adjusted) remark(v1::SEVERITY_NOTE, "out_of_range", change);
+    if (!read.refusal.empty()) {
+      remark(v1::SEVERITY_WARNING, read.calls.empty() ? "not_expressible" : "partial", read.refusal);
+    } else if (read.calls.empty() && read.rejected.empty()) {
+      remark(v1::SEVERITY_WARNING, "unknown_sentence", "the model gave no call for it, and no reason");
+    }
+  }
+
+  const v1::TranslateRequest& request_;
+  const llm::PromptLibrary& prompts_;
+  const CatalogIndex catalog_;
+  const ArgumentReader reader_;
+  const SceneNames names_;
+  std::map<std::string, Kept> kept_;
+  std::vector<v1::Diagnostic> remarks_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<ModelTranslator>> ModelTranslator::Make(std::unique_ptr<llm::LlmClient> client,
+                                                                       const std::filesystem::path& prompts,
+                                                                       const std::filesystem::path& overrides) {
+  const std::vector<std::string> parts = {"pass", "functions", "room", "zones", "objects", "sentences"};
+  absl::StatusOr<llm::PromptLibrary> library = llm::PromptLibrary::Load(
+      prompts, overrides,
+      {{.name = "system", .placeholders = {}, .required = {}},
+       {.name = "translate", .placeholders = parts, .required = {"functions", "objects", "sentences"}},
+       llm::RepairPrompt()});
+  if (!library.ok()) return library.status();
+  return std::unique_ptr<ModelTranslator>(new ModelTranslator(std::move(client), *std::move(library)));
+}
+
+absl::StatusOr<v1::TranslateResponse> ModelTranslator::Translate(const v1::TranslateRequest& request,
+                                                                 runtime::CallContext& call) const {
+  Run run(request, prompts_);
+  const std::vector<Portion> portions = Divide(request.constraint_list());
+  std::vector<llm::Question> questions;
+  std::map<const Pass*, size_t> asked;
+  for (const Portion& portion : portions) questions.push_back(run.Ask(portion, asked[portion.pass]++));
+  llm::Conversation conversation(*client_, prompts_, request.model_options(), call);
+  const std::vector<absl::StatusOr<llm::Reply>> replies = conversation.AskAll(questions);
+  for (size_t i = 0; i < portions.size(); ++i) {
+    if (replies[i].ok()) {
+      run.Take(portions[i], *replies[i]);
+    } else if (request.model_options().stand_in_allowed() && llm::Conversation::IsModelFailure(replies[i].status())) {
+      run.StandIn(portions[i], replies[i].status());
+    } else {
+      return replies[i].status();
+    }
+  }
+  v1::TranslateResponse response;
+  *response.mutable_layout_graph() = run.Graph();
+  for (const v1::ModelCall& one : conversation.calls()) *response.add_model_calls() = one;
+  return response;
+}
+
+std::filesystem::path DefaultPromptFolder() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const std::filesystem::path installed =
+        program.parent_path().parent_path() / "share" / "flair" / "prompts" / "translator";
+    if (std::filesystem::is_directory(installed, error)) return installed;
+  }
+  return FLAIR_TRANSLATOR_PROMPTS;
+}
+
+}  // namespace flair::translator

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a translating model is told, as short lines of text.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "flair/v1/constraint_catalog.pb.h"
+#include "flair/v1/constraint_list.pb.h"
+#include "flair/v1/translator_service.pb.h"
+
+namespace flair::translator {
+
+// One line a type: how it is called, what then holds, and one example. Names, parameters, ranges and defaults; never
+// code.
+std::string FunctionsText(std::span<const v1::ConstraintType* const> types);
+
+// "4.00 x 5.00 m; walls north, east, ...; 1 door, 2 windows, 3 sockets".
+std::string RoomText(const v1::Room& room);
+
+std::string ZonesText(const v1::ZonePlan& zones);
+
+// One line an object.
+std::string ObjectsText(const v1::ObjectList& objects);
+
+// One line a sentence: id, the names of its subjects in brackets, and its text quoted as data.
+std::string SentencesText(std::span<const v1::Sentence* const> sentences);
+
+}  // namespace flair::translator
