@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/openai/dialect.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "absl/strings/ascii.h"
+
+namespace flair::llm {
+namespace {
+
+bool Contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+bool ContainsAny(const std::string& text, std::initializer_list<std::string_view> parts) {
+  return std::ranges::any_of(parts, [&](std::string_view part) { return Contains(text, part); });
+}
+
+// All that the server said, in lower case.
+std::string AllText(const ServerError& error) {
+  return absl::AsciiStrToLower(error.param + " " + error.code + " " + error.type + " " + error.message);
+}
+
+// Rejected for what no other form of the request changes.
+bool IsOfTheQuestion(const std::string& text) {
+  return ContainsAny(text,
+                     {"context_length", "context length", "context window", "too long", "too large", "content_filter",
+                      "content management policy", "responsibleai", "invalid_api_key", "model_not_found"});
+}
+
+// Servers call a field that they do not know by many words.
+bool RejectsField(const std::string& text, std::string_view field) {
+  return Contains(text, field) &&
+         ContainsAny(text, {"unsupported", "not supported", "not support", "unknown", "unrecognized", "unexpected",
+                            "not permitted", "not allowed", "forbidden", "not available", "only the default",
+                            "no longer", "deprecated", "invalid parameter", "invalid field"});
+}
+
+bool NamesForm(const std::string& text) {
+  return ContainsAny(text, {"response_format", "json_schema", "json_object", "json schema", "structured output",
+                            "grammar", "guided_json", "guided decoding"});
+}
+
+std::optional<Dialect> WithWeakerForm(Dialect dialect, bool with_schema, bool fall_back) {
+  if (!with_schema || !fall_back || dialect.form == AnswerForm::kText) return std::nullopt;
+  dialect.form = dialect.form == AnswerForm::kJsonSchema ? AnswerForm::kJsonObject : AnswerForm::kText;
+  return dialect;
+}
+
+}  // namespace
+
+std::optional<Dialect> WeakerDialect(const Dialect& dialect, const OpenAiOptions& options, bool with_schema,
+                                     int http_status, const ServerError& error) {
+  const std::string text = AllText(error);
+  const bool rejected = http_status == 400 || http_status == 422;
+  // Some servers find out only while they answer.
+  if (!rejected && !((http_status == 500 || http_status == 501) && NamesForm(text))) return std::nullopt;
+  if (IsOfTheQuestion(text)) return std::nullopt;
+
+  Dialect weaker = dialect;
+  if (RejectsField(text, "max_tokens") && !dialect.completion_token_limit) {
+    weaker.completion_token_limit = true;
+  } else if (RejectsField(text, "temperature") && dialect.temperature && options.temperature.has_value()) {
+    weaker.temperature = false;
+  } else if (RejectsField(text, "seed") && dialect.seed && options.seed.has_value()) {
+    weaker.seed = false;
+  } else if (RejectsField(text, "stream_options") && dialect.stream_usage && options.stream) {
+    weaker.stream_usage = false;
+  } else if (RejectsField(text, "system") && Contains(text, "role") && dialect.system_role) {
+    weaker.system_role = false;
+  } else {
+    // It names the form, or does not say what is wrong: then the form is the likeliest.
+    return WithWeakerForm(dialect, with_schema, options.fall_back);
+  }
+  return weaker;
+}
+
+bool RejectsSchema(const ServerError& error) {
+  return ContainsAny(AllText(error), {"invalid schema", "invalid_json_schema", "schema is invalid",
+                                      "failed to parse grammar", "unsupported schema", "schema is not supported"});
+}
+
+}  // namespace flair::llm

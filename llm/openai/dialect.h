@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "llm/openai/openai_options.h"
+#include "llm/openai/server_error.h"
+
+namespace flair::llm {
+
+// Which fields of a request one server takes. Begins as the options want it and only ever becomes weaker, so that
+// asking again ends.
+struct Dialect {
+  AnswerForm form = AnswerForm::kJsonSchema;
+  // max_completion_tokens instead of max_tokens, which is what most servers take.
+  bool completion_token_limit = false;
+  bool temperature = true;
+  bool seed = true;
+  // stream_options, to be told the usage.
+  bool stream_usage = true;
+  // Messages of role "system"; otherwise their text goes before the first question.
+  bool system_role = true;
+
+  bool operator==(const Dialect&) const = default;
+};
+
+// What to try after the server rejected a request made in `dialect`; none when another form of it would not help.
+// `with_schema`: the request has a schema.
+std::optional<Dialect> WeakerDialect(const Dialect& dialect, const OpenAiOptions& options, bool with_schema,
+                                     int http_status, const ServerError& error);
+
+// Whether the server rejects the schema itself, not the form: then other schemas may still be sent.
+bool RejectsSchema(const ServerError& error);
+
+}  // namespace flair::llm

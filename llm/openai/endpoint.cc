@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/openai/endpoint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "absl/strings/match.h"
+
+namespace flair::llm {
+namespace {
+
+// As one segment of a path, or one value of a query.
+std::string Escaped(const std::string& text) {
+  std::string escaped;
+  for (const unsigned char c : text) {
+    const bool plain = std::isalnum(c) != 0 || c == '-' || c == '.' || c == '_' || c == '~';
+    escaped += plain ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02X}", c);
+  }
+  return escaped;
+}
+
+bool HasHeader(const OpenAiOptions& options, std::string_view name) {
+  return std::ranges::any_of(options.headers, [&](const HttpHeader& header) {
+    return absl::EqualsIgnoreCase(header.name, std::string(name));
+  });
+}
+
+const char* NameOf(AnswerForm form) {
+  switch (form) {
+    case AnswerForm::kJsonSchema:
+      return "json_schema";
+    case AnswerForm::kJsonObject:
+      return "json_object";
+    case AnswerForm::kText:
+      return "text";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string CompletionsUrl(const OpenAiOptions& options) {
+  std::string base = options.base_url;
+  while (base.ends_with('/')) base.pop_back();
+  if (!options.azure.has_value()) return base + "/chat/completions";
+  return fmt::format("{}/openai/deployments/{}/chat/completions?api-version={}", base, Escaped(options.azure->name),
+                     Escaped(options.azure->api_version));
+}
+
+std::vector<HttpHeader> RequestHeaders(const OpenAiOptions& options) {
+  std::vector<HttpHeader> headers = {{"Content-Type", "application/json"},
+                                     {"Accept", options.stream ? "text/event-stream" : "application/json"}};
+  if (!HasHeader(options, "user-agent")) headers.push_back({"User-Agent", "flair"});
+  if (!options.api_key.empty()) {
+    headers.push_back(options.azure.has_value() ? HttpHeader{"api-key", options.api_key}
+                                                : HttpHeader{"Authorization", "Bearer " + options.api_key});
+  }
+  headers.insert(headers.end(), options.headers.begin(), options.headers.end());
+  return headers;
+}
+
+std::vector<std::string> SecretsOf(const OpenAiOptions& options) {
+  std::vector<std::string> secrets = {options.api_key};
+  for (const HttpHeader& header : options.headers) secrets.push_back(header.value);
+  return secrets;
+}
+
+std::string IdentityOf(const OpenAiOptions& options) {
+  std::string identity = fmt::format("openai {} model={} form={} fall_back={} max_output_tokens={}",
+                                     PublicAddress(CompletionsUrl(options)), options.model, NameOf(options.answer_form),
+                                     options.fall_back, options.max_output_token_count);
+  if (options.azure.has_value()) identity += " api_version=" + options.azure->api_version;
+  if (options.temperature.has_value()) identity += fmt::format(" temperature={}", *options.temperature);
+  if (options.seed.has_value()) identity += fmt::format(" seed={}", *options.seed);
+  return identity;
+}
+
+}  // namespace flair::llm
