@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace flair::evaluation {
 namespace {
@@ -56,27 +57,25 @@ std::vector<int32_t> WalkRaster::Components(const CellSet& cells, std::vector<in
 }
 
 CellSet WalkRaster::Dilate(const CellSet& cells, double radius_m) const {
-  // Distance along each row to the nearest cell of the set, then the disc's half chord for each row offset.
+  // Half the disc's chord, in cells, by how many rows it is from the middle.
   const int reach = static_cast<int>(std::floor(radius_m / cell_m_ + 1e-9));
-  std::vector<int> gap(cells.size(), reach + 1);
-  for (int r = 0; r < rows_; ++r) {
-    int last = -reach - 1;
-    for (int c = 0; c < columns_; ++c) {
-      if (cells[IndexOf(c, r)]) last = c;
-      gap[IndexOf(c, r)] = std::min(c - last, reach + 1);
-    }
-    last = columns_ + reach;
-    for (int c = columns_ - 1; c >= 0; --c) {
-      if (cells[IndexOf(c, r)]) last = c;
-      gap[IndexOf(c, r)] = std::min(gap[IndexOf(c, r)], last - c);
-    }
-  }
-  CellSet result(cells.size(), 0);
-  for (int d = -reach; d <= reach; ++d) {
+  std::vector<int> half;
+  for (int d = 0; d <= reach; ++d) {
     const double chord_m = std::sqrt(std::max(0.0, radius_m * radius_m - d * d * cell_m_ * cell_m_));
-    const int half = static_cast<int>(std::floor(chord_m / cell_m_ + 1e-9));
-    for (int r = std::max(0, -d); r < std::min(rows_, rows_ - d); ++r) {
-      for (int c = 0; c < columns_; ++c) result[IndexOf(c, r)] |= gap[IndexOf(c, r + d)] <= half;
+    half.push_back(static_cast<int>(std::floor(chord_m / cell_m_ + 1e-9)));
+  }
+  // A run of cells in a row becomes a run in each row near by, longer by the half chord at both ends.
+  CellSet result(cells.size(), 0);
+  for (int r = 0; r < rows_; ++r) {
+    for (int c = 0; c < columns_; ++c) {
+      if (!cells[IndexOf(c, r)]) continue;
+      const int begin = c;
+      while (c < columns_ && cells[IndexOf(c, r)]) ++c;
+      for (int near = std::max(0, r - reach); near <= std::min(rows_ - 1, r + reach); ++near) {
+        const int widen = half[static_cast<size_t>(std::abs(near - r))];
+        const auto row = result.begin() + static_cast<std::ptrdiff_t>(IndexOf(0, near));
+        std::fill(row + std::max(0, begin - widen), row + std::min(columns_, c + widen), char{1});
+      }
     }
   }
   return result;
