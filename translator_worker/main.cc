@@ -24,5 +24,5 @@ int main(int argc, char** argv) {
       argc, argv,
       {"flair-translator", "Serves flair.v1.TranslatorService: turns sentences into constraint calls.",
        flair::runtime::BuildName()},
-      flair::Assemble);
+      flair::Assemble, flair::translator::CheckTranslatorConfig);
 }

@@ -75,13 +75,13 @@ class Run {
     llm::Question question;
     question.step = std::string(portion.pass->step);
     if (number > 0) question.step += fmt::format(".{}", number + 1);
-    question.system = prompts_.Fill("system", {});
-    question.text = prompts_.Fill("translate", {{"pass", std::string(portion.pass->task)},
-                                                {"functions", FunctionsText(types)},
-                                                {"room", RoomText(request_.room())},
-                                                {"zones", ZonesText(request_.zone_plan())},
-                                                {"objects", ObjectsText(request_.object_list())},
-                                                {"sentences", SentencesText(portion.sentences)}});
+    question.system = prompts_.Fill("translator", {});
+    question.text = prompts_.Fill("translation", {{"pass", std::string(portion.pass->task)},
+                                                  {"functions", FunctionsText(types)},
+                                                  {"room", RoomText(request_.room())},
+                                                  {"zones", ZonesText(request_.zone_plan())},
+                                                  {"objects", ObjectsText(request_.object_list())},
+                                                  {"sentences", SentencesText(portion.sentences)}});
     llm::Choices& ids = question.choices["flair.model.v1.SentenceCallsAnswer.id"];
     for (const v1::Sentence* sentence : portion.sentences) ids.names.push_back(sentence->id());
     llm::Choices& functions = question.choices["flair.model.v1.CallAnswer.function"];
@@ -191,8 +191,8 @@ absl::StatusOr<std::unique_ptr<ModelTranslator>> ModelTranslator::Make(std::uniq
   const std::vector<std::string> parts = {"pass", "functions", "room", "zones", "objects", "sentences"};
   absl::StatusOr<llm::PromptLibrary> library = llm::PromptLibrary::Load(
       prompts, overrides,
-      {{.name = "system", .placeholders = {}, .required = {}},
-       {.name = "translate", .placeholders = parts, .required = {"functions", "objects", "sentences"}},
+      {{.name = "translator", .placeholders = {}, .required = {}},
+       {.name = "translation", .placeholders = parts, .required = {"functions", "objects", "sentences"}},
        llm::RepairPrompt()});
   if (!library.ok()) return library.status();
   return std::unique_ptr<ModelTranslator>(new ModelTranslator(std::move(client), *std::move(library)));

@@ -5,6 +5,9 @@
 
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
+#include "fmt/format.h"
+#include "llm/config/check_llm_config.h"
+#include "llm/make_llm_client.h"
 #include "translator_worker/catalog/remote_catalog_source.h"
 #include "translator_worker/service/translate_handler.h"
 #include "worker_runtime/grpc/channel.h"
@@ -15,8 +18,9 @@ namespace {
 
 class Service final : public v1::TranslatorService::CallbackService {
  public:
-  Service(std::unique_ptr<CatalogSource> source, runtime::WorkerContext& worker)
-      : worker_(worker), source_(std::move(source)), translate_(*source_) {}
+  Service(std::unique_ptr<CatalogSource> source, std::unique_ptr<const ModelTranslator> model,
+          runtime::WorkerContext& worker)
+      : worker_(worker), source_(std::move(source)), model_(std::move(model)), translate_(*source_, model_.get()) {}
 
   grpc::ServerUnaryReactor* Translate(grpc::CallbackServerContext* context, const v1::TranslateRequest* request,
                                       v1::TranslateResponse* response) override {
@@ -26,23 +30,51 @@ class Service final : public v1::TranslatorService::CallbackService {
  private:
   runtime::WorkerContext& worker_;
   const std::unique_ptr<CatalogSource> source_;
+  const std::unique_ptr<const ModelTranslator> model_;
   TranslateHandler translate_;
 };
+
+absl::StatusOr<std::unique_ptr<CatalogSource>> MakeSource(const config::v1::TranslatorWorkerConfig& config) {
+  if (config.optimizer_address().empty()) return std::make_unique<NoCatalogSource>();
+  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = runtime::MakeChannel(
+      config.optimizer_address(), v1::OptimizerService::service_full_name(), config.runtime().max_message_mib());
+  if (!channel.ok()) return channel.status();
+  return std::make_unique<RemoteCatalogSource>(*std::move(channel));
+}
+
+// Null when none is configured.
+absl::StatusOr<std::unique_ptr<ModelTranslator>> MakeModel(const config::v1::TranslatorWorkerConfig& config,
+                                                           runtime::WorkerContext& worker) {
+  if (!config.has_llm()) return nullptr;
+  absl::StatusOr<std::unique_ptr<llm::LlmClient>> client = llm::MakeLlmClient(config.llm(), worker);
+  if (!client.ok()) return client.status();
+  return ModelTranslator::Make(*std::move(client), DefaultPromptFolder(), config.llm().prompts_path());
+}
 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeTranslatorService(const config::v1::TranslatorWorkerConfig& config,
                                                                      runtime::WorkerContext& worker) {
-  if (config.optimizer_address().empty()) return MakeTranslatorService(std::make_unique<NoCatalogSource>(), worker);
-  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = runtime::MakeChannel(
-      config.optimizer_address(), v1::OptimizerService::service_full_name(), config.runtime().max_message_mib());
-  if (!channel.ok()) return channel.status();
-  return MakeTranslatorService(std::make_unique<RemoteCatalogSource>(*std::move(channel)), worker);
+  absl::StatusOr<std::unique_ptr<CatalogSource>> source = MakeSource(config);
+  if (!source.ok()) return source.status();
+  absl::StatusOr<std::unique_ptr<ModelTranslator>> model = MakeModel(config, worker);
+  if (!model.ok()) return model.status();
+  return MakeTranslatorService(*std::move(source), *std::move(model), worker);
 }
 
 std::unique_ptr<grpc::Service> MakeTranslatorService(std::unique_ptr<CatalogSource> source,
+                                                     std::unique_ptr<const ModelTranslator> model,
                                                      runtime::WorkerContext& worker) {
-  return std::make_unique<Service>(std::move(source), worker);
+  worker.revision = fmt::format("grammar {}", kGrammarVersion);
+  if (model != nullptr) worker.revision = fmt::format("{}, {} {}", worker.revision, model->model(), model->version());
+  return std::make_unique<Service>(std::move(source), std::move(model), worker);
+}
+
+void CheckTranslatorConfig(const config::v1::TranslatorWorkerConfig& config, runtime::ConfigChecker& checker) {
+  if (!config.has_llm()) return;
+  llm::CheckLlmConfig(config.llm(), [&checker](std::string_view field, std::string_view problem) {
+    checker.Report(fmt::format("llm.{}", field), problem);
+  });
 }
 
 }  // namespace flair::translator

@@ -7,30 +7,32 @@
 #include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {
-namespace {
-
-// Raise whenever equal sentences would give other calls.
-constexpr char kGrammarVersion[] = "1";
-
-}  // namespace
-
 absl::StatusOr<v1::TranslateResponse> TranslateHandler::Handle(const v1::TranslateRequest& request,
                                                                runtime::CallContext& call) const {
   if (absl::Status status = Validate(request); !status.ok()) return status;
-  v1::TranslateResponse response;
-  if (request.has_catalog()) {
-    *response.mutable_layout_graph() = Translate(request);
+  if (request.has_catalog()) return Answer(request, call);
+  absl::StatusOr<v1::ConstraintCatalog> catalog = source_.Get(call);
+  if (!catalog.ok()) return catalog.status();
+  v1::TranslateRequest complete = request;
+  *complete.mutable_catalog() = *std::move(catalog);
+  return Answer(complete, call);
+}
+
+absl::StatusOr<v1::TranslateResponse> TranslateHandler::Answer(const v1::TranslateRequest& complete,
+                                                               runtime::CallContext& call) const {
+  absl::StatusOr<v1::TranslateResponse> response = v1::TranslateResponse();
+  if (model_ != nullptr) {
+    response = model_->Translate(complete, call);
+    if (!response.ok()) return response.status();
+    response->mutable_producer()->set_method(model_->model());
+    response->mutable_producer()->set_version(model_->version());
   } else {
-    absl::StatusOr<v1::ConstraintCatalog> catalog = source_.Get(call);
-    if (!catalog.ok()) return catalog.status();
-    v1::TranslateRequest complete = request;
-    *complete.mutable_catalog() = *std::move(catalog);
-    *response.mutable_layout_graph() = Translate(complete);
+    *response->mutable_layout_graph() = Translate(complete);
+    response->mutable_producer()->set_method("grammar");
+    response->mutable_producer()->set_version(kGrammarVersion);
   }
   if (absl::Status status = call.CheckAlive(); !status.ok()) return status;
-  response.mutable_producer()->set_program("flair-translator");
-  response.mutable_producer()->set_method("grammar");
-  response.mutable_producer()->set_version(kGrammarVersion);
+  response->mutable_producer()->set_program("flair-translator");
   return response;
 }
 

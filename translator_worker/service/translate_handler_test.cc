@@ -76,7 +76,7 @@ struct Served {
     auto started = runtime::InProcessServer::Start(
         "flair-translator", {}, v1::TranslatorService::service_full_name(),
         [&](runtime::WorkerContext& worker) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
-          return MakeTranslatorService(std::move(source), worker);
+          return MakeTranslatorService(std::move(source), nullptr, worker);
         });
     EXPECT_TRUE(started.ok()) << started.status();
     server = *std::move(started);

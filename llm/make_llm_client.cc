@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/make_llm_client.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "absl/strings/ascii.h"
+#include "fmt/format.h"
+#include "llm/config/check_llm_config.h"
+#include "llm/http/http_loop.h"
+#include "llm/openai/openai_client.h"
+#include "llm/wrappers/caching_llm_client.h"
+#include "llm/wrappers/limiting_llm_client.h"
+#include "llm/wrappers/metered_llm_client.h"
+#include "llm/wrappers/priced_llm_client.h"
+#include "llm/wrappers/recording_llm_client.h"
+#include "llm/wrappers/replaying_llm_client.h"
+#include "llm/wrappers/retrying_llm_client.h"
+
+namespace flair::llm {
+namespace {
+
+using config::v1::LlmConfig;
+
+absl::Status Check(const LlmConfig& config) {
+  std::string problems;
+  CheckLlmConfig(config, [&problems](std::string_view field, std::string_view problem) {
+    problems += fmt::format("{}llm.{}: {}", problems.empty() ? "" : "; ", field, problem);
+  });
+  return problems.empty() ? absl::OkStatus() : absl::InvalidArgumentError(problems);
+}
+
+absl::StatusOr<std::string> ReadVariable(const char* field, const std::string& name) {
+  const char* value = std::getenv(name.c_str());
+  if (value != nullptr && *value != '\0') return std::string(value);
+  return absl::FailedPreconditionError(fmt::format("llm.{}: the environment variable {} is not set", field, name));
+}
+
+absl::StatusOr<std::string> ReadKey(const LlmConfig& config) {
+  if (!config.api_key_env().empty()) return ReadVariable("api_key_env", config.api_key_env());
+  if (config.api_key_path().empty()) return std::string();
+  std::ifstream file(config.api_key_path(), std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  absl::StripAsciiWhitespace(&text);
+  if (!text.empty() && text.size() <= 10000) return text;
+  return absl::FailedPreconditionError(
+      fmt::format("llm.api_key_path: {}: holds no key, or cannot be read", config.api_key_path()));
+}
+
+AnswerForm FirstForm(config::v1::AnswerForm form) {
+  switch (form) {
+    case config::v1::ANSWER_FORM_JSON_OBJECT:
+      return AnswerForm::kJsonObject;
+    case config::v1::ANSWER_FORM_TEXT:
+      return AnswerForm::kText;
+    default:
+      return AnswerForm::kJsonSchema;
+  }
+}
+
+absl::StatusOr<OpenAiOptions> MakeOpenAiOptions(const LlmConfig& config) {
+  OpenAiOptions options;
+  options.base_url = config.base_url();
+  options.model = config.model();
+  absl::StatusOr<std::string> key = ReadKey(config);
+  if (!key.ok()) return key.status();
+  options.api_key = *std::move(key);
+  if (config.has_azure()) options.azure = AzureDeployment{config.azure().deployment(), config.azure().api_version()};
+  for (const config::v1::LlmHeader& header : config.headers()) {
+    absl::StatusOr<std::string> value =
+        header.value_env().empty() ? header.value() : ReadVariable("headers.value_env", header.value_env());
+    if (!value.ok()) return value.status();
+    options.headers.push_back({header.name(), *std::move(value)});
+  }
+  if (config.has_temperature()) options.temperature = config.temperature();
+  if (config.has_seed()) options.seed = config.seed();
+  if (config.max_output_token_count() > 0) options.max_output_token_count = config.max_output_token_count();
+  options.answer_form = FirstForm(config.answer_form());
+  options.fall_back = config.answer_form() == config::v1::ANSWER_FORM_UNSPECIFIED;
+  options.stream = config.stream();
+  return options;
+}
+
+HttpOptions MakeHttpOptions(const LlmConfig& config) {
+  HttpOptions options;
+  const config::v1::LlmTimeouts& timeouts = config.timeouts();
+  if (timeouts.has_connect_seconds()) options.timeouts.connect = absl::Seconds(timeouts.connect_seconds());
+  if (timeouts.has_first_byte_seconds()) options.timeouts.first_byte = absl::Seconds(timeouts.first_byte_seconds());
+  if (timeouts.has_total_seconds()) options.timeouts.total = absl::Seconds(timeouts.total_seconds());
+  options.ca_path = config.ca_path();
+  options.proxy = config.proxy();
+  return options;
+}
+
+RetryPolicy MakeRetryPolicy(const config::v1::LlmRetry& retry) {
+  RetryPolicy policy;
+  if (retry.attempt_limit() > 0) policy.attempt_limit = retry.attempt_limit();
+  if (retry.has_first_delay_seconds()) policy.first_delay = absl::Seconds(retry.first_delay_seconds());
+  if (retry.has_longest_delay_seconds()) policy.longest_delay = absl::Seconds(retry.longest_delay_seconds());
+  return policy;
+}
+
+CallLimits MakeCallLimits(const LlmConfig& config) {
+  CallLimits limits;
+  if (config.in_flight_limit() > 0) limits.in_flight = config.in_flight_limit();
+  limits.tokens_per_minute = config.token_per_minute_limit();
+  return limits;
+}
+
+// A model with the loop that it runs on.
+class LoopedLlmClient final : public LlmClient {
+ public:
+  LoopedLlmClient(std::unique_ptr<HttpLoop> loop, std::unique_ptr<LlmClient> inner)
+      : loop_(std::move(loop)), inner_(std::move(inner)) {}
+  // The loop calls back into the wrappers until it has stopped.
+  ~LoopedLlmClient() override { loop_->Stop(); }
+
+  void Ask(const ChatRequest& request, runtime::CallContext& call, AnswerCallback done) override {
+    inner_->Ask(request, call, std::move(done));
+  }
+  std::string identity() const override { return inner_->identity(); }
+
+ private:
+  const std::unique_ptr<HttpLoop> loop_;
+  const std::unique_ptr<LlmClient> inner_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<LlmClient>> MakeLlmClient(const LlmConfig& config, runtime::WorkerContext& worker) {
+  if (absl::Status status = Check(config); !status.ok()) return status;
+  if (!config.replay_path().empty()) {
+    absl::StatusOr<std::unique_ptr<LlmClient>> replay = ReplayingLlmClient::Make(config.replay_path());
+    if (!replay.ok()) return replay.status();
+    return std::make_unique<MeteredLlmClient>(*std::move(replay), worker.metrics, worker.clock);
+  }
+  absl::StatusOr<OpenAiOptions> options = MakeOpenAiOptions(config);
+  if (!options.ok()) return options.status();
+
+  // From the innermost to the outermost.
+  auto loop = std::make_unique<HttpLoop>(worker.clock);
+  std::unique_ptr<LlmClient> client =
+      std::make_unique<OpenAiClient>(*std::move(options), *loop, MakeHttpOptions(config));
+  client = std::make_unique<LimitingLlmClient>(std::move(client), MakeCallLimits(config), *loop, worker.clock);
+  client = std::make_unique<RetryingLlmClient>(std::move(client), MakeRetryPolicy(config.retry()), *loop, worker.clock);
+  client = std::make_unique<PricedLlmClient>(
+      std::move(client), std::vector<config::v1::LlmPrice>(config.prices().begin(), config.prices().end()),
+      config.model());
+  if (!config.cache_path().empty()) client = std::make_unique<CachingLlmClient>(std::move(client), config.cache_path());
+  if (!config.record_path().empty()) {
+    absl::StatusOr<std::unique_ptr<LlmClient>> recording =
+        RecordingLlmClient::Make(std::move(client), config.record_path());
+    if (!recording.ok()) return recording.status();
+    client = *std::move(recording);
+  }
+  client = std::make_unique<MeteredLlmClient>(std::move(client), worker.metrics, worker.clock);
+  return std::make_unique<LoopedLlmClient>(std::move(loop), std::move(client));
+}
+
+}  // namespace flair::llm
