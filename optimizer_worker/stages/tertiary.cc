@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/room/on_wall.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "optimizer_worker/solver/separation.h"
+#include "optimizer_worker/stages/tertiary_packing.h"
 #include "room/geometry/angle.h"
 
 namespace flair::optimizer {
@@ -67,15 +69,28 @@ void PutOnWall(const Scene& scene, int object, Pose<double>& pose) {
 }
 
 void PutInRoom(const KeepOut& keep_out, const Footprint& footprint, Pose<double>& pose) {
-  for (int round = 0; round < 2; ++round) {
+  for (int round = 0; round < 4; ++round) {
+    bool moved = false;
+    const auto move = [&](const Vec2<double>& direction, double by_m) {
+      if (by_m <= 0) return;
+      pose.x_m += by_m * direction.x;
+      pose.y_m += by_m * direction.y;
+      moved = true;
+    };
     for (const FloorShape::HalfPlane& plane : keep_out.floor().half_planes()) {
       double outside = 0;
       for (const Vec2<double>& corner : Corners(footprint, pose)) {
         outside = std::max(outside, Dot(plane.normal, plane.point - corner));
       }
-      pose.x_m += outside * plane.normal.x;
-      pose.y_m += outside * plane.normal.y;
+      move(plane.normal, outside);
     }
+    // Where the room is not convex.
+    for (const ConvexPiece& pocket : keep_out.floor().pockets()) {
+      const Box<double> box(footprint, FrameOf(pose));
+      const Witness w = SeparatingAxis(pocket, box);
+      move(w.kind == Witness::kEdgeOfFirst ? pocket.normal(w.first) : -box.normal(w.second), -w.gap_m);
+    }
+    if (!moved) return;
   }
 }
 
@@ -95,14 +110,14 @@ void PutOnTop(const Footprint& top, const Pose<double>& host, const Footprint& f
   pose.y_m = p.y;
 }
 
-void Tidy(const SolveInput& input, int object, PartialLayout& state) {
+// Puts an object exactly on its wall, on its `carrier` (-1 for none), in the room.
+void Tidy(const SolveInput& input, int object, int carrier, PartialLayout& state) {
   const Object& what = input.scene.objects[object];
   Pose<double>& pose = state.layout[object];
   switch (what.kind) {
     case ObjectKind::kWall:
       return PutOnWall(input.scene, object, pose);
     case ObjectKind::kSurface: {
-      const int carrier = CarrierOf(input.scene, object, state);
       if (carrier >= 0) {
         PutOnTop(input.scene.objects[carrier].footprint, state.layout[carrier], what.footprint, pose);
       }
@@ -134,8 +149,22 @@ Vec2<double> PushOf(const Scene& scene, int first, int second, const Layout& lay
   return forward < backward ? forward * along : (-backward) * along;
 }
 
+bool FitsOn(const Scene& scene, int object, int carrier) {
+  const Footprint& thing = scene.objects[object].footprint;
+  const Footprint& top = scene.objects[carrier].footprint;
+  return std::max(thing.width_m, thing.depth_m) <= std::max(top.width_m, top.depth_m) &&
+         std::min(thing.width_m, thing.depth_m) <= std::min(top.width_m, top.depth_m);
+}
+
+// A blanket that is larger than its chair may slide off it, nothing else may.
+int CarrierNow(const SolveInput& input, int object, int carrier, const PartialLayout& state) {
+  if (carrier < 0 || FitsOn(input.scene, object, carrier)) return carrier;
+  return CarrierOf(input.scene, object, state);
+}
+
 // Parts pieces that still overlap by a little, each pair in halves, keeping them on their tops, walls and in the room.
-void PushApart(const SolveInput& input, const StageSpec& stage, PartialLayout& state) {
+void PushApart(const SolveInput& input, const StageSpec& stage, const std::vector<int>& carriers,
+               PartialLayout& state) {
   for (int round = 0; round < kPushRounds; ++round) {
     bool moved = false;
     for (size_t i = 0; i < stage.objects.size(); ++i) {
@@ -149,8 +178,8 @@ void PushApart(const SolveInput& input, const StageSpec& stage, PartialLayout& s
         state.layout[a].y_m -= push.y / 2;
         state.layout[b].x_m += push.x / 2;
         state.layout[b].y_m += push.y / 2;
-        Tidy(input, a, state);
-        Tidy(input, b, state);
+        Tidy(input, a, CarrierNow(input, a, carriers[j], state), state);
+        Tidy(input, b, CarrierNow(input, b, carriers[i], state), state);
       }
     }
     if (!moved) return;
@@ -195,6 +224,28 @@ void DescendEach(const SolveInput& input, const StageSpec& stage, LayoutSearch& 
   }
 }
 
+// Per object of the stage.
+std::vector<int> CarriersOf(const SolveInput& input, const StageSpec& stage, const Layout& layout,
+                            PartialLayout state) {
+  for (int object : stage.objects) state.Place(object, layout[object]);
+  std::vector<int> carriers;
+  for (int object : stage.objects) {
+    const bool stands = input.scene.objects[object].kind == ObjectKind::kSurface;
+    carriers.push_back(stands ? CarrierOf(input.scene, object, state) : -1);
+  }
+  return carriers;
+}
+
+// Neighbours may have pushed an object off what it was put on: it goes back, unless it stands on what it belongs to.
+int CarrierToKeep(const SolveInput& input, int object, int meant, int now) {
+  if (meant < 0 || !FitsOn(input.scene, object, meant)) return now;
+  const auto belongs = [&](int carrier) {
+    const std::vector<int>& partners = input.partners[object];
+    return std::find(partners.begin(), partners.end(), carrier) != partners.end();
+  };
+  return now < 0 || (belongs(meant) && !belongs(now)) ? meant : now;
+}
+
 }  // namespace
 
 int CarrierOf(const Scene& scene, int object, const PartialLayout& state) {
@@ -224,12 +275,18 @@ RestartResult TertiaryRestart(const SolveInput& input, const StageSpec& stage, c
                                  input.keep_out, nullptr,        {},      input.Over()};
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
   search.Construct(stage.objects, restart == 0 ? 0.0 : kNoise, random);
+  const std::vector<int> meant = CarriersOf(input, stage, search.layout(), before);
   search.Sweep(stage.objects, kSweeps, kDense, random);
   PartByReplacing(input, stage, search, random);
   DescendEach(input, stage, search);
   for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
-  for (int object : stage.objects) Tidy(input, object, result.state);
-  PushApart(input, stage, result.state);
+  std::vector<int> carriers = CarriersOf(input, stage, search.layout(), before);
+  for (size_t i = 0; i < carriers.size(); ++i) {
+    carriers[i] = CarrierToKeep(input, stage.objects[i], meant[i], carriers[i]);
+    Tidy(input, stage.objects[i], carriers[i], result.state);
+  }
+  PushApart(input, stage, carriers, result.state);
+  PackTangles(input, stage, search.problem(), result.state);
   search.set_layout(result.state.layout);
   result.score = search.Cost();
   result.evaluations = search.evaluations();
