@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Turns a formula over one, two or three objects into a Cost. A formula is a struct with
 //   static constexpr int kObjects;
-//   template <typename T> T operator()(const Frames<T, kObjects>& frames) const;   // T: double or Dual<3 * kObjects>
+//   template <typename T> T operator()(const Frames<T, kObjects>& frames) const;   // T: double or a Dual
 // It gets frames, not poses: headings only ever enter by sine and cosine, so a full turn changes nothing.
 // It may also say
 //   static constexpr bool kOnlyRelative = true;  // the room does not enter: T has three derivatives fewer, see below

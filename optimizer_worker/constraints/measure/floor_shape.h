@@ -4,6 +4,7 @@
 // the paper; an L has five and one.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "optimizer_worker/constraints/measure/gap.h"
@@ -19,6 +20,12 @@ class FloorShape {
   struct HalfPlane {
     Vec2<double> normal;
     Vec2<double> point;
+
+    // How far a point is outside; negative inside.
+    template <typename T>
+    T Excess(const Vec2<T>& p) const {
+      return (point.x - p.x) * normal.x + (point.y - p.y) * normal.y;
+    }
   };
   const std::vector<HalfPlane>& half_planes() const { return half_planes_; }
   // Extended far out of the hull; their edges are exits only where they are walls.
@@ -28,18 +35,21 @@ class FloorShape {
   template <typename T>
   T SquaredExcess(const Vec2<T>& p) const {
     T sum(0.0);
-    for (const HalfPlane& h : half_planes_) {
-      sum += SquaredHinge((T(h.point.x) - p.x) * T(h.normal.x) + (T(h.point.y) - p.y) * T(h.normal.y));
-    }
+    for (const HalfPlane& h : half_planes_) sum += SquaredHinge(h.Excess(p));
     return sum;
   }
   // Of all corners of a box, and its squared penetration of the pockets: 0 exactly when the box is on the floor.
   template <typename T>
   T SquaredExcess(const Box<T>& box) const {
     T sum(0.0);
-    // Most objects stand inside: then nothing needs derivatives.
-    for (int i = 0; i < box.count(); ++i) {
-      if (SquaredExcess(box.value(i)) > 0) sum += SquaredExcess(box.vertex(i));
+    for (const HalfPlane& h : half_planes_) {
+      // Most objects stand inside: then nothing needs derivatives.
+      const double reach = std::abs(Dot(h.normal, box.value_right())) * box.half_width() +
+                           std::abs(Dot(h.normal, box.value_front())) * box.half_depth();
+      if (h.Excess(box.value_center()) <= -reach) continue;
+      for (int i = 0; i < box.count(); ++i) {
+        if (h.Excess(box.value(i)) > 0) sum += Square(h.Excess(box.vertex(i)));
+      }
     }
     return sum + SquaredPocketDepth(box);
   }

@@ -58,13 +58,32 @@ T AccessibleCost::RoomCost(const Frame<T>& frame) const {
   return sum;
 }
 
+AccessibleCost::SeenFrom::SeenFrom(const Frame<double>& own, const Footprint& footprint, const Frame<double>& frame)
+    : center(own.ToObject(frame.center)) {
+  const double w = footprint.width_m / 2, d = footprint.depth_m / 2;
+  half_across = std::abs(Dot(own.right, frame.right)) * w + std::abs(Dot(own.right, frame.front)) * d;
+  half_ahead = std::abs(Dot(own.front, frame.right)) * w + std::abs(Dot(own.front, frame.front)) * d;
+}
+
+bool AccessibleCost::Apart(const SeenFrom& seen, Side side) const {
+  const Footprint& own = footprints_[own_];
+  const Vec2<double> n = LocalNormal(side);
+  const double to_middle = (ExtentBehind(own, side) + clearance_m_) / 2;
+  const bool ahead = side == Side::kFront || side == Side::kBack;
+  const double half_across = (ahead ? own.width_m : clearance_m_) / 2;
+  const double half_ahead = (ahead ? clearance_m_ : own.depth_m) / 2;
+  return std::abs(seen.center.x - to_middle * n.x) >= half_across + seen.half_across ||
+         std::abs(seen.center.y - to_middle * n.y) >= half_ahead + seen.half_ahead;
+}
+
 template <typename T>
 T AccessibleCost::BlockCost(const Frame<T>& frame, size_t other, const Frame<T>& other_frame) const {
-  const Box<T> box(footprints_[other], other_frame);
+  const SeenFrom seen(ValueOf(frame), footprints_[other], ValueOf(other_frame));
   T sum(0.0);
   for (size_t k = 0; k < sides_.size(); ++k) {
-    if ((belongs_[other] >> k & 1u) != 0) continue;
-    sum += SquaredPenetration<T>(Box<T>::Before(footprints_[own_], frame, sides_[k], clearance_m_), box);
+    if ((belongs_[other] >> k & 1u) != 0 || Apart(seen, sides_[k])) continue;
+    sum += SquaredPenetration<T>(Box<T>::Before(footprints_[own_], frame, sides_[k], clearance_m_),
+                                 Box<T>(footprints_[other], other_frame));
   }
   return sum;
 }

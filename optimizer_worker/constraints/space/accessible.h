@@ -34,6 +34,16 @@ class AccessibleCost final : public Cost {
   double ValueGiven(double fixed_part, std::span<const Frame<double>> frames, size_t moving) const override;
 
  private:
+  // Another object in the frame of this one: its centre, and how far it reaches from there to the sides and ahead.
+  struct SeenFrom {
+    Vec2<double> center;
+    double half_across;
+    double half_ahead;
+
+    SeenFrom(const Frame<double>& own, const Footprint& footprint, const Frame<double>& frame);
+  };
+  // Whether it is beside, before or behind the strip of a side: then it does not block it.
+  bool Apart(const SeenFrom& seen, Side side) const;
   // What depends on the object alone: floor and doors.
   template <typename T>
   T RoomCost(const Frame<T>& frame) const;
