@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
@@ -35,10 +36,18 @@ int main(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? flair::cli::kExitDone : flair::cli::kExitBadInput;
+  } catch (const std::system_error& error) {
+    // Printing throws it, say when the reader of a pipe has gone. What is said here must not throw again.
+    std::fprintf(stderr, "flair: output: %s\n", error.what());
+    return flair::cli::kExitFiles;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "flair: {}\n", error.what());
+    std::fprintf(stderr, "flair: %s\n", error.what());
     return flair::cli::kExitFailed;
   }
-  if (!result.ok()) fmt::print(stderr, "flair: {}\n", std::string(result.message()));
+  if (result.ok() && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
+    std::fprintf(stderr, "flair: output: cannot be written: its reader has gone, or the disk is full\n");
+    return flair::cli::kExitFiles;
+  }
+  if (!result.ok()) std::fprintf(stderr, "flair: %s\n", std::string(result.message()).c_str());
   return flair::cli::ExitCodeOf(result);
 }

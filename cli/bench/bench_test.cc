@@ -119,8 +119,8 @@ TEST(SolveTableTest, RowsHaveACellForEveryTitle) {
 
 TEST(SolveTableTest, TheSummaryComparesWithTheRecordedLayout) {
   const std::string summary = SolveSummary({Measure()}, 10);
-  EXPECT_THAT(summary, HasSubstr("1 rooms: CPU median"));
-  EXPECT_THAT(summary, HasSubstr("mean over 1 rooms with a recorded layout"));
+  EXPECT_THAT(summary, HasSubstr("1 room: CPU median"));
+  EXPECT_THAT(summary, HasSubstr("mean over 1 room with a recorded layout"));
   EXPECT_THAT(summary, HasSubstr("10.0 MiB before the first solve"));
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "cli/bench/statistics.h"
+#include "cli/output/text_table.h"
 #include "fmt/format.h"
 #include "optimizer_worker/resolve/edit_text.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
@@ -69,27 +70,42 @@ std::vector<std::string> EditsOf(const v1::SolvedLayout& layout, int per_kind) {
 
 std::string KindOf(const ResolveMeasure& measure) { return measure.edit.substr(0, measure.edit.find(' ')); }
 
-std::string Line(const std::string& name, const std::vector<const ResolveMeasure*>& measures) {
+TextTable Table(const std::vector<ResolveMeasure>& measures) {
+  size_t width = 12;
+  for (const ResolveMeasure& measure : measures) width = std::max(width, measure.room.size());
+  return TextTable(
+      {"edits of", "edits", "CPU ms", "95 %", "most", "moved", "held", "after", "of these", "anew", "deep mm"}, width,
+      7);
+}
+
+std::vector<std::string> Cells(const std::string& name, const std::vector<const ResolveMeasure*>& measures) {
   std::vector<double> cpu_ms;
   double moved = 0, before = 0, after = 0, anew = 0, after_compared = 0;
-  double deepest = 0;
+  double deepest_m = 0;
   int compared = 0;
   for (const ResolveMeasure* m : measures) {
     cpu_ms.push_back(1e3 * m->cpu_s);
     moved += m->moved_count;
     before += m->held_before;
     after += m->held_after;
-    deepest = std::max(deepest, m->deepest_overlap_m);
+    deepest_m = std::max(deepest_m, m->deepest_overlap_m);
     if (m->held_anew < 0) continue;
     ++compared;
     anew += m->held_anew;
     after_compared += m->held_after;
   }
   const double n = static_cast<double>(measures.size());
-  return fmt::format("{:<28}{:>6}{:>10.1f}{:>10.1f}{:>10.1f}{:>8.2f}{:>9.2f}{:>9.2f}{:>10}{:>10}{:>10.1e}\n", name,
-                     measures.size(), Quantile(cpu_ms, 0.5), Quantile(cpu_ms, 0.95), Quantile(cpu_ms, 1), moved / n,
-                     before / n, after / n, compared ? fmt::format("{:.2f}", after_compared / compared) : "-",
-                     compared ? fmt::format("{:.2f}", anew / compared) : "-", deepest);
+  return {name,
+          fmt::format("{}", measures.size()),
+          fmt::format("{:.1f}", Quantile(cpu_ms, 0.5)),
+          fmt::format("{:.1f}", Quantile(cpu_ms, 0.95)),
+          fmt::format("{:.1f}", Quantile(cpu_ms, 1)),
+          fmt::format("{:.2f}", moved / n),
+          fmt::format("{:.2f}", before / n),
+          fmt::format("{:.2f}", after / n),
+          compared > 0 ? fmt::format("{:.2f}", after_compared / compared) : "-",
+          compared > 0 ? fmt::format("{:.2f}", anew / compared) : "-",
+          fmt::format("{:.3f}", 1e3 * deepest_m)};
 }
 
 }  // namespace
@@ -136,11 +152,17 @@ std::string ResolveTable(const std::vector<ResolveMeasure>& measures) {
     kinds[KindOf(measure)].push_back(&measure);
     all.push_back(&measure);
   }
-  std::string text = fmt::format("{:<28}{:>6}{:>10}{:>10}{:>10}{:>8}{:>9}{:>9}{:>10}{:>10}{:>10}\n", "", "edits",
-                                 "cpu ms", "p95", "most", "moved", "held", "after", "compared", "anew", "overlap m");
-  for (const auto& [name, list] : rooms) text += Line(name, list);
-  for (const auto& [name, list] : kinds) text += Line("all: " + name, list);
-  return text + Line("all", all);
+  const TextTable table = Table(measures);
+  std::string text =
+      "CPU ms    of one edit: median, 95th percentile, most\n"
+      "moved     objects; held, after: constraints that hold before and after it; means\n"
+      "of these  held after the edits that were compared with a solve anew (--compare-every), and held by that\n"
+      "deep mm   deepest overlap; what a person moves or pins into something stays there\n\n" +
+      table.Header();
+  for (const auto& [name, list] : rooms) text += table.Row(Cells(name, list));
+  text += "\n" + table.Header();
+  for (const auto& [name, list] : kinds) text += table.Row(Cells("all: " + name, list));
+  return text + table.Row(Cells("all", all));
 }
 
 }  // namespace flair::cli

@@ -101,7 +101,11 @@ absl::StatusOr<RestartsMeasure> MeasureRestarts(const BenchProblem& problem, v1:
 
 std::string RestartsTable(const std::vector<RestartsMeasure>& measures) {
   const TextTable rooms({"room", "best", "first hit", "hits %", "ms each"}, 28, 9);
-  std::string text = rooms.Header();
+  std::string text =
+      "best       least cost of the primary stage over all restarts; first hit: number of the first one within 1 % of "
+      "it\n"
+      "hits       share of the restarts within 1 % of it; ms each: CPU time of one restart, mean\n\n" +
+      rooms.Header();
   for (const RestartsMeasure& room : measures) {
     size_t first = 0;
     while (!room.Hits(first)) ++first;
@@ -109,8 +113,8 @@ std::string RestartsTable(const std::vector<RestartsMeasure>& measures) {
                        fmt::format("{:.1f}", 100 * room.HitShare()), fmt::format("{:.2f}", 1e3 * Mean(room.cpu_s))});
   }
   const TextTable curve({"restarts", "rooms at their best %", "mean cost above it", "median CPU ms"}, 8, 9);
-  text += fmt::format("\n{} rooms; {:.1f} % of single restarts reach the best\n", measures.size(),
-                      100 * MeanHitShare(measures));
+  text += fmt::format("\n{} room{}; {:.1f} % of single restarts reach the best\n\n", measures.size(),
+                      measures.size() == 1 ? "" : "s", 100 * MeanHitShare(measures));
   text += curve.Header();
   for (const CurvePoint& point : Curve(measures)) {
     text += curve.Row({fmt::format("{}", point.restarts), fmt::format("{:.1f}", 100 * point.rooms_found),

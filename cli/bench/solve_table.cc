@@ -19,6 +19,8 @@ std::vector<double> Collect(const Measures& measures, const Figure& figure) {
   return values;
 }
 
+const char* Plural(size_t count) { return count == 1 ? "" : "s"; }
+
 double HeldShare(const Quality& quality) {
   return static_cast<double>(quality.held) / std::max(1, quality.held + quality.missed);
 }
@@ -42,14 +44,14 @@ std::string WorstRooms(const Measures& measures) {
   const auto metric = [](const MetricColumn& column) {
     return [&column](const SolveMeasure& m) { return column.of(m.quality.metrics); };
   };
-  std::string text = "worst rooms\n";
+  std::string text = "worst rooms, and what they have\n";
   const auto line = [&](const char* name, const Figure& figure, const char* form, double perfect) {
-    text += fmt::format("  {:<22} {}\n", name, Worst(measures, figure, form, perfect));
+    text += fmt::format("  {:<24} {}\n", name, Worst(measures, figure, form, perfect));
   };
-  line("CPU s", [](const SolveMeasure& m) { return m.cpu_s; }, "{:.3f}", 0);
-  line("missed", [](const SolveMeasure& m) { return m.quality.missed; }, "{:.0f}", 0);
+  line("CPU time, s", [](const SolveMeasure& m) { return m.cpu_s; }, "{:.3f}", 0);
+  line("missed constraints", [](const SolveMeasure& m) { return m.quality.missed; }, "{:.0f}", 0);
   for (const MetricColumn& column : kMetrics)
-    line(column.name, metric(column), "{:.4g}", column.less_is_better ? 0 : 1);
+    line(column.title, metric(column), "{:.4g}", column.less_is_better ? 0 : 1);
   return text;
 }
 
@@ -59,9 +61,10 @@ std::string BesideRecorded(const Measures& all) {
   std::copy_if(all.begin(), all.end(), std::back_inserter(paired),
                [](const SolveMeasure& m) { return m.recorded.has_value(); });
   if (paired.empty()) return "";
-  const TextTable table({fmt::format("mean over {} rooms with a recorded layout", paired.size()), "ours", "recorded",
-                         "ratio", "ours no worse in"},
-                        46, 9);
+  const TextTable table(
+      {fmt::format("mean over {} room{} with a recorded layout", paired.size(), Plural(paired.size())), "ours",
+       "recorded", "ratio", "ours no worse in"},
+      46, 9);
   std::string text = table.Header();
   const auto row = [&](const std::string& name, bool less_is_better, const std::function<double(const Quality&)>& of) {
     const double ours = Mean(Collect(paired, [&](const SolveMeasure& m) { return of(m.quality); }));
@@ -71,20 +74,31 @@ std::string BesideRecorded(const Measures& all) {
       return less_is_better ? difference <= 1e-9 : difference >= -1e-9;
     });
     text += table.Row({name, fmt::format("{:.4f}", ours), fmt::format("{:.4f}", theirs),
-                       theirs > 0 ? fmt::format("{:.3f}", ours / theirs) : "", fmt::format("{} rooms", no_worse)});
+                       theirs > 0 ? fmt::format("{:.3f}", ours / theirs) : "",
+                       fmt::format("{} room{}", no_worse, Plural(static_cast<size_t>(no_worse)))});
   };
   row("share of constraints that hold, by our terms", false, HeldShare);
   for (const MetricColumn& column : kMetrics) {
-    row(column.name, column.less_is_better, [&](const Quality& quality) { return column.of(quality.metrics); });
+    row(column.title, column.less_is_better, [&](const Quality& quality) { return column.of(quality.metrics); });
   }
   return text;
 }
 
 }  // namespace
 
+std::string SolveLegend() {
+  return "CPU ms    of a solve, all threads; runs and evals k: its restarts and thousands of evaluations\n"
+         "primary.. cost at the end of each stage, of the branch that won\n"
+         "OOB, OOR  area outside the room and in other things or door swings, percent of the room; deep: deepest "
+         "overlap\n"
+         "floor     share of the free floor that can be reached from the door; fronts: share of the objects' fronts\n"
+         "path m3   pathway cost: how much stands in the ways; held, missed: constraints\n"
+         "rec       the same of the layout that the problem was recorded with\n\n";
+}
+
 TextTable SolveTable(size_t name_width) {
   return TextTable({"room", "objs", "CPU ms", "runs", "evals k", "primary", "second", "polish", "tertiary", "OOB %",
-                    "OOR %", "deep mm", "floor", "fronts", "path m3", "held", "missed", "path rec", "held rec"},
+                    "OOR %", "deep mm", "floor", "fronts", "path m3", "held", "missed", "rec path", "rec held"},
                    name_width);
 }
 
@@ -117,12 +131,12 @@ std::string SolveSummary(const Measures& measures, double memory_before_MiB) {
   const double restarts = Mean(Collect(measures, [](const SolveMeasure& m) { return m.restart_count(); }));
   const double evaluations = Mean(Collect(measures, [](const SolveMeasure& m) { return m.evaluation_count(); }));
   std::string text = fmt::format(
-      "\n{} rooms: CPU median {:.3f} s, mean {:.3f} s, 95th percentile {:.3f} s, most {:.3f} s\n"
+      "\n{} room{}: CPU median {:.3f} s, mean {:.3f} s, 95th percentile {:.3f} s, most {:.3f} s\n"
       "restarts {:.1f}, evaluations {:.0f} k a room; {} of {} constraints hold ({:.1f} %)\n"
       "memory of the process: {:.1f} MiB before the first solve, {:.1f} MiB at most\n\n",
-      measures.size(), Quantile(cpu_s, 0.5), Mean(cpu_s), Quantile(cpu_s, 0.95), Quantile(cpu_s, 1), restarts,
-      1e-3 * evaluations, held, held + missed, 100.0 * held / std::max(1, held + missed), memory_before_MiB,
-      PeakMemory_MiB());
+      measures.size(), Plural(measures.size()), Quantile(cpu_s, 0.5), Mean(cpu_s), Quantile(cpu_s, 0.95),
+      Quantile(cpu_s, 1), restarts, 1e-3 * evaluations, held, held + missed, 100.0 * held / std::max(1, held + missed),
+      memory_before_MiB, PeakMemory_MiB());
   const TextTable stages({"stage", "CPU ms", "share", "runs", "evals k"}, 10, 8);
   text += "mean per room\n" + stages.Header();
   for (size_t s = 0; s < kStages.size(); ++s) {

@@ -51,10 +51,13 @@ absl::Status WriteLayout(const SolveMeasure& measure, const std::filesystem::pat
                          LayoutArtifactBytes(measure.layout, "bench solve", runtime::BuildName()));
 }
 
+// A folder that can be written; made when missing.
 absl::Status MakeFolder(const std::filesystem::path& folder) {
+  if (folder.empty()) return absl::OkStatus();
   std::error_code error;
-  if (!folder.empty()) std::filesystem::create_directories(folder, error);
-  return error ? FileError(fmt::format("{}: {}", folder.string(), error.message())) : absl::OkStatus();
+  std::filesystem::create_directories(folder, error);
+  if (error) return FileError(fmt::format("--out: {}: {}", folder.string(), error.message()));
+  return CheckOutputFile(folder / "layout.pb");
 }
 
 struct BenchResults {
@@ -68,6 +71,7 @@ absl::StatusOr<BenchResults> MeasureAll(const BenchArguments& arguments, const s
   size_t name_width = 0;
   for (const ProblemFile& file : files) name_width = std::max(name_width, file.name.size());
   const TextTable table = SolveTable(name_width);
+  fmt::print("{}", SolveLegend());
   fmt::print("{}", table.Header());
   // The table's lines show how far it is, unless they go elsewhere.
   const bool show_progress = isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
@@ -93,10 +97,19 @@ absl::StatusOr<BenchResults> MeasureAll(const BenchArguments& arguments, const s
   return results;
 }
 
+// At most ten.
+std::string Names(const std::vector<ProblemFile>& files) {
+  std::string names;
+  for (size_t i = 0; i < std::min<size_t>(10, files.size()); ++i) names += (i > 0 ? ", " : "") + files[i].name;
+  return files.size() <= 10 ? names : fmt::format("{} and {} more", names, files.size() - 10);
+}
+
 absl::Status KeepOnly(const std::vector<std::string>& names, std::vector<ProblemFile>& files) {
   for (const std::string& name : names) {
     const bool known = std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.name == name; });
-    if (!known) return absl::NotFoundError(fmt::format("--only: {}: no such problem in the folder", name));
+    if (!known)
+      return absl::NotFoundError(
+          fmt::format("--only: {}: no such problem in the folder; there are {}", name, Names(files)));
   }
   if (names.empty()) return absl::OkStatus();
   std::erase_if(
@@ -109,6 +122,7 @@ absl::Status BenchSolve(const BenchArguments& arguments) {
   if (!files.ok()) return files.status();
   if (absl::Status status = KeepOnly(arguments.only, *files); !status.ok()) return status;
   if (absl::Status status = MakeFolder(arguments.out); !status.ok()) return status;
+  if (absl::Status status = CheckOutputFile(arguments.json); !status.ok()) return status;
   const double memory_before_MiB = Memory_MiB();
   const absl::StatusOr<BenchResults> results = MeasureAll(arguments, *files);
   if (!results.ok()) return results.status();
@@ -119,6 +133,10 @@ absl::Status BenchSolve(const BenchArguments& arguments) {
     const absl::Status status =
         WriteOutputFile(arguments.json, SolveMeasuresToJson(measures, failures, memory_before_MiB));
     if (!status.ok()) return status;
+  }
+  if (!arguments.out.empty() && !measures.empty()) {
+    fmt::print("layouts are in {0}: NAME.json for the judge, NAME.pb for flair render {0}/NAME.pb --out NAME.png\n",
+               arguments.out);
   }
   if (failures.empty()) return absl::OkStatus();
   return absl::UnknownError(fmt::format("{} of {} problems could not be measured", failures.size(), files->size()));

@@ -23,15 +23,17 @@ absl::Status BenchResolve(const BenchResolveArguments& arguments) {
   v1::SolveOptions options;
   options.set_thread_count(1);
   std::vector<ResolveMeasure> all;
+  size_t failures = 0;
   for (const ProblemFile& file : *files) {
     const absl::StatusOr<BenchProblem> problem = ReadBenchProblem(file);
-    if (!problem.ok()) {
-      fmt::print(stderr, "{}\n", std::string(problem.status().message()));
+    absl::StatusOr<std::vector<ResolveMeasure>> measures =
+        problem.ok() ? MeasureResolves(*problem, options, arguments.per_kind, arguments.compare_every)
+                     : problem.status();
+    if (!measures.ok()) {
+      ++failures;
+      fmt::print(stderr, "{}: {}\n", file.path.string(), std::string(measures.status().message()));
       continue;
     }
-    absl::StatusOr<std::vector<ResolveMeasure>> measures =
-        MeasureResolves(*problem, options, arguments.per_kind, arguments.compare_every);
-    if (!measures.ok()) return measures.status();
     for (ResolveMeasure& measure : *measures) {
       if (arguments.list) {
         fmt::print("{:<28}{:<60}{:>8.1f} ms {:>3} moved, {} -> {}{}\n", measure.room, measure.edit, 1e3 * measure.cpu_s,
@@ -41,9 +43,10 @@ absl::Status BenchResolve(const BenchResolveArguments& arguments) {
       all.push_back(std::move(measure));
     }
   }
-  if (all.empty()) return absl::NotFoundError("no layout could be edited");
-  fmt::print("{}", ResolveTable(all));
-  return absl::OkStatus();
+  if (!all.empty()) fmt::print("{}", ResolveTable(all));
+  std::fflush(stdout);
+  if (failures == 0) return absl::OkStatus();
+  return absl::UnknownError(fmt::format("{} of {} problems could not be measured", failures, files->size()));
 }
 
 }  // namespace
@@ -52,7 +55,7 @@ void AddBenchResolve(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<BenchResolveArguments>();
   CLI::App* command = program.get_subcommand("bench")->add_subcommand(
       "resolve", "Edit solved layouts of a folder's problems: times, moves, constraints that hold.");
-  command->add_option("DIR", arguments->problems, "Folder of graphs (.pb) or recorded FlairGPT problems (.json)")
+  command->add_option("DIR", arguments->problems, "Folder (or file) of graphs, layouts or recorded FlairGPT problems")
       ->required();
   command->add_option("--per-kind", arguments->per_kind, "Objects and constraints of a room to edit in each way")
       ->type_name("N")

@@ -21,6 +21,7 @@ struct BenchRestartsArguments {
 absl::Status BenchRestarts(const BenchRestartsArguments& arguments) {
   const absl::StatusOr<std::vector<ProblemFile>> files = ListProblemFiles(arguments.problems);
   if (!files.ok()) return files.status();
+  if (absl::Status status = CheckOutputFile(arguments.json); !status.ok()) return status;
   v1::SolveOptions options;
   options.set_seed(arguments.seed);
   std::vector<RestartsMeasure> measures;

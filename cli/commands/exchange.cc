@@ -11,6 +11,7 @@
 #include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
+#include "room/validation/validate.h"
 #include "worker_runtime/bootstrap/build_name.h"
 
 namespace flair::cli {
@@ -22,12 +23,19 @@ struct ExchangeArguments {
   std::string name;
 };
 
+std::string Counted(int count, const char* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
+
 absl::Status ImportFlairGpt(const ExchangeArguments& arguments) {
   const absl::StatusOr<std::string> text = ReadFile(arguments.in);
   if (!text.ok()) return text.status();
+  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
   const absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(*text);
   if (!graph.ok()) {
     return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.in, std::string(graph.status().message())));
+  }
+  if (const absl::Status good = Validate(*graph); !good.ok()) {
+    return absl::InvalidArgumentError(
+        fmt::format("{}: no graph that can be solved: {}", arguments.in, std::string(good.message())));
   }
   if (absl::Status status =
           WriteOutputFile(arguments.out, GraphArtifactBytes(*graph, "import flairgpt", runtime::BuildName()));
@@ -35,8 +43,9 @@ absl::Status ImportFlairGpt(const ExchangeArguments& arguments) {
     return status;
   for (const v1::Diagnostic& diagnostic : graph->diagnostics())
     fmt::print(stderr, "left out: {}\n", diagnostic.message());
-  fmt::print(stderr, "{}: {} objects, {} constraints, {} calls left out\n", arguments.out,
-             graph->object_list().objects_size(), graph->edges_size(), graph->diagnostics_size());
+  fmt::print(stderr, "{}: {}, {}, {} left out\n", arguments.out, Counted(graph->object_list().objects_size(), "object"),
+             Counted(graph->edges_size(), "constraint"), Counted(graph->diagnostics_size(), "call"));
+  fmt::print(stderr, "next       flair solve {} --out layout.pb --stats\n", arguments.out);
   return absl::OkStatus();
 }
 
@@ -46,10 +55,15 @@ absl::Status ExportFlairGpt(const ExchangeArguments& arguments) {
   if (!artifact->has_solved_layout()) {
     return absl::InvalidArgumentError(fmt::format("{}: not a layout; give what flair solve wrote", arguments.in));
   }
+  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
   const std::string name =
       arguments.name.empty() ? std::filesystem::path(arguments.out).stem().string() : arguments.name;
   // How long somebody took is not in a layout.
-  return WriteOutputFile(arguments.out, evaluation::WriteFlairGptLayout(artifact->solved_layout(), name, 0));
+  const std::string json = evaluation::WriteFlairGptLayout(artifact->solved_layout(), name, 0);
+  if (absl::Status status = WriteOutputFile(arguments.out, json); !status.ok()) return status;
+  fmt::print(stderr, "{}: poses of {}, named \"{}\"\n", arguments.out,
+             Counted(artifact->solved_layout().placements_size(), "object"), name);
+  return absl::OkStatus();
 }
 
 }  // namespace

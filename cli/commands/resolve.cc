@@ -7,13 +7,13 @@
 
 #include "cli/commands/commands.h"
 #include "cli/input/files.h"
+#include "cli/input/text_message.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/layout_remarks.h"
 #include "cli/output/output_folder.h"
 #include "cli/session/stage_call.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
-#include "google/protobuf/text_format.h"
 #include "optimizer_worker/resolve/edit_text.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
@@ -32,18 +32,7 @@ struct ResolveArguments {
   bool leave_out = false;
 };
 
-// The edits of a file, as text of a ResolveRequest: edits { pin_object_id: "bed" } edits { ... }
-absl::Status ReadEdits(const std::string& path, v1::ResolveRequest& request) {
-  const absl::StatusOr<std::string> text = ReadFile(path);
-  if (!text.ok()) return text.status();
-  v1::ResolveRequest read;
-  if (!google::protobuf::TextFormat::ParseFromString(*text, &read)) {
-    return absl::InvalidArgumentError(
-        fmt::format("{}: not edits; should be like: edits {{ pin_object_id: \"bed\" }}", path));
-  }
-  request.mutable_edits()->MergeFrom(read.edits());
-  return absl::OkStatus();
-}
+constexpr char kEditsExample[] = "changes, such as: edits { pin_object_id: \"bed\" }";
 
 absl::StatusOr<v1::ResolveRequest> MakeRequest(const ResolveArguments& arguments, const v1::Artifact& layout) {
   v1::ResolveRequest request;
@@ -55,12 +44,28 @@ absl::StatusOr<v1::ResolveRequest> MakeRequest(const ResolveArguments& arguments
     *request.add_edits() = *std::move(edit);
   }
   if (!arguments.edits_file.empty()) {
-    if (absl::Status status = ReadEdits(arguments.edits_file, request); !status.ok()) return status;
+    v1::ResolveRequest read;
+    absl::Status status = ReadTextMessage("--edits", arguments.edits_file, kEditsExample, read);
+    if (!status.ok()) return status;
+    request.mutable_edits()->MergeFrom(read.edits());
   }
-  if (request.edits().empty()) return absl::InvalidArgumentError("no edits; give --edit or --edits");
+  if (request.edits().empty())
+    return absl::InvalidArgumentError("no edits; give --edit \"move desk 1.2 0.5 90\" or --edits FILE");
   request.mutable_options()->set_seed(arguments.seed);
   if (arguments.leave_out) request.mutable_options()->set_misfit_policy(v1::MISFIT_POLICY_LEAVE_OUT);
   return request;
+}
+
+// "floor_1 (chair), floor_2 (armchair)": people know things by their names.
+std::string Moved(const v1::ResolveResponse& response) {
+  std::vector<std::string> texts;
+  for (const std::string& id : response.moved_object_ids()) {
+    std::string& text = texts.emplace_back(id);
+    for (const v1::Object& object : response.solved_layout().graph().object_list().objects()) {
+      if (object.id() == id && object.name() != id) text += " (" + object.name() + ")";
+    }
+  }
+  return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
 absl::Status Resolve(const ResolveArguments& arguments) {
@@ -70,6 +75,7 @@ absl::Status Resolve(const ResolveArguments& arguments) {
     return absl::InvalidArgumentError(
         fmt::format("{}: not a layout; give what flair solve or design wrote", arguments.layout));
   }
+  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
   const absl::StatusOr<v1::ResolveRequest> request = MakeRequest(arguments, *before);
   if (!request.ok()) return request.status();
   const absl::StatusOr<v1::ResolveResponse> response = CallResolve(*request, arguments.optimizer);
@@ -83,10 +89,9 @@ absl::Status Resolve(const ResolveArguments& arguments) {
   layout.set_id(orchestrator::ComputeArtifactId(layout));
   if (absl::Status status = WriteOutputFile(arguments.out, ArtifactBytes(layout)); !status.ok()) return status;
   fmt::print(stderr, "{}: {}\n", arguments.out, orchestrator::Summarize(layout));
-  fmt::print(stderr, "{:<11}{}\n", "moved",
-             response->moved_object_ids().empty() ? "nothing"
-                                                  : fmt::format("{}", fmt::join(response->moved_object_ids(), ", ")));
+  fmt::print(stderr, "{:<11}{}\n", "moved", Moved(*response));
   fmt::print(stderr, "{}", LayoutRemarks(response->solved_layout()));
+  fmt::print(stderr, "{:<11}flair render {} --out plan.png\n", "next", arguments.out);
   return absl::OkStatus();
 }
 

@@ -82,6 +82,7 @@ absl::Status Solve(const SolveArguments& arguments) {
     return absl::InvalidArgumentError(
         fmt::format("{}: not a graph; give the graph.pb of a design or of flair import flairgpt", arguments.graph));
   }
+  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
   absl::StatusOr<v1::SolveOptions> options = ReadSolveFlags(arguments.flags);
   if (!options.ok()) return options.status();
   v1::SolveRequest request;
@@ -108,7 +109,20 @@ absl::Status Solve(const SolveArguments& arguments) {
   }
   fmt::print(stderr, "{}", LayoutRemarks(layouts.front()));
   if (arguments.stats) fmt::print("{}", SolveStats(*response));
-  if (request.options().variant_count() > 1) fmt::print("{}", VariantsTable(response->solved_layout(), files));
+  if (request.options().variant_count() > 1) {
+    fmt::print("{}{}", arguments.stats ? "\n" : "", VariantsTable(response->solved_layout(), files));
+    std::fflush(stdout);
+  }
+  if (static_cast<int>(layouts.size()) < request.options().variant_count()) {
+    fmt::print(stderr,
+               "{:<11}{} of {} layouts: no more were found that differ visibly; more --restarts may find some\n",
+               "variants", layouts.size(), request.options().variant_count());
+  }
+  if (arguments.out.empty()) {
+    fmt::print(stderr, "{:<11}--out FILE keeps the layout\n", "next");
+  } else {
+    fmt::print(stderr, "{:<11}flair render {} --out plan.png\n", "next", arguments.out);
+  }
   return absl::OkStatus();
 }
 

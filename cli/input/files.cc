@@ -22,6 +22,11 @@ bool LooksLikeJson(const std::string& bytes) {
   return first != std::string::npos && bytes[first] == '{';
 }
 
+// As the problems that `flair import flairgpt` reads.
+bool LooksRecorded(const std::string& json) {
+  return json.find("\"fixed_objects\"") != std::string::npos && json.find("\"calls\"") != std::string::npos;
+}
+
 absl::Status FromJson(const std::string& bytes, google::protobuf::Message& message) {
   const auto status = google::protobuf::util::JsonStringToMessage(bytes, &message);
   return status.ok() ? absl::OkStatus() : absl::InvalidArgumentError(status.ToString());
@@ -54,6 +59,11 @@ absl::StatusOr<v1::Artifact> ReadArtifact(const std::filesystem::path& path) {
   v1::Artifact artifact;
   if (LooksLikeJson(*bytes)) {
     if (const absl::Status status = FromJson(*bytes, artifact); !status.ok()) {
+      if (LooksRecorded(*bytes)) {
+        return absl::InvalidArgumentError(fmt::format(
+            "{0}: a recorded FlairGPT problem, no artifact; first: flair import flairgpt {0} --out graph.pb",
+            path.string()));
+      }
       return NoArtifact(path, std::string(status.message()));
     }
   } else if (!artifact.ParseFromString(*bytes)) {

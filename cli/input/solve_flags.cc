@@ -1,37 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/input/solve_flags.h"
 
-#include <google/protobuf/io/tokenizer.h>
-#include <google/protobuf/text_format.h>
-
 #include <cmath>
 
-#include "cli/input/files.h"
+#include "cli/input/text_message.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
 namespace {
 
-// Keeps the first error.
-class FirstError final : public google::protobuf::io::ErrorCollector {
- public:
-  void AddError(int line, google::protobuf::io::ColumnNumber column, const std::string& message) override {
-    if (text.empty()) text = fmt::format("line {}, column {}: {}", line + 1, column + 1, message);
-  }
-  std::string text;
-};
-
-absl::Status ReadOptionsFile(const std::string& path, v1::SolveOptions& options) {
-  const absl::StatusOr<std::string> text = ReadFile(path);
-  if (!text.ok()) return text.status();
-  FirstError error;
-  google::protobuf::TextFormat::Parser parser;
-  parser.RecordErrorsTo(&error);
-  if (parser.ParseFromString(*text, &options)) return absl::OkStatus();
-  return absl::InvalidArgumentError(fmt::format(
-      "--options: {}: {}; should hold fields of SolveOptions, such as: max_restart_count: 8 lambdas {{ balanced: 0 }}",
-      path, error.text));
-}
+constexpr char kOptionsExample[] = "fields of SolveOptions, such as: max_restart_count: 8 lambdas { balanced: 0 }";
 
 std::string FieldNames(const google::protobuf::Descriptor& type) {
   std::string names;
@@ -110,7 +88,8 @@ void AddSolveFlags(CLI::App& command, SolveFlags& flags) {
 absl::StatusOr<v1::SolveOptions> ReadSolveFlags(const SolveFlags& flags) {
   v1::SolveOptions options;
   if (!flags.file.empty()) {
-    if (absl::Status status = ReadOptionsFile(flags.file, options); !status.ok()) return status;
+    if (absl::Status status = ReadTextMessage("--options", flags.file, kOptionsExample, options); !status.ok())
+      return status;
   }
   if (flags.seed) options.set_seed(*flags.seed);
   if (flags.restarts) options.set_max_restart_count(*flags.restarts);

@@ -140,6 +140,14 @@ absl::Status WriteOutputFolder(const fs::path& given, const std::vector<OutputFi
   return status;
 }
 
+absl::Status CheckOutputFile(const fs::path& given) {
+  if (given.empty()) return absl::OkStatus();
+  const fs::path path = Absolute(given);
+  std::error_code error;
+  if (fs::is_directory(path, error)) return FileError(fmt::format("{}: is a folder", path.string()));
+  return TemporaryFolder().Make(path);
+}
+
 absl::Status WriteOutputFile(const fs::path& given, const std::string& content) {
   const fs::path path = Absolute(given);
   std::error_code error;

@@ -24,6 +24,10 @@ absl::Status CheckOutputFolder(const std::filesystem::path& folder, const std::v
 // old state and perhaps a folder ".NAME.flair-XXXXXX".
 absl::Status WriteOutputFolder(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
 
+// Says before the work begins whether WriteOutputFile will be able to: FAILED_PRECONDITION when not. Leaves nothing
+// behind. An empty path is fine: nothing will be written.
+absl::Status CheckOutputFile(const std::filesystem::path& path);
+
 // One file, whole or not at all.
 absl::Status WriteOutputFile(const std::filesystem::path& path, const std::string& content);
 

@@ -158,13 +158,14 @@ std::string MakerText(const ArtifactsByKind& artifacts, const v1::Report& report
     text += fmt::format("| {} | {:.3f} | {} |\n", timing.stage(), Seconds(timing.duration()),
                         timing.reused() ? "as before" : "");
   }
-  text += fmt::format("\n## Made by\n\nJob {}.\n\n| artifact | id | producer |\n| --- | --- | --- |\n", job.id());
+  text += fmt::format("\n## Made by\n\nJob {}.\n\n| artifact | id | producer | build |\n| --- | --- | --- | --- |\n",
+                      job.id());
   for (const auto& [kind, artifact] : artifacts) {
     if (kind == v1::ARTIFACT_KIND_REPORT) continue;
     const v1::Producer& producer = artifact.producer();
-    text +=
-        fmt::format("| {} | `{}` | {} {} {} |\n", v1::ArtifactKind_Name(kind).substr(14), artifact.id().substr(0, 16),
-                    producer.program(), producer.method(), producer.version().substr(0, 24));
+    text += fmt::format("| {} | `{}` | {} {} {} | {} |\n", v1::ArtifactKind_Name(kind).substr(14),
+                        artifact.id().substr(0, 16), producer.program(), producer.method(),
+                        producer.version().substr(0, 24), producer.build());
   }
   return text;
 }

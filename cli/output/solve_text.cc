@@ -18,7 +18,7 @@ std::string Milliseconds(const google::protobuf::Duration& duration) {
 
 std::string StageLines(const v1::SolveResponse& response) {
   const v1::SolvedLayout& layout = response.solved_layout();
-  const TextTable table({"stage", "runs", "best run", "evals k", "cost", "wall ms"}, kNameWidth, 9);
+  const TextTable table({"stage", "restarts", "best one", "evals k", "cost", "wall ms"}, kNameWidth, 9);
   std::string text = table.Header();
   for (int i = 0; i < layout.stage_outcomes_size(); ++i) {
     const v1::StageOutcome& stage = layout.stage_outcomes(i);
@@ -58,11 +58,12 @@ std::string MissedLines(const v1::SolvedLayout& layout) {
 
 std::string MetricsLine(const v1::LayoutMetrics& m) {
   return fmt::format(
-      "OOB {:.4f} %, OOR {:.4f} %, deepest overlap {:.3f} mm; reachable floor {:.3f}, fronts {:.3f}; pathway cost "
-      "{:.4f} "
-      "m3\n",
-      m.oob_percent(), m.oor_percent(), 1e3 * m.deepest_overlap_m(), m.reachable_floor_share(),
-      m.reachable_front_share(), m.pathway_cost_m3());
+      "out of bounds (OOB)   {:8.4f} % of the room\n"
+      "overlaps (OOR)        {:8.4f} % of the room, the deepest {:.3f} mm\n"
+      "reachable from a door {:8.1f} % of the free floor, {:.1f} % of the objects' fronts\n"
+      "pathway cost          {:8.4f} m3\n",
+      m.oob_percent(), m.oor_percent(), 1e3 * m.deepest_overlap_m(), 100 * m.reachable_floor_share(),
+      100 * m.reachable_front_share(), m.pathway_cost_m3());
 }
 
 template <typename Layout>  // SolvedLayout or RunnerUp

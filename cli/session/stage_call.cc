@@ -5,6 +5,7 @@
 #include "cli/embedded/embedded_services.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
+#include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 
@@ -32,7 +33,11 @@ absl::StatusOr<Response> Call(const Request& request, const std::string& address
   }
   const std::unique_ptr<typename Service::Stub> stub = Service::NewStub(channel);
   runtime::CallContext call;
-  return runtime::UnaryRequest(*stub, method, request, call, absl::Now() + kStageWithin);
+  absl::StatusOr<Response> response = runtime::UnaryRequest(*stub, method, request, call, absl::Now() + kStageWithin);
+  if (address.empty() || !absl::IsUnavailable(response.status())) return response;
+  return absl::UnavailableError(
+      fmt::format("{}: no {} answers there: {}; is the program running, and is this its port?", address,
+                  Service::service_full_name(), std::string(response.status().message())));
 }
 
 }  // namespace
