@@ -6,7 +6,7 @@ function(flair_library name)
     add_library(${name} STATIC ${arg_SOURCES})
     set(visibility PUBLIC)
     # What the name of the build watches; tests decide no results.
-    if(NOT CMAKE_CURRENT_SOURCE_DIR MATCHES "^${CMAKE_SOURCE_DIR}/tests")
+    if(NOT CMAKE_CURRENT_SOURCE_DIR MATCHES "^${CMAKE_SOURCE_DIR}/tests" AND NOT name MATCHES "_testing$")
       set_property(GLOBAL APPEND PROPERTY FLAIR_LIBRARIES ${name})
     endif()
   else()

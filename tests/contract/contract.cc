@@ -39,46 +39,9 @@ ServerUnderTest::ServerUnderTest(const std::string& name) {
 
 v1::Brief BedroomBrief() { return Parse<v1::Brief>(R"pb(text: "A bedroom that is 4m x 5m." seed: 3)pb"); }
 
-v1::Room BedroomRoom() {
-  return Parse<v1::Room>(R"pb(
-    room_type: "bedroom"
-    floor {
-      vertices { x_m: 0 y_m: 0 }
-      vertices { x_m: 4 y_m: 0 }
-      vertices { x_m: 4 y_m: 5 }
-      vertices { x_m: 0 y_m: 5 }
-    }
-    walls { name: "south" }
-    walls { name: "east" }
-    walls { name: "north" }
-    walls { name: "west" }
-    height_m: 3
-    openings {
-      id: "door_1"
-      kind: OPENING_KIND_DOOR
-      wall: "south"
-      offset_m: 0.5
-      width_m: 0.9
-      head_height_m: 2.1
-      leaf { hinge: HINGE_SIDE_START swing: DOOR_SWING_INWARD swing_angle_rad: 1.5707963267948966 }
-    })pb");
-}
-
 v1::LayoutGraph BedroomGraph() {
   auto graph = Parse<v1::LayoutGraph>(R"pb(
-    zone_plan { zones { id: "sleeping" name: "sleeping" } }
     object_list {
-      objects {
-        id: "bed"
-        name: "bed"
-        role: OBJECT_ROLE_PRIMARY
-        kind: OBJECT_KIND_FLOOR
-        zone_id: "sleeping"
-        width_m: 1.6
-        depth_m: 2
-        height_m: 0.5
-        category: "bed"
-      }
       objects {
         id: "nightstand"
         name: "nightstand"
@@ -92,13 +55,6 @@ v1::LayoutGraph BedroomGraph() {
     }
     constraint_list {
       sentences {
-        id: "s1"
-        text: "The bed's headboard is against a wall."
-        scope: SENTENCE_SCOPE_INTRA
-        subject_ids: "bed"
-        weight: 1
-      }
-      sentences {
         id: "s2"
         text: "The nightstand is next to the bed."
         scope: SENTENCE_SCOPE_INTER
@@ -108,6 +64,11 @@ v1::LayoutGraph BedroomGraph() {
       }
     })pb");
   *graph.mutable_room() = BedroomRoom();
+  *graph.mutable_zone_plan() = BedroomZones();
+  *graph.mutable_object_list()->add_objects() = BedroomBed();
+  graph.mutable_object_list()->mutable_objects()->SwapElements(0, 1);
+  *graph.mutable_constraint_list()->add_sentences() = BedroomSentence();
+  graph.mutable_constraint_list()->mutable_sentences()->SwapElements(0, 1);
   return graph;
 }
 

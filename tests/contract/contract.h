@@ -12,6 +12,7 @@
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
+#include "tests/fixtures/bedroom.h"
 #include "tests/fixtures/programs.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -39,9 +40,8 @@ absl::StatusOr<Response> Ask(Stub& stub,
   return runtime::UnaryRequest(stub, method, request, call, absl::Now() + absl::Minutes(1));
 }
 
-// A brief and a small problem that every server must cope with.
+// A brief and a small problem that every server must cope with: a bed and a nightstand in BedroomRoom().
 v1::Brief BedroomBrief();
-v1::Room BedroomRoom();
 v1::LayoutGraph BedroomGraph();
 
 }  // namespace flair::testing
