@@ -2,6 +2,8 @@
 #include "optimizer_worker/resolve/follow.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/stages/tertiary.h"
@@ -12,6 +14,23 @@ namespace {
 
 // Nobody puts a lamp on top of a wardrobe.
 constexpr double kReach_m = 1.3;
+
+// What people sit or lie on, by the last word of its name or category.
+constexpr std::array<std::string_view, 19> kSeats = {
+    "armchair", "bed",     "bench", "chair",    "chaise", "couch", "crib",   "daybed", "futon", "hammock",
+    "loveseat", "ottoman", "pouf",  "recliner", "rocker", "seat",  "settee", "sofa",   "stool"};
+
+bool EndsInSeat(std::string_view text) {
+  text = text.substr(0, text.find_last_not_of(" _0123456789") + 1);
+  const std::string_view word = text.substr(text.find_last_of(" _") + 1);
+  return std::find(kSeats.begin(), kSeats.end(), word) != kSeats.end();
+}
+
+bool IsSeat(const Object& object) { return EndsInSeat(object.name) || EndsInSeat(object.category); }
+
+bool SameKind(const Object& a, const Object& b) {
+  return a.name == b.name || (!a.category.empty() && a.category == b.category);
+}
 
 }  // namespace
 
@@ -42,7 +61,7 @@ void Follow(const SolveInput& input, const PartialLayout& before, std::span<cons
   }
 }
 
-void PutOnNearestTop(const SolveInput& input, int object, PartialLayout& state) {
+void PutOnLikeTop(const SolveInput& input, int object, const Object* lost, PartialLayout& state) {
   const Scene& scene = input.scene;
   const Footprint& footprint = scene.objects[object].footprint;
   const Vec2<double> from = Center(state.layout[object]);
@@ -50,9 +69,14 @@ void PutOnNearestTop(const SolveInput& input, int object, PartialLayout& state) 
   for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
     const Object& top = scene.objects[i];
     const bool holds = top.footprint.width_m >= footprint.width_m && top.footprint.depth_m >= footprint.depth_m;
-    if (state.placed[i] && IsSolid(top) && holds && top.height_m <= kReach_m) tops.push_back(i);
+    const bool same = lost != nullptr && SameKind(top, *lost);
+    const bool like = same || ((lost == nullptr || IsSeat(top) == IsSeat(*lost)) && top.height_m <= kReach_m);
+    if (state.placed[i] && IsSolid(top) && holds && like) tops.push_back(i);
   }
   std::stable_sort(tops.begin(), tops.end(), [&](int a, int b) {
+    const bool same_a = lost != nullptr && SameKind(scene.objects[a], *lost);
+    const bool same_b = lost != nullptr && SameKind(scene.objects[b], *lost);
+    if (same_a != same_b) return same_a;
     return Distance(Center(state.layout[a]), from) < Distance(Center(state.layout[b]), from);
   });
   const auto free = [&](const Pose<double>& pose) {

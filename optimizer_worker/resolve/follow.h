@@ -17,9 +17,10 @@ Pose<double> Carried(const Pose<double>& carrier_before, const Pose<double>& car
 // Pinned things and those that are movers themselves do not follow.
 void Follow(const SolveInput& input, const PartialLayout& before, std::span<const int> movers, PartialLayout& after);
 
-// Puts a surface object on the nearest piece of furniture that has room for it, for one whose carrier is gone; takes it
-// out of the layout when there is none.
-void PutOnNearestTop(const SolveInput& input, int object, PartialLayout& state);
+// Puts a surface object whose carrier is gone on another piece of furniture that has room for it: the nearest of the
+// name or category of what it stood on, else the nearest of a like kind: cushions go from seat to seat, books do not.
+// Takes it out of the layout when there is none. `lost` is what it stood on, null when not known.
+void PutOnLikeTop(const SolveInput& input, int object, const Object* lost, PartialLayout& state);
 
 // Objects that an edge names, ascending.
 std::vector<int> ObjectsOfEdge(const SolveInput& input, int edge);

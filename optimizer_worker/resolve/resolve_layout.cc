@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <map>
 
+#include "fmt/format.h"
 #include "optimizer_worker/resolve/edit_graph.h"
 #include "optimizer_worker/resolve/warm_search.h"
 #include "optimizer_worker/stages/driver.h"
 #include "optimizer_worker/stages/leave_out.h"
 #include "optimizer_worker/stages/placements.h"
 #include "optimizer_worker/stages/solved_layout.h"
+#include "optimizer_worker/stages/tertiary.h"
+#include "room/conversion/scene_conversion.h"
 #include "room/validation/validate.h"
 
 namespace flair::optimizer {
@@ -47,6 +50,35 @@ Baseline MakeBaseline(const SolveInput& input, const v1::SolvedLayout& layout, c
   for (int object : touched) untouched.placed[object] = 0;
   baseline.tolerated = PairsInTheWay(input, untouched);
   return baseline;
+}
+
+// What stood on something that is gone now, and what that was.
+absl::StatusOr<std::map<int, Object>> LostCarriers(const SolveInput& input, const v1::SolvedLayout& layout) {
+  const absl::StatusOr<Scene> old = SceneFromProto(layout.graph());
+  if (!old.ok()) return old.status();
+  PartialLayout state(*old);
+  for (const v1::Placement& placement : layout.placements()) {
+    const int object = old->IndexOf(placement.object_id());
+    if (object >= 0) state.Place(object, {placement.x_m(), placement.y_m(), placement.theta_rad()});
+  }
+  std::map<int, Object> lost;
+  for (int i = 0; i < static_cast<int>(old->objects.size()); ++i) {
+    if (old->objects[i].kind != ObjectKind::kSurface || !state.placed[i]) continue;
+    const int carrier = CarrierOf(*old, i, state), now = input.scene.IndexOf(old->objects[i].id);
+    if (carrier < 0 || now < 0 || input.scene.IndexOf(old->objects[carrier].id) >= 0) continue;
+    lost.emplace(now, old->objects[carrier]);
+  }
+  return lost;
+}
+
+std::vector<LeftOut> WithoutCarrier(const std::map<int, Object>& lost_carriers, const PartialLayout& state) {
+  std::vector<LeftOut> left_out;
+  for (const auto& [object, carrier] : lost_carriers) {
+    if (state.placed[object]) continue;
+    left_out.push_back(
+        {object, fmt::format("it stood on \"{}\", which is gone, and nothing like it has a free place", carrier.id)});
+  }
+  return left_out;
 }
 
 // Everything anew, but for the pins.
@@ -94,12 +126,15 @@ absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, cons
       StateOf(*input, PlacementList(problem->placements.begin(), problem->placements.end()));
   if (!now.ok()) return now.status();
 
-  WarmStart start{*now, *before, {}, {}};
+  WarmStart start{*now, *before, {}, {}, {}};
   for (const Pin& pin : input->pins) start.state.Place(pin.object, pin.pose);
   for (int i = 0; i < static_cast<int>(input->scene.objects.size()); ++i) {
     if (problem->touched.contains(input->scene.objects[i].id)) start.touched.push_back(i);
   }
   start.baseline = MakeBaseline(*input, layout, *problem, *before, start.touched);
+  absl::StatusOr<std::map<int, Object>> lost = LostCarriers(*input, layout);
+  if (!lost.ok()) return lost.status();
+  start.lost_carriers = *std::move(lost);
   absl::StatusOr<WarmResult> found = Search(*input, start);
   if (!found.ok()) return found.status();
 
@@ -107,6 +142,7 @@ absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, cons
   result.moved_ids = MovedIds(*input, *before, found->state);
   result.stage_durations = found->durations;
   Branch branch{std::move(found->state), 0, std::move(found->outcomes), std::move(found->durations)};
+  branch.left_out = WithoutCarrier(start.lost_carriers, branch.state);
   if (input->settings.leave_out_misfits) LeaveOutOf(*input, branch);
   result.layout = MakeSolvedLayout(*input, {branch});
   for (const v1::Diagnostic& diagnostic : problem->diagnostics) *result.layout.add_diagnostics() = diagnostic;

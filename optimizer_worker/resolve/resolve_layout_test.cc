@@ -155,6 +155,35 @@ TEST(ResolveLayout, WhatStoodOnARemovedObjectFindsAnotherPlace) {
   EXPECT_EQ(result.moved_ids, std::vector<std::string>{"lamp"});
 }
 
+v1::SolvedLayout WithBooks(const std::string& more_furniture) {
+  const v1::LayoutGraph graph =
+      Parse(RoomText(4.5, 4) + "object_list {" + ObjectText("bookshelf", "PRIMARY", "FLOOR", 1.0, 0.4) +
+            ObjectText("armchair", "SECONDARY", "FLOOR", 0.8, 0.8) + more_furniture +
+            ObjectText("books", "TERTIARY", "SURFACE", 0.2, 0.2) + "}" +
+            EdgeText("e1", "on_top_center", Text("object", "books") + Text("host", "bookshelf")));
+  return SolveLayout(graph, {}, NloptSolver())->layout;
+}
+
+TEST(ResolveLayout, BooksOfARemovedShelfGoToATableAndNotToAnArmchair) {
+  const v1::SolvedLayout start = WithBooks(ObjectText("side_table", "SECONDARY", "FLOOR", 0.5, 0.5));
+  const ResolveResult result = Edit(start, {"remove bookshelf"});
+  const v1::Placement& books = PlacementOf(result.layout, "books");
+  const v1::Placement& table = PlacementOf(result.layout, "side_table");
+  EXPECT_LE(std::abs(books.x_m() - table.x_m()), 0.25);
+  EXPECT_LE(std::abs(books.y_m() - table.y_m()), 0.25);
+}
+
+TEST(ResolveLayout, BooksWithoutAnotherShelfOrTableAreLeftOutAndNamed) {
+  const ResolveResult result = Edit(WithBooks(""), {"remove bookshelf"});
+  EXPECT_EQ(result.layout.placements_size(), 1);
+  bool named = false;
+  for (const v1::Diagnostic& diagnostic : result.layout.diagnostics()) {
+    named |= diagnostic.code() == "left_out" && diagnostic.subject_id() == "books" &&
+             diagnostic.message().find("\"bookshelf\", which is gone") != std::string::npos;
+  }
+  EXPECT_TRUE(named) << result.layout.ShortDebugString();
+}
+
 TEST(ResolveLayout, LeavesOutWhatNoLongerFitsWhenAskedTo) {
   google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
   *edits.Add() = *EditFromText("resize wardrobe 4.4x3.9", Start());

@@ -244,7 +244,9 @@ class WarmSearch {
                               input_.scene.objects[object].kind == ObjectKind::kSurface &&
                               CarrierOf(input_.scene, object, result_.state) < 0;
       free[object] = tertiary_[object] && !in_the_air;
-      if (in_the_air) PutOnNearestTop(input_, object, result_.state);
+      if (!in_the_air) continue;
+      const auto lost = start_.lost_carriers.find(object);
+      PutOnLikeTop(input_, object, lost == start_.lost_carriers.end() ? nullptr : &lost->second, result_.state);
     }
     Grievances grievances = FindGrievances(input_, result_.state, start_.baseline);
     GrowTertiaries(grievances, free);

@@ -3,6 +3,7 @@
 // and grows outwards, to what collides with them and what their moves have spoiled, while anything is left to repair.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -22,6 +23,8 @@ struct WarmStart {
   // Objects that may move from the beginning, ascending; pinned ones are skipped.
   std::vector<int> touched;
   Baseline baseline;
+  // What things stood on that is gone, by what stood on it.
+  std::map<int, Object> lost_carriers = {};
 };
 
 struct WarmResult {
