@@ -3,6 +3,8 @@
 
 #include <google/protobuf/text_format.h>
 
+#include "tests/fixtures/bedroom.h"
+
 namespace flair::orchestrator {
 namespace {
 
@@ -14,31 +16,12 @@ Message Parse(const std::string& text) {
 }
 
 v1::Room FakeRoom(const std::string& title) {
-  auto room = Parse<v1::Room>(R"pb(
-    room_type: "bedroom"
-    floor {
-      vertices { x_m: 0 y_m: 0 }
-      vertices { x_m: 4 y_m: 0 }
-      vertices { x_m: 4 y_m: 5 }
-      vertices { x_m: 0 y_m: 5 }
-    }
-    walls { name: "south" }
-    walls { name: "east" }
-    walls { name: "north" }
-    walls { name: "west" }
-    height_m: 3
-    openings {
-      id: "door_1"
-      kind: OPENING_KIND_DOOR
-      wall: "south"
-      offset_m: 1
-      width_m: 0.9
-      head_height_m: 2.1
-      leaf { hinge: HINGE_SIDE_START swing: DOOR_SWING_INWARD swing_angle_rad: 1.5707963267948966 }
-    }
-    diagnostics { severity: SEVERITY_NOTE code: "assumed_door" message: "One door was assumed." }
-  )pb");
+  v1::Room room = testing::BedroomRoom();
   room.set_title(title);
+  v1::Diagnostic& assumed = *room.add_diagnostics();
+  assumed.set_severity(v1::SEVERITY_NOTE);
+  assumed.set_code("assumed_door");
+  assumed.set_message("One door was assumed.");
   return room;
 }
 
@@ -83,28 +66,16 @@ absl::StatusOr<v1::DescribeRoomResponse> FakeStages::DescribeRoom(const v1::Desc
 
 absl::StatusOr<v1::PlanZonesResponse> FakeStages::PlanZones(const v1::PlanZonesRequest&, Call& call) {
   if (absl::Status status = Begin("PlanZones", call); !status.ok()) return status;
-  auto response =
-      Parse<v1::PlanZonesResponse>(R"pb(zone_plan { zones { id: "sleeping" name: "sleeping" purpose: "Sleep." } })pb");
+  v1::PlanZonesResponse response;
+  *response.mutable_zone_plan() = testing::BedroomZones();
   *response.mutable_producer() = Fake("zones");
   return response;
 }
 
 absl::StatusOr<v1::ListObjectsResponse> FakeStages::ListObjects(const v1::ListObjectsRequest&, Call& call) {
   if (absl::Status status = Begin("ListObjects", call); !status.ok()) return status;
-  auto response = Parse<v1::ListObjectsResponse>(R"pb(
-    object_list {
-      objects {
-        id: "bed_1"
-        name: "bed"
-        role: OBJECT_ROLE_PRIMARY
-        kind: OBJECT_KIND_FLOOR
-        zone_id: "sleeping"
-        width_m: 1.6
-        depth_m: 2
-        height_m: 0.9
-        category: "bed"
-      }
-    })pb");
+  v1::ListObjectsResponse response;
+  *response.mutable_object_list()->add_objects() = testing::BedroomBed("bed_1");
   *response.mutable_producer() = Fake("objects");
   return response;
 }
@@ -118,16 +89,8 @@ absl::StatusOr<v1::ChooseStyleResponse> FakeStages::ChooseStyle(const v1::Choose
 
 absl::StatusOr<v1::ListConstraintsResponse> FakeStages::ListConstraints(const v1::ListConstraintsRequest&, Call& call) {
   if (absl::Status status = Begin("ListConstraints", call); !status.ok()) return status;
-  auto response = Parse<v1::ListConstraintsResponse>(R"pb(
-    constraint_list {
-      sentences {
-        id: "s1"
-        text: "The bed's headboard is against a wall."
-        scope: SENTENCE_SCOPE_INTRA
-        subject_ids: "bed_1"
-        weight: 1
-      }
-    })pb");
+  v1::ListConstraintsResponse response;
+  *response.mutable_constraint_list()->add_sentences() = testing::BedroomSentence("bed_1");
   *response.mutable_producer() = Fake("constraints");
   return response;
 }
@@ -156,16 +119,7 @@ absl::StatusOr<v1::TranslateResponse> FakeStages::Translate(const v1::TranslateR
   *graph.mutable_object_list() = request.object_list();
   *graph.mutable_style_sheet() = request.style_sheet();
   *graph.mutable_constraint_list() = request.constraint_list();
-  *graph.add_edges() = Parse<v1::ConstraintEdge>(R"pb(
-    id: "e1"
-    type: "against_wall"
-    arguments {
-      name: "object"
-      value { text: "bed_1" }
-    }
-    weight: 1
-    sentence_id: "s1"
-  )pb");
+  *graph.add_edges() = testing::BedroomEdge("bed_1");
   graph.set_catalog_library(request.catalog().library());
   *response.mutable_producer() = Fake("translation");
   return response;

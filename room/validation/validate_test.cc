@@ -9,6 +9,8 @@
 #include <limits>
 #include <string>
 
+#include "tests/fixtures/bedroom.h"
+
 namespace flair {
 namespace {
 
@@ -16,31 +18,11 @@ using ::testing::HasSubstr;
 
 std::string Text(const absl::Status& status) { return std::string(status.message()); }
 
+// With a window and a socket, so that there is something of every kind to spoil.
 v1::Room GoodRoom() {
-  v1::Room room;
-  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(
+  v1::Room room = testing::BedroomRoom();
+  EXPECT_TRUE(google::protobuf::TextFormat::MergeFromString(
       R"pb(
-        room_type: "bedroom"
-        floor {
-          vertices { x_m: 0 y_m: 0 }
-          vertices { x_m: 4 y_m: 0 }
-          vertices { x_m: 4 y_m: 5 }
-          vertices { x_m: 0 y_m: 5 }
-        }
-        walls { name: "south" }
-        walls { name: "east" }
-        walls { name: "north" }
-        walls { name: "west" }
-        height_m: 3
-        openings {
-          id: "door_1"
-          kind: OPENING_KIND_DOOR
-          wall: "south"
-          offset_m: 0.5
-          width_m: 0.9
-          head_height_m: 2.1
-          leaf { hinge: HINGE_SIDE_START swing: DOOR_SWING_INWARD swing_angle_rad: 1.5707963267948966 }
-        }
         openings {
           id: "window_1"
           kind: OPENING_KIND_WINDOW
@@ -57,51 +39,22 @@ v1::Room GoodRoom() {
 
 v1::LayoutGraph GoodGraph() {
   v1::LayoutGraph graph;
-  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(R"pb(
-                                                              zone_plan { zones { id: "sleeping" name: "sleeping" } }
-                                                              object_list {
-                                                                objects {
-                                                                  id: "bed"
-                                                                  name: "bed"
-                                                                  role: OBJECT_ROLE_PRIMARY
-                                                                  kind: OBJECT_KIND_FLOOR
-                                                                  zone_id: "sleeping"
-                                                                  width_m: 1.6
-                                                                  depth_m: 2
-                                                                  height_m: 0.5
-                                                                }
-                                                                objects {
-                                                                  id: "lamp"
-                                                                  name: "lamp"
-                                                                  role: OBJECT_ROLE_TERTIARY
-                                                                  kind: OBJECT_KIND_SURFACE
-                                                                  width_m: 0.2
-                                                                  depth_m: 0.2
-                                                                  height_m: 0.4
-                                                                  host_id: "bed"
-                                                                }
-                                                              }
-                                                              constraint_list {
-                                                                sentences {
-                                                                  id: "s1"
-                                                                  text: "The bed stands against a wall."
-                                                                  scope: SENTENCE_SCOPE_INTRA
-                                                                  subject_ids: "bed"
-                                                                  weight: 1
-                                                                }
-                                                              }
-                                                              edges {
-                                                                id: "e1"
-                                                                type: "against_wall"
-                                                                weight: 1
-                                                                sentence_id: "s1"
-                                                                arguments {
-                                                                  name: "object"
-                                                                  value { text: "bed" }
-                                                                }
-                                                              })pb",
-                                                            &graph));
   *graph.mutable_room() = GoodRoom();
+  *graph.mutable_zone_plan() = testing::BedroomZones();
+  *graph.mutable_object_list()->add_objects() = testing::BedroomBed();
+  EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(
+      R"pb(
+        id: "lamp"
+        name: "lamp"
+        role: OBJECT_ROLE_TERTIARY
+        kind: OBJECT_KIND_SURFACE
+        width_m: 0.2
+        depth_m: 0.2
+        height_m: 0.4
+        host_id: "bed")pb",
+      graph.mutable_object_list()->add_objects()));
+  *graph.mutable_constraint_list()->add_sentences() = testing::BedroomSentence();
+  *graph.add_edges() = testing::BedroomEdge();
   return graph;
 }
 
@@ -113,7 +66,7 @@ struct BadRoom {
   std::string message;
 };
 
-class ValidateRoomTest : public testing::TestWithParam<BadRoom> {};
+class ValidateRoomTest : public ::testing::TestWithParam<BadRoom> {};
 
 TEST_P(ValidateRoomTest, NamesFieldAndValue) {
   v1::Room room = GoodRoom();
@@ -125,38 +78,39 @@ TEST_P(ValidateRoomTest, NamesFieldAndValue) {
 
 INSTANTIATE_TEST_SUITE_P(
     Rooms, ValidateRoomTest,
-    testing::Values(BadRoom{"WideWindow", [](v1::Room& r) { r.mutable_openings(1)->set_width_m(7.2); },
-                            "room.openings[1].width_m: 7.2 does not fit wall \"north\" (4 m from 1 m); at most 3"},
-                    BadRoom{"UnknownWall", [](v1::Room& r) { r.mutable_openings(1)->set_wall("norht"); },
-                            "room.openings[1].wall: \"norht\" is not a wall here; there are east, north, south, west"},
-                    BadRoom{"NoLeaf", [](v1::Room& r) { r.mutable_openings(0)->clear_leaf(); },
-                            "room.openings[0].leaf: is not set"},
-                    BadRoom{"SillOfADoor", [](v1::Room& r) { r.mutable_openings(0)->set_sill_height_m(0.2); },
-                            "room.openings[0].sill_height_m: 0.2 for a door; must be 0"},
-                    BadRoom{"HeadAboveCeiling", [](v1::Room& r) { r.mutable_openings(1)->set_head_height_m(3.5); },
-                            "room.openings[1].head_height_m: 3.5 is outside (0.9, 3]"},
-                    BadRoom{"RepeatedId", [](v1::Room& r) { r.mutable_openings(1)->set_id("door_1"); },
-                            "room.openings[1].id: \"door_1\" is taken already"},
-                    BadRoom{"NotFinite", [](v1::Room& r) { r.set_height_m(std::numeric_limits<double>::quiet_NaN()); },
-                            "room.height_m: nan is no number"},
-                    BadRoom{"Clockwise", [](v1::Room& r) { r.mutable_floor()->mutable_vertices()->SwapElements(1, 3); },
-                            "runs clockwise"},
-                    BadRoom{"CrossedEdges",
-                            [](v1::Room& r) {
-                              r.mutable_floor()->mutable_vertices(2)->set_x_m(0.5);
-                              r.mutable_floor()->mutable_vertices(2)->set_y_m(-0.5);
-                            },
-                            "room.floor"},
-                    BadRoom{"NotAtTheOrigin",
-                            [](v1::Room& r) {
-                              for (auto& p : *r.mutable_floor()->mutable_vertices()) p.set_x_m(p.x_m() + 1);
-                            },
-                            "room.floor: its bounding box starts at (1, 0); must start at (0, 0)"},
-                    BadRoom{"TooLarge", [](v1::Room& r) { r.mutable_floor()->mutable_vertices(1)->set_x_m(200); },
-                            "each must be in [1, 100]"},
-                    BadRoom{"MissingWall", [](v1::Room& r) { r.mutable_walls()->RemoveLast(); }, "one per edge"},
-                    BadRoom{"SocketBeyondItsWall", [](v1::Room& r) { r.mutable_sockets(0)->set_offset_m(6); },
-                            "room.sockets[0].offset_m: 6 is outside [0, 5"}),
+    ::testing::Values(
+        BadRoom{"WideWindow", [](v1::Room& r) { r.mutable_openings(1)->set_width_m(7.2); },
+                "room.openings[1].width_m: 7.2 does not fit wall \"north\" (4 m from 1 m); at most 3"},
+        BadRoom{"UnknownWall", [](v1::Room& r) { r.mutable_openings(1)->set_wall("norht"); },
+                "room.openings[1].wall: \"norht\" is not a wall here; there are east, north, south, west"},
+        BadRoom{"NoLeaf", [](v1::Room& r) { r.mutable_openings(0)->clear_leaf(); },
+                "room.openings[0].leaf: is not set"},
+        BadRoom{"SillOfADoor", [](v1::Room& r) { r.mutable_openings(0)->set_sill_height_m(0.2); },
+                "room.openings[0].sill_height_m: 0.2 for a door; must be 0"},
+        BadRoom{"HeadAboveCeiling", [](v1::Room& r) { r.mutable_openings(1)->set_head_height_m(3.5); },
+                "room.openings[1].head_height_m: 3.5 is outside (0.9, 3]"},
+        BadRoom{"RepeatedId", [](v1::Room& r) { r.mutable_openings(1)->set_id("door_1"); },
+                "room.openings[1].id: \"door_1\" is taken already"},
+        BadRoom{"NotFinite", [](v1::Room& r) { r.set_height_m(std::numeric_limits<double>::quiet_NaN()); },
+                "room.height_m: nan is no number"},
+        BadRoom{"Clockwise", [](v1::Room& r) { r.mutable_floor()->mutable_vertices()->SwapElements(1, 3); },
+                "runs clockwise"},
+        BadRoom{"CrossedEdges",
+                [](v1::Room& r) {
+                  r.mutable_floor()->mutable_vertices(2)->set_x_m(0.5);
+                  r.mutable_floor()->mutable_vertices(2)->set_y_m(-0.5);
+                },
+                "room.floor"},
+        BadRoom{"NotAtTheOrigin",
+                [](v1::Room& r) {
+                  for (auto& p : *r.mutable_floor()->mutable_vertices()) p.set_x_m(p.x_m() + 1);
+                },
+                "room.floor: its bounding box starts at (1, 0); must start at (0, 0)"},
+        BadRoom{"TooLarge", [](v1::Room& r) { r.mutable_floor()->mutable_vertices(1)->set_x_m(200); },
+                "each must be in [1, 100]"},
+        BadRoom{"MissingWall", [](v1::Room& r) { r.mutable_walls()->RemoveLast(); }, "one per edge"},
+        BadRoom{"SocketBeyondItsWall", [](v1::Room& r) { r.mutable_sockets(0)->set_offset_m(6); },
+                "room.sockets[0].offset_m: 6 is outside [0, 5"}),
     [](const auto& info) { return info.param.name; });
 
 TEST(ValidateRoom, OpeningsMayNotOverlapOnOneWall) {
