@@ -4,7 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <cctype>
+#include <memory>
 #include <set>
 
 #include "cli/exit_code.h"
