@@ -108,6 +108,12 @@ void Along(const PlaceContext& context, int object, const Frame<double>& frame, 
   }
 }
 
+void InWholeRoom(const PlaceContext& context, int object, std::vector<Pose<double>>& places) {
+  const BoundingBox box = BoundsOf(context.input.scene.room.floor);
+  const Extent area{{box.min.x, box.max.x}, {box.min.y, box.max.y}};
+  Along(context, object, FrameOf(Pose<double>()), 0, area, places);
+}
+
 // The middles along one wall, off its openings.
 std::vector<double> OffsetsOn(const PlaceContext& context, int object, const HangingWall& place) {
   const SolveInput& input = context.input;
@@ -162,19 +168,19 @@ std::vector<Pose<double>> ExactPlaces(const PlaceContext& context, int object) {
     case ObjectKind::kWall:
       return OnWalls(context, object);
     case ObjectKind::kSurface: {
-      if (context.carrier < 0) return places;
+      if (context.carrier < 0) {
+        InWholeRoom(context, object, places);
+        return places;
+      }
       const Footprint& top = scene.objects[context.carrier].footprint;
       const Pose<double>& host = context.layout[context.carrier];
       const Extent area{{-top.width_m / 2, top.width_m / 2}, {-top.depth_m / 2, top.depth_m / 2}};
       Along(context, object, FrameOf(host), host.theta_rad, area, places);
       return places;
     }
-    case ObjectKind::kCeiling: {
-      const BoundingBox box = BoundsOf(scene.room.floor);
-      const Extent area{{box.min.x, box.max.x}, {box.min.y, box.max.y}};
-      Along(context, object, FrameOf(Pose<double>()), 0, area, places);
+    case ObjectKind::kCeiling:
+      InWholeRoom(context, object, places);
       return places;
-    }
     case ObjectKind::kFloor:
       break;
   }

@@ -25,7 +25,8 @@ struct PlaceContext {
 // On a wall: backs flush on every wall that is wide enough, inside it and off its openings; offsets from its ends and
 // middle, openings, partners, the others' edges and the wanted place. On a top: along it at its quarter turn and the
 // next, not beyond its edges unless the object is larger (then 0.1 m of it stays on); at its middle, quarters and
-// edges, the others' edges and middles, the wanted place. Under the ceiling: the same with the room. Inside the room to
+// edges, the others' edges and middles, the wanted place. Under the ceiling, and where nothing carries it: the
+// same with the room. Inside the room to
 // 1e-7 m. Places may still be in the way of others. Empty for objects that stand on the floor.
 std::vector<Pose<double>> ExactPlaces(const PlaceContext& context, int object);
 

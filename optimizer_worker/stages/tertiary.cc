@@ -149,13 +149,6 @@ Vec2<double> PushOf(const Scene& scene, int first, int second, const Layout& lay
   return forward < backward ? forward * along : (-backward) * along;
 }
 
-bool FitsOn(const Scene& scene, int object, int carrier) {
-  const Footprint& thing = scene.objects[object].footprint;
-  const Footprint& top = scene.objects[carrier].footprint;
-  return std::max(thing.width_m, thing.depth_m) <= std::max(top.width_m, top.depth_m) &&
-         std::min(thing.width_m, thing.depth_m) <= std::min(top.width_m, top.depth_m);
-}
-
 // A blanket that is larger than its chair may slide off it, nothing else may.
 int CarrierNow(const SolveInput& input, int object, int carrier, const PartialLayout& state) {
   if (carrier < 0 || FitsOn(input.scene, object, carrier)) return carrier;
@@ -262,6 +255,13 @@ int CarrierOf(const Scene& scene, int object, const PartialLayout& state) {
     if (under && (best < 0 || carrier.height_m > scene.objects[best].height_m)) best = i;
   }
   return best;
+}
+
+bool FitsOn(const Scene& scene, int object, int carrier) {
+  const Footprint& thing = scene.objects[object].footprint;
+  const Footprint& top = scene.objects[carrier].footprint;
+  return std::max(thing.width_m, thing.depth_m) <= std::max(top.width_m, top.depth_m) &&
+         std::min(thing.width_m, thing.depth_m) <= std::min(top.width_m, top.depth_m);
 }
 
 RestartResult TertiaryRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before,

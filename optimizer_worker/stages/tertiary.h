@@ -15,4 +15,7 @@ RestartResult TertiaryRestart(const SolveInput& input, const StageSpec& stage, c
 // What a surface object stands on: its host, or the placed floor object under its centre; -1 when there is none.
 int CarrierOf(const Scene& scene, int object, const PartialLayout& state);
 
+// Whether an object is no larger than the top of `carrier`, one way round or the other.
+bool FitsOn(const Scene& scene, int object, int carrier);
+
 }  // namespace flair::optimizer

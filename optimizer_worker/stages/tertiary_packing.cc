@@ -33,6 +33,12 @@ double GapOf(const Scene& scene, int a, int b, const Layout& layout) {
       .gap_m;
 }
 
+bool IsTooLarge(const Scene& scene, int object, const PartialLayout& state) {
+  if (scene.objects[object].kind != ObjectKind::kSurface) return false;
+  const int carrier = CarrierOf(scene, object, state);
+  return carrier < 0 || !FitsOn(scene, object, carrier);
+}
+
 bool Contains(const std::vector<int>& objects, int object) {
   return std::find(objects.begin(), objects.end(), object) != objects.end();
 }
@@ -40,9 +46,9 @@ bool Contains(const std::vector<int>& objects, int object) {
 // One tangle: finds the cheapest places of its objects among everything else.
 class Packing {
  public:
-  // Objects in `ignored` are in nobody's way. Borrows all.
+  // Objects in `ignored` are in nobody's way; `anywhere` frees things from their tops. Borrows all.
   Packing(const SolveInput& input, Problem& problem, const PartialLayout& state, std::vector<int> group,
-          const std::vector<int>& ignored, bool strict)
+          const std::vector<int>& ignored, bool strict, bool anywhere = false)
       : input_(input),
         problem_(problem),
         before_(state),
@@ -51,8 +57,8 @@ class Packing {
         ignored_(ignored),
         strict_(strict) {
     for (int object : group_) {
-      carriers_.push_back(
-          input.scene.objects[object].kind == ObjectKind::kSurface ? CarrierOf(input.scene, object, state) : -1);
+      const bool stands = input.scene.objects[object].kind == ObjectKind::kSurface && !anywhere;
+      carriers_.push_back(stands ? CarrierOf(input.scene, object, state) : -1);
     }
   }
 
@@ -268,11 +274,12 @@ void PackTangles(const SolveInput& input, const StageSpec& stage, Problem& probl
         return input.scene.objects[a].footprint.area_m2() < input.scene.objects[b].footprint.area_m2();
       }));
     }
-    // And that beside the rest after all.
+    // And that beside the rest after all; what is larger than its top, at worst beside that.
     const std::vector<int> left = std::move(given_up);
     given_up.clear();
     for (int object : left) {
-      if (tangles.IsTangled(object, {})) pack({object});
+      if (!tangles.IsTangled(object, {}) || pack({object}) || !IsTooLarge(input.scene, object, state)) continue;
+      Packing(input, problem, state, {object}, given_up, strict, true).Run(steps_left, state);
     }
   }
 }

@@ -55,6 +55,18 @@ TEST(PackTangles, WhatHasNoRoomOnItsTopIsNamed) {
   EXPECT_NE(layout.diagnostics(0).message().find("\"a\""), std::string::npos) << layout.diagnostics(0).message();
 }
 
+TEST(PackTangles, ABlanketLargerThanItsSeatLeavesTheCushionFree) {
+  const std::string things =
+      ObjectText("cushion", "TERTIARY", "SURFACE", 0.5, 0.5) + ObjectText("blanket", "TERTIARY", "SURFACE", 1.0, 1.5);
+  for (int seed : {0, 1, 2}) {
+    const v1::SolvedLayout layout = Solve(Stool(0.6, things, OnTop("e1", "cushion") + OnTop("e2", "blanket")), seed);
+    EXPECT_LT(layout.metrics().oor_percent(), 1e-6) << seed;
+    EXPECT_LT(layout.metrics().oob_percent(), 1e-6) << seed;
+    // The cushion is on the seat.
+    EXPECT_LE(std::abs(PlacementOf(layout, "cushion").x_m() - PlacementOf(layout, "stool").x_m()), 0.05 + 1e-6);
+  }
+}
+
 TEST(PackTangles, LampsUnderTheCeilingHangBesideEachOther) {
   std::string things, edges;
   for (const char* id : {"l1", "l2", "l3"}) {
