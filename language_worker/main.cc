@@ -24,5 +24,5 @@ int main(int argc, char** argv) {
       argc, argv,
       {"flair-language", "Serves flair.v1.LanguageService: describes rooms in words and lists.",
        flair::runtime::BuildName()},
-      flair::Assemble);
+      flair::Assemble, flair::language::CheckLanguageConfig);
 }

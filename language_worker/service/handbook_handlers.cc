@@ -4,8 +4,10 @@
 #include "language_worker/handbook/cleaning/clean_constraints.h"
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/rooms/describe_room.h"
-#include "language_worker/handbook/sentences/list_constraints.h"
 #include "language_worker/handbook/styling/choose_style.h"
+#include "language_worker/model/constraints_step.h"
+#include "language_worker/model/zones_step.h"
+#include "language_worker/service/own_parts.h"
 #include "room/validation/validate.h"
 
 namespace flair::language {
@@ -21,6 +23,9 @@ v1::Producer HandbookHandlers::Producer() const {
 absl::StatusOr<v1::DescribeRoomResponse> HandbookHandlers::Handle(const v1::DescribeRoomRequest& request,
                                                                   runtime::CallContext&) const {
   if (absl::Status status = Validate(request); !status.ok()) return status;
+  auto own = OwnAnswer(request);
+  if (!own.ok()) return own.status();
+  if (*own) return **std::move(own);
   absl::StatusOr<v1::Room> room = DescribeRoom(request.brief(), handbook_);
   if (!room.ok()) return room.status();
   v1::DescribeRoomResponse response;
@@ -32,7 +37,10 @@ absl::StatusOr<v1::DescribeRoomResponse> HandbookHandlers::Handle(const v1::Desc
 absl::StatusOr<v1::PlanZonesResponse> HandbookHandlers::Handle(const v1::PlanZonesRequest& request,
                                                                runtime::CallContext&) const {
   if (absl::Status status = Validate(request); !status.ok()) return status;
-  absl::StatusOr<v1::ZonePlan> plan = PlanZones(request.brief(), request.room(), handbook_);
+  auto own = OwnAnswer(request);
+  if (!own.ok()) return own.status();
+  if (*own) return **std::move(own);
+  absl::StatusOr<v1::ZonePlan> plan = PlanWantedZones(request.brief(), request.room(), handbook_);
   if (!plan.ok()) return plan.status();
   v1::PlanZonesResponse response;
   *response.mutable_zone_plan() = *std::move(plan);
@@ -43,6 +51,9 @@ absl::StatusOr<v1::PlanZonesResponse> HandbookHandlers::Handle(const v1::PlanZon
 absl::StatusOr<v1::ListObjectsResponse> HandbookHandlers::Handle(const v1::ListObjectsRequest& request,
                                                                  runtime::CallContext&) const {
   if (absl::Status status = Validate(request); !status.ok()) return status;
+  auto own = OwnAnswer(request);
+  if (!own.ok()) return own.status();
+  if (*own) return **std::move(own);
   absl::StatusOr<v1::ObjectList> list = ListObjects(request.brief(), request.room(), request.zone_plan(), handbook_);
   if (!list.ok()) return list.status();
   v1::ListObjectsResponse response;
@@ -65,8 +76,11 @@ absl::StatusOr<v1::ChooseStyleResponse> HandbookHandlers::Handle(const v1::Choos
 absl::StatusOr<v1::ListConstraintsResponse> HandbookHandlers::Handle(const v1::ListConstraintsRequest& request,
                                                                      runtime::CallContext&) const {
   if (absl::Status status = Validate(request); !status.ok()) return status;
+  auto own = OwnAnswer(request);
+  if (!own.ok()) return own.status();
+  if (*own) return **std::move(own);
   absl::StatusOr<v1::ConstraintList> list =
-      ListConstraints(request.brief(), request.room(), request.zone_plan(), request.object_list(), handbook_);
+      UsualConstraints({request.brief(), request.room(), request.zone_plan()}, request.object_list(), handbook_);
   if (!list.ok()) return list.status();
   v1::ListConstraintsResponse response;
   *response.mutable_constraint_list() = *std::move(list);

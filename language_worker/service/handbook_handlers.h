@@ -9,7 +9,8 @@
 namespace flair::language {
 
 // Answers the six requests of the language phase from the handbook, which must outlive it. Each validates its request,
-// asks one function of the handbook's rooms and says who answered. Thread-safe.
+// returns what the brief itself brings, else asks one function of the handbook's rooms, and says who answered.
+// Thread-safe.
 class HandbookHandlers {
  public:
   explicit HandbookHandlers(const Handbook& handbook) : handbook_(handbook) {}

@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/service/make_language_service.h"
 
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
 #include <utility>
 
 #include "flair/v1/language_service.grpc.pb.h"
 #include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/model/model_tools.h"
 #include "language_worker/service/handbook_handlers.h"
+#include "language_worker/service/model_handlers.h"
+#include "llm/answers/prompt_library.h"
+#include "llm/config/check_llm_config.h"
+#include "llm/make_llm_client.h"
 #include "worker_runtime/grpc/unary_call.h"
 
 namespace flair::language {
 namespace {
 
+// Serves the six requests with handlers of either kind.
+template <typename Handlers>
 class Service final : public v1::LanguageService::CallbackService {
  public:
-  Service(std::unique_ptr<const Handbook> handbook, runtime::WorkerContext& worker)
-      : worker_(worker), handbook_(std::move(handbook)), handlers_(*handbook_) {}
+  // `arguments` are those of the handlers after the handbook.
+  template <typename... Arguments>
+  Service(runtime::WorkerContext& worker, std::unique_ptr<const Handbook> handbook, Arguments&&... arguments)
+      : worker_(worker), handbook_(std::move(handbook)), handlers_(*handbook_, std::forward<Arguments>(arguments)...) {}
 
   grpc::ServerUnaryReactor* DescribeRoom(grpc::CallbackServerContext* context, const v1::DescribeRoomRequest* request,
                                          v1::DescribeRoomResponse* response) override {
@@ -46,18 +59,45 @@ class Service final : public v1::LanguageService::CallbackService {
  private:
   runtime::WorkerContext& worker_;
   const std::unique_ptr<const Handbook> handbook_;
-  HandbookHandlers handlers_;
+  Handlers handlers_;
 };
+
+absl::StatusOr<std::unique_ptr<const Handbook>> ReadHandbook(const config::v1::LanguageWorkerConfig& config) {
+  const std::string& path = config.handbook_path();
+  return LoadHandbook(path.empty() ? DefaultHandbookFolder() : std::filesystem::path(path));
+}
 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config::v1::LanguageWorkerConfig& config,
                                                                    runtime::WorkerContext& worker) {
-  auto handbook = LoadHandbook(config.handbook_path().empty() ? DefaultHandbookFolder()
-                                                              : std::filesystem::path(config.handbook_path()));
+  if (config.has_llm()) {
+    absl::StatusOr<std::unique_ptr<llm::LlmClient>> model = llm::MakeLlmClient(config.llm(), worker);
+    if (!model.ok()) return model.status();
+    return MakeLanguageService(config, *std::move(model), worker);
+  }
+  auto handbook = ReadHandbook(config);
   if (!handbook.ok()) return handbook.status();
   worker.revision = (*handbook)->version();
-  return std::make_unique<Service>(*std::move(handbook), worker);
+  return std::make_unique<Service<HandbookHandlers>>(worker, *std::move(handbook));
+}
+
+absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config::v1::LanguageWorkerConfig& config,
+                                                                   std::unique_ptr<llm::LlmClient> model,
+                                                                   runtime::WorkerContext& worker) {
+  auto handbook = ReadHandbook(config);
+  if (!handbook.ok()) return handbook.status();
+  auto prompts = llm::PromptLibrary::Load(DefaultPromptsFolder(), config.llm().prompts_path(), LanguagePrompts());
+  if (!prompts.ok()) return prompts.status();
+  worker.revision = fmt::format("{}, {}, prompts {}", (*handbook)->version(), model->identity(), prompts->version());
+  return std::make_unique<Service<ModelHandlers>>(worker, *std::move(handbook), std::move(model), *std::move(prompts));
+}
+
+void CheckLanguageConfig(const config::v1::LanguageWorkerConfig& config, runtime::ConfigChecker& checker) {
+  if (!config.has_llm()) return;
+  llm::CheckLlmConfig(config.llm(), [&checker](std::string_view field, std::string_view problem) {
+    checker.Report(fmt::format("llm.{}", field), problem);
+  });
 }
 
 }  // namespace flair::language

@@ -14,18 +14,6 @@
 namespace flair::language {
 namespace {
 
-// The brief's first sentence, cut at a word when it is long.
-std::string TitleOf(const std::string& text) {
-  constexpr std::size_t kMost = 120;
-  std::string title = text.substr(0, text.find_first_of("\n\r"));
-  if (title.size() > kMost) {
-    const std::size_t space = title.rfind(' ', kMost);
-    title = title.substr(0, space == std::string::npos ? 0 : space) + " ...";
-  }
-  while (!title.empty() && (title.back() == '.' || title.back() == ' ')) title.pop_back();
-  return title;
-}
-
 void SetRectangle(const RoomSize& size, v1::Room& room) {
   const double corners[4][2] = {{0, 0}, {size.width_m, 0}, {size.width_m, size.depth_m}, {0, size.depth_m}};
   for (const auto& corner : corners) {
@@ -109,6 +97,17 @@ absl::StatusOr<v1::ZonePlan> PlanZones(const v1::Brief& brief, const v1::Room& r
     }
   }
   return plan;
+}
+
+std::string TitleOf(const std::string& text) {
+  constexpr std::size_t kMost = 120;
+  std::string title = text.substr(0, text.find_first_of("\n\r"));
+  if (title.size() > kMost) {
+    const std::size_t space = title.rfind(' ', kMost);
+    title = title.substr(0, space == std::string::npos ? 0 : space) + " ...";
+  }
+  while (!title.empty() && (title.back() == '.' || title.back() == ' ')) title.pop_back();
+  return title;
 }
 
 double FloorArea(const v1::Room& room) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "absl/status/statusor.h"
 #include "flair/v1/brief.pb.h"
 #include "flair/v1/room.pb.h"
@@ -15,6 +18,9 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
 
 // Step B: the zones by area, needs and wishes, most important first. Errors as ReadBrief.
 absl::StatusOr<v1::ZonePlan> PlanZones(const v1::Brief& brief, const v1::Room& room, const Handbook& handbook);
+
+// The first line of a brief's text, cut at a word when it is long.
+std::string TitleOf(const std::string& text);
 
 // Area of a room's floor, m2.
 double FloorArea(const v1::Room& room);

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/model/cleaning_step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "language_worker/handbook/cleaning/clean_constraints.h"
+#include "language_worker/model/prompt_text.h"
+#include "llm/answers/prompt_library.h"
+#include "room/validation/validate.h"
+
+namespace flair::language {
+namespace {
+
+using llm::Fault;
+using model::v1::ChangeAnswer;
+using model::v1::CleaningAnswer;
+using SentenceIndex = std::map<std::string, const v1::Sentence*, std::less<>>;
+
+SentenceIndex IndexOf(const v1::ConstraintList& list) {
+  SentenceIndex index;
+  for (const v1::Sentence& sentence : list.sentences()) {
+    if (sentence.scope() != v1::SENTENCE_SCOPE_TERTIARY) index[sentence.id()] = &sentence;
+  }
+  return index;
+}
+
+std::string SentencesText(const v1::ConstraintList& list) {
+  std::string text;
+  for (const v1::Sentence& sentence : list.sentences()) {
+    if (sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY) continue;
+    text += fmt::format("{}{} [{}] {}", text.empty() ? "" : "\n", sentence.id(),
+                        fmt::join(sentence.subject_ids(), ", "), llm::QuoteData(sentence.text()));
+  }
+  return text;
+}
+
+std::string NamesText(const v1::ObjectList& objects) {
+  std::string text;
+  for (const ObjectGroup& group : GroupObjects(objects, /*floor_only=*/true)) {
+    text += (text.empty() ? "" : ", ") + group.name;
+  }
+  return text;
+}
+
+// What is wrong with one change by itself; empty when nothing is.
+std::string FaultOf(const ChangeAnswer& change, const SentenceIndex& sentences) {
+  const int from = change.from_size(), to = change.to_size();
+  for (const std::string& id : change.from()) {
+    if (!sentences.contains(id)) return "names a sentence that is not there";
+  }
+  for (const std::string& text : change.to()) {
+    if (text.empty()) return "has an empty sentence";
+  }
+  if (from == 0) return "names no sentence";
+  const v1::SentenceScope scope = sentences.at(change.from(0))->scope();
+  for (const std::string& id : change.from()) {
+    if (sentences.at(id)->scope() != scope) return "joins sentences about one object with others about several";
+  }
+  const std::string& action = change.action();
+  if (action == "merge" && (from < 2 || to != 1)) return "makes one of several: at least two in from, one in to";
+  if (action == "split" && (from != 1 || to < 2)) return "makes several of one: one in from, at least two in to";
+  if (action == "simplify" && (from != 1 || to != 1)) return "makes one of one: one in from, one in to";
+  if (action == "remove" && to != 0) return "removes: none in to";
+  return "";
+}
+
+size_t RemovedCount(const CleaningAnswer& answer) {
+  size_t count = 0;
+  for (const ChangeAnswer& change : answer.changes()) {
+    if (change.action() == "remove") count += static_cast<size_t>(change.from_size());
+  }
+  return count;
+}
+
+// The answer without its removals.
+CleaningAnswer WithoutRemovals(const CleaningAnswer& answer) {
+  CleaningAnswer kept;
+  for (const ChangeAnswer& change : answer.changes()) {
+    if (change.action() != "remove") *kept.add_changes() = change;
+  }
+  return kept;
+}
+
+v1::CleaningAction ActionOf(const std::string& word) {
+  if (word == "merge") return v1::CLEANING_ACTION_MERGED;
+  if (word == "split") return v1::CLEANING_ACTION_SPLIT;
+  return word == "remove" ? v1::CLEANING_ACTION_CONTRADICTION_REMOVED : v1::CLEANING_ACTION_SIMPLIFIED;
+}
+
+std::string ReasonOf(const ChangeAnswer& change) {
+  if (!change.reason().empty()) return change.reason();
+  if (change.action() == "merge") return "They say the same.";
+  if (change.action() == "split") return "It says several things, each a constraint of its own.";
+  return change.action() == "remove" ? "It cannot hold together with the others, or says nothing about a place."
+                                     : "Plainer words.";
+}
+
+class Changer {
+ public:
+  explicit Changer(const v1::ConstraintList& list) : list_(list), sentences_(IndexOf(list)) {
+    for (const v1::Sentence& sentence : list.sentences()) ids_.insert(sentence.id());
+    // Ids of sentences that an earlier cleaning took away stay taken.
+    for (const v1::CleaningStep& step : list.cleaning_steps()) {
+      ids_.insert(step.from_ids().begin(), step.from_ids().end());
+      ids_.insert(step.to_ids().begin(), step.to_ids().end());
+    }
+  }
+
+  v1::ConstraintList Apply(const CleaningAnswer& answer) {
+    std::map<std::string, std::vector<v1::Sentence>> instead;
+    std::vector<v1::CleaningStep> steps;
+    for (const ChangeAnswer& change : answer.changes()) {
+      v1::CleaningStep& step = steps.emplace_back();
+      step.set_action(ActionOf(change.action()));
+      step.set_reason(ReasonOf(change));
+      for (const std::string& id : change.from()) {
+        step.add_from_ids(id);
+        instead[id];  // goes
+      }
+      for (const std::string& text : change.to()) {
+        const v1::Sentence made = Make(change, text);
+        step.add_to_ids(made.id());
+        instead[change.from(0)].push_back(made);
+      }
+    }
+    v1::ConstraintList changed;
+    for (const v1::Sentence& sentence : list_.sentences()) {
+      const auto found = instead.find(sentence.id());
+      if (found == instead.end()) {
+        *changed.add_sentences() = sentence;
+      } else {
+        for (v1::Sentence& made : found->second) *changed.add_sentences() = std::move(made);
+      }
+    }
+    *changed.mutable_cleaning_steps() = list_.cleaning_steps();
+    for (v1::CleaningStep& step : steps) *changed.add_cleaning_steps() = std::move(step);
+    *changed.mutable_diagnostics() = list_.diagnostics();
+    return changed;
+  }
+
+ private:
+  v1::Sentence Make(const ChangeAnswer& change, const std::string& text) {
+    v1::Sentence made = *sentences_.at(change.from(0));
+    made.set_text(text);
+    made.set_id(NewId(change.from(0)));
+    made.clear_made_from_ids();
+    for (const std::string& id : change.from()) {
+      const v1::Sentence& from = *sentences_.at(id);
+      made.add_made_from_ids(id);
+      made.set_weight(std::max(made.weight(), from.weight()));
+      for (const std::string& subject : from.subject_ids()) {
+        const auto& there = made.subject_ids();
+        if (std::find(there.begin(), there.end(), subject) == there.end()) made.add_subject_ids(subject);
+      }
+    }
+    return made;
+  }
+
+  // The old id with a letter, or a number, behind it.
+  std::string NewId(const std::string& old_id_or_longer) {
+    constexpr size_t kLongest = 58;  // leaves room for what comes behind it
+    const std::string old_id = old_id_or_longer.substr(0, kLongest);
+    for (int i = 0;; ++i) {
+      std::string id = i < 26 ? old_id + static_cast<char>('a' + i) : fmt::format("{}_{}", old_id, i);
+      if (ids_.insert(id).second) return id;
+    }
+  }
+
+  const v1::ConstraintList& list_;
+  const SentenceIndex sentences_;
+  std::set<std::string> ids_;
+};
+
+}  // namespace
+
+std::vector<Fault> CheckCleaning(const v1::ConstraintList& list, const CleaningAnswer& answer) {
+  const SentenceIndex sentences = IndexOf(list);
+  std::vector<Fault> faults;
+  std::set<std::string> changed;
+  for (int i = 0; i < answer.changes_size(); ++i) {
+    const ChangeAnswer& change = answer.changes(i);
+    std::string fault = FaultOf(change, sentences);
+    for (const std::string& id : change.from()) {
+      if (fault.empty() && changed.contains(id)) fault = fmt::format("changes {}, which another one changes", id);
+    }
+    if (fault.empty()) {
+      changed.insert(change.from().begin(), change.from().end());
+    } else {
+      faults.push_back({fmt::format("changes[{}]", i), std::move(fault)});
+    }
+  }
+  if (2 * RemovedCount(answer) > sentences.size()) {
+    faults.push_back({"changes",
+                      fmt::format("remove {} of {} sentences; only contradictions and empty words go",
+                                  RemovedCount(answer), sentences.size()),
+                      llm::FaultKind::kDoubtful});
+  }
+  return faults;
+}
+
+v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const CleaningAnswer& answer) {
+  return Changer(list).Apply(answer);
+}
+
+absl::StatusOr<v1::ConstraintList> AskCleaning(const v1::ObjectList& objects, const v1::ConstraintList& raw,
+                                               const ModelTools& tools, llm::Conversation& conversation) {
+  const v1::ConstraintList list = CleanConstraints(raw);
+  const SentenceIndex sentences = IndexOf(list);
+  if (sentences.empty()) return list;
+  llm::Question question =
+      MakeQuestion(tools, "cleaning", "cleaning", {{"objects", NamesText(objects)}, {"sentences", SentencesText(list)}},
+                   CleaningAnswer::default_instance());
+  llm::Choices& ids = question.choices["flair.model.v1.ChangeAnswer.from"];
+  for (const v1::Sentence& sentence : list.sentences()) {
+    if (sentences.contains(sentence.id())) ids.names.push_back(sentence.id());
+  }
+  question.check = llm::CheckOf<CleaningAnswer>([&](CleaningAnswer& answer) { return CheckCleaning(list, answer); });
+  const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
+  if (!reply.ok()) return reply.status();
+  // A model that stays with throwing most of the list away is not followed in that.
+  const CleaningAnswer& answer = reply->As<CleaningAnswer>();
+  const bool too_many = 2 * RemovedCount(answer) > sentences.size();
+  v1::ConstraintList cleaned = ApplyCleaning(list, too_many ? WithoutRemovals(answer) : answer);
+  if (too_many) {
+    AddDiagnostic(v1::SEVERITY_WARNING, "removals_refused",
+                  fmt::format("The model would have removed {} of {} sentences; they stay.", RemovedCount(answer),
+                              sentences.size()),
+                  cleaned);
+  }
+  AddFaults("cleaning", reply->faults, cleaned);
+  if (absl::Status status = Validate(cleaned, objects); !status.ok()) return UnusableResult("cleaning", status);
+  return cleaned;
+}
+
+}  // namespace flair::language

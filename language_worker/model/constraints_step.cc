@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/model/constraints_step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "flair/model/v1/constraint_answers.pb.h"
+#include "language_worker/handbook/sentences/list_constraints.h"
+#include "language_worker/model/prompt_text.h"
+#include "llm/answers/prompt_library.h"
+#include "room/validation/validate.h"
+
+namespace flair::language {
+namespace {
+
+using model::v1::InterAnswer;
+using model::v1::IntraAnswer;
+
+constexpr double kMustWeight = 2;
+constexpr double kShouldWeight = 1;
+// In all; a solver does not get better by more, and each has its price.
+constexpr int kMostSentences = 600;
+
+void AddSentence(const std::string& text, v1::SentenceScope scope, double weight,
+                 const std::vector<std::string>& subjects, v1::ConstraintList& list) {
+  if (text.empty() || list.sentences_size() >= kMostSentences) return;
+  v1::Sentence& sentence = *list.add_sentences();
+  sentence.set_id(fmt::format("s{}", list.sentences_size()));
+  sentence.set_text(text);
+  sentence.set_scope(scope);
+  sentence.set_weight(weight);
+  for (const std::string& id : subjects) {
+    const auto& there = sentence.subject_ids();
+    if (std::find(there.begin(), there.end(), id) == there.end()) sentence.add_subject_ids(id);
+  }
+}
+
+void AddIntra(const IntraAnswer& answer, const std::vector<ObjectGroup>& groups, v1::ConstraintList& list) {
+  for (const model::v1::ObjectSentencesAnswer& object : answer.objects()) {
+    const std::vector<std::string> subjects = IdsOf(object.object(), groups);
+    for (const std::string& text : object.must()) {
+      AddSentence(text, v1::SENTENCE_SCOPE_INTRA, kMustWeight, subjects, list);
+    }
+    for (const std::string& text : object.should()) {
+      AddSentence(text, v1::SENTENCE_SCOPE_INTRA, kShouldWeight, subjects, list);
+    }
+  }
+}
+
+void AddInter(const InterAnswer& answer, const std::vector<ObjectGroup>& groups, v1::ConstraintList& list) {
+  for (const model::v1::PairAnswer& pair : answer.constraints()) {
+    std::vector<std::string> subjects;
+    for (const std::string& name : pair.objects()) {
+      for (std::string& id : IdsOf(name, groups)) subjects.push_back(std::move(id));
+    }
+    AddSentence(pair.text(), v1::SENTENCE_SCOPE_INTER, pair.must() ? kMustWeight : kShouldWeight, subjects, list);
+  }
+}
+
+// Where the first one names a tertiary without a placement, the handbook's sentences about it.
+void AddUsualPlacement(const v1::Object& object, const v1::ConstraintList& usual, v1::ConstraintList& list) {
+  for (const v1::Sentence& sentence : usual.sentences()) {
+    if (sentence.scope() != v1::SENTENCE_SCOPE_TERTIARY || sentence.subject_ids().empty()) continue;
+    if (sentence.subject_ids(0) != object.id()) continue;
+    AddSentence(sentence.text(), sentence.scope(), sentence.weight(),
+                {sentence.subject_ids().begin(), sentence.subject_ids().end()}, list);
+  }
+}
+
+// A sentence with an object that there is not is of no use.
+std::vector<llm::Fault> CheckInter(const InterAnswer& answer) {
+  std::vector<llm::Fault> faults;
+  for (int i = 0; i < answer.constraints_size(); ++i) {
+    const auto& objects = answer.constraints(i).objects();
+    if (std::find(objects.begin(), objects.end(), "") == objects.end()) continue;
+    faults.push_back({fmt::format("constraints[{}]", i), "names an object that is not there"});
+  }
+  return faults;
+}
+
+// The sentences that say where the tertiaries go: as their lister placed them, else as the handbook has it.
+void AddPlacements(const v1::ObjectList& objects, const v1::ConstraintList& usual, v1::ConstraintList& list) {
+  for (const v1::Object& object : objects.objects()) {
+    if (object.role() != v1::OBJECT_ROLE_TERTIARY) continue;
+    if (object.placement().empty()) {
+      AddUsualPlacement(object, usual, list);
+      continue;
+    }
+    std::vector<std::string> subjects = {object.id()};
+    if (!object.host_id().empty()) subjects.push_back(object.host_id());
+    AddSentence(object.placement(), v1::SENTENCE_SCOPE_TERTIARY, kShouldWeight, subjects, list);
+  }
+}
+
+v1::ConstraintList WithPlacements(const v1::ObjectList& objects, const v1::ConstraintList& usual) {
+  const bool placed = std::any_of(objects.objects().begin(), objects.objects().end(), [](const v1::Object& object) {
+    return object.role() == v1::OBJECT_ROLE_TERTIARY && !object.placement().empty();
+  });
+  if (!placed) return usual;
+  v1::ConstraintList list;
+  for (const v1::Sentence& sentence : usual.sentences()) {
+    if (sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY) continue;
+    *list.add_sentences() = sentence;
+    list.mutable_sentences(list.sentences_size() - 1)->set_id(fmt::format("s{}", list.sentences_size()));
+  }
+  AddPlacements(objects, usual, list);
+  *list.mutable_diagnostics() = usual.diagnostics();
+  return list;
+}
+
+}  // namespace
+
+absl::StatusOr<v1::ConstraintList> UsualConstraints(const ObjectsRequest& request, const v1::ObjectList& objects,
+                                                    const Handbook& handbook) {
+  const absl::StatusOr<v1::ConstraintList> usual =
+      ListConstraints(request.brief, request.room, request.zones, objects, handbook);
+  if (!usual.ok()) return usual.status();
+  return WithPlacements(objects, *usual);
+}
+
+absl::StatusOr<v1::ConstraintList> AskConstraints(const ObjectsRequest& request, const v1::ObjectList& objects,
+                                                  const ModelTools& tools, llm::Conversation& conversation) {
+  const absl::StatusOr<v1::ConstraintList> usual =
+      ListConstraints(request.brief, request.room, request.zones, objects, tools.handbook);
+  if (!usual.ok()) return usual.status();
+  const std::vector<ObjectGroup> groups = GroupObjects(objects, /*floor_only=*/true);
+  v1::ConstraintList list;
+  if (!groups.empty()) {
+    const llm::PromptValues values = {{"brief", llm::QuoteData(request.brief.text())},
+                                      {"room", RoomText(request.room)},
+                                      {"objects", GroupsText(groups)}};
+    std::vector<llm::Question> questions;
+    questions.push_back(MakeQuestion(tools, "constraints.intra", "intra", values, IntraAnswer::default_instance()));
+    questions.back().choices["flair.model.v1.ObjectSentencesAnswer.object"] = GroupChoices(groups);
+    if (groups.size() > 1 || groups.front().objects.size() > 1) {
+      questions.push_back(MakeQuestion(tools, "constraints.inter", "inter", values, InterAnswer::default_instance()));
+      questions.back().choices["flair.model.v1.PairAnswer.objects"] = GroupChoices(groups);
+      questions.back().check = llm::CheckOf<InterAnswer>([](InterAnswer& answer) { return CheckInter(answer); });
+    }
+    const std::vector<absl::StatusOr<llm::Reply>> replies = conversation.AskAll(questions);
+    for (const absl::StatusOr<llm::Reply>& reply : replies) {
+      if (!reply.ok()) return reply.status();
+    }
+    AddIntra(replies[0]->As<IntraAnswer>(), groups, list);
+    if (replies.size() > 1) AddInter(replies[1]->As<InterAnswer>(), groups, list);
+    for (size_t i = 0; i < replies.size(); ++i) AddFaults(questions[i].step, replies[i]->faults, list);
+    if (list.sentences().empty()) {
+      return absl::DataLossError(
+          "step \"constraints\": the model's answers have no usable sentence, also after a repair");
+    }
+  }
+  AddPlacements(objects, *usual, list);
+  if (absl::Status status = Validate(list, objects); !status.ok()) return UnusableResult("constraints", status);
+  return list;
+}
+
+}  // namespace flair::language

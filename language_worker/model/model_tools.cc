@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/model/model_tools.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace flair::language {
+
+namespace fs = std::filesystem;
+
+std::vector<llm::PromptSpec> LanguagePrompts() {
+  return {{"system", {}, {}},
+          {"room", {"brief"}, {"brief"}},
+          {"zones", {"brief", "room", "zone_count", "wanted_zones"}, {"brief", "room", "wanted_zones"}},
+          {"floor_objects", {"brief", "room", "zones", "area_m2"}, {"brief", "room", "zones"}},
+          {"tertiaries", {"brief", "room", "objects", "count"}, {"brief", "objects"}},
+          {"style", {"brief", "room", "objects"}, {"brief", "objects"}},
+          {"intra", {"brief", "room", "objects"}, {"room", "objects"}},
+          {"inter", {"brief", "room", "objects"}, {"objects"}},
+          {"cleaning", {"objects", "sentences"}, {"sentences"}},
+          llm::RepairPrompt()};
+}
+
+fs::path DefaultPromptsFolder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const fs::path installed = program.parent_path().parent_path() / "share" / "flair" / "prompts" / "language";
+    if (fs::is_directory(installed, error)) return installed;
+  }
+  return FLAIR_LANGUAGE_PROMPTS_FOLDER;
+}
+
+llm::Question MakeQuestion(const ModelTools& tools, std::string step, std::string_view prompt,
+                           const llm::PromptValues& values, const google::protobuf::Message& answer) {
+  return {.step = std::move(step),
+          .system = tools.prompts.Fill("system", {}),
+          .text = tools.prompts.Fill(prompt, values),
+          .answer = &answer};
+}
+
+absl::Status UnusableResult(std::string_view step, const absl::Status& status) {
+  return absl::DataLossError(fmt::format("step \"{}\": what the model answered makes no good artifact: {}", step,
+                                         std::string(status.message())));
+}
+
+}  // namespace flair::language

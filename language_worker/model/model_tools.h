@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flair/v1/provenance.pb.h"
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/model/furniture_index.h"
+#include "llm/answers/conversation.h"
+#include "llm/answers/prompt_library.h"
+
+namespace flair::language {
+
+// What the steps share; the parts outlive them. Immutable, thread-safe.
+struct ModelTools {
+  const llm::PromptLibrary& prompts;
+  const Handbook& handbook;
+  const FurnitureIndex& furniture;
+};
+
+// The prompts of this worker, for PromptLibrary::Load.
+std::vector<llm::PromptSpec> LanguagePrompts();
+
+// Where they are: share/flair/prompts/language beside the program's own folder when installed, else the source tree.
+std::filesystem::path DefaultPromptsFolder();
+
+// A question of a step: the system prompt, the step's prompt filled in, and the type of the answer.
+llm::Question MakeQuestion(const ModelTools& tools, std::string step, std::string_view prompt,
+                           const llm::PromptValues& values, const google::protobuf::Message& answer);
+
+// Adds a remark.
+template <typename WithDiagnostics>
+void AddDiagnostic(v1::Severity severity, std::string code, std::string message, WithDiagnostics& to) {
+  v1::Diagnostic& diagnostic = *to.add_diagnostics();
+  diagnostic.set_severity(severity);
+  diagnostic.set_code(std::move(code));
+  diagnostic.set_message(std::move(message));
+}
+
+// Adds a remark for every fault that an answer had to the end: "left_out" for elements that were, else "model_answer".
+template <typename WithDiagnostics>
+void AddFaults(std::string_view step, const std::vector<llm::Fault>& faults, WithDiagnostics& to) {
+  for (const llm::Fault& fault : faults) {
+    const bool wrong = fault.kind == llm::FaultKind::kWrong;
+    AddDiagnostic(wrong ? v1::SEVERITY_WARNING : v1::SEVERITY_NOTE, wrong ? "left_out" : "model_answer",
+                  "The model's answer to \"" + std::string(step) + "\": " + fault.Sentence() +
+                      (wrong ? "; it was left out." : "."),
+                  to);
+  }
+}
+
+// An error for a result that the model's answer was turned into and that does not validate after all.
+absl::Status UnusableResult(std::string_view step, const absl::Status& status);
+
+}  // namespace flair::language

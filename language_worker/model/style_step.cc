@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/model/style_step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+#include <string>
+
+#include "language_worker/handbook/styling/choose_style.h"
+#include "language_worker/handbook/styling/style_choice.h"
+#include "language_worker/model/prompt_text.h"
+#include "llm/answers/prompt_library.h"
+#include "room/validation/validate.h"
+
+namespace flair::language {
+namespace {
+
+using llm::Fault;
+using llm::FaultKind;
+using model::v1::ColourAnswer;
+using model::v1::LookAnswer;
+using model::v1::StyleAnswer;
+
+constexpr const char* kSubjectField = "flair.model.v1.LookAnswer.of";
+
+bool IsHex(std::string_view text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); });
+}
+
+int HexValue(std::string_view digits) {
+  int value = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  return value;
+}
+
+// The three numbers of "rgb(1, 2, 3)" or "1,2,3".
+std::optional<std::array<int, 3>> ReadTriple(std::string_view text) {
+  std::array<int, 3> triple = {};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (int& value : triple) {
+    while (at != end && (*at < '0' || *at > '9')) ++at;
+    const auto [stop, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || value > 255) return std::nullopt;
+    at = stop;
+  }
+  return triple;
+}
+
+std::optional<std::array<int, 3>> ReadHex(std::string_view text) {
+  if (text.starts_with("#")) text.remove_prefix(1);
+  if (text.size() == 6 && IsHex(text)) {
+    return std::array{HexValue(text.substr(0, 2)), HexValue(text.substr(2, 2)), HexValue(text.substr(4, 2))};
+  }
+  if (text.size() == 3 && IsHex(text)) {
+    return std::array{17 * HexValue(text.substr(0, 1)), 17 * HexValue(text.substr(1, 1)),
+                      17 * HexValue(text.substr(2, 1))};
+  }
+  if (text.starts_with("rgb")) return ReadTriple(text);
+  return std::nullopt;
+}
+
+// Groups by name, then openings by id: what a look is asked for.
+std::vector<ObjectGroup> Subjects(const StyleRequest& request) {
+  return GroupObjects(request.objects, /*floor_only=*/false);
+}
+
+std::string SubjectsText(const StyleRequest& request) {
+  std::string text;
+  for (const ObjectGroup& group : Subjects(request)) text += (text.empty() ? "" : ", ") + group.name;
+  for (const v1::Opening& opening : request.room.openings()) text += ", " + opening.id();
+  return text;
+}
+
+llm::Choices SubjectChoices(const StyleRequest& request) {
+  llm::Choices choices;
+  for (const ObjectGroup& group : Subjects(request)) {
+    choices.names.push_back(group.name);
+    for (const v1::Object* object : group.objects) choices.aliases[object->id()] = group.name;
+  }
+  for (const v1::Opening& opening : request.room.openings()) choices.names.push_back(opening.id());
+  return choices;
+}
+
+void CheckColour(const ColourAnswer& colour, const std::string& path, const Handbook& handbook,
+                 std::vector<Fault>& faults) {
+  if (colour.hex().empty() || ReadColour(colour, handbook)) return;
+  faults.push_back(
+      {path + ".hex", fmt::format("is {}; a colour such as \"#7A8B6F\" would be right", llm::Quoted(colour.hex()))});
+}
+
+std::vector<std::string> SubjectIds(const std::string& name, const StyleRequest& request) {
+  std::vector<std::string> ids = IdsOf(name, Subjects(request));
+  if (ids.empty()) ids.push_back(name);  // an opening
+  return ids;
+}
+
+// The description, or one made of material and colour.
+std::string DescriptionOf(const LookAnswer& look) {
+  if (!look.description().empty()) return look.description();
+  return fmt::format("{}, {}.", look.material(), look.colour().name());
+}
+
+v1::StyleSheet ToStyleSheet(const StyleRequest& request, const Handbook& handbook, const StyleAnswer& answer) {
+  const auto colour = [&](const ColourAnswer& read) { return ReadColour(read, handbook).value_or(v1::Colour()); };
+  v1::StyleSheet sheet;
+  sheet.set_name(answer.name());
+  sheet.set_summary(answer.summary());
+  for (const ColourAnswer& main : answer.palette()) *sheet.add_palette() = colour(main);
+  std::set<std::string> seen;
+  for (const model::v1::SurfaceAnswer& surface : answer.surfaces()) {
+    if (!seen.insert(surface.surface()).second) continue;
+    v1::SurfaceStyle& style = *sheet.add_surfaces();
+    style.set_surface(surface.surface());
+    style.set_material(surface.material());
+    *style.mutable_colour() = colour(surface.colour());
+    style.set_description(fmt::format("{}, {}.", surface.material(), surface.colour().name()));
+  }
+  for (const LookAnswer& look : answer.looks()) {
+    for (const std::string& id : SubjectIds(look.of(), request)) {
+      if (!seen.insert("of " + id).second) continue;
+      v1::ObjectStyle& style = *sheet.add_objects();
+      style.set_subject_id(id);
+      style.set_material(look.material());
+      *style.mutable_colour() = colour(look.colour());
+      style.set_description(DescriptionOf(look));
+    }
+  }
+  return sheet;
+}
+
+// Takes from another sheet what this one says nothing of.
+void Complete(const v1::StyleSheet& other, v1::StyleSheet& sheet) {
+  int taken = 0;
+  std::set<std::string> there;
+  for (const v1::SurfaceStyle& surface : sheet.surfaces()) there.insert(surface.surface());
+  for (const v1::SurfaceStyle& surface : other.surfaces()) {
+    if (there.contains(surface.surface())) continue;
+    *sheet.add_surfaces() = surface;
+    ++taken;
+  }
+  there.clear();
+  for (const v1::ObjectStyle& object : sheet.objects()) there.insert(object.subject_id());
+  for (const v1::ObjectStyle& object : other.objects()) {
+    if (there.contains(object.subject_id())) continue;
+    *sheet.add_objects() = object;
+    ++taken;
+  }
+  if (sheet.palette().empty()) *sheet.mutable_palette() = other.palette();
+  if (taken > 0) {
+    AddDiagnostic(
+        v1::SEVERITY_NOTE, "style_completed",
+        fmt::format("The model said nothing of {} surfaces and objects; they look as the handbook has it.", taken),
+        sheet);
+  }
+}
+
+}  // namespace
+
+std::optional<v1::Colour> ReadColour(const ColourAnswer& answer, const Handbook& handbook) {
+  v1::Colour colour;
+  if (const auto read = ReadHex(answer.hex())) {
+    colour.set_red((*read)[0]);
+    colour.set_green((*read)[1]);
+    colour.set_blue((*read)[2]);
+  } else {
+    const hb::NamedColour* named = handbook.FindColour(PlainName(answer.hex()));
+    if (named == nullptr) named = handbook.FindColour(PlainName(answer.name()));
+    if (named == nullptr) return std::nullopt;
+    colour = ToColour(*named);
+  }
+  colour.set_name(answer.name());
+  return colour;
+}
+
+std::vector<Fault> CheckStyle(const StyleRequest& request, const ModelTools& tools, const StyleAnswer& answer) {
+  std::vector<Fault> faults;
+  for (int i = 0; i < answer.palette_size(); ++i) {
+    CheckColour(answer.palette(i), fmt::format("palette[{}]", i), tools.handbook, faults);
+  }
+  for (int i = 0; i < answer.surfaces_size(); ++i) {
+    CheckColour(answer.surfaces(i).colour(), fmt::format("surfaces[{}].colour", i), tools.handbook, faults);
+  }
+  std::set<std::string> seen;
+  for (int i = 0; i < answer.looks_size(); ++i) {
+    CheckColour(answer.looks(i).colour(), fmt::format("looks[{}].colour", i), tools.handbook, faults);
+    seen.insert(answer.looks(i).of());
+  }
+  const size_t wanted = Subjects(request).size() + static_cast<size_t>(request.room.openings_size());
+  if (2 * seen.size() < wanted) {
+    faults.push_back(
+        {"looks", fmt::format("describes {} of {} objects, doors and windows; all would be right", seen.size(), wanted),
+         FaultKind::kDoubtful});
+  }
+  return faults;
+}
+
+absl::StatusOr<v1::StyleSheet> AskStyle(const StyleRequest& request, const ModelTools& tools,
+                                        llm::Conversation& conversation) {
+  llm::Question question = MakeQuestion(tools, "style", "style",
+                                        {{"brief", llm::QuoteData(request.brief.text())},
+                                         {"room", RoomText(request.room)},
+                                         {"objects", SubjectsText(request)}},
+                                        StyleAnswer::default_instance());
+  question.choices[kSubjectField] = SubjectChoices(request);
+  question.check = llm::CheckOf<StyleAnswer>([&](StyleAnswer& answer) { return CheckStyle(request, tools, answer); });
+  const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
+  if (!reply.ok()) return reply.status();
+  v1::StyleSheet sheet = ToStyleSheet(request, tools.handbook, reply->As<StyleAnswer>());
+  const absl::StatusOr<v1::StyleSheet> usual =
+      ChooseStyle(request.brief, request.room, request.objects, tools.handbook);
+  if (!usual.ok()) return usual.status();
+  Complete(*usual, sheet);
+  AddFaults("style", reply->faults, sheet);
+  if (absl::Status status = Validate(sheet, request.room, request.objects); !status.ok()) {
+    return UnusableResult("style", status);
+  }
+  return sheet;
+}
+
+}  // namespace flair::language

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/model/tertiaries_step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "language_worker/model/object_size.h"
+#include "llm/answers/prompt_library.h"
+#include "room/validation/validate.h"
+
+namespace flair::language {
+namespace {
+
+using llm::Fault;
+using llm::FaultKind;
+using model::v1::TertiariesAnswer;
+using model::v1::TertiaryAnswer;
+
+constexpr int kMostTertiaries = 60;
+constexpr double kThickestOnWall_m = 0.8;
+constexpr double kUsualMiddleOnWall_m = 1.55;
+
+int AskedCount(double area_m2) { return std::clamp(static_cast<int>(std::lround(4 + area_m2 / 3)), 5, 14); }
+
+const v1::Object* FindObject(const v1::ObjectList& list, const std::string& id) {
+  for (const v1::Object& object : list.objects()) {
+    if (object.id() == id) return &object;
+  }
+  return nullptr;
+}
+
+// The objects that an answer names as its place.
+std::vector<const v1::Object*> HostsOf(const TertiaryAnswer& answer, const std::vector<ObjectGroup>& groups,
+                                       const v1::ObjectList& list) {
+  std::vector<const v1::Object*> hosts;
+  if (!answer.has_at()) return hosts;
+  for (const std::string& id : IdsOf(answer.at(), groups)) hosts.push_back(FindObject(list, id));
+  return hosts;
+}
+
+bool FitsTop(const TertiaryAnswer& answer, const v1::Object& host) {
+  return std::max(answer.width_m(), answer.depth_m()) <= std::max(host.width_m(), host.depth_m()) &&
+         std::min(answer.width_m(), answer.depth_m()) <= std::min(host.width_m(), host.depth_m());
+}
+
+void CheckObject(const TertiaryAnswer& object, const std::string& path, const ObjectsRequest& request,
+                 const std::vector<const v1::Object*>& hosts, const ModelTools& tools, std::vector<Fault>& faults) {
+  const ObjectSize size{object.width_m(), object.depth_m(), object.height_m()};
+  const FloorExtent floor = ExtentOf(request.room);
+  if (!FitsFloor(size, floor)) {
+    faults.push_back({path + ".width_m", fmt::format("{} is larger than the room of {:g} m x {:g} m",
+                                                     FootprintText(size), floor.width_m, floor.depth_m)});
+  } else if (const std::string odd = OddSize(size, tools.furniture.FindExact(object.name())); !odd.empty()) {
+    faults.push_back({path + ".width_m", odd, FaultKind::kDoubtful});
+  }
+  if (object.kind() == "surface" && hosts.empty()) {
+    faults.push_back({path + ".at", "is null; name the object that it stands on"});
+  } else if (object.kind() == "surface" && !FitsTop(object, *hosts.front())) {
+    faults.push_back({path + ".width_m",
+                      fmt::format("{} is larger than the top of {}, {:g} m x {:g} m", FootprintText(size), object.at(),
+                                  hosts.front()->width_m(), hosts.front()->depth_m()),
+                      FaultKind::kDoubtful});
+  }
+  if (object.kind() == "wall" && object.depth_m() > kThickestOnWall_m) {
+    faults.push_back(
+        {path + ".depth_m",
+         fmt::format("is {}; what hangs on a wall stands out {} m at most", object.depth_m(), kThickestOnWall_m),
+         FaultKind::kDoubtful});
+  }
+}
+
+v1::ObjectKind KindOf(const std::string& word) {
+  if (word == "wall") return v1::OBJECT_KIND_WALL;
+  if (word == "ceiling") return v1::OBJECT_KIND_CEILING;
+  return word == "surface" ? v1::OBJECT_KIND_SURFACE : v1::OBJECT_KIND_FLOOR;
+}
+
+double ElevationOf(const TertiaryAnswer& answer, double height_m, const v1::Object* host,
+                   const hb::Furniture* furniture, double room_height_m) {
+  const double most_m = std::max(0.0, room_height_m - height_m);
+  if (answer.kind() == "ceiling") return most_m;
+  if (answer.kind() != "wall") return 0;
+  if (answer.has_elevation_m()) return std::min(answer.elevation_m(), most_m);
+  double elevation_m = std::max(0.0, kUsualMiddleOnWall_m - height_m / 2);
+  if (furniture != nullptr && furniture->kind() == hb::FURNITURE_KIND_WALL) elevation_m = furniture->elevation_m();
+  // Above its host when that reaches up to it.
+  if (host != nullptr) elevation_m = std::max(elevation_m, host->height_m() + 0.1);
+  return std::min(elevation_m, most_m);
+}
+
+// Numbers and names by which a sentence tells several of a kind apart.
+std::string Ordinal(size_t number) {
+  constexpr const char* kOrdinals[] = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"};
+  return number < std::size(kOrdinals) ? kOrdinals[number] : fmt::format("{}th", number + 1);
+}
+
+// The answer's sentence; of several that stand on several equal things, one for each.
+std::string PlacementOf(const TertiaryAnswer& answer, const std::vector<const v1::Object*>& hosts, size_t number) {
+  if (answer.kind() != "surface" || answer.count() < 2 || hosts.size() < 2) return answer.placement();
+  const v1::Object& host = *hosts[number % hosts.size()];
+  return fmt::format("The {} {} is on the {} {}.", Ordinal(number), PlainName(answer.name()),
+                     Ordinal(number % hosts.size()), host.name());
+}
+
+class TertiaryMaker {
+ public:
+  TertiaryMaker(const ObjectsRequest& request, const ModelTools& tools, const TertiaryAnswer& answer,
+                std::vector<const v1::Object*> hosts)
+      : request_(request), answer_(answer), hosts_(std::move(hosts)), furniture_(tools.furniture.Find(answer.name())) {}
+
+  v1::Object Make(const std::string& id, size_t number) const {
+    const v1::Object* host = hosts_.empty() ? nullptr : hosts_[number % hosts_.size()];
+    v1::Object object;
+    object.set_id(id);
+    const std::string name = PlainName(answer_.name());
+    object.set_name(name.empty() ? answer_.name() : name);
+    object.set_role(v1::OBJECT_ROLE_TERTIARY);
+    object.set_kind(KindOf(answer_.kind()));
+    object.set_width_m(answer_.width_m());
+    object.set_depth_m(answer_.depth_m());
+    object.set_height_m(std::min(answer_.height_m(), request_.room.height_m()));
+    if (host != nullptr) {
+      object.set_host_id(host->id());
+      object.set_zone_id(host->zone_id());
+      if (object.kind() == v1::OBJECT_KIND_SURFACE && !FitsTop(answer_, *host)) FitTo(*host, object);
+    }
+    object.set_elevation_m(ElevationOf(answer_, object.height_m(), host, furniture_, request_.room.height_m()));
+    object.set_walk_over(object.kind() == v1::OBJECT_KIND_FLOOR && LiesFlat());
+    object.set_description(answer_.description());
+    object.set_placement(PlacementOf(answer_, hosts_, number));
+    object.set_requested(answer_.requested());
+    if (furniture_ != nullptr) object.set_category(furniture_->category());
+    return object;
+  }
+
+ private:
+  static void FitTo(const v1::Object& host, v1::Object& object) {
+    object.set_width_m(std::min(object.width_m(), host.width_m()));
+    object.set_depth_m(std::min(object.depth_m(), host.depth_m()));
+  }
+
+  bool LiesFlat() const {
+    constexpr double kFlat_m = 0.06;
+    return IsRugName(answer_.name()) || answer_.height_m() <= kFlat_m;
+  }
+
+  const ObjectsRequest& request_;
+  const TertiaryAnswer& answer_;
+  const std::vector<const v1::Object*> hosts_;
+  const hb::Furniture* furniture_;
+};
+
+}  // namespace
+
+std::vector<Fault> CheckTertiaries(const ObjectsRequest& request, const ModelTools& tools,
+                                   const v1::ObjectList& floor_objects, const TertiariesAnswer& answer) {
+  const std::vector<ObjectGroup> groups = GroupObjects(floor_objects, /*floor_only=*/true);
+  std::vector<Fault> faults;
+  int count = 0;
+  for (int i = 0; i < answer.objects_size(); ++i) {
+    const TertiaryAnswer& object = answer.objects(i);
+    count += object.count();
+    CheckObject(object, fmt::format("objects[{}]", i), request, HostsOf(object, groups, floor_objects), tools, faults);
+  }
+  if (count > kMostTertiaries) {
+    faults.push_back(
+        {"objects", fmt::format("has {} objects in all; at most {}", count, kMostTertiaries), FaultKind::kDoubtful});
+  }
+  return faults;
+}
+
+void AddTertiaries(const ObjectsRequest& request, const ModelTools& tools, const TertiariesAnswer& answer, IdMaker& ids,
+                   v1::ObjectList& list) {
+  const v1::ObjectList floor_objects = list;
+  const std::vector<ObjectGroup> groups = GroupObjects(floor_objects, /*floor_only=*/true);
+  int left = kMostTertiaries;
+  for (const TertiaryAnswer& object : answer.objects()) {
+    const int count = std::min(object.count(), left);
+    if (count < object.count()) {
+      v1::Omission& omission = *list.add_omissions();
+      omission.set_name(object.name());
+      omission.set_reason(fmt::format("The model listed more than {} things of this sort.", kMostTertiaries));
+      omission.set_requested(object.requested());
+    }
+    if (count == 0) continue;
+    left -= count;
+    const TertiaryMaker maker(request, tools, object, HostsOf(object, groups, floor_objects));
+    const std::vector<std::string> made_ids = ids.MakeSeveral(object.name(), count, "object");
+    for (size_t i = 0; i < made_ids.size(); ++i) *list.add_objects() = maker.Make(made_ids[i], i);
+  }
+}
+
+absl::Status AskTertiaries(const ObjectsRequest& request, const ModelTools& tools, llm::Conversation& conversation,
+                           IdMaker& ids, v1::ObjectList& list) {
+  const std::vector<ObjectGroup> groups = GroupObjects(list, /*floor_only=*/true);
+  const double area_m2 = ExtentOf(request.room).area_m2;
+  llm::Question question = MakeQuestion(tools, "objects.tertiary", "tertiaries",
+                                        {{"brief", llm::QuoteData(request.brief.text())},
+                                         {"room", RoomText(request.room)},
+                                         {"objects", GroupsText(groups)},
+                                         {"count", fmt::format("{}", AskedCount(area_m2))}},
+                                        TertiariesAnswer::default_instance());
+  question.choices["flair.model.v1.TertiaryAnswer.at"] = GroupChoices(groups);
+  question.check = llm::CheckOf<TertiariesAnswer>(
+      [&](TertiariesAnswer& answer) { return CheckTertiaries(request, tools, list, answer); });
+  const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
+  if (!reply.ok()) return reply.status();
+  v1::ObjectList all = list;
+  AddTertiaries(request, tools, reply->As<TertiariesAnswer>(), ids, all);
+  AddFaults("objects.tertiary", reply->faults, all);
+  if (absl::Status status = Validate(all, request.zones); !status.ok()) {
+    return UnusableResult("objects.tertiary", status);
+  }
+  list = std::move(all);
+  return absl::OkStatus();
+}
+
+}  // namespace flair::language

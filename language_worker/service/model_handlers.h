@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "absl/status/statusor.h"
+#include "flair/v1/language_service.pb.h"
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/model/furniture_index.h"
+#include "language_worker/model/model_tools.h"
+#include "llm/answers/prompt_library.h"
+#include "llm/client/llm_client.h"
+#include "worker_runtime/bootstrap/call_context.h"
+
+namespace flair::language {
+
+// Answers the six requests of the language phase with a model. Each validates its request, returns what the brief
+// itself brings, else asks one step; when that fails for the model's sake and the request allows it, the handbook
+// answers and a remark "stand_in" says so. Thread-safe; every call blocks its thread until the model has answered.
+class ModelHandlers {
+ public:
+  // `handbook` must outlive it.
+  ModelHandlers(const Handbook& handbook, std::unique_ptr<llm::LlmClient> client, llm::PromptLibrary prompts);
+
+  absl::StatusOr<v1::DescribeRoomResponse> Handle(const v1::DescribeRoomRequest& request,
+                                                  runtime::CallContext& call) const;
+  absl::StatusOr<v1::PlanZonesResponse> Handle(const v1::PlanZonesRequest& request, runtime::CallContext& call) const;
+  absl::StatusOr<v1::ListObjectsResponse> Handle(const v1::ListObjectsRequest& request,
+                                                 runtime::CallContext& call) const;
+  absl::StatusOr<v1::ChooseStyleResponse> Handle(const v1::ChooseStyleRequest& request,
+                                                 runtime::CallContext& call) const;
+  absl::StatusOr<v1::ListConstraintsResponse> Handle(const v1::ListConstraintsRequest& request,
+                                                     runtime::CallContext& call) const;
+  absl::StatusOr<v1::CleanConstraintsResponse> Handle(const v1::CleanConstraintsRequest& request,
+                                                      runtime::CallContext& call) const;
+
+ private:
+  v1::Producer Producer(const llm::Conversation& conversation, bool stood_in) const;
+
+  // Asks with `ask(Conversation&)`, else `stand_in()`, both of which return the artifact, and puts it where `part` of
+  // the response points to.
+  template <typename Response, typename Request, typename Ask, typename StandIn, typename Part>
+  absl::StatusOr<Response> Answer(const Request& request, runtime::CallContext& call, const Ask& ask,
+                                  const StandIn& stand_in, Part part) const;
+
+  const Handbook& handbook_;
+  const std::unique_ptr<llm::LlmClient> client_;
+  const llm::PromptLibrary prompts_;
+  const FurnitureIndex furniture_;
+  const ModelTools tools_;
+};
+
+}  // namespace flair::language

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/service/own_parts.h"
+
+#include "room/validation/validate.h"
+
+namespace flair::language {
+namespace {
+
+template <typename Response>
+Response FromBrief() {
+  Response response;
+  response.mutable_producer()->set_program("flair-language");
+  response.mutable_producer()->set_method("brief");
+  return response;
+}
+
+}  // namespace
+
+absl::StatusOr<std::optional<v1::DescribeRoomResponse>> OwnAnswer(const v1::DescribeRoomRequest& request) {
+  if (!request.brief().has_room()) return std::nullopt;
+  auto response = FromBrief<v1::DescribeRoomResponse>();
+  *response.mutable_room() = request.brief().room();
+  return response;
+}
+
+absl::StatusOr<std::optional<v1::PlanZonesResponse>> OwnAnswer(const v1::PlanZonesRequest& request) {
+  if (!request.brief().has_zone_plan()) return std::nullopt;
+  auto response = FromBrief<v1::PlanZonesResponse>();
+  *response.mutable_zone_plan() = request.brief().zone_plan();
+  return response;
+}
+
+absl::StatusOr<std::optional<v1::ListObjectsResponse>> OwnAnswer(const v1::ListObjectsRequest& request) {
+  if (!request.brief().has_object_list()) return std::nullopt;
+  const v1::ObjectList& list = request.brief().object_list();
+  if (absl::Status status = Validate(list, request.zone_plan(), "brief.object_list"); !status.ok()) return status;
+  auto response = FromBrief<v1::ListObjectsResponse>();
+  *response.mutable_object_list() = list;
+  return response;
+}
+
+absl::StatusOr<std::optional<v1::ListConstraintsResponse>> OwnAnswer(const v1::ListConstraintsRequest& request) {
+  if (!request.brief().has_constraint_list()) return std::nullopt;
+  const v1::ConstraintList& list = request.brief().constraint_list();
+  if (absl::Status status = Validate(list, request.object_list(), "brief.constraint_list"); !status.ok()) return status;
+  auto response = FromBrief<v1::ListConstraintsResponse>();
+  *response.mutable_constraint_list() = list;
+  return response;
+}
+
+}  // namespace flair::language
