@@ -17,13 +17,16 @@ namespace {
 constexpr int kMostObjects = 7;
 constexpr int kMostEdges = 10;
 
-// Numbers that nobody should send.
+}  // namespace
+
 double Nasty(ByteSource& bytes) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kNumbers[] = {0, -0.0, -1, 1e-300, 1e-9, 1e9, 1e300, kInfinity, -kInfinity, kNan};
   return kNumbers[bytes.Below(std::size(kNumbers))];
 }
+
+namespace {
 
 double Length(ByteSource& bytes, double least, double most) {
   return bytes.Rarely(64) ? Nasty(bytes) : bytes.Between(least, most);
@@ -81,7 +84,9 @@ void AddOpening(ByteSource& bytes, v1::Room& room) {
   opening.mutable_leaf()->set_swing_angle_rad(bytes.Between(0.01, 3.14));
 }
 
-void AddObject(ByteSource& bytes, v1::LayoutGraph& graph) {
+}  // namespace
+
+void AddRandomObject(ByteSource& bytes, v1::LayoutGraph& graph) {
   v1::Object& object = *graph.mutable_object_list()->add_objects();
   const int number = graph.object_list().objects_size();
   object.set_id(fmt::format("object_{}", bytes.Rarely(100) ? 1 : number));
@@ -97,6 +102,8 @@ void AddObject(ByteSource& bytes, v1::LayoutGraph& graph) {
   if (object.kind() == v1::OBJECT_KIND_WALL) object.set_elevation_m(bytes.Between(0, 2.5));
   if (bytes.Rarely(5)) object.set_host_id(fmt::format("object_{}", 1 + bytes.Below(number)));
 }
+
+namespace {
 
 // A name that an argument may hold: of an object, opening, wall, zone, side or nothing at all.
 std::string Name(ByteSource& bytes, const v1::LayoutGraph& graph, v1::ParameterKind kind) {
@@ -144,7 +151,9 @@ void SetValue(ByteSource& bytes, const v1::LayoutGraph& graph, const v1::Paramet
   }
 }
 
-void AddEdge(ByteSource& bytes, v1::LayoutGraph& graph) {
+}  // namespace
+
+void AddRandomEdge(ByteSource& bytes, v1::LayoutGraph& graph) {
   const v1::ConstraintCatalog& catalog = optimizer::MakeCatalog();
   const v1::ConstraintType& type = catalog.types(bytes.Below(catalog.types_size()));
   v1::ConstraintEdge& edge = *graph.add_edges();
@@ -158,6 +167,8 @@ void AddEdge(ByteSource& bytes, v1::LayoutGraph& graph) {
     SetValue(bytes, graph, parameter, *argument.mutable_value());
   }
 }
+
+namespace {
 
 void AddPin(ByteSource& bytes, v1::LayoutGraph& graph) {
   v1::Placement& pin = *graph.add_pinned_placements();
@@ -180,8 +191,8 @@ v1::LayoutGraph RandomGraph(ByteSource& bytes) {
     zone.set_id(fmt::format("zone_{}", i));
     zone.set_name(zone.id());
   }
-  for (int i = bytes.Below(kMostObjects); i >= 0; --i) AddObject(bytes, graph);
-  for (int i = bytes.Below(kMostEdges + 1); i > 0; --i) AddEdge(bytes, graph);
+  for (int i = bytes.Below(kMostObjects); i >= 0; --i) AddRandomObject(bytes, graph);
+  for (int i = bytes.Below(kMostEdges + 1); i > 0; --i) AddRandomEdge(bytes, graph);
   if (bytes.Rarely(3)) AddPin(bytes, graph);
   return graph;
 }

@@ -9,6 +9,13 @@
 
 namespace flair::fuzz {
 
+// One more object or edge, of any kind; mostly of things that are there.
+void AddRandomObject(ByteSource& bytes, v1::LayoutGraph& graph);
+void AddRandomEdge(ByteSource& bytes, v1::LayoutGraph& graph);
+
+// A number that nobody should send: not finite, negative, very small or very large.
+double Nasty(ByteSource& bytes);
+
 v1::LayoutGraph RandomGraph(ByteSource& bytes);
 
 // Few restarts and evaluations, whatever the bytes say.

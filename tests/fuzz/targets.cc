@@ -8,8 +8,9 @@
 namespace flair::fuzz {
 
 std::span<const Target> AllTargets() {
-  static constexpr std::array<Target, 4> kTargets = {{{"read_graph", ReadGraph},
+  static constexpr std::array<Target, 5> kTargets = {{{"read_graph", ReadGraph},
                                                       {"solve_problem", SolveProblem},
+                                                      {"edit_layout", EditLayout},
                                                       {"read_reference_room", ReadReferenceRoom},
                                                       {"read_scene_text", ReadSceneText}}};
   return kTargets;

@@ -15,6 +15,10 @@ void ReadGraph(std::string_view bytes);
 // must hold of the result.
 void SolveProblem(std::string_view bytes);
 
+// Edits of a solved layout. Bytes that begin with "text" and a line break are lines as `flair resolve --edit` reads
+// them; any others are choices that make edits and, at times, spoil the layout. See edit_layout.cc for what must hold.
+void EditLayout(std::string_view bytes);
+
 // A recorded problem in the reference implementation's JSON.
 void ReadReferenceRoom(std::string_view bytes);
 
