@@ -15,7 +15,6 @@ namespace flair::optimizer {
 struct NoOverlap {
   static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
-  static constexpr bool kSeesZero = true;
   Footprint first;
   Footprint second;
   // Their circles meet when the centres are closer than this.
