@@ -18,7 +18,7 @@ namespace flair::optimizer {
 // is missed, large against nearly equal minima.
 struct WalkWeights {
   double unreachable_floor = 7.0;
-  double blocked_front = 0.8;
+  double blocked_front = 1.2;
   double blocked_door = 2.0;
   // Per m3, see CrowdingCost_m3.
   double crowding = 3.0;

@@ -11,8 +11,8 @@
 namespace flair::optimizer {
 namespace {
 
-constexpr double kCell_m = 0.05;
-constexpr double kMostCells = 300;
+// The longest side for which cells are as small as asked for.
+constexpr double kFineSide_m = 15;
 constexpr double kFrontStrip_m = 0.6;
 constexpr double kLanding_m = 0.6;
 constexpr double kNarrowestFront_m = 0.15;
@@ -77,9 +77,9 @@ void ForWords(int first, int last, const F& word) {
 
 }  // namespace
 
-WalkGrid::WalkGrid(const Room& room, double path_width_m) : radius_m_(path_width_m / 2) {
+WalkGrid::WalkGrid(const Room& room, double path_width_m, double cell_m) : radius_m_(path_width_m / 2) {
   const BoundingBox box = BoundsOf(room.floor);
-  cell_m_ = std::max(kCell_m, std::max(box.max.x, box.max.y) / kMostCells);
+  cell_m_ = cell_m * std::max(1.0, std::max(box.max.x, box.max.y) / kFineSide_m);
   width_ = std::max(1, static_cast<int>(std::lround(box.max.x / cell_m_)));
   height_ = std::max(1, static_cast<int>(std::lround(box.max.y / cell_m_)));
   words_ = (width_ + 63) / 64;
@@ -98,16 +98,32 @@ void WalkGrid::Rasterize(const Room& room) {
   // Half a cell of slack, so that a way of exactly the path's width is open.
   const double needed = std::max(0.0, radius_m_ - cell_m_ / 2 - 1e-7);
   for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      const Vec2<double> p{(x + 0.5) * cell_m_, (y + 0.5) * cell_m_};
-      const double depth = SignedDistance(room.floor, p);
-      if (depth < 0) continue;
-      const uint64_t bit = uint64_t{1} << (x & 63);
-      RowOf(inside_, y)[x >> 6] |= bit;
-      if (depth >= needed) RowOf(roomy_, y)[x >> 6] |= bit;
-      for (const Polygon& landing : landings) {
-        if (Contains(landing, p)) RowOf(door_, y)[x >> 6] |= bit;
-      }
+    for (int x = 0; x < width_;) {
+      const double depth = SignedDistance(room.floor, {(x + 0.5) * cell_m_, (y + 0.5) * cell_m_});
+      // It changes by no more than the way walked: for so many cells the answers stay the same.
+      const double to_change = std::min(std::abs(depth), std::abs(depth - needed));
+      const int last = std::min(width_ - 1, x + std::max(0, static_cast<int>(to_change / cell_m_) - 1));
+      const auto set = [&](Mask& mask) {
+        uint64_t* row = RowOf(mask, y);
+        ForWords(x, last, [row](int w, uint64_t bits) { row[w] |= bits; });
+      };
+      if (depth >= 0) set(inside_);
+      if (depth >= 0 && depth >= needed) set(roomy_);
+      x = last + 1;
+    }
+  }
+  for (const Polygon& landing : landings) MarkDoor(landing);
+}
+
+void WalkGrid::MarkDoor(const Polygon& landing) {
+  const BoundingBox box = BoundsOf(landing);
+  const auto cell = [this](double at_m, int most) {
+    return static_cast<int>(std::clamp(std::floor(at_m / cell_m_), 0.0, most - 1.0));
+  };
+  for (int y = cell(box.min.y, height_); y <= cell(box.max.y, height_); ++y) {
+    for (int x = cell(box.min.x, width_); x <= cell(box.max.x, width_); ++x) {
+      const uint64_t bit = RowOf(inside_, y)[x >> 6] & (uint64_t{1} << (x & 63));
+      if (bit != 0 && Contains(landing, {(x + 0.5) * cell_m_, (y + 0.5) * cell_m_})) RowOf(door_, y)[x >> 6] |= bit;
     }
   }
 }

@@ -27,12 +27,15 @@ struct WalkResult {
   bool door_free = true;
 };
 
-// Accurate to the cell: 0.05 m, coarser in rooms of more than 15 m. Keeps scratch memory: one grid serves one thread;
-// copies are independent.
+// Cells of a search, and of decisions between layouts that are exact already: those of evaluation/metrics/reach.h.
+inline constexpr double kSearchCell_m = 0.05, kFineCell_m = 0.025;
+
+// Accurate to the cell, which is coarser than asked for in rooms of more than 15 m. Keeps scratch memory: one grid
+// serves one thread; copies are independent.
 class WalkGrid {
  public:
   // `path_width_m` is the diameter of the disc. Without doors the largest connected area counts as reachable.
-  WalkGrid(const Room& room, double path_width_m);
+  WalkGrid(const Room& room, double path_width_m, double cell_m = kSearchCell_m);
   WalkResult Measure(std::span<const Obstacle> obstacles);
   // Per obstacle of the last Measure: whether its front was reachable.
   const std::vector<char>& front_reachable() const { return front_reachable_; }
@@ -47,6 +50,7 @@ class WalkGrid {
   };
 
   void Rasterize(const Room& room);
+  void MarkDoor(const Polygon& landing);
   uint64_t* RowOf(Mask& mask, int y) const { return mask.data() + static_cast<size_t>(y) * words_; }
   void ClearShape(Mask& mask, const Obstacle& obstacle, double radius_m) const;
   bool TouchesFront(const Obstacle& obstacle);

@@ -42,6 +42,15 @@ TEST(WalkGrid, AWayOfThePathsWidthIsOpenAndANarrowerOneIsNot) {
   EXPECT_LT(grid.Measure(narrow).reachable_share, 0.6);
 }
 
+TEST(WalkGrid, FineCellsTellAGapAFewCentimetresTooNarrow) {
+  WalkGrid coarse(RoomWithDoor(), 0.6), fine(RoomWithDoor(), 0.6, kFineCell_m);
+  const Obstacle gap_of_56_cm[] = {{{2, 1.22, 0}, {0.4, 2.44}}};
+  EXPECT_GT(coarse.Measure(gap_of_56_cm).reachable_share, 0.95);
+  EXPECT_LT(fine.Measure(gap_of_56_cm).reachable_share, 0.6);
+  const Obstacle gap_of_60_cm[] = {{{2, 1.2, 0}, {0.4, 2.4}}};
+  EXPECT_GT(fine.Measure(gap_of_60_cm).reachable_share, 0.95);
+}
+
 TEST(WalkGrid, CountsFrontsThatCannotBeStoodAt) {
   WalkGrid grid(RoomWithDoor(), 0.6);
   const Obstacle facing_the_room[] = {{{3, 2.75, kPi}, {1, 0.5}}};

@@ -19,6 +19,11 @@ constexpr size_t kSpareVariants = 2;
 constexpr double kSame_m = 0.3;
 // With variants the primaries get up to this many times their restarts, until enough layouts differ.
 constexpr int kMostBatches = 8;
+// The polish of the layout that wins goes on for up to so many rounds, and ends when so many in a row gain less than
+// this. A round takes time with the square of the objects: of more than this many, fewer.
+constexpr int kMostRounds = 8, kMostRoundObjects = 80;
+constexpr int kVainRounds = 2;
+constexpr double kWorthAnother = 0.01;
 
 double DistanceOf(const StageSpec& stage, const PartialLayout& a, const PartialLayout& b) {
   double sum = 0;
@@ -30,10 +35,6 @@ double DistanceOf(const StageSpec& stage, const PartialLayout& a, const PartialL
 }
 
 }  // namespace
-
-int Driver::RestartsOf(const StageSpec& stage) const {
-  return input_.settings.max_restarts > 0 ? input_.settings.max_restarts : DefaultRestarts(stage);
-}
 
 // The account of a stage that ended with `results`, of which `taken` was taken.
 void Driver::Record(Branch& branch, const StageSpec& stage, const std::vector<RestartResult>& results, size_t taken,
@@ -48,7 +49,8 @@ void Driver::Record(Branch& branch, const StageSpec& stage, const std::vector<Re
   outcome.set_evaluation_count(evaluations);
   outcome.set_seed(static_cast<int64_t>(RestartSeed(input_.settings, stage, branch.first_restart)));
   outcome.set_cost(results[taken].score);
-  outcome.set_stopped_early(static_cast<int>(results.size()) < RestartsOf(stage) || input_.OutOfTime());
+  outcome.set_stopped_early(static_cast<int>(results.size()) < RestartsOf(input_.settings, stage) ||
+                            input_.OutOfTime());
   branch.durations.push_back(absl::Now() - started);
   branch.state = results[taken].state;
   branch.score = results[taken].score;
@@ -63,7 +65,7 @@ absl::StatusOr<std::vector<Branch>> Driver::Primaries(const StageSpec& stage) co
   };
   std::vector<RestartResult> results;
   std::vector<size_t> chosen;
-  const int count = RestartsOf(stage);
+  const int count = RestartsOf(input_.settings, stage);
   const bool may_add = wants_variants() && input_.settings.max_restarts == 0;
   for (int batch = 0; batch < (may_add ? kMostBatches : 1); ++batch) {
     absl::StatusOr<std::vector<RestartResult>> more = runner_.Run(input_, stage, before, batch * count, count);
@@ -89,7 +91,7 @@ absl::StatusOr<std::vector<Branch>> Driver::Starts() const {
   if (!wants_variants() || LeadingObjects(input_).empty()) return branches;
   branches.resize(2 * input_.settings.variant_count, branches.front());
   // Far enough apart that no two branches share a restart.
-  for (size_t i = 0; i < branches.size(); ++i) branches[i].first_restart = static_cast<int>(i) * 10000;
+  for (size_t i = 0; i < branches.size(); ++i) branches[i].first_restart = static_cast<int>(i) * kRestartsPerBranch;
   return branches;
 }
 
@@ -98,7 +100,7 @@ absl::Status Driver::Extend(const SolveInput& input, Branch& branch, StageKind k
   if (stage.objects.empty()) return absl::OkStatus();
   const absl::Time started = absl::Now();
   absl::StatusOr<std::vector<RestartResult>> results =
-      runner_.Run(input, stage, branch.state, branch.first_restart, RestartsOf(stage));
+      runner_.Run(input, stage, branch.state, branch.first_restart, RestartsOf(input_.settings, stage));
   if (!results.ok()) return results.status();
   const double floor_score = branch.score;
   Record(branch, stage, *results, BestOf(*results), started);
@@ -166,6 +168,36 @@ absl::Status Driver::HoldApart(std::vector<Branch>& branches) const {
   });
 }
 
+absl::Status Driver::PolishOn(Branch& branch) const {
+  const StageSpec stage = FreeStage(input_, StageKind::kPolish);
+  if (stage.objects.empty() || input_.settings.max_restarts > 0) return absl::OkStatus();
+  const absl::Time started = absl::Now();
+  v1::StageOutcome& outcome = branch.outcomes.back();
+  const int most = std::clamp(kMostRoundObjects / static_cast<int>(stage.objects.size()), 1, kMostRounds);
+  int next = RestartsOf(input_.settings, stage);
+  for (int round = 0, in_vain = 0; round < most && in_vain < kVainRounds; ++round, ++next) {
+    if (input_.OutOfTime()) {
+      outcome.set_stopped_early(true);
+      break;
+    }
+    absl::StatusOr<std::vector<RestartResult>> results =
+        runner_.Run(input_, stage, branch.state, branch.first_restart + next, 1);
+    if (!results.ok()) return results.status();
+    RestartResult& result = results->front();
+    const double gain = branch.score - result.score;
+    in_vain = gain > kWorthAnother ? 0 : in_vain + 1;
+    outcome.set_evaluation_count(outcome.evaluation_count() + result.evaluations);
+    outcome.set_restart_count(next + 1);
+    if (gain <= 0) continue;
+    outcome.set_best_restart(next);
+    outcome.set_cost(result.score);
+    branch.score = result.score;
+    branch.state = std::move(result.state);
+  }
+  branch.durations.back() += absl::Now() - started;
+  return absl::OkStatus();
+}
+
 absl::StatusOr<std::vector<Branch>> Driver::FurnishEnough(std::vector<Branch> starts) const {
   const size_t wanted = wants_variants() ? input_.settings.variant_count : 1;
   // All that differ are furnished, spares included: which one is best shows only at the end.
@@ -191,6 +223,9 @@ absl::StatusOr<std::vector<Branch>> Driver::FurnishEnough(std::vector<Branch> st
     best = Distinct(std::move(furnished));
   }
   if (any_gave_up && !best.front().outcomes.empty()) best.front().outcomes.back().set_stopped_early(true);
+  if (!wants_variants()) {
+    if (absl::Status status = PolishOn(best.front()); !status.ok()) return status;
+  }
   const size_t complete = std::min(wanted, best.size());
   const absl::Status tertiaries = ForBranches(best, 0, complete, [&](const SolveInput& input, Branch& branch, size_t) {
     branch.complete = true;

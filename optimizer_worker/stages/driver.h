@@ -52,7 +52,6 @@ class Driver {
 
  private:
   bool wants_variants() const { return input_.settings.variant_count > 1; }
-  int RestartsOf(const StageSpec& stage) const;
   void Record(Branch& branch, const StageSpec& stage, const std::vector<RestartResult>& results, size_t taken,
               absl::Time started) const;
   // All ways to begin that are worth furnishing, best first.
@@ -60,6 +59,9 @@ class Driver {
   absl::StatusOr<std::vector<Branch>> Primaries(const StageSpec& stage) const;
   absl::Status Extend(const SolveInput& input, Branch& branch, StageKind kind, int zone) const;
   absl::Status Furnish(const SolveInput& input, Branch& branch, bool may_give_up, bool& gave_up) const;
+  // Later rounds of the polish, while they gain: the seeds of one differ, and what one cannot mend another may. None
+  // when the caller has said how many restarts there are to be.
+  absl::Status PolishOn(Branch& branch) const;
   // Calls `work` for branches [first, first + count) of `branches`, beside each other.
   template <typename Work>
   absl::Status ForBranches(std::vector<Branch>& branches, size_t first, size_t count, const Work& work) const;

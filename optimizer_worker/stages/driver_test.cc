@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
@@ -98,6 +100,54 @@ TEST(Variants, AreBitIdenticalForAnyNumberOfThreads) {
     options.set_thread_count(threads);
     EXPECT_EQ(one, Solve(Study(), options).SerializeAsString()) << threads;
   }
+}
+
+// Runs restarts here and remembers those of the polish.
+class RecordingRunner final : public RestartRunner {
+ public:
+  absl::StatusOr<std::vector<RestartResult>> Run(const SolveInput& input, const StageSpec& stage,
+                                                 const PartialLayout& before, int first, int count) const override {
+    absl::StatusOr<std::vector<RestartResult>> results = RunRestarts(input, stage, before, first, count);
+    if (stage.kind != StageKind::kPolish || !results.ok()) return results;
+    for (const RestartResult& result : *results) {
+      (first == 0 ? beginnings_ : rounds_).push_back(result.restart);
+      least_ = std::min(least_, result.score);
+    }
+    return results;
+  }
+
+  mutable std::vector<int> beginnings_, rounds_;
+  mutable double least_ = std::numeric_limits<double>::infinity();
+};
+
+TEST(Polish, GoesOnInRoundsNumberedOnAndKeepsTheBest) {
+  const v1::LayoutGraph graph = Study();
+  const NloptSolver solver;
+  v1::SolveOptions options;
+  options.set_thread_count(1);
+  absl::StatusOr<SolveInput> input = MakeSolveInput(graph, options, solver, nullptr);
+  ASSERT_TRUE(input.ok()) << input.status();
+  const RecordingRunner runner;
+  absl::StatusOr<std::vector<Branch>> branches = Driver(*input, runner).Run();
+  ASSERT_TRUE(branches.ok()) << branches.status();
+  EXPECT_GE(runner.beginnings_.size(), 1u);
+  // Two in a row without a gain end it, so there are two at least.
+  ASSERT_GE(runner.rounds_.size(), 2u);
+  for (size_t i = 0; i < runner.rounds_.size(); ++i) EXPECT_EQ(runner.rounds_[i], static_cast<int>(i) + 1);
+  EXPECT_EQ(branches->front().score, runner.least_);
+  const auto& outcomes = branches->front().outcomes;
+  const auto polish =
+      std::find_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return o.stage() == "polish"; });
+  ASSERT_NE(polish, outcomes.end());
+  EXPECT_EQ(polish->restart_count(), 1 + static_cast<int>(runner.rounds_.size()));
+  EXPECT_EQ(polish->cost(), runner.least_);
+}
+
+TEST(Polish, TakesNoMoreRestartsThanTheCallerSays) {
+  v1::SolveOptions options;
+  options.set_max_restart_count(2);
+  const v1::SolvedLayout layout = Solve(Study(), options);
+  for (const v1::StageOutcome& outcome : layout.stage_outcomes()) EXPECT_LE(outcome.restart_count(), 2);
 }
 
 TEST(TimeLimit, EndsWithACompleteLayoutAndSaysSo) {

@@ -8,7 +8,6 @@
 namespace flair::optimizer {
 namespace {
 
-constexpr int kPasses = 2;
 constexpr int kSweeps = 2;
 constexpr double kNoise = 0.2;
 constexpr CandidateDensity kSparse{.wall_samples = 2, .floor_samples = 10, .partner_samples = 1};
@@ -49,34 +48,41 @@ void Improve(const SolveInput& input, const StageSpec& stage, LayoutSearch& sear
   for (int i = 0; i < attempts; ++i) search.Replace(Neighbourhood(input, stage, random), kNoise, random);
 }
 
+// Descends from where `search` is, makes the layout exact and lets it settle. Returns the score.
+double Finish(const SolveInput& input, const StageSpec& stage, const SearchInput& search_input, LayoutSearch& search) {
+  search.Descend(stage.objects, {.max_evaluations = 60, .relative_tolerance = 1e-4, .absolute_tolerance = 1e-5});
+  Layout layout = search.layout();
+  const std::vector<Violation> left = MakeExact(input, search.problem(), stage.objects, layout);
+  SearchInput settle_input = search_input;
+  settle_input.walk_grid = &input.fine_walk_grid;
+  LayoutSearch settled(settle_input, search.problem(), layout);
+  std::vector<std::vector<int>> members_of;
+  for (int object : stage.objects) members_of.push_back(MembersOf(input, stage, object));
+  settled.Settle(stage.objects, members_of);
+  double score = settled.Score();
+  for (const Violation& violation : left) score += kInfeasible * (0.01 + violation.depth_m);
+  search.set_layout(settled.layout());
+  search.problem() = settled.problem();  // with its count of evaluations
+  return score;
+}
+
 }  // namespace
 
-RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart) {
+RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart,
+                            int passes) {
   RestartResult result{restart, 0, 0, before};
   if (stage.objects.empty()) return result;
   Random random(RestartSeed(input.settings, stage, restart));
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < passes; ++pass) {
     const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, result.state.placed, result.state.layout);
     const SceneCosts costs = BindCosts(input, centers);
     const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
                                    input.keep_out, &input.walk_grid, {},      input.Over()};
     LayoutSearch search(search_input, MakeProblem(input, costs, stage, result.state), result.state.layout);
     if (!input.OutOfTime()) Improve(input, stage, search, random);
-    Layout layout = search.layout();
-    if (pass + 1 == kPasses) {
-      search.Descend(stage.objects, {.max_evaluations = 60, .relative_tolerance = 1e-4, .absolute_tolerance = 1e-5});
-      layout = search.layout();
-      const std::vector<Violation> left = MakeExact(input, search.problem(), stage.objects, layout);
-      search.set_layout(layout);
-      std::vector<std::vector<int>> members_of;
-      for (int object : stage.objects) members_of.push_back(MembersOf(input, stage, object));
-      search.Settle(stage.objects, members_of);
-      layout = search.layout();
-      result.score = search.Score();
-      for (const Violation& violation : left) result.score += kInfeasible * (0.01 + violation.depth_m);
-    }
+    if (pass + 1 == passes) result.score = Finish(input, stage, search_input, search);
     result.evaluations += search.evaluations();
-    for (int object : stage.objects) result.state.Place(object, layout[object]);
+    for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
   }
   return result;
 }

@@ -9,10 +9,14 @@ namespace flair::optimizer {
 // What a remaining overlap of one metre is worth against any wish.
 inline constexpr double kInfeasible = 100;
 
+// How often a polish goes over everything before it makes the layout exact.
+inline constexpr int kPolishPasses = 2;
+
 // Starts from `before`, in which every object of the stage is placed. Moves pieces together with what belongs to them,
 // takes out neighbours and places them anew, keeps what lowers cost and improves the ways through the room; then SLSQP
 // over everything and the constrained last step. Runs before the tertiaries are placed, so that those see the final
 // floor (the paper places them first; they do not act on the floor).
-RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart);
+RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart,
+                            int passes = kPolishPasses);
 
 }  // namespace flair::optimizer

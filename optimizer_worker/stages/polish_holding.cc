@@ -17,8 +17,8 @@ RestartResult PolishHolding(const SolveInput& input, const PartialLayout& before
   RestartResult result = PolishRestart(input, rest, before, restart);
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, result.state.placed, result.state.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
-                                 input.keep_out, &input.walk_grid, {},      input.Over()};
+  const SearchInput search_input{input.scene,    input.partners,        centers, input.solver,
+                                 input.keep_out, &input.fine_walk_grid, {},      input.Over()};
   LayoutSearch search(search_input, MakeProblem(input, costs, whole, result.state), result.state.layout);
   Layout layout = search.layout();
   const std::vector<Violation> left = MakeExact(input, search.problem(), whole.objects, layout);

@@ -50,6 +50,7 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
   std::vector<std::vector<int>> partners = PartnersOf(graph, *scene);
   KeepOut keep_out(scene->room);
   WalkGrid walk_grid(scene->room, settings->path_width_m);
+  WalkGrid fine_walk_grid(scene->room, settings->path_width_m, kFineCell_m);
   LinkedPairs linked(*scene, graph.edges());
   std::vector<Pin> pins = PinsOf(graph, *scene);
   std::vector<char> pinned(scene->objects.size(), 0);
@@ -64,6 +65,7 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
                     std::move(linked),
                     std::move(keep_out),
                     std::move(walk_grid),
+                    std::move(fine_walk_grid),
                     solver,
                     std::move(cancelled),
                     std::move(out_of_time)};

@@ -42,6 +42,8 @@ struct SolveInput {
   LinkedPairs linked;
   KeepOut keep_out;
   WalkGrid walk_grid;
+  // For layouts that are exact already: a search on the coarse grid finds the gaps of 0.55 m that it passes for ways.
+  WalkGrid fine_walk_grid;
   const Solver& solver;
   CancelCheck cancelled;
   // True when the settings' time limit has passed since MakeSolveInput; then every stage ends as soon as it has one

@@ -34,8 +34,10 @@ bool Belongs(const Object& object, StageKind kind, int zone) {
 
 RestartResult RunKind(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart) {
   switch (stage.kind) {
-    case StageKind::kPolish:
-      return PolishRestart(input, stage, before, restart);
+    case StageKind::kPolish: {
+      const bool later_round = restart % kRestartsPerBranch >= RestartsOf(input.settings, stage);
+      return PolishRestart(input, stage, before, restart, later_round ? 1 : kPolishPasses);
+    }
     case StageKind::kTertiary:
       return TertiaryRestart(input, stage, before, restart);
     case StageKind::kPrimary:
@@ -89,7 +91,8 @@ StageSpec MakeStage(const Scene& scene, StageKind kind, int zone) {
   return stage;
 }
 
-int DefaultRestarts(const StageSpec& stage) {
+int RestartsOf(const SolveSettings& settings, const StageSpec& stage) {
+  if (settings.max_restarts > 0) return settings.max_restarts;
   const int objects = static_cast<int>(stage.objects.size());
   switch (stage.kind) {
     case StageKind::kPrimary:

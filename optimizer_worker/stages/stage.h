@@ -48,8 +48,12 @@ struct RestartResult {
 // objects; tertiaries.
 StageSpec MakeStage(const Scene& scene, StageKind kind, int zone = -1);
 
-// Restarts that a stage gets when the caller does not say.
-int DefaultRestarts(const StageSpec& stage);
+// Restarts that a stage gets: as many as the settings say, else by its kind and size. Those of the polish with higher
+// numbers are its later rounds: they begin at a polished layout and are shorter.
+int RestartsOf(const SolveSettings& settings, const StageSpec& stage);
+
+// Branches of one solve that have no primaries to differ in begin their stages at multiples of this.
+inline constexpr int kRestartsPerBranch = 10000;
 
 // Seed of one restart.
 uint64_t RestartSeed(const SolveSettings& settings, const StageSpec& stage, int restart);
