@@ -18,7 +18,8 @@ Problem::Problem(std::span<const Term> terms, std::vector<int> active, int objec
       seen_poses_(object_count),
       is_held_(active_.size(), 0),
       seen_frames_(object_count, FrameOf(Pose<double>())) {
-  std::stable_partition(active_.begin(), active_.end(), [&](int t) { return terms_[t].hard; });
+  const auto soft = std::stable_partition(active_.begin(), active_.end(), [&](int t) { return terms_[t].hard; });
+  hard_count_ = static_cast<int>(soft - active_.begin());
   size_t most_operands = 0;
   for (int slot = 0; slot < static_cast<int>(active_.size()); ++slot) {
     const Term& term = terms_[active_[slot]];
@@ -28,6 +29,10 @@ Problem::Problem(std::span<const Term> terms, std::vector<int> active, int objec
     }
     for (int object : term.required) requiring_[object].push_back(slot);
     missing_[slot] = static_cast<int>(term.required.size());
+    Pair& pair = pairs_.emplace_back();
+    if (term.required.size() == 2) {
+      pair = {term.required.front(), term.required.back(), term.reach_m * term.reach_m};
+    }
     most_operands = std::max(most_operands, term.cost->objects().size());
   }
   operands_.resize(most_operands);
@@ -56,6 +61,7 @@ std::span<const Frame<double>> Problem::Gather(int slot, std::span<const Pose<do
 
 double Problem::Value(int slot, std::span<const Pose<double>> poses) {
   ++evaluations_;
+  if (Apart(slot, poses)) return 0;
   const Term& term = terms_[active_[slot]];
   const double cost = term.cost->ValueAt(Gather(slot, poses));
   return term.weight * (term.wish ? Wish(cost) : cost);
@@ -134,6 +140,7 @@ double Problem::Gradient(std::span<const Pose<double>> poses, std::span<double> 
   for (int slot = 0; slot < static_cast<int>(active_.size()); ++slot) {
     if (missing_[slot] != 0) continue;
     ++evaluations_;
+    if (Apart(slot, poses)) continue;
     const Term& term = terms_[active_[slot]];
     const std::span<const int> objects = term.cost->objects();
     const std::span<double> part(operand_gradient_.data(), 3 * objects.size());
@@ -149,8 +156,8 @@ double Problem::Gradient(std::span<const Pose<double>> poses, std::span<double> 
 
 double Problem::Hard(std::span<const Pose<double>> poses) {
   double sum = 0;
-  for (int slot = 0; slot < static_cast<int>(active_.size()); ++slot) {
-    if (missing_[slot] == 0 && terms_[active_[slot]].hard) sum += Value(slot, poses);
+  for (int slot = 0; slot < hard_count_; ++slot) {
+    if (missing_[slot] == 0) sum += Value(slot, poses);
   }
   return sum;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,6 +22,8 @@ struct Term {
   double weight = 1;
   // Objects that must be placed for the term to count; the cost may read others, which stand far away until then.
   std::vector<int> required;
+  // Of a term of two objects that both have to be placed: its cost is 0 when their centres are at least this far apart.
+  double reach_m = std::numeric_limits<double>::infinity();
   // Overlap, bounds and doors: must be zero in the end.
   bool hard = false;
   // A wish: counts as Wish(cost), so that one wish missed is better than five missed a little.
@@ -99,6 +102,19 @@ class Problem {
     size_t operand;
     size_t held;
   };
+  // The two objects of a term that only acts near by. In a room of 200 objects 199 of 200 terms are of that kind and
+  // most are apart: asking here costs a fraction of evaluating them.
+  struct Pair {
+    int first = 0;
+    int second = 0;
+    double squared_reach_m2 = std::numeric_limits<double>::infinity();
+  };
+  bool Apart(int slot, std::span<const Pose<double>> poses) const {
+    const Pair& pair = pairs_[slot];
+    const double dx = poses[pair.first].x_m - poses[pair.second].x_m;
+    const double dy = poses[pair.first].y_m - poses[pair.second].y_m;
+    return dx * dx + dy * dy >= pair.squared_reach_m2;
+  }
   void HoldTerm(int slot, std::span<const int> held, std::span<const Pose<double>> poses);
   double Value(int slot, std::span<const Pose<double>> poses);
   const Frame<double>& FrameAt(int object, std::span<const Pose<double>> poses);
@@ -106,8 +122,10 @@ class Problem {
 
   std::span<const Term> terms_;
   std::vector<int> active_;                 // slot -> term, hard terms first
+  std::vector<Pair> pairs_;                 // per slot
   std::vector<std::vector<int>> touching_;  // object -> slots, hard terms first
-  std::vector<int> hard_touching_;          // object -> how many of those are hard
+  int hard_count_ = 0;
+  std::vector<int> hard_touching_;  // object -> how many of those are hard
   std::vector<std::vector<int>> requiring_;
   std::vector<int> missing_;  // slot -> required objects without a pose
   std::vector<char> placed_;

@@ -24,6 +24,17 @@ constexpr int kSettleRounds = 3;
 constexpr double kRounding = 1e-12;
 // Free floor that a slid object leaves before a neighbour.
 constexpr double kWay_m = 0.6;
+// A step of SLSQP grows with the cube of the variables and cannot be interrupted. More objects than kMostTogether (no
+// room that people live in) descend kBlock at a time.
+constexpr size_t kMostTogether = 60, kBlock = 20;
+// So many poses of an object are looked at when time is up; most objects of a usual room have fewer.
+constexpr size_t kHasty = 300;
+
+void KeepEvenly(size_t most, std::vector<Pose<double>>& poses) {
+  if (poses.size() <= most) return;
+  for (size_t i = 0; i < most; ++i) poses[i] = poses[i * poses.size() / most];
+  poses.resize(most);
+}
 
 }  // namespace
 
@@ -106,6 +117,8 @@ void LayoutSearch::Construct(std::span<const int> objects, double noise, Random&
   for (int object : objects) {
     problem_.SetPlaced(object, true);
     Propose(object, CandidateDensity{}, random);
+    // When time is up the rest is placed, but after a short look.
+    if (input_.Stopped()) KeepEvenly(kHasty, candidates_);
     Rank(object, kNever, noise, random, 1);
     layout_[object] = choices_.empty() ? candidates_.front() : choices_.front().pose;
   }
@@ -243,6 +256,18 @@ bool LayoutSearch::Replace(std::span<const int> objects, double noise, Random& r
 }
 
 SolverReport LayoutSearch::Descend(std::span<const int> objects, const SolverLimits& limits) {
+  if (objects.size() <= kMostTogether) return DescendTogether(objects, limits);
+  SolverReport report;
+  for (size_t first = 0; first < objects.size(); first += kBlock) {
+    const std::span<const int> block = objects.subspan(first, std::min(kBlock, objects.size() - first));
+    const int64_t before = report.evaluations;
+    report = DescendTogether(block, limits);
+    report.evaluations += before;
+  }
+  return report;
+}
+
+SolverReport LayoutSearch::DescendTogether(std::span<const int> objects, const SolverLimits& limits) {
   if (input_.Stopped()) return {.value = Cost(), .end = SolverEnd::kStoppedEarly};
   ProblemObjective objective(problem_, layout_, {objects.begin(), objects.end()}, true);
   std::vector<double> x = objective.Start();

@@ -57,7 +57,7 @@ class LayoutSearch {
   void Settle(std::span<const int> objects, std::span<const std::vector<int>> members_of);
   // Takes objects out and places them anew; keeps the result only if the score falls.
   bool Replace(std::span<const int> objects, double noise, Random& random);
-  // Descends along the gradient over x, y, theta of `objects`.
+  // Descends along the gradient over x, y, theta of `objects`; many of them a part at a time.
   SolverReport Descend(std::span<const int> objects, const SolverLimits& limits);
 
   // Cost plus what bad walkability is worth.
@@ -73,6 +73,7 @@ class LayoutSearch {
     Pose<double> pose;
     double cost;
   };
+  SolverReport DescendTogether(std::span<const int> objects, const SolverLimits& limits);
   // What the ways through the present layout cost; kept until an object moves.
   double WalkPenalty();
   // Tries the slides of `group` as one piece, its first object leading; true when one was taken.

@@ -16,6 +16,13 @@ Box<double> BoxOf(const Scene& scene, const Layout& layout, int object) {
   return Box<double>(scene.objects[object].footprint, FrameOf(layout[object]));
 }
 
+// Circles round the two do not meet.
+bool FarApart(const Scene& scene, const Layout& layout, int a, int b) {
+  const double reach =
+      CircumscribedRadius(scene.objects[a].footprint) + CircumscribedRadius(scene.objects[b].footprint);
+  return SquaredNorm(Center(layout[a]) - Center(layout[b])) > reach * reach;
+}
+
 double DepthBeyond(const FloorShape::HalfPlane& plane, const Box<double>& box) {
   double depth = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < 4; ++i) depth = std::max(depth, Dot(plane.normal, plane.point - box.value(i)));
@@ -40,10 +47,12 @@ bool IsSolid(const Object& object) { return object.kind == ObjectKind::kFloor &&
 std::vector<Violation> FindViolations(const Scene& scene, const KeepOut& keep_out, std::span<const int> objects,
                                       const Layout& layout, double tolerance_m) {
   std::vector<Violation> found;
+  std::vector<Box<double>> boxes;
+  for (int object : objects) boxes.push_back(BoxOf(scene, layout, object));
   for (size_t i = 0; i < objects.size(); ++i) {
     const int object = objects[i];
     if (!IsSolid(scene.objects[object])) continue;
-    const Box<double> box = BoxOf(scene, layout, object);
+    const Box<double>& box = boxes[i];
     double outside = 0, at_door = 0;
     for (const FloorShape::HalfPlane& plane : keep_out.floor().half_planes()) {
       outside = std::max(outside, DepthBeyond(plane, box));
@@ -55,8 +64,8 @@ std::vector<Violation> FindViolations(const Scene& scene, const KeepOut& keep_ou
     if (outside > tolerance_m) found.push_back({object, -1, false, outside});
     if (at_door > tolerance_m) found.push_back({object, -1, true, at_door});
     for (size_t j = 0; j < i; ++j) {
-      if (!CanCollide(scene, objects[j], object)) continue;
-      const double depth = -Separate(BoxOf(scene, layout, objects[j]), box).gap_m;
+      if (FarApart(scene, layout, objects[j], object) || !CanCollide(scene, objects[j], object)) continue;
+      const double depth = -Separate(boxes[j], box).gap_m;
       if (depth > tolerance_m) found.push_back({object, objects[j], false, depth});
     }
   }

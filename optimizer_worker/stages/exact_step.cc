@@ -15,9 +15,11 @@ constexpr double kLargestMove_m = 0.2;
 // Kept between objects: above the solver's feasibility tolerance, below anything that counts.
 constexpr double kMargin_m = 5e-8;
 constexpr int kProjectionRounds = 300;
-// Rows times variables. A room of 40 pieces has a twentieth of it; with more, one step of SLSQP takes seconds that no
-// stop can end, and the nearest point that keeps the rows is taken without asking for its cost.
-constexpr size_t kLargestProgram = 1000000;
+// Rows times variables. A room of 40 pieces has a third of it; with more, one step of SLSQP takes seconds that no stop
+// can end, and the nearest point that keeps the rows is taken without asking for its cost.
+constexpr size_t kLargestProgram = 150000;
+// The same when time is up; a room of 25 pieces has about half of it.
+constexpr size_t kLargestInHaste = 20000;
 
 Bounds MakeBounds(std::span<const double> x, std::vector<LinearInequality> rows) {
   Bounds bounds;
@@ -72,7 +74,7 @@ std::vector<Violation> MakeExact(const SolveInput& input, Problem& problem, std:
         SeparationRows(input.scene, input.keep_out, moving, standing, layout, kReach_m, kMargin_m);
     const double unprojected = ProjectOntoRows(rows, x, kProjectionRounds);
     const std::vector<double> projected = x;
-    if (rows.size() * x.size() > kLargestProgram) {
+    if (rows.size() * x.size() > (input.OutOfTime() ? kLargestInHaste : kLargestProgram)) {
       objective.Apply(projected);
     } else {
       const SolverReport report = input.solver.Minimize(objective, MakeBounds(x, rows), limits, x);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "fmt/format.h"
 #include "optimizer_worker/stages/free_place.h"
@@ -38,7 +39,8 @@ std::string SizeOf(const Object& object) {
   return fmt::format("\"{}\" ({:.2f} m x {:.2f} m)", object.id, object.footprint.width_m, object.footprint.depth_m);
 }
 
-v1::Diagnostic Describe(const SolveInput& input, const PartialLayout& state, const Misfit& misfit) {
+// `no_free_place` says it of the misfit's object.
+v1::Diagnostic Describe(const SolveInput& input, const Misfit& misfit, const std::string& no_free_place) {
   const Scene& scene = input.scene;
   v1::Diagnostic diagnostic;
   diagnostic.set_severity(v1::SEVERITY_WARNING);
@@ -52,8 +54,7 @@ v1::Diagnostic Describe(const SolveInput& input, const PartialLayout& state, con
     return diagnostic;
   }
   diagnostic.set_code("does_not_fit");
-  const std::string place =
-      IsSolid(scene.objects[misfit.object]) ? NoFreePlace(input, state, misfit.object) + "; " : "";
+  const std::string place = no_free_place.empty() ? "" : no_free_place + "; ";
   diagnostic.set_message(fmt::format("{}: {}leave something out or take smaller pieces", fact, place));
   return diagnostic;
 }
@@ -114,8 +115,12 @@ std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const SceneC
   for (size_t i = 0; i < input.scene.objects.size(); ++i) {
     if (!state.placed[i]) diagnostics.push_back(NotPlaced(input.scene.objects[i]));
   }
+  // Of an object that is in the way of many the free places are looked for once.
+  std::map<int, std::string> no_free_place;
   for (const Misfit& misfit : FindMisfits(input, costs, state)) {
-    diagnostics.push_back(Describe(input, state, misfit));
+    const auto [place, is_new] = no_free_place.try_emplace(misfit.object);
+    if (is_new && IsSolid(input.scene.objects[misfit.object])) place->second = NoFreePlace(input, state, misfit.object);
+    diagnostics.push_back(Describe(input, misfit, place->second));
   }
   return diagnostics;
 }

@@ -23,9 +23,8 @@ class FreeRaster {
         columns_(static_cast<int>(box_.width_m() / cell_m_)),
         rows_(static_cast<int>(box_.height_m() / cell_m_)),
         free_(static_cast<size_t>(columns_) * rows_, 1) {
-    for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column) free_[At(row, column)] = IsFloor(scene, keep_out, row, column);
-    }
+    TakeFloor(scene.room.floor);
+    for (const ConvexPiece& area : keep_out.door_areas()) TakeAway(Polygon{area.vertices});
     for (int object : standing) Clear(scene.objects[object].footprint, layout[object]);
   }
 
@@ -53,19 +52,42 @@ class FreeRaster {
   Vec2<double> CenterOf(int row, int column) const {
     return {box_.min.x + (column + 0.5) * cell_m_, box_.min.y + (row + 0.5) * cell_m_};
   }
-  bool IsFloor(const Scene& scene, const KeepOut& keep_out, int row, int column) const {
-    const Vec2<double> p = CenterOf(row, column);
-    if (!Contains(scene.room.floor, p)) return false;
-    for (const ConvexPiece& area : keep_out.door_areas()) {
-      if (Contains(Polygon{area.vertices}, p)) return false;
+  // Cells [first, last) of a row or column that may hold points from `low_m` to `high_m`; two more at either end.
+  struct Range {
+    int first, last;
+  };
+  Range Cells(double low_m, double high_m, int count) const {
+    const auto cell = [&](double at) { return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(count))); };
+    return {cell(low_m / cell_m_ - 2), cell(high_m / cell_m_ + 2)};
+  }
+  void TakeFloor(const Polygon& floor) {
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_;) {
+        const Vec2<double> p = CenterOf(row, column);
+        const char free = Contains(floor, p) ? 1 : 0;
+        // No side of the floor is nearer than this: so many cells have the same answer.
+        const int same = std::max(1, static_cast<int>(std::abs(SignedDistance(floor, p)) / cell_m_) - 1);
+        for (const int end = std::min(columns_, column + same); column < end; ++column) free_[At(row, column)] = free;
+      }
     }
-    return true;
+  }
+  void TakeAway(const Polygon& area) {
+    const BoundingBox box = BoundsOf(area);
+    const Range rows = Cells(box.min.y - box_.min.y, box.max.y - box_.min.y, rows_);
+    const Range columns = Cells(box.min.x - box_.min.x, box.max.x - box_.min.x, columns_);
+    for (int row = rows.first; row < rows.last; ++row) {
+      for (int column = columns.first; column < columns.last; ++column) {
+        if (Contains(area, CenterOf(row, column))) free_[At(row, column)] = 0;
+      }
+    }
   }
   void Clear(const Footprint& footprint, const Pose<double>& pose) {
     const Frame<double> frame = FrameOf(pose);
     const double half = cell_m_ / 2 * (std::abs(frame.right.x) + std::abs(frame.right.y)) - 1e-9;
-    for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column) {
+    const double reach_m = CircumscribedRadius(footprint), x = pose.x_m - box_.min.x, y = pose.y_m - box_.min.y;
+    const Range rows = Cells(y - reach_m, y + reach_m, rows_), columns = Cells(x - reach_m, x + reach_m, columns_);
+    for (int row = rows.first; row < rows.last; ++row) {
+      for (int column = columns.first; column < columns.last; ++column) {
         const Vec2<double> local = frame.ToObject(CenterOf(row, column));
         const bool covered =
             std::abs(local.x) < footprint.width_m / 2 + half && std::abs(local.y) < footprint.depth_m / 2 + half;

@@ -161,8 +161,10 @@ void PutBackWhatFits(const SolveInput& input, Branch& branch) {
 }  // namespace
 
 void LeaveOutOf(const SolveInput& input, Branch& branch) {
-  for (;;) {
-    const std::vector<Misfit> misfits = MisfitsOf(input, branch.state);
+  // What is in the way of what does not depend on the zones: the costs may be those of the first round.
+  const SceneCosts costs = BindCosts(input, ZoneCenters(input.scene, branch.state.placed, branch.state.layout));
+  while (!input.Cancelled()) {
+    const std::vector<Misfit> misfits = FindMisfits(input, costs, branch.state);
     const int object = Scapegoat(input, misfits);
     if (object < 0) return;
     branch.state.placed[object] = 0;

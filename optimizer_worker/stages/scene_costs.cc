@@ -72,7 +72,10 @@ class Collector {
   void Pairs() {
     for (int a = 0; a < Count(); ++a) {
       for (int b = a + 1; b < Count(); ++b) {
-        Hard("no_overlap", input_.settings.lambdas.no_overlap, NoOverlapPair(input_.scene, a, b));
+        std::unique_ptr<Cost> cost = NoOverlapPair(input_.scene, a, b);
+        if (!cost) continue;
+        Hard("no_overlap", input_.settings.lambdas.no_overlap, std::move(cost));
+        costs_.terms.back().reach_m = ReachOf(a, b);
       }
     }
   }
@@ -80,6 +83,11 @@ class Collector {
  private:
   int Count() const { return static_cast<int>(input_.scene.objects.size()); }
 
+  // Circles round the two do not meet; a little more than that, for rounding.
+  double ReachOf(int a, int b) const {
+    const auto reach = [&](int object) { return CircumscribedRadius(input_.scene.objects[object].footprint); };
+    return (reach(a) + reach(b)) * (1 + 1e-12);
+  }
   void Hard(const char* name, double factor, std::unique_ptr<Cost> cost) { Add(name, factor, std::move(cost), true); }
   void Soft(const char* name, double factor, std::unique_ptr<Cost> cost) { Add(name, factor, std::move(cost), false); }
   void Add(const char* name, double factor, std::unique_ptr<Cost> cost, bool hard) {

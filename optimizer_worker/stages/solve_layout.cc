@@ -16,6 +16,7 @@ absl::StatusOr<SolveResult> SolveLayout(const v1::LayoutGraph& graph, const v1::
   if (!branches.ok()) return branches.status();
   absl::StatusOr<std::vector<Branch>> fitting = SolveWithoutMisfits(*input, runner, *branches);
   if (!fitting.ok()) return fitting.status();
+  if (input->Cancelled()) return absl::CancelledError("cancelled when all was placed");
   // Placing the misfits last may find room for all of them; when it does not, the policy decides.
   if (input->settings.leave_out_misfits) {
     branches = std::move(fitting);
