@@ -142,17 +142,17 @@ absl::Status Conversation::CheckBudget(std::span<Turn* const> turns) const {
   int64_t estimate = 0;
   for (const Turn* turn : turns) estimate += EstimateInput(turn->request);
   if (budget.has_call_count() && static_cast<int64_t>(calls_.size() + turns.size()) > budget.call_count()) {
-    return absl::ResourceExhaustedError(
+    return absl::FailedPreconditionError(
         fmt::format("the budget of {} calls is spent: {} were made and {} more are needed", budget.call_count(),
                     calls_.size(), turns.size()));
   }
   if (budget.has_token_count() && tokens + estimate > budget.token_count()) {
-    return absl::ResourceExhaustedError(
+    return absl::FailedPreconditionError(
         fmt::format("the budget of {} tokens is spent: {} were consumed and about {} more are needed",
                     budget.token_count(), tokens, estimate));
   }
   if (budget.has_cost_usd() && cost_usd >= budget.cost_usd()) {
-    return absl::ResourceExhaustedError(
+    return absl::FailedPreconditionError(
         fmt::format("the budget of {} US dollars is spent: {:.6f} were", budget.cost_usd(), cost_usd));
   }
   return absl::OkStatus();

@@ -186,7 +186,7 @@ TEST_F(ConversationTest, BudgetsEndItBeforeTheCallThatExceedsThem) {
     client_.Answer("zones", kOneBad);
     Conversation talk = Talk();
     const auto reply = talk.Ask(Ask());
-    EXPECT_EQ(reply.status().code(), absl::StatusCode::kResourceExhausted) << what;
+    EXPECT_EQ(reply.status().code(), absl::StatusCode::kFailedPrecondition) << what;
     EXPECT_FALSE(Conversation::IsModelFailure(reply.status()));
     return std::string(reply.status().message());
   };

@@ -18,9 +18,9 @@ using AnswerCallback = std::function<void(absl::StatusOr<ChatAnswer>)>;
 //
 // Errors: UNAVAILABLE when the model cannot be reached or is overloaded, after all attempts; DEADLINE_EXCEEDED and
 // CANCELLED as the call's; INVALID_ARGUMENT when the server does not accept the request; UNAUTHENTICATED and
-// PERMISSION_DENIED when it does not accept the key; NOT_FOUND for an unknown model or address, or an answer that a replay
-// does not have; RESOURCE_EXHAUSTED when a budget is spent; DATA_LOSS when the reply is not what the protocol says. No
-// message holds a key or a prompt.
+// PERMISSION_DENIED when it does not accept the key; NOT_FOUND for an unknown model or address, or an answer that a
+// replay does not have; FAILED_PRECONDITION when a budget is spent (waiting would not help); DATA_LOSS when the reply
+// is not what the protocol says. No message holds a key or a prompt.
 class LlmClient {
  public:
   virtual ~LlmClient() = default;

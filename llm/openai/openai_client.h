@@ -16,7 +16,7 @@ namespace flair::llm {
 // remembered. Thread-safe.
 //
 // Errors as LlmClient says; RetryAfter() of an UNAVAILABLE tells what the server wants. Also FAILED_PRECONDITION when
-// the server's certificate is not trusted, and RESOURCE_EXHAUSTED when the account at the provider is spent. An answer
+// the server's certificate is not trusted, and FAILED_PRECONDITION when the account at the provider is spent. An answer
 // that the server or the model refuses to give is an answer with FinishReason::kRefused.
 class OpenAiClient final : public LlmClient {
  public:

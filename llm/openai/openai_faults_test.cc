@@ -221,7 +221,7 @@ TEST_P(OpenAiFaultsTest, AnErrorInsideAReplyHasItsOwnStatus) {
 }
 
 TEST_P(OpenAiFaultsTest, AnAccountThatIsSpentIsNotTriedAgain) {
-  EXPECT_EQ(Fault("quota_spent").code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(Fault("quota_spent").code(), StatusCode::kFailedPrecondition);
 }
 
 TEST_P(OpenAiFaultsTest, AQuestionThatIsTooLongIsNotAskedInAnotherForm) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -83,11 +84,16 @@ std::string Describe(int http_status, const ServerError& error, std::string text
   return text;
 }
 
-std::optional<absl::Duration> ReadRetryAfter(const HttpResponse& response) {
+std::optional<double> ReadNumber(const std::string& text) {
   double number = 0;
-  if (absl::SimpleAtod(std::string(response.header("retry-after-ms")), &number)) return absl::Milliseconds(number);
+  return absl::SimpleAtod(text, &number) && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+std::optional<absl::Duration> ReadRetryAfter(const HttpResponse& response) {
+  const auto milliseconds = ReadNumber(std::string(response.header("retry-after-ms")));
+  if (milliseconds.has_value()) return absl::Milliseconds(*milliseconds);
   const std::string value(response.header("retry-after"));
-  if (absl::SimpleAtod(value, &number)) return absl::Seconds(number);
+  if (const auto seconds = ReadNumber(value)) return absl::Seconds(*seconds);
   absl::Time then, now;
   std::string ignored;
   constexpr char kFormat[] = "%a, %d %b %Y %H:%M:%S GMT";
@@ -115,12 +121,12 @@ absl::StatusCode CodeOf(int http_status, const ServerError& error) {
     case 407:
       return absl::StatusCode::kPermissionDenied;
     case 402:
-      return absl::StatusCode::kResourceExhausted;
+      return absl::StatusCode::kFailedPrecondition;
     case 404:
     case 410:
       return absl::StatusCode::kNotFound;
     case 429:
-      return IsSpent(error) ? absl::StatusCode::kResourceExhausted : absl::StatusCode::kUnavailable;
+      return IsSpent(error) ? absl::StatusCode::kFailedPrecondition : absl::StatusCode::kUnavailable;
     case 408:
     case 409:
     case 425:

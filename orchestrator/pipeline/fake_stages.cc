@@ -33,6 +33,21 @@ v1::Producer Fake(const char* method) {
   return producer;
 }
 
+// As if one call of a model stood behind every answer of a request that says how models may be used.
+template <typename Request, typename Response>
+absl::Status AskModel(const Request& request, std::string_view step, Response& response) {
+  if (!request.has_model_options()) return absl::OkStatus();
+  const v1::ModelBudget& budget = request.model_options().budget();
+  if (budget.has_call_count() && budget.call_count() < 1) return absl::FailedPreconditionError("no calls are left");
+  v1::ModelCall& call = *response.add_model_calls();
+  call.set_step(std::string(step));
+  call.mutable_usage()->set_call_count(1);
+  call.mutable_usage()->set_input_token_count(80);
+  call.mutable_usage()->set_output_token_count(20);
+  call.mutable_usage()->set_cost_usd(0.25);
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 absl::Status FakeStages::Begin(std::string_view rpc, Call& call) {
@@ -61,37 +76,43 @@ absl::StatusOr<v1::DescribeRoomResponse> FakeStages::DescribeRoom(const v1::Desc
   v1::DescribeRoomResponse response;
   *response.mutable_room() = FakeRoom(request.brief().text());
   *response.mutable_producer() = Fake("room");
+  if (absl::Status status = AskModel(request, "DescribeRoom", response); !status.ok()) return status;
   return response;
 }
 
-absl::StatusOr<v1::PlanZonesResponse> FakeStages::PlanZones(const v1::PlanZonesRequest&, Call& call) {
+absl::StatusOr<v1::PlanZonesResponse> FakeStages::PlanZones(const v1::PlanZonesRequest& request, Call& call) {
   if (absl::Status status = Begin("PlanZones", call); !status.ok()) return status;
   v1::PlanZonesResponse response;
   *response.mutable_zone_plan() = testing::BedroomZones();
   *response.mutable_producer() = Fake("zones");
+  if (absl::Status status = AskModel(request, "PlanZones", response); !status.ok()) return status;
   return response;
 }
 
-absl::StatusOr<v1::ListObjectsResponse> FakeStages::ListObjects(const v1::ListObjectsRequest&, Call& call) {
+absl::StatusOr<v1::ListObjectsResponse> FakeStages::ListObjects(const v1::ListObjectsRequest& request, Call& call) {
   if (absl::Status status = Begin("ListObjects", call); !status.ok()) return status;
   v1::ListObjectsResponse response;
   *response.mutable_object_list()->add_objects() = testing::BedroomBed("bed_1");
   *response.mutable_producer() = Fake("objects");
+  if (absl::Status status = AskModel(request, "ListObjects", response); !status.ok()) return status;
   return response;
 }
 
-absl::StatusOr<v1::ChooseStyleResponse> FakeStages::ChooseStyle(const v1::ChooseStyleRequest&, Call& call) {
+absl::StatusOr<v1::ChooseStyleResponse> FakeStages::ChooseStyle(const v1::ChooseStyleRequest& request, Call& call) {
   if (absl::Status status = Begin("ChooseStyle", call); !status.ok()) return status;
   auto response = Parse<v1::ChooseStyleResponse>(R"pb(style_sheet { name: "plain" summary: "Plain." })pb");
   *response.mutable_producer() = Fake("style");
+  if (absl::Status status = AskModel(request, "ChooseStyle", response); !status.ok()) return status;
   return response;
 }
 
-absl::StatusOr<v1::ListConstraintsResponse> FakeStages::ListConstraints(const v1::ListConstraintsRequest&, Call& call) {
+absl::StatusOr<v1::ListConstraintsResponse> FakeStages::ListConstraints(const v1::ListConstraintsRequest& request,
+                                                                        Call& call) {
   if (absl::Status status = Begin("ListConstraints", call); !status.ok()) return status;
   v1::ListConstraintsResponse response;
   *response.mutable_constraint_list()->add_sentences() = testing::BedroomSentence("bed_1");
   *response.mutable_producer() = Fake("constraints");
+  if (absl::Status status = AskModel(request, "ListConstraints", response); !status.ok()) return status;
   return response;
 }
 
@@ -101,6 +122,7 @@ absl::StatusOr<v1::CleanConstraintsResponse> FakeStages::CleanConstraints(const 
   v1::CleanConstraintsResponse response;
   *response.mutable_constraint_list() = request.constraint_list();
   *response.mutable_producer() = Fake("cleaning");
+  if (absl::Status status = AskModel(request, "CleanConstraints", response); !status.ok()) return status;
   return response;
 }
 
@@ -122,6 +144,7 @@ absl::StatusOr<v1::TranslateResponse> FakeStages::Translate(const v1::TranslateR
   *graph.add_edges() = testing::BedroomEdge("bed_1");
   graph.set_catalog_library(request.catalog().library());
   *response.mutable_producer() = Fake("translation");
+  if (absl::Status status = AskModel(request, "Translate", response); !status.ok()) return status;
   return response;
 }
 

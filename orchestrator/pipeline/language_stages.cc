@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages that describe the room: brief, room, zones, objects, style, constraints, cleaning.
 #include "absl/strings/ascii.h"
+#include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage.h"
+#include "orchestrator/store/sha256.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -12,6 +14,7 @@ Request Begin(const StageRun& run, std::string_view stage) {
   Request request;
   request.set_request_id(RequestId(run, stage));
   *request.mutable_brief() = Input(run, v1::ARTIFACT_KIND_BRIEF).brief();
+  *request.mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
   return request;
 }
 
@@ -32,6 +35,10 @@ Request BeginWithObjects(const StageRun& run, std::string_view stage) {
 
 }  // namespace
 
+absl::StatusOr<std::string> LanguageOptions(const StageRun& run) {
+  return CanonicalBytes(DecidingOptions(run.spec.model_options()));
+}
+
 absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run) {
   v1::Artifact artifact;
   artifact.mutable_producer()->set_program("flair-orchestrator");
@@ -50,6 +57,7 @@ absl::StatusOr<v1::Artifact> RunRoom(const StageRun& run) {
   v1::Artifact artifact;
   *artifact.mutable_room() = std::move(*response->mutable_room());
   *artifact.mutable_producer() = response->producer();
+  artifact.mutable_model_calls()->Swap(response->mutable_model_calls());
   return artifact;
 }
 
@@ -61,6 +69,7 @@ absl::StatusOr<v1::Artifact> RunZones(const StageRun& run) {
   v1::Artifact artifact;
   *artifact.mutable_zone_plan() = std::move(*response->mutable_zone_plan());
   *artifact.mutable_producer() = response->producer();
+  artifact.mutable_model_calls()->Swap(response->mutable_model_calls());
   return artifact;
 }
 
@@ -70,6 +79,7 @@ absl::StatusOr<v1::Artifact> RunObjects(const StageRun& run) {
   v1::Artifact artifact;
   *artifact.mutable_object_list() = std::move(*response->mutable_object_list());
   *artifact.mutable_producer() = response->producer();
+  artifact.mutable_model_calls()->Swap(response->mutable_model_calls());
   return artifact;
 }
 
@@ -79,6 +89,7 @@ absl::StatusOr<v1::Artifact> RunStyle(const StageRun& run) {
   v1::Artifact artifact;
   *artifact.mutable_style_sheet() = std::move(*response->mutable_style_sheet());
   *artifact.mutable_producer() = response->producer();
+  artifact.mutable_model_calls()->Swap(response->mutable_model_calls());
   return artifact;
 }
 
@@ -89,12 +100,14 @@ absl::StatusOr<v1::Artifact> RunConstraints(const StageRun& run) {
   v1::Artifact artifact;
   *artifact.mutable_raw_constraint_list() = std::move(*response->mutable_constraint_list());
   *artifact.mutable_producer() = response->producer();
+  artifact.mutable_model_calls()->Swap(response->mutable_model_calls());
   return artifact;
 }
 
 absl::StatusOr<v1::Artifact> RunCleaning(const StageRun& run) {
   v1::CleanConstraintsRequest request;
   request.set_request_id(RequestId(run, "cleaning"));
+  *request.mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
   *request.mutable_room() = Input(run, v1::ARTIFACT_KIND_ROOM).room();
   *request.mutable_object_list() = Input(run, v1::ARTIFACT_KIND_OBJECT_LIST).object_list();
   *request.mutable_constraint_list() = Input(run, v1::ARTIFACT_KIND_RAW_CONSTRAINT_LIST).raw_constraint_list();
@@ -103,6 +116,7 @@ absl::StatusOr<v1::Artifact> RunCleaning(const StageRun& run) {
   v1::Artifact artifact;
   *artifact.mutable_constraint_list() = std::move(*response->mutable_constraint_list());
   *artifact.mutable_producer() = response->producer();
+  artifact.mutable_model_calls()->Swap(response->mutable_model_calls());
   return artifact;
 }
 

@@ -1,31 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages that make and draw the layout: translation, solve, render.
+#include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage.h"
 #include "orchestrator/store/sha256.h"
 
 namespace flair::orchestrator {
 
-// The catalogue decides what can be translated to, so it counts as the options: another optimizer, another graph.
+// The catalogue decides what can be translated to, so it counts as the options: another optimizer, another graph. They
+// are kept as the request that they are sent in.
 absl::StatusOr<std::string> TranslationOptions(const StageRun& run) {
   auto response = run.clients.ListConstraintTypes({}, run.call);
   if (!response.ok()) return response.status();
-  return CanonicalBytes(response->catalog());
+  v1::TranslateRequest request;
+  *request.mutable_catalog() = std::move(*response->mutable_catalog());
+  *request.mutable_model_options() = DecidingOptions(run.spec.model_options());
+  return CanonicalBytes(request);
 }
 
 absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run) {
   v1::TranslateRequest request;
+  request.ParseFromString(run.options);
+  *request.mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
   request.set_request_id(RequestId(run, "translation"));
   *request.mutable_room() = Input(run, v1::ARTIFACT_KIND_ROOM).room();
   *request.mutable_zone_plan() = Input(run, v1::ARTIFACT_KIND_ZONE_PLAN).zone_plan();
   *request.mutable_object_list() = Input(run, v1::ARTIFACT_KIND_OBJECT_LIST).object_list();
   *request.mutable_style_sheet() = Input(run, v1::ARTIFACT_KIND_STYLE_SHEET).style_sheet();
   *request.mutable_constraint_list() = Input(run, v1::ARTIFACT_KIND_CONSTRAINT_LIST).constraint_list();
-  request.mutable_catalog()->ParseFromString(run.options);
   auto response = run.clients.Translate(request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_layout_graph() = std::move(*response->mutable_layout_graph());
   *artifact.mutable_producer() = response->producer();
+  artifact.mutable_model_calls()->Swap(response->mutable_model_calls());
   return artifact;
 }
 

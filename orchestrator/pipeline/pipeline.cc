@@ -4,6 +4,7 @@
 #include <future>
 #include <optional>
 
+#include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage_runner.h"
 
 namespace flair::orchestrator {
@@ -43,6 +44,15 @@ class Progress {
     return timings;
   }
 
+  // Of what was made for this job, not used again.
+  v1::ModelUsage ModelUsage() const {
+    v1::ModelUsage usage;
+    for (const std::optional<Output>& output : outputs_) {
+      if (output.has_value() && !output->timing.reused()) AddUsage(output->artifact, usage);
+    }
+    return usage;
+  }
+
   void Set(int stage_index, Output output) { outputs_[stage_index] = std::move(output); }
 
  private:
@@ -57,7 +67,10 @@ PipelineResult Pipeline::Run(const v1::Job& job, runtime::Cancellation& cancella
   Progress progress;
   for (std::vector<int> ready = progress.Ready(); !ready.empty(); ready = progress.Ready()) {
     const std::vector<v1::StageTiming> timings = progress.Timings();
-    const auto run = [&](int index) { return runner.Run(index, progress.InputsOf(index), timings); };
+    const v1::ModelUsage usage = progress.ModelUsage();
+    // Stages that share a budget go one after the other, so that each knows what the others left of it.
+    if (job.spec().model_options().has_budget()) ready.resize(1);
+    const auto run = [&](int index) { return runner.Run(index, progress.InputsOf(index), timings, usage); };
     std::vector<std::future<absl::StatusOr<Output>>> others;
     for (size_t i = 1; i < ready.size(); ++i) others.push_back(std::async(std::launch::async, run, ready[i]));
     std::vector<absl::StatusOr<Output>> outputs;

@@ -80,6 +80,52 @@ TEST_F(PipelineTest, StoresOneArtifactPerStageInOrder) {
   EXPECT_EQ(stages.all_calls(), 11);
 }
 
+TEST_F(PipelineTest, ReportsWhatModelsConsumedForThisJobOnly) {
+  FakeStages stages;
+  v1::Job job = NewJob("j1");
+  job.mutable_spec()->mutable_model_options()->set_stand_in_allowed(true);
+  ASSERT_TRUE(Run(stages, job).status.ok());
+  const v1::Report report = store_->files().Get(Ids("j1", true).back())->report();
+  EXPECT_EQ(report.model_usage().call_count(), 7);
+  EXPECT_EQ(report.model_usage().input_token_count(), 560);
+  EXPECT_EQ(report.model_usage().cost_usd(), 1.75);
+  v1::Job again = NewJob("j2");
+  *again.mutable_spec() = job.spec();
+  ASSERT_TRUE(Run(stages, again).status.ok());
+  EXPECT_FALSE(store_->files().Get(Ids("j2", true).back())->report().has_model_usage());
+}
+
+TEST_F(PipelineTest, ABudgetIsThatOfTheWholeJob) {
+  for (int calls = 0; calls <= 7; ++calls) {
+    FakeStages stages;
+    v1::Job job = NewJob("j" + std::to_string(calls), "Bedroom " + std::to_string(calls));
+    job.mutable_spec()->mutable_model_options()->mutable_budget()->set_call_count(calls);
+    const PipelineResult result = Run(stages, job);
+    if (calls == 7) {
+      EXPECT_TRUE(result.status.ok()) << result.status;
+      continue;
+    }
+    EXPECT_TRUE(absl::IsFailedPrecondition(result.status)) << calls << ": " << result.status;
+    EXPECT_EQ(store_->artifacts().OfJob(job.id())->size(), static_cast<size_t>(1 + calls));
+  }
+}
+
+TEST_F(PipelineTest, TheBudgetDecidesNoResultButWhatModelsMayDoDoes) {
+  FakeStages stages;
+  v1::Job job = NewJob("j1");
+  job.mutable_spec()->mutable_model_options()->mutable_budget()->set_token_count(1000);
+  ASSERT_TRUE(Run(stages, job).status.ok());
+  const int calls = stages.calls("DescribeRoom");
+  v1::Job richer = NewJob("j2");
+  richer.mutable_spec()->mutable_model_options()->mutable_budget()->set_token_count(2000);
+  ASSERT_TRUE(Run(stages, richer).status.ok());
+  EXPECT_EQ(stages.calls("DescribeRoom"), calls);
+  v1::Job other = NewJob("j3");
+  other.mutable_spec()->mutable_model_options()->set_texts_omitted(true);
+  ASSERT_TRUE(Run(stages, other).status.ok());
+  EXPECT_EQ(stages.calls("DescribeRoom"), calls + 1);
+}
+
 TEST_F(PipelineTest, SaysWhatEachArtifactWasMadeFrom) {
   FakeStages stages;
   ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
@@ -276,9 +322,7 @@ class EmptyRoomStages final : public StageClients {
   NEVER(Evaluate)
   NEVER(Render)
 #undef NEVER
-      absl::StatusOr<std::string> Revision(v1::ArtifactKind, Call&) override {
-    return "";
-  }
+  absl::StatusOr<std::string> Revision(v1::ArtifactKind, Call&) override { return ""; }
 };
 
 TEST_F(PipelineTest, RefusesAnAnswerThatIsNotValidAndSaysWhose) {

@@ -56,6 +56,7 @@ absl::StatusOr<v1::Artifact> RunReport(const StageRun& run) {
   *report.mutable_metrics() = response->metrics();
   *report.mutable_constraints() = Summarize(layout, *response);
   report.mutable_stage_timings()->Assign(run.timings.begin(), run.timings.end());
+  if (run.model_usage.call_count() > 0) *report.mutable_model_usage() = run.model_usage;
   const v1::LayoutGraph& graph = layout.graph();
   AddDiagnostics(graph.room().diagnostics(), report);
   AddDiagnostics(graph.zone_plan().diagnostics(), report);

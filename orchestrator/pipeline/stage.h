@@ -10,6 +10,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
 #include "flair/v1/job.pb.h"
+#include "flair/v1/model_call.pb.h"
 #include "orchestrator/pipeline/stage_clients.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
@@ -27,6 +28,8 @@ struct StageRun {
   const std::string& build;
   // What the stages before it took; for the report.
   std::span<const v1::StageTiming> timings;
+  // What models consumed in them.
+  const v1::ModelUsage& model_usage;
   StageClients& clients;
   runtime::CallContext& call;
 };
@@ -57,6 +60,7 @@ std::string RequestId(const StageRun& run, std::string_view stage);
 
 // The stages' functions, one file each for the worker they ask.
 absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run);
+absl::StatusOr<std::string> LanguageOptions(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunRoom(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunZones(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunObjects(const StageRun& run);

@@ -50,10 +50,11 @@ absl::Status StageRunner::ReadHistory() {
 }
 
 absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<const v1::Artifact* const> inputs,
-                                                     std::span<const v1::StageTiming> timings) const {
+                                                     std::span<const v1::StageTiming> timings,
+                                                     const v1::ModelUsage& model_usage) const {
   const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
   runtime::CallContext no_deadline;
-  StageRun run{job_.id(), job_.spec(), inputs, "", options_.build, timings, clients_, no_deadline};
+  StageRun run{job_.id(), job_.spec(), inputs, "", options_.build, timings, model_usage, clients_, no_deadline};
   if (stage.options != nullptr) {
     absl::StatusOr<std::string> options = Retry<std::string>(stage.options, run);
     if (!options.ok()) return options.status();
@@ -116,7 +117,8 @@ absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Res
   for (int attempt = 0;; ++attempt) {
     runtime::CallContext call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
     runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
-    StageRun current{run.job_id, run.spec, run.inputs, run.options, run.build, run.timings, run.clients, call};
+    StageRun current{run.job_id,  run.spec,        run.inputs,  run.options, run.build,
+                     run.timings, run.model_usage, run.clients, call};
     absl::StatusOr<Result> result = cancellation_.cancelled()
                                         ? absl::StatusOr<Result>(absl::CancelledError("the job was cancelled"))
                                         : function(current);

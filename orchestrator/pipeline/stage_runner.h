@@ -30,7 +30,7 @@ class StageRunner {
     v1::StageTiming timing;
   };
   absl::StatusOr<Output> Run(int stage_index, std::span<const v1::Artifact* const> inputs,
-                             std::span<const v1::StageTiming> timings) const;
+                             std::span<const v1::StageTiming> timings, const v1::ModelUsage& model_usage) const;
 
  private:
   template <typename Result>

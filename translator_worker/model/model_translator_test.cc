@@ -353,7 +353,7 @@ TEST_F(ModelTranslatorTest, AnUnreachableModelFailsAsSuchAndABudgetIsKept) {
   AnswerTheRest();
   EXPECT_TRUE(absl::IsUnavailable(translator_->Translate(request_, call_).status()));
   request_.mutable_model_options()->mutable_budget()->set_call_count(2);
-  EXPECT_TRUE(absl::IsResourceExhausted(translator_->Translate(request_, call_).status()));
+  EXPECT_TRUE(absl::IsFailedPrecondition(translator_->Translate(request_, call_).status()));
 }
 
 TEST_F(ModelTranslatorTest, ManySentencesAreAskedAboutInPortions) {
