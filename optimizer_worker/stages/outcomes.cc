@@ -16,7 +16,8 @@ namespace {
 double CostOf(const Term& term, const Layout& layout) {
   std::vector<Pose<double>> poses;
   for (int object : term.cost->objects()) poses.push_back(layout[object]);
-  return term.cost->Value(poses);
+  // One minus a product of unit vectors may round to just below 0; no cost of a layout is negative.
+  return std::max(0.0, term.cost->Value(poses));
 }
 
 // The first object that the term needs and that has no pose; -1 when all have one.
