@@ -99,10 +99,10 @@ std::vector<std::string> SubjectIds(const std::string& name, const StyleRequest&
   return ids;
 }
 
-// The description, or one made of material and colour.
-std::string DescriptionOf(const LookAnswer& look) {
-  if (!look.description().empty()) return look.description();
-  return fmt::format("{}, {}.", look.material(), look.colour().name());
+// "warm white lacquer"; the material alone when it names its colour: "oak".
+std::string FinishText(const std::string& material, const ColourAnswer& colour) {
+  const bool named = PlainName(material).find(PlainName(colour.name())) != std::string::npos;
+  return named ? material : colour.name() + " " + material;
 }
 
 v1::StyleSheet ToStyleSheet(const StyleRequest& request, const Handbook& handbook, const StyleAnswer& answer) {
@@ -118,7 +118,7 @@ v1::StyleSheet ToStyleSheet(const StyleRequest& request, const Handbook& handboo
     style.set_surface(surface.surface());
     style.set_material(surface.material());
     *style.mutable_colour() = colour(surface.colour());
-    style.set_description(fmt::format("{}, {}.", surface.material(), surface.colour().name()));
+    style.set_description(FinishText(surface.material(), surface.colour()));
   }
   for (const LookAnswer& look : answer.looks()) {
     for (const std::string& id : SubjectIds(look.of(), request)) {
@@ -127,7 +127,8 @@ v1::StyleSheet ToStyleSheet(const StyleRequest& request, const Handbook& handboo
       style.set_subject_id(id);
       style.set_material(look.material());
       *style.mutable_colour() = colour(look.colour());
-      style.set_description(DescriptionOf(look));
+      style.set_description(look.description().empty() ? FinishText(look.material(), look.colour())
+                                                       : look.description());
     }
   }
   return sheet;
