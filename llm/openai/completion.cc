@@ -71,6 +71,11 @@ absl::Status Completion::Add(const json& object) {
   return absl::OkStatus();
 }
 
+bool Completion::AddText(std::string_view text) {
+  if (has_choice_) content_ += text;
+  return has_choice_;
+}
+
 void Completion::AddChoice(const json& choice) {
   const json* message = Field(choice, "message");
   if (message == nullptr) message = Field(choice, "delta");

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -17,6 +18,9 @@ class Completion {
   // Takes in one object of the protocol, a whole completion or a chunk of a stream; what it does not have is left as it
   // was. DATA_LOSS when it is no object.
   absl::Status Add(const nlohmann::json& object);
+
+  // Adds to the text of the answer, when there was a choice before; else false.
+  bool AddText(std::string_view text);
 
   // True when a choice said why it ended.
   bool finished() const { return !finish_.empty(); }

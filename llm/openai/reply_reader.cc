@@ -6,6 +6,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "llm/openai/json_fields.h"
+#include "llm/openai/plain_delta.h"
 
 namespace flair::llm {
 namespace {
@@ -59,7 +60,15 @@ absl::Status ReplyReader::TakeEvent(std::string_view data) {
     done_ = true;
     return absl::OkStatus();
   }
-  return Add(data);
+  return AddPlainDelta(data) ? absl::OkStatus() : Add(data);
+}
+
+bool ReplyReader::AddPlainDelta(std::string_view json_text) {
+  const auto content = PlainDelta(json_text);
+  if (!content.has_value()) return false;
+  if (const auto text = PlainText(*content)) return completion_.AddText(*text);
+  const nlohmann::json text = ParseJson(*content);
+  return text.is_string() && completion_.AddText(text.get_ref<const std::string&>());
 }
 
 absl::Status ReplyReader::Add(std::string_view json_text) {

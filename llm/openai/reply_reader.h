@@ -33,6 +33,8 @@ class ReplyReader {
  private:
   absl::Status TakeEvent(std::string_view data);
   absl::Status Add(std::string_view json_text);
+  // Adds a chunk that brings a piece of text and nothing else; false, without a change, when it is none.
+  bool AddPlainDelta(std::string_view json_text);
   absl::StatusOr<ChatAnswer> ToAnswer(const std::string& model) const;
   absl::Status NotOfTheProtocol(std::string_view what) const;
 

@@ -9,7 +9,9 @@ namespace flair::llm {
 absl::Status SseReader::Take(std::string_view piece, const OnEvent& on_event) {
   while (!piece.empty()) {
     if (std::exchange(after_cr_, false) && piece.front() == '\n') piece.remove_prefix(1);
-    const size_t end = piece.find_first_of("\r\n");
+    // Two searches for one byte are faster than one for two.
+    const size_t line_feed = piece.find('\n');
+    const size_t end = std::min(line_feed, piece.substr(0, line_feed).find('\r'));
     line_ += piece.substr(0, end);
     if (end == std::string_view::npos) return absl::OkStatus();
     after_cr_ = piece[end] == '\r';

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/openai/dialect.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace flair::llm {
+namespace {
+
+// Everything that can be dropped is sent.
+OpenAiOptions AllOptions() {
+  OpenAiOptions options;
+  options.temperature = 0.2;
+  options.seed = 7;
+  options.stream = true;
+  return options;
+}
+
+std::optional<Dialect> Weaker(const char* message, int http_status = 400, const Dialect& dialect = {}) {
+  return WeakerDialect(dialect, AllOptions(), /*with_schema=*/true, http_status,
+                       {.message = message, .type = "", .code = "", .param = ""});
+}
+
+TEST(WeakerDialect, UnderstandsWhatServersSay) {
+  struct Case {
+    const char* message;
+    Dialect expected;
+  };
+  const Case cases[] = {
+      {"Unsupported parameter: 'max_tokens' is not supported with this model. Use 'max_completion_tokens' instead.",
+       {.completion_token_limit = true}},
+      {"Unsupported value: 'temperature' does not support 0.2 with this model. Only the default (1) value is "
+       "supported.",
+       {.temperature = false}},
+      {"Unrecognized request argument supplied: seed", {.seed = false}},
+      {"Unrecognized request argument supplied: stream_options", {.stream_usage = false}},
+      {"Unsupported value: 'messages[0].role' does not support 'system' with this model.", {.system_role = false}},
+      {"Invalid parameter: 'response_format' of type 'json_schema' is not supported with this model.",
+       {.form = AnswerForm::kJsonObject}},
+      {"Invalid schema for response_format 'zones': In context=(), 'required' is required",
+       {.form = AnswerForm::kJsonObject}},
+      {"response_format.type : value is not one of the allowed values ['text','json_object']",
+       {.form = AnswerForm::kJsonObject}},
+      {"", {.form = AnswerForm::kJsonObject}},
+  };
+  for (const Case& row : cases) {
+    const auto weaker = Weaker(row.message);
+    ASSERT_TRUE(weaker.has_value()) << row.message;
+    EXPECT_EQ(*weaker, row.expected) << row.message;
+  }
+}
+
+TEST(WeakerDialect, IsNoneForFaultsOfTheQuestion) {
+  for (const char* message :
+       {"This model's maximum context length is 4096 tokens", "max_tokens is too large: 4096",
+        "The response was filtered due to the prompt triggering Azure OpenAI's content management policy"}) {
+    EXPECT_FALSE(Weaker(message).has_value()) << message;
+  }
+}
+
+TEST(WeakerDialect, IsNoneForStatusesThatSayNothingOfTheRequest) {
+  for (const int http_status : {401, 403, 404, 429, 500, 503}) EXPECT_FALSE(Weaker("bad", http_status).has_value());
+  EXPECT_TRUE(Weaker("failed to parse grammar", 500).has_value());
+}
+
+TEST(WeakerDialect, BecomesWeakerOnlySoOften) {
+  std::optional<Dialect> dialect = Dialect();
+  int count = 0;
+  const char* complaint = "unsupported: max_tokens, temperature, seed, stream_options, role system, response_format";
+  while ((dialect = Weaker(complaint, 400, *dialect)).has_value()) ++count;
+  EXPECT_EQ(count, 7);
+}
+
+TEST(WeakerDialect, KeepsTheFormOfARequestWithoutSchema) {
+  EXPECT_FALSE(WeakerDialect({}, AllOptions(), /*with_schema=*/false, 400, {}).has_value());
+}
+
+TEST(WeakerDialect, DropsNothingThatWasNotSent) {
+  const OpenAiOptions plain;
+  const ServerError error{
+      .message = "temperature, seed and stream_options are not supported", .type = "", .code = "", .param = ""};
+  EXPECT_FALSE(WeakerDialect({}, plain, /*with_schema=*/false, 400, error).has_value());
+}
+
+}  // namespace
+}  // namespace flair::llm

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/openai/plain_delta.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace flair::llm {
+namespace {
+
+// Walks over JSON text. Every step is false when the text does not go on so.
+class Cursor {
+ public:
+  explicit Cursor(std::string_view text) : rest_(text) {}
+
+  bool Take(char c) {
+    SkipSpace();
+    if (!rest_.starts_with(c)) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+
+  bool TakeWord(std::string_view word) {
+    SkipSpace();
+    if (!rest_.starts_with(word)) return false;
+    rest_.remove_prefix(word.size());
+    return true;
+  }
+
+  // A string with its quotation marks.
+  bool TakeString(std::string_view& string) {
+    SkipSpace();
+    if (!rest_.starts_with('"')) return false;
+    for (size_t i = 1; i < rest_.size(); ++i) {
+      if (rest_[i] == '\\') {
+        ++i;
+      } else if (rest_[i] == '"') {
+        string = rest_.substr(0, i + 1);
+        rest_.remove_prefix(i + 1);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Any value.
+  bool Skip() {
+    int depth = 0;
+    do {
+      SkipSpace();
+      if (rest_.empty()) return false;
+      const char c = rest_.front();
+      std::string_view string;
+      if (c == '"') {
+        if (!TakeString(string)) return false;
+      } else if (c == '{' || c == '[') {
+        ++depth;
+        rest_.remove_prefix(1);
+      } else if (c == '}' || c == ']') {
+        --depth;
+        rest_.remove_prefix(1);
+      } else if (depth > 0 && (c == ',' || c == ':')) {
+        rest_.remove_prefix(1);
+      } else if (!SkipWord()) {
+        return false;
+      }
+    } while (depth > 0);
+    return depth == 0;
+  }
+
+  // An object; `on_member` takes the key, with its quotation marks, and walks over the value.
+  template <typename OnMember>
+  bool TakeObject(const OnMember& on_member) {
+    if (!Take('{')) return false;
+    if (Take('}')) return true;
+    do {
+      std::string_view key;
+      if (!TakeString(key) || !Take(':') || !on_member(key)) return false;
+    } while (Take(','));
+    return Take('}');
+  }
+
+  bool AtEnd() {
+    SkipSpace();
+    return rest_.empty();
+  }
+
+ private:
+  void SkipSpace() {
+    while (!rest_.empty() &&
+           (rest_.front() == ' ' || rest_.front() == '\n' || rest_.front() == '\r' || rest_.front() == '\t')) {
+      rest_.remove_prefix(1);
+    }
+  }
+
+  // A number, true, false or null.
+  bool SkipWord() {
+    const auto end = std::ranges::find_if_not(
+        rest_, [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '+' || c == '.'; });
+    const size_t size = static_cast<size_t>(end - rest_.begin());
+    rest_.remove_prefix(size);
+    return size > 0;
+  }
+
+  std::string_view rest_;
+};
+
+// A delta with a content and, at most, a role; anything else in it must be null.
+bool TakeDelta(Cursor& cursor, std::string_view& content) {
+  return cursor.TakeObject([&](std::string_view key) {
+    if (key == "\"content\"") return content.empty() && cursor.TakeString(content);
+    return cursor.TakeWord("null") || (key == "\"role\"" && cursor.Skip());
+  });
+}
+
+bool TakeChoice(Cursor& cursor, std::string_view& content) {
+  return cursor.TakeObject([&](std::string_view key) {
+    if (key == "\"delta\"") return TakeDelta(cursor, content);
+    if (key == "\"index\"") return cursor.TakeWord("0");
+    if (key == "\"finish_reason\"" || key == "\"message\"") return cursor.TakeWord("null");
+    return cursor.Skip();
+  });
+}
+
+}  // namespace
+
+std::optional<std::string_view> PlainDelta(std::string_view chunk) {
+  Cursor cursor(chunk);
+  std::string_view content;
+  const bool plain = cursor.TakeObject([&](std::string_view key) {
+    if (key == "\"choices\"") return cursor.Take('[') && TakeChoice(cursor, content) && cursor.Take(']');
+    if (key == "\"usage\"" || key == "\"error\"") return cursor.TakeWord("null");
+    return cursor.Skip();
+  });
+  return plain && cursor.AtEnd() && !content.empty() ? std::optional(content) : std::nullopt;
+}
+
+std::optional<std::string_view> PlainText(std::string_view json_string) {
+  const std::string_view text = json_string.substr(1, json_string.size() - 2);
+  const bool plain = std::ranges::all_of(text, [](unsigned char c) { return c >= 0x20 && c < 0x80 && c != '\\'; });
+  return plain ? std::optional(text) : std::nullopt;
+}
+
+}  // namespace flair::llm
