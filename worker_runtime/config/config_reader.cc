@@ -73,7 +73,7 @@ class LocatedChecker final : public ConfigChecker {
 
 void CheckRuntime(const config::v1::RuntimeConfig& runtime, ConfigChecker& checker) {
   if (runtime.worker_thread_count() != 0) {
-    checker.Range("runtime.worker_thread_count", runtime.worker_thread_count(), 1, 256);
+    checker.Range("runtime.worker_thread_count", runtime.worker_thread_count(), 1, 1024);
   }
   if (runtime.queue_limit() != 0) checker.Range("runtime.queue_limit", runtime.queue_limit(), 1, 100000);
   if (runtime.has_drain_seconds()) checker.Range("runtime.drain_seconds", runtime.drain_seconds(), 0, 600);

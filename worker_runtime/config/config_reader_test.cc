@@ -47,6 +47,13 @@ TEST(ReadConfig, ReportsAValueOfTheWrongTypeWithItsLine) {
               HasSubstr("test.textproto:2: Expected integer"));
 }
 
+TEST(ReadConfig, TakesAThousandThreadsForWorkersThatWaitForAModel) {
+  config::v1::OrchestratorConfig config;
+  EXPECT_TRUE(Read("runtime { worker_thread_count: 1024 } stages { language: \"a:1\" }", config).ok());
+  EXPECT_EQ(ErrorOf("runtime { worker_thread_count: 1025 } stages { language: \"a:1\" }"),
+            "test.textproto:1: runtime.worker_thread_count: 1025 is out of range [1, 1024]");
+}
+
 TEST(ReadConfig, SaysWhichFileIsMissing) {
   config::v1::OrchestratorConfig config;
   const absl::Status status = ReadConfigFile("/no/such/file.textproto", config, nullptr);

@@ -2,6 +2,7 @@
 #include "worker_runtime/executor/bounded_executor.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace flair::runtime {
@@ -17,7 +18,17 @@ bool BoundedExecutor::TrySubmit(std::function<void()> task) {
   if (stopped_ || taken >= thread_limit_ + queue_limit_) return false;
   queue_.push_back(std::move(task));
   const int thread_count = static_cast<int>(threads_.size());
-  if (thread_count < thread_limit_ && thread_count <= taken) threads_.emplace_back([this] { Work(); });
+  if (thread_count < thread_limit_ && thread_count <= taken) {
+    try {
+      threads_.emplace_back([this] { Work(); });
+    } catch (const std::system_error&) {
+      // The machine gives no more threads: those that are there do the work.
+      if (threads_.empty()) {
+        queue_.pop_back();
+        return false;
+      }
+    }
+  }
   wake_.notify_one();
   return true;
 }
