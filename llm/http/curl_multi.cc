@@ -7,13 +7,13 @@
 
 namespace flair::llm {
 
-CurlMulti::CurlMulti(EventLoop& loop) : loop_(loop), multi_(curl_multi_init()) {
+CurlMulti::CurlMulti(EventLoop& loop) : loop_(loop), pacer_(loop), multi_(curl_multi_init()) {
   curl_multi_setopt(multi_, CURLMOPT_SOCKETDATA, this);
   curl_multi_setopt(
       multi_, CURLMOPT_SOCKETFUNCTION, +[](CURL*, curl_socket_t fd, int what, void* self, void*) {
         const bool removed = what == CURL_POLL_REMOVE;
-        static_cast<CurlMulti*>(self)->loop_.Watch(fd, !removed && (what & CURL_POLL_IN) != 0,
-                                                   !removed && (what & CURL_POLL_OUT) != 0);
+        static_cast<CurlMulti*>(self)->pacer_.Watch(fd, !removed && (what & CURL_POLL_IN) != 0,
+                                                    !removed && (what & CURL_POLL_OUT) != 0);
         return 0;
       });
   curl_multi_setopt(multi_, CURLMOPT_TIMERDATA, this);
@@ -57,6 +57,7 @@ void CurlMulti::AbortAll(const absl::Status& status) {
 
 void CurlMulti::OnSocket(int fd, bool readable, bool writable) {
   Act(fd, (readable ? CURL_CSELECT_IN : 0) | (writable ? CURL_CSELECT_OUT : 0));
+  if (readable) pacer_.OnRead(fd);
 }
 
 void CurlMulti::Act(curl_socket_t fd, int events) {

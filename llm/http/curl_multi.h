@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "llm/http/event_loop.h"
+#include "llm/http/read_pacer.h"
 #include "llm/http/transfer.h"
 
 namespace flair::llm {
@@ -49,6 +50,7 @@ class CurlMulti {
   Running Release(std::unordered_map<int64_t, Running>::iterator running);
 
   EventLoop& loop_;
+  ReadPacer pacer_;
   CURLM* const multi_;
   std::unordered_map<int64_t, Running> running_;
   runtime::Timer::Id curl_timer_ = 0;

@@ -127,6 +127,32 @@ HttpOptions Trusting(const std::optional<TestCertificate>& certificate) {
   return options;
 }
 
+// As a model that writes a token every millisecond.
+void TrickledCall(benchmark::State& state) {
+  const auto certificate = state.range(0) != 0 ? std::optional(MakeTestCertificate()) : std::nullopt;
+  Script script = LongAnswers();
+  script.exchanges.front().piece_byte_counts = {240};
+  script.exchanges.front().piece_pause_milliseconds = 1;
+  ServerProcess server(script, certificate, 0);
+  HttpLoop loop;
+  const HttpOptions http = Trusting(certificate);
+  OpenAiClient client(Options(server, true), loop, http);
+  runtime::CallContext call;
+  const ChatRequest request = LongQuestion();
+  for (auto _ : state) {
+    const auto answer = AskAndWait(client, request, call);
+    if (!answer.ok()) state.SkipWithError(std::string(answer.status().message()).c_str());
+  }
+  if (!http.ca_path.empty()) unlink(http.ca_path.c_str());
+}
+BENCHMARK(TrickledCall)
+    ->ArgName("tls")
+    ->Arg(0)
+    ->Arg(1)
+    ->Iterations(4)
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+
 void Call(benchmark::State& state) {
   const bool stream = state.range(0) != 0;
   const auto certificate = state.range(1) != 0 ? std::optional(MakeTestCertificate()) : std::nullopt;
