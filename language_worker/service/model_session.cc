@@ -10,10 +10,10 @@
 namespace flair::language {
 namespace {
 
-llm::PromptLibrary Prompts() {
-  auto prompts = llm::PromptLibrary::Load(DefaultPromptsFolder(), {}, LanguagePrompts());
+const llm::PromptLibrary& Prompts() {
+  static const auto prompts = llm::PromptLibrary::Load(DefaultPromptsFolder(), {}, LanguagePrompts());
   if (!prompts.ok()) std::abort();
-  return *std::move(prompts);
+  return *prompts;
 }
 
 // What later steps build on when the earlier ones are not asked.
@@ -89,6 +89,13 @@ ModelSession::ModelSession(const std::string& except)
   for (const auto& [step, answer] : GoodAnswers()) {
     if (step != except) model_->Answer(step, answer);
   }
+}
+
+void ModelSession::TakePartsOf(const ModelSession& other) {
+  room_ = other.room_;
+  zones_ = other.zones_;
+  objects_ = other.objects_;
+  constraints_ = other.constraints_;
 }
 
 template <typename Request>

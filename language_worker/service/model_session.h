@@ -22,12 +22,15 @@ class ModelSession {
   // With the good answers for every step but `except`.
   explicit ModelSession(const std::string& except = "");
 
+  // Goes on from where another one is.
+  void TakePartsOf(const ModelSession& other);
+
   // The model, for further answers and for what it was asked.
   llm::FakeLlmClient& model() { return *model_; }
   v1::Brief& brief() { return brief_; }
   v1::ModelOptions& options() { return options_; }
 
-  // Each asks with the parts that the earlier ones answered; a bedroom of the handbook's where they were not asked.
+  // Each asks with the parts that the earlier ones answered.
   absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom();
   absl::StatusOr<v1::PlanZonesResponse> PlanZones();
   absl::StatusOr<v1::ListObjectsResponse> ListObjects();

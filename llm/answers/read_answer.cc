@@ -65,6 +65,18 @@ class Reader {
 
   std::vector<Fault> TakeFaults() { return std::move(faults_); }
 
+  // As ReadMessage, but an object with nothing of what was asked for is no answer.
+  void ReadRoot(const json& value, Message& message) {
+    const google::protobuf::Descriptor& type = *message.GetDescriptor();
+    bool any = !value.is_object();
+    for (int i = 0; i < type.field_count(); ++i) any = any || Member(value, *type.field(i)) != nullptr;
+    if (any) {
+      ReadMessage(value, "", message);
+    } else {
+      Wrong("", fmt::format("has none of what was asked for; an object with {} would be right", FieldNames(type)));
+    }
+  }
+
   void ReadMessage(const json& value, const std::string& path, Message& message) {
     const google::protobuf::Descriptor& type = *message.GetDescriptor();
     if (!value.is_object()) {
@@ -90,6 +102,7 @@ class Reader {
 
   // The member for a field: by its name, else by a name that is the same but for case, underscores and the unit.
   static const json* Member(const json& value, const FieldDescriptor& field) {
+    if (!value.is_object()) return nullptr;
     if (const auto found = value.find(field.name()); found != value.end()) return &*found;
     const std::string bare = Bare(field.name());
     const std::string& unit = FactsOf(field).unit();
@@ -259,7 +272,7 @@ json RootOf(const json& value, const google::protobuf::Descriptor& type) {
 
 std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, Message& message) {
   Reader reader(choices);
-  reader.ReadMessage(RootOf(value, *message.GetDescriptor()), "", message);
+  reader.ReadRoot(RootOf(value, *message.GetDescriptor()), message);
   return reader.TakeFaults();
 }
 

@@ -127,7 +127,16 @@ TEST(ReadAnswer, LongListsAndTextsAreCut) {
 
 TEST(ReadAnswer, AnEmptyListIsMissedWhereOneElementIsNeeded) {
   ZonesAnswer answer;
-  EXPECT_THAT(Sentences(ReadAnswer("{}", {}, answer)), ElementsAre("zones: has 0 elements; at least 1"));
+  EXPECT_THAT(Sentences(ReadAnswer(R"({"zones":[]})", {}, answer)), ElementsAre("zones: has 0 elements; at least 1"));
+}
+
+TEST(ReadAnswer, AnObjectWithNothingThatWasAskedForIsNoAnswer) {
+  for (const std::string text : {"{}", R"({"error":{"code":529}})", R"({"error":"overloaded"})"}) {
+    FloorObjectsAnswer answer;
+    EXPECT_THAT(Sentences(ReadAnswer(text, kZones, answer)),
+                ElementsAre("has none of what was asked for; an object with objects, left_out would be right"))
+        << text;
+  }
 }
 
 TEST(DropFaulty, RemovesTheElementsAndKeepsTheOthers) {
