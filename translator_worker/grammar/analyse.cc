@@ -55,20 +55,74 @@ class Reader {
     return phrase;
   }
 
-  // "(e.g., to place items)" explains; it says nothing of its own.
+  // "(e.g., to place items)" explains; it says nothing of its own, unless it names the side that a word left open or
+  // the members of a zone or class.
   bool SkipBracket() {
     if (!tokens_[at_].IsMark('(') || at_ + 1 >= tokens_.size()) return false;
+    size_t end = at_ + 1;
+    while (end < tokens_.size() && !tokens_[end].IsMark(')') && !tokens_[end].IsMark('.')) ++end;
     const Token& first = tokens_[at_ + 1];
+    const bool edge = end == at_ + 3 && (tokens_[at_ + 2].IsWord("edge") || tokens_[at_ + 2].IsWord("side") ||
+                                         tokens_[at_ + 2].IsWord("each") || tokens_[at_ + 2].IsWord("width"));
+    const bool dimension = end == at_ + 2 && (first.IsWord("length") || first.IsWord("width") || first.IsWord("depth"));
     const bool length_only =
-        first.kind == Token::Kind::kDistance && at_ + 2 < tokens_.size() &&
-        (tokens_[at_ + 2].IsMark(')') || (at_ + 3 < tokens_.size() && tokens_[at_ + 3].IsMark(')')));
-    if (!first.IsWord("eg") && !first.IsWord("ie") && !first.IsWord("preferably") && !first.IsWord("left") &&
-        !first.IsMark(')') && !length_only) {
+        dimension || (first.kind == Token::Kind::kDistance && first.distance.exact && (end == at_ + 2 || edge));
+    const bool explains = first.IsWord("eg") || first.IsWord("ie") || first.IsWord("preferably") ||
+                          first.IsWord("ideally") || first.IsWord("left") || first.IsMark(')') || length_only;
+    // "Enough space (at least 0.6 m) behind": the bracket adds to what is said.
+    if (first.kind == Token::Kind::kDistance && !length_only && end <= at_ + 4 && end < tokens_.size()) {
+      tokens_.erase(tokens_.begin() + static_cast<long>(end));
+      ++at_;
+      return true;
+    }
+    if (TakeNamesInBracket(end) || (explains && TakeSideInBracket(end)) || explains) {
+      at_ = std::min(end + 1, tokens_.size());
+      return true;
+    }
+    return false;
+  }
+
+  // "One side (preferably the front)", "two opposite sides (e.g., front and back)".
+  bool TakeSideInBracket(size_t end) {
+    if (terms_.empty() || terms_.back().role != RawTerm::Role::kSide) return false;
+    std::string& open = terms_.back().term.lemma;
+    if (open != "side" && open != "long_one" && open != "short_one" && open != "two_any" && open != "opposite_two") {
       return false;
     }
-    while (at_ < tokens_.size() && !tokens_[at_].IsMark(')') && !tokens_[at_].IsMark('.')) ++at_;
-    if (at_ < tokens_.size()) ++at_;
+    std::vector<std::string> named;
+    for (size_t i = at_ + 1; i < end; ++i) {
+      const Phrase phrase = Lexicon::Get().Find(tokens_, i);
+      if (phrase.word_class == WordClass::kSide && phrase.length > 0) named.push_back(phrase.lemma);
+      if (phrase.length > 1) i += phrase.length - 1;
+    }
+    if (named.size() == 1) open = named[0];
+    if (named.size() == 2 && named[0] == "front" && named[1] == "back") open = "axial";
+    if (named.size() == 2 && named[0] == "left" && named[1] == "right") open = "sides";
+    return !named.empty();
+  }
+
+  // "The seating zone (sofa and armchair)": the names stand for the zone.
+  bool TakeNamesInBracket(size_t end) {
+    if (terms_.empty() || terms_.back().role != RawTerm::Role::kNone || !IsZoneOrClass(terms_.back().term))
+      return false;
+    std::vector<Reference> named;
+    for (size_t i = at_ + 1; i < end;) {
+      const SceneNames::Found name = names_.Find(tokens_, i);
+      const bool joins = tokens_[i].IsMark(',') || tokens_[i].IsMark('/') || tokens_[i].IsWord("and") ||
+                         tokens_[i].IsWord("the") || tokens_[i].IsWord("or");
+      if (name.length == 0 && !joins) return false;
+      if (name.length > 0) named.push_back(name.reference);
+      i += std::max<size_t>(name.length, 1);
+    }
+    if (named.empty()) return false;
+    terms_.back().term.mention.references = std::move(named);
     return true;
+  }
+
+  static bool IsZoneOrClass(const Term& term) {
+    if (term.kind != Term::Kind::kMention) return false;
+    const RefKind kind = term.mention.references.back().kind;
+    return kind == RefKind::kZone || kind == RefKind::kGroup || kind == RefKind::kAbsent;
   }
 
   void PushName(const SceneNames::Found& found) {
@@ -91,8 +145,11 @@ class Reader {
         raw.role = RawTerm::Role::kOr;
       } else {
         raw.term.kind = Term::Kind::kSoft;
-        raw.term.lemma = token.IsMark('(') ? "(" : ",";
+        raw.term.lemma = token.IsMark('(') ? "(" : token.IsMark(':') ? ":" : ",";
       }
+    } else if (token.text.rfind("length:", 0) == 0) {
+      raw.role = RawTerm::Role::kSide;
+      raw.term.lemma = token.text;
     } else if (token.IsWord("'s")) {
       raw.role = RawTerm::Role::kPossessive;
     } else if (token.IsWord("with") || token.IsWord("but") || token.IsWord("while") || token.IsWord("so")) {
@@ -193,7 +250,7 @@ class Reader {
     Push(std::move(raw), phrase.length);
   }
 
-  const std::vector<Token> tokens_;
+  std::vector<Token> tokens_;
   const SceneNames& names_;
   Analysis& analysis_;
   size_t at_ = 0;
@@ -215,6 +272,65 @@ void DropToBesideNot(std::vector<Term>& terms) {
   terms = std::move(kept);
 }
 
+// "Centrally in front of the sofa": of the sofa's front, not of the room.
+void DropCenteredBesideRelation(std::vector<Term>& terms) {
+  const auto says_where = [](const Term& term) {
+    return term.IsWord("in_front_of") || term.IsWord("opposite") || term.IsWord("behind") || term.IsWord("facing") ||
+           term.IsWord("next_to") || term.IsWord("foot_of");
+  };
+  std::vector<Term> kept;
+  for (size_t i = 0; i < terms.size(); ++i) {
+    const bool beside = terms[i].IsWord("centered") && i + 1 < terms.size() && says_where(terms[i + 1]);
+    if (!beside) kept.push_back(std::move(terms[i]));
+  }
+  terms = std::move(kept);
+}
+
+// "Essential features like the desk or bed", "major objects, such as the sofa and the desk": the names count.
+void TakeExamples(std::vector<Term>& terms) {
+  const auto vague = [](const Term& term) {
+    if (term.kind != Term::Kind::kMention) return term.kind == Term::Kind::kUnknown;
+    const RefKind kind = term.mention.references.back().kind;
+    return kind == RefKind::kGroup || kind == RefKind::kVague || kind == RefKind::kAbsent;
+  };
+  const auto names = [](const Term& term) {
+    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kObjects;
+  };
+  for (size_t i = 1; i + 1 < terms.size(); ++i) {
+    const bool such_as =
+        terms[i].kind == Term::Kind::kPurpose && (terms[i].lemma == "like" || terms[i].lemma == "such");
+    if (!such_as || !names(terms[i + 1])) continue;
+    size_t from = i;
+    if (terms[from - 1].kind == Term::Kind::kSoft && from > 1) --from;
+    while (from > 0 && vague(terms[from - 1])) --from;
+    if (from == i || (from + 1 == i && terms[from].kind == Term::Kind::kSoft)) continue;
+    terms.erase(terms.begin() + static_cast<long>(from), terms.begin() + static_cast<long>(i) + 1);
+    i = from;
+  }
+}
+
+bool SaysSomething(const Term& term) {
+  return term.kind == Term::Kind::kWord && !term.IsWord("not") && !term.IsWord("or") && !term.IsWord("of");
+}
+
+// "Against a wall: place it against a wall", "Accessible front: ...": what stands before the colon says it twice. Names
+// stay, since "Bed: ..." tells what moves, and so do figures: "Distance from the bed: 0.5 m".
+void DropLabel(std::vector<Term>& terms) {
+  constexpr size_t kLongestLabel = 6;
+  const auto is_colon = [](const Term& term) { return term.kind == Term::Kind::kSoft && term.lemma == ":"; };
+  const auto is_purpose = [](const Term& term) { return term.kind == Term::Kind::kPurpose; };
+  const auto is_stop = [](const Term& term) { return term.kind == Term::Kind::kStop; };
+  const auto is_object = [](const Term& term) {
+    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kObjects;
+  };
+  const auto colon = std::find_if(terms.begin(), terms.end(), is_colon);
+  if (colon == terms.end() || colon == terms.begin() || colon - terms.begin() > static_cast<long>(kLongestLabel))
+    return;
+  if (std::any_of(terms.begin(), colon, is_stop) || std::any_of(terms.begin(), colon, is_object)) return;
+  const auto reason = std::find_if(colon, terms.end(), is_purpose);
+  if (std::any_of(colon, reason, SaysSomething)) terms.erase(terms.begin(), colon + 1);
+}
+
 // "Avoid [X] in front of windows" and "X not in front of windows" are one form: the second.
 void MoveNotBehindSubject(std::vector<Term>& terms) {
   for (size_t i = 0; i + 2 < terms.size(); ++i) {
@@ -230,7 +346,10 @@ Analysis Analyse(std::string_view text, const SceneNames& names) {
   Analysis analysis;
   Reader reader(JoinQuantities(Tokenize(text)), names, analysis);
   analysis.terms = GroupNounPhrases(reader.Run());
+  DropLabel(analysis.terms);
+  TakeExamples(analysis.terms);
   DropToBesideNot(analysis.terms);
+  DropCenteredBesideRelation(analysis.terms);
   MoveNotBehindSubject(analysis.terms);
   return analysis;
 }

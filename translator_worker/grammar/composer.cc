@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "absl/strings/str_join.h"
 #include "fmt/format.h"
@@ -66,6 +67,9 @@ bool Composer::HasFeature(const std::string& kind) const {
 
 std::vector<Placed> Composer::Movers(const Mention* mention) {
   if (mention == nullptr) return topic_;
+  // "Hang a clock on the wall" under the heading "Clock": whatever it is called here, it is what the heading names.
+  const RefKind kind = mention->references.front().kind;
+  if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !subjects_.empty() && kind == RefKind::kAbsent) return topic_;
   std::vector<Placed> result;
   for (const Reference& reference : mention->references) {
     for (const Placed& placed : Resolve(reference, {}, false)) result.push_back(PieceFor(placed));
@@ -75,10 +79,13 @@ std::vector<Placed> Composer::Movers(const Mention* mention) {
 }
 
 Placed Composer::PieceFor(const Placed& placed) const {
-  const v1::Object& named = object(placed.object);
-  const bool part = scope() != v1::SENTENCE_SCOPE_TERTIARY && named.role() == v1::OBJECT_ROLE_TERTIARY &&
-                    !named.walk_over() && !topic_.empty() && !Contains(subjects_, placed.object);
+  const bool part = ChosenLater(placed.object) && !topic_.empty() && !Contains(subjects_, placed.object);
   return part ? Placed{topic_.front().object, placed.side} : placed;
+}
+
+bool Composer::ChosenLater(int index) const {
+  return scope() != v1::SENTENCE_SCOPE_TERTIARY && object(index).role() == v1::OBJECT_ROLE_TERTIARY &&
+         object(index).kind() != v1::OBJECT_KIND_FLOOR;
 }
 
 std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either) {
@@ -98,7 +105,12 @@ std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<
           Refuse("names_absent_feature", fmt::format("the room has no {}", reference.name));
           continue;
         }
+        last_feature = reference.name;
         break;
+      case RefKind::kZone:
+        // A zone as seen from its main object is a place.
+        if (const int main = names_.MainObject(reference.name); main >= 0 && Contains(movers, main)) break;
+        [[fallthrough]];
       default:
         target.objects = Resolve(reference, movers, true);
         if (target.objects.empty()) continue;
@@ -126,10 +138,20 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
     case RefKind::kPronoun: {
       // As a target "it" is the partner of the last fact unless that is what moves now.
       const bool bare_side = reference.name.empty();
-      std::vector<Placed> meant = target && !bare_side && !pair_targets_.empty() && !movers.empty() &&
-                                          !Contains(pair_targets_, movers.front().object)
-                                      ? pair_targets_
-                                      : topic_;
+      std::vector<Placed> meant = topic_;
+      if (target && !bare_side && !movers.empty()) {
+        if (!pair_targets_.empty() && !Contains(pair_targets_, movers.front().object)) {
+          meant = pair_targets_;
+        } else if (!earlier_topic_.empty() && Contains(topic_, movers.front().object) &&
+                   !Contains(earlier_topic_, movers.front().object)) {
+          meant = earlier_topic_;
+        }
+      }
+      // "Beside the chair, 0.2 m from the side": from the chair's.
+      if (target && bare_side && !movers.empty() && !pair_targets_.empty() &&
+          Contains(pair_movers_, movers.front().object)) {
+        meant = pair_targets_;
+      }
       for (Placed& placed : meant) placed.side = reference.side.empty() && !target ? placed.side : reference.side;
       if (meant.empty()) Refuse("unknown_sentence", "nothing says what is spoken of; name the object");
       return meant;
@@ -162,6 +184,12 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
   }
   std::vector<Placed> result;
   for (const int index : objects) {
+    const bool too_early = target && !movers.empty() && ChosenLater(index) && !ChosenLater(movers.front().object) &&
+                           reference.kind == RefKind::kObjects;
+    if (too_early) {
+      Refuse("names_absent_object", fmt::format("\"{}\" is chosen later and cannot place furniture", reference.name));
+      continue;
+    }
     if (!target || !Contains(movers, index) || movers.size() > 1) result.push_back({index, reference.side});
   }
   if (result.empty() && reference.kind == RefKind::kObjects && !objects.empty()) {
@@ -249,14 +277,48 @@ void Composer::SetPair(std::vector<Placed> movers, std::vector<Placed> targets) 
   pair_targets_ = std::move(targets);
 }
 
+void Composer::SetTopic(std::vector<Placed> topic) {
+  if (topic.empty() || topic_.empty() || topic.front().object != topic_.front().object) earlier_topic_ = topic_;
+  topic_ = std::move(topic);
+}
+
+bool Composer::IsForFloorOnly(const std::string& type) const {
+  static const std::set<std::string> types = {
+      "against_wall", "near_wall",   "in_corner",         "not_against_wall", "accessible",   "next_to",
+      "near",         "away_from",   "clear_of_feature",  "central",          "in_zone",      "parallel",
+      "facing",       "in_front_of", "away_from_feature", "perpendicular",    "under_window", "facing_into_room",
+      "between",      "not_facing",  "centered_on_wall",  "close_to_feature"};
+  return types.count(type) != 0;
+}
+
+bool Composer::IsBesideTheRug(const std::string& type) const {
+  static const std::set<std::string> types = {"accessible", "away_from", "near", "next_to", "against_wall", "facing"};
+  return scope() == v1::SENTENCE_SCOPE_TERTIARY && types.count(type) != 0 &&
+         std::any_of(topic_.begin(), topic_.end(), [&](const Placed& placed) { return IsRug(placed); });
+}
+
 bool Composer::Emit(Call call) {
   const v1::ConstraintType* type = catalog_.Find(call.type);
   if (type == nullptr) return false;
+  if (IsForFloorOnly(type->name()) && !call.arguments.empty()) {
+    const std::string& mover = call.arguments.front().value().text();
+    for (const v1::Object& candidate : request_.object_list().objects()) {
+      if (candidate.id() != mover || candidate.kind() == v1::OBJECT_KIND_FLOOR) continue;
+      Refuse("not_expressible",
+             fmt::format("{} is for what stands on the floor, which {} does not", type->name(), mover));
+      return true;
+    }
+  }
   std::vector<std::string> remarks;
   if (!CatalogIndex::Fit(*type, call.arguments, remarks).ok()) return false;
   for (const std::string& remark : remarks) Note("out_of_range", remark);
   call.type = type->name();
   // "not next to the bed, at least 0.5 m from it": the fuller of two like calls stays.
+  if (IsBesideTheRug(type->name())) {
+    Refuse("not_expressible",
+           fmt::format("a rug lies under things or in the middle; {} says nothing of it", type->name()));
+    return true;
+  }
   for (Call& other : calls_) {
     if (Includes(other, call)) return true;
     if (Includes(call, other)) {

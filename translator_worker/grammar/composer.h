@@ -51,6 +51,13 @@ class Composer {
   const std::string& id(const Placed& placed) const { return object(placed.object).id(); }
   bool IsFloor(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_FLOOR; }
   bool IsRug(const Placed& placed) const { return object(placed.object).walk_over(); }
+  // A mat among the secondary objects stands before and beside things like furniture.
+  bool IsTertiaryRug(const Placed& placed) const {
+    return IsRug(placed) && object(placed.object).role() == v1::OBJECT_ROLE_TERTIARY;
+  }
+  bool IsPrimaryFloor(const Placed& placed) const {
+    return IsFloor(placed) && object(placed.object).role() == v1::OBJECT_ROLE_PRIMARY;
+  }
   bool IsWall(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_WALL; }
   bool IsCeiling(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_CEILING; }
   bool IsSurface(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_SURFACE; }
@@ -67,7 +74,7 @@ class Composer {
   void Note(std::string_view code, const std::string& message);
 
   // What was spoken of last: the default mover, and the partner that "them" and a bare distance refer to.
-  void SetTopic(std::vector<Placed> topic) { topic_ = std::move(topic); }
+  void SetTopic(std::vector<Placed> topic);
   void SetPair(std::vector<Placed> movers, std::vector<Placed> targets);
   const std::vector<Placed>& topic() const { return topic_; }
   const std::vector<Placed>& pair_movers() const { return pair_movers_; }
@@ -78,6 +85,8 @@ class Composer {
   const std::vector<v1::Diagnostic>& refusals() const { return refusals_; }
   const std::vector<v1::Diagnostic>& notes() const { return notes_; }
   v1::SentenceScope scope() const { return sentence_.scope(); }
+  // The feature that a fact of this sentence related to last: "near a socket without blocking it".
+  std::string last_feature;
   // Whether a rug has been placed by this sentence; it lies in one place only.
   bool rug_placed = false;
 
@@ -87,6 +96,12 @@ class Composer {
   void KeepZone(std::vector<int>& objects, const Placed& mover) const;
   // "The TV screen" of a TV stand is the stand where floor objects are spoken of.
   Placed PieceFor(const Placed& placed) const;
+  // Chosen only after the sentences about floor objects are written: nothing there can be placed by it.
+  bool ChosenLater(int object) const;
+  // Whether a type is for what stands on the floor: lamps on tables face nothing and clocks lean on no wall.
+  bool IsForFloorOnly(const std::string& type) const;
+  // Whether a type would place furniture, or the rug as if it were furniture, in a sentence about a rug.
+  bool IsBesideTheRug(const std::string& type) const;
   std::vector<int> Group(const std::string& name, const std::vector<Placed>& movers) const;
   v1::Diagnostic Remark(v1::Severity severity, std::string_view code, const std::string& message) const;
 
@@ -96,6 +111,8 @@ class Composer {
   const v1::Sentence& sentence_;
   std::vector<Placed> subjects_;
   std::vector<Placed> topic_;
+  // The topic before it: "the desk has the chair in front of it".
+  std::vector<Placed> earlier_topic_;
   std::vector<Placed> pair_movers_;
   std::vector<Placed> pair_targets_;
   std::vector<Call> calls_;

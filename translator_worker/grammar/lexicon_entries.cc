@@ -7,19 +7,19 @@ namespace flair::translator {
 // space continues the entry. The first entry wins when a phrase stands in two of the same length.
 std::string_view LexiconEntries() {
   return R"(
-relation against: [right|up|flush|snug|snugly|directly|pushed|tight] against | flush (with|to) | backed (onto|against|by) | backs onto
+relation against: (installed|mounted|fixed|positioned|placed|set) against | [right|up|flush|snug|snugly|directly|pushed|tight] against | flush (with|to) | backed (onto|against|by) | backs onto
   | touching | touches | adjoining | adjoins | abutting | abuts | backing onto | fixed to | attached to
 relation along: along | alongside | lined up along | runs along | running along
 relation aligned: aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
-relation near: near | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
+relation near: near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
   | proximity to | in the vicinity of | within [easy|arm 's|arms|comfortable|convenient|close] reach of | not far from | not too far from
   | easily accessible from | conveniently accessible from | in reach of | [within] [a] comfortable sitting distance (from|of)
   | within [a] (comfortable|short|reasonable|walking|easy) distance (of|from) | within [easy|arm 's|close] reach from | within easy reach | within arm 's reach
-  | convenient to | closer to | as close as possible to | grouped with | paired with | grouped near | at arm 's length from
+  | convenient to | (closer|nearer) to | nearer | as close as possible to | grouped with | paired with | grouped near | at arm 's length from
 relation nearby: have nearby access to
 relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | adjacent | alongside of | side by side with
   | by | at
-relation to_side: (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
+relation to_side: (to|on|at) the other side of | (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
 relation side_by_side: side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
   | form (a|one) row | lined up
 relation each_side_of: on (each|either|both) (side|sides) of | at (each|either) side of | on opposite sides of
@@ -29,15 +29,16 @@ relation right_of: (to|on|at) [the] right [side] of | right of | immediately rig
 relation foot_of: (at|by|near|against) the foot [end] of | at the end of
 relation head_of: (at|by|near) the head [end] of
 relation behind: behind | in back of | at the back of | at the rear of | to the rear of
-relation in_front_of: in front of | [directly] before | ahead of | in the front of
+relation in_front_of: in front of | (centered|centred|central|centrally) in front of | [directly] before | ahead of | in the front of
 relation in_front: in front | at the front
 relation at_sides: (on|at|to) (both|each|the|either) sides | on either side | on each side | at the sides | on both sides
-relation around: around | round | surrounding | all around | on all sides of | on all (sides|four sides) | on every side | all round
+relation all_sides: on all [four] sides [of] | on every side [of] | at all sides [of] | from all sides
+relation around: around | round | surrounding | all around | all round
 relation surround: surround | surrounds | surrounded | arranged around | [evenly] spaced around | [placed|grouped|gathered|distributed|set] (around|round)
   | stand (around|round) | against each side of | on all sides round
 relation surrounded_by: surrounded by
 relation between: between | in between
-relation on: on | on top of | atop | onto | upon | resting on | sits on | sit on | stand on | stands on | standing on | sitting on | inside | in | into
+relation on: in (a|its) (separate|own|dedicated) | on | on top of | atop | onto | upon | resting on | sits on | sit on | stand on | stands on | standing on | sitting on | inside | in | into
   | on one of the shelves (of|inside|in|on) | on a shelf of | on the (top|surface) of | on the (upper|lower|top|middle|bottom) (shelf|shelves) of
   | on the (upper|lower|top|middle|bottom) | laid on | lies on | lie on | rests on | rest on | within | displayed on | inside of
 relation under: under | underneath | beneath | below | extending (under|beneath) | extends (under|beneath) | spread under
@@ -56,14 +57,15 @@ relation same_direction: (face|faces|facing) [in] the same (direction|way) (as|l
 relation parallel: parallel [to|with] | is parallel to | run parallel to | runs parallel to
 relation perpendicular: perpendicular to | at [a] right (angle|angles) to | perpendicular | at 90 degrees to | at a 90 degree angle to | square to
 relation not_angle: at [a|an] (45|30|60) [degree|degrees] angle (to|with) | at an angle [to] | diagonally | diagonal | at a 45 degree angle
+relation crowd: crowd | crowds | crowding
 relation away_from: away from | far from | far away from | [a|at a] [safe|reasonable|good|fair|some|comfortable|certain|suitable|sufficient|adequate|short|proper] distance (from|to) | apart from | separate from
   | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | at a (distance|remove) from | gap from | spaced from | distanced from | a gap from
 relation apart: separate | separated | distinct | apart | [spaced|set] apart [from each other] | away from each other | from each other | from one another | away
-relation block: block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
+relation block: restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
   | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
-  | block [the] (view|views|light|access|opening|swing|use|path|view or access|access or view) (to|of|from|through|for) | block light from | block or cover | (block|obstruct) [the] [natural] (light|view) [coming] from
-  | obstruct [the] [easy] (view|views|access|use|opening|path|swing) (to|of|from|for) | blocking [the] [natural] (view|access|light|opening|swing|use|path|view or access) (to|of|from|through|for)
-  | obstructing [the] (access|view|use|opening|path|swing) (to|of|from|for) | placed over | placement over | in the path of | interfere with [the] (opening|swing|use|access|operation) (of|to) | stand in the way of
+  | block [the] (view|views|light|access|opening|swing|use|view or access|access or view) (to|of|from|through|for) | block light from | block or cover | (block|obstruct) [the] [natural] (light|view) [coming] from
+  | obstruct [the] [easy] (view|views|access|use|opening|swing) (to|of|from|for) | blocking [the] [natural] (view|access|light|opening|swing|use|view or access) (to|of|from|through|for)
+  | obstructing [the] (access|view|use|opening|swing) (to|of|from|for) | placed over | placement over | in the path of | interfere with [the] (opening|swing|use|access|operation) (of|to) | stand in the way of
   | in [the] direct line of | in the (swing|line|arc) of | obstruct or block | block or obstruct | collide with | collides with | hit | hits | in the swing path of | overlap | overlaps | overlapping
 relation clear_of: [be|is|are|remain|remains] clear of | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear of | leave [enough] (space|clearance|room) for | outside [of]
   | clear for | out of
@@ -72,13 +74,14 @@ relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free
 relation keep_front_clear: [the] (area|floor|space|zone) in front of
 relation accessible: accessible | fully accessible | easily accessible | reachable | easy to (reach|access|get to) | approachable | accessibly | (unobstructed|easy|convenient|clear|full|direct) access
   | accessed | accessed easily | access is (needed|possible) | can be reached | be reached | free access | access
-relation accessible_from: (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
+relation accessible_from: accessible (side|sides) | (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
 relation access_to: access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | power from | plugged into | plug into | [easy] access from
 relation allow_access_to: [to|and] (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to
 relation pull_out: [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | [to] pulling [it] (out|back) | pull it out | movement space | allow movement space | space to move | move back
 relation swing_open: to open | [should] [be able to|able to|to] open [up] [fully|freely|completely|easily|properly] | opened | opens (fully|freely) | (opening|operation) | can open | swing open
-relation space: space | distance | gap | clearance | spacing | separation | buffer | clearances | [of] [clear|open|free|ample|adequate|sufficient|empty|unobstructed|walking|viewing|circulation|movement] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances) [of] | enough (space|room) | room (for|to) | [there is|has] room | clearance space | clear floor
+relation space: space | distance | gap | clearance | spacing | separation | buffer | clearances | [of] [clear|open|free|ample|adequate|sufficient|empty|unobstructed|walking|viewing|circulation|movement] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances) [of] | enough (space|room) | (leave|leaves|leaving|allow|allows|allowing|provide|provides|providing|is) room (for|to) | there is room | has room | room to (move|walk|pull|open|sit) | clearance space | clear floor
   | clear area | floor space | clear floor space | elbow room
+relation space: [of] [clear|open|free|adequate|sufficient|enough] (walking|circulation|movement|viewing|maneuvering) (space|clearance|distance|area)
 relation space: [clear] (walking|circulation|walkway|movement) room | space to walk | (ample|adequate|sufficient|more) room
 relation minimal: minimal | kept minimal
 relation considered: (in|into) (consideration|mind|account)
@@ -92,13 +95,14 @@ relation centered: (centered|centred) on top of | [be] (centered|centred|center|
   | centred (in|on|within|at) | centered (in|on|within|at) | centrally (in|on|within|located|positioned|placed|hung) [in|on|within] | in the middle of | on the (center|centre) line of | central [location] (in|within|to)
   | (center|centre) of | toward the (center|centre) of | [near] the (center|centre) | centrally located within | island | as an island | as [a] (center|centre) piece | centerpiece (of|in) | central to | free standing island
   | (center|centre) piece | focal point of | stands free in
+relation centered: centered along [the|its] (length|width) of | centrally along the (length|width) of
 relation wall_centered: centered (on|along|against) | centred (on|along|against) | in the middle of
 relation corner: in [a|one|the] corner | corner | [in|into] [an|a|the] (empty|unused|quiet|cozy|free|far) corner | corner (of|in) | [in|at|on|near|towards|toward|to] (a|the|one|each|any) [far|near|quiet|free|empty] corner [of] | corners [of] | across [a|the] corner | into (a|the) corner | one corner (of|on)
 relation corner_back_left: [on|at|in|near|towards] [the] (back left|rear left|left back|left rear) [hand] corner [of|on]
 relation corner_back_right: [on|at|in|near|towards] [the] (back right|rear right|right back|right rear) [hand] corner [of|on]
 relation corner_front_left: [on|at|in|near|towards] [the] (front left|left front) [hand] corner [of|on]
 relation corner_front_right: [on|at|in|near|towards] [the] (front right|right front) [hand] corner [of|on]
-relation edge: [on|at|near|by|towards|along] (the|an|one) (edge|end) (of|on) | edge of | (on|to) one (end|edge) of | [on|at] the edge of | end of | edges of
+relation edge: [near|at|by|on|along] [the|an|its] edge | [on|at|near|by|towards|along] (the|an|one) (edge|end) (of|on) | edge of | (on|to) one (end|edge) of | [on|at] the edge of | end of | edges of
 relation towards_back: [and] (towards|toward) the (back|rear|wall|back side|back edge) [of] | at the back edge of | [positioned] (towards|toward) the wall
 relation into_room: (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | [a|the] [good|clear|full] (view|overview) of [the] [whole|entire|main] room | facing inward | facing inwards | view of the [main|entire|whole] room
 relation hanging: hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
@@ -107,8 +111,8 @@ relation freestanding: freestanding | free standing | away from all walls
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
 relation on_wall_of: on the (wall|walls) of
-filler: walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | [in] the central part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | in [a|the|an] (position|positions|location|spot|place|places|area|areas|way|manner) (where|that|which) [it|they] [will|would|could|might|can]
-  | where (it|they) [will|would|could|might|can] | [at a|in a|at the] location | the | a | an | its own | own | this | that | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
+filler: (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | [in] the central part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | in [a|the|an] (position|positions|location|spot|place|places|area|areas|way|manner) (where|that|which) [it|they] [will|would|could|might|can]
+  | where (it|they) [will|would|could|might|can] | [at a|in a|at the] location | the | a | an | its own | own | this | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
   | place | places | placed | placing | placement | put | puts | set | sets | position | positions | positioned | positioning | locate | located | location | situate | situated | stand | stands | standing | sit | sits | sitting | keep | keeps | kept | keeping
   | leave | leaves | leaving | left free | ensure | ensures | ensuring | make sure | making sure | maintain | maintains | maintaining | provide | provides | providing | require | requires | requiring | need | needs | needed | allow | allows | arrange | arranged
   | arrangement | use | used | used for | lie | lies | lying | go | goes | run | runs | rest | rests | resting | remain | remains | stay | stays | consider | considering | consideration
@@ -121,17 +125,18 @@ filler: walk | walking | moving | to ensure (it|they) | maintained | ensured | p
   | measuring | size | sized | (in|of) size | free of charge | still | yet | please | should the | together | aligned in | evenly | equally | symmetric | symmetrical | symmetrically | neatly
   | installed hanging | in position | in place | extends | extend | extending | centre on | floor level | placements | plenty of | between them and | other | of clearance
 modal: should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
-wish: ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
+wish: ideal to have | ideal to | ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
   | where (space|room) (allows|permits) | as far as possible | whenever possible | if there is (space|room)
-purpose: for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | rather than | such as | like | depending | even
-condition: if | unless | only if | in the event
+purpose: than | for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | rather than | such as | like | depending | even
+condition: not (necessary|required|needed|essential) | is optional | no need | if | unless | only if | in the event
 not: not | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | nothing | don
 side front: front [side|edge|face|end|part] | front and center | foot [end] | footboard | fronts | front sides
 side back: back [side|edge|end|part] | rear [side|edge] | headboard | head [end|side] | backrest | backs | back sides | headrest
 side left: left [hand] [side|edge] | left hand side
 side right: right [hand] [side|edge] | right hand side
-side sides: [both|the|two|either|each] sides | both [of its] sides | left and right [sides] | left and right side | (each|either) side | (left and right|right and left) sides | both ends | ends | lateral sides
-side side: side | [at least] one side | one of [its|the] sides | (left or right|right or left) [side] | a side | any side | at least one of its sides | one [free|open] side | one end
+side sides: arms | armrests | [both|the|two|either|each] sides | both [of its] sides | left and right [sides] | left and right side | (each|either) side | (left and right|right and left) sides | both ends | ends | lateral sides
+side opposite_two: [on|at] [at least] two opposite sides
+side side: side | [the] (arm|armrest) | [at least] one side | one of [its|the] sides | (left or right|right or left) [side] | a side | any side | at least one of its sides | one [free|open] side | one end
 side long_one: [at least|on|along] (one|a) [of its|of the|of their] (long|longer|longest|lengthwise) (side|sides|edge|edges) | (long|longer|longest) (side|edge) | (one|a) length
 side long_both: [both|the|two|on both|all] (long|longer|longest) (sides|edges)
 side short_one: [at least] (one|a) [of its|of the] (short|shorter) (side|sides|edge|edges) | (short|shorter) (side|edge) | one width
@@ -139,11 +144,11 @@ side short_both: [both|the|two] (short|shorter) (sides|edges)
 side two_any: [at least|on at least] two [of its] sides
 side three: [at least] three [of its] sides
 side all: all [of its|of the] [four] sides | all four sides | every side | all around sides | (each|all) of its sides | all [its] [four] sides
-feature door: (wall|walls) with [a|the] (door|doors) | [bedroom|entrance|entry|main|room|front] (door|doors|doorway|doorways) | [the] (entrance|entry|entryway|entryways|entrances|exit|exits|access point|entry point|entry points|doorframe|threshold) [door|way] | (door|door 's) (swing|swings|opening|area|clearance|path|frame|arc)
+feature door: room 's (entrance|entry|door|doorway|exit) | (wall|walls) with [a|the] (door|doors) | [bedroom|entrance|entry|main|room|front] (door|doors|doorway|doorways) | [the] (entrance|entry|entryway|entryways|entrances|exit|exits|access point|entry point|entry points|doorframe|threshold) [door|way] | (door|door 's) (swing|swings|opening|area|clearance|path|frame|arc)
   | doors 's (swing|swings) | swing[ing] of [the] (door|doors) | swings | entry area | entrance area | doors swings | door swing area | passage door | entry to the room | entry and exit [points] | line of entry
 feature window: (wall|walls) with [a|the|any] (window|windows) | window (wall|walls) | window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
 feature socket: (wall|walls) with [a|the|any] (socket|sockets|outlet|outlets) | electrical and gas (outlets|sockets) | [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plug|plugs|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
-place wall: [one of the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
+place wall: [one or] two walls | [one of the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
 place ceiling: ceiling | ceilings
 place room: [whole|entire|main] (room|bedroom|living room|dining room|kitchen|office|study|bathroom|studio|space|workshop|workroom|hall|library|gym|nursery) | floor plan | room 's space | center of attention | layout
 place floor: floor | ground

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "fmt/format.h"
+
 namespace flair::translator {
 namespace {
 
@@ -195,8 +197,16 @@ class Joiner {
   // "1.8m x 2.8m", "0.6m wide": leaves nothing behind.
   bool SkipDimension(size_t next) {
     const size_t start = next;
-    // "the 2.5m side" is a side.
-    if (in_[at_].kind == Token::Kind::kNumber && (WordAt(next, "side") || WordAt(next, "sides"))) {
+    // "the 2.5m side" is the side of that length.
+    if (in_[at_].kind == Token::Kind::kNumber && WordAt(next, "side")) {
+      Token side = in_[next];
+      side.text = fmt::format("length:{:.3f}", NumberAt(at_)->value);
+      side.begin = in_[at_].begin;
+      out_.push_back(std::move(side));
+      at_ = next + 1;
+      return true;
+    }
+    if (in_[at_].kind == Token::Kind::kNumber && WordAt(next, "sides")) {
       at_ = next;
       return true;
     }

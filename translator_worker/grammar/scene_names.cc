@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "absl/strings/str_join.h"
 #include "translator_worker/grammar/furniture_words.h"
@@ -12,6 +13,10 @@ namespace flair::translator {
 namespace {
 
 constexpr size_t kLongestName = 6;
+// What is chosen later ranks after everything else that bears a name.
+constexpr int kLaterRank = 10;
+// "TV" for "TV stand".
+constexpr int kFrontRank = 4;
 
 std::vector<std::string> SingularWords(const std::string& name) {
   std::vector<std::string> words = NameWords(name);
@@ -23,6 +28,19 @@ std::vector<std::string> SingularWords(const std::string& name) {
 bool SameStem(const std::string& a, const std::string& b) {
   const size_t shared = std::min({a.size(), b.size(), size_t{6}});
   return a == b || (shared >= 4 && a.compare(0, shared, b, 0, shared) == 0);
+}
+
+bool IsNumber(const std::string& word) {
+  return !word.empty() && word.size() < 4 &&
+         std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+int NumberOf(const std::string& word) { return IsNumber(word) ? std::atoi(word.c_str()) : 0; }
+
+// "nightstand 2" is a nightstand.
+std::vector<std::string> WithoutNumber(std::vector<std::string> words) {
+  if (words.size() > 1 && IsNumber(words.back())) words.pop_back();
+  return words;
 }
 
 double WallLength(const v1::Room& room, int wall) {
@@ -42,21 +60,15 @@ std::vector<std::string> NameWords(const std::string& name) {
   return words;
 }
 
-SceneNames::SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects)
-    : room_(room), zones_(zones), objects_(objects) {
-  for (int i = 0; i < objects.objects_size(); ++i) {
-    const v1::Object& object = objects.objects(i);
-    const std::vector<std::string> words = SingularWords(object.name());
-    Add(SingularWords(object.id()), i, 0);
-    for (size_t skip = 0; skip < words.size(); ++skip) {
-      const std::vector<std::string> tail(words.begin() + static_cast<long>(skip), words.end());
-      Add(tail, i, skip == 0 ? 0 : 1);
-      for (const std::vector<std::string>& group : FurnitureSynonyms()) {
-        if (std::find(group.begin(), group.end(), absl::StrJoin(tail, " ")) == group.end()) continue;
-        for (const std::string& synonym : group) Add(NameWords(synonym), i, skip == 0 ? 2 : 3);
-      }
-    }
-  }
+SceneNames::SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
+                       NamedObjects named)
+    : room_(room), zones_(zones), objects_(objects), numbers_(objects.objects_size(), 0) {
+  const auto rank = [&](const v1::Object& object) {
+    const bool first = named == NamedObjects::kAll || object.role() != v1::OBJECT_ROLE_TERTIARY ||
+                       object.kind() == v1::OBJECT_KIND_FLOOR;
+    return first ? 0 : kLaterRank;
+  };
+  for (int i = 0; i < objects.objects_size(); ++i) AddNamesOf(i, rank(objects.objects(i)));
   for (const std::vector<std::string>& group : FurnitureSynonyms()) {
     for (const std::string& name : group) names_[name];
   }
@@ -66,7 +78,25 @@ SceneNames::SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1
     const std::vector<std::string> words = SingularWords(objects.objects(i).name());
     for (size_t length = words.size() - (words.empty() ? 0 : 1); length > 0; --length) {
       const std::vector<std::string> front(words.begin(), words.begin() + static_cast<long>(length));
-      if (names_.count(absl::StrJoin(front, " ")) != 0 && front.front() != "storage") Add(front, i, 4);
+      if (names_.count(absl::StrJoin(front, " ")) != 0 && front.front() != "storage")
+        Add(front, i, rank(objects.objects(i)) + kFrontRank);
+    }
+  }
+}
+
+void SceneNames::AddNamesOf(int i, int rank) {
+  const v1::Object& object = objects_.objects(i);
+  const std::vector<std::string> all = SingularWords(object.name());
+  const std::vector<std::string> words = WithoutNumber(all);
+  if (words.size() < all.size()) numbers_[i] = NumberOf(all.back());
+  Add(SingularWords(object.id()), i, rank);
+  joined_names_[absl::StrJoin(words, "")].push_back({i, rank});
+  for (size_t skip = 0; skip < words.size(); ++skip) {
+    const std::vector<std::string> tail(words.begin() + static_cast<long>(skip), words.end());
+    Add(tail, i, rank + (skip == 0 ? 0 : 1));
+    for (const std::vector<std::string>& group : FurnitureSynonyms()) {
+      if (std::find(group.begin(), group.end(), absl::StrJoin(tail, " ")) == group.end()) continue;
+      for (const std::string& synonym : group) Add(NameWords(synonym), i, rank + (skip == 0 ? 2 : 3));
     }
   }
 }
@@ -84,32 +114,99 @@ void SceneNames::Add(const std::vector<std::string>& words, int object, int rank
 
 SceneNames::Found SceneNames::Find(const std::vector<Token>& tokens, size_t at) const {
   Found best = FindObject(tokens, at);
-  for (const Found& other : {FindZone(tokens, at), FindWall(tokens, at)}) {
+  for (const Found& other : {FindInZone(tokens, at), FindZone(tokens, at), FindWall(tokens, at)}) {
     if (other.length > best.length) best = other;
   }
   return best;
 }
 
 SceneNames::Found SceneNames::FindObject(const std::vector<Token>& tokens, size_t at) const {
+  Found found = FindObjectByWords(tokens, at);
+  TakeNumber(tokens, at, found);
+  return found;
+}
+
+void SceneNames::TakeNumber(const std::vector<Token>& tokens, size_t at, Found& found) const {
+  const size_t next = at + found.length;
+  if (found.reference.kind != RefKind::kObjects || found.length == 0 || next >= tokens.size()) return;
+  if (tokens[next].kind != Token::Kind::kNumber || NumberOf(tokens[next].text) == 0) return;
+  const int number = NumberOf(tokens[next].text);
+  std::vector<int>& candidates = found.reference.candidates;
+  const auto bears_it = [&](int object) { return numbers_[object] == number; };
+  if (std::any_of(candidates.begin(), candidates.end(), bears_it)) {
+    std::erase_if(candidates, [&](int object) { return !bears_it(object); });
+  } else if (number <= static_cast<int>(candidates.size())) {
+    candidates = {candidates[number - 1]};
+  }
+  found.reference.plural = false;
+  ++found.length;
+}
+
+size_t SceneNames::ZoneLength(const v1::Zone& zone, const std::vector<Token>& tokens, size_t at) const {
+  const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
+  if (words.empty() || at + words.size() > tokens.size()) return 0;
+  size_t next = at;
+  for (const std::string& word : words) {
+    // "Shower/Bath", "Cooking and Eating".
+    if (next > at && next < tokens.size() && (tokens[next].IsMark('/') || tokens[next].IsWord("and"))) ++next;
+    if (next >= tokens.size() || tokens[next].kind != Token::Kind::kWord || !SameStem(tokens[next].text, word))
+      return 0;
+    ++next;
+  }
+  return next - at;
+}
+
+// "The warm bench", "the reading area's chair": of several of the name those of the zone.
+SceneNames::Found SceneNames::FindInZone(const std::vector<Token>& tokens, size_t at) const {
+  for (const v1::Zone& zone : zones_.zones()) {
+    const size_t words = ZoneLength(zone, tokens, at);
+    if (words == 0) continue;
+    size_t next = at + words;
+    const Phrase area = Lexicon::Get().Find(tokens, next);
+    if (area.word_class == WordClass::kArea) next += area.length;
+    if (next < tokens.size() && tokens[next].IsWord("'s")) ++next;
+    Found found = FindObject(tokens, next);
+    std::vector<int>& candidates = found.reference.candidates;
+    std::erase_if(candidates, [&](int object) { return objects_.objects(object).zone_id() != zone.id(); });
+    if (found.length == 0 || candidates.empty()) continue;
+    found.length += next - at;
+    return found;
+  }
+  return {};
+}
+
+SceneNames::Found SceneNames::FindObjectByWords(const std::vector<Token>& tokens, size_t at) const {
   Found found;
   std::string key;
+  std::string joined;
+  int best = 2 * kLaterRank;
   for (size_t length = 1; length <= kLongestName && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind != Token::Kind::kWord && token.kind != Token::Kind::kNumber) break;
     const std::string singular = Singular(token.text);
-    const auto entry = names_.find(key + singular);
+    auto entry = names_.find(key + singular);
     key += singular + " ";
-    if (entry == names_.end()) continue;
+    joined += singular;
+    if (entry == names_.end()) {
+      entry = joined_names_.find(joined);
+      if (entry == joined_names_.end()) continue;
+    } else if (const auto whole = joined_names_.find(joined); entry->second.empty() && whole != joined_names_.end()) {
+      entry = whole;
+    }
+    const auto chosen_later = [](const Candidate& candidate) { return candidate.rank >= kLaterRank; };
+    const bool later = !entry->second.empty() && std::all_of(entry->second.begin(), entry->second.end(), chosen_later);
     found.length = length;
+    // "The TV screen" before there is a screen: what "the TV" is, the TV stand.
+    if (later && best == kFrontRank) continue;
     found.reference = {};
     found.reference.name = entry->first;
     found.reference.plural = singular != token.text;
     found.reference.kind = entry->second.empty() ? RefKind::kAbsent : RefKind::kObjects;
-    int best = 9;
+    best = 2 * kLaterRank;
     for (const Candidate& candidate : entry->second) best = std::min(best, candidate.rank);
     for (const Candidate& candidate : entry->second) {
       if (candidate.rank == best) found.reference.candidates.push_back(candidate.object);
-      if (best > 0 && candidate.rank > best && candidate.rank < 4) {
+      if (best > 0 && candidate.rank > best && candidate.rank < kFrontRank) {
         found.reference.weak_candidates.push_back(candidate.object);
       }
     }
@@ -130,20 +227,16 @@ SceneNames::Found SceneNames::FindObject(const std::vector<Token>& tokens, size_
 
 SceneNames::Found SceneNames::FindZone(const std::vector<Token>& tokens, size_t at) const {
   for (const v1::Zone& zone : zones_.zones()) {
-    const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
-    bool same = !words.empty() && at + words.size() <= tokens.size();
-    for (size_t i = 0; same && i < words.size(); ++i) {
-      same = tokens[at + i].kind == Token::Kind::kWord && SameStem(tokens[at + i].text, words[i]);
-    }
-    if (!same) continue;
-    const size_t next = at + words.size();
+    const size_t words = ZoneLength(zone, tokens, at);
+    if (words == 0) continue;
+    const size_t next = at + words;
     // "the seating area", "the workstation and relaxation areas".
     for (size_t i = next; i < std::min(tokens.size(), next + 5); ++i) {
       if (Lexicon::Get().Find(tokens, i).word_class == WordClass::kArea) {
         Found found;
         found.reference.kind = RefKind::kZone;
         found.reference.name = zone.id();
-        found.length = i == next ? words.size() + 1 : words.size();
+        found.length = i == next ? words + 1 : words;
         return found;
       }
       if (i > next && !tokens[i].IsWord("or") && !tokens[i].IsWord("and") && tokens[i - 1].kind != Token::Kind::kWord)

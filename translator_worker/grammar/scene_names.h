@@ -13,11 +13,17 @@
 
 namespace flair::translator {
 
+// Which objects a name means first. Small things on tables, walls and ceilings are chosen after the sentences about
+// floor objects are written: "the TV" there is the TV stand.
+enum class NamedObjects { kAll, kFloorFirst };
+
 // Finds the room's own objects, zones and walls in a sentence, by full name, by id, by the end of the name ("cauldron"
-// for "large cauldron") or by a synonym. Furniture that the room lacks is found as absent. Borrows its arguments.
+// for "large cauldron"), by number ("chair 2"), by zone ("the reading chair") or by a synonym. Furniture that the room
+// lacks is found as absent. Borrows its arguments.
 class SceneNames {
  public:
-  SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects);
+  SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
+             NamedObjects named = NamedObjects::kAll);
 
   struct Found {
     Reference reference;
@@ -41,7 +47,14 @@ class SceneNames {
   };
 
   void Add(const std::vector<std::string>& words, int object, int rank);
+  void AddNamesOf(int object, int rank);
   Found FindObject(const std::vector<Token>& tokens, size_t at) const;
+  Found FindInZone(const std::vector<Token>& tokens, size_t at) const;
+  // "Nightstand 2": keeps the one with that number.
+  void TakeNumber(const std::vector<Token>& tokens, size_t at, Found& found) const;
+  // Length of the zone's name at tokens[at], 0 when another word stands there.
+  size_t ZoneLength(const v1::Zone& zone, const std::vector<Token>& tokens, size_t at) const;
+  Found FindObjectByWords(const std::vector<Token>& tokens, size_t at) const;
   Found FindZone(const std::vector<Token>& tokens, size_t at) const;
   Found FindWall(const std::vector<Token>& tokens, size_t at) const;
 
@@ -50,6 +63,10 @@ class SceneNames {
   const v1::ObjectList& objects_;
   // Singular words joined by spaces; an empty list is furniture that the room does not have.
   std::map<std::string, std::vector<Candidate>> names_;
+  // Whole names without any space, for "table lamp" and "tablelamp1".
+  std::map<std::string, std::vector<Candidate>> joined_names_;
+  // The number at the end of an object's name; 0 when it has none.
+  std::vector<int> numbers_;
 };
 
 // The lower-case words of a name; underscores and hyphens separate.

@@ -19,8 +19,9 @@ constexpr size_t kLongestFact = 14;
 
 class Walk {
  public:
-  Walk(const Analysis& analysis, Composer& composer, std::string_view text)
-      : terms_(analysis.terms), composer_(composer), text_(text) {}
+  // `reads_reasons`: what follows "to" and "for" is read like the rest.
+  Walk(const Analysis& analysis, Composer& composer, std::string_view text, bool reads_reasons)
+      : terms_(analysis.terms), composer_(composer), text_(text), reads_reasons_(reads_reasons) {}
 
   void Run() {
     while (at_ < terms_.size()) {
@@ -41,6 +42,15 @@ class Walk {
 
   // Content words that no fact covered.
   const std::vector<std::string>& left_over() const { return left_over_; }
+  // Whether something was skipped as a reason.
+  bool reasons() const { return reasons_; }
+  // Whether it names something no call is about.
+  bool vague() const {
+    return std::any_of(unused_.begin(), unused_.end(), [](const Mention* mention) {
+      return std::any_of(mention->references.begin(), mention->references.end(),
+                         [](const Reference& reference) { return reference.kind == RefKind::kVague; });
+    });
+  }
   // Left-over noun phrases that name something no call is about.
   void RefuseVague() {
     for (const Mention* mention : unused_) {
@@ -101,7 +111,9 @@ class Walk {
     switch (term.kind) {
       case Term::Kind::kPurpose:
         // "that" after a thing tells which one; "ensure that" tells nothing.
+        if (reads_reasons_ && (term.lemma == "to" || term.lemma == "for")) break;
         if (term.lemma != "that" || (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kMention)) in_reason_ = true;
+        reasons_ = reasons_ || term.lemma == "to" || term.lemma == "for";
         break;
       case Term::Kind::kWord:
         if (!in_reason_ && term.lemma == "not") denied_ = true;
@@ -109,7 +121,7 @@ class Walk {
       case Term::Kind::kSoft:
         denied_ = false;
         if (term.lemma == "," || term.lemma == "but" || term.lemma == "while" || term.lemma == "with" ||
-            term.lemma == "(")
+            term.lemma == "(" || term.lemma == ":")
           in_reason_ = false;
         break;
       case Term::Kind::kMention:
@@ -132,6 +144,8 @@ class Walk {
   const std::vector<Term>& terms_;
   Composer& composer_;
   const std::string_view text_;
+  const bool reads_reasons_;
+  bool reasons_ = false;
   size_t at_ = 0;
   bool in_reason_ = false;
   bool clause_begins_ = true;
@@ -154,8 +168,13 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
   if (analysis.conditional) {
     composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");
   } else {
-    Walk walk(analysis, composer, sentence.text());
+    Walk walk(analysis, composer, sentence.text(), false);
     walk.Run();
+    if (composer.calls().empty() && composer.refusals().empty() && walk.reasons() && !walk.vague()) {
+      // "Positioned to create a nook away from the TV": all that it says stands in the reason.
+      Walk again(analysis, composer, sentence.text(), true);
+      again.Run();
+    }
     walk.RefuseVague();
     if (composer.calls().empty() && composer.refusals().empty()) {
       composer.Refuse(

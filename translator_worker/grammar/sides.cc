@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "translator_worker/grammar/sides.h"
 
+#include <cmath>
+#include <cstdlib>
+
 #include "fmt/format.h"
 
 namespace flair::translator {
@@ -20,6 +23,16 @@ std::vector<std::string> SidesOf(Composer& composer, const Placed& placed) {
   };
   if (word == "sides") return lateral;
   if (word == "side") return one(lateral);
+  if (word == "axial") return axial;
+  if (word == "opposite_two") {
+    composer.Note("side_left_open",
+                  fmt::format("which two sides of {} is open; left and right were taken", object.id()));
+    return lateral;
+  }
+  if (word.rfind("length:", 0) == 0) {
+    const double length = std::atof(word.c_str() + 7);
+    return one(std::abs(length - object.width_m()) <= std::abs(length - object.depth_m()) ? axial : lateral);
+  }
   if (word == "long_both") return wide ? axial : lateral;
   if (word == "long_one") return one(wide ? axial : lateral);
   if (word == "short_both") return wide ? lateral : axial;
@@ -35,7 +48,7 @@ std::vector<std::string> SidesOf(Composer& composer, const Placed& placed) {
 }
 
 std::string OneSide(Composer& composer, const Placed& placed) {
-  if (placed.side == "sides" || placed.side == "all" || placed.side == "side") return "";
+  if (placed.side == "sides" || placed.side == "all" || placed.side == "side" || placed.side == "axial") return "";
   const std::vector<std::string> sides = SidesOf(composer, placed);
   if (placed.side == "long_both" || placed.side == "short_both" || sides.size() != 1) return "";
   return sides.front();

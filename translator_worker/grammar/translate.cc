@@ -18,9 +18,11 @@ v1::LayoutGraph Translate(const v1::TranslateRequest& request) {
   if (request.has_style_sheet()) *graph.mutable_style_sheet() = request.style_sheet();
   *graph.mutable_constraint_list() = request.constraint_list();
   graph.set_catalog_library(request.catalog().library());
-  const SceneNames names(request.room(), request.zone_plan(), request.object_list());
+  const SceneNames all_names(request.room(), request.zone_plan(), request.object_list());
+  const SceneNames floor_names(request.room(), request.zone_plan(), request.object_list(), NamedObjects::kFloorFirst);
   const CatalogIndex catalog(request.catalog());
   for (const v1::Sentence& sentence : request.constraint_list().sentences()) {
+    const SceneNames& names = sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY ? all_names : floor_names;
     Translation translation = TranslateSentence(request, names, catalog, sentence);
     for (Call& call : translation.calls) {
       v1::ConstraintEdge& edge = *graph.add_edges();

@@ -46,6 +46,20 @@ void Accessible(const Match& match, std::string_view, Composer& composer) {
   EmitForSides(movers, match.distance, composer);
 }
 
+// "Access to the bed from both sides".
+void AccessFromSide(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> sided;
+  for (const Placed& other : composer.TargetObjects(*match.b, {})) {
+    for (const Reference& reference : match.c->references) sided.push_back({other.object, reference.side});
+  }
+  EmitForSides(sided, match.distance, composer);
+}
+
+// "All sides where chairs stand are accessible".
+void AccessibleWhere(const Match& match, std::string_view, Composer& composer) {
+  EmitForSides(composer.Movers(match.a), match.distance, composer);
+}
+
 // "X is accessible from Y": from one of Y's sides that is Y's own matter, else X is near Y.
 void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
@@ -69,6 +83,10 @@ void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
 
 // Space at a place relative to B, or to the topic: tag is "front", "back", "sides" or "around".
 void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
+  if (match.b != nullptr && match.b->references.front().kind == RefKind::kGroup) {
+    composer.Refuse("not_about_layout", "space around pieces that are not named cannot be asked for; name them");
+    return;
+  }
   const std::vector<Placed> owners =
       match.b != nullptr ? composer.TargetObjects(*match.b, {}) : composer.Movers(match.a);
   std::vector<Placed> placed;
@@ -84,6 +102,15 @@ void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
     placed.push_back(owner);
   }
   EmitForSides(placed, match.distance, composer);
+}
+
+// "A clear path around the bed" is space; other vague things around it are not.
+void PathAround(const Match& match, std::string_view tag, Composer& composer) {
+  if (match.c->references.front().name == "paths") {
+    SpaceAt(match, tag, composer);
+  } else {
+    composer.Refuse("not_about_layout", "only free space can be kept around an object");
+  }
 }
 
 // A chair is pulled out backwards; room for "the chair" of a desk is in front of the desk.
@@ -131,6 +158,15 @@ std::vector<Rule> AccessRules() {
       {"A? ,? space D? at_sides", SpaceAt, "sides"},
       {"A? space? D? space? around B.side", SpaceAt, "named"},
       {"A? space D? around", SpaceAt, "around"},
+      {"A? space? ,? D? space? all_sides", SpaceAt, "all"},
+      {"A? space? D? space? all_sides B.object", SpaceAt, "all"},
+      {"A? space? all_sides , D space?", SpaceAt, "all"},
+      {"A? space? around B.side , D space?", SpaceAt, "named"},
+      {"A? space? around B.object , D space?", SpaceAt, "around"},
+      {"A.object? accessible space? D? on? B.side", SpaceAt, "named"},
+      {"A? accessible/access_to/allow_access_to B.object away_from C.side", AccessFromSide},
+      {"A.side where B accessible/keep_clear", AccessibleWhere},
+      {"A.object? accessible all_sides", SpaceAt, "all"},
       {"A? space D? around B.object", SpaceAt, "around"},
       {"D space? around B.object", SpaceAt, "around"},
       {"D space? around", SpaceAt, "around"},
@@ -162,6 +198,13 @@ std::vector<Rule> AccessRules() {
       {"A.object? space D? for/to swing_open ,? C.feature?", SpaceAt, "named"},
       {"space for? A swing_open", SpaceAt, "named"},
       {"A.object accessible ,? not block", Accessible},
+  };
+}
+
+std::vector<Rule> PathRules() {
+  return {
+      {"A? D? C.vague D? around B.object", PathAround, "around"},
+      {"A? D? C.vague D? all_sides B.object", PathAround, "all"},
   };
 }
 

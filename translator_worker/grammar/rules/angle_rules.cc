@@ -35,7 +35,7 @@ void Facing(const Match& match, std::string_view tag, Composer& composer) {
       } else if (target.kind == RefKind::kRoom) {
         composer.EmitFirst({Call("facing_into_room").Text("object", id)});
       } else if (target.kind == RefKind::kWall && mover.side == "back") {
-        composer.EmitFirst({Call("against_wall").Text("object", id)});
+        composer.EmitFirst({Call("against_wall").Text("object", id).Text("side", "back")});
       } else if (target.objects.empty()) {
         composer.Refuse("unknown_sentence", "it can face an object, a door, a window or the room");
       }
@@ -99,7 +99,7 @@ void InFrontOf(const Match& match, std::string_view, Composer& composer) {
         continue;
       }
       for (const Placed& mover : movers) {
-        if (composer.IsRug(mover)) {
+        if (composer.IsTertiaryRug(mover)) {
           composer.EmitFirst(
               {Call("rug_under_forward").Text("rug", composer.id(mover)).Text("object", composer.id(other))});
           composer.rug_placed = true;

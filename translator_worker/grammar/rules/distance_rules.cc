@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances: away from, at least so far, gaps between, bare distances after another fact.
+#include <algorithm>
+
 #include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/sides.h"
@@ -36,6 +38,14 @@ void AwayFromOne(const Placed& mover, const Target& target, const Distance* dist
   if (!target.objects.empty()) composer.SetPair({mover}, target.objects);
 }
 
+void FreeSpace(const Placed& placed, const Distance* distance, Composer& composer) {
+  std::vector<std::string> sides = SidesOf(composer, placed);
+  if (sides.empty()) sides = {"front", "left", "right"};
+  Call call = Call("accessible").Text("object", composer.id(placed)).Texts("sides", sides);
+  if (distance != nullptr) call.Number("min_clearance_m", distance->Nominal());
+  composer.EmitFirst({std::move(call)});
+}
+
 void AwayFrom(const Match& match, std::string_view tag, Composer& composer) {
   // "Not within 0.5 m of" is at least so far away.
   Distance turned;
@@ -45,9 +55,21 @@ void AwayFrom(const Match& match, std::string_view tag, Composer& composer) {
     distance = &turned;
   }
   const std::vector<Placed> movers = composer.Movers(match.a);
+  // "The front has 0.6 m of clearance from any other object": free space there.
+  if (match.b->references.front().kind == RefKind::kGroup && !movers.empty() && !movers.front().side.empty()) {
+    for (const Placed& mover : movers) FreeSpace(mover, match.distance, composer);
+    return;
+  }
   for (const Target& target : composer.Targets(*match.b, movers, false)) {
     for (const Placed& mover : movers) AwayFromOne(mover, target, distance, composer);
   }
+}
+
+bool Names(const Reference& reference, int object) {
+  const auto has = [&](const std::vector<int>& list) {
+    return std::find(list.begin(), list.end(), object) != list.end();
+  };
+  return has(reference.candidates) || has(reference.weak_candidates);
 }
 
 // Every pair of the list; "them" is the last pair spoken of, or the objects that the sentence is about.
@@ -56,6 +78,18 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
   const Distance* distance = tag == "touching" ? &kTouching : match.distance;
   const Mention& mention = *match.b;
   const Reference& last = mention.references.back();
+  if (last.kind == RefKind::kGroup && mention.references.size() > 1 && distance != nullptr) {
+    // "At least 0.3 m between the cabinet and any other object".
+    Mention one;
+    one.references = {mention.references.front()};
+    Mention others;
+    others.references = {last};
+    const std::vector<Placed> movers = composer.Movers(&one);
+    for (const Placed& other : composer.TargetObjects(others, movers, false)) {
+      for (const Placed& mover : movers) KeepDistance(mover, other, distance, composer);
+    }
+    return;
+  }
   if (last.kind == RefKind::kGroup) {
     composer.Refuse("not_about_layout",
                     "a passage between pieces that are not named cannot be asked for; name two objects");
@@ -85,8 +119,29 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
     composer.Refuse("unknown_sentence", "a distance needs two objects that it is kept between");
     return;
   }
+  // "Between the table and each chair": the chairs among themselves are not meant.
+  const bool among_groups = mention.references.size() > 1;
+  const auto group_of = [&](const Placed& placed) {
+    size_t group = 0;
+    while (group < mention.references.size() && !Names(mention.references[group], placed.object)) ++group;
+    return group;
+  };
   for (size_t i = 0; i < all.size(); ++i) {
-    for (size_t k = i + 1; k < all.size(); ++k) KeepDistance(all[i], all[k], distance, composer);
+    for (size_t k = i + 1; k < all.size(); ++k) {
+      if (among_groups && group_of(all[i]) == group_of(all[k]) && group_of(all[i]) < mention.references.size())
+        continue;
+      KeepDistance(all[i], all[k], distance, composer);
+    }
+  }
+}
+
+// "A clear walkway between the sofa and the table" keeps them apart; between pieces that are not named it is a path.
+void PathBetween(const Match& match, std::string_view tag, Composer& composer) {
+  const bool named = match.b->references.size() > 1 && match.b->references.front().kind != RefKind::kGroup;
+  if (named && match.c->references.front().name == "paths") {
+    Between(match, tag, composer);
+  } else {
+    composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
   }
 }
 
@@ -99,6 +154,12 @@ void BetweenAndWall(const Match& match, std::string_view, Composer& composer) {
 
 // "at least 0.4 m from any seat to the bookshelf".
 void FromTo(const Match& match, std::string_view, Composer& composer) {
+  // "From the back of the chair to any other object": free space there.
+  const RefKind to = match.c->references.front().kind;
+  if (to == RefKind::kGroup || to == RefKind::kWall) {
+    for (const Placed& from : composer.TargetObjects(*match.b, {}, false)) FreeSpace(from, match.distance, composer);
+    return;
+  }
   for (const Placed& from : composer.TargetObjects(*match.b, {}, false)) {
     for (const Placed& to : composer.TargetObjects(*match.c, {from}, false))
       KeepDistance(from, to, match.distance, composer);
@@ -153,6 +214,8 @@ void BareDistance(const Match& match, std::string_view, Composer& composer) {
 
 }  // namespace
 
+std::vector<Rule> WalkwayRules() { return {{"D? C.vague D? ,? between B", PathBetween}}; }
+
 std::vector<Rule> DistanceRules() {
   return {
       {"A? space? D? space? away_from B", AwayFrom},
@@ -166,7 +229,7 @@ std::vector<Rule> DistanceRules() {
       {"A? D space? of B", AwayFrom},
       {"A? not near/next_to/in_front_of B", AwayFrom},
       {"A? not? space D? between ,? B ,? D?", Between},
-      {"A? D space? ,? between B", Between},
+      {"A? D of? space? ,? between B", Between},
       {"space between B minimal", Between, "touching"},
       {"A? not? space? D? space? apart", ApartFromEachOther},
       {"A? not near/next_to/against both_ways", ApartFromEachOther},
@@ -181,7 +244,11 @@ std::vector<Rule> DistanceRules() {
       {"A? not near/next_to/in_front_of/behind or near/next_to/in_front_of/behind B", AwayFrom},
       {"space? D? space? between B , C.wall ,? D?", BetweenAndWall},
       {"A? space? D? space? away_from B to C.object", FromTo},
+      {"A? space? D? space? away_from B to C.group", FromTo},
+      {"A? space? D? space? away_from B to C.group or C.wall", FromTo},
       {"A? not B.feature", AwayFrom},
+      {"A? not crowd B", AwayFrom},
+      {"space D? next_to/near B.feature", AwayFrom},
       {"space away_from B ,? D", AwayFrom},
   };
 }

@@ -25,6 +25,12 @@ void NotBlock(const Match& match, std::string_view tag, Composer& composer) {
       for (const Placed& mover : movers) {
         composer.EmitFirst({Call("not_against_wall").Text("object", composer.id(mover))});
       }
+    } else if (match.b->references.front().kind == RefKind::kPronoun && !composer.last_feature.empty()) {
+      for (const Placed& mover : movers) {
+        composer.EmitFirst(
+            {Call("clear_of_feature").Text("object", composer.id(mover)).Text("feature", composer.last_feature)});
+      }
+      continue;
     } else if (target.name == "others" || target.name == "all") {
       composer.Refuse("not_about_layout",
                       "\"access to other furniture\" names none; say which object's front stays accessible");
@@ -83,6 +89,10 @@ void PathBetween(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
 }
 
+void ViewBetween(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "lines of sight cannot be kept free; say what faces what");
+}
+
 }  // namespace
 
 std::vector<Rule> FeatureRules() {
@@ -96,7 +106,10 @@ std::vector<Rule> FeatureRules() {
       {"A? not block B accessible", NotBlock},
       {"A? not block B.object space", NotBlock, "gap"},
       {"A? not block C.vague between B", PathBetween},
-      {"C.vague between B", PathBetween},
+      {"A? not corner , B.feature", NotBlock},
+      {"A? not block C.vague away_from/to B", PathBetween},
+      {"A? not block B.object away_from C", ViewBetween},
+      {"B.feature on/under C keep_clear/accessible", KeepClear},
       {"A? clear_of B", NotBlock},
       {"A? clear_of B.feature ,? swing_open", NotBlock},
       {"A? not in_front_of B.feature", NotBlock},

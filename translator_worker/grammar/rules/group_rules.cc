@@ -11,6 +11,10 @@ void EmitSurround(const std::vector<Placed>& movers, const std::vector<Placed>& 
   for (const Placed& mover : movers) {
     if (mover.object != centers.front().object) ids.push_back(composer.id(mover));
   }
+  if (ids.empty()) {
+    composer.Refuse("unknown_sentence", "nothing says what stands around it; name the objects");
+    return;
+  }
   composer.EmitFirst({Call("surround").Text("center", composer.id(centers.front())).Texts("objects", ids)});
 }
 
@@ -72,6 +76,15 @@ void NearEachOther(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+void Touching(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> movers = composer.Movers(match.a);
+  if (movers.size() < 2) movers = composer.subjects();
+  if (movers.size() < 2) composer.Refuse("unknown_sentence", "nothing says what touches what; name two objects");
+  for (size_t i = 1; i < movers.size(); ++i) {
+    composer.EmitFirst({Call("next_to").Text("object", composer.id(movers[i])).Text("target", composer.id(movers[0]))});
+  }
+}
+
 }  // namespace
 
 std::vector<Rule> GroupRules() {
@@ -86,6 +99,7 @@ std::vector<Rule> GroupRules() {
       {"A? side_by_side ,? side_by_side", Row},
       {"A? next_to both_ways", Row},
       {"A? near both_ways", NearEachOther},
+      {"A? against both_ways", Touching},
       {"A? next_to both_ways ,? side_by_side", Row},
   };
 }

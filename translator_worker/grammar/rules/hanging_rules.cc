@@ -48,6 +48,10 @@ void OnWallNear(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+void NotInCorner(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "on the ceiling only the middle and places above objects can be asked for");
+}
+
 }  // namespace
 
 std::vector<Rule> HangingRules() {
@@ -62,6 +66,8 @@ std::vector<Rule> HangingRules() {
       {"A? hanging near/next_to/left_of/right_of/to_side B", OnWallNear},
       {"A? hanging? away_from? on? C.ceiling ,? above B", Above},
       {"A? hanging away_from C.ceiling ,? above B", Above},
+      {"A? hanging? away_from/on C.ceiling ,? near/next_to B.thing", Above},
+      {"A? hanging? away_from/on C.ceiling ,? near/next_to/on? corner", NotInCorner},
   };
 }
 

@@ -31,6 +31,8 @@ void NearOne(const Placed& mover, const Target& target, const Distance* distance
   for (const Placed& other : target.objects) {
     if (composer.IsWall(mover)) {
       composer.EmitFirst({Call("on_wall_near").Text("object", id).Text("target", composer.id(other))});
+    } else if (composer.IsCeiling(mover)) {
+      composer.EmitFirst({Call("ceiling_above").Text("object", id).Text("target", composer.id(other))});
     } else {
       composer.EmitFirst(
           {Call("near").Text("object", id).Text("target", composer.id(other)).MaybeNumber("max_distance_m", most)});
@@ -117,6 +119,7 @@ void OnEachSide(const Match& match, std::string_view, Composer& composer) {
 
 std::vector<Rule> NearRules() {
   return {
+      {"B.feature near/next_to A.object", Near},
       {"A? near B D?", Near},
       {"A? near B , D", Near},
       {"A? near D? of B", Near},

@@ -27,6 +27,10 @@ void CentralIn(const Match& match, std::string_view, Composer& composer) {
   for (const Target& target : composer.Targets(*match.b, movers)) {
     for (const Placed& mover : movers) {
       const std::string& id = composer.id(mover);
+      if (target.kind == RefKind::kZone && target.objects.empty()) {
+        composer.EmitFirst({Call("in_zone").Text("object", id).Text("zone", target.name)});
+        continue;
+      }
       if (target.kind == RefKind::kRoom || target.kind == RefKind::kCeiling || target.kind == RefKind::kFloor) {
         InMiddleOfRoom(mover, composer);
         continue;

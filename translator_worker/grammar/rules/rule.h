@@ -28,8 +28,10 @@ std::vector<Rule> FrontRules();
 std::vector<Rule> GroupRules();
 std::vector<Rule> HangingRules();
 std::vector<Rule> NearRules();
+std::vector<Rule> PathRules();
 std::vector<Rule> RoomRules();
 std::vector<Rule> SurfaceRules();
+std::vector<Rule> WalkwayRules();
 std::vector<Rule> WallRules();
 
 }  // namespace flair::translator

@@ -45,6 +45,11 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
     Flank(movers, hosts, composer);
     return;
   }
+  // "A view of the screen on the stand", "on the table, on the runner": the fact before has placed it.
+  if (!movers.empty() && !hosts.empty() && !composer.calls().empty() &&
+      (composer.IsPrimaryFloor(movers.front()) || composer.IsSurface(hosts.front()))) {
+    return;
+  }
   if (movers.size() == 1 && !hosts.empty() && !hosts.front().side.empty()) {
     OnSide(movers.front(), hosts.front(), composer);
     return;
@@ -91,6 +96,7 @@ std::vector<Rule> SurfaceRules() {
       {"A? near/next_to? corner/edge of? B.thing", On, "any"},
       {"A? corner/edge B.thing", On, "any"},
       {"A? on B.side of B.thing", On, "any"},
+      {"A? on B.thing ,? near/next_to/on? edge/corner", On, "any"},
       {"A? next_to B.thing towards_back", On, "back_left"},
       {"A? towards_back B.thing", On, "back_left"},
       {"A? on B.thing ,? towards_back", On, "back_left"},
