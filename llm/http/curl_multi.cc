@@ -8,6 +8,8 @@
 namespace flair::llm {
 
 CurlMulti::CurlMulti(EventLoop& loop) : loop_(loop), pacer_(loop), multi_(curl_multi_init()) {
+  // As many as the server takes; beyond that, each request gets a connection of its own.
+  curl_multi_setopt(multi_, CURLMOPT_MAX_CONCURRENT_STREAMS, 1000L);
   curl_multi_setopt(multi_, CURLMOPT_SOCKETDATA, this);
   curl_multi_setopt(
       multi_, CURLMOPT_SOCKETFUNCTION, +[](CURL*, curl_socket_t fd, int what, void* self, void*) {

@@ -57,6 +57,8 @@ void Transfer::SetOptions(const HttpOptions& options) {
   curl_easy_setopt(handle, CURLOPT_PROTOCOLS_STR, "http,https");
   curl_easy_setopt(handle, CURLOPT_FOLLOWLOCATION, 0L);
   curl_easy_setopt(handle, CURLOPT_NOSIGNAL, 1L);
+  // A name server that does not answer must not hold up the thread when its request is given up.
+  curl_easy_setopt(handle, CURLOPT_QUICK_EXIT, 1L);
   curl_easy_setopt(handle, CURLOPT_POST, 1L);
   curl_easy_setopt(handle, CURLOPT_POSTFIELDS, request_.body.c_str());
   curl_easy_setopt(handle, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(request_.body.size()));
@@ -174,6 +176,10 @@ absl::Status Transfer::ErrorOf(CURLcode code) const {
   // libcurl's own sentence for the code: the longer text may hold times and, of some servers, parts of the request.
   const std::string message = fmt::format("{}: {}", address, curl_easy_strerror(code));
   switch (code) {
+    case CURLE_OPERATION_TIMEDOUT:
+      // Of connecting, the only time that libcurl watches.
+      return absl::UnavailableError(
+          fmt::format("{}: no connection within {}", address, absl::FormatDuration(timeouts_.connect)));
     case CURLE_URL_MALFORMAT:
       return absl::InvalidArgumentError(message);
     case CURLE_PEER_FAILED_VERIFICATION:
