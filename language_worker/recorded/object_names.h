@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which objects a free text speaks of.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flair/v1/object_list.pb.h"
+
+namespace flair::language {
+
+// A word of a text.
+struct Word {
+  size_t begin = 0;
+  size_t end = 0;
+  // In lower case, singular.
+  std::string key;
+};
+
+// Letters and digits between other signs; "0.5m" is one word. Bytes beyond ASCII count as letters.
+std::vector<Word> ReadWords(std::string_view text);
+
+// One place of a text that names objects.
+struct Mention {
+  size_t begin = 0;
+  size_t end = 0;
+  // Indices of all objects that the name means, ascending.
+  std::vector<int> objects;
+};
+
+// Finds names in texts. Immutable, thread-safe.
+class ObjectNames {
+ public:
+  // The objects, in their order, with the names, sizes and zones that they were recorded with.
+  explicit ObjectNames(const std::vector<const v1::Object*>& objects);
+
+  // Where the text names objects, in its order: longest names first, plurals too, "TV-stand" for "tv stand". A size or
+  // a number behind a name chooses among equal names: "Bookshelf (1m x 0.3m)", "Nightstand 2". `zone_id`, when not
+  // empty, chooses among equal names of several zones.
+  std::vector<Mention> Find(std::string_view text, std::string_view zone_id = "") const;
+
+  // The same, or else where it uses a word of a single object's name: "Alchemical Table" for "alchemy table".
+  std::vector<Mention> FindLoosely(std::string_view text, std::string_view zone_id = "") const;
+
+ private:
+  struct Name {
+    // The words of the name without blanks between them, each singular.
+    std::string key;
+    std::vector<std::string> words;
+    std::vector<int> objects;
+  };
+
+  std::vector<int> Choose(std::string_view behind, std::string_view zone_id, std::vector<int> objects) const;
+
+  const std::vector<const v1::Object*> objects_;
+  std::vector<Name> names_;
+};
+
+// The id of the zone whose name or id the text begins with or consists of, such as "Sleeping Area:"; empty when none.
+std::string FindZone(std::string_view text, const std::vector<std::string>& zone_ids);
+
+}  // namespace flair::language

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/recorded/recorded_room.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "evaluation/readers/flairgpt_check.h"
+#include "evaluation/readers/flairgpt_room.h"
+#include "room/validation/validate.h"
+
+namespace flair::language {
+namespace {
+
+using nlohmann::json;
+
+constexpr size_t kLargestFile = 10'000'000;
+
+absl::Status Bad(const std::string& why) {
+  return absl::InvalidArgumentError("not a recorded room with its answers: " + why);
+}
+
+// Line breaks and tabs come from typing; a brief has none.
+std::string OneLine(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+  }
+  return text;
+}
+
+absl::Status ReadTexts(const json& problem, RecordedRoom& room) {
+  const auto language = problem.find("language");
+  if (language == problem.end() || !language->is_object()) {
+    return Bad("language: should be an object with the texts that the model wrote");
+  }
+  for (const auto& [name, text] : language->items()) {
+    if (text.is_null()) continue;
+    if (!text.is_string()) return Bad(fmt::format("language.{}: should be text", name));
+    room.texts[name] = text.get<std::string>();
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+std::string_view RecordedRoom::Text(std::string_view name) const {
+  const auto found = texts.find(name);
+  return found == texts.end() ? std::string_view() : found->second;
+}
+
+std::vector<const v1::Object*> RecordedRoom::FloorObjects() const {
+  std::vector<const v1::Object*> objects;
+  for (const v1::Object& object : graph.object_list().objects()) {
+    if (object.role() != v1::OBJECT_ROLE_TERTIARY) objects.push_back(&object);
+  }
+  return objects;
+}
+
+std::vector<const v1::Object*> RecordedRoom::Tertiaries() const {
+  std::vector<const v1::Object*> objects;
+  for (const v1::Object& object : graph.object_list().objects()) {
+    if (object.role() == v1::OBJECT_ROLE_TERTIARY) objects.push_back(&object);
+  }
+  return objects;
+}
+
+absl::StatusOr<RecordedRoom> ReadRecordedRoom(const std::string& text) {
+  if (text.size() > kLargestFile) return Bad(fmt::format("has {} bytes; at most {}", text.size(), kLargestFile));
+  absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(text);
+  if (!graph.ok()) return graph.status();
+  const absl::StatusOr<json> problem = evaluation::ParseFlairGptText(text);
+  if (!problem.ok()) return problem.status();
+  RecordedRoom room;
+  room.graph = *std::move(graph);
+  if (room.FloorObjects().empty()) return Bad("primary: names no object");
+  if (room.graph.zone_plan().zones().empty()) return Bad("zones: names no zone");
+  const json prompt = problem->value("prompt", json());
+  if (!prompt.is_string()) return Bad("prompt: should be the text that the model was asked with");
+  room.brief.set_text(OneLine(prompt.get<std::string>()));
+  if (absl::Status status = Validate(room.brief); !status.ok()) {
+    return Bad(fmt::format("prompt: {}", std::string(status.message())));
+  }
+  if (absl::Status status = ReadTexts(*problem, room); !status.ok()) return status;
+  return room;
+}
+
+}  // namespace flair::language

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/recorded/tertiary_text.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "language_worker/recorded/outline.h"
+#include "language_worker/recorded/sentences.h"
+#include "llm/answers/utf8.h"
+
+namespace flair::language {
+namespace {
+
+using KeySet = std::set<std::string, std::less<>>;
+
+constexpr size_t kLongestPlacement = 300;
+
+bool HasWordOf(std::string_view text, const KeySet& set) {
+  const std::vector<Word> words = ReadWords(text);
+  return std::any_of(words.begin(), words.end(), [&](const Word& word) { return set.contains(word.key); });
+}
+
+// Whether a text says where something is.
+bool SaysWhere(std::string_view text) {
+  static const KeySet kWords = {"on",      "above",  "under",    "beside",  "near",    "over",  "behind", "next",
+                                "hung",    "hang",   "hanging",  "in",      "placed",  "place", "atop",   "below",
+                                "between", "around", "centered", "mounted", "beneath", "along"};
+  return HasWordOf(text, kWords);
+}
+
+// An item of the list: what it is called, and all that is said of it.
+struct Item {
+  int line = 0;
+  std::string name;
+  std::string place;
+  // The heading that it stands under: "On the Cutting Table".
+  std::string heading;
+  bool used = false;
+};
+
+// "0.3m x 0.3m (each)" and "Width: 0.2m, Length: 0.2m.": no sentence by itself.
+bool IsSize(std::string_view text) {
+  static const KeySet kWords = {"width", "length",        "x",         "by",         "wide", "long", "each", "size",
+                                "m",     "approximately", "dimension", "lengthwise", "and",  "high"};
+  for (const Word& word : ReadWords(text)) {
+    const bool number = word.key[0] >= '0' && word.key[0] <= '9';
+    if (!number && !kWords.contains(word.key)) return false;
+  }
+  return true;
+}
+
+// The sentences of a text that are not sizes, joined.
+std::string WithoutSizes(std::string_view text) {
+  std::string rest;
+  for (std::string& sentence : SplitSentences(text)) {
+    // "0.2m x 0.2m - Placed on the desk"
+    for (const std::string_view gap : {" - ", " – ", ", ", ": ", ") "}) {
+      const size_t at = sentence.find(gap);
+      if (at != std::string::npos && IsSize(std::string_view(sentence).substr(0, at))) {
+        sentence = sentence.substr(at + gap.size());
+      }
+    }
+    if (!IsSize(sentence)) rest += (rest.empty() ? "" : " ") + sentence;
+  }
+  return rest;
+}
+
+// "Placement: On the desk" without its first word.
+std::string WithoutLabel(const OutlineLine& line) {
+  static const KeySet kLabels = {"placement", "location", "position", "place", "where"};
+  if (!line.label.empty() && HasWordOf(line.label, kLabels)) return line.text;
+  const std::string all = line.All();
+  const size_t colon = all.find(": ");
+  if (colon != std::string::npos && colon < 20 && HasWordOf(std::string_view(all).substr(0, colon), kLabels)) {
+    return all.substr(colon + 2);
+  }
+  return line.text.empty() ? line.label : line.text;
+}
+
+bool IsPlacementLabel(const OutlineLine& line) {
+  static const KeySet kLabels = {"placement", "location", "position", "dimension", "purpose", "size", "description"};
+  const std::string start =
+      line.label.empty() ? line.text.substr(0, std::min<size_t>(line.text.find(':'), 20)) : line.label;
+  return ReadWords(start).size() < 3 && HasWordOf(start, kLabels);
+}
+
+bool IsOtherLabel(const OutlineLine& line) {
+  static const KeySet kLabels = {"dimension", "purpose", "size", "description", "reason", "style", "note", "function"};
+  const size_t colon = line.text.find(':');
+  const std::string start = !line.label.empty()          ? line.label
+                            : colon == std::string::npos ? ""
+                                                         : line.text.substr(0, colon);
+  return ReadWords(start).size() < 3 && HasWordOf(start, kLabels);
+}
+
+class Matcher {
+ public:
+  Matcher(std::string_view text, const std::vector<const v1::Object*>& tertiaries, const ObjectNames& floor)
+      : lines_(ReadOutline(text)), tertiaries_(tertiaries), floor_(floor) {}
+
+  std::vector<RecordedPlacement> Match(Conversion& conversion) {
+    CollectItems();
+    std::vector<RecordedPlacement> placements(tertiaries_.size());
+    std::vector<Item*> found(tertiaries_.size(), nullptr);
+    // Certain ones first, so that "lamp" does not take the "floor lamp" of another.
+    for (const double least : {0.99, 0.6, 0.3}) {
+      for (size_t i = 0; i < tertiaries_.size(); ++i) {
+        if (found[i] == nullptr) found[i] = Best(*tertiaries_[i], i, found, least);
+        if (found[i] != nullptr) found[i]->used = true;
+      }
+    }
+    for (size_t i = 0; i < tertiaries_.size(); ++i) {
+      if (found[i] != nullptr) placements[i] = PlacementOf(*found[i]);
+    }
+    for (const Item& item : items_) {
+      if (item.used) {
+        conversion.Convert();
+      } else {
+        conversion.Keep("tertiary", item.line, item.name + ": " + item.place, "belongs to none of the objects");
+      }
+    }
+    return placements;
+  }
+
+ private:
+  // A line begins an item when it has a name and what stands under it is about it alone.
+  void CollectItems() {
+    for (size_t i = 0; i < lines_.size(); ++i) {
+      const OutlineLine& line = lines_[i];
+      static const KeySet kSummary = {"summary", "recap", "overview"};
+      if (HasWordOf(line.All(), kSummary)) break;  // says all again
+      if (IsPlacementLabel(line) || (line.kind == LineKind::kText && line.label.empty())) continue;
+      std::string place = line.label.empty() ? "" : WithoutSizes(line.text);
+      std::string size_or_place = line.text;
+      bool has_sub_items = false;
+      for (size_t k = i + 1; k < lines_.size() && lines_[k].depth > line.depth; ++k) {
+        has_sub_items = has_sub_items || (!IsPlacementLabel(lines_[k]) && !lines_[k].label.empty());
+        if (IsOtherLabel(lines_[k])) continue;
+        const std::string more = WithoutSizes(WithoutLabel(lines_[k]));
+        if (!more.empty() && SaysWhere(more)) place += (place.empty() ? "" : " ") + more;
+      }
+      if (has_sub_items) continue;
+      std::string name = line.label.empty() ? line.text : line.label;
+      if (line.label.empty() && place.empty()) {
+        // "Clock: 0.2m x 0.2m. On the desk."
+        const size_t colon = line.text.find(": ");
+        if (colon == std::string::npos) continue;
+        name = line.text.substr(0, colon);
+        place = WithoutSizes(line.text.substr(colon + 2));
+      }
+      if (place.empty() && line.kind == LineKind::kHeading) continue;
+      if (place.empty() && !SaysWhere(name)) continue;
+      items_.push_back({line.number, std::move(name), std::move(place), HeadingOf(line)});
+    }
+  }
+
+  std::string HeadingOf(const OutlineLine& line) const {
+    return line.parent < 0 ? "" : lines_[static_cast<size_t>(line.parent)].All();
+  }
+
+  static double Score(const v1::Object& tertiary, const Item& item) {
+    const double in_name = Likeness(tertiary.name(), item.name);
+    if (in_name > 0) return in_name;
+    // "tablelamp"
+    std::string key, name_key;
+    for (const Word& word : ReadWords(tertiary.name())) key += word.key;
+    for (const Word& word : ReadWords(item.name)) name_key += word.key;
+    if (!key.empty() && name_key.find(key) != std::string::npos) return 0.99;
+    for (const Word& word : ReadWords(item.name)) {
+      if (word.key.size() > 3 && key.find(word.key) != std::string::npos) return 0.5;
+    }
+    return 0;
+  }
+
+  Item* Best(const v1::Object& tertiary, size_t index, const std::vector<Item*>& found, double least) {
+    Item* best = nullptr;
+    double best_score = 0;
+    for (Item& item : items_) {
+      if (item.used) continue;
+      const double score = Score(tertiary, item);
+      if (score >= least && score > best_score) {
+        best = &item;
+        best_score = score;
+      }
+    }
+    if (best != nullptr) return best;
+    // One item may list several of a kind: "Cushions (x5)".
+    for (size_t i = 0; i < index; ++i) {
+      if (found[i] != nullptr && tertiaries_[i]->name() == tertiary.name()) best = found[i];
+    }
+    return best;
+  }
+
+  RecordedPlacement PlacementOf(const Item& item) const {
+    RecordedPlacement placement;
+    placement.line = item.line;
+    placement.text = !item.place.empty() ? item.place : item.name;
+    if (!SaysWhere(placement.text) && SaysWhere(item.heading)) placement.text = item.heading + ". " + placement.text;
+    placement.text = llm::CutBytes(placement.text, kLongestPlacement);
+    for (const std::string* text : {&placement.text, &item.name, &item.heading}) {
+      const std::vector<Mention> mentions = floor_.FindLoosely(*text);
+      if (mentions.empty()) continue;
+      placement.hosts = mentions.front().objects;
+      break;
+    }
+    return placement;
+  }
+
+  const std::vector<OutlineLine> lines_;
+  const std::vector<const v1::Object*>& tertiaries_;
+  const ObjectNames& floor_;
+  std::vector<Item> items_;
+};
+
+}  // namespace
+
+std::vector<RecordedPlacement> ReadTertiaryText(std::string_view text, const std::vector<const v1::Object*>& tertiaries,
+                                                const ObjectNames& floor_objects, Conversion& conversion) {
+  return Matcher(text, tertiaries, floor_objects).Match(conversion);
+}
+
+}  // namespace flair::language
