@@ -88,13 +88,15 @@ void EventLoop::Drop(Id id) {
 void EventLoop::Watch(int fd, bool readable, bool writable) {
   if (!readable && !writable) {
     // Fails when the socket is closed already, which is as good.
-    epoll_ctl(epoll_fd_, EPOLL_CTL_DEL, fd, nullptr);
+    if (watched_.erase(fd) != 0) epoll_ctl(epoll_fd_, EPOLL_CTL_DEL, fd, nullptr);
     return;
   }
   epoll_event event{};
   event.events = (readable ? uint32_t{EPOLLIN} : 0) | (writable ? uint32_t{EPOLLOUT} : 0);
   event.data.fd = fd;
-  if (epoll_ctl(epoll_fd_, EPOLL_CTL_MOD, fd, &event) != 0) epoll_ctl(epoll_fd_, EPOLL_CTL_ADD, fd, &event);
+  const bool added = watched_.insert(fd).second;
+  // A socket that was closed and opened again under its old number is not watched, whatever we remember.
+  if (added || epoll_ctl(epoll_fd_, EPOLL_CTL_MOD, fd, &event) != 0) epoll_ctl(epoll_fd_, EPOLL_CTL_ADD, fd, &event);
 }
 
 void EventLoop::Stop(std::function<void()> last) {

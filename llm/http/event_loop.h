@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "worker_runtime/clock/timer.h"
@@ -59,6 +60,8 @@ class EventLoop final : public runtime::Timer {
   const SocketCallback on_socket_;
   const int epoll_fd_;
   const int wake_fd_;
+  // Of the loop thread.
+  std::unordered_set<int> watched_;
   std::mutex mutex_;
   std::deque<std::function<void()>> tasks_;
   std::map<Due, runtime::TimerCallback> timers_;

@@ -24,9 +24,9 @@ std::string AllText(const ServerError& error) {
 
 // Rejected for what no other form of the request changes.
 bool IsOfTheQuestion(const std::string& text) {
-  return ContainsAny(text,
-                     {"context_length", "context length", "context window", "too long", "too large", "content_filter",
-                      "content management policy", "responsibleai", "invalid_api_key", "model_not_found"});
+  return ContainsAny(text, {"context_length", "context length", "context window", "too long", "too large",
+                            "content_filter", "content management policy", "responsibleai", "api_key", "api key",
+                            "model_not_found", "model not found", "valid model", "unknown model"});
 }
 
 // Servers call a field that they do not know by many words.

@@ -54,6 +54,7 @@ TEST(WeakerDialect, UnderstandsWhatServersSay) {
 TEST(WeakerDialect, IsNoneForFaultsOfTheQuestion) {
   for (const char* message :
        {"This model's maximum context length is 4096 tokens", "max_tokens is too large: 4096",
+        "gpt-x is not a valid model ID", "API key not valid",
         "The response was filtered due to the prompt triggering Azure OpenAI's content management policy"}) {
     EXPECT_FALSE(Weaker(message).has_value()) << message;
   }

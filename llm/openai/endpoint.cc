@@ -50,8 +50,9 @@ std::string CompletionsUrl(const OpenAiOptions& options) {
 }
 
 std::vector<HttpHeader> RequestHeaders(const OpenAiOptions& options) {
-  std::vector<HttpHeader> headers = {{"Content-Type", "application/json"},
-                                     {"Accept", options.stream ? "text/event-stream" : "application/json"}};
+  std::vector<HttpHeader> headers = {
+      {"Content-Type", "application/json"},
+      {"Accept", options.stream ? "text/event-stream, application/json" : "application/json"}};
   if (!HasHeader(options, "user-agent")) headers.push_back({"User-Agent", "flair"});
   if (!options.api_key.empty()) {
     headers.push_back(options.azure.has_value() ? HttpHeader{"api-key", options.api_key}
@@ -64,6 +65,8 @@ std::vector<HttpHeader> RequestHeaders(const OpenAiOptions& options) {
 std::vector<std::string> SecretsOf(const OpenAiOptions& options) {
   std::vector<std::string> secrets = {options.api_key};
   for (const HttpHeader& header : options.headers) secrets.push_back(header.value);
+  // Nothing so short is a secret, and every error would hold it.
+  std::erase_if(secrets, [](const std::string& secret) { return secret.size() < 4; });
   return secrets;
 }
 
