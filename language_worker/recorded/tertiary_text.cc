@@ -198,7 +198,8 @@ class Matcher {
     placement.text = !item.place.empty() ? item.place : item.name;
     if (!SaysWhere(placement.text) && SaysWhere(item.heading)) placement.text = item.heading + ". " + placement.text;
     placement.text = llm::CutBytes(placement.text, kLongestPlacement);
-    for (const std::string* text : {&placement.text, &item.name, &item.heading}) {
+    for (const std::string* text :
+         std::initializer_list<const std::string*>{&placement.text, &item.name, &item.heading}) {
       const std::vector<Mention> mentions = floor_.FindLoosely(*text);
       if (mentions.empty()) continue;
       placement.hosts = mentions.front().objects;
