@@ -14,7 +14,7 @@ bool FitsFloor(const ObjectSize& size, const FloorExtent& floor) {
 
 std::string OddSize(const ObjectSize& size, const hb::Furniture* furniture) {
   if (furniture == nullptr) return "";
-  constexpr double kFactor = 3;
+  constexpr double kFactor = 2.5;
   const auto odd = [](double value_m, const hb::Extent& extent) {
     const double low = extent.min() > 0 ? extent.min() : extent.typical();
     const double high = extent.max() > 0 ? extent.max() : extent.typical();

@@ -19,8 +19,8 @@ struct ObjectSize {
 // Whether its footprint fits between the room's walls in one of its turns.
 bool FitsFloor(const ObjectSize& size, const FloorExtent& floor);
 
-// What is odd about a size of that class, as a fault's text: more than three times or less than a third of what the
-// class measures, as lengths in a wrong unit do; empty when nothing is, or the class is not known.
+// What is odd about a size of that class, as a fault's text: more than 2.5 times as large as the class gets or as much
+// smaller, as lengths in a wrong unit are; empty when nothing is, or the class is not known.
 std::string OddSize(const ObjectSize& size, const hb::Furniture* furniture);
 
 // "2.2 m x 0.6 m"

@@ -17,10 +17,10 @@ using model::v1::CleaningAnswer;
 constexpr double kSame = 0.6, kSaidElsewhere = 0.75;
 constexpr int kMostParts = 8;
 
-std::string KeyOf(std::string_view name) {
-  std::string key;
-  for (const Word& word : ReadWords(name)) key += word.key;
-  return key;
+bool SameWords(std::string_view a, std::string_view b) {
+  const std::vector<Word> first = ReadWords(a), second = ReadWords(b);
+  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
+                    [](const Word& x, const Word& y) { return x.key == y.key; });
 }
 
 class Matcher {
@@ -30,12 +30,12 @@ class Matcher {
       : before_(before), after_(after), parts_(before.size()), taken_(after.size(), false) {
     for (const PromptSentence& sentence : before) {
       std::set<std::string> keys;
-      for (const std::string& id : sentence.subject_ids) keys.insert(KeyOf(WithoutNumber(id)));
+      for (const std::string& id : sentence.subject_ids) keys.insert(NameKey(id));
       before_keys_.push_back(std::move(keys));
     }
     for (const RecordedSentence& sentence : after) {
       std::set<std::string> keys;
-      for (const int object : sentence.objects) keys.insert(KeyOf(names[static_cast<size_t>(object)]));
+      for (const int object : sentence.objects) keys.insert(NameKey(names[static_cast<size_t>(object)]));
       after_keys_.push_back(std::move(keys));
     }
   }
@@ -56,7 +56,7 @@ class Matcher {
   double Score(size_t r, size_t c) const {
     const auto common = [&](const std::string& key) { return before_keys_[r].contains(key); };
     if (!std::any_of(after_keys_[c].begin(), after_keys_[c].end(), common)) return 0;
-    if (KeyOf(before_[r].text) == KeyOf(after_[c].text)) return 2;
+    if (SameWords(before_[r].text, after_[c].text)) return 2;
     return Likeness(before_[r].text, after_[c].text);
   }
 
@@ -101,7 +101,7 @@ class Matcher {
     CleaningAnswer changes, removals;
     for (size_t r = 0; r < before_.size(); ++r) {
       const std::vector<size_t>& parts = parts_[r];
-      if (parts.size() == 1 && KeyOf(after_[parts[0]].text) == KeyOf(before_[r].text)) continue;
+      if (parts.size() == 1 && SameWords(before_[r].text, after_[parts[0]].text)) continue;
       ChangeAnswer& change = parts.empty() ? *removals.add_changes() : *changes.add_changes();
       change.set_action(parts.empty() ? "remove" : parts.size() == 1 ? "simplify" : "split");
       change.add_from(before_[r].id);

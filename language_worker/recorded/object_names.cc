@@ -101,16 +101,20 @@ std::vector<Word> ReadWords(std::string_view text) {
   return words;
 }
 
+std::string NameKey(std::string_view name) {
+  std::string key;
+  for (const Word& word : ReadWords(name)) {
+    // A number at the end only tells equal things apart.
+    if (key.empty() || !std::all_of(word.key.begin(), word.key.end(), IsDigit)) key += word.key;
+  }
+  return key;
+}
+
 ObjectNames::ObjectNames(const std::vector<const v1::Object*>& objects) : objects_(objects) {
   for (size_t i = 0; i < objects.size(); ++i) {
     Name name;
-    for (const Word& word : ReadWords(objects[i]->name())) {
-      // A number at the end only tells equal things apart.
-      if (!name.words.empty() && std::all_of(word.key.begin(), word.key.end(), IsDigit)) continue;
-      name.words.push_back(word.key);
-      name.key += word.key;
-    }
-    // Names are one word in some recordings: underscores are no letters, "tablelamp" is.
+    name.key = NameKey(objects[i]->name());
+    for (Word& word : ReadWords(objects[i]->name())) name.words.push_back(std::move(word.key));
     const auto same = std::find_if(names_.begin(), names_.end(), [&](const Name& n) { return n.key == name.key; });
     Name& known = same != names_.end() ? *same : names_.emplace_back(std::move(name));
     known.objects.push_back(static_cast<int>(i));

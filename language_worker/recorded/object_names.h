@@ -21,6 +21,10 @@ struct Word {
 // Letters and digits between other signs; "0.5m" is one word. Bytes beyond ASCII count as letters.
 std::vector<Word> ReadWords(std::string_view text);
 
+// The words of a name without blanks between them, each singular, without numbers behind them: equal for "Nightstands",
+// "nightstand_2" and "night stand".
+std::string NameKey(std::string_view name);
+
 // One place of a text that names objects.
 struct Mention {
   size_t begin = 0;
@@ -45,8 +49,7 @@ class ObjectNames {
 
  private:
   struct Name {
-    // The words of the name without blanks between them, each singular.
-    std::string key;
+    std::string key;  // see NameKey
     std::vector<std::string> words;
     std::vector<int> objects;
   };

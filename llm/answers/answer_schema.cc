@@ -12,6 +12,9 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using Json = nlohmann::ordered_json;
 
+// Servers that turn a schema into a grammar write repetitions out; larger limits are for the reader alone.
+constexpr int kMostItemsToSay = 40;
+
 Json ObjectSchema(const Descriptor& message, const FieldChoices& choices);
 
 // 20 instead of 20.0, so that the schema reads as a person would write it.
@@ -49,7 +52,7 @@ Json FieldSchema(const FieldDescriptor& field, const FieldChoices& choices) {
   if (field.is_repeated()) {
     schema = {{"type", "array"}, {"items", schema}};
     if (facts.min_items() > 0) schema["minItems"] = facts.min_items();
-    if (facts.max_items() > 0) schema["maxItems"] = facts.max_items();
+    if (facts.max_items() > 0 && facts.max_items() <= kMostItemsToSay) schema["maxItems"] = facts.max_items();
   } else if (field.has_optional_keyword()) {
     schema["type"] = {schema["type"], "null"};
     if (schema.contains("enum")) schema["enum"].push_back(nullptr);

@@ -195,8 +195,11 @@ void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
   }
   // What could not be read at all need not be judged.
   if (!unread && question.check) AddChecked(question.check(*turn.reply.answer), faults);
-  Record(turn, answer, faults);
   turn.faults = SentencesOf(faults, /*worth_asking_only=*/true);
+  if (options_.texts_omitted()) {
+    for (Fault& fault : faults) fault.text = WithoutQuotations(fault.text);
+  }
+  Record(turn, answer, faults);
   turn.reply.faults = std::move(faults);
   turn.first_answer = answer.text;
 }

@@ -203,12 +203,18 @@ TEST_F(ConversationTest, BudgetsEndItBeforeTheCallThatExceedsThem) {
 
 TEST_F(ConversationTest, TextsCanBeLeftOut) {
   options_.set_texts_omitted(true);
-  client_.Answer("zones", kGood);
+  client_.Answer("zones", "I'd rather not.");
+  client_.Answer("zones/repair", "Still not.");
   Conversation talk = Talk();
-  EXPECT_TRUE(talk.Ask(Ask()).ok());
-  EXPECT_EQ(talk.calls()[0].answer(), "");
-  EXPECT_EQ(talk.calls()[0].messages_size(), 0);
-  EXPECT_GT(talk.calls()[0].usage().input_token_count(), 0);
+  const auto reply = talk.Ask(Ask());
+  EXPECT_THAT(reply.status().message(), HasSubstr("has no JSON; it says \"…\"; one JSON object"));
+  for (const v1::ModelCall& call : talk.calls()) {
+    EXPECT_EQ(call.answer(), "");
+    EXPECT_EQ(call.messages_size(), 0);
+    EXPECT_GT(call.usage().input_token_count(), 0);
+    EXPECT_THAT(call.faults(), ElementsAre(HasSubstr("it says \"…\"; one JSON")));
+  }
+  EXPECT_THAT(client_.requests()[1].messages[3].text, HasSubstr("rather not")) << "the model itself is told";
 }
 
 TEST_F(ConversationTest, ACancelledCallAsksNothing) {

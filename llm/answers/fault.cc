@@ -99,6 +99,20 @@ std::string Quoted(std::string_view value) {
   return fmt::format("\"{}{}\"", text, end < value.size() ? "…" : "");
 }
 
+std::string WithoutQuotations(std::string_view text) {
+  std::string kept;
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '"') {
+      quoted = !quoted;
+      if (quoted) kept += "\"…\"";
+    } else if (!quoted) {
+      kept += c;
+    }
+  }
+  return kept;
+}
+
 std::vector<Fault> DropFaulty(std::span<const Fault> faults, Message& message) {
   std::vector<Fault> in_none;
   std::map<std::string, std::set<int>> elements;

@@ -35,6 +35,9 @@ struct Fault {
 // The value in quotes for a fault's text, at most 60 bytes of it, on one line.
 std::string Quoted(std::string_view value);
 
+// The text without what stands between double quotes: for those who do not want words of answers kept.
+std::string WithoutQuotations(std::string_view text);
+
 // Removes the list elements that kWrong faults are in (the innermost list of their path) and returns the faults that
 // are in no list element, for which the answer as a whole is of no use. Paths are those of `message` before the call.
 std::vector<Fault> DropFaulty(std::span<const Fault> faults, google::protobuf::Message& message);

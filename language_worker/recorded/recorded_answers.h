@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flair/model/v1/constraint_answers.pb.h"
+#include "flair/model/v1/object_answers.pb.h"
+#include "flair/model/v1/room_answers.pb.h"
+#include "flair/model/v1/style_answers.pb.h"
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/model/furniture_index.h"
+#include "language_worker/recorded/conversion.h"
+#include "language_worker/recorded/object_names.h"
+#include "language_worker/recorded/prompt_lines.h"
+#include "language_worker/recorded/recorded_room.h"
+
+namespace flair::language {
+
+// A recorded room as typed answers to the steps of the language phase. Prompts say by which ids objects and sentences
+// are called now; what a prompt does not list (a piece that was left out since) is kept as a remark. What the
+// recording has no figure for (heights, colours' values, the purpose of a zone) is the handbook's, or plain.
+// Immutable, thread-safe.
+class RecordedAnswers {
+ public:
+  // Both must outlive it.
+  RecordedAnswers(const RecordedRoom& room, const Handbook& handbook);
+
+  model::v1::RoomAnswer Room() const;
+  model::v1::ZonesAnswer Zones() const;
+  model::v1::FloorObjectsAnswer FloorObjects() const;
+  model::v1::TertiariesAnswer Tertiaries(std::string_view prompt, Conversion& conversion) const;
+  // `names`: how objects and openings are called.
+  model::v1::StyleAnswer Style(const std::vector<std::string>& names, Conversion& conversion) const;
+  model::v1::IntraAnswer Intra(std::string_view prompt, Conversion& conversion) const;
+  model::v1::InterAnswer Inter(std::string_view prompt, Conversion& conversion) const;
+  model::v1::CleaningAnswer Cleaning(std::string_view prompt) const;
+
+ private:
+  // The sentences of two texts, of the primaries and of the secondaries.
+  std::vector<RecordedSentence> Sentences(ConstraintTextKind kind, std::string_view ending,
+                                          Conversion& conversion) const;
+  double HeightOf(const v1::Object& object) const;
+
+  const RecordedRoom& room_;
+  const Handbook& handbook_;
+  const FurnitureIndex furniture_;
+  const std::vector<const v1::Object*> floor_, tertiaries_;
+  const size_t primary_count_;
+  const ObjectNames primary_names_, floor_names_;
+  std::vector<std::string> zone_ids_;
+};
+
+}  // namespace flair::language
