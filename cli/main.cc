@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   absl::Status result;
   flair::cli::AddDesign(program, result);
   flair::cli::AddInspect(program, result);
+  flair::cli::AddExplain(program, result);
   flair::cli::AddJobs(program, result);
   flair::cli::AddRender(program, result);
   flair::cli::AddSolve(program, result);

@@ -9,6 +9,7 @@ namespace flair::cli {
 
 void AddDesign(CLI::App& program, absl::Status& result);
 void AddInspect(CLI::App& program, absl::Status& result);
+void AddExplain(CLI::App& program, absl::Status& result);
 void AddJobs(CLI::App& program, absl::Status& result);
 void AddRender(CLI::App& program, absl::Status& result);
 void AddResolve(CLI::App& program, absl::Status& result);

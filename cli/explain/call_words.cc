@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/explain/call_words.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "cli/explain/standing.h"
+#include "fmt/format.h"
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/registry.h"
+#include "optimizer_worker/explain/explain.h"
+
+namespace flair::cli {
+namespace {
+
+using optimizer::Arguments;
+using optimizer::ConstraintFacts;
+
+// {PARAMETER} stands for its value, {PARAMETER|words} for the words where the call leaves it out.
+const std::map<std::string_view, std::string_view>& Templates() {
+  static const std::map<std::string_view, std::string_view> templates = {
+      {"accessible", "has {min_clearance_m|0.60 m} of free floor before its {sides}"},
+      {"against_wall", "has its {side} flush on {wall|a wall}"},
+      {"away_from", "keeps at least {min_distance_m} from {target}"},
+      {"away_from_feature", "keeps at least {min_distance_m} from every {feature}"},
+      {"between", "stands between {first} and {second}"},
+      {"ceiling_above", "hangs above the middle of {target}"},
+      {"ceiling_center", "hangs from the middle of the ceiling"},
+      {"centered_on_wall", "stands in the middle of {wall|a wall}, its back on it"},
+      {"central", "stands in the middle third of the room"},
+      {"clear_of_feature", "blocks no {feature}"},
+      {"close_to_feature", "is within {max_distance_m} of a {feature}"},
+      {"faces_feature", "looks at a {feature}"},
+      {"facing", "faces {target}"},
+      {"facing_into_room", "faces into the room"},
+      {"in_corner", "stands in a corner"},
+      {"in_front_of", "stands before {target}, at most {distance_m} away"},
+      {"in_zone", "stands in the {zone} zone"},
+      {"near", "is at most {max_distance_m} from {target}"},
+      {"near_wall", "has its {side} within {max_distance_m} of {wall|a wall}"},
+      {"next_to", "stands right beside {target}"},
+      {"not_against_wall", "keeps {min_distance_m} away from the walls"},
+      {"not_facing", "does not look at {target}"},
+      {"not_in_corner", "stays out of the corners"},
+      {"on", "stands wholly on {target}"},
+      {"on_top_center", "stands in the middle of {host}"},
+      {"on_top_corner", "stands at the {corner} corner of {host}"},
+      {"on_wall_above", "hangs above {target}"},
+      {"on_wall_facing", "hangs where {target} looks"},
+      {"on_wall_in_zone", "hangs on a wall of the {zone} zone"},
+      {"on_wall_near", "hangs close to {target}"},
+      {"parallel", "faces the same way as {target}"},
+      {"parallel_to_wall", "stands parallel to the walls"},
+      {"perpendicular", "stands at a right angle to {target}"},
+      {"row", "stands in one row with its like: {objects}"},
+      {"rug_under_center", "lies centred under {object}"},
+      {"rug_under_forward", "lies half under {object}, before its front"},
+      {"surround", "stands round {center}, evenly spread with its like: {objects}"},
+      {"under_center", "lies centred under {target}"},
+      {"under_window", "stands under a window"},
+  };
+  return templates;
+}
+
+std::string SpacedOut(std::string_view words) {
+  std::string text(words);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string ObjectNames(const std::vector<int>& objects, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const int object : objects) names.push_back(optimizer::NameForPeople(scene, object));
+  return Joined(names);
+}
+
+std::string ValueInWords(const v1::ParameterSpec& spec, const Arguments& arguments, const Scene& scene) {
+  const std::string& name = spec.name();
+  switch (spec.kind()) {
+    case v1::PARAMETER_KIND_OBJECT:
+      return ObjectNames({arguments.Object(name)}, scene);
+    case v1::PARAMETER_KIND_OBJECTS:
+      return ObjectNames(arguments.Objects(name), scene);
+    case v1::PARAMETER_KIND_ZONE:
+      return scene.zones[static_cast<size_t>(arguments.Zone(name))].name;
+    case v1::PARAMETER_KIND_FEATURE:
+      return std::string(optimizer::FeatureName(arguments.Feature(name)));
+    case v1::PARAMETER_KIND_WALL:
+      return WallInWords(scene.room.walls[static_cast<size_t>(arguments.MaybeWall(name))]);
+    case v1::PARAMETER_KIND_SIDE:
+      return std::string(SideName(arguments.OneSide(name)));
+    case v1::PARAMETER_KIND_SIDES: {
+      std::vector<std::string> sides;
+      for (const Side side : arguments.Sides(name)) sides.emplace_back(SideName(side));
+      return Joined(sides);
+    }
+    case v1::PARAMETER_KIND_CORNER:
+      return SpacedOut(CornerName(arguments.OneCorner(name)));
+    default:
+      return fmt::format("{:.2f} m", arguments.Number(name));
+  }
+}
+
+// One {...} of a template.
+std::string Filled(std::string_view slot, const ConstraintFacts& facts, const Arguments& arguments,
+                   const Scene& scene) {
+  const size_t bar = slot.find('|');
+  const std::string_view name = slot.substr(0, bar);
+  const auto spec = std::find_if(facts.parameters.begin(), facts.parameters.end(),
+                                 [&](const v1::ParameterSpec& parameter) { return parameter.name() == name; });
+  if (spec != facts.parameters.end() && arguments.Has(name)) return ValueInWords(*spec, arguments, scene);
+  return std::string(bar == std::string_view::npos ? name : slot.substr(bar + 1));
+}
+
+struct ReadCall {
+  const ConstraintFacts& facts;
+  Arguments arguments;
+};
+
+std::optional<ReadCall> Read(const v1::ConstraintEdge& edge, const Scene& scene) {
+  const ConstraintFacts* const facts = optimizer::FindConstraint(edge.type());
+  if (facts == nullptr) return std::nullopt;
+  absl::StatusOr<Arguments> arguments = Arguments::Resolve(*facts, edge, scene);
+  if (!arguments.ok()) return std::nullopt;
+  return ReadCall{*facts, *std::move(arguments)};
+}
+
+}  // namespace
+
+std::string CallInWords(const v1::ConstraintEdge& edge, const Scene& scene) {
+  const std::optional<ReadCall> call = Read(edge, scene);
+  const auto found = call ? Templates().find(call->facts.name) : Templates().end();
+  if (found == Templates().end()) return fmt::format("meets {}", edge.type());
+  std::string words;
+  std::string_view rest = found->second;
+  for (size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
+    const size_t close = rest.find('}', open);
+    words += rest.substr(0, open);
+    words += Filled(rest.substr(open + 1, close - open - 1), call->facts, call->arguments, scene);
+    rest.remove_prefix(close + 1);
+  }
+  return words + std::string(rest);
+}
+
+std::vector<int> SubjectsOf(const v1::ConstraintEdge& edge, const Scene& scene) {
+  const std::optional<ReadCall> call = Read(edge, scene);
+  if (!call) return {};
+  for (const v1::ParameterSpec& spec : call->facts.parameters) {
+    if (spec.kind() == v1::PARAMETER_KIND_OBJECTS) return call->arguments.Objects(spec.name());
+  }
+  for (const v1::ParameterSpec& spec : call->facts.parameters) {
+    if (spec.kind() == v1::PARAMETER_KIND_OBJECT) return {call->arguments.Object(spec.name())};
+  }
+  return {};
+}
+
+std::vector<int> AllNamedIn(const v1::ConstraintEdge& edge, const Scene& scene) {
+  const std::optional<ReadCall> call = Read(edge, scene);
+  return call ? call->arguments.AllObjects() : std::vector<int>{};
+}
+
+std::string Joined(const std::vector<std::string>& items) {
+  std::string text;
+  for (size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
+    text += items[i];
+  }
+  return text;
+}
+
+}  // namespace flair::cli
