@@ -11,8 +11,8 @@
 namespace flair::optimizer {
 namespace {
 
-// The longest side for which cells are as small as asked for.
-constexpr double kFineSide_m = 15;
+// No more cells along a side than these, of search cells and finer ones; the latter as evaluation/metrics/reach.h.
+constexpr double kMostCells = 300, kMostFineCells = 1000;
 constexpr double kFrontStrip_m = 0.6;
 constexpr double kLanding_m = 0.6;
 constexpr double kNarrowestFront_m = 0.15;
@@ -79,9 +79,12 @@ void ForWords(int first, int last, const F& word) {
 
 WalkGrid::WalkGrid(const Room& room, double path_width_m, double cell_m) : radius_m_(path_width_m / 2) {
   const BoundingBox box = BoundsOf(room.floor);
-  cell_m_ = cell_m * std::max(1.0, std::max(box.max.x, box.max.y) / kFineSide_m);
+  const double most = cell_m < kSearchCell_m ? kMostFineCells : kMostCells;
+  cell_m_ = std::max(cell_m, std::max(box.max.x, box.max.y) / most);
   width_ = std::max(1, static_cast<int>(std::lround(box.max.x / cell_m_)));
   height_ = std::max(1, static_cast<int>(std::lround(box.max.y / cell_m_)));
+  cell_x_m_ = box.max.x / width_;
+  cell_y_m_ = box.max.y / height_;
   words_ = (width_ + 63) / 64;
   Rasterize(room);
 }
@@ -99,10 +102,10 @@ void WalkGrid::Rasterize(const Room& room) {
   const double needed = std::max(0.0, radius_m_ - cell_m_ / 2 - 1e-7);
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_;) {
-      const double depth = SignedDistance(room.floor, {(x + 0.5) * cell_m_, (y + 0.5) * cell_m_});
+      const double depth = SignedDistance(room.floor, {(x + 0.5) * cell_x_m_, (y + 0.5) * cell_y_m_});
       // It changes by no more than the way walked: for so many cells the answers stay the same.
       const double to_change = std::min(std::abs(depth), std::abs(depth - needed));
-      const int last = std::min(width_ - 1, x + std::max(0, static_cast<int>(to_change / cell_m_) - 1));
+      const int last = std::min(width_ - 1, x + std::max(0, static_cast<int>(to_change / cell_x_m_) - 1));
       const auto set = [&](Mask& mask) {
         uint64_t* row = RowOf(mask, y);
         ForWords(x, last, [row](int w, uint64_t bits) { row[w] |= bits; });
@@ -117,13 +120,14 @@ void WalkGrid::Rasterize(const Room& room) {
 
 void WalkGrid::MarkDoor(const Polygon& landing) {
   const BoundingBox box = BoundsOf(landing);
-  const auto cell = [this](double at_m, int most) {
-    return static_cast<int>(std::clamp(std::floor(at_m / cell_m_), 0.0, most - 1.0));
+  const auto cell = [](double at_m, double cell_m, int most) {
+    return static_cast<int>(std::clamp(std::floor(at_m / cell_m), 0.0, most - 1.0));
   };
-  for (int y = cell(box.min.y, height_); y <= cell(box.max.y, height_); ++y) {
-    for (int x = cell(box.min.x, width_); x <= cell(box.max.x, width_); ++x) {
+  const int first = cell(box.min.x, cell_x_m_, width_), last = cell(box.max.x, cell_x_m_, width_);
+  for (int y = cell(box.min.y, cell_y_m_, height_); y <= cell(box.max.y, cell_y_m_, height_); ++y) {
+    for (int x = first; x <= last; ++x) {
       const uint64_t bit = RowOf(inside_, y)[x >> 6] & (uint64_t{1} << (x & 63));
-      if (bit != 0 && Contains(landing, {(x + 0.5) * cell_m_, (y + 0.5) * cell_m_})) RowOf(door_, y)[x >> 6] |= bit;
+      if (bit != 0 && Contains(landing, {(x + 0.5) * cell_x_m_, (y + 0.5) * cell_y_m_})) RowOf(door_, y)[x >> 6] |= bit;
     }
   }
 }
@@ -131,13 +135,13 @@ void WalkGrid::MarkDoor(const Polygon& landing) {
 void WalkGrid::ClearShape(Mask& mask, const Obstacle& obstacle, double radius_m) const {
   const Frame<double> frame = FrameOf(obstacle.pose);
   const double reach = std::hypot(obstacle.footprint.width_m, obstacle.footprint.depth_m) / 2 + radius_m;
-  const int low = std::max(0, static_cast<int>(std::floor((frame.center.y - reach) / cell_m_)));
-  const int high = std::min(height_ - 1, static_cast<int>(std::ceil((frame.center.y + reach) / cell_m_)));
+  const int low = std::max(0, static_cast<int>(std::floor((frame.center.y - reach) / cell_y_m_)));
+  const int high = std::min(height_ - 1, static_cast<int>(std::ceil((frame.center.y + reach) / cell_y_m_)));
   for (int y = low; y <= high; ++y) {
-    const Interval slice = RoundSlice(frame, obstacle.footprint, radius_m, (y + 0.5) * cell_m_);
+    const Interval slice = RoundSlice(frame, obstacle.footprint, radius_m, (y + 0.5) * cell_y_m_);
     if (slice.empty()) continue;
-    const int first = std::max(0, static_cast<int>(std::ceil(slice.low / cell_m_ - 0.5)));
-    const int last = std::min(width_ - 1, static_cast<int>(std::floor(slice.high / cell_m_ - 0.5)));
+    const int first = std::max(0, static_cast<int>(std::ceil(slice.low / cell_x_m_ - 0.5)));
+    const int last = std::min(width_ - 1, static_cast<int>(std::floor(slice.high / cell_x_m_ - 0.5)));
     if (first > last) continue;
     uint64_t* row = mask.data() + static_cast<size_t>(y) * words_;
     ForWords(first, last, [row](int w, uint64_t bits) { row[w] &= ~bits; });
@@ -149,13 +153,13 @@ bool WalkGrid::TouchesFront(const Obstacle& obstacle) {
   frame.center += (obstacle.footprint.depth_m / 2 + kFrontStrip_m / 2) * frame.front;
   const double a = std::max(obstacle.footprint.width_m / 2, kNarrowestFront_m), b = kFrontStrip_m / 2;
   const double reach = std::hypot(a, b);
-  const int low = std::max(0, static_cast<int>(std::floor((frame.center.y - reach) / cell_m_)));
-  const int high = std::min(height_ - 1, static_cast<int>(std::ceil((frame.center.y + reach) / cell_m_)));
+  const int low = std::max(0, static_cast<int>(std::floor((frame.center.y - reach) / cell_y_m_)));
+  const int high = std::min(height_ - 1, static_cast<int>(std::ceil((frame.center.y + reach) / cell_y_m_)));
   for (int y = low; y <= high; ++y) {
-    const Interval slice = Slice(frame, a, b, (y + 0.5) * cell_m_);
+    const Interval slice = Slice(frame, a, b, (y + 0.5) * cell_y_m_);
     if (slice.empty()) continue;
-    const int first = std::max(0, static_cast<int>(std::ceil(slice.low / cell_m_ - 0.5)));
-    const int last = std::min(width_ - 1, static_cast<int>(std::floor(slice.high / cell_m_ - 0.5)));
+    const int first = std::max(0, static_cast<int>(std::ceil(slice.low / cell_x_m_ - 0.5)));
+    const int last = std::min(width_ - 1, static_cast<int>(std::floor(slice.high / cell_x_m_ - 0.5)));
     if (first > last) continue;
     bool touches = false;
     const uint64_t* row = RowOf(reached_, y);

@@ -30,8 +30,8 @@ struct WalkResult {
 // Cells of a search, and of decisions between layouts that are exact already: those of evaluation/metrics/reach.h.
 inline constexpr double kSearchCell_m = 0.05, kFineCell_m = 0.025;
 
-// Accurate to the cell, which is coarser than asked for in rooms of more than 15 m. Keeps scratch memory: one grid
-// serves one thread; copies are independent.
+// Accurate to the cell, which is coarser than asked for in rooms of more than 15 m (25 m for fine cells). Keeps scratch
+// memory: one grid serves one thread; copies are independent.
 class WalkGrid {
  public:
   // `path_width_m` is the diameter of the disc. Without doors the largest connected area counts as reachable.
@@ -62,7 +62,9 @@ class WalkGrid {
   void Sweep(int area);
   double SweptShare();
 
-  double cell_m_, radius_m_;
+  // Cells divide the room evenly, so that it does not matter from which corner they are counted; thus two sizes, near
+  // the one asked for.
+  double cell_m_, cell_x_m_, cell_y_m_, radius_m_;
   int width_, height_, words_;
   bool has_door_ = false;
   Mask inside_, roomy_, door_;  // of the empty room: floor, disc fits, before a door
