@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace flair::language {
@@ -33,6 +34,11 @@ struct Conversion {
   void Keep(std::string_view source, int line, std::string text, std::string reason) {
     ++lines;
     remarks.push_back({std::string(source), line, std::move(text), std::move(reason)});
+  }
+  // A sentence of a converted line has no place after all.
+  void Unconvert(std::string_view source, std::string text, std::string reason) {
+    if (converted > 0) --converted;
+    remarks.push_back({std::string(source), 0, std::move(text), std::move(reason)});
   }
   void Add(const Conversion& other) {
     lines += other.lines;

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/recorded/recorded_answers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/recorded/prompt_ids.h"
+#include "language_worker/recorded/tertiary_text.h"
+
+namespace flair::language {
+namespace {
+
+// Heights of what the handbook does not know.
+constexpr double kFloorHeight_m = 0.8, kItemHeight_m = 0.25, kWallHeight_m = 0.5, kLampHeight_m = 0.5;
+constexpr double kRugHeight_m = 0.01;
+
+std::string NameFor(const v1::Object& object, int count) {
+  std::string name = PlainName(object.name());
+  if (count > 1 && name.ends_with("s") && !name.ends_with("ss")) {
+    // "dining chairs", four times
+    const std::vector<Word> words = ReadWords(name);
+    if (!words.empty()) name = name.substr(0, words.back().begin) + words.back().key;
+  }
+  constexpr size_t kLongestName = 60;
+  return name.size() <= kLongestName ? name : name.substr(0, kLongestName);
+}
+
+bool Alike(const v1::Object& a, const v1::Object& b) {
+  return NameKey(a.name()) == NameKey(b.name()) && a.zone_id() == b.zone_id() && a.kind() == b.kind() &&
+         a.width_m() == b.width_m() && a.depth_m() == b.depth_m();
+}
+
+const char* WordOf(v1::ObjectKind kind) {
+  switch (kind) {
+    case v1::OBJECT_KIND_WALL:
+      return "wall";
+    case v1::OBJECT_KIND_CEILING:
+      return "ceiling";
+    case v1::OBJECT_KIND_SURFACE:
+      return "surface";
+    default:
+      return "floor";
+  }
+}
+
+double WallLength(const v1::Room& room, const std::string& wall) {
+  const v1::Point2& far = room.floor().vertices(2);
+  return wall == "south" || wall == "north" ? far.x_m() : far.y_m();
+}
+
+// Where along a wall, as answers count: from its west or south end.
+double PositionOf(const v1::Room& room, const std::string& wall, double offset_m) {
+  const double position = offset_m / WallLength(room, wall);
+  return std::clamp(wall == "north" || wall == "west" ? 1 - position : position, 0.0, 1.0);
+}
+
+std::vector<const v1::Object*> PrimariesOf(const std::vector<const v1::Object*>& objects) {
+  std::vector<const v1::Object*> primaries;
+  for (const v1::Object* object : objects) {
+    if (object->role() == v1::OBJECT_ROLE_PRIMARY) primaries.push_back(object);
+  }
+  return primaries;
+}
+
+// What the recorded model's own call put an item onto, beside or under; null when no call says.
+const v1::Object* HostByCalls(const RecordedRoom& room, const v1::Object& item) {
+  for (const v1::ConstraintEdge& edge : room.graph.edges()) {
+    bool about_it = false;
+    const v1::Object* other = nullptr;
+    for (const v1::Argument& argument : edge.arguments()) {
+      if (argument.value().text() == item.id()) about_it = true;
+      for (const v1::Object* object : room.FloorObjects()) {
+        if (argument.value().text() == object->id()) other = object;
+      }
+    }
+    if (about_it && other != nullptr) return other;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+RecordedAnswers::RecordedAnswers(const RecordedRoom& room, const Handbook& handbook)
+    : room_(room),
+      handbook_(handbook),
+      furniture_(handbook),
+      floor_(room.FloorObjects()),
+      tertiaries_(room.Tertiaries()),
+      primary_count_(PrimariesOf(floor_).size()),
+      primary_names_(PrimariesOf(floor_)),
+      floor_names_(floor_) {
+  for (const v1::Zone& zone : room.graph.zone_plan().zones()) zone_ids_.push_back(zone.id());
+}
+
+model::v1::RoomAnswer RecordedAnswers::Room() const {
+  const v1::Room& room = room_.graph.room();
+  model::v1::RoomAnswer answer;
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(room_.brief, handbook_);
+  answer.set_room_type(facts.ok() && facts->archetype_named ? facts->archetype->name() : "room");
+  answer.set_width_m(room.floor().vertices(2).x_m());
+  answer.set_depth_m(room.floor().vertices(2).y_m());
+  for (const v1::Opening& opening : room.openings()) {
+    const bool window = opening.kind() == v1::OPENING_KIND_WINDOW;
+    model::v1::OpeningAnswer& made = *answer.add_openings();
+    made.set_kind(window ? "window" : "door");
+    made.set_wall(opening.wall());
+    made.set_position(PositionOf(room, opening.wall(), opening.offset_m() + opening.width_m() / 2));
+    made.set_width_m(opening.width_m());
+    if (!window) made.set_swing("inward");
+  }
+  for (const v1::Socket& socket : room.sockets()) {
+    model::v1::SocketAnswer& made = *answer.add_sockets();
+    made.set_wall(socket.wall());
+    made.set_position(PositionOf(room, socket.wall(), socket.offset_m()));
+  }
+  return answer;
+}
+
+model::v1::ZonesAnswer RecordedAnswers::Zones() const {
+  model::v1::ZonesAnswer answer;
+  for (const v1::Zone& zone : room_.graph.zone_plan().zones()) {
+    model::v1::ZoneAnswer& made = *answer.add_zones();
+    made.set_name(zone.name());
+    std::string things;
+    for (const v1::Object* object : floor_) {
+      if (object->zone_id() != zone.id() || object->role() != v1::OBJECT_ROLE_PRIMARY) continue;
+      things += (things.empty() ? "" : ", ") + PlainName(object->name());
+    }
+    made.set_purpose(things.empty() ? fmt::format("For {}.", zone.name()) : fmt::format("Lives by the {}.", things));
+  }
+  return answer;
+}
+
+double RecordedAnswers::HeightOf(const v1::Object& object) const {
+  double height_m = object.role() != v1::OBJECT_ROLE_TERTIARY  ? kFloorHeight_m
+                    : object.kind() == v1::OBJECT_KIND_SURFACE ? kItemHeight_m
+                    : object.kind() == v1::OBJECT_KIND_WALL    ? kWallHeight_m
+                    : object.kind() == v1::OBJECT_KIND_CEILING ? kLampHeight_m
+                                                               : kRugHeight_m;
+  const hb::Furniture* known = furniture_.Find(object.name());
+  if (known != nullptr && known->height_m().typical() > 0) height_m = known->height_m().typical();
+  return std::min(height_m, room_.graph.room().height_m() - 0.2);
+}
+
+model::v1::FloorObjectsAnswer RecordedAnswers::FloorObjects() const {
+  model::v1::FloorObjectsAnswer answer;
+  std::vector<const v1::Object*> first;  // of each line
+  std::vector<int> counts;
+  for (const v1::Object* object : floor_) {
+    const auto same = std::find_if(first.begin(), first.end(), [&](const v1::Object* o) { return Alike(*o, *object); });
+    if (same != first.end()) {
+      ++counts[static_cast<size_t>(same - first.begin())];
+    } else {
+      first.push_back(object);
+      counts.push_back(1);
+    }
+  }
+  for (size_t i = 0; i < first.size(); ++i) {
+    const v1::Object& object = *first[i];
+    model::v1::FloorObjectAnswer& made = *answer.add_objects();
+    made.set_name(NameFor(object, counts[i]));
+    made.set_zone(object.zone_id());
+    made.set_primary(object.role() == v1::OBJECT_ROLE_PRIMARY);
+    made.set_count(counts[i]);
+    made.set_width_m(object.width_m());
+    made.set_depth_m(object.depth_m());
+    made.set_height_m(HeightOf(object));
+  }
+  return answer;
+}
+
+model::v1::TertiariesAnswer RecordedAnswers::Tertiaries(std::string_view prompt, Conversion& conversion) const {
+  const PromptIds ids(floor_, ReadPromptObjects(prompt));
+  const std::vector<RecordedPlacement> placements =
+      ReadTertiaryText(room_.Text("tertiary"), tertiaries_, floor_names_, conversion);
+  model::v1::TertiariesAnswer answer;
+  int line_before = 0;
+  for (size_t i = 0; i < tertiaries_.size(); ++i) {
+    const v1::Object& object = *tertiaries_[i];
+    const RecordedPlacement& placement = placements[i];
+    // Several of a kind that one item lists.
+    const bool again =
+        i > 0 && placement.line != 0 && placement.line == line_before && Alike(object, *tertiaries_[i - 1]);
+    line_before = placement.line;
+    if (again) {
+      model::v1::TertiaryAnswer& last = *answer.mutable_objects(answer.objects_size() - 1);
+      last.set_count(last.count() + 1);
+      continue;
+    }
+    model::v1::TertiaryAnswer& made = *answer.add_objects();
+    made.set_name(NameFor(object, 1));
+    made.set_kind(WordOf(object.kind()));
+    std::vector<std::string> hosts = ids.NamesOf(placement.hosts);
+    if (const v1::Object* host = hosts.empty() ? HostByCalls(room_, object) : nullptr; host != nullptr) {
+      hosts = ids.NamesOf({static_cast<int>(std::find(floor_.begin(), floor_.end(), host) - floor_.begin())});
+    }
+    if (!hosts.empty()) made.set_at(hosts.front());
+    made.set_count(1);
+    made.set_width_m(object.width_m());
+    made.set_depth_m(object.depth_m());
+    made.set_height_m(HeightOf(object));
+    made.set_placement(placement.text);
+    if (placement.text.empty()) {
+      conversion.Keep("tertiary", 0, object.name(), "is in no item of the text; it goes where its call says");
+      made.set_placement(hosts.empty()
+                             ? fmt::format("The {} goes where it fits.", made.name())
+                             : fmt::format("The {} is {} the {}.", made.name(),
+                                           object.kind() == v1::OBJECT_KIND_SURFACE ? "on" : "near", hosts.front()));
+    }
+  }
+  return answer;
+}
+
+}  // namespace flair::language

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/recorded/recorded_room_client.h"
+
+#include <fmt/format.h>
+#include <google/protobuf/util/json_util.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+namespace flair::language {
+namespace {
+
+using nlohmann::json;
+
+std::string ToJson(const google::protobuf::Message& message) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;
+  options.always_print_primitive_fields = true;
+  std::string text;
+  // Texts are UTF-8: they come out of a JSON file.
+  const bool printed = google::protobuf::util::MessageToJsonString(message, &text, options).ok();
+  return printed ? text : "{}";
+}
+
+// The first message of the user: the question. Repairs have another one behind it.
+std::string QuestionOf(const llm::ChatRequest& request) {
+  for (const llm::Message& message : request.messages) {
+    if (message.role == llm::Role::kUser) return message.text;
+  }
+  return "";
+}
+
+// The choices of the first field of that name in a schema.
+std::vector<std::string> FindChoices(const json& schema, const char* field) {
+  std::vector<std::string> names;
+  if (!schema.is_structured()) return names;
+  if (schema.is_object() && schema.contains("properties") && schema["properties"].contains(field)) {
+    for (const json& name : schema["properties"][field].value("enum", json::array())) {
+      if (name.is_string()) names.push_back(name.get<std::string>());
+    }
+    return names;
+  }
+  for (const json& part : schema) {
+    names = FindChoices(part, field);
+    if (!names.empty()) break;
+  }
+  return names;
+}
+
+}  // namespace
+
+absl::StatusOr<std::string> RecordedRoomClient::Answer(const std::string& step, const llm::ChatRequest& request) {
+  Conversion conversion;
+  const auto keep = [&](const google::protobuf::Message& answer) {
+    const std::lock_guard lock(mutex_);
+    conversions_[step] = std::move(conversion);
+    return ToJson(answer);
+  };
+  const std::string question = QuestionOf(request);
+  if (step == "room") return keep(answers_.Room());
+  if (step == "zones") return keep(answers_.Zones());
+  if (step == "objects.floor") return keep(answers_.FloorObjects());
+  if (step == "objects.tertiary") return keep(answers_.Tertiaries(question, conversion));
+  if (step == "constraints.intra") return keep(answers_.Intra(question, conversion));
+  if (step == "constraints.inter") return keep(answers_.Inter(question, conversion));
+  if (step == "cleaning") return keep(answers_.Cleaning(question));
+  if (step == "style") {
+    const json schema = json::parse(request.schema, nullptr, /*allow_exceptions=*/false);
+    return keep(answers_.Style(FindChoices(schema, "of"), conversion));
+  }
+  return absl::NotFoundError(fmt::format("step \"{}\": a recorded room has no answer to it", step));
+}
+
+void RecordedRoomClient::Ask(const llm::ChatRequest& request, runtime::CallContext&, llm::AnswerCallback done) {
+  const std::string step = request.step.substr(0, request.step.find('/'));
+  absl::StatusOr<std::string> text = Answer(step, request);
+  if (!text.ok()) {
+    done(text.status());
+    return;
+  }
+  llm::ChatAnswer answer;
+  answer.text = *std::move(text);
+  answer.model = "gpt-4o-recorded";
+  answer.usage.estimated = true;
+  answer.usage.input_token_count = llm::EstimateTokens(request.schema);
+  for (const llm::Message& message : request.messages) {
+    answer.usage.input_token_count += llm::EstimateTokens(message.text);
+  }
+  answer.usage.output_token_count = llm::EstimateTokens(answer.text);
+  done(std::move(answer));
+}
+
+std::map<std::string, Conversion> RecordedRoomClient::conversions() const {
+  const std::lock_guard lock(mutex_);
+  return conversions_;
+}
+
+}  // namespace flair::language

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "language_worker/recorded/conversion.h"
+#include "language_worker/recorded/recorded_answers.h"
+#include "llm/client/llm_client.h"
+
+namespace flair::language {
+
+// A model that answers the steps of the language phase with what another model wrote when a room was recorded, as
+// typed answers. Repairs get the same answer again: that is what was recorded. A step that is none of the language
+// phase is NOT_FOUND. Usage is estimated from the lengths of messages, schema and answer. Thread-safe.
+class RecordedRoomClient final : public llm::LlmClient {
+ public:
+  // Both must outlive it.
+  RecordedRoomClient(const RecordedRoom& room, const Handbook& handbook) : answers_(room, handbook) {}
+
+  void Ask(const llm::ChatRequest& request, runtime::CallContext& call, llm::AnswerCallback done) override;
+  std::string identity() const override { return "gpt-4o, recorded as free text"; }
+
+  // What became of the texts of the steps that were asked so far.
+  std::map<std::string, Conversion> conversions() const;
+
+ private:
+  absl::StatusOr<std::string> Answer(const std::string& step, const llm::ChatRequest& request);
+
+  const RecordedAnswers answers_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Conversion> conversions_;
+};
+
+}  // namespace flair::language
