@@ -103,8 +103,10 @@ void CurlMulti::SetCurlTimer(long milliseconds) {
   curl_timer_ = 0;
   if (milliseconds < 0) return;
   curl_timer_ = loop_.RunAfter(absl::Milliseconds(milliseconds), [this](const absl::Status& time) {
+    // At the end of the loop nothing of this is left.
+    if (!time.ok()) return;
     curl_timer_ = 0;
-    if (time.ok()) Act(CURL_SOCKET_TIMEOUT, 0);
+    Act(CURL_SOCKET_TIMEOUT, 0);
   });
 }
 

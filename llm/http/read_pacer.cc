@@ -35,8 +35,9 @@ void ReadPacer::OnRead(int fd) {
   if (pause == absl::ZeroDuration()) return;
   loop_.Watch(fd, false, socket.writable);
   socket.pause = loop_.RunAfter(pause, [this, fd](const absl::Status& time) {
+    if (!time.ok()) return;
     const auto paused = sockets_.find(fd);
-    if (!time.ok() || paused == sockets_.end()) return;
+    if (paused == sockets_.end()) return;
     paused->second.pause = 0;
     loop_.Watch(fd, paused->second.readable, paused->second.writable);
   });
