@@ -317,6 +317,26 @@ TEST_F(HttpClientTest, StoppingTheLoopEndsEveryRequest) {
   server.WaitForClosedByClient(3);
 }
 
+TEST_F(HttpClientTest, StoppingTheLoopEndsAStreamInItsMiddle) {
+  ScriptedServer server(One(R"({"fill_bytes": 1000000, "piece_bytes": [1], "piece_pause_ms": 1, "chunked": true})"));
+  HttpClient client(loop_, {});
+  runtime::TestGate well_under_way;
+  int byte_count = 0;
+  HttpRequest request = Question(server.address());
+  request.on_piece = [&](std::string_view piece) {
+    byte_count += static_cast<int>(piece.size());
+    if (byte_count >= 50) well_under_way.Open();
+    return absl::OkStatus();
+  };
+  absl::Status status;
+  client.Send(std::move(request), call_,
+              [&](const absl::StatusOr<HttpResponse>& response) { status = response.status(); });
+  well_under_way.Wait();
+  loop_.Stop();
+  EXPECT_EQ(status.code(), StatusCode::kCancelled);
+  server.WaitForClosedByClient(1);
+}
+
 TEST_F(HttpClientTest, ABodyCanBeTakenPieceByPiece) {
   ScriptedServer server(One(R"({"body": "grüner Tisch", "chunked": true, "piece_bytes": [3, 1, 4]})"));
   HttpClient client(loop_, {});
