@@ -19,6 +19,7 @@ class Reader {
       : tokens_(std::move(tokens)), names_(names), analysis_(analysis) {}
 
   std::vector<RawTerm> Run() {
+    MoveAdjectiveBehindSide();
     while (at_ < tokens_.size()) {
       if (SkipBracket()) continue;
       const SceneNames::Found name = names_.Find(tokens_, at_);
@@ -42,6 +43,22 @@ class Reader {
     term.term.end = tokens_[at_ + length - 1].end;
     at_ += length;
     terms_.push_back(std::move(term));
+  }
+
+  // "At least one accessible side" is at least one side accessible.
+  void MoveAdjectiveBehindSide() {
+    static constexpr std::array<std::string_view, 4> kAdjectives = {"accessible", "unobstructed", "unblocked",
+                                                                    "reachable"};
+    for (size_t i = 0; i + 2 < tokens_.size(); ++i) {
+      const bool adjective = std::find(kAdjectives.begin(), kAdjectives.end(), tokens_[i].text) != kAdjectives.end();
+      size_t side = i + 1;
+      while (side < tokens_.size() && (tokens_[side].IsWord("long") || tokens_[side].IsWord("short"))) ++side;
+      if (!adjective || side + 1 >= tokens_.size() || tokens_[side + 1].IsMark(':')) continue;
+      if (!tokens_[side].IsWord("side") && !tokens_[side].IsWord("sides")) continue;
+      std::rotate(tokens_.begin() + static_cast<long>(i), tokens_.begin() + static_cast<long>(i) + 1,
+                  tokens_.begin() + static_cast<long>(side) + 1);
+      i = side;
+    }
   }
 
   // "any side tables" is not "any side" and "tables": a name that begins within a phrase and ends after it cuts it
@@ -70,7 +87,9 @@ class Reader {
     const bool explains = first.IsWord("eg") || first.IsWord("ie") || first.IsWord("preferably") ||
                           first.IsWord("ideally") || first.IsWord("left") || first.IsMark(')') || length_only;
     // "Enough space (at least 0.6 m) behind": the bracket adds to what is said.
-    if (first.kind == Token::Kind::kDistance && !length_only && end <= at_ + 4 && end < tokens_.size()) {
+    const bool of_space =
+        !terms_.empty() && terms_.back().role == RawTerm::Role::kNone && terms_.back().term.IsWord("space");
+    if (first.kind == Token::Kind::kDistance && (!length_only || of_space) && end <= at_ + 4 && end < tokens_.size()) {
       tokens_.erase(tokens_.begin() + static_cast<long>(end));
       ++at_;
       return true;
@@ -147,7 +166,7 @@ class Reader {
         raw.term.kind = Term::Kind::kSoft;
         raw.term.lemma = token.IsMark('(') ? "(" : token.IsMark(':') ? ":" : ",";
       }
-    } else if (token.text.rfind("length:", 0) == 0) {
+    } else if (token.text.rfind("length:", 0) == 0 || token.text.rfind("lengths:", 0) == 0) {
       raw.role = RawTerm::Role::kSide;
       raw.term.lemma = token.text;
     } else if (token.IsWord("'s")) {
@@ -309,6 +328,29 @@ void TakeExamples(std::vector<Term>& terms) {
   }
 }
 
+// "Behind or beside the armchair": the choice is free, the first is taken.
+void TakeFirstPlace(std::vector<Term>& terms) {
+  const auto place = [](const Term& term) {
+    return term.IsWord("behind") || term.IsWord("next_to") || term.IsWord("left_of") || term.IsWord("right_of") ||
+           term.IsWord("in_front_of") || term.IsWord("near") || term.IsWord("opposite");
+  };
+  for (size_t i = 0; i + 3 < terms.size(); ++i) {
+    const bool denied = i > 0 && terms[i - 1].IsWord("not");
+    if (denied || !place(terms[i]) || !terms[i + 1].IsWord("or") || !place(terms[i + 2])) continue;
+    if (terms[i + 3].kind != Term::Kind::kMention) continue;
+    terms.erase(terms.begin() + static_cast<long>(i) + 1, terms.begin() + static_cast<long>(i) + 3);
+  }
+}
+
+// "Facing directly towards the door".
+void DropRepeatedWords(std::vector<Term>& terms) {
+  const auto repeated = [](const Term& a, const Term& b) {
+    return a.kind == Term::Kind::kWord && b.kind == Term::Kind::kWord && a.lemma == b.lemma &&
+           a.lemma != "side_by_side";
+  };
+  terms.erase(std::unique(terms.begin(), terms.end(), repeated), terms.end());
+}
+
 bool SaysSomething(const Term& term) {
   return term.kind == Term::Kind::kWord && !term.IsWord("not") && !term.IsWord("or") && !term.IsWord("of");
 }
@@ -346,8 +388,10 @@ Analysis Analyse(std::string_view text, const SceneNames& names) {
   Analysis analysis;
   Reader reader(JoinQuantities(Tokenize(text)), names, analysis);
   analysis.terms = GroupNounPhrases(reader.Run());
+  DropRepeatedWords(analysis.terms);
   DropLabel(analysis.terms);
   TakeExamples(analysis.terms);
+  TakeFirstPlace(analysis.terms);
   DropToBesideNot(analysis.terms);
   DropCenteredBesideRelation(analysis.terms);
   MoveNotBehindSubject(analysis.terms);

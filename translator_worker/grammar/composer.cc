@@ -23,6 +23,27 @@ bool Includes(const Call& call, const Call& part) {
          });
 }
 
+const v1::ArgumentValue* Find(const Call& call, std::string_view name) {
+  for (const v1::Argument& argument : call.arguments) {
+    if (argument.name() == name) return &argument.value();
+  }
+  return nullptr;
+}
+
+// Whether both keep space at one object, `vague` without and `precise` with a figure, at some of the same sides.
+bool IsSameSpace(const Call& vague, const Call& precise) {
+  if (vague.type != "accessible" || precise.type != "accessible") return false;
+  if (Find(vague, "min_clearance_m") != nullptr || Find(precise, "min_clearance_m") == nullptr) return false;
+  const v1::ArgumentValue* const few = Find(vague, "sides");
+  const v1::ArgumentValue* const many = Find(precise, "sides");
+  if (few == nullptr || many == nullptr || vague.arguments[0].value().text() != precise.arguments[0].value().text()) {
+    return false;
+  }
+  return std::all_of(few->texts().items().begin(), few->texts().items().end(), [&](const std::string& side) {
+    return std::find(many->texts().items().begin(), many->texts().items().end(), side) != many->texts().items().end();
+  });
+}
+
 bool Contains(const std::vector<Placed>& list, int object) {
   return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
 }
@@ -297,9 +318,31 @@ bool Composer::IsBesideTheRug(const std::string& type) const {
          std::any_of(topic_.begin(), topic_.end(), [&](const Placed& placed) { return IsRug(placed); });
 }
 
+void Composer::CompleteSide(const std::string& side) {
+  if (calls_.empty() || (calls_.back().type != "against_wall" && calls_.back().type != "near_wall")) return;
+  for (const v1::Argument& argument : calls_.back().arguments) {
+    if (argument.name() == "side") return;
+  }
+  calls_.back().Text("side", side);
+}
+
+bool Composer::CompleteClearance(double least_m) {
+  if (calls_.empty() || calls_.back().type != "accessible") return false;
+  for (const v1::Argument& argument : calls_.back().arguments) {
+    if (argument.name() == "min_clearance_m") return false;
+  }
+  calls_.back().Number("min_clearance_m", least_m);
+  return true;
+}
+
 bool Composer::Emit(Call call) {
   const v1::ConstraintType* type = catalog_.Find(call.type);
   if (type == nullptr) return false;
+  if (call.arguments.size() > 1 && call.arguments[1].name() == "target" &&
+      call.arguments[0].value().text() == call.arguments[1].value().text()) {
+    Refuse("unknown_sentence", "nothing can be related to itself; name two objects");
+    return true;
+  }
   if (IsForFloorOnly(type->name()) && !call.arguments.empty()) {
     const std::string& mover = call.arguments.front().value().text();
     for (const v1::Object& candidate : request_.object_list().objects()) {
@@ -319,6 +362,8 @@ bool Composer::Emit(Call call) {
            fmt::format("a rug lies under things or in the middle; {} says nothing of it", type->name()));
     return true;
   }
+  // "Space around it (at least 0.3 m on all sides)": the one with the figure stays.
+  std::erase_if(calls_, [&](const Call& other) { return IsSameSpace(other, call); });
   for (Call& other : calls_) {
     if (Includes(other, call)) return true;
     if (Includes(call, other)) {

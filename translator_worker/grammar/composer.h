@@ -68,6 +68,10 @@ class Composer {
   bool Emit(Call call);
   // Adds the first of the calls whose type the catalogue has; a remark when it has none of them.
   void EmitFirst(std::vector<Call> calls);
+  // "Against the wall for stability (back)": the side of the fact before, when it named none.
+  void CompleteSide(const std::string& side);
+  // "Space around the bed, at least 0.6 m": the figure of the fact before; false when that is none about free space.
+  bool CompleteClearance(double least_m);
   // Says why a part of the sentence gives no call.
   void Refuse(std::string_view code, const std::string& message);
   // Says what was decided where the sentence left it open.

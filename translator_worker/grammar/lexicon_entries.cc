@@ -8,10 +8,10 @@ namespace flair::translator {
 std::string_view LexiconEntries() {
   return R"(
 relation against: (installed|mounted|fixed|positioned|placed|set) against | [right|up|flush|snug|snugly|directly|pushed|tight] against | flush (with|to) | backed (onto|against|by) | backs onto
-  | touching | touches | adjoining | adjoins | abutting | abuts | backing onto | fixed to | attached to
+  | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | fixed to | attached to
 relation along: along | alongside | lined up along | runs along | running along
 relation aligned: aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
-relation near: near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
+relation near: in conjunction with | together with | combined with | near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
   | proximity to | in the vicinity of | within [easy|arm 's|arms|comfortable|convenient|close] reach of | not far from | not too far from
   | easily accessible from | conveniently accessible from | in reach of | [within] [a] comfortable sitting distance (from|of)
   | within [a] (comfortable|short|reasonable|walking|easy) distance (of|from) | within [easy|arm 's|close] reach from | within easy reach | within arm 's reach
@@ -32,7 +32,7 @@ relation behind: behind | in back of | at the back of | at the rear of | to the 
 relation in_front_of: in front of | (centered|centred|central|centrally) in front of | [directly] before | ahead of | in the front of
 relation in_front: in front | at the front
 relation at_sides: (on|at|to) (both|each|the|either) sides | on either side | on each side | at the sides | on both sides
-relation all_sides: on all [four] sides [of] | on every side [of] | at all sides [of] | from all sides
+relation all_sides: on all (accessible|open) sides | on all [four] sides [of] | on every side [of] | at all sides [of] | from all sides
 relation around: around | round | surrounding | all around | all round
 relation surround: surround | surrounds | surrounded | arranged around | [evenly] spaced around | [placed|grouped|gathered|distributed|set] (around|round)
   | stand (around|round) | against each side of | on all sides round
@@ -60,8 +60,8 @@ relation not_angle: at [a|an] (45|30|60) [degree|degrees] angle (to|with) | at a
 relation crowd: crowd | crowds | crowding
 relation away_from: away from | far from | far away from | [a|at a] [safe|reasonable|good|fair|some|comfortable|certain|suitable|sufficient|adequate|short|proper] distance (from|to) | apart from | separate from
   | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | at a (distance|remove) from | gap from | spaced from | distanced from | a gap from
-relation apart: separate | separated | distinct | apart | [spaced|set] apart [from each other] | away from each other | from each other | from one another | away
-relation block: restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
+relation apart: (some|enough|adequate|sufficient|clear) separation | separate | separated | distinct | apart | [spaced|set] apart [from each other] | away from each other | from each other | from one another | away
+relation block: (block|obstruct) or limit [access (to|of)] | limit access (to|of) | limits access (to|of) | obstruct [the] (front|side) access (to|of) | block [the] (front|side) access (to|of) | (block|blocks|blocking|obstruct|obstructing|restrict) [direct|easy|the] access (to or from|to and from|to|of) | restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
   | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
   | block [the] (view|views|light|access|opening|swing|use|view or access|access or view) (to|of|from|through|for) | block light from | block or cover | (block|obstruct) [the] [natural] (light|view) [coming] from
   | obstruct [the] [easy] (view|views|access|use|opening|swing) (to|of|from|for) | blocking [the] [natural] (view|access|light|opening|swing|use|view or access) (to|of|from|through|for)
@@ -70,7 +70,6 @@ relation block: restrict | restricts | restricting | restrict access (to|of) | b
 relation clear_of: [be|is|are|remain|remains] clear of | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear of | leave [enough] (space|clearance|room) for | outside [of]
   | clear for | out of
 relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free|unobstructed|unblocked|open) | unobstructed | unblocked | not obstructed | stays (clear|free)
-  | is clear
 relation keep_front_clear: [the] (area|floor|space|zone) in front of
 relation accessible: accessible | fully accessible | easily accessible | reachable | easy to (reach|access|get to) | approachable | accessibly | (unobstructed|easy|convenient|clear|full|direct) access
   | accessed | accessed easily | access is (needed|possible) | can be reached | be reached | free access | access
@@ -96,6 +95,7 @@ relation centered: (centered|centred) on top of | [be] (centered|centred|center|
   | (center|centre) of | toward the (center|centre) of | [near] the (center|centre) | centrally located within | island | as an island | as [a] (center|centre) piece | centerpiece (of|in) | central to | free standing island
   | (center|centre) piece | focal point of | stands free in
 relation centered: centered along [the|its] (length|width) of | centrally along the (length|width) of
+relation centered: in the central (part|area|portion) of | in a central (part|area) of
 relation wall_centered: centered (on|along|against) | centred (on|along|against) | in the middle of
 relation corner: in [a|one|the] corner | corner | [in|into] [an|a|the] (empty|unused|quiet|cozy|free|far) corner | corner (of|in) | [in|at|on|near|towards|toward|to] (a|the|one|each|any) [far|near|quiet|free|empty] corner [of] | corners [of] | across [a|the] corner | into (a|the) corner | one corner (of|on)
 relation corner_back_left: [on|at|in|near|towards] [the] (back left|rear left|left back|left rear) [hand] corner [of|on]
@@ -111,7 +111,7 @@ relation freestanding: freestanding | free standing | away from all walls
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
 relation on_wall_of: on the (wall|walls) of
-filler: (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | [in] the central part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | in [a|the|an] (position|positions|location|spot|place|places|area|areas|way|manner) (where|that|which) [it|they] [will|would|could|might|can]
+filler: in (a|such a) (way|manner) (that|so that) [it|they] | such that (it|they) | allowed | given | considered | created | observed | (unobstructed|accessible|open|clear) (area|location|spot) | (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | in [a|the|an] (position|positions|location|spot|place|places|area|areas|way|manner) (where|that|which) [it|they] [will|would|could|might|can]
   | where (it|they) [will|would|could|might|can] | [at a|in a|at the] location | the | a | an | its own | own | this | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
   | place | places | placed | placing | placement | put | puts | set | sets | position | positions | positioned | positioning | locate | located | location | situate | situated | stand | stands | standing | sit | sits | sitting | keep | keeps | kept | keeping
   | leave | leaves | leaving | left free | ensure | ensures | ensuring | make sure | making sure | maintain | maintains | maintaining | provide | provides | providing | require | requires | requiring | need | needs | needed | allow | allows | arrange | arranged
@@ -128,7 +128,7 @@ modal: should | must | may | might | can | could | will | shall | is | are | nee
 wish: ideal to have | ideal to | ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
   | where (space|room) (allows|permits) | as far as possible | whenever possible | if there is (space|room)
 purpose: than | for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | rather than | such as | like | depending | even
-condition: not (necessary|required|needed|essential) | is optional | no need | if | unless | only if | in the event
+condition: not [necessarily] need to | need not | not necessarily | not (necessary|required|needed|essential) | is optional | no need | if | unless | only if | in the event
 not: not | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | nothing | don
 side front: front [side|edge|face|end|part] | front and center | foot [end] | footboard | fronts | front sides
 side back: back [side|edge|end|part] | rear [side|edge] | headboard | head [end|side] | backrest | backs | back sides | headrest
@@ -141,12 +141,12 @@ side long_one: [at least|on|along] (one|a) [of its|of the|of their] (long|longer
 side long_both: [both|the|two|on both|all] (long|longer|longest) (sides|edges)
 side short_one: [at least] (one|a) [of its|of the] (short|shorter) (side|sides|edge|edges) | (short|shorter) (side|edge) | one width
 side short_both: [both|the|two] (short|shorter) (sides|edges)
-side two_any: [at least|on at least] two [of its] sides
+side two_any: [at least] two adjacent sides | [at least|on at least] two [of its] sides
 side three: [at least] three [of its] sides
 side all: all [of its|of the] [four] sides | all four sides | every side | all around sides | (each|all) of its sides | all [its] [four] sides
-feature door: room 's (entrance|entry|door|doorway|exit) | (wall|walls) with [a|the] (door|doors) | [bedroom|entrance|entry|main|room|front] (door|doors|doorway|doorways) | [the] (entrance|entry|entryway|entryways|entrances|exit|exits|access point|entry point|entry points|doorframe|threshold) [door|way] | (door|door 's) (swing|swings|opening|area|clearance|path|frame|arc)
+feature door: opening of [the] (door|doors) | (door|doors) (openings|entryways) | room 's (entrance|entry|door|doorway|exit) | (wall|walls) with [a|the] (door|doors) | [bedroom|entrance|entry|main|room|front] (door|doors|doorway|doorways) | [the] (entrance|entry|entryway|entryways|entrances|exit|exits|access point|entry point|entry points|doorframe|threshold) [door|way] | (door|door 's) (swing|swings|opening|area|clearance|path|frame|arc)
   | doors 's (swing|swings) | swing[ing] of [the] (door|doors) | swings | entry area | entrance area | doors swings | door swing area | passage door | entry to the room | entry and exit [points] | line of entry
-feature window: (wall|walls) with [a|the|any] (window|windows) | window (wall|walls) | window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
+feature window: (window|windows) access | opening of [the] (window|windows) | (wall|walls) with [a|the|any] (window|windows) | window (wall|walls) | window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
 feature socket: (wall|walls) with [a|the|any] (socket|sockets|outlet|outlets) | electrical and gas (outlets|sockets) | [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plug|plugs|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
 place wall: [one or] two walls | [one of the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
 place ceiling: ceiling | ceilings

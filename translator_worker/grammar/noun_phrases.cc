@@ -69,6 +69,8 @@ class Grouper {
           i = next - 1;
         }
         out.push_back(std::move(raw));
+      } else if (IsLeftOrRightOne(i)) {
+        in_[i + 1].term.mention.references.back().ordinal = raw.term.lemma == "left" ? 1 : 2;
       } else if (raw.role == Role::kSide) {
         i = AttachOf(i, out);
       } else if (raw.role != Role::kPossessive) {
@@ -76,6 +78,14 @@ class Grouper {
       }
     }
     in_ = std::move(out);
+  }
+
+  // "The right nightstand" of two.
+  bool IsLeftOrRightOne(size_t i) const {
+    if (in_[i].role != Role::kSide || (in_[i].term.lemma != "left" && in_[i].term.lemma != "right")) return false;
+    if (in_[i].term.end - in_[i].term.begin > 5 || !Peek(i + 1) || !IsThing(in_[i + 1])) return false;
+    const Reference& reference = in_[i + 1].term.mention.references.back();
+    return reference.kind == RefKind::kObjects && reference.candidates.size() == 2 && !reference.plural;
   }
 
   // "front and sides of the bed"; returns the last index that was used.
@@ -88,6 +98,7 @@ class Grouper {
       next += 2;
     }
     RawTerm raw = BareSide(in_[i]);
+    raw.side_first = true;
     Mention& mention = raw.term.mention;
     mention.references.clear();
     for (const size_t index : sides) {
@@ -97,7 +108,7 @@ class Grouper {
     raw.term.end = in_[next - 1].term.end;
     size_t owner = next + 1;
     while (Peek(next) && IsOf(in_[next]) && Peek(owner) &&
-           (in_[owner].role == Role::kEach || in_[owner].role == Role::kOrdinal)) {
+           (in_[owner].role == Role::kEach || in_[owner].role == Role::kOrdinal || IsLeftOrRightOne(owner))) {
       ++owner;
     }
     if (Peek(next) && IsOf(in_[next]) && Peek(owner) && (IsThing(in_[owner]) || IsMention(in_[owner]))) {
@@ -107,6 +118,7 @@ class Grouper {
         reference.side = side;
         for (size_t k = next + 1; k < owner; ++k) {
           if (in_[k].role == Role::kOrdinal) reference.ordinal = in_[k].ordinal;
+          if (in_[k].role == Role::kSide) reference.ordinal = in_[k].term.lemma == "left" ? 1 : 2;
           if (in_[k].role == Role::kEach) reference.each = true;
         }
       }
@@ -135,9 +147,10 @@ class Grouper {
       if (IsMention(raw)) {
         Reference& reference = raw.term.mention.references.back();
         reference.each = reference.each || each;
+        if (each && raw.side_first) reference.side = BothOf(reference.side);
         if (ordinal > 0) reference.ordinal = ordinal;
-        if ((IsThing(raw) || IsFeature(raw)) && !out.empty() && out.back().role == Role::kNone &&
-            AdjectiveLike(out.back().term))
+        if ((IsThing(raw) || IsFeature(raw) || reference.kind == RefKind::kWall) && !out.empty() &&
+            out.back().role == Role::kNone && AdjectiveLike(out.back().term))
           out.pop_back();
         each = false;
         ordinal = 0;
@@ -155,6 +168,13 @@ class Grouper {
       }
     }
     in_ = std::move(out);
+  }
+
+  // "Each long side".
+  static std::string BothOf(const std::string& side) {
+    if (side == "long_one") return "long_both";
+    if (side == "short_one") return "short_both";
+    return side == "side" ? "sides" : side;
   }
 
   static bool AdjectiveLike(const Term& term) {

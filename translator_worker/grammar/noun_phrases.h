@@ -16,6 +16,8 @@ struct RawTerm {
   int ordinal = 0;
   // "doors" may be those of a wardrobe.
   bool part_of_furniture = false;
+  // "Long side of the table", not "the table's long side": a quantity before it counts sides.
+  bool side_first = false;
   // "No object": the statement is denied.
   bool negative = false;
 };

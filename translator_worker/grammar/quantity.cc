@@ -59,6 +59,13 @@ struct Qualifier {
 
 // Longest first. Words that stand before a length.
 const Qualifier kQualifiers[] = {
+    {{"not", "be", "less", "than"}, Bound::kMin},
+    {{"not", "be", "closer", "than"}, Bound::kMin},
+    {{"not", "be", "more", "than"}, Bound::kMax},
+    {{"not", "be", "further", "than"}, Bound::kMax},
+    {{"not", "be", "farther", "than"}, Bound::kMax},
+    {{"not", "exceed"}, Bound::kMax},
+    {{"not", "exceeding"}, Bound::kMax},
     {{"no", "less", "than"}, Bound::kMin},
     {{"not", "less", "than"}, Bound::kMin},
     {{"no", "more", "than"}, Bound::kMax},
@@ -95,6 +102,8 @@ constexpr std::array<std::string_view, 24> kBetween = {
     "is",       "be",  "should", "approximately", "exactly",   "buffer",     "another", "the"};
 constexpr std::array<std::string_view, 12> kDimensionWords = {
     "wide", "long", "deep", "high", "tall", "square", "thick", "width", "length", "height", "depth", "diameter"};
+
+constexpr std::array<std::string_view, 6> kSpaceWords = {"clearance", "space", "gap", "distance", "room", "spacing"};
 
 template <typename Words>
 bool Contains(const Words& words, std::string_view word) {
@@ -188,10 +197,33 @@ class Joiner {
       return SkipDimension(next);
     }
     token.end = in_[next - 1].end;
-    // A lone length in brackets says how long something is: "one long side (1.5m)".
-    if (out_.empty() || !out_.back().IsMark('(') || !MarkAt(next, ')')) out_.push_back(std::move(token));
+    // A lone length in brackets says how long something is, "one long side (1.5m)", but not how wide a space is.
+    const bool in_brackets = !out_.empty() && out_.back().IsMark('(') && MarkAt(next, ')');
+    const bool of_space = out_.size() > 1 && Contains(kSpaceWords, out_[out_.size() - 2].text);
+    if (!in_brackets || of_space || !token.distance.exact) {
+      out_.push_back(std::move(token));
+    } else {
+      out_.pop_back();
+      ++next;
+    }
     at_ = next;
     return true;
+  }
+
+  // "At least one of the 3m sides" is a side of that length, "the 3m sides" are both.
+  void TakeSidesOfLength(size_t next) {
+    Token side = in_[next];
+    const double length = NumberAt(at_)->value;
+    size_t one = out_.size();
+    while (one > 0 && (out_[one - 1].IsWord("the") || out_[one - 1].IsWord("of") || out_[one - 1].IsWord("its"))) --one;
+    const bool single = one > 0 && one < out_.size() && out_[one - 1].IsWord("one");
+    if (single) {
+      out_.resize(one - 1);
+      if (out_.size() > 1 && out_.back().IsWord("least")) out_.resize(out_.size() - 2);
+    }
+    side.text = fmt::format("{}:{:.3f}", single ? "length" : "lengths", length);
+    out_.push_back(std::move(side));
+    at_ = next + 1;
   }
 
   // "1.8m x 2.8m", "0.6m wide": leaves nothing behind.
@@ -207,7 +239,7 @@ class Joiner {
       return true;
     }
     if (in_[at_].kind == Token::Kind::kNumber && WordAt(next, "sides")) {
-      at_ = next;
+      TakeSidesOfLength(next);
       return true;
     }
     while (WordAt(next, "x") || WordAt(next, "by")) {

@@ -35,6 +35,12 @@ bool IsNumber(const std::string& word) {
          std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+// "Reading spot": words that say nothing alone make a zone of its name.
+bool IsAreaWord(const std::vector<Token>& tokens, size_t at) {
+  return Lexicon::Get().Find(tokens, at).word_class == WordClass::kArea || tokens[at].IsWord("spot") ||
+         tokens[at].IsWord("furniture") || tokens[at].IsWord("nook");
+}
+
 int NumberOf(const std::string& word) { return IsNumber(word) ? std::atoi(word.c_str()) : 0; }
 
 // "nightstand 2" is a nightstand.
@@ -164,7 +170,7 @@ SceneNames::Found SceneNames::FindInZone(const std::vector<Token>& tokens, size_
     size_t next = at + words;
     const Phrase area = Lexicon::Get().Find(tokens, next);
     if (area.word_class == WordClass::kArea) next += area.length;
-    if (next < tokens.size() && tokens[next].IsWord("'s")) ++next;
+    if (next < tokens.size() && (tokens[next].IsWord("'s") || tokens[next].IsMark(':'))) ++next;
     Found found = FindObject(tokens, next);
     std::vector<int>& candidates = found.reference.candidates;
     std::erase_if(candidates, [&](int object) { return objects_.objects(object).zone_id() != zone.id(); });
@@ -232,7 +238,7 @@ SceneNames::Found SceneNames::FindZone(const std::vector<Token>& tokens, size_t 
     const size_t next = at + words;
     // "the seating area", "the workstation and relaxation areas".
     for (size_t i = next; i < std::min(tokens.size(), next + 5); ++i) {
-      if (Lexicon::Get().Find(tokens, i).word_class == WordClass::kArea) {
+      if (IsAreaWord(tokens, i)) {
         Found found;
         found.reference.kind = RefKind::kZone;
         found.reference.name = zone.id();

@@ -31,7 +31,8 @@ class Walk {
         denied_ = false;
         clause_begins_ = true;
         ++at_;
-      } else if (!in_reason_ && TakeFact()) {
+      } else if ((!in_reason_ || term.kind == Term::Kind::kDistance) && TakeFact()) {
+        in_reason_ = false;
         clause_begins_ = false;
       } else {
         LeaveOver(term);
@@ -126,6 +127,11 @@ class Walk {
         break;
       case Term::Kind::kMention:
         if (in_reason_) break;
+        if (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kSoft && terms_[at_ - 1].lemma == "(" &&
+            term.mention.references.front().kind == RefKind::kPronoun &&
+            !term.mention.references.front().side.empty()) {
+          composer_.CompleteSide(term.mention.references.front().side);
+        }
         if (clause_begins_) TakeTopic(term.mention);
         if (term.mention.references.front().kind == RefKind::kObjects && composer_.topic().empty())
           TakeTopic(term.mention);

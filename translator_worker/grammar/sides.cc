@@ -29,9 +29,11 @@ std::vector<std::string> SidesOf(Composer& composer, const Placed& placed) {
                   fmt::format("which two sides of {} is open; left and right were taken", object.id()));
     return lateral;
   }
-  if (word.rfind("length:", 0) == 0) {
-    const double length = std::atof(word.c_str() + 7);
-    return one(std::abs(length - object.width_m()) <= std::abs(length - object.depth_m()) ? axial : lateral);
+  if (word.rfind("length", 0) == 0) {
+    const double length = std::atof(word.c_str() + word.find(':') + 1);
+    const bool of_width = std::abs(length - object.width_m()) <= std::abs(length - object.depth_m());
+    const std::vector<std::string>& pair = of_width ? axial : lateral;
+    return word[6] == 's' ? pair : one(pair);
   }
   if (word == "long_both") return wide ? axial : lateral;
   if (word == "long_one") return one(wide ? axial : lateral);

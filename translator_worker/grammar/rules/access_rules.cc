@@ -34,16 +34,31 @@ void EmitForSides(const std::vector<Placed>& placed, const Distance* distance, C
 }
 
 void Accessible(const Match& match, std::string_view, Composer& composer) {
+  if (match.a != nullptr && match.a->references.front().name == "all") {
+    composer.Refuse("not_about_layout", "access to pieces that are not named cannot be asked for; name them");
+    return;
+  }
   std::vector<Placed> movers = composer.Movers(match.a);
+  // "From the front or side": the choice is free.
+  if (match.a != nullptr && match.a->either && movers.size() > 1 && movers[0].object == movers[1].object)
+    movers.resize(1);
   if (match.b != nullptr) {
     // "accessible from the front": the sides are those named after the verb.
     std::vector<Placed> sided;
     for (const Placed& mover : movers) {
-      for (const Reference& reference : match.b->references) sided.push_back({mover.object, reference.side});
+      for (const Reference& reference : match.b->references) {
+        sided.push_back({mover.object, reference.side});
+        if (match.b->either) break;
+      }
     }
     movers = sided;
   }
   EmitForSides(movers, match.distance, composer);
+}
+
+// "Easy access from the front".
+void AccessToSide(const Match& match, std::string_view, Composer& composer) {
+  EmitForSides(composer.TargetObjects(*match.b, {}), match.distance, composer);
 }
 
 // "Access to the bed from both sides".
@@ -55,8 +70,8 @@ void AccessFromSide(const Match& match, std::string_view, Composer& composer) {
   EmitForSides(sided, match.distance, composer);
 }
 
-// "All sides where chairs stand are accessible".
-void AccessibleWhere(const Match& match, std::string_view, Composer& composer) {
+// "All sides where chairs stand are accessible", "the front is clear of obstacles".
+void OfMovers(const Match& match, std::string_view, Composer& composer) {
   EmitForSides(composer.Movers(match.a), match.distance, composer);
 }
 
@@ -83,7 +98,8 @@ void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
 
 // Space at a place relative to B, or to the topic: tag is "front", "back", "sides" or "around".
 void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
-  if (match.b != nullptr && match.b->references.front().kind == RefKind::kGroup) {
+  const Mention* const of = match.b != nullptr ? match.b : match.a;
+  if (of != nullptr && of->references.front().kind == RefKind::kGroup && of->references.front().name != "seating") {
     composer.Refuse("not_about_layout", "space around pieces that are not named cannot be asked for; name them");
     return;
   }
@@ -115,9 +131,18 @@ void PathAround(const Match& match, std::string_view tag, Composer& composer) {
 
 // A chair is pulled out backwards; room for "the chair" of a desk is in front of the desk.
 void PullOut(const Match& match, std::string_view, Composer& composer) {
-  std::vector<Placed> movers = composer.Movers(match.a);
+  const Mention* const chairs = match.a != nullptr ? match.a : match.b;
+  std::vector<Placed> movers = composer.Movers(chairs);
   const std::vector<Placed>& subjects = composer.subjects();
-  if (!subjects.empty() && !composer.IsChair(subjects.front())) movers = subjects;
+  if (!subjects.empty() && !composer.IsChair(subjects.front())) {
+    // Several chairs stand all round a table, one in front of a desk.
+    const bool all_round = chairs != nullptr && chairs->references.front().plural;
+    for (const Placed& subject : subjects) {
+      if (all_round) EmitAccessible(subject, {"front", "back", "left", "right"}, match.distance, composer);
+    }
+    if (all_round) return;
+    movers = subjects;
+  }
   for (const Placed& mover : movers) {
     EmitAccessible(mover, {composer.IsChair(mover) ? "back" : "front"}, match.distance, composer);
   }
@@ -165,7 +190,7 @@ std::vector<Rule> AccessRules() {
       {"A? space? around B.object , D space?", SpaceAt, "around"},
       {"A.object? accessible space? D? on? B.side", SpaceAt, "named"},
       {"A? accessible/access_to/allow_access_to B.object away_from C.side", AccessFromSide},
-      {"A.side where B accessible/keep_clear", AccessibleWhere},
+      {"A.side where B accessible/keep_clear", OfMovers},
       {"A.object? accessible all_sides", SpaceAt, "all"},
       {"A? space D? around B.object", SpaceAt, "around"},
       {"D space? around B.object", SpaceAt, "around"},
@@ -190,6 +215,9 @@ std::vector<Rule> AccessRules() {
       {"A? space? D? space? pull_out ,? D? space?", PullOut},
       {"A? space for? A pull_out", PullOut},
       {"space for/to? pull_out", PullOut},
+      {"A? space? pull_out away_from C", PullOut},
+      {"clear_of B pull_out", PullOut},
+      {"A? access_to/allow_access_to/accessible_from B.side", AccessToSide},
       {"nearest B D apart?", SpaceAt, "around"},
       {"D space? around B.side", SpaceAt, "named"},
       {"A.vague accessible", Unreachable},
@@ -203,6 +231,7 @@ std::vector<Rule> AccessRules() {
 
 std::vector<Rule> PathRules() {
   return {
+      {"A.side clear_of B.vague", OfMovers},
       {"A? D? C.vague D? around B.object", PathAround, "around"},
       {"A? D? C.vague D? all_sides B.object", PathAround, "all"},
   };

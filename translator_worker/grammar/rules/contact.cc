@@ -56,6 +56,12 @@ void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::
 void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets, Composer& composer) {
   if (movers.empty()) composer.Refuse("unknown_sentence", "nothing says what stands there; name the objects");
   for (const Placed& target : targets) {
+    if (movers.size() > 2 && composer.IsFloor(movers.front())) {
+      std::vector<std::string> ids;
+      for (const Placed& mover : movers) ids.push_back(composer.id(mover));
+      composer.EmitFirst({Call("surround").Text("center", composer.id(target)).Texts("objects", ids)});
+      continue;
+    }
     std::string side = "left";
     for (const Placed& mover : movers) {
       if (composer.IsWall(mover)) {
@@ -79,6 +85,11 @@ void KeepDistance(const Placed& mover, const Placed& other, const Distance* dist
   const std::string& target = composer.id(other);
   if (distance == nullptr) {
     composer.EmitFirst({Call("away_from").Text("object", id).Text("target", target)});
+    return;
+  }
+  if (distance->Nominal() == 0 && distance->max_m.value_or(0) > 0) {
+    composer.EmitFirst(
+        {Call("near").Text("object", id).Text("target", target).Number("max_distance_m", *distance->max_m)});
     return;
   }
   if (distance->Nominal() == 0) {

@@ -135,16 +135,6 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
-// "A clear walkway between the sofa and the table" keeps them apart; between pieces that are not named it is a path.
-void PathBetween(const Match& match, std::string_view tag, Composer& composer) {
-  const bool named = match.b->references.size() > 1 && match.b->references.front().kind != RefKind::kGroup;
-  if (named && match.c->references.front().name == "paths") {
-    Between(match, tag, composer);
-  } else {
-    composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
-  }
-}
-
 // "between the lamp and the walls".
 void BetweenAndWall(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.b)) {
@@ -188,8 +178,23 @@ void ApartFromEachOther(const Match& match, std::string_view, Composer& composer
   }
 }
 
+// "A clear walkway between the sofa and the table" keeps them apart; between pieces that are not named it is a path.
+void PathBetween(const Match& match, std::string_view tag, Composer& composer) {
+  if (match.a != nullptr && match.c->references.front().name == "paths") {
+    ApartFromEachOther(match, tag, composer);
+    return;
+  }
+  const bool named = match.b->references.size() > 1 && match.b->references.front().kind != RefKind::kGroup;
+  if (named && match.c->references.front().name == "paths") {
+    Between(match, tag, composer);
+  } else {
+    composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
+  }
+}
+
 // A bare distance belongs to the fact before it: to its pair, else it is free space in front.
 void BareDistance(const Match& match, std::string_view, Composer& composer) {
+  if (composer.CompleteClearance(match.distance->Nominal())) return;
   if (!composer.pair_targets().empty()) {
     for (const Placed& mover : composer.pair_movers()) {
       for (const Placed& other : composer.pair_targets()) KeepDistance(mover, other, match.distance, composer);
@@ -214,7 +219,12 @@ void BareDistance(const Match& match, std::string_view, Composer& composer) {
 
 }  // namespace
 
-std::vector<Rule> WalkwayRules() { return {{"D? C.vague D? ,? between B", PathBetween}}; }
+std::vector<Rule> WalkwayRules() {
+  return {
+      {"D? C.vague D? ,? between B", PathBetween},
+      {"A.list D? C.vague D? between B.pronoun", PathBetween},
+  };
+}
 
 std::vector<Rule> DistanceRules() {
   return {
@@ -231,8 +241,11 @@ std::vector<Rule> DistanceRules() {
       {"A? not? space D? between ,? B ,? D?", Between},
       {"A? D of? space? ,? between B", Between},
       {"space between B minimal", Between, "touching"},
+      {"apart between B", Between},
+      {"A? not centered? between B", AwayFrom},
       {"A? not? space? D? space? apart", ApartFromEachOther},
       {"A? not near/next_to/against both_ways", ApartFromEachOther},
+      {"A.list not near/next_to", ApartFromEachOther},
       {"A? not near/next_to/against B.pronoun", ApartFromEachOther},
       {"D space?", BareDistance},
       {"space D", BareDistance},

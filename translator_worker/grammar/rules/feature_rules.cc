@@ -52,7 +52,16 @@ void NotBlock(const Match& match, std::string_view tag, Composer& composer) {
 
 // "Placed to allow access to the wardrobe"; after another fact it is that fact's reason.
 void AllowAccess(const Match& match, std::string_view tag, Composer& composer) {
-  if (composer.calls().empty()) NotBlock(match, tag, composer);
+  if (!composer.calls().empty()) return;
+  // Sockets are reached from near them; doors and windows are kept free.
+  const Reference& first = match.b->references.front();
+  if (first.kind == RefKind::kFeature && first.name == "socket" && composer.HasFeature("socket")) {
+    for (const Placed& mover : composer.Movers(match.a)) {
+      composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", first.name)});
+    }
+    return;
+  }
+  NotBlock(match, tag, composer);
 }
 
 // "The door is kept clear": of every floor object of the topic, or of all when nobody is named.
@@ -89,6 +98,12 @@ void PathBetween(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
 }
 
+void NotBlockEachOther(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> all = composer.Movers(match.a);
+  if (all.size() < 2) all = composer.subjects();
+  for (const Placed& placed : all) composer.EmitFirst({AccessibleFront(placed, composer)});
+}
+
 void ViewBetween(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_expressible", "lines of sight cannot be kept free; say what faces what");
 }
@@ -107,7 +122,10 @@ std::vector<Rule> FeatureRules() {
       {"A? not block B.object space", NotBlock, "gap"},
       {"A? not block C.vague between B", PathBetween},
       {"A? not corner , B.feature", NotBlock},
-      {"A? not block C.vague away_from/to B", PathBetween},
+      {"A? not block C.vague to B.object", NotBlock},
+      {"A? not block accessible to B.object", NotBlock},
+      {"A? not block both_ways accessible?", NotBlockEachOther},
+      {"A? not block C.vague away_from/to B.feature", PathBetween},
       {"A? not block B.object away_from C", ViewBetween},
       {"B.feature on/under C keep_clear/accessible", KeepClear},
       {"A? clear_of B", NotBlock},
@@ -115,6 +133,7 @@ std::vector<Rule> FeatureRules() {
       {"A? not in_front_of B.feature", NotBlock},
       {"A? not in_front_of/under/behind/on/above/next_to B.feature", NotBlock},
       {"A? not against/facing/opposite B.feature", NotBlock},
+      {"A? not in_front_of/under/on/over or in_front_of/under/behind/on B.feature", NotBlock},
       {"B.feature keep_clear", KeepClear},
       {"B.feature not block", KeepClear},
       {"B.feature accessible", KeepClear},

@@ -61,6 +61,18 @@ void Near(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Access to sockets" wants them near, "access to the door" wants it free.
+void AccessToFeature(const Match& match, std::string_view tag, Composer& composer) {
+  const Reference& first = match.b->references.front();
+  if (first.name == "socket" || !composer.HasFeature(first.name)) {
+    Near(match, tag, composer);
+    return;
+  }
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst({Call("clear_of_feature").Text("object", composer.id(mover)).Text("feature", first.name)});
+  }
+}
+
 void NextTo(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers)) {
@@ -120,11 +132,12 @@ void OnEachSide(const Match& match, std::string_view, Composer& composer) {
 std::vector<Rule> NearRules() {
   return {
       {"B.feature near/next_to A.object", Near},
+      {"B.feature near", Near},
       {"A? near B D?", Near},
       {"A? near B , D", Near},
       {"A? near D? of B", Near},
       {"A? D of/near B", Near},
-      {"A? access_to B.feature", Near},
+      {"A? access_to B.feature", AccessToFeature},
       {"A? access_to B.object", Near},
       {"A? accessible access_to? B.feature", Near},
       {"nearby B", Near},

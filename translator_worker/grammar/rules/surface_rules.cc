@@ -41,7 +41,10 @@ void OnSide(const Placed& mover, const Placed& host, Composer& composer) {
 void On(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   const std::vector<Placed> hosts = composer.TargetObjects(*match.b, movers);
-  if (!hosts.empty() && hosts.front().side == "sides" && !movers.empty() && !composer.IsSurface(movers.front())) {
+  const auto several = [](const std::string& side) {
+    return side == "sides" || side == "long_both" || side == "short_both" || side == "all";
+  };
+  if (!hosts.empty() && several(hosts.front().side) && !movers.empty() && !composer.IsSurface(movers.front())) {
     Flank(movers, hosts, composer);
     return;
   }
