@@ -27,7 +27,7 @@ struct StyleRequest {
 absl::StatusOr<v1::StyleSheet> AskStyle(const StyleRequest& request, const ModelTools& tools,
                                         llm::Conversation& conversation);
 
-// What is wrong with an answer that reads well: colours that are none, most things left out.
+// What is wrong with an answer that reads well: colours that are none, hardly anything described.
 std::vector<llm::Fault> CheckStyle(const StyleRequest& request, const ModelTools& tools,
                                    const model::v1::StyleAnswer& answer);
 

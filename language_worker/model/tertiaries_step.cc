@@ -22,6 +22,8 @@ using model::v1::TertiaryAnswer;
 
 constexpr int kMostTertiaries = 60;
 constexpr double kThickestOnWall_m = 0.8;
+// Odd sizes of smaller things are not worth a call.
+constexpr double kLarge_m = 1;
 constexpr double kUsualMiddleOnWall_m = 1.55;
 
 int AskedCount(double area_m2) { return std::clamp(static_cast<int>(std::lround(4 + area_m2 / 3)), 5, 14); }
@@ -54,16 +56,17 @@ void CheckObject(const TertiaryAnswer& object, const std::string& path, const Ob
   if (!FitsFloor(size, floor)) {
     faults.push_back({path + ".width_m", fmt::format("{} is larger than the room of {:g} m x {:g} m",
                                                      FootprintText(size), floor.width_m, floor.depth_m)});
-  } else if (const std::string odd = OddSize(size, tools.furniture.FindExact(object.name())); !odd.empty()) {
+  } else if (const std::string odd = OddSize(size, tools.furniture.FindExact(object.name()));
+             std::max(size.width_m, size.depth_m) > kLarge_m && !odd.empty()) {
     faults.push_back({path + ".width_m", odd, FaultKind::kDoubtful});
   }
   if (object.kind() == "surface" && hosts.empty()) {
     faults.push_back({path + ".at", "is null; name the object that it stands on"});
   } else if (object.kind() == "surface" && !FitsTop(object, *hosts.front())) {
     faults.push_back({path + ".width_m",
-                      fmt::format("{} is larger than the top of {}, {:g} m x {:g} m", FootprintText(size), object.at(),
-                                  hosts.front()->width_m(), hosts.front()->depth_m()),
-                      FaultKind::kDoubtful});
+                      fmt::format("{} is larger than the top of {}, {:g} m x {:g} m; made to fit it",
+                                  FootprintText(size), object.at(), hosts.front()->width_m(), hosts.front()->depth_m()),
+                      FaultKind::kMended});
   }
   if (object.kind() == "wall" && object.depth_m() > kThickestOnWall_m) {
     faults.push_back(

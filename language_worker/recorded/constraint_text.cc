@@ -71,10 +71,13 @@ class Reader {
     std::string beginning;
   };
 
-  static bool IsTitle(const OutlineLine& line) {
+  bool IsTitle(const OutlineLine& line) const {
     if (line.kind == LineKind::kHeading) return true;
-    if (!line.title) return false;
-    return line.has_children || !Demands(line.All());
+    const std::string all = line.All();
+    if (line.title) return line.has_children || !Demands(all);
+    // "1. Shower caddy (0.3m x 0.3m)" with a list under it.
+    return line.has_children && !Demands(all) &&
+           (!text_.objects.Find(all).empty() || !FindZone(all, text_.zone_ids).empty());
   }
 
   // "Certainly! Here are ..." and "These constraints ensure ...": neither in a list nor about an object.

@@ -182,7 +182,7 @@ TEST(ModelHandlers, AnUnreachableModelFailsTheStepUnlessTheHandbookMayStandIn) {
   ModelSession session("zones");
   ASSERT_TRUE(session.DescribeRoom().ok());
   session.model().Answer("zones", absl::UnavailableError("no route to 127.0.0.1"));
-  EXPECT_EQ(session.PlanZones().status(), absl::UnavailableError("step \"zones\": no route to 127.0.0.1"));
+  EXPECT_EQ(session.PlanZones().status(), absl::AbortedError("step \"zones\": no route to 127.0.0.1"));
   session.options().set_stand_in_allowed(true);
   session.model().Answer("zones", absl::UnavailableError("no route to 127.0.0.1"));
   const auto zones = session.PlanZones();
