@@ -6,83 +6,21 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <optional>
+#include <atomic>
 #include <string>
 #include <vector>
 
-#include "llm/http/http_loop.h"
-#include "tests/fixtures/llm_server/scripted_server.h"
+#include "llm/http/test_http.h"
 #include "worker_runtime/clock/fake_clock.h"
-#include "worker_runtime/executor/test_gate.h"
 
 namespace flair::llm {
 namespace {
 
 using absl::StatusCode;
-using ::flair::testing::MakeExpiredCertificate;
-using ::flair::testing::MakeTestCertificate;
-using ::flair::testing::ReadScript;
 using ::flair::testing::ScriptedServer;
-using ::flair::testing::TestCertificate;
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::StartsWith;
-
-constexpr char kQuestion[] = R"({"model":"m","messages":[{"role":"user","content":"Where does the bed go?"}]})";
-
-// A script of one exchange, which serves all requests.
-flair::testing::Script One(const std::string& exchange) {
-  return ReadScript(R"({"repeat_last": true, "exchanges": [)" + exchange + "]}");
-}
-
-HttpRequest Question(const std::string& address) {
-  return {.url = address + "/v1/chat/completions",
-          .headers = {{"Content-Type", "application/json"}, {"Authorization", "Bearer secret-key"}},
-          .body = kQuestion};
-}
-
-absl::StatusOr<HttpResponse> SendAndWait(HttpClient& client, HttpRequest request, runtime::CallContext& call) {
-  runtime::TestGate answered;
-  absl::StatusOr<HttpResponse> result;
-  client.Send(std::move(request), call, [&](absl::StatusOr<HttpResponse> response) {
-    result = std::move(response);
-    answered.Open();
-  });
-  answered.Wait();
-  return result;
-}
-
-class HttpClientTest : public ::testing::Test {
- protected:
-  absl::StatusOr<HttpResponse> Ask(const std::string& address, const HttpOptions& options = {}) {
-    HttpClient client(loop_, options);
-    return SendAndWait(client, Question(address), call_);
-  }
-
-  // What a client with these timeouts makes of it.
-  absl::StatusOr<HttpResponse> AskWithin(const std::string& address, HttpTimeouts timeouts) {
-    return Ask(address, {.timeouts = timeouts});
-  }
-
-  // A file with the certificate, to be trusted.
-  std::string CaFile(const TestCertificate& certificate) {
-    const std::string path = ::testing::TempDir() + "flair_http_ca_" + std::to_string(getpid()) + ".pem";
-    std::ofstream(path) << certificate.certificate_pem;
-    return path;
-  }
-
-  HttpOptions Trusting(const TestCertificate& certificate) {
-    HttpOptions options;
-    options.ca_path = CaFile(certificate);
-    return options;
-  }
-
-  runtime::CallContext call_;
-  HttpLoop loop_;
-};
 
 TEST_F(HttpClientTest, GivesStatusHeadersAndBody) {
   ScriptedServer server(
@@ -362,59 +300,6 @@ TEST_F(HttpClientTest, APieceThatIsNotWantedEndsTheRequest) {
   request.on_piece = [](std::string_view) { return absl::DataLossError("no stream"); };
   EXPECT_EQ(SendAndWait(client, std::move(request), call_).status(), absl::DataLossError("no stream"));
   server.WaitForClosedByClient(1);
-}
-
-TEST_F(HttpClientTest, TrustsTheCertificateItWasTold) {
-  const TestCertificate certificate = MakeTestCertificate();
-  ScriptedServer server(One(R"({"body": "ok"})"), certificate);
-  const auto response = Ask(server.address(), Trusting(certificate));
-  ASSERT_TRUE(response.ok()) << response.status();
-  EXPECT_EQ(response->body, "ok");
-}
-
-TEST_F(HttpClientTest, OffersHttp2OverTls) {
-  const TestCertificate certificate = MakeTestCertificate();
-  ScriptedServer server(One(R"({"body": "ok"})"), certificate);
-  ASSERT_TRUE(Ask(server.address(), Trusting(certificate)).ok());
-  EXPECT_THAT(server.offered_protocols(), Contains("h2"));
-}
-
-TEST_F(HttpClientTest, SendsNothingToAServerWhoseCertificateIsNotTrusted) {
-  const TestCertificate certificate = MakeTestCertificate();
-  const TestCertificate expired = MakeExpiredCertificate();
-  const TestCertificate other_name = MakeTestCertificate("model.example");
-  const std::pair<TestCertificate, TestCertificate> cases[] = {
-      {certificate, MakeTestCertificate()}, {expired, expired}, {other_name, other_name}};
-  for (const auto& [shown, trusted] : cases) {
-    ScriptedServer server(One(R"({"body": "ok"})"), shown);
-    const auto response = Ask(server.address(), Trusting(trusted));
-    EXPECT_EQ(response.status().code(), StatusCode::kFailedPrecondition) << response.status();
-    EXPECT_THAT(response.status().message(), HasSubstr("certificate"));
-    EXPECT_THAT(server.requests(), ::testing::IsEmpty());
-  }
-}
-
-TEST_F(HttpClientTest, AMissingFileOfCertificatesTrustsNobody) {
-  ScriptedServer server(One(R"({"body": "ok"})"), MakeTestCertificate());
-  const auto response = Ask(server.address(), {.ca_path = "/nonexistent/ca.pem"});
-  EXPECT_EQ(response.status().code(), StatusCode::kFailedPrecondition) << response.status();
-}
-
-TEST_F(HttpClientTest, GoesThroughTheProxy) {
-  ScriptedServer proxy(One(R"({"body": "through the proxy"})"));
-  HttpOptions options;
-  options.proxy = "http://user:proxy-password@127.0.0.1:" + std::to_string(proxy.port());
-  const auto response = Ask("http://model.invalid", options);
-  ASSERT_TRUE(response.ok()) << response.status();
-  EXPECT_EQ(response->body, "through the proxy");
-  EXPECT_EQ(proxy.requests().front().target, "http://model.invalid/v1/chat/completions");
-  EXPECT_THAT(proxy.requests().front().header("proxy-authorization"), StartsWith("Basic "));
-}
-
-TEST_F(HttpClientTest, ABrokenProxyIsUnavailableAndItsPasswordStaysSecret) {
-  const auto response = Ask("http://model.invalid", {.proxy = "http://u:proxy-password@127.0.0.1:1"});
-  EXPECT_EQ(response.status().code(), StatusCode::kUnavailable) << response.status();
-  EXPECT_THAT(response.status().message(), Not(HasSubstr("proxy-password")));
 }
 
 }  // namespace

@@ -255,6 +255,7 @@ TEST_F(OpenAiClientTest, SpeaksTls) {
   const auto answer = Ask();
   ASSERT_TRUE(answer.ok()) << answer.status();
   EXPECT_EQ(answer->text, kBedroom);
+  unlink(http_.ca_path.c_str());
 }
 
 TEST_F(OpenAiClientTest, MayBeDestroyedWhenTheLoopHasStopped) {
