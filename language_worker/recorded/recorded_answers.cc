@@ -58,12 +58,11 @@ double PositionOf(const v1::Room& room, const std::string& wall, double offset_m
   return std::clamp(wall == "north" || wall == "west" ? 1 - position : position, 0.0, 1.0);
 }
 
-std::vector<const v1::Object*> PrimariesOf(const std::vector<const v1::Object*>& objects) {
-  std::vector<const v1::Object*> primaries;
-  for (const v1::Object* object : objects) {
-    if (object->role() == v1::OBJECT_ROLE_PRIMARY) primaries.push_back(object);
-  }
-  return primaries;
+// They stand before the others.
+size_t CountPrimaries(const std::vector<const v1::Object*>& objects) {
+  return static_cast<size_t>(std::count_if(objects.begin(), objects.end(), [](const v1::Object* object) {
+    return object->role() == v1::OBJECT_ROLE_PRIMARY;
+  }));
 }
 
 // What the recorded model's own call put an item onto, beside or under; null when no call says.
@@ -90,8 +89,7 @@ RecordedAnswers::RecordedAnswers(const RecordedRoom& room, const Handbook& handb
       furniture_(handbook),
       floor_(room.FloorObjects()),
       tertiaries_(room.Tertiaries()),
-      primary_count_(PrimariesOf(floor_).size()),
-      primary_names_(PrimariesOf(floor_)),
+      primary_count_(CountPrimaries(floor_)),
       floor_names_(floor_) {
   for (const v1::Zone& zone : room.graph.zone_plan().zones()) zone_ids_.push_back(zone.id());
 }

@@ -42,6 +42,8 @@ class RecordedAnswers {
   // The sentences of two texts, of the primaries and of the secondaries.
   std::vector<RecordedSentence> Sentences(ConstraintTextKind kind, std::string_view ending,
                                           Conversion& conversion) const;
+  // Equal for objects that are called alike.
+  std::string NameOf(int object) const;
   double HeightOf(const v1::Object& object) const;
 
   const RecordedRoom& room_;
@@ -49,7 +51,7 @@ class RecordedAnswers {
   const FurnitureIndex furniture_;
   const std::vector<const v1::Object*> floor_, tertiaries_;
   const size_t primary_count_;
-  const ObjectNames primary_names_, floor_names_;
+  const ObjectNames floor_names_;
   std::vector<std::string> zone_ids_;
 };
 

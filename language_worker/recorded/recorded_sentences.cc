@@ -16,9 +16,9 @@ namespace {
 // Limits of the answers, see protos/flair/model/v1/constraint_answers.proto.
 constexpr int kMostPerObject = 12, kMostPairs = 200, kMostOfAPair = 8;
 
-void SetColour(const hb::NamedColour& colour, model::v1::ColourAnswer& answer) {
-  answer.set_name(colour.name());
-  answer.set_hex(colour.hex());
+void SetColour(const RecordedColour& colour, model::v1::ColourAnswer& answer) {
+  answer.set_name(colour.name);
+  answer.set_hex(colour.hex);
 }
 
 // The names in the prompt that mean these objects. Objects that are called alike (two bookshelves of two sizes) share
@@ -46,21 +46,31 @@ std::vector<RecordedSentence> RecordedAnswers::Sentences(ConstraintTextKind kind
                                                          Conversion& conversion) const {
   const std::string name = std::string(kind == ConstraintTextKind::kIntra ? "intra" : "inter") + std::string(ending);
   const std::string primary = "primary_" + name, secondary = "secondary_" + name;
+  const auto is_primary = [&](int object) { return static_cast<size_t>(object) < primary_count_; };
   std::vector<RecordedSentence> sentences =
-      ReadConstraintText({primary, room_.Text(primary), kind, primary_names_, zone_ids_}, conversion);
-  const std::vector<RecordedSentence> others =
-      ReadConstraintText({secondary, room_.Text(secondary), kind, floor_names_, zone_ids_}, conversion);
-  for (RecordedSentence sentence : others) {
-    // The second list is of the secondaries; a primary of the same name is not meant.
-    const auto is_primary = [&](int object) { return static_cast<size_t>(object) < primary_count_; };
+      ReadConstraintText({primary, room_.Text(primary), kind, floor_names_, zone_ids_}, conversion);
+  // The first list is of the primaries: a secondary of the same name is not meant.
+  for (RecordedSentence& sentence : sentences) {
+    const std::vector<int> named = sentence.objects;
+    std::erase_if(sentence.objects, [&](int object) {
+      return !is_primary(object) && std::any_of(named.begin(), named.end(), [&](int other) {
+        return is_primary(other) && NameOf(other) == NameOf(object);
+      });
+    });
+  }
+  for (RecordedSentence& sentence :
+       ReadConstraintText({secondary, room_.Text(secondary), kind, floor_names_, zone_ids_}, conversion)) {
+    // And the other way round.
     std::vector<int>& objects = sentence.objects;
     if (kind == ConstraintTextKind::kIntra && !std::all_of(objects.begin(), objects.end(), is_primary)) {
-      objects.erase(std::remove_if(objects.begin(), objects.end(), is_primary), objects.end());
+      std::erase_if(objects, is_primary);
     }
     sentences.push_back(std::move(sentence));
   }
   return sentences;
 }
+
+std::string RecordedAnswers::NameOf(int object) const { return NameKey(floor_[static_cast<size_t>(object)]->name()); }
 
 model::v1::IntraAnswer RecordedAnswers::Intra(std::string_view prompt, Conversion& conversion) const {
   const PromptIds ids(floor_, ReadPromptObjects(prompt));
@@ -116,14 +126,14 @@ model::v1::StyleAnswer RecordedAnswers::Style(const std::vector<std::string>& na
   model::v1::StyleAnswer answer;
   answer.set_name("as described");
   answer.set_summary(style.summary.empty() ? llm::CutBytes(room_.brief.text(), 300) : style.summary);
-  std::map<std::string, int> palette;
+  std::map<std::pair<std::string, std::string>, int> palette;
   for (const RecordedLook& look : style.looks) {
-    ++palette[look.colour->name()];
+    ++palette[{look.colour.name, look.colour.hex}];
     if (look.surface == "walls" || look.surface == "floor" || look.surface == "ceiling") {
       model::v1::SurfaceAnswer& surface = *answer.add_surfaces();
       surface.set_surface(look.surface);
       surface.set_material(look.material.empty() ? "paint" : look.material);
-      SetColour(*look.colour, *surface.mutable_colour());
+      SetColour(look.colour, *surface.mutable_colour());
       continue;
     }
     std::vector<std::string> keys = {NameKey(look.surface)};
@@ -132,16 +142,16 @@ model::v1::StyleAnswer RecordedAnswers::Style(const std::vector<std::string>& na
       model::v1::LookAnswer& made = *answer.add_looks();
       made.set_of(name);
       made.set_material(look.material.empty() ? "mixed materials" : look.material);
-      SetColour(*look.colour, *made.mutable_colour());
+      SetColour(look.colour, *made.mutable_colour());
       if (!look.description.empty()) made.set_description(look.description);
     }
   }
-  std::vector<std::pair<int, std::string>> most;
-  for (const auto& [name, count] : palette) most.emplace_back(-count, name);
-  std::sort(most.begin(), most.end());
+  std::vector<std::pair<int, RecordedColour>> most;
+  for (const auto& [colour, count] : palette) most.emplace_back(count, RecordedColour{colour.first, colour.second});
+  std::stable_sort(most.begin(), most.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   constexpr size_t kPalette = 5;
   for (size_t i = 0; i < std::min(kPalette, most.size()); ++i) {
-    SetColour(*handbook_.FindColour(most[i].second), *answer.add_palette());
+    SetColour(most[i].second, *answer.add_palette());
   }
   return answer;
 }

@@ -2,6 +2,7 @@
 #include "language_worker/recorded/style_text.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -16,6 +17,20 @@ using KeySet = std::set<std::string, std::less<>>;
 
 constexpr size_t kLongestMaterial = 90, kLongestSummary = 390;
 constexpr size_t kDescriptionWords = 12;
+
+// Materials that say their colour.
+const std::map<std::string, std::string, std::less<>> kMaterialColours = {
+    {"oak", "#B98B55"},      {"light oak", "#C9A772"},   {"dark oak", "#6F4E2F"},    {"oakwood", "#B98B55"},
+    {"walnut", "#5F4330"},   {"dark walnut", "#45301F"}, {"mahogany", "#5B2C20"},    {"cherry", "#7B3F2B"},
+    {"pine", "#D2AC74"},     {"teak", "#9A6B3F"},        {"maple", "#D3AE7C"},       {"birch", "#DCC39C"},
+    {"ebony", "#2E2622"},    {"bamboo", "#CBAE74"},      {"rattan", "#BE9A66"},      {"wicker", "#B08E5E"},
+    {"wood", "#A47B4F"},     {"wooden", "#A47B4F"},      {"light wood", "#C8A678"},  {"dark wood", "#5A3D28"},
+    {"hardwood", "#A1744A"}, {"brass", "#B08D4B"},       {"bronze", "#8C6A3F"},      {"copper", "#B26B43"},
+    {"chrome", "#C5C9CC"},   {"nickel", "#B4B2AC"},      {"silver", "#C0C0C0"},      {"gold", "#C8A24A"},
+    {"steel", "#9DA3A8"},    {"iron", "#3F4042"},        {"metal", "#8E9296"},       {"glass", "#D6E4E6"},
+    {"crystal", "#E4ECEE"},  {"mirror", "#D2DADD"},      {"marble", "#E9E6E1"},      {"stone", "#A6A29A"},
+    {"concrete", "#A3A3A0"}, {"porcelain", "#F4F3EF"},   {"terracotta", "#C0653F"},  {"leather", "#7A5236"},
+    {"linen", "#E3DAC9"},    {"jute", "#C2A878"},        {"multicolour", "#9A8F86"}, {"multicolored", "#9A8F86"}};
 
 enum class Property { kNone, kColour, kMaterial, kStyle, kOther };
 
@@ -102,9 +117,9 @@ class Reader {
       }
       RecordedLook look;
       if (!FindSubject(line, look)) continue;
-      Fill(i, look);
-      if (look.colour == nullptr) {
-        conversion_.Keep("style", line.number, line.All(), "has no colour that the handbook knows");
+      if (!Fill(i, look)) continue;  // names what stands under it, as "Windows and Doors"
+      if (look.colour.hex.empty()) {
+        conversion_.Keep("style", line.number, line.All(), "names no colour that is known");
         continue;
       }
       conversion_.Convert();
@@ -141,7 +156,8 @@ class Reader {
     return true;
   }
 
-  void Fill(size_t index, RecordedLook& look) const {
+  // False when nothing is said of it.
+  bool Fill(size_t index, RecordedLook& look) const {
     const OutlineLine& line = lines_[index];
     Properties properties;
     if (const std::string text = SplitProperty(line).second; !line.title && !text.empty()) properties.rest = text;
@@ -156,12 +172,13 @@ class Reader {
     }
     look.colour = FindColour(properties.colour, handbook_);
     for (const std::string* text : {&properties.material, &properties.style, &properties.rest}) {
-      if (look.colour == nullptr) look.colour = FindColour(*text, handbook_);
+      if (look.colour.hex.empty()) look.colour = FindColour(*text, handbook_);
     }
     look.material = AsMaterial(!properties.material.empty() ? properties.material
                                : !properties.rest.empty()   ? FirstWords(properties.rest, 6)
                                                             : FirstWords(properties.style, 6));
     look.description = FirstWords(!properties.style.empty() ? properties.style : properties.rest, kDescriptionWords);
+    return !(properties.colour + properties.material + properties.style + properties.rest).empty();
   }
 
   static bool IsProperty(const OutlineLine& line) { return PropertyOf(SplitProperty(line).first) != Property::kNone; }
@@ -174,17 +191,28 @@ class Reader {
 
 }  // namespace
 
-const hb::NamedColour* FindColour(std::string_view text, const Handbook& handbook) {
+RecordedColour FindColour(std::string_view text, const Handbook& handbook) {
   const std::vector<Word> words = ReadWords(text);
   constexpr size_t kLongestColour = 3;
-  for (size_t i = 0; i < words.size(); ++i) {
-    for (size_t count = std::min(kLongestColour, words.size() - i); count > 0; --count) {
-      std::string name;
-      for (size_t k = i; k < i + count; ++k) name += (name.empty() ? "" : " ") + words[k].key;
-      if (const hb::NamedColour* colour = handbook.FindColour(name)) return colour;
+  const auto find = [&](const auto& known) {
+    for (size_t i = 0; i < words.size(); ++i) {
+      for (size_t count = std::min(kLongestColour, words.size() - i); count > 0; --count) {
+        std::string name;
+        for (size_t k = i; k < i + count; ++k) name += (name.empty() ? "" : " ") + words[k].key;
+        if (RecordedColour colour = known(name); !colour.hex.empty()) return colour;
+      }
     }
-  }
-  return nullptr;
+    return RecordedColour();
+  };
+  RecordedColour colour = find([&](const std::string& name) {
+    const hb::NamedColour* named = handbook.FindColour(name);
+    return named == nullptr ? RecordedColour() : RecordedColour{named->name(), named->hex()};
+  });
+  if (!colour.hex.empty()) return colour;
+  return find([](const std::string& name) {
+    const auto found = kMaterialColours.find(name);
+    return found == kMaterialColours.end() ? RecordedColour() : RecordedColour{name, found->second};
+  });
 }
 
 RecordedStyle ReadStyleText(std::string_view text, const ObjectNames& objects, const Handbook& handbook,

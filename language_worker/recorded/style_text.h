@@ -12,6 +12,12 @@
 
 namespace flair::language {
 
+struct RecordedColour {
+  std::string name;
+  // "#RRGGBB"; empty when no colour is known.
+  std::string hex;
+};
+
 // The look of one thing.
 struct RecordedLook {
   // "walls", "floor", "ceiling", "door" or "window"; empty for objects.
@@ -19,8 +25,8 @@ struct RecordedLook {
   // Indices of objects; empty for surfaces.
   std::vector<int> objects;
   std::string material;
-  // The first colour that the handbook knows, in the text's own words.
-  const hb::NamedColour* colour = nullptr;
+  // The first one that the text names.
+  RecordedColour colour;
   // At most a dozen words; may be empty.
   std::string description;
 };
@@ -32,11 +38,12 @@ struct RecordedStyle {
 };
 
 // One look for every heading of a thing, whose properties ("Colour:", "Material:", "Style:") stand behind or under it.
-// Things without a colour that the handbook knows are kept in the remarks. Reads any bytes.
+// Things without a known colour are kept in the remarks. Reads any bytes.
 RecordedStyle ReadStyleText(std::string_view text, const ObjectNames& objects, const Handbook& handbook,
                             Conversion& conversion);
 
-// The colour of the handbook that a text names first, the longest name of several; null when it names none.
-const hb::NamedColour* FindColour(std::string_view text, const Handbook& handbook);
+// The colour that a text names first, the longest name of several: one of the handbook, else that of a wood, a metal or
+// another material whose colour goes without saying ("walnut", "brass").
+RecordedColour FindColour(std::string_view text, const Handbook& handbook);
 
 }  // namespace flair::language

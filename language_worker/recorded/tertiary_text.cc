@@ -78,20 +78,36 @@ std::string WithoutLabel(const OutlineLine& line) {
   return line.text.empty() ? line.label : line.text;
 }
 
-bool IsPlacementLabel(const OutlineLine& line) {
-  static const KeySet kLabels = {"placement", "location", "position", "dimension", "purpose", "size", "description"};
-  const std::string start =
-      line.label.empty() ? line.text.substr(0, std::min<size_t>(line.text.find(':'), 20)) : line.label;
-  return ReadWords(start).size() < 3 && HasWordOf(start, kLabels);
+// The first word of what a line begins with, when that is a label.
+std::string LabelKey(const OutlineLine& line) {
+  std::string label = line.label;
+  if (label.empty()) {
+    const size_t colon = line.text.find(':');
+    if (colon != std::string::npos && colon < 40) label = line.text.substr(0, colon);
+  }
+  const std::vector<Word> words = ReadWords(label);
+  return words.empty() ? "" : words.front().key;
 }
 
-bool IsOtherLabel(const OutlineLine& line) {
-  static const KeySet kLabels = {"dimension", "purpose", "size", "description", "reason", "style", "note", "function"};
-  const size_t colon = line.text.find(':');
-  const std::string start = !line.label.empty()          ? line.label
-                            : colon == std::string::npos ? ""
-                                                         : line.text.substr(0, colon);
-  return ReadWords(start).size() < 3 && HasWordOf(start, kLabels);
+// "Placement:", "Dimensions (width x length):" and the like are about the item above.
+bool IsProperty(const OutlineLine& line) {
+  static const KeySet kLabels = {"placement", "location",    "position", "dimension", "purpose",
+                                 "size",      "description", "reason",   "style",     "note",
+                                 "function",  "width",       "length",   "object",    "item"};
+  return kLabels.contains(LabelKey(line));
+}
+
+// Of them, those that do not say where.
+bool IsOtherProperty(const OutlineLine& line) {
+  static const KeySet kLabels = {"placement", "location", "position"};
+  return IsProperty(line) && !kLabels.contains(LabelKey(line));
+}
+
+bool HasSize(std::string_view text) {
+  const std::vector<Word> words = ReadWords(text);
+  return std::any_of(words.begin(), words.end(), [](const Word& word) {
+    return word.key.size() > 1 && word.key[0] >= '0' && word.key[0] <= '9' && word.key.back() == 'm';
+  });
 }
 
 class Matcher {
@@ -130,18 +146,20 @@ class Matcher {
       const OutlineLine& line = lines_[i];
       static const KeySet kSummary = {"summary", "recap", "overview"};
       if (HasWordOf(line.All(), kSummary)) break;  // says all again
-      if (IsPlacementLabel(line) || (line.kind == LineKind::kText && line.label.empty())) continue;
+      if (IsProperty(line) || (line.kind == LineKind::kText && line.label.empty())) continue;
       std::string place = line.label.empty() ? "" : WithoutSizes(line.text);
-      std::string size_or_place = line.text;
+      std::string name = line.label.empty() ? line.text : line.label;
       bool has_sub_items = false;
       for (size_t k = i + 1; k < lines_.size() && lines_[k].depth > line.depth; ++k) {
-        has_sub_items = has_sub_items || (!IsPlacementLabel(lines_[k]) && !lines_[k].label.empty());
-        if (IsOtherLabel(lines_[k])) continue;
+        const OutlineLine& below = lines_[k];
+        has_sub_items = has_sub_items || (!IsProperty(below) && (!below.label.empty() || below.has_children ||
+                                                                 (HasSize(below.text) && !IsSize(below.text))));
+        if (const std::string key = LabelKey(below); key == "object" || key == "item") name = below.text;
+        if (IsOtherProperty(below)) continue;
         const std::string more = WithoutSizes(WithoutLabel(lines_[k]));
         if (!more.empty() && SaysWhere(more)) place += (place.empty() ? "" : " ") + more;
       }
       if (has_sub_items) continue;
-      std::string name = line.label.empty() ? line.text : line.label;
       if (line.label.empty() && place.empty()) {
         // "Clock: 0.2m x 0.2m. On the desk."
         const size_t colon = line.text.find(": ");
