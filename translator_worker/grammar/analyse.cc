@@ -7,6 +7,7 @@
 #include "translator_worker/grammar/lexicon.h"
 #include "translator_worker/grammar/noun_phrases.h"
 #include "translator_worker/grammar/quantity.h"
+#include "translator_worker/grammar/rewrite_terms.h"
 #include "translator_worker/grammar/term.h"
 
 namespace flair::translator {
@@ -21,6 +22,10 @@ class Reader {
   std::vector<RawTerm> Run() {
     MoveAdjectiveBehindSide();
     while (at_ < tokens_.size()) {
+      if (at_ == inlined_end_) {
+        ++at_;
+        continue;
+      }
       if (SkipBracket()) continue;
       const SceneNames::Found name = names_.Find(tokens_, at_);
       const Phrase phrase = FindPhrase();
@@ -77,7 +82,8 @@ class Reader {
   bool SkipBracket() {
     if (!tokens_[at_].IsMark('(') || at_ + 1 >= tokens_.size()) return false;
     size_t end = at_ + 1;
-    while (end < tokens_.size() && !tokens_[end].IsMark(')') && !tokens_[end].IsMark('.')) ++end;
+    const size_t limit = std::min(tokens_.size(), at_ + kLongestBracket);
+    while (end < limit && !tokens_[end].IsMark(')') && !tokens_[end].IsMark('.')) ++end;
     const Token& first = tokens_[at_ + 1];
     const bool edge = end == at_ + 3 && (tokens_[at_ + 2].IsWord("edge") || tokens_[at_ + 2].IsWord("side") ||
                                          tokens_[at_ + 2].IsWord("each") || tokens_[at_ + 2].IsWord("width"));
@@ -89,8 +95,9 @@ class Reader {
     // "Enough space (at least 0.6 m) behind": the bracket adds to what is said.
     const bool of_space =
         !terms_.empty() && terms_.back().role == RawTerm::Role::kNone && terms_.back().term.IsWord("space");
-    if (first.kind == Token::Kind::kDistance && (!length_only || of_space) && end <= at_ + 4 && end < tokens_.size()) {
-      tokens_.erase(tokens_.begin() + static_cast<long>(end));
+    if (first.kind == Token::Kind::kDistance && (!length_only || of_space) && end <= at_ + 4 && end < tokens_.size() &&
+        tokens_[end].IsMark(')')) {
+      inlined_end_ = end;
       ++at_;
       return true;
     }
@@ -269,118 +276,17 @@ class Reader {
     Push(std::move(raw), phrase.length);
   }
 
+  // What stands in brackets beyond this many tokens is read like the rest.
+  static constexpr size_t kLongestBracket = 40;
+
   std::vector<Token> tokens_;
+  // The closing bracket of one that was opened up.
+  size_t inlined_end_ = std::string::npos;
   const SceneNames& names_;
   Analysis& analysis_;
   size_t at_ = 0;
   std::vector<RawTerm> terms_;
 };
-
-// "not" itself; "to avoid" begins a reason all the same.
-bool IsPlainNot(const Term& term) { return term.IsWord("not") && term.end - term.begin == 3; }
-
-// "Not to block", "to not block": no reason follows.
-void DropToBesideNot(std::vector<Term>& terms) {
-  std::vector<Term> kept;
-  for (size_t i = 0; i < terms.size(); ++i) {
-    const bool to = terms[i].kind == Term::Kind::kPurpose && terms[i].lemma == "to";
-    const bool beside_not =
-        (!kept.empty() && IsPlainNot(kept.back())) || (i + 1 < terms.size() && IsPlainNot(terms[i + 1]));
-    if (!to || !beside_not) kept.push_back(std::move(terms[i]));
-  }
-  terms = std::move(kept);
-}
-
-// "Centrally in front of the sofa": of the sofa's front, not of the room.
-void DropCenteredBesideRelation(std::vector<Term>& terms) {
-  const auto says_where = [](const Term& term) {
-    return term.IsWord("in_front_of") || term.IsWord("opposite") || term.IsWord("behind") || term.IsWord("facing") ||
-           term.IsWord("next_to") || term.IsWord("foot_of");
-  };
-  std::vector<Term> kept;
-  for (size_t i = 0; i < terms.size(); ++i) {
-    const bool beside = terms[i].IsWord("centered") && i + 1 < terms.size() && says_where(terms[i + 1]);
-    if (!beside) kept.push_back(std::move(terms[i]));
-  }
-  terms = std::move(kept);
-}
-
-// "Essential features like the desk or bed", "major objects, such as the sofa and the desk": the names count.
-void TakeExamples(std::vector<Term>& terms) {
-  const auto vague = [](const Term& term) {
-    if (term.kind != Term::Kind::kMention) return term.kind == Term::Kind::kUnknown;
-    const RefKind kind = term.mention.references.back().kind;
-    return kind == RefKind::kGroup || kind == RefKind::kVague || kind == RefKind::kAbsent;
-  };
-  const auto names = [](const Term& term) {
-    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kObjects;
-  };
-  for (size_t i = 1; i + 1 < terms.size(); ++i) {
-    const bool such_as =
-        terms[i].kind == Term::Kind::kPurpose && (terms[i].lemma == "like" || terms[i].lemma == "such");
-    if (!such_as || !names(terms[i + 1])) continue;
-    size_t from = i;
-    if (terms[from - 1].kind == Term::Kind::kSoft && from > 1) --from;
-    while (from > 0 && vague(terms[from - 1])) --from;
-    if (from == i || (from + 1 == i && terms[from].kind == Term::Kind::kSoft)) continue;
-    terms.erase(terms.begin() + static_cast<long>(from), terms.begin() + static_cast<long>(i) + 1);
-    i = from;
-  }
-}
-
-// "Behind or beside the armchair": the choice is free, the first is taken.
-void TakeFirstPlace(std::vector<Term>& terms) {
-  const auto place = [](const Term& term) {
-    return term.IsWord("behind") || term.IsWord("next_to") || term.IsWord("left_of") || term.IsWord("right_of") ||
-           term.IsWord("in_front_of") || term.IsWord("near") || term.IsWord("opposite");
-  };
-  for (size_t i = 0; i + 3 < terms.size(); ++i) {
-    const bool denied = i > 0 && terms[i - 1].IsWord("not");
-    if (denied || !place(terms[i]) || !terms[i + 1].IsWord("or") || !place(terms[i + 2])) continue;
-    if (terms[i + 3].kind != Term::Kind::kMention) continue;
-    terms.erase(terms.begin() + static_cast<long>(i) + 1, terms.begin() + static_cast<long>(i) + 3);
-  }
-}
-
-// "Facing directly towards the door".
-void DropRepeatedWords(std::vector<Term>& terms) {
-  const auto repeated = [](const Term& a, const Term& b) {
-    return a.kind == Term::Kind::kWord && b.kind == Term::Kind::kWord && a.lemma == b.lemma &&
-           a.lemma != "side_by_side";
-  };
-  terms.erase(std::unique(terms.begin(), terms.end(), repeated), terms.end());
-}
-
-bool SaysSomething(const Term& term) {
-  return term.kind == Term::Kind::kWord && !term.IsWord("not") && !term.IsWord("or") && !term.IsWord("of");
-}
-
-// "Against a wall: place it against a wall", "Accessible front: ...": what stands before the colon says it twice. Names
-// stay, since "Bed: ..." tells what moves, and so do figures: "Distance from the bed: 0.5 m".
-void DropLabel(std::vector<Term>& terms) {
-  constexpr size_t kLongestLabel = 6;
-  const auto is_colon = [](const Term& term) { return term.kind == Term::Kind::kSoft && term.lemma == ":"; };
-  const auto is_purpose = [](const Term& term) { return term.kind == Term::Kind::kPurpose; };
-  const auto is_stop = [](const Term& term) { return term.kind == Term::Kind::kStop; };
-  const auto is_object = [](const Term& term) {
-    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kObjects;
-  };
-  const auto colon = std::find_if(terms.begin(), terms.end(), is_colon);
-  if (colon == terms.end() || colon == terms.begin() || colon - terms.begin() > static_cast<long>(kLongestLabel))
-    return;
-  if (std::any_of(terms.begin(), colon, is_stop) || std::any_of(terms.begin(), colon, is_object)) return;
-  const auto reason = std::find_if(colon, terms.end(), is_purpose);
-  if (std::any_of(colon, reason, SaysSomething)) terms.erase(terms.begin(), colon + 1);
-}
-
-// "Avoid [X] in front of windows" and "X not in front of windows" are one form: the second.
-void MoveNotBehindSubject(std::vector<Term>& terms) {
-  for (size_t i = 0; i + 2 < terms.size(); ++i) {
-    if (terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kMention && terms[i + 2].kind == Term::Kind::kWord) {
-      std::swap(terms[i], terms[i + 1]);
-    }
-  }
-}
 
 }  // namespace
 
@@ -388,13 +294,7 @@ Analysis Analyse(std::string_view text, const SceneNames& names) {
   Analysis analysis;
   Reader reader(JoinQuantities(Tokenize(text)), names, analysis);
   analysis.terms = GroupNounPhrases(reader.Run());
-  DropRepeatedWords(analysis.terms);
-  DropLabel(analysis.terms);
-  TakeExamples(analysis.terms);
-  TakeFirstPlace(analysis.terms);
-  DropToBesideNot(analysis.terms);
-  DropCenteredBesideRelation(analysis.terms);
-  MoveNotBehindSubject(analysis.terms);
+  RewriteTerms(analysis.terms);
   return analysis;
 }
 

@@ -73,6 +73,15 @@ TEST(HostileText, AlwaysEndsInACallOrADiagnostic) {
                                           Repeat("x", 100000),
                                           Repeat("not ", 100000),
                                           Repeat("of ", 100000),
+                                          Repeat("(0.5m minimum) ", 100000),
+                                          Repeat("the things such as the bed and ", 100000),
+                                          Repeat("near or behind the bed ", 100000),
+                                          Repeat("to be near the bed ", 100000),
+                                          Repeat("one accessible long ", 100000),
+                                          Repeat("one of the 2m sides ", 100000),
+                                          Repeat("label: ", 100000),
+                                          Repeat("bed 1 ", 100000),
+                                          "bed 99999999999999999999 near desk 0",
                                           "The bed is 1e999 m from the desk",
                                           "The bed is -5 m from the desk",
                                           "The bed is against the bed."};
@@ -109,8 +118,9 @@ TEST(HostileText, OfShuffledWordsAndBytesNeverCrashes) {
 
 // Processor time, not the wall clock; the factor is far above noise and far below what a square law gives (64).
 TEST(HostileText, TakesTimeInProportionToItsLength) {
-  for (const char* unit :
-       {"the bed, ", "at least one long side of the ", "minimum distance from ", "( \"bed\" ", "zqx "}) {
+  for (const char* unit : {"the bed, ", "at least one long side of the ", "minimum distance from ", "( \"bed\" ",
+                           "zqx ", "(0.5m minimum) ", "things such as the bed and ", "near or behind the bed ",
+                           "one accessible long ", "one of the 2m sides "}) {
     const auto seconds = [&](size_t bytes) {
       const std::string text = Repeat(unit, bytes);
       const std::clock_t begin = std::clock();

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of Composer that keeps the calls of a sentence: which are let in, and which replace others.
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "absl/strings/str_join.h"
+#include "fmt/format.h"
+#include "google/protobuf/util/message_differencer.h"
+#include "translator_worker/grammar/composer.h"
+
+namespace flair::translator {
+namespace {
+
+// Whether `call` says all that `part` says.
+bool Includes(const Call& call, const Call& part) {
+  return call.type == part.type &&
+         std::all_of(part.arguments.begin(), part.arguments.end(), [&](const v1::Argument& wanted) {
+           return std::any_of(call.arguments.begin(), call.arguments.end(), [&](const v1::Argument& given) {
+             return google::protobuf::util::MessageDifferencer::Equals(given, wanted);
+           });
+         });
+}
+
+const v1::ArgumentValue* Find(const Call& call, std::string_view name) {
+  for (const v1::Argument& argument : call.arguments) {
+    if (argument.name() == name) return &argument.value();
+  }
+  return nullptr;
+}
+
+// Whether both keep space at one object, `vague` without and `precise` with a figure, at some of the same sides.
+bool IsSameSpace(const Call& vague, const Call& precise) {
+  if (vague.type != "accessible" || precise.type != "accessible") return false;
+  if (Find(vague, "min_clearance_m") != nullptr || Find(precise, "min_clearance_m") == nullptr) return false;
+  const v1::ArgumentValue* const few = Find(vague, "sides");
+  const v1::ArgumentValue* const many = Find(precise, "sides");
+  if (few == nullptr || many == nullptr || vague.arguments[0].value().text() != precise.arguments[0].value().text()) {
+    return false;
+  }
+  return std::all_of(few->texts().items().begin(), few->texts().items().end(), [&](const std::string& side) {
+    return std::find(many->texts().items().begin(), many->texts().items().end(), side) != many->texts().items().end();
+  });
+}
+
+}  // namespace
+
+bool Composer::IsForFloorOnly(const std::string& type) const {
+  static const std::set<std::string> types = {
+      "against_wall", "near_wall",   "in_corner",         "not_against_wall", "accessible",   "next_to",
+      "near",         "away_from",   "clear_of_feature",  "central",          "in_zone",      "parallel",
+      "facing",       "in_front_of", "away_from_feature", "perpendicular",    "under_window", "facing_into_room",
+      "between",      "not_facing",  "centered_on_wall",  "close_to_feature"};
+  return types.count(type) != 0;
+}
+
+bool Composer::IsBesideTheRug(const std::string& type) const {
+  static const std::set<std::string> types = {"accessible", "away_from", "near", "next_to", "against_wall", "facing"};
+  return scope() == v1::SENTENCE_SCOPE_TERTIARY && types.count(type) != 0 &&
+         std::any_of(topic_.begin(), topic_.end(), [&](const Placed& placed) { return IsRug(placed); });
+}
+
+void Composer::CompleteSide(const std::string& side) {
+  if (calls_.empty() || (calls_.back().type != "against_wall" && calls_.back().type != "near_wall")) return;
+  for (const v1::Argument& argument : calls_.back().arguments) {
+    if (argument.name() == "side") return;
+  }
+  calls_.back().Text("side", side);
+}
+
+bool Composer::CompleteClearance(double least_m) {
+  if (calls_.empty() || calls_.back().type != "accessible") return false;
+  for (const v1::Argument& argument : calls_.back().arguments) {
+    if (argument.name() == "min_clearance_m") return false;
+  }
+  calls_.back().Number("min_clearance_m", least_m);
+  return true;
+}
+
+bool Composer::Emit(Call call) {
+  const v1::ConstraintType* type = catalog_.Find(call.type);
+  if (type == nullptr) return false;
+  if (call.arguments.size() > 1 && call.arguments[1].name() == "target" &&
+      call.arguments[0].value().text() == call.arguments[1].value().text()) {
+    Refuse("unknown_sentence", "nothing can be related to itself; name two objects");
+    return true;
+  }
+  if (IsForFloorOnly(type->name()) && !call.arguments.empty()) {
+    const std::string& mover = call.arguments.front().value().text();
+    for (const v1::Object& candidate : request_.object_list().objects()) {
+      if (candidate.id() != mover || candidate.kind() == v1::OBJECT_KIND_FLOOR) continue;
+      Refuse("not_expressible",
+             fmt::format("{} is for what stands on the floor, which {} does not", type->name(), mover));
+      return true;
+    }
+  }
+  std::vector<std::string> remarks;
+  if (!CatalogIndex::Fit(*type, call.arguments, remarks).ok()) return false;
+  for (const std::string& remark : remarks) Note("out_of_range", remark);
+  call.type = type->name();
+  // "not next to the bed, at least 0.5 m from it": the fuller of two like calls stays.
+  if (IsBesideTheRug(type->name())) {
+    Refuse("not_expressible",
+           fmt::format("a rug lies under things or in the middle; {} says nothing of it", type->name()));
+    return true;
+  }
+  // "Space around it (at least 0.3 m on all sides)": the one with the figure stays.
+  std::erase_if(calls_, [&](const Call& other) { return IsSameSpace(other, call); });
+  for (Call& other : calls_) {
+    if (Includes(other, call)) return true;
+    if (Includes(call, other)) {
+      other = std::move(call);
+      return true;
+    }
+  }
+  calls_.push_back(std::move(call));
+  return true;
+}
+
+void Composer::EmitFirst(std::vector<Call> calls) {
+  std::vector<std::string> types;
+  for (Call& call : calls) {
+    types.push_back(call.type);
+    if (Emit(std::move(call))) return;
+  }
+  Refuse("not_in_catalog", fmt::format("the optimizer's catalogue has no {}", absl::StrJoin(types, " or ")));
+}
+
+}  // namespace flair::translator

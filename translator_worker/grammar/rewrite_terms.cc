@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/rewrite_terms.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flair::translator {
+namespace {
+
+// "not" itself; "to avoid" begins a reason all the same.
+bool IsPlainNot(const Term& term) { return term.IsWord("not") && term.end - term.begin == 3; }
+
+// "Not to block", "to not block": no reason follows.
+void DropToBesideNot(std::vector<Term>& terms) {
+  std::vector<Term> kept;
+  for (size_t i = 0; i < terms.size(); ++i) {
+    const bool to = terms[i].kind == Term::Kind::kPurpose && terms[i].lemma == "to";
+    const bool beside_not =
+        (!kept.empty() && IsPlainNot(kept.back())) || (i + 1 < terms.size() && IsPlainNot(terms[i + 1]));
+    if (!to || !beside_not) kept.push_back(std::move(terms[i]));
+  }
+  terms = std::move(kept);
+}
+
+// "Centrally in front of the sofa": of the sofa's front, not of the room.
+void DropCenteredBesideRelation(std::vector<Term>& terms) {
+  const auto says_where = [](const Term& term) {
+    return term.IsWord("in_front_of") || term.IsWord("opposite") || term.IsWord("behind") || term.IsWord("facing") ||
+           term.IsWord("next_to") || term.IsWord("foot_of");
+  };
+  std::vector<Term> kept;
+  for (size_t i = 0; i < terms.size(); ++i) {
+    const bool beside = terms[i].IsWord("centered") && i + 1 < terms.size() && says_where(terms[i + 1]);
+    if (!beside) kept.push_back(std::move(terms[i]));
+  }
+  terms = std::move(kept);
+}
+
+// "Essential features like the desk or bed", "major objects, such as the sofa and the desk": the names count.
+void TakeExamples(std::vector<Term>& terms) {
+  const auto vague = [](const Term& term) {
+    if (term.kind != Term::Kind::kMention) return term.kind == Term::Kind::kUnknown;
+    const RefKind kind = term.mention.references.back().kind;
+    return kind == RefKind::kGroup || kind == RefKind::kVague || kind == RefKind::kAbsent;
+  };
+  const auto names = [](const Term& term) {
+    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kObjects;
+  };
+  std::vector<Term> kept;
+  for (size_t i = 0; i < terms.size(); ++i) {
+    const bool such_as =
+        terms[i].kind == Term::Kind::kPurpose && (terms[i].lemma == "like" || terms[i].lemma == "such");
+    if (such_as && !kept.empty() && i + 1 < terms.size() && names(terms[i + 1])) {
+      const bool comma = kept.back().kind == Term::Kind::kSoft;
+      const size_t last = kept.size() - (comma ? 1 : 0);
+      size_t from = last;
+      while (from > 0 && vague(kept[from - 1])) --from;
+      if (from < last) {
+        kept.resize(from);
+        continue;
+      }
+    }
+    kept.push_back(std::move(terms[i]));
+  }
+  terms = std::move(kept);
+}
+
+// "Behind or beside the armchair": the choice is free, the first is taken.
+void TakeFirstPlace(std::vector<Term>& terms) {
+  const auto place = [](const Term& term) {
+    return term.IsWord("behind") || term.IsWord("next_to") || term.IsWord("left_of") || term.IsWord("right_of") ||
+           term.IsWord("in_front_of") || term.IsWord("near") || term.IsWord("opposite");
+  };
+  std::vector<Term> kept;
+  for (size_t i = 0; i < terms.size(); ++i) {
+    const bool denied = kept.size() > 1 && kept[kept.size() - 2].IsWord("not");
+    const bool choice = terms[i].IsWord("or") && !kept.empty() && place(kept.back()) && !denied &&
+                        i + 2 < terms.size() && place(terms[i + 1]) && terms[i + 2].kind == Term::Kind::kMention;
+    if (choice) {
+      ++i;
+    } else {
+      kept.push_back(std::move(terms[i]));
+    }
+  }
+  terms = std::move(kept);
+}
+
+// "Facing directly towards the door".
+void DropRepeatedWords(std::vector<Term>& terms) {
+  const auto repeated = [](const Term& a, const Term& b) {
+    return a.kind == Term::Kind::kWord && b.kind == Term::Kind::kWord && a.lemma == b.lemma &&
+           a.lemma != "side_by_side";
+  };
+  terms.erase(std::unique(terms.begin(), terms.end(), repeated), terms.end());
+}
+
+bool SaysSomething(const Term& term) {
+  return term.kind == Term::Kind::kWord && !term.IsWord("not") && !term.IsWord("or") && !term.IsWord("of");
+}
+
+// "Against a wall: place it against a wall", "Accessible front: ...": what stands before the colon says it twice. Names
+// stay, since "Bed: ..." tells what moves, and so do figures: "Distance from the bed: 0.5 m".
+void DropLabel(std::vector<Term>& terms) {
+  constexpr size_t kLongestLabel = 6;
+  const auto is_colon = [](const Term& term) { return term.kind == Term::Kind::kSoft && term.lemma == ":"; };
+  const auto is_purpose = [](const Term& term) { return term.kind == Term::Kind::kPurpose; };
+  const auto is_stop = [](const Term& term) { return term.kind == Term::Kind::kStop; };
+  const auto is_object = [](const Term& term) {
+    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kObjects;
+  };
+  const auto colon = std::find_if(terms.begin(), terms.end(), is_colon);
+  if (colon == terms.end() || colon == terms.begin() || colon - terms.begin() > static_cast<long>(kLongestLabel))
+    return;
+  if (std::any_of(terms.begin(), colon, is_stop) || std::any_of(terms.begin(), colon, is_object)) return;
+  const auto reason = std::find_if(colon, terms.end(), is_purpose);
+  if (std::any_of(colon, reason, SaysSomething)) terms.erase(terms.begin(), colon + 1);
+}
+
+// "Avoid [X] in front of windows" and "X not in front of windows" are one form: the second.
+void MoveNotBehindSubject(std::vector<Term>& terms) {
+  for (size_t i = 0; i + 2 < terms.size(); ++i) {
+    if (terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kMention && terms[i + 2].kind == Term::Kind::kWord) {
+      std::swap(terms[i], terms[i + 1]);
+    }
+  }
+}
+
+}  // namespace
+
+void RewriteTerms(std::vector<Term>& terms) {
+  DropRepeatedWords(terms);
+  DropLabel(terms);
+  TakeExamples(terms);
+  TakeFirstPlace(terms);
+  DropToBesideNot(terms);
+  DropCenteredBesideRelation(terms);
+  MoveNotBehindSubject(terms);
+}
+
+}  // namespace flair::translator
