@@ -44,13 +44,25 @@ int64_t EstimateInput(const ChatRequest& request) {
 }
 
 absl::Status ForStep(const std::string& step, const absl::Status& status) {
-  absl::Status named(status.code(), fmt::format("step \"{}\": {}", step, std::string(status.message())));
+  // UNAVAILABLE would tell the caller to ask the worker again, which has asked the model as often as is right.
+  const absl::StatusCode code = absl::IsUnavailable(status) ? absl::StatusCode::kAborted : status.code();
+  absl::Status named(code, fmt::format("step \"{}\": {}", step, std::string(status.message())));
   status.ForEachPayload([&](auto url, const auto& payload) { named.SetPayload(url, payload); });
   return named;
 }
 
 // Drops the elements with faults; returns those that make the whole answer useless.
 std::vector<Fault> LeaveOutFaulty(Reply& reply) { return DropFaulty(reply.faults, *reply.answer); }
+
+// Elements of the root's lists.
+int ElementCount(const google::protobuf::Message& answer) {
+  int count = 0;
+  const google::protobuf::Descriptor& type = *answer.GetDescriptor();
+  for (int i = 0; i < type.field_count(); ++i) {
+    if (type.field(i)->is_repeated()) count += answer.GetReflection()->FieldSize(answer, type.field(i));
+  }
+  return count;
+}
 
 // Faults of the caller's check are dropped where the reader found one already: a number that could not be read is also
 // 0.
@@ -101,13 +113,19 @@ std::vector<absl::StatusOr<Reply>> Conversation::AskAll(std::span<const Question
 }
 
 absl::Status Conversation::Finish(Turn& turn) {
-  std::vector<Fault> useless = LeaveOutFaulty(turn.reply);
-  if (useless.empty()) return absl::OkStatus();
-  // A repair that made it worse is not taken.
-  if (turn.repairing && turn.first_reply.answer != nullptr && LeaveOutFaulty(turn.first_reply).empty()) {
-    turn.reply = std::move(turn.first_reply);
-    return absl::OkStatus();
+  const std::vector<Fault> useless = LeaveOutFaulty(turn.reply);
+  if (turn.repairing && turn.first_reply.answer != nullptr) {
+    const bool whole = std::none_of(turn.first_reply.faults.begin(), turn.first_reply.faults.end(),
+                                    [](const Fault& fault) { return fault.kind == FaultKind::kDoubtful; });
+    const bool first_useful = LeaveOutFaulty(turn.first_reply).empty();
+    // Models at times repeat only what they mended; a list that was asked to be shorter is another matter.
+    const bool shrunk = whole && 2 * ElementCount(*turn.reply.answer) < ElementCount(*turn.first_reply.answer);
+    if (first_useful && (!useless.empty() || shrunk)) {
+      turn.reply = std::move(turn.first_reply);
+      return absl::OkStatus();
+    }
   }
+  if (useless.empty()) return absl::OkStatus();
   return absl::DataLossError(fmt::format("the model's answer is of no use, also after a repair: {}",
                                          fmt::join(SentencesOf(useless, /*worth_asking_only=*/true), "; ")));
 }
@@ -215,7 +233,7 @@ void Conversation::PrepareRepair(Turn& turn) const {
 }
 
 bool Conversation::IsModelFailure(const absl::Status& status) {
-  return status.code() == absl::StatusCode::kUnavailable || status.code() == absl::StatusCode::kDataLoss;
+  return absl::IsAborted(status) || absl::IsDataLoss(status);
 }
 
 }  // namespace flair::llm

@@ -66,7 +66,8 @@ class Conversation {
                runtime::CallContext& call)
       : client_(client), prompts_(prompts), options_(options), call_(call) {}
 
-  // Errors, each beginning with the step: those of LlmClient; FAILED_PRECONDITION naming the limit of the budget that
+  // Errors, each beginning with the step: those of LlmClient, but ABORTED when the model cannot be reached;
+  // FAILED_PRECONDITION naming the limit of the budget that
   // the next call would exceed; DATA_LOSS with the faults when the answer is of no use even after a repair.
   absl::StatusOr<Reply> Ask(const Question& question);
 

@@ -111,6 +111,28 @@ TEST_F(ConversationTest, ARepairThatMadeItWorseIsNotTaken) {
   EXPECT_THAT(Names(*reply), ElementsAre("sleeping"));
 }
 
+TEST_F(ConversationTest, ARepairWithNothingButWhatItMendedIsNotTaken) {
+  const std::string zone = R"({"name":"sleeping","purpose":"Sleep."})";
+  client_.Answer("zones", "{\"zones\":[" + zone + "," + zone + "," + zone + ",{\"name\":\"dressing\"}]}");
+  client_.Answer("zones/repair", R"({"zones":[{"name":"dressing","purpose":"Dress."}]})");
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(Ask());
+  ASSERT_TRUE(reply.ok()) << reply.status();
+  EXPECT_THAT(Names(*reply), ElementsAre("sleeping", "sleeping", "sleeping"));
+  EXPECT_EQ(reply->faults.at(0).path, "zones[3].purpose") << "what is left out is told";
+}
+
+TEST_F(ConversationTest, ARepairThatWasAskedToBeShorterIsTaken) {
+  std::string many = "{\"zones\":[";
+  for (int i = 0; i < 30; ++i) many += R"({"name":"sleeping","purpose":"Sleep."},)";
+  client_.Answer("zones", many + "]}");
+  client_.Answer("zones/repair", kGood);
+  Conversation talk = Talk();
+  const auto reply = talk.Ask(Ask());
+  ASSERT_TRUE(reply.ok()) << reply.status();
+  EXPECT_THAT(Names(*reply), ElementsAre("sleeping"));
+}
+
 TEST_F(ConversationTest, UselessAnswersEndWithTheStepAndTheFaults) {
   client_.Answer("zones", "I'm sorry.", FinishReason::kRefused);
   client_.Answer("zones/repair", "");
@@ -175,7 +197,7 @@ TEST_F(ConversationTest, QuestionsAreAskedTogetherAndRepairedEachOnItsOwn) {
   const auto replies = talk.AskAll(questions);
   EXPECT_TRUE(replies[0].ok());
   EXPECT_TRUE(replies[1].ok());
-  EXPECT_EQ(replies[2].status(), absl::UnavailableError("step \"c\": no route"));
+  EXPECT_EQ(replies[2].status(), absl::AbortedError("step \"c\": no route"));
   std::vector<std::string> steps;
   for (const v1::ModelCall& call : talk.calls()) steps.push_back(call.step());
   EXPECT_THAT(steps, ElementsAre("a", "b", "b/repair"));

@@ -351,7 +351,7 @@ INSTANTIATE_TEST_SUITE_P(All, UselessAnswerTest,
 TEST_F(ModelTranslatorTest, AnUnreachableModelFailsAsSuchAndABudgetIsKept) {
   model_->Answer("translation.intra", absl::UnavailableError("status 503"));
   AnswerTheRest();
-  EXPECT_TRUE(absl::IsUnavailable(translator_->Translate(request_, call_).status()));
+  EXPECT_TRUE(absl::IsAborted(translator_->Translate(request_, call_).status()));
   request_.mutable_model_options()->mutable_budget()->set_call_count(2);
   EXPECT_TRUE(absl::IsFailedPrecondition(translator_->Translate(request_, call_).status()));
 }
