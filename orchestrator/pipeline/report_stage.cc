@@ -61,6 +61,7 @@ absl::StatusOr<v1::Artifact> RunReport(const StageRun& run) {
   AddDiagnostics(graph.room().diagnostics(), report);
   AddDiagnostics(graph.zone_plan().diagnostics(), report);
   AddDiagnostics(graph.object_list().diagnostics(), report);
+  AddDiagnostics(graph.style_sheet().diagnostics(), report);
   AddDiagnostics(Input(run, v1::ARTIFACT_KIND_RAW_CONSTRAINT_LIST).raw_constraint_list().diagnostics(), report);
   AddDiagnostics(graph.constraint_list().diagnostics(), report);
   AddDiagnostics(graph.diagnostics(), report);

@@ -99,6 +99,9 @@ absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, c
   if (!ref.ok()) return ref.status();
   v1::JobEvent event = Event(v1::JOB_EVENT_KIND_STAGE_FINISHED, stage);
   event.set_message(Summarize(*artifact));
+  if (const std::string models = SummarizeModels(*artifact); !models.empty()) {
+    event.set_message(fmt::format("{}  ({})", event.message(), models));
+  }
   *event.mutable_artifact() = *ref;
   *event.mutable_duration() = ToProto(clock_.Elapsed() - start);
   if (absl::Status status = Record(stage_index, event, key); !status.ok()) return status;

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
+
+#include "orchestrator/pipeline/model_budget.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -118,6 +121,26 @@ std::string Summarize(const v1::Artifact& artifact) {
       break;
   }
   return "";
+}
+
+bool IsRepair(const v1::ModelCall& call) { return call.step().ends_with("/repair"); }
+
+std::string SummarizeUsage(const v1::ModelUsage& usage) {
+  std::string text = fmt::format("{}{} tokens", usage.estimated() ? "about " : "",
+                                 usage.input_token_count() + usage.output_token_count());
+  if (usage.cost_usd() > 0) text += fmt::format(", {:.4f} USD", usage.cost_usd());
+  return text;
+}
+
+std::string SummarizeModels(const v1::Artifact& artifact) {
+  if (artifact.model_calls().empty()) return "";
+  std::set<std::string> models;
+  for (const v1::ModelCall& call : artifact.model_calls()) models.insert(call.model());
+  v1::ModelUsage usage;
+  AddUsage(artifact, usage);
+  const auto repairs = std::count_if(artifact.model_calls().begin(), artifact.model_calls().end(), IsRepair);
+  return fmt::format("{} of {}{}, {}", Count(artifact.model_calls_size(), "call"), fmt::join(models, ", "),
+                     repairs > 0 ? ", " + Count(repairs, "repair") : "", SummarizeUsage(usage));
 }
 
 }  // namespace flair::orchestrator
