@@ -21,11 +21,16 @@ int ExitCodeOf(const absl::Status& status) {
       return kExitFiles;
     case absl::StatusCode::kDataLoss:
       return kExitCorrupt;
+    case absl::StatusCode::kAborted:
+    case absl::StatusCode::kUnauthenticated:
+      return kExitModel;
     default:
       return kExitFailed;
   }
 }
 
 absl::Status FileError(const std::string& message) { return absl::FailedPreconditionError(message); }
+
+absl::Status ModelError(const std::string& message) { return absl::AbortedError(message); }
 
 }  // namespace flair::cli

@@ -13,6 +13,8 @@ enum ExitCode : int {
   kExitUnreachable = 3,  // a service is down, full or too slow; trying again may help
   kExitFiles = 4,        // a file or folder cannot be read or written
   kExitCorrupt = 5,      // stored bytes are not what they were
+  kExitModel = 6,        // the language model: it cannot be reached, refuses the key, its budget is spent, or its
+                         // answers are of no use
 };
 
 int ExitCodeOf(const absl::Status& status);
@@ -20,8 +22,12 @@ int ExitCodeOf(const absl::Status& status);
 // FAILED_PRECONDITION, which stands for kExitFiles here.
 absl::Status FileError(const std::string& message);
 
+// ABORTED, which stands for kExitModel here.
+absl::Status ModelError(const std::string& message);
+
 inline constexpr char kExitCodeHelp[] =
     "Exit codes: 0 done, 1 failed, 2 the request or an argument is not right, 3 a service cannot be reached,\n"
-    "            4 a file or folder cannot be read or written, 5 an artifact is corrupt.";
+    "            4 a file or folder cannot be read or written, 5 an artifact is corrupt, 6 the language model failed:\n"
+    "            it cannot be reached, refuses the key, its budget is spent, or its answers are of no use.";
 
 }  // namespace flair::cli

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   flair::cli::AddBenchTranslate(program, result);
   flair::cli::AddCatalog(program, result);
   flair::cli::AddDoctor(program, result);
+  flair::cli::AddPrompts(program, result);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -23,5 +23,6 @@ void AddBenchRestarts(CLI::App& program, absl::Status& result);
 void AddBenchTranslate(CLI::App& program, absl::Status& result);
 void AddCatalog(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
+void AddPrompts(CLI::App& program, absl::Status& result);
 
 }  // namespace flair::cli

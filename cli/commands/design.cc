@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair design: a room from a sentence.
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input/brief_file.h"
 #include "cli/input/files.h"
+#include "cli/input/llm_flags.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/models_text.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
 #include "cli/progress/progress.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "orchestrator/pipeline/summary.h"
 #include "room/validation/validate.h"
 
 namespace flair::cli {
@@ -23,9 +30,12 @@ namespace {
 struct DesignArguments {
   std::string text;
   std::string out;
-  int64_t seed = 0;
+  std::optional<int64_t> seed;
   std::string orchestrator;
+  std::string brief;
   std::string room;
+  LlmFlags llm;
+  ModelFlags model;
   std::optional<int> size_px;
   std::optional<int> threads;
   std::optional<int> restarts;
@@ -43,8 +53,13 @@ std::string OneLine(std::string text) {
 
 absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
   v1::JobSpec spec;
-  spec.mutable_brief()->set_text(OneLine(arguments.text));
-  spec.mutable_brief()->set_seed(arguments.seed);
+  if (!arguments.brief.empty()) {
+    absl::StatusOr<v1::Brief> brief = ReadBrief("--brief", arguments.brief);
+    if (!brief.ok()) return brief.status();
+    *spec.mutable_brief() = *std::move(brief);
+  }
+  if (!arguments.text.empty()) spec.mutable_brief()->set_text(OneLine(arguments.text));
+  if (arguments.seed) spec.mutable_brief()->set_seed(*arguments.seed);
   if (!arguments.room.empty()) {
     const absl::StatusOr<v1::Room> room = ReadRoom(arguments.room);
     if (!room.ok()) return room.status();
@@ -53,6 +68,7 @@ absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
   if (arguments.threads) spec.mutable_solve_options()->set_thread_count(*arguments.threads);
   if (arguments.restarts) spec.mutable_solve_options()->set_max_restart_count(*arguments.restarts);
   if (arguments.size_px) spec.mutable_render_options()->set_size_px(*arguments.size_px);
+  *spec.mutable_model_options() = MakeModelOptions(arguments.model);
   if (absl::Status status = Validate(spec.brief()); !status.ok()) return status;
   if (absl::Status status = Validate(spec); !status.ok()) return status;
   return spec;
@@ -69,6 +85,33 @@ std::vector<std::string> OutputNames() {
   return names;
 }
 
+// What a failed job ends the program with. A model's failures have an exit code of their own.
+absl::Status ErrorOf(const v1::Job& job) {
+  constexpr std::array<std::string_view, 7> kModelStages = {"room",        "zones",    "objects",    "style",
+                                                            "constraints", "cleaning", "translation"};
+  const auto code = static_cast<absl::StatusCode>(job.error_code());
+  const bool of_model = code == absl::StatusCode::kDataLoss || code == absl::StatusCode::kFailedPrecondition ||
+                        code == absl::StatusCode::kPermissionDenied;
+  if (of_model && std::ranges::find(kModelStages, job.stage()) != kModelStages.end()) return ModelError(job.error());
+  return absl::Status(code, job.error());
+}
+
+// The model and what may be asked of it; nothing when the handbook designs, or services elsewhere do.
+absl::StatusOr<OptionalLlm> ReadLlm(const DesignArguments& arguments) {
+  if (!arguments.orchestrator.empty()) {
+    const std::string given = arguments.llm.Given();
+    if (given.empty()) return OptionalLlm();
+    return absl::InvalidArgumentError(
+        fmt::format("{}: not with --orchestrator {}: its workers have their own models, in the field llm of their "
+                    "configs; limits such as --max-tokens can be given",
+                    given, arguments.orchestrator));
+  }
+  absl::StatusOr<OptionalLlm> llm = ReadLlmFlags(arguments.llm);
+  if (!llm.ok() || !llm->has_value()) return llm;
+  if (absl::Status status = CheckLimits(arguments.model, **llm); !status.ok()) return status;
+  return llm;
+}
+
 // Waits for the job; OK when it succeeded.
 absl::Status Finish(Session& session, const std::string& id, Progress& progress) {
   if (absl::Status status = session.Watch(id, [&](const v1::JobEvent& event) { progress.See(event); }); !status.ok()) {
@@ -82,7 +125,7 @@ absl::Status Finish(Session& session, const std::string& id, Progress& progress)
     case v1::JOB_STATE_CANCELLED:
       return absl::CancelledError(fmt::format("job {} was cancelled", id));
     case v1::JOB_STATE_FAILED:
-      return absl::Status(static_cast<absl::StatusCode>(job->error_code()), job->error());
+      return ErrorOf(*job);
     default:
       return absl::InternalError(fmt::format("job {} has not ended; see: flair jobs show {}", id, id));
   }
@@ -120,8 +163,10 @@ std::vector<OutputFile> MakeFiles(const v1::Job& job, const ArtifactsByKind& art
 // What a person wants to know at the end.
 void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const ArtifactsByKind& artifacts) {
   const v1::Artifact& layout = artifacts.at(v1::ARTIFACT_KIND_SOLVED_LAYOUT);
+  const v1::ModelUsage usage = UsageOf(artifacts);
   if (arguments.json) {
-    const nlohmann::json done = {{"job_id", job.id()}, {"layout_id", layout.id()}, {"out", arguments.out}};
+    nlohmann::json done = {{"job_id", job.id()}, {"layout_id", layout.id()}, {"out", arguments.out}};
+    if (usage.call_count() > 0) done["model_usage"] = nlohmann::json::parse(ToJsonLine(usage), nullptr, false);
     fmt::print(stdout, "{}\n", done.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
@@ -129,14 +174,19 @@ void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const Artifac
   for (const v1::Omission& omission : layout.solved_layout().graph().object_list().omissions()) {
     if (omission.requested()) fmt::print(stderr, "left out     {}: {}\n", omission.name(), omission.reason());
   }
+  if (usage.call_count() > 0) {
+    fmt::print(stderr, "{:<12} {} calls, {}\n", "models", usage.call_count(), orchestrator::SummarizeUsage(usage));
+  }
   fmt::print(stderr, "Done: {}/plan.png, and the reasons in {}/report.md\n", arguments.out, arguments.out);
 }
 
 absl::Status Design(const DesignArguments& arguments) {
   const absl::StatusOr<v1::JobSpec> spec = MakeSpec(arguments);
   if (!spec.ok()) return spec.status();
+  const absl::StatusOr<OptionalLlm> llm = ReadLlm(arguments);
+  if (!llm.ok()) return llm.status();
   if (absl::Status status = CheckOutputFolder(arguments.out, OutputNames()); !status.ok()) return status;
-  absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments.orchestrator);
+  absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments.orchestrator, *llm);
   if (!session.ok()) return session.status();
   const absl::StatusOr<v1::Job> created = (*session)->CreateJob(*spec);
   if (!created.ok()) return created.status();
@@ -158,13 +208,19 @@ absl::Status Design(const DesignArguments& arguments) {
 void AddDesign(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<DesignArguments>();
   CLI::App* command = program.add_subcommand("design", "Design a room from a sentence.");
-  command->add_option("TEXT", arguments->text, "What you want, such as \"A bedroom that is 4m x 5m.\"")->required();
+  CLI::Option* text =
+      command->add_option("TEXT", arguments->text, "What you want, such as \"A bedroom that is 4m x 5m.\"");
   command->add_option("-o,--out", arguments->out, "Folder for the results; made when missing")
       ->required()
       ->type_name("DIR");
-  command->add_option("--seed", arguments->seed, "Another seed, another design; the same seed, the same bytes")
-      ->capture_default_str()
-      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1));
+  command->add_option("--seed", arguments->seed, "Another seed, another design; the same seed, the same bytes (0)")
+      ->type_name("N")
+      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1).description(""));
+  command
+      ->add_option("--brief", arguments->brief,
+                   "A whole Brief as .json, text or artifact: own room, zones, objects, constraints; TEXT goes before "
+                   "its text")
+      ->type_name("FILE");
   command->add_option("--room", arguments->room, "Furnish this room (.pb or .json) instead of describing one")
       ->type_name("FILE");
   command->add_option("--size", arguments->size_px, "Longer side of plan.png in pixels, 256 to 8192 (1600)")
@@ -178,6 +234,8 @@ void AddDesign(CLI::App& program, absl::Status& result) {
       ->check(CLI::Range(1, 10000));
   command->add_option("--orchestrator", arguments->orchestrator, "Use the services of this one instead of own ones")
       ->type_name("HOST:PORT");
+  AddLlmFlags(*command, arguments->llm);
+  AddModelFlags(*command, arguments->model);
   CLI::Option* json = command->add_flag("--json", arguments->json, "Events as JSON lines on standard output");
   command->add_flag("-q,--quiet", arguments->quiet, "Say nothing unless something is wrong")->excludes(json);
   command->footer(
@@ -185,7 +243,10 @@ void AddDesign(CLI::App& program, absl::Status& result) {
       "or not at all; files of other names in it stay. Run again after an interruption: finished stages are not "
       "redone.\n" +
       std::string(kExitCodeHelp));
-  command->callback([arguments, &result] { result = Design(*arguments); });
+  command->callback([arguments, text, &result] {
+    if (text->count() == 0 && arguments->brief.empty()) throw CLI::RequiredError("TEXT or --brief");
+    result = Design(*arguments);
+  });
 }
 
 }  // namespace flair::cli

@@ -11,8 +11,10 @@
 
 #include "absl/time/clock.h"
 #include "cli/commands/commands.h"
+#include "cli/commands/doctor_model.h"
 #include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
+#include "cli/input/llm_flags.h"
 #include "cli/output/output_folder.h"
 #include "cli/session/stage_call.h"
 #include "flair/v1/language_service.grpc.pb.h"
@@ -28,6 +30,7 @@ namespace {
 
 struct DoctorArguments {
   std::vector<std::string> addresses;
+  LlmFlags llm;
 };
 
 // What was looked at, and how it is.
@@ -93,7 +96,18 @@ void LookAtLanguage(Findings& findings) {
     return findings.Bad("handbook", std::string(status.message()), "Build again in a complete checkout: ./flair build");
   }
   findings.Good("handbook", version);
-  findings.Good("model", "none configured: the handbook designs, no key and no network needed");
+}
+
+void LookAtModel(const OptionalLlm& llm, Findings& findings) {
+  if (!llm.has_value()) {
+    return findings.Good("model", "none configured: the handbook designs, no key and no network needed");
+  }
+  if (!llm->replay_path().empty()) {
+    return findings.Good("model", fmt::format("replayed from {}, nothing to ask", llm->replay_path()));
+  }
+  const ModelFindings found = AskModel(*llm);
+  if (!found.status.ok()) return findings.Bad("model", std::string(found.status.message()), found.remedy);
+  findings.Good("model", found.answer);
 }
 
 // Draws an empty room, which loads the image writer.
@@ -148,11 +162,14 @@ void LookAtAddress(const std::string& address, Findings& findings) {
 }
 
 absl::Status Examine(const DoctorArguments& arguments) {
+  const absl::StatusOr<OptionalLlm> llm = ReadLlmFlags(arguments.llm);
+  if (!llm.ok()) return llm.status();
   Findings findings;
   LookAtLibraries(findings);
   LookAtStore(findings);
   LookAtFonts(findings);
   LookAtLanguage(findings);
+  LookAtModel(*llm, findings);
   LookAtPictures(findings);
   for (const std::string& address : arguments.addresses) LookAtAddress(address, findings);
   std::fflush(stdout);
@@ -168,7 +185,8 @@ void AddDoctor(CLI::App& program, absl::Status& result) {
   CLI::App* command =
       program.add_subcommand("doctor", "What is installed, reachable and configured, and what to do about the rest.");
   command->add_option("ADDRESS", arguments->addresses, "Services to look for, HOST:PORT")->type_name("HOST:PORT");
-  command->footer("Ends with 0 when nothing is wrong, else with 1.");
+  AddLlmFlags(*command, arguments->llm);
+  command->footer("Asks a configured model one tiny question. Ends with 0 when nothing is wrong, else with 1.");
   command->callback([arguments, &result] { result = Examine(*arguments); });
 }
 

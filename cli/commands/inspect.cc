@@ -9,6 +9,7 @@
 #include "cli/input/files.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/layout_remarks.h"
+#include "cli/output/models_text.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
@@ -21,6 +22,7 @@ struct InspectArguments {
   std::string file;
   bool json = false;
   bool text = false;
+  bool calls = false;
 };
 
 // The file beside `path` that holds the artifact of that id; empty when none does.
@@ -52,11 +54,15 @@ void ShowSummary(const v1::Artifact& artifact, const std::filesystem::path& path
     fmt::print("{:<11}{}{}\n", i == 0 ? "made from" : "", artifact.made_from_ids(i),
                neighbour.empty() ? "" : "  " + neighbour);
   }
+  if (const std::string models = orchestrator::SummarizeModels(artifact); !models.empty()) {
+    fmt::print("{:<11}{}\n{}", "model", models, ModelCallLines(artifact));
+  }
   if (artifact.has_solved_layout()) fmt::print("{}", LayoutRemarks(artifact.solved_layout()));
   if (const absl::Status status = Validate(artifact); !status.ok()) {
     fmt::print("{:<11}{}\n", "remark", std::string(status.message()));
   }
-  fmt::print("{:<11}flair inspect {} --json | --text\n", "more", path.string());
+  fmt::print("{:<11}flair inspect {} --json | --text{}\n", "more", path.string(),
+             artifact.model_calls().empty() ? "" : " | --calls");
 }
 
 absl::Status Inspect(const InspectArguments& arguments) {
@@ -67,6 +73,8 @@ absl::Status Inspect(const InspectArguments& arguments) {
     fmt::print("{}", ToJson(*artifact));
   } else if (arguments.text) {
     fmt::print("{}", ToText(*artifact));
+  } else if (arguments.calls) {
+    fmt::print("{}", artifact->model_calls().empty() ? "No model was asked for it.\n" : ModelCallTexts(*artifact));
   } else {
     ShowSummary(*artifact, arguments.file, whole.ok());
   }
@@ -81,7 +89,10 @@ void AddInspect(CLI::App& program, absl::Status& result) {
   CLI::App* command = program.add_subcommand("inspect", "Show an artifact, who made it and what it was made from.");
   command->add_option("FILE", arguments->file, "An artifact, .pb or .json")->required();
   CLI::Option* json = command->add_flag("--json", arguments->json, "All of it as JSON");
-  command->add_flag("--text", arguments->text, "All of it as protobuf text")->excludes(json);
+  CLI::Option* text = command->add_flag("--text", arguments->text, "All of it as protobuf text")->excludes(json);
+  command->add_flag("--calls", arguments->calls, "What a language model was asked for it, and its answers")
+      ->excludes(json)
+      ->excludes(text);
   command->footer("Checks that the id is the digest of the bytes; ends with 5 when it is not.");
   command->callback([arguments, &result] { result = Inspect(*arguments); });
 }

@@ -26,12 +26,24 @@ config::v1::RuntimeConfig QuietRuntime() {
   return runtime;
 }
 
+// Of a worker that asks a model: its threads wait rather than work.
+constexpr int kWaitingThreads = 4;
+
+// With or without a model.
+template <typename Config>
+Config WithLlm(const OptionalLlm& llm) {
+  Config config;
+  if (!llm.has_value()) return config;
+  *config.mutable_llm() = *llm;
+  config.mutable_runtime()->set_worker_thread_count(kWaitingThreads);
+  return config;
+}
+
 // Starts one worker in this process.
 template <typename Service, typename Config, typename Make>
-absl::Status StartWorker(const std::string& program, const Make& make,
+absl::Status StartWorker(const std::string& program, Config config, const Make& make,
                          std::unique_ptr<runtime::InProcessServer>& server, orchestrator::StageChannel& channel) {
-  Config config;
-  *config.mutable_runtime() = QuietRuntime();
+  config.mutable_runtime()->MergeFrom(QuietRuntime());
   auto started = runtime::InProcessServer::Start(program, config.runtime(), Service::service_full_name(),
                                                  [&](runtime::WorkerContext& context) {
                                                    context.build = runtime::BuildName();
@@ -50,16 +62,17 @@ std::string Variable(const char* name) {
 
 }  // namespace
 
-absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::Start(const std::string& store_path) {
-  absl::StatusOr<std::unique_ptr<EmbeddedServices>> services = StartStages();
+absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::Start(const std::string& store_path,
+                                                                          const OptionalLlm& llm) {
+  absl::StatusOr<std::unique_ptr<EmbeddedServices>> services = StartStages(llm);
   if (!services.ok()) return services.status();
   if (absl::Status status = (*services)->StartOrchestrator(store_path); !status.ok()) return status;
   return services;
 }
 
-absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::StartStages() {
+absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::StartStages(const OptionalLlm& llm) {
   std::unique_ptr<EmbeddedServices> services(new EmbeddedServices());
-  if (absl::Status status = services->StartWorkers(); !status.ok()) return status;
+  if (absl::Status status = services->StartWorkers(llm); !status.ok()) return status;
   return services;
 }
 
@@ -67,24 +80,24 @@ EmbeddedServices::~EmbeddedServices() {
   if (service_ != nullptr) service_->Stop();
 }
 
-absl::Status EmbeddedServices::StartWorkers() {
-  absl::Status status = StartWorker<v1::LanguageService, config::v1::LanguageWorkerConfig>(
-      "flair-language",
+absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm) {
+  absl::Status status = StartWorker<v1::LanguageService>(
+      "flair-language", WithLlm<config::v1::LanguageWorkerConfig>(llm),
       [](const auto& config, auto& context) { return language::MakeLanguageService(config, context); }, language_,
       stages_.language);
   if (!status.ok()) return status;
-  status = StartWorker<v1::OptimizerService, config::v1::OptimizerWorkerConfig>(
-      "flair-optimizer",
+  status = StartWorker<v1::OptimizerService>(
+      "flair-optimizer", config::v1::OptimizerWorkerConfig(),
       [](const auto& config, auto& context) { return optimizer::MakeOptimizerService(config, context); }, optimizer_,
       stages_.optimizer);
   if (!status.ok()) return status;
-  status = StartWorker<v1::TranslatorService, config::v1::TranslatorWorkerConfig>(
-      "flair-translator",
+  status = StartWorker<v1::TranslatorService>(
+      "flair-translator", WithLlm<config::v1::TranslatorWorkerConfig>(llm),
       [](const auto& config, auto& context) { return translator::MakeTranslatorService(config, context); }, translator_,
       stages_.translator);
   if (!status.ok()) return status;
-  return StartWorker<v1::RendererService, config::v1::RendererWorkerConfig>(
-      "flair-renderer",
+  return StartWorker<v1::RendererService>(
+      "flair-renderer", config::v1::RendererWorkerConfig(),
       [](const auto& config, auto& context) { return renderer::MakeRendererService(config, context); }, renderer_,
       stages_.renderer);
 }

@@ -3,21 +3,27 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "flair/config/v1/llm_config.pb.h"
 #include "orchestrator/service/make_orchestrator_service.h"
 #include "worker_runtime/grpc/in_process_server.h"
 
 namespace flair::cli {
 
+// The model that designs and translates; none: the handbook and the grammar do.
+using OptionalLlm = std::optional<config::v1::LlmConfig>;
+
 class EmbeddedServices {
  public:
-  // `store_path` is made when missing. FAILED_PRECONDITION when it cannot be used.
-  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> Start(const std::string& store_path);
+  // `store_path` is made when missing. FAILED_PRECONDITION when it cannot be used; for a model as llm::MakeLlmClient.
+  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> Start(const std::string& store_path,
+                                                                 const OptionalLlm& llm = std::nullopt);
   // The four stages without an orchestrator and its store; orchestrator() must not be called.
-  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> StartStages();
+  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> StartStages(const OptionalLlm& llm = std::nullopt);
   // Interrupts running jobs, which go on when the store is opened again.
   ~EmbeddedServices();
 
@@ -26,7 +32,7 @@ class EmbeddedServices {
 
  private:
   EmbeddedServices() = default;
-  absl::Status StartWorkers();
+  absl::Status StartWorkers(const OptionalLlm& llm);
   absl::Status StartOrchestrator(const std::string& store_path);
 
   // Made in this order, destroyed in reverse.

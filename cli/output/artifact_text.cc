@@ -58,6 +58,8 @@ std::string FileStem(v1::ArtifactKind kind) {
       return "objects";
     case v1::ARTIFACT_KIND_STYLE_SHEET:
       return "style";
+    case v1::ARTIFACT_KIND_RAW_CONSTRAINT_LIST:
+      return "constraints_raw";
     case v1::ARTIFACT_KIND_CONSTRAINT_LIST:
       return "constraints";
     case v1::ARTIFACT_KIND_LAYOUT_GRAPH:

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/output/models_text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -186,6 +187,7 @@ std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   text += SentenceText(layout, constraints);
   text += ContradictionText(layout);
   text += RemarkText(report);
+  text += ModelsSection(report, artifacts);
   text += MakerText(artifacts, report, job);
   return text;
 }

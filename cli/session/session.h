@@ -15,8 +15,9 @@ namespace flair::cli {
 
 class Session {
  public:
-  // To the orchestrator at `address`; to one in this process when it is empty.
-  static absl::StatusOr<std::unique_ptr<Session>> Open(const std::string& address);
+  // To the orchestrator at `address`; to one in this process, whose stages ask `llm`, when it is empty.
+  static absl::StatusOr<std::unique_ptr<Session>> Open(const std::string& address,
+                                                       const OptionalLlm& llm = std::nullopt);
 
   absl::StatusOr<v1::Job> CreateJob(const v1::JobSpec& spec);
   absl::StatusOr<v1::Job> GetJob(const std::string& id);
