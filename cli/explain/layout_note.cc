@@ -157,8 +157,10 @@ class NoteMaker {
 
 absl::StatusOr<LayoutNote> MakeLayoutNote(const v1::SolvedLayout& layout) {
   if (const absl::Status status = Validate(layout); !status.ok()) return status;
-  const absl::StatusOr<Scene> scene = SceneFromProto(layout.graph());
+  absl::StatusOr<Scene> scene = SceneFromProto(layout.graph());
   if (!scene.ok()) return scene.status();
+  // Names are read by people here: "towel_rack" is written "towel rack".
+  for (Object& object : scene->objects) std::replace(object.name.begin(), object.name.end(), '_', ' ');
   const absl::StatusOr<PartialLayout> where = PosesFromPlacements(*scene, layout.placements());
   if (!where.ok()) return where.status();
   return NoteMaker(layout, *scene, *where).Make();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "cli/explain/call_words.h"
@@ -29,12 +30,23 @@ std::string Bullet(char mark, const std::string& text, const NoteStyle& style) {
   return fmt::format("  {} {}\n", mark, Wrapped(text, style.width - 4, "    "));
 }
 
-// "missed by 0.12 m", unless the shortfall says that figure itself.
+// ", which misses it by 0.12 m", unless the shortfall says that figure itself.
 std::string MissedBy(const Demand& demand) {
   if (!demand.missed_by) return "";
   const std::string figure = demand.unit == "deg" ? fmt::format("{:.0f} degrees", *demand.missed_by)
                                                   : fmt::format("{:.2f} {}", *demand.missed_by, demand.unit);
-  return demand.shortfall.find(figure) == std::string::npos ? fmt::format(", which misses it by {}", figure) : "";
+  return demand.shortfall.find(figure) == std::string::npos ? fmt::format(", {} short of it", figure) : "";
+}
+
+// "the desk is 0.92 m from the window, at most 0.50 m" says what is right after the comma.
+std::string ShortfallText(const Demand& demand) {
+  std::string text = Capital(WithoutStop(demand.shortfall));
+  for (const std::string_view limit : {", at most ", ", at least ", ", not "}) {
+    const size_t at = text.rfind(limit);
+    if (at == std::string::npos) continue;
+    return fmt::format("{}; asked was {}{}.", text.substr(0, at), text.substr(at + 2), MissedBy(demand));
+  }
+  return fmt::format("{}{}.", text, MissedBy(demand));
 }
 
 std::string HeldText(const Demand& demand) {
@@ -43,30 +55,56 @@ std::string HeldText(const Demand& demand) {
 }
 
 std::string FailedText(const Demand& demand) {
-  const std::string what = demand.text.empty() ? WithoutStop(demand.about_it) : WithoutStop(demand.text);
   const char* const word = demand.fate == DemandFate::kMissed    ? "Not met"
                            : demand.fate == DemandFate::kDropped ? "Left out of account"
                                                                  : "Not understood";
-  std::string text = fmt::format("{}: \"{}.\"", word, what);
-  if (!demand.shortfall.empty()) {
-    text += fmt::format(" {}{}.", Capital(WithoutStop(demand.shortfall)), MissedBy(demand));
-  }
+  std::string text = demand.text.empty() ? fmt::format("{}: that it {}.", word, WithoutStop(demand.about_it).substr(3))
+                                         : fmt::format("{}: \"{}.\"", word, WithoutStop(demand.text));
+  if (!demand.shortfall.empty()) text += " " + ShortfallText(demand);
   if (!demand.reason.empty()) text += fmt::format(" It was asked because: {}.", WithoutStop(demand.reason));
   return text;
 }
 
-// "It also has its back flush on a wall, blocks no door and stands in a corner."
+// "It keeps at least 0.50 m from the bed and the door, blocks no door and stands in a corner.": what is said of
+// several is said once.
 std::string AlsoText(const std::vector<std::string>& abouts) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_start;
+  for (const std::string& about : abouts) {
+    const std::string part = about.substr(3);
+    const size_t from = part.find(" from ");
+    const std::string start = from == std::string::npos ? part : part.substr(0, from + 5);
+    const auto known = std::find_if(by_start.begin(), by_start.end(), [&](const auto& entry) {
+      return from != std::string::npos && entry.first == start;
+    });
+    std::vector<std::string>& ends =
+        known != by_start.end() ? known->second : by_start.emplace_back(start, std::vector<std::string>{}).second;
+    if (from != std::string::npos) ends.push_back(part.substr(from + 6));
+  }
   std::vector<std::string> parts;
-  for (const std::string& about : abouts) parts.push_back(about.starts_with("It ") ? about.substr(3) : about);
+  for (const auto& [start, ends] : by_start)
+    parts.push_back(ends.empty() ? start : fmt::format("{} {}", start, Joined(ends)));
   return fmt::format("It {}.", Joined(parts));
 }
 
 bool StartsWithIt(const Demand& demand) { return demand.about_it.starts_with("It "); }
 
+// "the curtains", "candles 6", not "the glass".
+bool IsPlural(std::string_view name) {
+  while (!name.empty() && (name.back() == ' ' || (name.back() >= '0' && name.back() <= '9'))) name.remove_suffix(1);
+  return name.ends_with("s") && !name.ends_with("ss") && !name.ends_with("us") && !name.ends_with("is");
+}
+
+// "stands on the desk" of several: "stand on the desk".
+std::string InPlural(const std::string& verb_first) {
+  const size_t verb = verb_first.find(' ');
+  if (verb == std::string::npos || verb == 0 || verb_first[verb - 1] != 's') return verb_first;
+  return verb_first.substr(0, verb - 1) + verb_first.substr(verb);
+}
+
 std::string Introduction(const ObjectNote& object) {
-  if (!object.placed) return Sentence(object.name + " is not placed");
-  std::string text = fmt::format("{} {}.", Capital(object.name), object.standing);
+  const bool plural = IsPlural(object.name);
+  if (!object.placed) return Sentence(fmt::format("{} {} not placed", object.name, plural ? "are" : "is"));
+  std::string text = fmt::format("{} {}.", Capital(object.name), plural ? InPlural(object.standing) : object.standing);
   if (object.pinned) text += " The user put it there.";
   if (object.requested) text += " It was asked for.";
   return text;
@@ -74,11 +112,23 @@ std::string Introduction(const ObjectNote& object) {
 
 using Skipped = std::set<std::string>;
 
+// What is asked of a group and not met is told in full of the first one only: ids of those sentences, with its name.
+using FirstTold = std::map<std::string, std::string>;
+
+std::string FailedLine(const ObjectNote& object, const Demand& demand, const NoteStyle& style, FirstTold& first_told) {
+  const bool told = !demand.sentence_id.empty() && !first_told.try_emplace(demand.sentence_id, object.name).second;
+  if (!told) return Bullet('!', FailedText(demand), style);
+  return Bullet(
+      '!', fmt::format("Not met either, see {}: \"{}.\"", first_told[demand.sentence_id], WithoutStop(demand.text)),
+      style);
+}
+
 std::string Key(const ObjectNote& object, const Demand& demand) {
   return object.id + "/" + (demand.sentence_id.empty() ? demand.edge_ids.front() : demand.sentence_id);
 }
 
-std::string DemandLines(const ObjectNote& object, const NoteStyle& style, const Skipped& told_elsewhere) {
+std::string DemandLines(const ObjectNote& object, const NoteStyle& style, const Skipped& told_elsewhere,
+                        FirstTold& first_told) {
   std::string lines;
   std::vector<std::string> plain;
   for (const Demand& demand : object.demands) {
@@ -93,18 +143,19 @@ std::string DemandLines(const ObjectNote& object, const NoteStyle& style, const 
   }
   if (!plain.empty()) lines += Bullet('-', AlsoText(plain), style);
   for (const Demand& demand : object.demands) {
-    if (demand.fate != DemandFate::kHolds) lines += Bullet('!', FailedText(demand), style);
+    if (demand.fate != DemandFate::kHolds) lines += FailedLine(object, demand, style, first_told);
   }
   return lines;
 }
 
-std::string ObjectLines(const ObjectNote& object, const NoteStyle& style, const Skipped& told_elsewhere) {
-  std::string text = Paragraph(Introduction(object), style) + DemandLines(object, style, told_elsewhere);
+std::string ObjectLines(const ObjectNote& object, const NoteStyle& style, const Skipped& told_elsewhere,
+                        FirstTold& first_told) {
+  std::string text = Paragraph(Introduction(object), style) + DemandLines(object, style, told_elsewhere, first_told);
   if (object.placed && object.demands.empty()) {
     text += Bullet('-', "Nothing was asked of it: it stands where the others leave it room.", style);
   }
   if (!object.followers.empty()) {
-    text += Bullet('-', fmt::format("From its place follows that of {}.", Joined(object.followers)), style);
+    text += Bullet('-', fmt::format("Its place decides that of {}.", Joined(object.followers)), style);
   }
   for (const std::string& remark : object.remarks) text += Bullet('!', Sentence(remark), style);
   return text;
@@ -173,13 +224,14 @@ std::string ZoneTitle(const ZoneNote& zone) {
 std::string NoteText(const LayoutNote& note, const NoteStyle& style) {
   std::string text = Paragraph(note.room + " " + CountText(note), style);
   Skipped told;
+  FirstTold first_told;
   if (!style.all) {
     const std::string shared = SharedLines(note, style, told);
     if (!shared.empty()) text += "\nKEPT FREE\n" + shared;
   }
   for (const ZoneNote& zone : note.zones) {
     text += ZoneTitle(zone);
-    for (const ObjectNote& object : zone.objects) text += ObjectLines(object, style, told);
+    for (const ObjectNote& object : zone.objects) text += ObjectLines(object, style, told, first_told);
   }
   if (!note.homeless.empty()) text += "\nOF NO OBJECT\n";
   for (const Demand& demand : note.homeless) {
@@ -206,7 +258,8 @@ absl::StatusOr<const ObjectNote*> FindObject(const LayoutNote& note, const std::
 }
 
 std::string ObjectText(const ObjectNote& object, const NoteStyle& style) {
-  return ObjectLines(object, {true, style.width}, {});
+  FirstTold first_told;
+  return ObjectLines(object, {true, style.width}, {}, first_told);
 }
 
 }  // namespace flair::cli

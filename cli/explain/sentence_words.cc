@@ -77,11 +77,25 @@ std::string Capital(std::string text) {
   return text;
 }
 
+namespace {
+
+// How much of the text may not be parted: a word, or a figure with its unit.
+size_t EndOfPiece(std::string_view text) {
+  const size_t end = std::min(text.find(' '), text.size());
+  const bool figure = end > 0 && end < text.size() && text[end - 1] >= '0' && text[end - 1] <= '9';
+  for (const std::string_view unit : {"m", "m2", "degrees"}) {
+    if (figure && NameAt(text, end + 1, unit) > 0) return std::min(text.find(' ', end + 1), text.size());
+  }
+  return end;
+}
+
+}  // namespace
+
 std::string Wrapped(std::string_view text, size_t width, std::string_view indent) {
   std::string lines;
   size_t column = 0;
   while (!text.empty()) {
-    const size_t end = std::min(text.find(' '), text.size());
+    const size_t end = EndOfPiece(text);
     const std::string_view word = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (word.empty()) continue;

@@ -23,6 +23,8 @@ constexpr double kTouch_m = 0.06;
 constexpr double kParallel_rad = 0.1;
 // Farther things are no neighbours worth a word.
 constexpr double kNeighbour_m = 1.5;
+// A chair at its desk.
+constexpr double kDrawnUp_m = 0.25;
 
 struct WallContact {
   Side side = Side::kBack;
@@ -108,16 +110,23 @@ class Place {
     return nullptr;
   }
 
+  // "the north-east corner"; of a room that is no rectangle the corner at those walls.
+  std::string CornerOf(const Wall& a, const Wall& b) const {
+    if (scene_.room.walls.size() != 4) return fmt::format("the corner of {} and {}", a.name, b.name);
+    return fmt::format("the {} corner", Compass(-(a.inward_normal + b.inward_normal)));
+  }
+
   std::string AtWalls(const std::vector<WallContact>& contacts) const {
     const WallContact& first = contacts.front();
-    const std::string side(SideName(first.side));
+    const bool flank = first.side == Side::kLeft || first.side == Side::kRight;
+    const std::string side = fmt::format("{}{}", SideName(first.side), flank ? " side" : "");
     const auto second = std::find_if(contacts.begin(), contacts.end(), [&](const WallContact& contact) {
       return std::abs(Dot(contact.wall->inward_normal, first.wall->inward_normal)) < 0.5;
     });
     std::string words;
     if (second != contacts.end()) {
-      words = fmt::format("stands in the corner of {} and {}, its {} on the former", WallInWords(*first.wall),
-                          WallInWords(*second->wall), side);
+      words = fmt::format("stands in {}, its {} to {}", CornerOf(*first.wall, *second->wall), side,
+                          WallInWords(*first.wall));
     } else {
       words = fmt::format("stands with its {} to {}, {}", side, WallInWords(*first.wall), Along(*first.wall));
     }
@@ -128,22 +137,21 @@ class Place {
     return words;
   }
 
-  // The wall it is nearest to, for what stands free.
-  std::string OffWalls() const {
+  // For what stands free: at what it looks, or the wall it is nearest to.
+  std::string OffWalls(int seen) const {
+    if (seen >= 0 && GapTo(seen) < kDrawnUp_m) return fmt::format("stands drawn up to {}", Name(seen));
     double least_m = std::numeric_limits<double>::infinity();
-    const Wall* nearest = nullptr;
+    const Wall* nearest = &scene_.room.walls.front();
     for (const Wall& wall : scene_.room.walls) {
       const double gap_m = optimizer::Gap<double>(BoxAt(index_), optimizer::ConvexPiece(Segment{wall.start, wall.end}));
       if (gap_m < least_m) least_m = gap_m, nearest = &wall;
     }
-    std::string words = nearest == nullptr ? "stands"
-                                           : fmt::format("stands free in the room, {:.2f} m from {}",
-                                                         std::max(0.0, least_m), WallInWords(*nearest));
-    return words + fmt::format(", looking {}", LooksAt());
+    return fmt::format("stands free in the room, {:.2f} m from {}, looking {}", std::max(0.0, least_m),
+                       WallInWords(*nearest), seen >= 0 ? fmt::format("at {}", Name(seen)) : Compass(frame_.front));
   }
 
-  // "at the desk", or the compass.
-  std::string LooksAt() const {
+  // What is straight before it within reach of a word; -1 for nothing.
+  int Seen() const {
     double least_m = kNeighbour_m;
     int seen = -1;
     for (int other = 0; other < static_cast<int>(scene_.objects.size()); ++other) {
@@ -154,7 +162,7 @@ class Place {
       least_m = GapTo(other);
       seen = other;
     }
-    return seen >= 0 ? fmt::format("at {}", Name(seen)) : Compass(frame_.front);
+    return seen;
   }
 
   // The side of this object that another is on.
@@ -166,24 +174,26 @@ class Place {
     return y < 0 ? "behind it" : "before it";
   }
 
-  // What touches it, else what is next.
-  std::string Neighbours() const {
+  // What touches it, else what is next; but for what has been named already.
+  std::string Neighbours(int named) const {
     std::vector<std::string> touching;
     double least_m = kNeighbour_m;
     int nearest = -1;
     for (int other = 0; other < static_cast<int>(scene_.objects.size()); ++other) {
-      if (!StandsSolid(other)) continue;
+      if (!StandsSolid(other) || other == named) continue;
       const double gap_m = GapTo(other);
       if (gap_m < kTouch_m && touching.size() < 5) touching.push_back(fmt::format("{} {}", Name(other), SideTo(other)));
       if (gap_m < least_m) least_m = gap_m, nearest = other;
     }
     if (!touching.empty()) return fmt::format(", with {}", Joined(touching));
-    return nearest < 0 ? "" : fmt::format("; {:.2f} m to {}", least_m, Name(nearest));
+    return nearest < 0 || named >= 0 ? "" : fmt::format("; {:.2f} m to {}", least_m, Name(nearest));
   }
 
   std::string OnFloor() const {
     const std::vector<WallContact> contacts = Contacts();
-    return (contacts.empty() ? OffWalls() : AtWalls(contacts)) + Neighbours();
+    if (!contacts.empty()) return AtWalls(contacts) + Neighbours(-1);
+    const int seen = Seen();
+    return OffWalls(seen) + Neighbours(seen);
   }
 
   // Of a rug: what stands on it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/input/files.h"
 
+#include <google/protobuf/text_format.h>
 #include <google/protobuf/util/json_util.h>
 
 #include <cerrno>
@@ -22,6 +23,32 @@ bool LooksLikeJson(const std::string& bytes) {
   return first != std::string::npos && bytes[first] == '{';
 }
 
+// Bytes cannot tell text format from binary for sure; the name does.
+bool IsNamedText(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return extension == ".textproto" || extension == ".txtpb" || extension == ".pbtxt";
+}
+
+// Keeps the first complaint, with its place.
+class FirstError : public google::protobuf::io::ErrorCollector {
+ public:
+  void AddError(int line, int column, const std::string& message) override {
+    if (first_.empty()) first_ = fmt::format("line {}, column {}: {}", line + 1, column + 1, message);
+  }
+  const std::string& first() const { return first_; }
+
+ private:
+  std::string first_;
+};
+
+absl::Status FromText(const std::string& text, google::protobuf::Message& message) {
+  FirstError error;
+  google::protobuf::TextFormat::Parser parser;
+  parser.RecordErrorsTo(&error);
+  parser.SetRecursionLimit(100);
+  return parser.ParseFromString(text, &message) ? absl::OkStatus() : absl::InvalidArgumentError(error.first());
+}
+
 // As the problems that `flair import flairgpt` reads.
 bool LooksRecorded(const std::string& json) {
   return json.find("\"fixed_objects\"") != std::string::npos && json.find("\"calls\"") != std::string::npos;
@@ -34,7 +61,7 @@ absl::Status FromJson(const std::string& bytes, google::protobuf::Message& messa
 
 absl::Status NoArtifact(const std::filesystem::path& path, const std::string& why) {
   return absl::DataLossError(
-      fmt::format("{}: not a Flair artifact ({}); expected a .pb or .json file that Flair wrote", path.string(), why));
+      fmt::format("{}: not a Flair artifact ({}); expected a .pb, .json or .textproto file that Flair wrote", path.string(), why));
 }
 
 }  // namespace
@@ -57,7 +84,11 @@ absl::StatusOr<v1::Artifact> ReadArtifact(const std::filesystem::path& path) {
   if (!bytes.ok()) return bytes.status();
   if (bytes->empty()) return NoArtifact(path, "the file is empty");
   v1::Artifact artifact;
-  if (LooksLikeJson(*bytes)) {
+  if (IsNamedText(path)) {
+    if (const absl::Status status = FromText(*bytes, artifact); !status.ok()) {
+      return NoArtifact(path, std::string(status.message()));
+    }
+  } else if (LooksLikeJson(*bytes)) {
     if (const absl::Status status = FromJson(*bytes, artifact); !status.ok()) {
       if (LooksRecorded(*bytes)) {
         return absl::InvalidArgumentError(fmt::format(
