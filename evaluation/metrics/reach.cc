@@ -32,7 +32,7 @@ Floor EmptyFloor(const Room& room, const WalkRaster& raster, double radius_m) {
       const char free = distance >= 0, roomy = distance >= radius_m;
       // The distance changes by no more than the way walked: for so many cells the answers stay the same.
       const double to_change = std::min(std::abs(distance), std::abs(distance - radius_m));
-      const int same = std::max(1, static_cast<int>(to_change / raster.cell_m()) - 1);
+      const int same = std::max(1, static_cast<int>(to_change / raster.column_m()) - 1);
       for (const int end = std::min(raster.columns(), c + same); c < end; ++c) {
         floor.free[raster.IndexOf(c, r)] = free;
         floor.roomy[raster.IndexOf(c, r)] = roomy;

@@ -15,16 +15,18 @@ constexpr double kMostCellsAcross = 1000;
 
 WalkRaster::WalkRaster(const BoundingBox& bounds) : bounds_(bounds) {
   cell_m_ = std::max(kCell_m, std::max(bounds.width_m(), bounds.height_m()) / kMostCellsAcross);
-  columns_ = std::max(1, static_cast<int>(std::ceil(bounds.width_m() / cell_m_ - 1e-9)));
-  rows_ = std::max(1, static_cast<int>(std::ceil(bounds.height_m() / cell_m_ - 1e-9)));
+  columns_ = std::max(1, static_cast<int>(std::lround(bounds.width_m() / cell_m_)));
+  rows_ = std::max(1, static_cast<int>(std::lround(bounds.height_m() / cell_m_)));
+  column_m_ = bounds.width_m() / columns_;
+  row_m_ = bounds.height_m() / rows_;
 }
 
 int WalkRaster::Column(double x_m) const {
-  return static_cast<int>(std::clamp((x_m - bounds_.min.x) / cell_m_, 0.0, columns_ - 1.0));
+  return static_cast<int>(std::clamp((x_m - bounds_.min.x) / column_m_, 0.0, columns_ - 1.0));
 }
 
 int WalkRaster::Row(double y_m) const {
-  return static_cast<int>(std::clamp((y_m - bounds_.min.y) / cell_m_, 0.0, rows_ - 1.0));
+  return static_cast<int>(std::clamp((y_m - bounds_.min.y) / row_m_, 0.0, rows_ - 1.0));
 }
 
 std::vector<int32_t> WalkRaster::Components(const CellSet& cells, std::vector<int>& sizes) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Square cells over the room's bounding box, and sets of them.
+// Nearly square cells that divide the room's bounding box evenly, and sets of them.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,11 @@ class WalkRaster {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   size_t size() const { return static_cast<size_t>(columns_) * static_cast<size_t>(rows_); }
+  // Nominal side of a cell; all columns together differ from it by at most half a cell, and so do all rows.
   double cell_m() const { return cell_m_; }
+  double column_m() const { return column_m_; }
   Vec2<double> CenterOf(int column, int row) const {
-    return {bounds_.min.x + (column + 0.5) * cell_m_, bounds_.min.y + (row + 0.5) * cell_m_};
+    return {bounds_.min.x + (column + 0.5) * column_m_, bounds_.min.y + (row + 0.5) * row_m_};
   }
   size_t IndexOf(int column, int row) const {
     return static_cast<size_t>(row) * static_cast<size_t>(columns_) + static_cast<size_t>(column);
@@ -39,7 +41,7 @@ class WalkRaster {
   // Numbers the parts of `cells` that hang together over edges, from 1; 0 outside them. `sizes[k]` counts part k.
   std::vector<int32_t> Components(const CellSet& cells, std::vector<int>& sizes) const;
 
-  // All cells whose centre is within `radius_m` of the centre of one in `cells`.
+  // All cells whose centre is within `radius_m` of the centre of one in `cells`, counting cells as cell_m() wide.
   CellSet Dilate(const CellSet& cells, double radius_m) const;
 
  private:
@@ -50,6 +52,8 @@ class WalkRaster {
   double cell_m_;
   int columns_;
   int rows_;
+  double column_m_;
+  double row_m_;
 };
 
 }  // namespace flair::evaluation
