@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "llm/answers/answer_root.h"
 #include "llm/answers/extract_json.h"
 #include "llm/answers/field_facts.h"
 #include "llm/answers/quantity.h"
@@ -248,31 +249,11 @@ class Reader {
   std::vector<Fault> faults_;
 };
 
-// The root that a value means: a list alone is that of the root's only list, and an object of one object without any of
-// the root's names is a wrapper.
-json RootOf(const json& value, const google::protobuf::Descriptor& type) {
-  if (value.is_array() && type.field_count() > 0) {
-    const FieldDescriptor* list = nullptr;
-    for (int i = 0; i < type.field_count(); ++i) {
-      if (!type.field(i)->is_repeated()) continue;
-      if (list != nullptr) return value;
-      list = type.field(i);
-    }
-    return list != nullptr ? json::object({{list->name(), value}}) : value;
-  }
-  if (!value.is_object() || value.size() != 1 || !value.begin()->is_object()) return value;
-  const std::string key = Bare(value.begin().key());
-  for (int i = 0; i < type.field_count(); ++i) {
-    if (Bare(type.field(i)->name()) == key) return value;
-  }
-  return *value.begin();
-}
-
 }  // namespace
 
 std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, Message& message) {
   Reader reader(choices);
-  reader.ReadRoot(RootOf(value, *message.GetDescriptor()), message);
+  reader.ReadRoot(AnswerRoot(value, *message.GetDescriptor()), message);
   return reader.TakeFaults();
 }
 

@@ -61,6 +61,7 @@ TEST(ReadAnswer, TakesWhatCertainlyMeansTheSame) {
 
 TEST(ReadAnswer, ARootMayBeWrappedOrBeItsOnlyList) {
   for (const std::string text : {R"({"zones_answer":{"zones":[{"name":"a","purpose":"b"}]}})",
+                                 R"({"notes":"Done.","plan":{"zones":[{"name":"a","purpose":"b"}]},"x":{"y":1}})",
                                  R"([{"name":"a","purpose":"b"}])", R"({"zones":{"name":"a","purpose":"b"}})"}) {
     ZonesAnswer answer;
     EXPECT_THAT(Sentences(ReadAnswer(text, {}, answer)), IsEmpty()) << text;
