@@ -85,7 +85,10 @@ class Matcher {
       best = r;
       best_score = score;
     }
-    if (best == before_.size() || best_score == 2) return;  // the same sentence twice
+    if (best == before_.size()) return;
+    for (const size_t part : parts_[best]) {
+      if (Likeness(after_[part].text, after_[c].text) == 1) return;  // the same again
+    }
     parts_[best].push_back(c);
     taken_[c] = true;
   }

@@ -2,6 +2,7 @@
 #include "language_worker/recorded/constraint_text.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -51,7 +52,12 @@ class Reader {
     for (size_t i = 0; i < lines_.size(); ++i) {
       const OutlineLine& line = lines_[i];
       if (line.parent >= 0) context_[i] = context_[static_cast<size_t>(line.parent)];
-      if (IsTitle(line)) {
+      siblings_.erase(siblings_.upper_bound(line.depth), siblings_.end());
+      if (const auto title = siblings_.find(line.depth); title != siblings_.end()) context_[i] = title->second;
+      if (IsTitleOfSiblings(line)) {
+        OpenTitle(i, context_[i]);
+        siblings_[line.depth] = context_[i];
+      } else if (IsTitle(line)) {
         OpenTitle(i, context_[i]);
       } else if (IsFrame(line)) {
         continue;
@@ -78,6 +84,16 @@ class Reader {
     // "1. Shower caddy (0.3m x 0.3m)" with a list under it.
     return line.has_children && !Demands(all) &&
            (!text_.objects.Find(all).empty() || !FindZone(all, text_.zone_ids).empty());
+  }
+
+  // "- Plant stand: 0.4m x 0.4m" with its list at the same indent.
+  bool IsTitleOfSiblings(const OutlineLine& line) const {
+    if (line.has_children || line.kind != LineKind::kItem) return false;
+    const std::string all = line.All();
+    const std::vector<Mention> mentions = text_.objects.Find(all);
+    constexpr size_t kCount = 4;  // "The ", "4 "
+    return !mentions.empty() && mentions.front().begin <= kCount && HasSize(all) &&
+           IsSize(std::string_view(all).substr(mentions.front().end));
   }
 
   // "Certainly! Here are ..." and "These constraints ensure ...": neither in a list nor about an object.
@@ -157,7 +173,13 @@ class Reader {
     conversion_.Convert();
     for (const std::string& sentence : SplitSentences(all)) {
       std::vector<int> own = context.objects;
-      if (own.empty()) AddObjects(MentionsOf(sentence, context), own);
+      if (own.empty()) {
+        // "The bookshelf ... It should be away from the sofa."
+        const std::vector<Word> words = ReadWords(sentence);
+        static const KeySet kPronouns = {"it", "its", "they", "their", "thi", "each", "both"};
+        if (!words.empty() && kPronouns.contains(words.front().key) && !sentences_.empty()) own = {objects.front()};
+        AddObjects(MentionsOf(sentence, context), own);
+      }
       sentences_.push_back({own.empty() ? objects : own, sentence, SaysMust(sentence)});
     }
   }
@@ -173,6 +195,8 @@ class Reader {
   Conversion& conversion_;
   const std::vector<OutlineLine> lines_;
   std::vector<Context> context_;
+  // By depth: what the last title without children said.
+  std::map<int, Context> siblings_;
   std::vector<RecordedSentence> sentences_;
 };
 

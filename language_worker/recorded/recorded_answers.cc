@@ -52,10 +52,20 @@ double WallLength(const v1::Room& room, const std::string& wall) {
   return wall == "south" || wall == "north" ? far.x_m() : far.y_m();
 }
 
+double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
 // Where along a wall, as answers count: from its west or south end.
 double PositionOf(const v1::Room& room, const std::string& wall, double offset_m) {
   const double position = offset_m / WallLength(room, wall);
-  return std::clamp(wall == "north" || wall == "west" ? 1 - position : position, 0.0, 1.0);
+  return Rounded(std::clamp(wall == "north" || wall == "west" ? 1 - position : position, 0.0, 1.0));
+}
+
+// The wall, or the one that it becomes when width and depth change places.
+std::string WallOf(const std::string& wall, bool turned) {
+  if (!turned) return wall;
+  if (wall == "south") return "west";
+  if (wall == "west") return "south";
+  return wall == "north" ? "east" : "north";
 }
 
 // They stand before the others.
@@ -96,23 +106,26 @@ RecordedAnswers::RecordedAnswers(const RecordedRoom& room, const Handbook& handb
 
 model::v1::RoomAnswer RecordedAnswers::Room() const {
   const v1::Room& room = room_.graph.room();
+  const v1::Point2& far = room.floor().vertices(2);
   model::v1::RoomAnswer answer;
   const absl::StatusOr<BriefFacts> facts = ReadBrief(room_.brief, handbook_);
   answer.set_room_type(facts.ok() && facts->archetype_named ? facts->archetype->name() : "room");
-  answer.set_width_m(room.floor().vertices(2).x_m());
-  answer.set_depth_m(room.floor().vertices(2).y_m());
+  // Some rooms were recorded the other way round than their brief says.
+  const bool turned = facts.ok() && facts->size.width_m == far.y_m() && facts->size.depth_m == far.x_m();
+  answer.set_width_m(turned ? far.y_m() : far.x_m());
+  answer.set_depth_m(turned ? far.x_m() : far.y_m());
   for (const v1::Opening& opening : room.openings()) {
     const bool window = opening.kind() == v1::OPENING_KIND_WINDOW;
     model::v1::OpeningAnswer& made = *answer.add_openings();
     made.set_kind(window ? "window" : "door");
-    made.set_wall(opening.wall());
+    made.set_wall(WallOf(opening.wall(), turned));
     made.set_position(PositionOf(room, opening.wall(), opening.offset_m() + opening.width_m() / 2));
-    made.set_width_m(opening.width_m());
+    made.set_width_m(Rounded(opening.width_m()));
     if (!window) made.set_swing("inward");
   }
   for (const v1::Socket& socket : room.sockets()) {
     model::v1::SocketAnswer& made = *answer.add_sockets();
-    made.set_wall(socket.wall());
+    made.set_wall(WallOf(socket.wall(), turned));
     made.set_position(PositionOf(room, socket.wall(), socket.offset_m()));
   }
   return answer;

@@ -44,6 +44,24 @@ std::vector<std::string> SplitSentences(std::string_view line) {
   return sentences;
 }
 
+bool IsSize(std::string_view text) {
+  static const std::set<std::string, std::less<>> kWords = {"width",     "length",     "x",    "by",  "wide",
+                                                            "long",      "each",       "size", "m",   "approximately",
+                                                            "dimension", "lengthwise", "and",  "high"};
+  for (const Word& word : ReadWords(text)) {
+    const bool number = word.key[0] >= '0' && word.key[0] <= '9';
+    if (!number && !kWords.contains(word.key)) return false;
+  }
+  return true;
+}
+
+bool HasSize(std::string_view text) {
+  const std::vector<Word> words = ReadWords(text);
+  return std::any_of(words.begin(), words.end(), [](const Word& word) {
+    return word.key.size() > 1 && word.key[0] >= '0' && word.key[0] <= '9' && word.key.back() == 'm';
+  });
+}
+
 double Likeness(std::string_view a, std::string_view b) {
   const auto keys = [](std::string_view text) {
     static const std::set<std::string, std::less<>> kEmpty = {"the", "a", "an", "be", "is", "to", "of", "for", "it"};
