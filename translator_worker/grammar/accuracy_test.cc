@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How well the grammar reads what real models wrote, against labels made by hand. Ten rooms were looked at while the
-// grammar was written, four were only ever measured. FLAIR_SHOW_MISSES=1 prints what is wrong in the former.
+// grammar was written; 24 further ones were labelled, measured and then looked at four at a time (docs/benchmarks.md
+// has the figures of before they were looked at); four were only ever measured. FLAIR_SHOW_MISSES=1 prints what is
+// wrong in all but the four. A sentence is correct when every part of it gets all calls of one accepted reading and
+// nothing else is made, or nothing at all where nothing is to be made.
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -39,49 +43,75 @@ void ShowMiss(const LabelledRoom& room, const LabelledSentence& labelled, const 
   }
 }
 
-Score Measure(bool held_out) {
-  const bool show = !held_out && std::getenv("FLAIR_SHOW_MISSES") != nullptr;
+struct Measured {
   Score score;
-  for (LabelledRoom& room : ReadLabelledRooms(kFolder + "labelled_rooms.jsonl")) {
-    if (room.held_out != held_out) continue;
-    *room.request.mutable_catalog() = RecordedTypes();
-    for (const LabelledSentence& labelled : room.sentences) {
-      *room.request.mutable_constraint_list()->add_sentences() = labelled.sentence;
-    }
-    const v1::LayoutGraph graph = Translate(room.request);
-    for (const LabelledSentence& labelled : room.sentences) {
-      std::vector<v1::ConstraintEdge> edges;
-      for (const v1::ConstraintEdge& edge : graph.edges()) {
-        if (edge.sentence_id() == labelled.sentence.id()) edges.push_back(edge);
-      }
-      bool remarked = false;
-      for (const v1::Diagnostic& diagnostic : graph.diagnostics()) {
-        remarked = remarked || diagnostic.subject_id() == labelled.sentence.id();
-      }
-      if (!AddToScore(labelled, edges, remarked, score) && show) ShowMiss(room, labelled, edges, graph);
-    }
+  int sentences = 0;
+  int correct = 0;
+  double correct_share() const { return static_cast<double>(correct) / std::max(1, sentences); }
+};
+
+void MeasureRoom(LabelledRoom& room, bool show, Measured& measured) {
+  *room.request.mutable_catalog() = RecordedTypes();
+  for (const LabelledSentence& labelled : room.sentences) {
+    *room.request.mutable_constraint_list()->add_sentences() = labelled.sentence;
   }
-  std::cout << (held_out ? "held-out" : "development") << " rooms: recall " << score.recall() << " (" << score.met_calls
-            << "/" << score.labelled_calls << "), precision " << score.precision() << " (" << score.right_calls << "/"
-            << score.made_calls << "), right refusals " << score.refusal_share() << " (" << score.right_refusals << "/"
-            << score.refusals << ")\n";
-  return score;
+  const v1::LayoutGraph graph = Translate(room.request);
+  for (const LabelledSentence& labelled : room.sentences) {
+    std::vector<v1::ConstraintEdge> edges;
+    for (const v1::ConstraintEdge& edge : graph.edges()) {
+      if (edge.sentence_id() == labelled.sentence.id()) edges.push_back(edge);
+    }
+    bool remarked = false;
+    for (const v1::Diagnostic& diagnostic : graph.diagnostics()) {
+      remarked = remarked || diagnostic.subject_id() == labelled.sentence.id();
+    }
+    const bool right = AddToScore(labelled, edges, remarked, measured.score);
+    ++measured.sentences;
+    measured.correct += right;
+    if (!right && show) ShowMiss(room, labelled, edges, graph);
+  }
+}
+
+Measured Measure(const std::string& file, bool held_out) {
+  const bool show = !held_out && std::getenv("FLAIR_SHOW_MISSES") != nullptr;
+  Measured measured;
+  for (LabelledRoom& room : ReadLabelledRooms(kFolder + file)) {
+    if (room.held_out == held_out) MeasureRoom(room, show, measured);
+  }
+  const Score& score = measured.score;
+  std::cout << file << (held_out ? ", held-out" : ", development") << " rooms: correct " << measured.correct_share()
+            << " (" << measured.correct << "/" << measured.sentences << "), recall " << score.recall() << " ("
+            << score.met_calls << "/" << score.labelled_calls << "), precision " << score.precision() << " ("
+            << score.right_calls << "/" << score.made_calls << "), right refusals " << score.refusal_share() << " ("
+            << score.right_refusals << "/" << score.refusals << ")\n";
+  return measured;
 }
 
 TEST(Accuracy, OfSentencesThatTheGrammarWasWrittenWith) {
-  const Score score = Measure(false);
-  EXPECT_GE(score.recall(), 0.97);
-  EXPECT_GE(score.precision(), 0.97);
-  EXPECT_GE(score.refusal_share(), 0.95);
-  EXPECT_EQ(score.silent, 0);
+  const Measured measured = Measure("labelled_rooms.jsonl", false);
+  EXPECT_GE(measured.correct_share(), 0.98);
+  EXPECT_GE(measured.score.recall(), 0.98);
+  EXPECT_GE(measured.score.precision(), 0.98);
+  EXPECT_GE(measured.score.refusal_share(), 0.97);
+  EXPECT_EQ(measured.score.silent, 0);
+}
+
+TEST(Accuracy, OfFurtherSentencesThatWereMeasuredAndThenLookedAt) {
+  const Measured measured = Measure("further_rooms.jsonl", false);
+  EXPECT_GE(measured.correct_share(), 0.96);
+  EXPECT_GE(measured.score.recall(), 0.96);
+  EXPECT_GE(measured.score.precision(), 0.96);
+  EXPECT_GE(measured.score.refusal_share(), 0.9);
+  EXPECT_EQ(measured.score.silent, 0);
 }
 
 TEST(Accuracy, OfSentencesOfHeldOutRooms) {
-  const Score score = Measure(true);
-  EXPECT_GE(score.recall(), 0.80);
-  EXPECT_GE(score.precision(), 0.79);
-  EXPECT_GE(score.refusal_share(), 0.80);
-  EXPECT_EQ(score.silent, 0);
+  const Measured measured = Measure("labelled_rooms.jsonl", true);
+  EXPECT_GE(measured.correct_share(), 0.80);
+  EXPECT_GE(measured.score.recall(), 0.81);
+  EXPECT_GE(measured.score.precision(), 0.81);
+  EXPECT_GE(measured.score.refusal_share(), 0.80);
+  EXPECT_EQ(measured.score.silent, 0);
 }
 
 }  // namespace
