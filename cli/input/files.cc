@@ -61,8 +61,8 @@ absl::Status FromJson(const std::string& bytes, google::protobuf::Message& messa
 }
 
 absl::Status NoArtifact(const std::filesystem::path& path, const std::string& why) {
-  return absl::DataLossError(
-      fmt::format("{}: not a Flair artifact ({}); expected a .pb, .json or .textproto file that Flair wrote", path.string(), why));
+  return absl::DataLossError(fmt::format(
+      "{}: not a Flair artifact ({}); expected a .pb, .json or .textproto file that Flair wrote", path.string(), why));
 }
 
 }  // namespace
