@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "absl/status/status.h"
+#include "language_worker/handbook/reading/size_owner.h"
 
 namespace flair::language {
 namespace {
@@ -104,8 +105,15 @@ absl::Status CheckSide(double side_m) {
 
 bool IsTimes(const std::string& text) { return text == "x" || text == "by" || text == "*"; }
 
+// Width and depth as found in the text.
+struct Sides {
+  double width_m = 0;
+  double depth_m = 0;
+  std::size_t end = 0;  // first token after them
+};
+
 // "4m x 5m" and "8m long, 4m wide" from token i on.
-std::optional<std::pair<double, double>> ReadPair(const Reader& reader, std::size_t i) {
+std::optional<Sides> ReadPair(const Reader& reader, std::size_t i) {
   const std::optional<Measure> first = reader.At(i);
   if (!first) return std::nullopt;
   std::size_t next = first->end;
@@ -125,8 +133,8 @@ std::optional<std::pair<double, double>> ReadPair(const Reader& reader, std::siz
   double unit1 = first->unit_m, unit2 = second->unit_m;
   if (unit1 == 0) unit1 = unit2 > 0 ? unit2 : GuessUnit(std::max(first->value, second->value));
   if (unit2 == 0) unit2 = unit1;
-  std::pair<double, double> sides = {first->value * unit1, second->value * unit2};
-  if (swapped) std::swap(sides.first, sides.second);
+  Sides sides{first->value * unit1, second->value * unit2, second->end};
+  if (swapped) std::swap(sides.width_m, sides.depth_m);
   return sides;
 }
 
@@ -152,11 +160,13 @@ std::optional<double> ReadArea(const Reader& reader, std::size_t i) {
 }
 
 // A single length with what it belongs to: "5 m square", "12-foot room", "6 m long", "2.7m ceiling".
-void ReadSingle(const Reader& reader, std::size_t i, SizeRequest& size) {
+void ReadSingle(const Reader& reader, const SizeOwner& owner, std::size_t i, SizeRequest& size) {
   const std::optional<Measure> measure = reader.At(i);
   if (!measure || measure->unit_m == 0) return;
   const double length_m = measure->value * measure->unit_m;
   const std::string& word = reader.Text(measure->end);
+  const bool ceiling = word == "ceiling" || word == "ceilings" || reader.Text(measure->end + 1) == "ceiling";
+  if (!ceiling && owner.IsOfAThing(i, measure->end + 1)) return;
   if (word == "ceiling" || word == "ceilings" || word == "high" || word == "tall") {
     size.height_m = length_m;
   } else if (word == "wide") {
@@ -205,10 +215,15 @@ absl::Status Check(const SizeRequest& size) {
 absl::StatusOr<SizeRequest> ReadSize(const std::vector<Token>& tokens, const hb::Handbook& handbook) {
   const Reader reader(tokens);
   SizeRequest size;
+  const SizeOwner owner(tokens, handbook);
   for (std::size_t i = 0; i < reader.size() && !size.in_numbers(); ++i) {
     if (const auto sides = ReadPair(reader, i)) {
-      size.width_m = sides->first;
-      size.depth_m = sides->second;
+      if (owner.IsOfAThing(i, sides->end)) {
+        i = sides->end - 1;
+        continue;
+      }
+      size.width_m = sides->width_m;
+      size.depth_m = sides->depth_m;
     } else if (const auto area = ReadArea(reader, i)) {
       size.area_m2 = area;
     }
@@ -216,7 +231,7 @@ absl::StatusOr<SizeRequest> ReadSize(const std::vector<Token>& tokens, const hb:
   const bool sides_known = size.in_numbers();
   for (std::size_t i = 0; i < reader.size(); ++i) {
     SizeRequest single;
-    ReadSingle(reader, i, single);
+    ReadSingle(reader, owner, i, single);
     if (single.height_m && !size.height_m) size.height_m = single.height_m;
     if (sides_known) continue;
     if (single.width_m && !size.width_m) size.width_m = single.width_m;

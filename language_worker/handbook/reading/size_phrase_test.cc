@@ -73,6 +73,42 @@ TEST(ReadSize, KnowsSizeWords) {
   EXPECT_FALSE(Read("a room")->in_numbers());
 }
 
+// As Words, with furniture and kinds of room.
+hb::Handbook Things() {
+  hb::Handbook handbook = Words();
+  for (const char* name : {"desk", "coffee table", "bed", "sofa", "piano", "bookshelf"}) {
+    handbook.add_furniture()->set_name(name);
+  }
+  for (const char* name : {"bedroom", "living room", "music room"}) handbook.add_archetypes()->set_name(name);
+  return handbook;
+}
+
+TEST(ReadSize, LeavesTheSizesOfThingsInTheRoomAlone) {
+  for (const char* text :
+       {"A bedroom with a 0.6m x 0.4m desk", "A living room, TV 65 inches, 120cm x 60cm coffee table",
+        "a bedroom with a desk of 1.6 m x 0.8 m", "a bedroom with a desk (1.6 x 0.8 m)", "a 2.4 m high bookshelf",
+        "a 2 m long sofa", "a studio with canvases of 3m x 2m", "a room for a giant who is 20 m tall",
+        "a bedroom with a solid oak desk that is 1.8 m wide", "a bedroom with a 2m x 2m double bed"}) {
+    const absl::StatusOr<SizeRequest> size = ReadSize(Tokenize(text), Things());
+    ASSERT_TRUE(size.ok()) << text << ": " << size.status();
+    EXPECT_FALSE(size->in_numbers()) << text;
+    EXPECT_FALSE(size->height_m.has_value()) << text;
+  }
+}
+
+TEST(ReadSize, FindsTheRoomsSizeBesideThoseOfThings) {
+  for (const char* text : {"A bedroom with a 1.6m x 2m bed, 4m x 5m", "A 4m x 5m bedroom with a 0.6m x 0.4m desk",
+                           "A bedroom of 4m x 5m with a bed", "a boutique of 4m x 5m", "a 4 x 5 m piano room",
+                           "A bedroom with a desk and a bed, 4m x 5m", "a 4 x 5 m music room with a 2.4 m wide piano",
+                           "bed, desk, sofa; 4m x 5m", "A 4m x 5m space for a sofa"}) {
+    const absl::StatusOr<SizeRequest> size = ReadSize(Tokenize(text), Things());
+    ASSERT_TRUE(size.ok()) << text << ": " << size.status();
+    ASSERT_TRUE(size->width_m && size->depth_m) << text;
+    EXPECT_EQ(*size->width_m, 4) << text;
+    EXPECT_EQ(*size->depth_m, 5) << text;
+  }
+}
+
 TEST(ReadSize, RefusesImpossibleRoomsAndNamesTheValue) {
   for (const char* text : {"A bedroom that is 0m x -3m", "a 0.5m x 0.5m room", "a 200 m x 200 m room", "4m x -3m",
                            "0.3 square metres", "a 4 x 5 room with a 40m ceiling"}) {

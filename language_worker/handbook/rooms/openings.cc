@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "language_worker/handbook/rooms/describe_room.h"
+
 namespace flair::language {
 namespace {
 
@@ -23,8 +25,11 @@ class OpeningMaker {
  public:
   OpeningMaker(const OpeningPlan& plan, const Choice& choice, v1::Room& room)
       : plan_(plan), choice_(choice), room_(room) {
-    lengths_ = {room.floor().vertices(1).x_m(), room.floor().vertices(2).y_m(), room.floor().vertices(1).x_m(),
-                room.floor().vertices(2).y_m()};
+    const auto& corners = room.floor().vertices();
+    for (int i = 0; i < corners.size(); ++i) {
+      const v1::Point2 &from = corners[i], &to = corners[(i + 1) % corners.size()];
+      lengths_.push_back(std::abs(to.x_m() - from.x_m()) + std::abs(to.y_m() - from.y_m()));
+    }
   }
 
   void Make() {
@@ -36,11 +41,63 @@ class OpeningMaker {
  private:
   // The door stands in one of the short walls of a long room, in any wall of others.
   std::size_t DoorWall() const {
+    if (lengths_.size() != 4) return DoorWallOfPolygon();
     const double ratio = lengths_[0] / lengths_[1];
     const std::size_t turn = choice_.Index("door.wall", 2) * 2;
     if (ratio > 1.3) return 1 + turn;
     if (ratio < 1 / 1.3) return turn;
     return choice_.Index("door.any_wall", 4);
+  }
+
+  // Any wall with room for the door and its leaf, on the outside of the room's rectangle rather than in its notches.
+  std::size_t DoorWallOfPolygon() const {
+    std::vector<std::size_t> walls;
+    for (const bool outside : {true, false}) {
+      for (std::size_t wall = 0; wall < lengths_.size() && (outside || walls.empty()); ++wall) {
+        if (lengths_[wall] >= plan_.door_width_m + 0.4 && (!outside || IsOutside(wall))) walls.push_back(wall);
+      }
+    }
+    if (walls.empty()) return Longest();
+    return walls[choice_.Index("door.any_wall", walls.size())];
+  }
+
+  std::size_t Longest() const {
+    return static_cast<std::size_t>(std::max_element(lengths_.begin(), lengths_.end()) - lengths_.begin());
+  }
+
+  const v1::Point2& CornerAt(std::size_t i) const {
+    return room_.floor().vertices(static_cast<int>(i % lengths_.size()));
+  }
+
+  // Whether a wall lies on the bounding rectangle.
+  bool IsOutside(std::size_t wall) const {
+    const v1::Point2 &from = CornerAt(wall), &to = CornerAt(wall + 1);
+    double width_m = 0, depth_m = 0;
+    for (const v1::Point2& corner : room_.floor().vertices()) {
+      width_m = std::max(width_m, corner.x_m());
+      depth_m = std::max(depth_m, corner.y_m());
+    }
+    const bool along_x = from.y_m() == to.y_m();
+    const double at_m = along_x ? from.y_m() : from.x_m();
+    return at_m == 0 || at_m == (along_x ? depth_m : width_m);
+  }
+
+  // Whether the room goes round the corner at that vertex: a door there would open into the way.
+  bool IsReentrant(std::size_t vertex) const {
+    const v1::Point2 &before = CornerAt(vertex + lengths_.size() - 1), &here = CornerAt(vertex),
+                     &after = CornerAt(vertex + 1);
+    return (here.x_m() - before.x_m()) * (after.y_m() - here.y_m()) <
+           (here.y_m() - before.y_m()) * (after.x_m() - here.x_m());
+  }
+
+  // Quarter turns, counter-clockwise, from the door's wall to another: 2 for one that faces it.
+  std::size_t TurnsTo(std::size_t wall) const {
+    const auto heading = [&](std::size_t i) {
+      const double dx_m = CornerAt(i + 1).x_m() - CornerAt(i).x_m(), dy_m = CornerAt(i + 1).y_m() - CornerAt(i).y_m();
+      if (std::abs(dx_m) > std::abs(dy_m)) return dx_m > 0 ? 0u : 2u;
+      return dy_m > 0 ? 1u : 3u;
+    };
+    return (heading(wall) + 4 - heading(door_wall_)) % 4;
   }
 
   void AddDoor() {
@@ -51,7 +108,8 @@ class OpeningMaker {
     const double near_m = wall_m < kShortWallM ? 0.1 : choice_.Stepped("door.gap", 0.2, 0.5, 0.05);
     double offset_m = std::min(near_m, (wall_m - width_m) / 2);
     if (plan_.rules.door_central() && wall_m > width_m + 2) offset_m = (wall_m - width_m) / 2;
-    const bool at_end = choice_.Index("door.end", 2) == 1;
+    bool at_end = choice_.Index("door.end", 2) == 1;
+    if (IsReentrant(door_wall_) != IsReentrant(door_wall_ + 1)) at_end = IsReentrant(door_wall_);
     if (at_end) offset_m = wall_m - width_m - offset_m;
     v1::Opening& door = *room_.add_openings();
     door.set_id("door_1");
@@ -63,7 +121,7 @@ class OpeningMaker {
     // The leaf rests on the side wall that is nearer.
     door.mutable_leaf()->set_hinge(at_end ? v1::HINGE_SIDE_END : v1::HINGE_SIDE_START);
     door.mutable_leaf()->set_swing_angle_rad(std::numbers::pi / 2);
-    const double area_m2 = lengths_[0] * lengths_[1];
+    const double area_m2 = FloorArea(room_);
     v1::DoorSwing swing =
         area_m2 < plan_.rules.door_outward_below_m2() ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
     if (choice_.Happens("door.passage", plan_.rules.passage_chance())) swing = v1::DOOR_SWING_NONE;
@@ -76,17 +134,34 @@ class OpeningMaker {
   void AddWindows() {
     const std::size_t beside = choice_.Index("window.beside", 2) == 0 ? 1 : 3;
     const bool side_first = choice_.Happens("window.side_first", 0.3);
-    std::vector<std::size_t> order = {2, beside, 4 - beside};
-    if (side_first) std::swap(order[0], order[1]);
+    std::vector<std::size_t> turns = {2, beside, 4 - beside};
+    if (side_first) std::swap(turns[0], turns[1]);
+    const std::vector<std::size_t> order = WallsInOrder(turns);
     int left = plan_.window_count;
-    for (const std::size_t turn : order) {
-      const std::size_t wall = (door_wall_ + turn) % 4;
+    for (const std::size_t wall : order) {
       // The first wall takes what the two others, with one window each, do not.
       const int room_for = std::max(1, static_cast<int>((lengths_[wall] - kCornerGapM) / 2.4));
-      const int count = turn == order[0] ? std::clamp(left - 2, std::min(left, 1), room_for) : std::min(left, 1);
+      const int count = wall == order[0] ? std::clamp(left - 2, std::min(left, 1), room_for) : std::min(left, 1);
       if (count > 0) AddWindowsOn(wall, count);
       left -= count;
     }
+  }
+
+  // The longest outer wall of each turn; then the other outer walls with room for a window.
+  std::vector<std::size_t> WallsInOrder(const std::vector<std::size_t>& turns) const {
+    std::vector<std::size_t> order, others;
+    for (const std::size_t turn : turns) {
+      std::size_t best = lengths_.size();
+      for (std::size_t wall = 0; wall < lengths_.size(); ++wall) {
+        if (wall == door_wall_ || TurnsTo(wall) != turn || !IsOutside(wall)) continue;
+        if (best < lengths_.size() && lengths_[wall] > 1.5)
+          others.push_back(lengths_[wall] > lengths_[best] ? best : wall);
+        if (best == lengths_.size() || lengths_[wall] > lengths_[best]) best = wall;
+      }
+      if (best < lengths_.size()) order.push_back(best);
+    }
+    order.insert(order.end(), others.begin(), others.end());
+    return order;
   }
 
   void AddWindowsOn(std::size_t wall, int count) {
@@ -116,7 +191,7 @@ class OpeningMaker {
   void AddSockets() {
     const int wanted = plan_.rules.socket_count() > 0 ? plan_.rules.socket_count() : 3;
     for (int i = 0; i < wanted * 3 && room_.sockets_size() < wanted; ++i) {
-      const std::size_t wall = (door_wall_ + 1 + static_cast<std::size_t>(i)) % 4;
+      const std::size_t wall = (door_wall_ + 1 + static_cast<std::size_t>(i)) % lengths_.size();
       const double share = choice_.Stepped(fmt::format("socket.{}", i), 0.15, 0.9, 0.05);
       const double offset_m = kSocketGapM + share * (lengths_[wall] - 2 * kSocketGapM);
       if (lengths_[wall] < 3 * kSocketGapM || IsOpen(wall, offset_m)) continue;
@@ -135,7 +210,7 @@ class OpeningMaker {
   const OpeningPlan& plan_;
   const Choice& choice_;
   v1::Room& room_;
-  std::array<double, 4> lengths_;
+  std::vector<double> lengths_;
   std::size_t door_wall_ = 0;
   std::pair<double, double> door_;
 };

@@ -14,8 +14,9 @@ struct OpeningPlan {
   double door_width_m = 0.9;
 };
 
-// Adds a door near a corner, windows on other walls and sockets between them to a rectangular room whose floor, walls
-// and height are set. Widths shrink to the walls. Deterministic.
+// Adds a door near a corner, windows on other walls and sockets between them to a room whose floor, walls and height
+// are set; all its corners are square. In a room that is no rectangle doors and windows keep to the outer walls, and a
+// door to the end that is no re-entrant corner. Widths shrink to the walls. Deterministic.
 void AddOpenings(const OpeningPlan& plan, const Choice& choice, v1::Room& room);
 
 }  // namespace flair::language
