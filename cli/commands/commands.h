@@ -15,6 +15,8 @@ void AddRender(CLI::App& program, absl::Status& result);
 void AddResolve(CLI::App& program, absl::Status& result);
 void AddSolve(CLI::App& program, absl::Status& result);
 void AddImport(CLI::App& program, absl::Status& result);
+// Into the command that AddImport makes.
+void AddImportAnswers(CLI::App& import, absl::Status& result);
 void AddExport(CLI::App& program, absl::Status& result);
 void AddBench(CLI::App& program, absl::Status& result);
 // After AddBench.

@@ -76,6 +76,7 @@ void AddImport(CLI::App& program, absl::Status& result) {
   flairgpt->add_option("ROOM", arguments->in, "Its .json")->required();
   flairgpt->add_option("-o,--out", arguments->out, "Where the graph (.pb) goes")->required()->type_name("FILE");
   flairgpt->callback([arguments, &result] { result = ImportFlairGpt(*arguments); });
+  AddImportAnswers(*command, result);
 }
 
 void AddExport(CLI::App& program, absl::Status& result) {

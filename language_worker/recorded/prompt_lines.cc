@@ -76,8 +76,30 @@ std::optional<PromptObjects> ReadObjects(std::string_view line) {
   return objects;
 }
 
+// "- bed_1: "double bed", 1.60 x 2.00 x 0.50, sleeping, on the floor"
+std::optional<PromptObject> ReadTranslationObject(std::string_view line) {
+  if (!line.starts_with("- ")) return std::nullopt;
+  line.remove_prefix(2);
+  PromptObject object;
+  const auto id = TakeUntil(": \"", line);
+  if (!id || id->find(' ') != std::string_view::npos) return std::nullopt;
+  const auto name = TakeUntil("\", ", line);
+  const auto width = name ? TakeUntil(" x ", line) : std::nullopt;
+  const auto depth = width ? TakeUntil(" x ", line) : std::nullopt;
+  const auto height = depth ? TakeUntil(", ", line) : std::nullopt;
+  const auto zone = height ? TakeUntil(", ", line) : std::nullopt;
+  if (!zone) return std::nullopt;
+  object.id = std::string(*id);
+  object.name = std::string(*name);
+  if (*zone != "no zone") object.zone_id = std::string(*zone);
+  std::from_chars(width->data(), width->data() + width->size(), object.width_m);
+  std::from_chars(depth->data(), depth->data() + depth->size(), object.depth_m);
+  return object;
+}
+
 std::optional<PromptSentence> ReadSentence(std::string_view line) {
   PromptSentence sentence;
+  if (line.starts_with("- ")) line.remove_prefix(2);
   const auto id = TakeUntil(" [", line);
   if (!id || id->empty() || id->find(' ') != std::string_view::npos) return std::nullopt;
   sentence.id = std::string(*id);
@@ -100,6 +122,14 @@ std::vector<PromptObjects> ReadPromptObjects(std::string_view prompt) {
   std::vector<PromptObjects> list;
   ForEachLine(prompt, [&](std::string_view line) {
     if (auto objects = ReadObjects(line)) list.push_back(*std::move(objects));
+  });
+  return list;
+}
+
+std::vector<PromptObject> ReadTranslationObjects(std::string_view prompt) {
+  std::vector<PromptObject> list;
+  ForEachLine(prompt, [&](std::string_view line) {
+    if (auto object = ReadTranslationObject(line)) list.push_back(*std::move(object));
   });
   return list;
 }

@@ -20,7 +20,17 @@ struct PromptObjects {
   double depth_m = 0;
 };
 
-// A line of the cleaning prompt.
+// An object in a prompt of the translation.
+struct PromptObject {
+  std::string id;
+  std::string name;
+  // Empty when it is in none.
+  std::string zone_id;
+  double width_m = 0;
+  double depth_m = 0;
+};
+
+// A line of the cleaning prompt, or of one of the translation.
 struct PromptSentence {
   std::string id;
   std::vector<std::string> subject_ids;
@@ -29,6 +39,7 @@ struct PromptSentence {
 
 // The lines of that form, in their order; others are passed over. Read any text.
 std::vector<PromptObjects> ReadPromptObjects(std::string_view prompt);
+std::vector<PromptObject> ReadTranslationObjects(std::string_view prompt);
 std::vector<PromptSentence> ReadPromptSentences(std::string_view prompt);
 
 // "dining_chair_3" without its number.

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "language_worker/recorded/recorded_calls.h"
+
 namespace flair::language {
 namespace {
 
@@ -65,9 +67,11 @@ absl::StatusOr<std::string> RecordedRoomClient::Answer(const std::string& step, 
   if (step == "constraints.intra") return keep(answers_.Intra(question, conversion));
   if (step == "constraints.inter") return keep(answers_.Inter(question, conversion));
   if (step == "cleaning") return keep(answers_.Cleaning(question));
-  if (step == "style") {
-    const json schema = json::parse(request.schema, nullptr, /*allow_exceptions=*/false);
-    return keep(answers_.Style(FindChoices(schema, "of"), conversion));
+  const json schema = json::parse(request.schema, nullptr, /*allow_exceptions=*/false);
+  if (step == "style") return keep(answers_.Style(FindChoices(schema, "of"), conversion));
+  if (step.starts_with("translation.")) {
+    if (translation_ == RecordedTranslation::kRefused) return "I have no calls for these sentences.";
+    return keep(FindCalls(room_, step, question, FindChoices(schema, "function"), conversion));
   }
   return absl::NotFoundError(fmt::format("step \"{}\": a recorded room has no answer to it", step));
 }

@@ -11,13 +11,24 @@
 
 namespace flair::language {
 
-// A model that answers the steps of the language phase with what another model wrote when a room was recorded, as
-// typed answers. Repairs get the same answer again: that is what was recorded. A step that is none of the language
-// phase is NOT_FOUND. Usage is estimated from the lengths of messages, schema and answer. Thread-safe.
+// How the questions of the translation are answered.
+enum class RecordedTranslation {
+  // With the calls that the recorded model translated its own sentences to, as far as they can be told to belong to
+  // one.
+  kCalls,
+  // With a refusal in prose, so that the grammar stands in where that is allowed.
+  kRefused,
+};
+
+// A model that answers the steps of the language phase and of the translation with what another model wrote when a room
+// was recorded, as typed answers. Repairs get the same answer again: that is what was recorded. Other steps are
+// NOT_FOUND. Usage is estimated from the lengths of messages, schema and answer. Thread-safe.
 class RecordedRoomClient final : public llm::LlmClient {
  public:
   // Both must outlive it.
-  RecordedRoomClient(const RecordedRoom& room, const Handbook& handbook) : answers_(room, handbook) {}
+  RecordedRoomClient(const RecordedRoom& room, const Handbook& handbook,
+                     RecordedTranslation translation = RecordedTranslation::kCalls)
+      : room_(room), answers_(room, handbook), translation_(translation) {}
 
   void Ask(const llm::ChatRequest& request, runtime::CallContext& call, llm::AnswerCallback done) override;
   std::string identity() const override { return "gpt-4o, recorded as free text"; }
@@ -28,7 +39,9 @@ class RecordedRoomClient final : public llm::LlmClient {
  private:
   absl::StatusOr<std::string> Answer(const std::string& step, const llm::ChatRequest& request);
 
+  const RecordedRoom& room_;
   const RecordedAnswers answers_;
+  const RecordedTranslation translation_;
   mutable std::mutex mutex_;
   std::map<std::string, Conversion> conversions_;
 };

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair import answers: what a model once wrote for a room, as a folder of answers that a design replays.
+#include "language_worker/recorded/import_answers.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands/commands.h"
+#include "cli/input/files.h"
+#include "cli/output/output_folder.h"
+#include "fmt/format.h"
+#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/model/model_tools.h"
+#include "language_worker/recorded/recorded_room_client.h"
+#include "llm/wrappers/recording_llm_client.h"
+#include "optimizer_worker/constraints/registry.h"
+#include "translator_worker/model/model_translator.h"
+
+namespace flair::cli {
+namespace {
+
+struct ImportAnswersArguments {
+  std::string room;
+  std::string out;
+  bool no_calls = false;
+};
+
+constexpr char kBriefFile[] = "brief.json";
+constexpr char kRemarksFile[] = "remarks.txt";
+
+// Asks the translation's questions too, so that the folder has all answers of a design.
+absl::Status ImportTranslation(const language::RecordedRoom& room, const language::Handbook& handbook,
+                               const ImportAnswersArguments& arguments, language::ImportedAnswers& imported) {
+  const auto translation =
+      arguments.no_calls ? language::RecordedTranslation::kRefused : language::RecordedTranslation::kCalls;
+  auto recorded = std::make_unique<language::RecordedRoomClient>(room, handbook, translation);
+  const language::RecordedRoomClient& client = *recorded;
+  absl::StatusOr<std::unique_ptr<llm::LlmClient>> recording =
+      llm::RecordingLlmClient::Make(std::move(recorded), arguments.out);
+  if (!recording.ok()) return recording.status();
+  const auto translator =
+      translator::ModelTranslator::Make(*std::move(recording), translator::DefaultPromptFolder(), {});
+  if (!translator.ok()) return translator.status();
+  v1::TranslateRequest request;
+  request.set_request_id("import");
+  *request.mutable_room() = imported.room;
+  *request.mutable_zone_plan() = imported.zones;
+  *request.mutable_object_list() = imported.objects;
+  *request.mutable_constraint_list() = imported.constraints;
+  *request.mutable_catalog() = optimizer::MakeCatalog();
+  request.mutable_model_options()->set_stand_in_allowed(true);
+  runtime::CallContext call;
+  const absl::StatusOr<v1::TranslateResponse> response = (*translator)->Translate(request, call);
+  if (!response.ok()) return response.status();
+  imported.calls.insert(imported.calls.end(), response->model_calls().begin(), response->model_calls().end());
+  for (auto& [step, conversion] : client.conversions()) imported.conversions[step] = conversion;
+  return absl::OkStatus();
+}
+
+std::string RemarksText(const language::ImportedAnswers& imported) {
+  std::string text;
+  for (const auto& [step, conversion] : imported.conversions) {
+    for (const language::ConversionRemark& remark : conversion.remarks) {
+      const std::string place = remark.line > 0 ? fmt::format(", line {}", remark.line) : "";
+      text += fmt::format("{}{} ({}): {}\n", remark.source, place, remark.reason, remark.text);
+    }
+  }
+  return text;
+}
+
+absl::Status WriteBrief(const language::RecordedRoom& room, const std::string& folder) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;
+  std::string json;
+  if (!google::protobuf::util::MessageToJsonString(room.brief, &json, options).ok()) {
+    return absl::InternalError("the brief cannot be written as JSON");
+  }
+  return WriteOutputFile(std::filesystem::path(folder) / kBriefFile, json + "\n");
+}
+
+// What a person wants to know at the end.
+void ShowEnd(const ImportAnswersArguments& arguments, const language::ImportedAnswers& imported) {
+  language::Conversion all;
+  for (const auto& [step, conversion] : imported.conversions) {
+    if (!step.starts_with("translation.")) all.Add(conversion);
+  }
+  int64_t tokens = 0;
+  for (const v1::ModelCall& call : imported.calls) {
+    tokens += call.usage().input_token_count() + call.usage().output_token_count();
+  }
+  fmt::print(stderr, "{}: {} objects, {} sentences; {} of {} lines converted, the others are in {}\n", arguments.out,
+             imported.objects.objects_size(), imported.constraints.sentences_size(), all.converted, all.lines,
+             kRemarksFile);
+  for (const auto& [step, conversion] : imported.conversions) {
+    if (!step.starts_with("translation.") || conversion.lines == 0) continue;
+    fmt::print(stderr, "{}: {} of {} recorded calls belong to a sentence\n", step, conversion.converted,
+               conversion.lines);
+  }
+  fmt::print(stderr, "{} questions, about {} tokens\n", imported.calls.size(), tokens);
+  fmt::print(stderr, "next       flair design --brief {0}/{1} --replay {0}{2} --out DIR\n", arguments.out, kBriefFile,
+             arguments.no_calls ? " --stand-in" : "");
+}
+
+absl::Status ImportAnswersOf(const ImportAnswersArguments& arguments) {
+  const absl::StatusOr<std::string> text = ReadFile(arguments.room);
+  if (!text.ok()) return text.status();
+  const absl::StatusOr<language::RecordedRoom> room = language::ReadRecordedRoom(*text);
+  if (!room.ok()) {
+    return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.room, std::string(room.status().message())));
+  }
+  const auto handbook = language::LoadHandbook(language::DefaultHandbookFolder());
+  if (!handbook.ok()) return handbook.status();
+  const auto prompts = llm::PromptLibrary::Load(language::DefaultPromptsFolder(), {}, language::LanguagePrompts());
+  if (!prompts.ok()) return prompts.status();
+  absl::StatusOr<language::ImportedAnswers> imported =
+      language::ImportAnswers(*room, **handbook, *prompts, arguments.out);
+  if (!imported.ok()) return imported.status();
+  if (absl::Status status = ImportTranslation(*room, **handbook, arguments, *imported); !status.ok()) return status;
+  if (absl::Status status = WriteBrief(*room, arguments.out); !status.ok()) return status;
+  const std::filesystem::path remarks = std::filesystem::path(arguments.out) / kRemarksFile;
+  if (absl::Status status = WriteOutputFile(remarks, RemarksText(*imported)); !status.ok()) return status;
+  ShowEnd(arguments, *imported);
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+void AddImportAnswers(CLI::App& import, absl::Status& result) {
+  auto arguments = std::make_shared<ImportAnswersArguments>();
+  CLI::App* command =
+      import.add_subcommand("answers", "What a model wrote for a recorded room, as answers that a design replays.");
+  command->add_option("ROOM", arguments->room, "The room's .json, of the released implementation")->required();
+  command->add_option("-o,--out", arguments->out, "Folder for the answers and their brief; made when missing")
+      ->required()
+      ->type_name("DIR");
+  command->add_flag("--no-calls", arguments->no_calls,
+                    "Leave the translation to the grammar: design with --stand-in then");
+  command->footer(
+      "DIR gets one file for each question with its answer, brief.json, and remarks.txt with every line of the\n"
+      "recorded texts that has no place in a typed answer, and why. The answers belong to the prompts, the handbook "
+      "and\n"
+      "the catalogue of this version.");
+  command->callback([arguments, &result] { result = ImportAnswersOf(*arguments); });
+}
+
+}  // namespace flair::cli
