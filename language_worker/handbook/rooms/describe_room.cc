@@ -8,21 +8,14 @@
 #include "language_worker/handbook/objects/fit_floor.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/reading/shape_phrase.h"
+#include "language_worker/handbook/reading/words.h"
 #include "language_worker/handbook/rooms/openings.h"
+#include "language_worker/handbook/rooms/room_floor.h"
 #include "language_worker/handbook/rooms/room_size.h"
 
 namespace flair::language {
 namespace {
-
-void SetRectangle(const RoomSize& size, v1::Room& room) {
-  const double corners[4][2] = {{0, 0}, {size.width_m, 0}, {size.width_m, size.depth_m}, {0, size.depth_m}};
-  for (const auto& corner : corners) {
-    v1::Point2& vertex = *room.mutable_floor()->add_vertices();
-    vertex.set_x_m(corner[0]);
-    vertex.set_y_m(corner[1]);
-  }
-  for (const char* name : {"south", "east", "north", "west"}) room.add_walls()->set_name(name);
-}
 
 int UsualWindowCount(const hb::OpeningRules& rules, double area_m2) {
   for (const hb::WindowCount& limit : rules.window_counts()) {
@@ -59,8 +52,9 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
   room.set_room_type(archetype.name());
   room.set_title(TitleOf(brief.text()));
   room.set_height_m(size.height_m);
-  SetRectangle(size, room);
-  AddOpenings(PlanOpenings(*facts, archetype, size.width_m * size.depth_m), Choice(brief.seed(), brief.text()), room);
+  const Choice choice(brief.seed(), brief.text());
+  SetFloor(ReadShape(Tokenize(brief.text()), handbook), facts->size, size, choice, room);
+  AddOpenings(PlanOpenings(*facts, archetype, FloorArea(room)), choice, room);
   const auto note = [&](const char* code, const std::string& message) {
     v1::Diagnostic& diagnostic = *room.add_diagnostics();
     diagnostic.set_severity(v1::SEVERITY_NOTE);

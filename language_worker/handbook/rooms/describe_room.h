@@ -12,8 +12,8 @@
 
 namespace flair::language {
 
-// Step A: a rectangular room with a door, windows and sockets where a builder would put them; the brief's own room when
-// it brings one. Errors as ReadBrief.
+// Step A: a room, rectangular unless the brief names another shape (see room_floor.h), with a door, windows and sockets
+// where a builder would put them; the brief's own room when it brings one. Errors as ReadBrief.
 absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& handbook);
 
 // Step B: the zones by area, needs and wishes, most important first. Errors as ReadBrief.

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rooms that are no rectangles: outline, walls, openings.
+#include "language_worker/handbook/rooms/room_floor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/rooms/describe_room.h"
+#include "room/validation/validate.h"
+
+namespace flair::language {
+namespace {
+
+class RoomFloor : public testing::Test {
+ protected:
+  static v1::Room Describe(const std::string& text, std::int64_t seed = 0) {
+    static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
+    v1::Brief brief;
+    brief.set_text(text);
+    brief.set_seed(seed);
+    const absl::StatusOr<v1::Room> room = DescribeRoom(brief, **handbook);
+    EXPECT_TRUE(room.ok()) << room.status();
+    return room.value_or(v1::Room());
+  }
+  static bool Says(const v1::Room& room, const std::string& code) {
+    return std::any_of(room.diagnostics().begin(), room.diagnostics().end(), [&](const v1::Diagnostic& diagnostic) {
+      return diagnostic.code() == code && diagnostic.severity() == v1::SEVERITY_WARNING;
+    });
+  }
+  static double Extent(const v1::Room& room, bool along_x) {
+    double most_m = 0;
+    for (const v1::Point2& p : room.floor().vertices()) most_m = std::max(most_m, along_x ? p.x_m() : p.y_m());
+    return most_m;
+  }
+};
+
+TEST_F(RoomFloor, EveryShapeAndSeedIsAValidRoomOfTheSizeAskedFor) {
+  const struct {
+    const char* text;
+    int corners;
+    double area_m2;
+  } kCases[] = {{"An L-shaped studio of 6 m x 5 m.", 6, 25.2},
+                {"A T-shaped living room of 8 m x 6 m.", 8, 36},
+                {"A U-shaped office of 9 m x 6 m.", 8, 45}};
+  for (const auto& expected : kCases) {
+    std::set<std::string> outlines;
+    for (int seed = 0; seed < 24; ++seed) {
+      const v1::Room room = Describe(expected.text, seed);
+      EXPECT_TRUE(Validate(room).ok()) << expected.text << " seed " << seed << ": " << Validate(room);
+      EXPECT_EQ(room.floor().vertices_size(), expected.corners);
+      EXPECT_EQ(room.walls(0).name(), "wall_1");
+      EXPECT_NEAR(FloorArea(room), expected.area_m2, 0.5) << expected.text << " seed " << seed;
+      EXPECT_DOUBLE_EQ(Extent(room, true), expected.corners == 6                                       ? 6
+                                           : std::string(expected.text).find('8') != std::string::npos ? 8
+                                                                                                       : 9);
+      EXPECT_EQ(std::count_if(room.openings().begin(), room.openings().end(),
+                              [](const v1::Opening& o) { return o.kind() == v1::OPENING_KIND_DOOR; }),
+                1);
+      EXPECT_GE(room.openings_size(), 2) << "a door and a window";
+      EXPECT_GE(room.sockets_size(), 2);
+      EXPECT_FALSE(Says(room, "shape_unknown") || Says(room, "shape_too_small"));
+      outlines.insert(room.floor().SerializeAsString());
+    }
+    EXPECT_GE(outlines.size(), 4u) << expected.text << ": the seed turns it";
+  }
+}
+
+TEST_F(RoomFloor, AnAreaIsThatOfTheFloor) {
+  EXPECT_NEAR(FloorArea(Describe("An L-shaped living room of 30 square metres.")), 30, 0.6);
+  EXPECT_NEAR(FloorArea(Describe("A T-shaped living room of 30 square metres.")), 30, 0.6);
+}
+
+TEST_F(RoomFloor, SaysWhatWasDoneInstead) {
+  const v1::Room round = Describe("A round bedroom of 4 m x 4 m.");
+  EXPECT_EQ(round.floor().vertices_size(), 4);
+  EXPECT_TRUE(Says(round, "shape_unknown"));
+  const v1::Room small = Describe("An L-shaped bathroom of 2 m x 2 m.");
+  EXPECT_EQ(small.floor().vertices_size(), 4);
+  EXPECT_TRUE(Says(small, "shape_too_small"));
+}
+
+TEST_F(RoomFloor, APlainBriefGivesARectangleAndNoRemarkOnShape) {
+  const v1::Room room = Describe("A bedroom that is 4m x 5m with an L-shaped sofa and a round table.");
+  EXPECT_EQ(room.floor().vertices_size(), 4);
+  EXPECT_EQ(room.walls(0).name(), "south");
+  EXPECT_FALSE(Says(room, "shape_unknown") || Says(room, "shape_too_small"));
+}
+
+}  // namespace
+}  // namespace flair::language
