@@ -143,6 +143,15 @@ class Packing {
     }
     TakeOut(object);
     std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.cost < b.cost; });
+    // A full top is filled from its corners: what stands in the middle leaves strips that nothing fits into.
+    const int carrier = CarrierOfMember(object);
+    if (first_only_ && carrier >= 0) {
+      const auto from_middle = [&middle = layout_[carrier]](const Choice& choice) {
+        return std::hypot(choice.pose.x_m - middle.x_m, choice.pose.y_m - middle.y_m);
+      };
+      std::stable_sort(choices.begin(), choices.end(),
+                       [&](const Choice& a, const Choice& b) { return from_middle(a) > from_middle(b); });
+    }
     return choices;
   }
 
