@@ -8,11 +8,13 @@
 namespace flair::fuzz {
 
 std::span<const Target> AllTargets() {
-  static constexpr std::array<Target, 5> kTargets = {{{"read_graph", ReadGraph},
+  static constexpr std::array<Target, 7> kTargets = {{{"read_graph", ReadGraph},
                                                       {"solve_problem", SolveProblem},
                                                       {"edit_layout", EditLayout},
                                                       {"read_reference_room", ReadReferenceRoom},
-                                                      {"read_scene_text", ReadSceneText}}};
+                                                      {"read_scene_text", ReadSceneText},
+                                                      {"read_model_answer", ReadModelAnswer},
+                                                      {"model_step", ModelStep}}};
   return kTargets;
 }
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a language model, or whoever passes for one, may send: replies of the chat protocol, answers of every type,
+// records.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "flair/model/v1/calls_answers.pb.h"
+#include "flair/model/v1/constraint_answers.pb.h"
+#include "flair/model/v1/object_answers.pb.h"
+#include "flair/model/v1/room_answers.pb.h"
+#include "flair/model/v1/style_answers.pb.h"
+#include "llm/answers/read_answer.h"
+#include "llm/openai/reply_reader.h"
+#include "llm/wrappers/answer_json.h"
+#include "tests/fuzz/targets.h"
+
+namespace flair::fuzz {
+namespace {
+
+using google::protobuf::Message;
+
+const std::vector<const Message*>& AnswerTypes() {
+  using namespace model::v1;  // All answers in one list.
+  static const std::vector<const Message*> types = {
+      &RoomAnswer::default_instance(),         &ZonesAnswer::default_instance(),
+      &FloorObjectsAnswer::default_instance(), &TertiariesAnswer::default_instance(),
+      &StyleAnswer::default_instance(),        &IntraAnswer::default_instance(),
+      &InterAnswer::default_instance(),        &CleaningAnswer::default_instance(),
+      &CallsAnswer::default_instance()};
+  return types;
+}
+
+// A zone and an object, so that names are looked up too.
+const llm::FieldChoices& SomeChoices() {
+  static const llm::FieldChoices choices = {
+      {"flair.model.v1.FloorObjectAnswer.zone", {{"sleeping", "work"}, {{"bed area", "sleeping"}}}},
+      {"flair.model.v1.CallAnswer.function", {{"against_wall", "near"}, {{"ind_next_to_wall", "against_wall"}}}},
+      {"flair.model.v1.SentenceCallsAnswer.id", {{"s1", "s2"}, {}}}};
+  return choices;
+}
+
+void ReadTyped(std::string_view text, const Message& type) {
+  std::unique_ptr<Message> answer(type.New());
+  const std::vector<llm::Fault> faults = llm::ReadAnswer(text, SomeChoices(), *answer);
+  for (const llm::Fault& fault : faults) Require(!fault.text.empty(), "a fault says what is wrong");
+  const std::vector<llm::Fault> left = llm::DropFaulty(faults, *answer);
+  Require(left.size() <= faults.size(), "dropping elements finds no faults");
+  std::string bytes;
+  Require(answer->SerializeToString(&bytes), "what was read can be written");
+}
+
+void ReadReply(std::string_view bytes) {
+  const std::string address = "http://model";
+  const llm::ChatRequest request;
+  const llm::Confidential confidential;
+  const absl::StatusOr<llm::ChatAnswer> whole = llm::ReplyReader(address, request, confidential).Read(bytes, "m");
+  Require(whole.ok() || !whole.status().message().empty(), "a refusal says why");
+  // The pieces in which a stream comes change nothing.
+  std::array<absl::StatusOr<llm::ChatAnswer>, 2> streamed;
+  for (const size_t piece_bytes : {size_t{7}, bytes.size() + 1}) {
+    llm::ReplyReader reader(address, request, confidential);
+    absl::Status status;
+    for (size_t at = 0; at < bytes.size() && status.ok(); at += piece_bytes) {
+      status = reader.Take(bytes.substr(at, piece_bytes));
+    }
+    streamed[piece_bytes == 7 ? 0 : 1] =
+        status.ok() ? reader.FinishStream("m") : absl::StatusOr<llm::ChatAnswer>(status);
+  }
+  Require(streamed[0].ok() == streamed[1].ok(), "a stream's pieces do not matter");
+  if (streamed[0].ok()) Require(streamed[0]->text == streamed[1]->text, "a stream's pieces do not change the text");
+}
+
+void ReadRecord(std::string_view bytes) {
+  const absl::StatusOr<llm::ChatAnswer> answer = llm::ReadRecordJson(std::string(bytes));
+  if (!answer.ok()) return;
+  const absl::StatusOr<llm::ChatAnswer> again = llm::ReadRecordJson(llm::RecordJson({}, *answer));
+  Require(again.ok() && again->text == answer->text, "a record that was read is written the same");
+}
+
+}  // namespace
+
+void ReadModelAnswer(std::string_view bytes) {
+  if (bytes.empty()) return;
+  const size_t choice = static_cast<unsigned char>(bytes.front()) % (AnswerTypes().size() + 2);
+  bytes.remove_prefix(1);
+  if (choice < AnswerTypes().size()) {
+    ReadTyped(bytes, *AnswerTypes()[choice]);
+  } else if (choice == AnswerTypes().size()) {
+    ReadReply(bytes);
+  } else {
+    ReadRecord(bytes);
+  }
+}
+
+}  // namespace flair::fuzz
