@@ -103,7 +103,8 @@ std::string ReasonOf(const ChangeAnswer& change) {
 
 class Changer {
  public:
-  explicit Changer(const v1::ConstraintList& list) : list_(list), sentences_(IndexOf(list)) {
+  Changer(const v1::ConstraintList& list, const ObjectWords& words)
+      : list_(list), words_(words), sentences_(IndexOf(list)) {
     for (const v1::Sentence& sentence : list.sentences()) ids_.insert(sentence.id());
     // Ids of sentences that an earlier cleaning took away stay taken.
     for (const v1::CleaningStep& step : list.cleaning_steps()) {
@@ -147,7 +148,7 @@ class Changer {
  private:
   v1::Sentence Make(const ChangeAnswer& change, const std::string& text) {
     v1::Sentence made = *sentences_.at(change.from(0));
-    made.set_text(text);
+    made.set_text(words_.InWords(text));
     made.set_id(NewId(change.from(0)));
     made.clear_made_from_ids();
     for (const std::string& id : change.from()) {
@@ -173,6 +174,7 @@ class Changer {
   }
 
   const v1::ConstraintList& list_;
+  const ObjectWords& words_;
   const SentenceIndex sentences_;
   std::set<std::string> ids_;
 };
@@ -204,13 +206,15 @@ std::vector<Fault> CheckCleaning(const v1::ConstraintList& list, const CleaningA
   return faults;
 }
 
-v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const CleaningAnswer& answer) {
-  return Changer(list).Apply(answer);
+v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const CleaningAnswer& answer,
+                                 const ObjectWords& words) {
+  return Changer(list, words).Apply(answer);
 }
 
-absl::StatusOr<v1::ConstraintList> AskCleaning(const v1::ObjectList& objects, const v1::ConstraintList& raw,
-                                               const ModelTools& tools, llm::Conversation& conversation) {
-  const v1::ConstraintList list = CleanConstraints(raw);
+absl::StatusOr<v1::ConstraintList> AskCleaning(const v1::Room& room, const v1::ObjectList& objects,
+                                               const v1::ConstraintList& raw, const ModelTools& tools,
+                                               llm::Conversation& conversation) {
+  v1::ConstraintList list = CleanConstraints(raw);
   const SentenceIndex sentences = IndexOf(list);
   if (sentences.empty()) return list;
   llm::Question question =
@@ -226,7 +230,8 @@ absl::StatusOr<v1::ConstraintList> AskCleaning(const v1::ObjectList& objects, co
   // A model that stays with throwing most of the list away is not followed in that.
   const CleaningAnswer& answer = reply->As<CleaningAnswer>();
   const bool too_many = 2 * RemovedCount(answer) > sentences.size();
-  v1::ConstraintList cleaned = ApplyCleaning(list, too_many ? WithoutRemovals(answer) : answer);
+  v1::ConstraintList cleaned =
+      ApplyCleaning(list, too_many ? WithoutRemovals(answer) : answer, ObjectWords(objects, room));
   if (too_many) {
     AddDiagnostic(v1::SEVERITY_WARNING, "removals_refused",
                   fmt::format("The model would have removed {} of {} sentences; they stay.", RemovedCount(answer),

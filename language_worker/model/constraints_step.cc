@@ -10,6 +10,7 @@
 
 #include "flair/model/v1/constraint_answers.pb.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
+#include "language_worker/model/object_words.h"
 #include "language_worker/model/prompt_text.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
@@ -39,25 +40,28 @@ void AddSentence(const std::string& text, v1::SentenceScope scope, double weight
   }
 }
 
-void AddIntra(const IntraAnswer& answer, const std::vector<ObjectGroup>& groups, v1::ConstraintList& list) {
+void AddIntra(const IntraAnswer& answer, const std::vector<ObjectGroup>& groups, const ObjectWords& words,
+              v1::ConstraintList& list) {
   for (const model::v1::ObjectSentencesAnswer& object : answer.objects()) {
     const std::vector<std::string> subjects = IdsOf(object.object(), groups);
     for (const std::string& text : object.must()) {
-      AddSentence(text, v1::SENTENCE_SCOPE_INTRA, kMustWeight, subjects, list);
+      AddSentence(words.InWords(text), v1::SENTENCE_SCOPE_INTRA, kMustWeight, subjects, list);
     }
     for (const std::string& text : object.should()) {
-      AddSentence(text, v1::SENTENCE_SCOPE_INTRA, kShouldWeight, subjects, list);
+      AddSentence(words.InWords(text), v1::SENTENCE_SCOPE_INTRA, kShouldWeight, subjects, list);
     }
   }
 }
 
-void AddInter(const InterAnswer& answer, const std::vector<ObjectGroup>& groups, v1::ConstraintList& list) {
+void AddInter(const InterAnswer& answer, const std::vector<ObjectGroup>& groups, const ObjectWords& words,
+              v1::ConstraintList& list) {
   for (const model::v1::PairAnswer& pair : answer.constraints()) {
     std::vector<std::string> subjects;
     for (const std::string& name : pair.objects()) {
       for (std::string& id : IdsOf(name, groups)) subjects.push_back(std::move(id));
     }
-    AddSentence(pair.text(), v1::SENTENCE_SCOPE_INTER, pair.must() ? kMustWeight : kShouldWeight, subjects, list);
+    AddSentence(words.InWords(pair.text()), v1::SENTENCE_SCOPE_INTER, pair.must() ? kMustWeight : kShouldWeight,
+                subjects, list);
   }
 }
 
@@ -145,8 +149,9 @@ absl::StatusOr<v1::ConstraintList> AskConstraints(const ObjectsRequest& request,
     for (const absl::StatusOr<llm::Reply>& reply : replies) {
       if (!reply.ok()) return reply.status();
     }
-    AddIntra(replies[0]->As<IntraAnswer>(), groups, list);
-    if (replies.size() > 1) AddInter(replies[1]->As<InterAnswer>(), groups, list);
+    const ObjectWords words(objects, request.room);
+    AddIntra(replies[0]->As<IntraAnswer>(), groups, words, list);
+    if (replies.size() > 1) AddInter(replies[1]->As<InterAnswer>(), groups, words, list);
     for (size_t i = 0; i < replies.size(); ++i) AddFaults(questions[i].step, replies[i]->faults, list);
     if (list.sentences().empty()) {
       return absl::DataLossError(

@@ -23,7 +23,7 @@ std::string BaseOf(std::string_view name, std::string_view fallback) {
 }  // namespace
 
 std::string IdMaker::Make(std::string_view name, std::string_view fallback) {
-  const std::string base = BaseOf(name, fallback);
+  std::string base = BaseOf(name, fallback);
   if (taken_.insert(base).second) return base;
   for (int number = 2;; ++number) {
     std::string id = fmt::format("{}_{}", base, number);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "language_worker/model/object_size.h"
+#include "language_worker/model/object_words.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
 
@@ -95,12 +96,6 @@ double ElevationOf(const TertiaryAnswer& answer, double height_m, const v1::Obje
   return std::min(elevation_m, most_m);
 }
 
-// Numbers and names by which a sentence tells several of a kind apart.
-std::string Ordinal(size_t number) {
-  constexpr const char* kOrdinals[] = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"};
-  return number < std::size(kOrdinals) ? kOrdinals[number] : fmt::format("{}th", number + 1);
-}
-
 // The answer's sentence; of several that stand on several equal things, one for each.
 std::string PlacementOf(const TertiaryAnswer& answer, const std::vector<const v1::Object*>& hosts, size_t number) {
   if (answer.kind() != "surface" || answer.count() < 2 || hosts.size() < 2) return answer.placement();
@@ -180,6 +175,7 @@ void AddTertiaries(const ObjectsRequest& request, const ModelTools& tools, const
                    v1::ObjectList& list) {
   const v1::ObjectList floor_objects = list;
   const std::vector<ObjectGroup> groups = GroupObjects(floor_objects, /*floor_only=*/true);
+  const ObjectWords words(floor_objects, request.room);
   int left = kMostTertiaries;
   for (const TertiaryAnswer& object : answer.objects()) {
     const int count = std::min(object.count(), left);
@@ -193,7 +189,11 @@ void AddTertiaries(const ObjectsRequest& request, const ModelTools& tools, const
     left -= count;
     const TertiaryMaker maker(request, tools, object, HostsOf(object, groups, floor_objects));
     const std::vector<std::string> made_ids = ids.MakeSeveral(object.name(), count, "object");
-    for (size_t i = 0; i < made_ids.size(); ++i) *list.add_objects() = maker.Make(made_ids[i], i);
+    for (size_t i = 0; i < made_ids.size(); ++i) {
+      v1::Object& made = *list.add_objects();
+      made = maker.Make(made_ids[i], i);
+      made.set_placement(words.InWords(made.placement()));
+    }
   }
 }
 

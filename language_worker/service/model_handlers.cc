@@ -131,7 +131,7 @@ absl::StatusOr<v1::CleanConstraintsResponse> ModelHandlers::Handle(const v1::Cle
   return Answer<v1::CleanConstraintsResponse>(
       request, call,
       [&](llm::Conversation& conversation) {
-        return AskCleaning(request.object_list(), request.constraint_list(), tools_, conversation);
+        return AskCleaning(request.room(), request.object_list(), request.constraint_list(), tools_, conversation);
       },
       [&]() -> absl::StatusOr<v1::ConstraintList> { return CleanConstraints(request.constraint_list()); },
       &v1::CleanConstraintsResponse::mutable_constraint_list);

@@ -84,7 +84,7 @@ class Search {
   ExtractedJson Take(std::string_view text) {
     // A value without any of the keys is an example or an aside when another one was cut off.
     if (best_ && (best_known_ > 1 || !salvaged_)) return {std::move(*best_), {}};
-    if (salvaged_) return {std::move(*salvaged_), {*fault_}};
+    if (salvaged_ && fault_) return {std::move(*salvaged_), {*fault_}};
     if (fault_) return {json(json::value_t::discarded), {*fault_}};
     return {json(json::value_t::discarded),
             {{"", fmt::format("has no JSON; it says {}; one JSON object and nothing else would be right",

@@ -20,13 +20,11 @@ class Scanner {
     JsonScan scan;
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
-      if (IsSpace(c)) {
+      if (IsSpace(c) || (c == '/' && SkipComment())) {
         scan.json += ' ';
       } else if (c == '"') {
         EmitComma(scan.json);
         ReadString(scan.json);
-      } else if (c == '/' && SkipComment()) {
-        scan.json += ' ';
       } else if (c == ',') {
         comma_ = true;
         if (!frames_.empty() && frames_.back().bracket == '[') ++frames_.back().index;
@@ -64,8 +62,8 @@ class Scanner {
  private:
   struct Frame {
     char bracket;
-    int index = 0;         // of a list
-    std::string key = {};  // of an object
+    int index = 0;      // of a list
+    std::string key{};  // of an object
   };
 
   // A comma is written when something follows it.

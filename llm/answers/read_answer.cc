@@ -260,6 +260,7 @@ std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, Mess
 std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, Message& message) {
   const google::protobuf::Descriptor& type = *message.GetDescriptor();
   std::vector<std::string> keys;
+  keys.reserve(static_cast<size_t>(type.field_count()));
   for (int i = 0; i < type.field_count(); ++i) keys.push_back(type.field(i)->name());
   ExtractedJson extracted = ExtractJson(answer, keys);
   std::vector<Fault> faults = std::move(extracted.faults);
