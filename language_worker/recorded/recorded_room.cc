@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "evaluation/readers/flairgpt_check.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::language {
 namespace {
@@ -21,11 +23,12 @@ absl::Status Bad(const std::string& why) {
   return absl::InvalidArgumentError("not a recorded room with its answers: " + why);
 }
 
-// Line breaks and tabs come from typing; a brief has none.
+// Line breaks and tabs come from typing; a brief has none, nor blanks around it.
 std::string OneLine(std::string text) {
   for (char& c : text) {
     if (c == '\n' || c == '\r' || c == '\t') c = ' ';
   }
+  absl::StripAsciiWhitespace(&text);
   return text;
 }
 
@@ -72,6 +75,7 @@ absl::StatusOr<RecordedRoom> ReadRecordedRoom(const std::string& text) {
   const absl::StatusOr<json> problem = evaluation::ParseFlairGptText(text);
   if (!problem.ok()) return problem.status();
   RecordedRoom room;
+  room.digest = runtime::Sha256Hex(text).substr(0, 8);
   room.graph = *std::move(graph);
   if (room.FloorObjects().empty()) return Bad("primary: names no object");
   if (room.graph.zone_plan().zones().empty()) return Bad("zones: names no zone");

@@ -19,6 +19,8 @@ struct RecordedRoom {
   // Room, zones and objects; its edges are the calls that the model translated its own sentences to. Objects have the
   // ids of evaluation::ReadFlairGptRoom and heights that stand for none.
   v1::LayoutGraph graph;
+  // Of the file, 8 hex digits.
+  std::string digest;
   // By name: "primary_intra", "secondary_inter_clean", "style" and so on.
   std::map<std::string, std::string, std::less<>> texts;
 

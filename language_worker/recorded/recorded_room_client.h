@@ -31,7 +31,8 @@ class RecordedRoomClient final : public llm::LlmClient {
       : room_(room), answers_(room, handbook), translation_(translation) {}
 
   void Ask(const llm::ChatRequest& request, runtime::CallContext& call, llm::AnswerCallback done) override;
-  std::string identity() const override { return "gpt-4o, recorded as free text"; }
+  // Names the recording: another one gives other answers to the same brief.
+  std::string identity() const override { return "gpt-4o, recorded as free text " + room_.digest; }
 
   // What became of the texts of the steps that were asked so far.
   std::map<std::string, Conversion> conversions() const;
