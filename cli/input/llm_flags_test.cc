@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include <fstream>
+#include <iterator>
 
 #include "fmt/format.h"
 
@@ -108,6 +109,20 @@ TEST_F(ReadLlm, WhatMayBeSecretIsInNoError) {
   EXPECT_THAT(ErrorOf({.file = path}), Not(HasSubstr("sk-secret")));
   FileWith("api_key: \"sk-secret\"\n");
   EXPECT_THAT(ErrorOf({.file = path}), Not(HasSubstr("sk-secret")));
+}
+
+TEST_F(ReadLlm, TheConfigsOfTheDocumentationAreRight) {
+  for (const char* name : {"OPENAI_API_KEY", "GATEWAY_KEY"}) setenv(name, "sk-secret", 1);
+  std::ifstream file(std::string(FLAIR_SOURCE_DIR) + "/docs/models.md");
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::string fence = "```textproto\n";
+  int count = 0;
+  for (size_t begin = text.find(fence); begin != std::string::npos; begin = text.find(fence, begin + 1)) {
+    const size_t start = begin + fence.size();
+    EXPECT_FALSE(Good({.file = FileWith(text.substr(start, text.find("```", start) - start))}).model().empty());
+    ++count;
+  }
+  EXPECT_EQ(count, 5);
 }
 
 TEST_F(ReadLlm, ALimitInDollarsWantsAPrice) {
