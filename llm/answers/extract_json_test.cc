@@ -50,6 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"LineEndInsideAString", "{\"zones\":[\"a\nb\"]}", R"({"zones":["a\nb"]})", ""},
         {"BracketsInsideAString", R"({"zones":["}]{["]})", R"({"zones":["}]{["]})", ""},
         {"EscapedQuotes", R"({"zones":["say \"}\" \\"]})", R"({"zones":["say \"}\" \\"]})", ""},
+        {"PythonsWords", R"({"zones":[True,False,None,"None"]})", R"({"zones":[true,false,null,"None"]})", ""},
         {"Thoughts", "<think>{\"zones\": []} or rather</think>" + kGood, kGood, ""},
         {"TheSchemaFirst", R"({"type":"object","properties":{"zones":{"type":"array"}}} )" + kGood, kGood, ""},
         {"TheSecondThoughtCounts", R"({"zones":[]} no: )" + kGood, kGood, ""},

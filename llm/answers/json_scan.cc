@@ -10,6 +10,7 @@ namespace {
 
 constexpr size_t kMostNesting = 64;
 
+bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 class Scanner {
@@ -47,6 +48,9 @@ class Scanner {
           scan.stop = at_ + 1;
           return scan;
         }
+      } else if (IsLetter(c)) {
+        EmitComma(scan.json);
+        ReadWord(scan.json);
       } else {
         if (c != ':') EmitComma(scan.json);
         scan.json += c;
@@ -100,6 +104,22 @@ class Scanner {
     if (at_ < text_.size()) json += '"';
     constexpr size_t kMostKey = 40;
     if (is_key) frames_.back().key = content.empty() ? "?" : content.substr(0, kMostKey);
+  }
+
+  // Copies the word that begins here, Python's as JSON's; at_ ends on its last letter.
+  void ReadWord(std::string& json) {
+    const size_t start = at_;
+    while (at_ + 1 < text_.size() && IsLetter(text_[at_ + 1])) ++at_;
+    const std::string_view word = text_.substr(start, at_ + 1 - start);
+    if (word == "True") {
+      json += "true";
+    } else if (word == "False") {
+      json += "false";
+    } else if (word == "None" || word == "undefined" || word == "NaN") {
+      json += "null";
+    } else {
+      json += word;
+    }
   }
 
   // "// ..." to the end of the line and "/* ... */"; at_ ends on its last byte.
