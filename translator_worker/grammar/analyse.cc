@@ -59,7 +59,9 @@ class Reader {
       size_t side = i + 1;
       while (side < tokens_.size() && (tokens_[side].IsWord("long") || tokens_[side].IsWord("short"))) ++side;
       if (!adjective || side + 1 >= tokens_.size() || tokens_[side + 1].IsMark(':')) continue;
-      if (!tokens_[side].IsWord("side") && !tokens_[side].IsWord("sides")) continue;
+      const bool end = tokens_[side].IsWord("front") || tokens_[side].IsWord("back");
+      const bool after_article = i > 0 && (tokens_[i - 1].IsWord("an") || tokens_[i - 1].IsWord("a"));
+      if (!tokens_[side].IsWord("side") && !tokens_[side].IsWord("sides") && !(end && after_article)) continue;
       std::rotate(tokens_.begin() + static_cast<long>(i), tokens_.begin() + static_cast<long>(i) + 1,
                   tokens_.begin() + static_cast<long>(side) + 1);
       i = side;

@@ -62,6 +62,7 @@ bool Composer::IsBesideTheRug(const std::string& type) const {
 }
 
 void Composer::CompleteSide(const std::string& side) {
+  if (side != "front" && side != "back" && side != "left" && side != "right") return;
   if (calls_.empty() || (calls_.back().type != "against_wall" && calls_.back().type != "near_wall")) return;
   for (const v1::Argument& argument : calls_.back().arguments) {
     if (argument.name() == "side") return;

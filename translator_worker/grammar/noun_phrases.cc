@@ -20,6 +20,10 @@ bool IsFeature(const RawTerm& raw) {
   return IsMention(raw) && raw.term.mention.references.back().kind == RefKind::kFeature;
 }
 
+bool IsVague(const RawTerm& raw) {
+  return IsMention(raw) && raw.term.mention.references.back().kind == RefKind::kVague;
+}
+
 bool IsOf(const RawTerm& raw) { return raw.role == Role::kNone && raw.term.IsWord("of"); }
 
 // One pass: reads `in_` from left to right and writes finished terms.
@@ -142,6 +146,11 @@ class Grouper {
       }
       if (raw.role == Role::kOrdinal) {
         ordinal = raw.ordinal;
+        continue;
+      }
+      // "Water splash and sockets": what follows a vague thing belongs to it.
+      if (raw.role == Role::kNone && raw.term.kind == Term::Kind::kUnknown && !out.empty() && IsVague(out.back())) {
+        out.back().term.end = raw.term.end;
         continue;
       }
       if (IsMention(raw)) {

@@ -105,6 +105,9 @@ constexpr std::array<std::string_view, 12> kDimensionWords = {
 
 constexpr std::array<std::string_view, 6> kSpaceWords = {"clearance", "space", "gap", "distance", "room", "spacing"};
 
+constexpr std::array<std::string_view, 10> kGapWords = {"gap",   "clearance", "separation", "buffer",  "spacing",
+                                                        "space", "path",      "pathway",    "walkway", "passage"};
+
 template <typename Words>
 bool Contains(const Words& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -267,6 +270,10 @@ class Joiner {
       bound = Bound::kMin;
       ++next;
     }
+    // A gap of 0.5 m is one of at least that; a distance of 0.5 m is just that.
+    const bool of_gap = out_.size() > 1 && out_.back().IsWord("of") && Contains(kGapWords, out_[out_.size() - 2].text);
+    const bool gap = Peek(next) && in_[next].kind == Token::Kind::kWord && Contains(kGapWords, in_[next].text);
+    if (bound == Bound::kExact && (of_gap || gap)) bound = Bound::kMin;
     switch (bound) {
       case Bound::kMin:
         return {value, std::nullopt, false};

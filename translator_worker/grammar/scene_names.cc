@@ -150,7 +150,12 @@ void SceneNames::TakeNumber(const std::vector<Token>& tokens, size_t at, Found& 
 
 size_t SceneNames::ZoneLength(const v1::Zone& zone, const std::vector<Token>& tokens, size_t at) const {
   const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
-  if (words.empty() || at + words.size() > tokens.size()) return 0;
+  if (words.empty() || at >= tokens.size()) return 0;
+  // "The bathing area" of "Shower/Bath".
+  const bool one_of =
+      words.size() > 1 && tokens[at].kind == Token::Kind::kWord && IsAreaWord(tokens, at + 1) &&
+      std::any_of(words.begin(), words.end(), [&](const std::string& word) { return SameStem(tokens[at].text, word); });
+  if (one_of) return 1;
   size_t next = at;
   for (const std::string& word : words) {
     // "Shower/Bath", "Cooking and Eating".

@@ -112,9 +112,9 @@ class Walk {
     switch (term.kind) {
       case Term::Kind::kPurpose:
         // "that" after a thing tells which one; "ensure that" tells nothing.
-        if (reads_reasons_ && (term.lemma == "to" || term.lemma == "for")) break;
+        if (reads_reasons_ && (term.lemma == "to" || term.lemma == "for" || term.lemma == "so")) break;
         if (term.lemma != "that" || (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kMention)) in_reason_ = true;
-        reasons_ = reasons_ || term.lemma == "to" || term.lemma == "for";
+        reasons_ = reasons_ || term.lemma == "to" || term.lemma == "for" || term.lemma == "so";
         break;
       case Term::Kind::kWord:
         if (!in_reason_ && term.lemma == "not") denied_ = true;

@@ -156,6 +156,12 @@ void NothingNear(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+void NothingInFront(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& owner : composer.TargetObjects(*match.b, {})) {
+    EmitForSides({{owner.object, "front"}}, match.distance, composer);
+  }
+}
+
 void Unreachable(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_about_layout", "access is kept at the front, back, left and right, not from above");
 }
@@ -190,6 +196,11 @@ std::vector<Rule> AccessRules() {
       {"A? space? around B.object , D space?", SpaceAt, "around"},
       {"A.object? accessible space? D? on? B.side", SpaceAt, "named"},
       {"A? accessible/access_to/allow_access_to B.object away_from C.side", AccessFromSide},
+      {"A.side not block", OfMovers},
+      {"A? not block next_to B", OfMovers},
+      {"not? C.vague not? in_front", SpaceAt, "front"},
+      {"around B.object keep_clear/clear_of", SpaceAt, "around"},
+      {"around B.object clear_of C", SpaceAt, "around"},
       {"A.side where B accessible/keep_clear", OfMovers},
       {"A.object? accessible all_sides", SpaceAt, "all"},
       {"A? space D? around B.object", SpaceAt, "around"},
@@ -226,6 +237,7 @@ std::vector<Rule> AccessRules() {
       {"A.object? space D? for/to swing_open ,? C.feature?", SpaceAt, "named"},
       {"space for? A swing_open", SpaceAt, "named"},
       {"A.object accessible ,? not block", Accessible},
+      {"A.object? accessible ,? not block next_to C", Accessible},
   };
 }
 
@@ -237,6 +249,12 @@ std::vector<Rule> PathRules() {
   };
 }
 
-std::vector<Rule> FrontRules() { return {{"not near B.side", NothingNear}, {"A.group not near B.side", NothingNear}}; }
+std::vector<Rule> FrontRules() {
+  return {
+      {"not near B.side", NothingNear},
+      {"A.group not near B.side", NothingNear},
+      {"A.group not in_front_of B.thing", NothingInFront},
+  };
+}
 
 }  // namespace flair::translator

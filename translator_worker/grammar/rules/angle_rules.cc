@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Directions: facing, opposite, in front of, parallel, at a right angle.
+#include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/sides.h"
 
@@ -76,6 +77,23 @@ void OnWallOpposite(const Match& match, std::string_view, Composer& composer) {
 
 void InFrontOf(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
+  // "In front of the desk, at least 1 m from the bed": the figure is for the bed.
+  if (match.c != nullptr && match.distance != nullptr) {
+    Match place = match;
+    place.c = nullptr;
+    place.distance = nullptr;
+    const std::vector<Placed> others = composer.TargetObjects(*match.c, movers);
+    const std::vector<Placed> fronts = composer.TargetObjects(*match.b, movers);
+    const bool same = !others.empty() && !fronts.empty() && others.front().object == fronts.front().object;
+    if (same && match.distance->exact) place.distance = match.distance;
+    InFrontOf(place, "", composer);
+    for (const Placed& mover : movers) {
+      for (const Placed& other : others) {
+        if (place.distance == nullptr) KeepDistance(mover, other, match.distance, composer);
+      }
+    }
+    return;
+  }
   // "Keep 0.6 m in front of the wardrobe": free space, when nobody else is spoken of.
   const bool may_be_own = match.a == nullptr && match.distance != nullptr;
   for (const Target& target : composer.Targets(*match.b, may_be_own ? std::vector<Placed>{} : movers)) {
@@ -106,8 +124,10 @@ void InFrontOf(const Match& match, std::string_view, Composer& composer) {
           continue;
         }
         Call call = Two("in_front_of", mover, other, composer);
-        if (match.distance != nullptr) call.Number("distance_m", match.distance->Nominal());
+        const bool exact = match.distance != nullptr && match.distance->exact;
+        if (exact) call.Number("distance_m", match.distance->Nominal());
         composer.EmitFirst({std::move(call)});
+        if (match.distance != nullptr && !exact) KeepDistance(mover, other, match.distance, composer);
       }
     }
     composer.SetPair(movers, target.objects);
@@ -163,6 +183,7 @@ std::vector<Rule> AngleRules() {
       {"A? on? opposite B.wall away_from/of/opposite C", OnWallOpposite},
       {"A? D? in_front_of B D?", InFrontOf},
       {"A? in_front_of B , D", InFrontOf},
+      {"A? in_front_of B ,? D space? apart", InFrontOf},
       {"A? in_front_of B , D space? away_from C", InFrontOf},
       {"A? same_direction B", Direction, "parallel"},
       {"A? parallel B", Direction, "parallel"},

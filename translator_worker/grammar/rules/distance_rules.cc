@@ -217,12 +217,23 @@ void BareDistance(const Match& match, std::string_view, Composer& composer) {
   composer.Refuse("unknown_sentence", "a distance needs two objects that it is kept between");
 }
 
+// "No sockets nearby", "the door is at least 1 m away": from what is spoken of.
+void FeatureAway(const Match& match, std::string_view, Composer& composer) {
+  for (const Target& target : composer.Targets(*match.b, {}, false)) {
+    const std::vector<Placed> movers = composer.Movers(match.a);
+    for (const Placed& mover : movers) AwayFromOne(mover, target, match.distance, composer);
+    if (movers.empty()) composer.Refuse("unknown_sentence", "nothing says what is kept away from it");
+  }
+}
+
 }  // namespace
 
 std::vector<Rule> WalkwayRules() {
   return {
-      {"D? C.vague D? ,? between B", PathBetween},
-      {"A.list D? C.vague D? between B.pronoun", PathBetween},
+      {"D? C.vague D? ,? between B", PathBetween}, {"A.list D? C.vague D? between B.pronoun", PathBetween},
+      {"B.feature not near/next_to", FeatureAway}, {"B.feature not near/next_to A.object", FeatureAway},
+      {"B.feature away_from", FeatureAway},        {"B.feature away_from/near D", FeatureAway},
+      {"B.feature D apart", FeatureAway},          {"B.feature apart", FeatureAway},
   };
 }
 
@@ -245,7 +256,7 @@ std::vector<Rule> DistanceRules() {
       {"A? not centered? between B", AwayFrom},
       {"A? not? space? D? space? apart", ApartFromEachOther},
       {"A? not near/next_to/against both_ways", ApartFromEachOther},
-      {"A.list not near/next_to", ApartFromEachOther},
+      {"A.list not near/next_to/together", ApartFromEachOther},
       {"A? not near/next_to/against B.pronoun", ApartFromEachOther},
       {"D space?", BareDistance},
       {"space D", BareDistance},
@@ -256,7 +267,8 @@ std::vector<Rule> DistanceRules() {
       {"A? not behind/left_of/right_of/foot_of/each_side_of B", AwayFrom},
       {"A? not near/next_to/in_front_of/behind or near/next_to/in_front_of/behind B", AwayFrom},
       {"space? D? space? between B , C.wall ,? D?", BetweenAndWall},
-      {"A? space? D? space? away_from B to C.object", FromTo},
+      {"A? space? D? space? away_from B.object to C.object", FromTo},
+      {"A? space? away_from B.object to C.object D", FromTo},
       {"A? space? D? space? away_from B to C.group", FromTo},
       {"A? space? D? space? away_from B to C.group or C.wall", FromTo},
       {"A? not B.feature", AwayFrom},

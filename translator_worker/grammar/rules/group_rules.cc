@@ -100,6 +100,7 @@ std::vector<Rule> GroupRules() {
       {"A? next_to both_ways", Row},
       {"A? near both_ways", NearEachOther},
       {"A? against both_ways", Touching},
+      {"A.list together", NearEachOther},
       {"A? next_to both_ways ,? side_by_side", Row},
   };
 }

@@ -48,6 +48,11 @@ void NearOne(const Placed& mover, const Target& target, const Distance* distance
 }
 
 void Near(const Match& match, std::string_view, Composer& composer) {
+  if (match.a != nullptr && match.a->references.front().kind == RefKind::kGroup &&
+      match.a->references.front().name != "seating") {
+    composer.Refuse("not_about_layout", "say which object is near it");
+    return;
+  }
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers)) {
     if (target.name == "all" || target.name == "others") {
