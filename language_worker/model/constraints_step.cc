@@ -11,6 +11,7 @@
 #include "flair/model/v1/constraint_answers.pb.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
 #include "language_worker/model/object_words.h"
+#include "language_worker/model/placements.h"
 #include "language_worker/model/prompt_text.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
@@ -23,23 +24,6 @@ using model::v1::IntraAnswer;
 
 constexpr double kMustWeight = 2;
 constexpr double kShouldWeight = 1;
-// In all; a solver does not get better by more, and each has its price.
-constexpr int kMostSentences = 600;
-
-void AddSentence(const std::string& text, v1::SentenceScope scope, double weight,
-                 const std::vector<std::string>& subjects, v1::ConstraintList& list) {
-  if (text.empty() || list.sentences_size() >= kMostSentences) return;
-  v1::Sentence& sentence = *list.add_sentences();
-  sentence.set_id(fmt::format("s{}", list.sentences_size()));
-  sentence.set_text(text);
-  sentence.set_scope(scope);
-  sentence.set_weight(weight);
-  for (const std::string& id : subjects) {
-    const auto& there = sentence.subject_ids();
-    if (std::find(there.begin(), there.end(), id) == there.end()) sentence.add_subject_ids(id);
-  }
-}
-
 void AddIntra(const IntraAnswer& answer, const std::vector<ObjectGroup>& groups, const ObjectWords& words,
               v1::ConstraintList& list) {
   for (const model::v1::ObjectSentencesAnswer& object : answer.objects()) {
@@ -65,16 +49,6 @@ void AddInter(const InterAnswer& answer, const std::vector<ObjectGroup>& groups,
   }
 }
 
-// Where the first one names a tertiary without a placement, the handbook's sentences about it.
-void AddUsualPlacement(const v1::Object& object, const v1::ConstraintList& usual, v1::ConstraintList& list) {
-  for (const v1::Sentence& sentence : usual.sentences()) {
-    if (sentence.scope() != v1::SENTENCE_SCOPE_TERTIARY || sentence.subject_ids().empty()) continue;
-    if (sentence.subject_ids(0) != object.id()) continue;
-    AddSentence(sentence.text(), sentence.scope(), sentence.weight(),
-                {sentence.subject_ids().begin(), sentence.subject_ids().end()}, list);
-  }
-}
-
 // A sentence with an object that there is not is of no use.
 std::vector<llm::Fault> CheckInter(const InterAnswer& answer) {
   std::vector<llm::Fault> faults;
@@ -86,45 +60,7 @@ std::vector<llm::Fault> CheckInter(const InterAnswer& answer) {
   return faults;
 }
 
-// The sentences that say where the tertiaries go: as their lister placed them, else as the handbook has it.
-void AddPlacements(const v1::ObjectList& objects, const v1::ConstraintList& usual, v1::ConstraintList& list) {
-  for (const v1::Object& object : objects.objects()) {
-    if (object.role() != v1::OBJECT_ROLE_TERTIARY) continue;
-    if (object.placement().empty()) {
-      AddUsualPlacement(object, usual, list);
-      continue;
-    }
-    std::vector<std::string> subjects = {object.id()};
-    if (!object.host_id().empty()) subjects.push_back(object.host_id());
-    AddSentence(object.placement(), v1::SENTENCE_SCOPE_TERTIARY, kShouldWeight, subjects, list);
-  }
-}
-
-v1::ConstraintList WithPlacements(const v1::ObjectList& objects, const v1::ConstraintList& usual) {
-  const bool placed = std::any_of(objects.objects().begin(), objects.objects().end(), [](const v1::Object& object) {
-    return object.role() == v1::OBJECT_ROLE_TERTIARY && !object.placement().empty();
-  });
-  if (!placed) return usual;
-  v1::ConstraintList list;
-  for (const v1::Sentence& sentence : usual.sentences()) {
-    if (sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY) continue;
-    *list.add_sentences() = sentence;
-    list.mutable_sentences(list.sentences_size() - 1)->set_id(fmt::format("s{}", list.sentences_size()));
-  }
-  AddPlacements(objects, usual, list);
-  *list.mutable_diagnostics() = usual.diagnostics();
-  return list;
-}
-
 }  // namespace
-
-absl::StatusOr<v1::ConstraintList> UsualConstraints(const ObjectsRequest& request, const v1::ObjectList& objects,
-                                                    const Handbook& handbook) {
-  const absl::StatusOr<v1::ConstraintList> usual =
-      ListConstraints(request.brief, request.room, request.zones, objects, handbook);
-  if (!usual.ok()) return usual.status();
-  return WithPlacements(objects, *usual);
-}
 
 absl::StatusOr<v1::ConstraintList> AskConstraints(const ObjectsRequest& request, const v1::ObjectList& objects,
                                                   const ModelTools& tools, llm::Conversation& conversation) {

@@ -13,9 +13,4 @@ namespace flair::language {
 absl::StatusOr<v1::ConstraintList> AskConstraints(const ObjectsRequest& request, const v1::ObjectList& objects,
                                                   const ModelTools& tools, llm::Conversation& conversation);
 
-// The handbook's sentences, with the placements of the tertiaries that their lister placed in the stead of its own.
-// Errors as ReadBrief.
-absl::StatusOr<v1::ConstraintList> UsualConstraints(const ObjectsRequest& request, const v1::ObjectList& objects,
-                                                    const Handbook& handbook);
-
 }  // namespace flair::language

@@ -5,7 +5,7 @@
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/styling/choose_style.h"
-#include "language_worker/model/constraints_step.h"
+#include "language_worker/model/placements.h"
 #include "language_worker/model/zones_step.h"
 #include "language_worker/service/own_parts.h"
 #include "room/validation/validate.h"
@@ -76,7 +76,7 @@ absl::StatusOr<v1::ChooseStyleResponse> HandbookHandlers::Handle(const v1::Choos
 absl::StatusOr<v1::ListConstraintsResponse> HandbookHandlers::Handle(const v1::ListConstraintsRequest& request,
                                                                      runtime::CallContext&) const {
   if (absl::Status status = Validate(request); !status.ok()) return status;
-  auto own = OwnAnswer(request);
+  auto own = OwnAnswer(request, handbook_);
   if (!own.ok()) return own.status();
   if (*own) return **std::move(own);
   absl::StatusOr<v1::ConstraintList> list =

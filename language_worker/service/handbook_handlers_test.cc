@@ -7,6 +7,7 @@
 #include <string>
 
 #include "language_worker/service/model_session.h"
+#include "room/validation/validate.h"
 
 namespace flair::language {
 namespace {
@@ -61,6 +62,25 @@ TEST(HandbookHandlers, ABriefsOwnPartsComeBackAsTheyAre) {
   const auto refused = bedroom.handlers.Handle(bedroom.Ask<v1::ListConstraintsRequest>(), bedroom.call);
   EXPECT_EQ(refused.status().code(), absl::StatusCode::kInvalidArgument);
   EXPECT_THAT(refused.status().message(), HasSubstr("brief.constraint_list.sentences[0].subject_ids[0]: \"piano\""));
+}
+
+TEST(HandbookHandlers, OwnConstraintsLeaveTheTertiariesTheirPlaces) {
+  Bedroom bedroom;
+  v1::Sentence& sentence = *bedroom.brief.mutable_constraint_list()->add_sentences();
+  sentence.set_id("t1");
+  sentence.set_text("The double bed is in a corner.");
+  sentence.set_scope(v1::SENTENCE_SCOPE_INTRA);
+  sentence.set_weight(1);
+  const auto constraints = bedroom.handlers.Handle(bedroom.Ask<v1::ListConstraintsRequest>(), bedroom.call);
+  ASSERT_TRUE(constraints.ok()) << constraints.status();
+  const v1::ConstraintList& list = constraints->constraint_list();
+  EXPECT_EQ(list.sentences(0).id(), "t1");
+  EXPECT_EQ(list.diagnostics(0).code(), "placements_added");
+  int tertiaries = 0;
+  for (const v1::Object& object : bedroom.objects.objects()) tertiaries += object.role() == v1::OBJECT_ROLE_TERTIARY;
+  EXPECT_GE(list.sentences_size(), tertiaries);
+  for (int i = 1; i < list.sentences_size(); ++i) EXPECT_EQ(list.sentences(i).scope(), v1::SENTENCE_SCOPE_TERTIARY);
+  EXPECT_TRUE(Validate(list, bedroom.objects).ok());
 }
 
 TEST(HandbookHandlers, ZonesOfOwnObjectsArePlanned) {

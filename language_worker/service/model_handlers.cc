@@ -14,6 +14,7 @@
 #include "language_worker/model/cleaning_step.h"
 #include "language_worker/model/constraints_step.h"
 #include "language_worker/model/objects_step.h"
+#include "language_worker/model/placements.h"
 #include "language_worker/model/room_step.h"
 #include "language_worker/model/style_step.h"
 #include "language_worker/model/zones_step.h"
@@ -24,10 +25,10 @@ namespace flair::language {
 namespace {
 
 // The request's own fault, or the answer that its brief brings; nothing when a model is to be asked.
-template <typename Response, typename Request>
-std::optional<absl::StatusOr<Response>> AnswerAtOnce(const Request& request) {
+template <typename Response, typename Request, typename... Data>
+std::optional<absl::StatusOr<Response>> AnswerAtOnce(const Request& request, const Data&... data) {
   if (absl::Status status = Validate(request); !status.ok()) return status;
-  absl::StatusOr<std::optional<Response>> own = OwnAnswer(request);
+  absl::StatusOr<std::optional<Response>> own = OwnAnswer(request, data...);
   if (!own.ok()) return own.status();
   if (*own) return **std::move(own);
   return std::nullopt;
@@ -114,7 +115,7 @@ absl::StatusOr<v1::ChooseStyleResponse> ModelHandlers::Handle(const v1::ChooseSt
 
 absl::StatusOr<v1::ListConstraintsResponse> ModelHandlers::Handle(const v1::ListConstraintsRequest& request,
                                                                   runtime::CallContext& call) const {
-  if (auto answer = AnswerAtOnce<v1::ListConstraintsResponse>(request)) return *std::move(answer);
+  if (auto answer = AnswerAtOnce<v1::ListConstraintsResponse>(request, handbook_)) return *std::move(answer);
   const ObjectsRequest wanted{request.brief(), request.room(), request.zone_plan()};
   return Answer<v1::ListConstraintsResponse>(
       request, call,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/service/own_parts.h"
 
+#include <utility>
+
+#include "language_worker/model/placements.h"
 #include "room/validation/validate.h"
 
 namespace flair::language {
@@ -39,12 +42,17 @@ absl::StatusOr<std::optional<v1::ListObjectsResponse>> OwnAnswer(const v1::ListO
   return response;
 }
 
-absl::StatusOr<std::optional<v1::ListConstraintsResponse>> OwnAnswer(const v1::ListConstraintsRequest& request) {
-  if (!request.brief().has_constraint_list()) return std::nullopt;
-  const v1::ConstraintList& list = request.brief().constraint_list();
-  if (absl::Status status = Validate(list, request.object_list(), "brief.constraint_list"); !status.ok()) return status;
+absl::StatusOr<std::optional<v1::ListConstraintsResponse>> OwnAnswer(const v1::ListConstraintsRequest& request,
+                                                                     const Handbook& handbook) {
+  const v1::Brief& brief = request.brief();
+  if (!brief.has_constraint_list()) return std::nullopt;
+  absl::Status status = Validate(brief.constraint_list(), request.object_list(), "brief.constraint_list");
+  if (!status.ok()) return status;
+  absl::StatusOr<v1::ConstraintList> list =
+      OwnConstraints({brief, request.room(), request.zone_plan()}, request.object_list(), handbook);
+  if (!list.ok()) return list.status();
   auto response = FromBrief<v1::ListConstraintsResponse>();
-  *response.mutable_constraint_list() = list;
+  *response.mutable_constraint_list() = *std::move(list);
   return response;
 }
 

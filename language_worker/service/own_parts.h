@@ -5,6 +5,7 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/language_service.pb.h"
+#include "language_worker/handbook/handbook.h"
 
 namespace flair::language {
 
@@ -15,6 +16,7 @@ namespace flair::language {
 absl::StatusOr<std::optional<v1::DescribeRoomResponse>> OwnAnswer(const v1::DescribeRoomRequest& request);
 absl::StatusOr<std::optional<v1::PlanZonesResponse>> OwnAnswer(const v1::PlanZonesRequest& request);
 absl::StatusOr<std::optional<v1::ListObjectsResponse>> OwnAnswer(const v1::ListObjectsRequest& request);
-absl::StatusOr<std::optional<v1::ListConstraintsResponse>> OwnAnswer(const v1::ListConstraintsRequest& request);
+absl::StatusOr<std::optional<v1::ListConstraintsResponse>> OwnAnswer(const v1::ListConstraintsRequest& request,
+                                                                     const Handbook& handbook);
 
 }  // namespace flair::language
