@@ -70,21 +70,21 @@ std::vector<const v1::Object*> RecordedRoom::Tertiaries() const {
 
 absl::StatusOr<RecordedRoom> ReadRecordedRoom(const std::string& text) {
   if (text.size() > kLargestFile) return Bad(fmt::format("has {} bytes; at most {}", text.size(), kLargestFile));
-  absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(text);
-  if (!graph.ok()) return graph.status();
   const absl::StatusOr<json> problem = evaluation::ParseFlairGptText(text);
-  if (!problem.ok()) return problem.status();
+  if (!problem.ok()) return Bad(std::string(problem.status().message()));
   RecordedRoom room;
   room.digest = runtime::Sha256Hex(text).substr(0, 8);
-  room.graph = *std::move(graph);
-  if (room.FloorObjects().empty()) return Bad("primary: names no object");
-  if (room.graph.zone_plan().zones().empty()) return Bad("zones: names no zone");
-  const json prompt = problem->value("prompt", json());
+  const json prompt = problem->is_object() ? problem->value("prompt", json()) : json();
   if (!prompt.is_string()) return Bad("prompt: should be the text that the model was asked with");
   room.brief.set_text(OneLine(prompt.get<std::string>()));
   if (absl::Status status = Validate(room.brief); !status.ok()) {
     return Bad(fmt::format("prompt: {}", std::string(status.message())));
   }
+  absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(text);
+  if (!graph.ok()) return graph.status();
+  room.graph = *std::move(graph);
+  if (room.FloorObjects().empty()) return Bad("primary: names no object");
+  if (room.graph.zone_plan().zones().empty()) return Bad("zones: names no zone");
   if (absl::Status status = ReadTexts(*problem, room); !status.ok()) return status;
   return room;
 }

@@ -23,9 +23,10 @@ bool HasWordOf(std::string_view text, const KeySet& set) {
 
 // Whether a text says where something is.
 bool SaysWhere(std::string_view text) {
-  static const KeySet kWords = {"on",      "above",  "under",    "beside",  "near",    "over",  "behind", "next",
-                                "hung",    "hang",   "hanging",  "in",      "placed",  "place", "atop",   "below",
-                                "between", "around", "centered", "mounted", "beneath", "along"};
+  static const KeySet kWords = {"on",     "above",    "under",   "beside",  "near",    "over",     "behind",
+                                "next",   "hung",     "hang",    "hanging", "in",      "placed",   "place",
+                                "atop",   "below",    "by",      "at",      "against", "opposite", "between",
+                                "around", "centered", "mounted", "beneath", "along"};
   return HasWordOf(text, kWords);
 }
 
@@ -122,37 +123,42 @@ class Matcher {
   }
 
  private:
-  // A line begins an item when it has a name and what stands under it is about it alone.
+  // A line begins an item when it has a size, a place or properties, and what stands under it is about it alone.
   void CollectItems() {
     for (size_t i = 0; i < lines_.size(); ++i) {
       const OutlineLine& line = lines_[i];
       static const KeySet kSummary = {"summary", "recap", "overview"};
       if (HasWordOf(line.All(), kSummary)) break;  // says all again
       if (IsProperty(line) || (line.kind == LineKind::kText && line.label.empty())) continue;
-      std::string place = line.label.empty() ? "" : WithoutSizes(line.text);
-      std::string name = line.label.empty() ? line.text : line.label;
-      bool has_sub_items = false;
-      for (size_t k = i + 1; k < lines_.size() && lines_[k].depth > line.depth; ++k) {
-        const OutlineLine& below = lines_[k];
-        has_sub_items = has_sub_items || (!IsProperty(below) && (!below.label.empty() || below.has_children ||
-                                                                 (HasSize(below.text) && !IsSize(below.text))));
-        if (const std::string key = LabelKey(below); key == "object" || key == "item") name = below.text;
-        if (IsOtherProperty(below)) continue;
-        const std::string more = WithoutSizes(WithoutLabel(lines_[k]));
-        if (!more.empty() && SaysWhere(more)) place += (place.empty() ? "" : " ") + more;
-      }
-      if (has_sub_items) continue;
-      if (line.label.empty() && place.empty()) {
+      Item item{line.number, line.label.empty() ? line.text : line.label, "", HeadingOf(line)};
+      if (!line.label.empty()) item.place = WithoutSizes(line.text);
+      bool described = HasSize(line.All());
+      if (!ReadBelow(i, item, described)) continue;
+      if (const size_t colon = line.text.find(": "); line.label.empty() && item.place.empty()) {
         // "Clock: 0.2m x 0.2m. On the desk."
-        const size_t colon = line.text.find(": ");
-        if (colon == std::string::npos) continue;
-        name = line.text.substr(0, colon);
-        place = WithoutSizes(line.text.substr(colon + 2));
+        item.name = line.text.substr(0, colon);
+        if (colon != std::string::npos) item.place = WithoutSizes(line.text.substr(colon + 2));
       }
-      if (place.empty() && line.kind == LineKind::kHeading) continue;
-      if (place.empty() && !SaysWhere(name)) continue;
-      items_.push_back({line.number, std::move(name), std::move(place), HeadingOf(line)});
+      const bool heading = line.kind == LineKind::kHeading && item.place.empty();
+      if (heading || (!described && item.place.empty() && !SaysWhere(item.name))) continue;
+      items_.push_back(std::move(item));
+      while (i + 1 < lines_.size() && lines_[i + 1].depth > line.depth) ++i;
     }
+  }
+
+  // Adds what stands under the line to its item; false when those are items themselves.
+  bool ReadBelow(size_t index, Item& item, bool& described) const {
+    for (size_t k = index + 1; k < lines_.size() && lines_[k].depth > lines_[index].depth; ++k) {
+      const OutlineLine& below = lines_[k];
+      const bool own_size = HasSize(below.text) && !IsSize(below.text);
+      if (!IsProperty(below) && (!below.label.empty() || below.has_children || own_size)) return false;
+      described = described || IsProperty(below);
+      if (const std::string key = LabelKey(below); key == "object" || key == "item") item.name = below.text;
+      if (IsOtherProperty(below)) continue;
+      const std::string more = WithoutSizes(WithoutLabel(below));
+      if (!more.empty() && (IsProperty(below) || SaysWhere(more))) item.place += (item.place.empty() ? "" : " ") + more;
+    }
+    return true;
   }
 
   std::string HeadingOf(const OutlineLine& line) const {
@@ -198,6 +204,7 @@ class Matcher {
     placement.line = item.line;
     placement.text = !item.place.empty() ? item.place : item.name;
     if (!SaysWhere(placement.text) && SaysWhere(item.heading)) placement.text = item.heading + ". " + placement.text;
+    if (!SaysWhere(placement.text)) placement.text.clear();  // a name and a size alone
     placement.text = llm::CutBytes(placement.text, kLongestPlacement);
     for (const std::string* text :
          std::initializer_list<const std::string*>{&placement.text, &item.name, &item.heading}) {
