@@ -139,6 +139,8 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
           Contains(pair_movers_, movers.front().object)) {
         meant = pair_targets_;
       }
+      // "All three pieces" at the beginning of a sentence about several.
+      if (meant.empty() && reference.name == "them" && scope() == v1::SENTENCE_SCOPE_INTER) meant = Primaries();
       for (Placed& placed : meant) placed.side = reference.side.empty() && !target ? placed.side : reference.side;
       if (meant.empty()) Refuse("unknown_sentence", "nothing says what is spoken of; name the object");
       return meant;
@@ -248,6 +250,17 @@ std::vector<int> Composer::Group(const std::string& name, const std::vector<Plac
     if (name == "heat" && !hot) continue;
     result.push_back(i);
   }
+  return result;
+}
+
+std::vector<Placed> Composer::Primaries() const {
+  constexpr size_t kMost = 6;
+  std::vector<Placed> result;
+  for (int i = 0; i < request_.object_list().objects_size(); ++i) {
+    if (object(i).role() == v1::OBJECT_ROLE_PRIMARY && object(i).kind() == v1::OBJECT_KIND_FLOOR)
+      result.push_back({i, ""});
+  }
+  if (result.size() > kMost) result.clear();
   return result;
 }
 

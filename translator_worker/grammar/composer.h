@@ -97,6 +97,8 @@ class Composer {
  private:
   std::vector<Placed> Resolve(const Reference& reference, const std::vector<Placed>& movers, bool target);
   std::vector<int> Choose(const Reference& reference, const std::vector<Placed>& movers);
+  // The primary objects, when there are few enough to be spoken of together.
+  std::vector<Placed> Primaries() const;
   void KeepZone(std::vector<int>& objects, const Placed& mover) const;
   // "The TV screen" of a TV stand is the stand where floor objects are spoken of.
   Placed PieceFor(const Placed& placed) const;

@@ -98,7 +98,7 @@ relation centered: (centered|centred) on top of | [be] (centered|centred|center|
 relation centered: centered along [the|its] (length|width) of | centrally along the (length|width) of
 relation centered: in the central (part|area|portion) of | in a central (part|area) of
 relation wall_centered: centered (on|along|against) | centred (on|along|against) | in the middle of
-relation corner: in [a|one|the] corner | corner | [in|into] [an|a|the] (empty|unused|quiet|cozy|free|far) corner | corner (of|in) | [in|at|on|near|towards|toward|to] (a|the|one|each|any) [far|near|quiet|free|empty] corner [of] | corners [of] | across [a|the] corner | into (a|the) corner | one corner (of|on)
+relation corner: [on|in|at] [the] (left|right|far|near|opposite|other) corner (of|on) | in [a|one|the] corner | corner | [in|into] [an|a|the] (empty|unused|quiet|cozy|free|far) corner | corner (of|in) | [in|at|on|near|towards|toward|to] (a|the|one|each|any) [far|near|quiet|free|empty] corner [of] | corners [of] | across [a|the] corner | into (a|the) corner | one corner (of|on)
 relation corner_back_left: [on|at|in|near|towards] [the] (back left|rear left|left back|left rear) [hand] corner [of|on]
 relation corner_back_right: [on|at|in|near|towards] [the] (back right|rear right|right back|right rear) [hand] corner [of|on]
 relation corner_front_left: [on|at|in|near|towards] [the] (front left|left front) [hand] corner [of|on]
@@ -159,7 +159,7 @@ group others: [any|all|every|the|each] other (large|big|tall|major|main|nearby) 
 group seating: (seating|seats|seat) [furniture|arrangement|pieces]
 group heat: heat source | heat sources | sources of heat
 pronoun it: it | itself | this piece | this object | its
-pronoun them: them | they | their | themselves | these two | the two | both of them | the three | all three [pieces of furniture] | these objects
+pronoun them: all (three|four) (pieces|objects|items) [of furniture] | the (three|four) (pieces|objects|items) [of furniture] | them | they | their | themselves | these two | the two | both of them | the three | all three [pieces of furniture] | these objects
 quantity each: each | every | each of the | every one of the | all | all the | both | both of the | all of the | any | each one of the | either | neither of the | two | three | four | five | six | eight | both the | all four | all six | the two | the four | the three | the six | pair of | a pair of
 ordinal 1: first | one
 ordinal 2: second | the other

@@ -148,6 +148,17 @@ void PullOut(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Space for a chair" at a desk is in front of it.
+void ChairSpace(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed>& subjects = composer.subjects();
+  if (!movers.empty() && composer.IsChair(movers.front()) && !subjects.empty()) {
+    PullOut(match, tag, composer);
+  } else {
+    composer.Refuse("unknown_sentence", "say where the space is: in front of it, behind it or around it");
+  }
+}
+
 // "Avoid placing objects too close to the sides of the bed."
 void NothingNear(const Match& match, std::string_view, Composer& composer) {
   for (Placed owner : composer.TargetObjects(*match.b, {})) {
@@ -228,6 +239,8 @@ std::vector<Rule> AccessRules() {
       {"space for/to? pull_out", PullOut},
       {"A? space? pull_out away_from C", PullOut},
       {"clear_of B pull_out", PullOut},
+      {"space for A.object", ChairSpace},
+      {"space for A.object to pull_out/C.vague", ChairSpace},
       {"A? access_to/allow_access_to/accessible_from B.side", AccessToSide},
       {"nearest B D apart?", SpaceAt, "around"},
       {"D space? around B.side", SpaceAt, "named"},

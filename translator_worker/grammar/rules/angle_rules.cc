@@ -134,6 +134,20 @@ void InFrontOf(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "In front of the desk, with at least 0.5 m behind it".
+void InFrontWithSpaceBehind(const Match& match, std::string_view, Composer& composer) {
+  Match place = match;
+  place.distance = nullptr;
+  place.c = nullptr;
+  InFrontOf(place, "", composer);
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst({Call("accessible")
+                            .Text("object", composer.id(mover))
+                            .Texts("sides", {"back"})
+                            .Number("min_clearance_m", match.distance->Nominal())});
+  }
+}
+
 // tag is the type.
 void Direction(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
@@ -183,6 +197,7 @@ std::vector<Rule> AngleRules() {
       {"A? on? opposite B.wall away_from/of/opposite C", OnWallOpposite},
       {"A? D? in_front_of B D?", InFrontOf},
       {"A? in_front_of B , D", InFrontOf},
+      {"A? in_front_of B , D space? behind C.pronoun", InFrontWithSpaceBehind},
       {"A? in_front_of B ,? D space? apart", InFrontOf},
       {"A? in_front_of B , D space? away_from C", InFrontOf},
       {"A? same_direction B", Direction, "parallel"},

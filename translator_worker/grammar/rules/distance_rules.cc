@@ -102,6 +102,7 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
       all.insert(all.end(), composer.pair_targets().begin(), composer.pair_targets().end());
     } else {
       all = composer.topic().size() > 1 ? composer.topic() : composer.subjects();
+      if (all.size() < 2) all = composer.TargetObjects(mention, {}, false);
     }
   } else if (last.kind == RefKind::kWall) {
     for (size_t i = 0; i + 1 < mention.references.size(); ++i) {

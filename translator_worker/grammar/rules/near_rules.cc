@@ -110,7 +110,12 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
     return;
   }
   for (const Placed& mover : movers) {
-    if (composer.IsWall(mover)) {
+    if (composer.IsSurface(mover)) {
+      // "On the right side of the desk": near that edge of its top.
+      for (const Placed& other : targets) {
+        composer.EmitFirst({Call("on_top_corner").Text("object", composer.id(mover)).Text("host", composer.id(other))});
+      }
+    } else if (composer.IsWall(mover)) {
       for (const Placed& other : targets) {
         composer.EmitFirst({Call(tag == "back" ? "on_wall_above" : "on_wall_near")
                                 .Text("object", composer.id(mover))
