@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <condition_variable>
 #include <fstream>
@@ -74,20 +75,27 @@ class Calls {
   std::string error_;
 };
 
-TEST(ModelLoad, FiveHundredCallsInFlightOnOneWorkerTakeLessThanTwoHundredMegabytes) {
+// Answers the room when the gate opens, however often it is asked.
+Script GatedRoom() {
   Script script = DesignScript();
   Exchange room = ExchangeOf("room", script);
   room.gate = "all are there";
   script.exchanges = {room};
   script.repeat_last = true;
-  ScriptedServer server(script);
+  return script;
+}
+
+std::string Config(const ScriptedServer& server, int calls, const std::string& runtime) {
+  return fmt::format(
+      "runtime {{ listen_address: \"127.0.0.1:0\" log_level: \"error\" worker_thread_count: {0} {1} }} "
+      "llm {{ {2} in_flight_limit: {0} }}",
+      calls, runtime, LlmConfigText(server));
+}
+
+TEST(ModelLoad, FiveHundredCallsInFlightOnOneWorkerTakeLessThanTwoHundredMegabytes) {
+  ScriptedServer server(GatedRoom());
   const TestFolder folder;
-  ServerProgram language(
-      "flair-language",
-      fmt::format("runtime {{ listen_address: \"127.0.0.1:0\" log_level: \"error\" worker_thread_count: {} }} "
-                  "llm {{ {} in_flight_limit: {} }}",
-                  kCalls, LlmConfigText(server), kCalls),
-      folder.path());
+  ServerProgram language("flair-language", Config(server, kCalls, ""), folder.path());
   ASSERT_NE(language.address(), "");
   const double before_mb = ResidentMb(language.process().pid());
   Calls calls(language.address());
@@ -102,6 +110,22 @@ TEST(ModelLoad, FiveHundredCallsInFlightOnOneWorkerTakeLessThanTwoHundredMegabyt
   RecordProperty("resident_mb_idle", fmt::format("{:.1f}", before_mb));
   RecordProperty("resident_mb_in_flight", fmt::format("{:.1f}", during_mb));
   std::printf("resident: %.1f MB idle, %.1f MB with %d calls in flight\n", before_mb, during_mb, kCalls);
+}
+
+TEST(ModelLoad, AWorkerThatIsStoppedWhileTheModelThinksEndsAndClosesItsConnections) {
+  constexpr int kFew = 20;
+  ScriptedServer server(GatedRoom());
+  const TestFolder folder;
+  ServerProgram language("flair-language", Config(server, kFew, "drain_seconds: 0"), folder.path());
+  ASSERT_NE(language.address(), "");
+  Calls calls(language.address());
+  for (int i = 0; i < kFew; ++i) calls.Start(fmt::format("call-{}", i));
+  server.WaitForRequests(kFew);
+  language.process().Signal(SIGTERM);
+  EXPECT_EQ(language.process().Wait().exit_code, 0);
+  server.WaitForClosedByClient(kFew);
+  calls.WaitForAll();
+  EXPECT_EQ(calls.answered(), 0);
 }
 
 }  // namespace

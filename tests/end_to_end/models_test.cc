@@ -77,9 +77,10 @@ TEST_F(Models, ADesignAsksEveryStepOnceAndTellsWhatItTook) {
   EXPECT_THAT(report, HasSubstr("| zone plan | scripted-1 | 1 | 0 | "));
   EXPECT_THAT(report, HasSubstr("| **all** |  | 11 | 0 | "));
   EXPECT_THAT(Inspect("out/zones.pb"), HasSubstr("model      1 call of scripted-1, "));
-  EXPECT_THAT(Inspect("out/zones.pb", {"--calls"}),
-              AllOf(HasSubstr("=== zones: scripted-1, prompts "), HasSubstr("<brief>\"A bedroom that is 4m x 5m.\"</brief>"),
-                    HasSubstr("--- answer\n{"), HasSubstr("A desk by the window.")));
+  EXPECT_THAT(
+      Inspect("out/zones.pb", {"--calls"}),
+      AllOf(HasSubstr("=== zones: scripted-1, prompts "), HasSubstr("<brief>\"A bedroom that is 4m x 5m.\"</brief>"),
+            HasSubstr("--- answer\n{"), HasSubstr("A desk by the window.")));
   EXPECT_THAT(Inspect("out/constraints_raw.pb", {"--calls"}),
               AllOf(HasSubstr("=== constraints.intra: "), HasSubstr("=== constraints.inter: ")));
 }
@@ -105,8 +106,10 @@ TEST_F(Models, FiveProgramsThatReplayGiveTheSameBytesAsOne) {
   }
   AllPrograms programs(folder_.path(), "llm { replay_path: \"" + Path("answers") + "\" }");
   ASSERT_NE(programs.orchestrator(), "");
-  Good("separate", {"--orchestrator", programs.orchestrator(), "--max-calls", "14"});
+  const Finished run = Good("separate", {"--json", "--orchestrator", programs.orchestrator(), "--max-calls", "14"});
   ExpectSame("recorded", "separate");
+  const json done = json::parse(run.out.substr(run.out.rfind('\n', run.out.size() - 2) + 1));
+  EXPECT_EQ(done["model_usage"]["call_count"], 11);
 }
 
 TEST_F(Models, AMissingAnswerNamesTheStepAndTheFile) {
