@@ -160,6 +160,23 @@ std::vector<OutputFile> MakeFiles(const v1::Job& job, const ArtifactsByKind& art
   return files;
 }
 
+void ShowUsage(const v1::ModelUsage& usage) {
+  if (usage.call_count() == 0) return;
+  fmt::print(stderr, "{:<12} {} calls, {}\n", "models", usage.call_count(), orchestrator::SummarizeUsage(usage));
+}
+
+// What a design that failed has cost in the stages that it finished; says nothing when that cannot be known.
+void ShowSpent(Session& session, const std::string& id) {
+  const absl::StatusOr<v1::Job> job = session.GetJob(id);
+  if (!job.ok()) return;
+  ArtifactsByKind artifacts;
+  for (const v1::ArtifactRef& ref : job->artifacts()) {
+    absl::StatusOr<v1::Artifact> artifact = session.GetArtifact(ref.id());
+    if (artifact.ok()) artifacts[ref.kind()] = *std::move(artifact);
+  }
+  ShowUsage(UsageOf(artifacts));
+}
+
 // What a person wants to know at the end.
 void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const ArtifactsByKind& artifacts) {
   const v1::Artifact& layout = artifacts.at(v1::ARTIFACT_KIND_SOLVED_LAYOUT);
@@ -174,9 +191,7 @@ void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const Artifac
   for (const v1::Omission& omission : layout.solved_layout().graph().object_list().omissions()) {
     if (omission.requested()) fmt::print(stderr, "left out     {}: {}\n", omission.name(), omission.reason());
   }
-  if (usage.call_count() > 0) {
-    fmt::print(stderr, "{:<12} {} calls, {}\n", "models", usage.call_count(), orchestrator::SummarizeUsage(usage));
-  }
+  ShowUsage(usage);
   fmt::print(stderr, "Done: {}/plan.png, and the reasons in {}/report.md\n", arguments.out, arguments.out);
 }
 
@@ -190,9 +205,14 @@ absl::Status Design(const DesignArguments& arguments) {
   if (!session.ok()) return session.status();
   const absl::StatusOr<v1::Job> created = (*session)->CreateJob(*spec);
   if (!created.ok()) return created.status();
+  absl::Status finished;
   {
     const std::unique_ptr<Progress> progress = MakeProgress(ChooseProgressForm(arguments.json, arguments.quiet));
-    if (absl::Status status = Finish(**session, created->id(), *progress); !status.ok()) return status;
+    finished = Finish(**session, created->id(), *progress);
+  }
+  if (!finished.ok()) {
+    if (!arguments.json && !arguments.quiet) ShowSpent(**session, created->id());
+    return finished;
   }
   const absl::StatusOr<v1::Job> job = (*session)->GetJob(created->id());
   if (!job.ok()) return job.status();

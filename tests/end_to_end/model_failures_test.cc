@@ -122,7 +122,9 @@ TEST_F(ModelFailures, ADesignThatSpentItsBudgetGoesOnWithAnother) {
   AddFirst("objects.floor", script) = objects;
   ScriptedServer server(script);
   const std::string config = Config(server);
-  ExpectFailed(Design({"--llm", config, "--max-calls", "3"}), 6, "the budget of 1 calls is spent: 1 were made");
+  const Finished spent = Design({"--llm", config, "--max-calls", "3"});
+  ExpectFailed(spent, 6, "the budget of 1 calls is spent: 1 were made");
+  EXPECT_THAT(spent.err, HasSubstr("\nmodels       2 calls, ")) << "of the stages that ended well";
   EXPECT_EQ(server.requests().size(), 3u);
   const Finished run = Design({"--llm", config, "--max-calls", "9"});
   ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -85,17 +85,16 @@ Script GatedRoom() {
   return script;
 }
 
-std::string Config(const ScriptedServer& server, int calls, const std::string& runtime) {
+std::string Config(const ScriptedServer& server, int calls, const std::string& runtime, const std::string& llm) {
   return fmt::format(
       "runtime {{ listen_address: \"127.0.0.1:0\" log_level: \"error\" worker_thread_count: {0} {1} }} "
       "llm {{ {2} in_flight_limit: {0} }}",
-      calls, runtime, LlmConfigText(server));
+      calls, runtime, LlmConfigText(server, llm));
 }
 
-TEST(ModelLoad, FiveHundredCallsInFlightOnOneWorkerTakeLessThanTwoHundredMegabytes) {
-  ScriptedServer server(GatedRoom());
-  const TestFolder folder;
-  ServerProgram language("flair-language", Config(server, kCalls, ""), folder.path());
+// Holds kCalls at the server, looks at the worker, lets them go.
+void ExpectSmall(ScriptedServer& server, const std::string& llm, const TestFolder& folder) {
+  ServerProgram language("flair-language", Config(server, kCalls, "", llm), folder.path());
   ASSERT_NE(language.address(), "");
   const double before_mb = ResidentMb(language.process().pid());
   Calls calls(language.address());
@@ -107,16 +106,28 @@ TEST(ModelLoad, FiveHundredCallsInFlightOnOneWorkerTakeLessThanTwoHundredMegabyt
   EXPECT_EQ(calls.answered(), kCalls) << calls.error();
   EXPECT_GT(before_mb, 0);
   EXPECT_LT(during_mb, kMostResidentMb) << "of these " << before_mb << " MB without calls";
-  RecordProperty("resident_mb_idle", fmt::format("{:.1f}", before_mb));
-  RecordProperty("resident_mb_in_flight", fmt::format("{:.1f}", during_mb));
-  std::printf("resident: %.1f MB idle, %.1f MB with %d calls in flight\n", before_mb, during_mb, kCalls);
+  fmt::print("resident: {:.1f} MB idle, {:.1f} MB with {} calls in flight\n", before_mb, during_mb, kCalls);
+}
+
+TEST(ModelLoad, FiveHundredCallsInFlightOnOneWorkerTakeLessThanTwoHundredMegabytes) {
+  const TestFolder folder;
+  ScriptedServer server(GatedRoom());
+  ExpectSmall(server, "", folder);
+}
+
+TEST(ModelLoad, SoDoFiveHundredStreamsOverTls) {
+  const TestFolder folder;
+  const TestCertificate certificate = MakeTestCertificate();
+  WriteAll(folder / "ca.pem", certificate.certificate_pem);
+  ScriptedServer server(GatedRoom(), certificate);
+  ExpectSmall(server, "stream: true ca_path: \"" + (folder / "ca.pem").string() + "\"", folder);
 }
 
 TEST(ModelLoad, AWorkerThatIsStoppedWhileTheModelThinksEndsAndClosesItsConnections) {
   constexpr int kFew = 20;
   ScriptedServer server(GatedRoom());
   const TestFolder folder;
-  ServerProgram language("flair-language", Config(server, kFew, "drain_seconds: 0"), folder.path());
+  ServerProgram language("flair-language", Config(server, kFew, "drain_seconds: 0", ""), folder.path());
   ASSERT_NE(language.address(), "");
   Calls calls(language.address());
   for (int i = 0; i < kFew; ++i) calls.Start(fmt::format("call-{}", i));
