@@ -31,7 +31,11 @@ class Reader {
       const Phrase phrase = FindPhrase();
       const bool relation_wins =
           phrase.length == name.length && phrase.word_class == WordClass::kRelation && !name.full;
-      if (name.length > 0 && name.length >= phrase.length && !relation_wins) {
+      // "The lamp stands": a verb, though there is a TV stand.
+      const bool verb = phrase.length == name.length && phrase.word_class == WordClass::kFiller && !name.full &&
+                        !terms_.empty() && terms_.back().role == RawTerm::Role::kNone &&
+                        terms_.back().term.kind == Term::Kind::kMention;
+      if (name.length > 0 && name.length >= phrase.length && !relation_wins && !verb) {
         PushName(name);
       } else if (phrase.length > 0) {
         PushPhrase(phrase);

@@ -205,6 +205,7 @@ std::vector<Rule> AccessRules() {
       {"A? space? all_sides , D space?", SpaceAt, "all"},
       {"A? space? around B.side , D space?", SpaceAt, "named"},
       {"A? space? around B.object , D space?", SpaceAt, "around"},
+      {"A? space? around B.object , D space? all_sides", SpaceAt, "all"},
       {"A.object? accessible space? D? on? B.side", SpaceAt, "named"},
       {"A? accessible/access_to/allow_access_to B.object away_from C.side", AccessFromSide},
       {"A.side not block", OfMovers},
