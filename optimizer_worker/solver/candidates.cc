@@ -235,6 +235,9 @@ class Proposer {
   std::vector<Pose<double>>& out_;
 };
 
+// Whether the room goes round the corner where wall `before` ends and wall `after` begins.
+bool IsReentrant(const Wall& before, const Wall& after) { return Cross(before.Along(), after.Along()) < -1e-6; }
+
 }  // namespace
 
 void ProposeCandidates(const CandidateContext& context, int object, const CandidateDensity& density, Random& random,
@@ -291,6 +294,27 @@ void ProposeSlides(const CandidateContext& context, int object, const Pose<doubl
       if (std::abs(slide) < 1e-6 || slide < -way_m) continue;
       out.push_back({pose.x_m + slide * directions[k].x, pose.y_m + slide * directions[k].y, pose.theta_rad});
     }
+  }
+}
+
+void ProposeSlidesOffCorners(const Room& room, const Footprint& footprint, const Pose<double>& pose, double way_m,
+                             std::vector<Pose<double>>& out) {
+  const Frame<double> frame = FrameOf(pose);
+  for (size_t i = 0; i < room.walls.size(); ++i) {
+    const Wall& wall = room.walls[i];
+    if (!IsReentrant(room.walls[(i + room.walls.size() - 1) % room.walls.size()], wall)) continue;
+    const Vec2<double> p = frame.ToObject(wall.start);
+    const double u = std::abs(p.x) - footprint.width_m / 2, v = std::abs(p.y) - footprint.depth_m / 2;
+    const double distance = std::sqrt(u * u + v * v);
+    if (u <= 0 || v <= 0 || distance >= way_m) continue;
+    const auto slide = [&](double along_u, double along_v) {
+      const Vec2<double> to = frame.ToRoom(p.x > 0 ? -along_u : along_u, p.y > 0 ? -along_v : along_v);
+      out.push_back({to.x, to.y, pose.theta_rad});
+    };
+    slide(std::sqrt(way_m * way_m - v * v) - u + kAir_m, 0);
+    slide(0, std::sqrt(way_m * way_m - u * u) - v + kAir_m);
+    const double more = (way_m - distance + kAir_m) / distance;
+    slide(more * u, more * v);
   }
 }
 

@@ -46,6 +46,12 @@ void ProposeCandidates(const CandidateContext& context, int object, const Candid
 void ProposeSlides(const CandidateContext& context, int object, const Pose<double>& pose, double way_m,
                    std::vector<Pose<double>>& out);
 
+// Appends slides off each corner of a wall that juts into the room and that is seen across one of the object's corners,
+// nearer than `way_m`, until that much is left: along either axis of the object, and straight away. None in a
+// rectangle.
+void ProposeSlidesOffCorners(const Room& room, const Footprint& footprint, const Pose<double>& pose, double way_m,
+                             std::vector<Pose<double>>& out);
+
 // Appends small moves of `pose`: along and across its heading, by 1 to 40 cm.
 void ProposeNudges(const Pose<double>& pose, Random& random, std::vector<Pose<double>>& out);
 

@@ -200,6 +200,8 @@ bool LayoutSearch::SettleGroup(std::span<const int> group) {
   for (int object : group) {
     const size_t first = candidates_.size();
     ProposeSlides(context, object, before[object], kWay_m, candidates_);
+    ProposeSlidesOffCorners(input_.scene.room, input_.scene.objects[object].footprint, before[object], kWay_m,
+                            candidates_);
     // As slides of the leader.
     for (size_t i = first; i < candidates_.size(); ++i) {
       candidates_[i].x_m += before[group[0]].x_m - before[object].x_m;
