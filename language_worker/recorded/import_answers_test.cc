@@ -93,6 +93,7 @@ TEST_F(ImportAnswersTest, SentencesBelongToTheirObjectsAndAreCleanedAsRecorded) 
   EXPECT_THAT(Sentences(imported.constraints, v1::SENTENCE_SCOPE_INTER),
               ElementsAre("desk armchair: The desk should be at least 0.6m away from the armchair.",
                           "desk desk_chair: The desk chair should be in front of the desk.",
+                          "desk desk_chair: The desk chair should face the desk.",
                           "armchair: Should be placed beside the bookshelf."));
 }
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From what a model wrote for a room to a plan, through the real program and without a network.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "cli/input/files.h"
+#include "tests/end_to_end/layout_checks.h"
+#include "tests/fixtures/process.h"
+
+namespace flair::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class RecordedAnswers : public ::testing::TestWithParam<std::string> {
+ protected:
+  Finished Run(const std::vector<std::string>& arguments) const {
+    return RunProgram("flair", arguments, {{"FLAIR_HOME", folder_ / "home"}});
+  }
+  Finished Import(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"import", "answers",
+                                          FLAIR_SOURCE_DIR "/language_worker/recorded/testdata/" + GetParam() + ".json",
+                                          "--out", folder_ / "answers"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Run(arguments);
+  }
+  Finished Design(const std::string& out, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"design",     "--brief",           folder_ / "answers" / "brief.json",
+                                          "--replay",   folder_ / "answers", "--out",
+                                          folder_ / out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return Run(arguments);
+  }
+  v1::Artifact Layout(const std::string& out) const {
+    const absl::StatusOr<v1::Artifact> layout = cli::ReadArtifact(folder_ / out / "layout.pb");
+    EXPECT_TRUE(layout.ok()) << layout.status();
+    return layout.ok() ? *layout : v1::Artifact();
+  }
+
+  const TestFolder folder_;
+};
+
+TEST_P(RecordedAnswers, EndInAPlan) {
+  const Finished import = Import();
+  ASSERT_EQ(import.exit_code, 0) << import.err;
+  EXPECT_THAT(import.err, AllOf(HasSubstr("lines converted"), HasSubstr(" questions, about "), HasSubstr("--replay")));
+  const Finished design = Design("out");
+  ASSERT_EQ(design.exit_code, 0) << design.err;
+  EXPECT_THAT(ReadAll(folder_ / "out" / "plan.png"), ::testing::StartsWith("\x89PNG"));
+  const v1::Artifact layout = Layout("out");
+  EXPECT_THAT(FindFaults(layout.solved_layout()), IsEmpty());
+  const v1::LayoutGraph& graph = layout.solved_layout().graph();
+  EXPECT_EQ(layout.solved_layout().placements_size(), graph.object_list().objects_size());
+  EXPECT_GE(graph.object_list().objects_size(), 9);
+  EXPECT_GE(graph.edges_size(), 3) << "the recorded calls";
+}
+
+TEST_P(RecordedAnswers, AreReadByTheGrammarWhereTheRecordedCallsAreLeftOut) {
+  ASSERT_EQ(Import({"--no-calls"}).exit_code, 0);
+  const Finished refused = Design("refused");
+  EXPECT_NE(refused.exit_code, 0) << "nobody allowed the grammar to stand in";
+  EXPECT_THAT(refused.err, HasSubstr("translation"));
+  const Finished design = Design("out", {"--stand-in"});
+  ASSERT_EQ(design.exit_code, 0) << design.err;
+  const v1::Artifact layout = Layout("out");
+  EXPECT_THAT(FindFaults(layout.solved_layout()), IsEmpty());
+  EXPECT_GE(layout.solved_layout().graph().edges_size(), 6);
+  EXPECT_THAT(layout.solved_layout().graph().ShortDebugString(), HasSubstr("stand_in"));
+}
+
+TEST_P(RecordedAnswers, GiveTheSameBytesAgainAndSayWhatIsMissing) {
+  ASSERT_EQ(Import().exit_code, 0);
+  ASSERT_EQ(Design("first").exit_code, 0);
+  std::filesystem::remove_all(folder_ / "home");  // nothing is taken from the store
+  ASSERT_EQ(Design("second").exit_code, 0);
+  for (const char* stem : {"room", "zones", "objects", "style", "constraints", "graph", "layout"}) {
+    const std::string file = std::string(stem) + ".pb";
+    EXPECT_EQ(ReadAll(folder_ / "first" / file), ReadAll(folder_ / "second" / file)) << file;
+  }
+  std::string removed;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "answers")) {
+    if (entry.path().filename().string().starts_with("zones-")) removed = entry.path();
+  }
+  ASSERT_FALSE(removed.empty());
+  std::filesystem::remove(removed);
+  std::filesystem::remove_all(folder_ / "home");
+  const Finished design = Design("third");
+  EXPECT_NE(design.exit_code, 0);
+  EXPECT_THAT(design.err, AllOf(HasSubstr("\"zones\""), HasSubstr(std::filesystem::path(removed).filename().string())));
+}
+
+INSTANTIATE_TEST_SUITE_P(Rooms, RecordedAnswers, ::testing::Values("study", "washroom"),
+                         [](const auto& info) { return info.param; });
+
+TEST(RecordedAnswersOfAnotherFile, AreRefusedInOneLineAndLeaveNothingBehind) {
+  const TestFolder folder;
+  const Finished import =
+      RunProgram("flair", {"import", "answers", FLAIR_SOURCE_DIR "/CMakeLists.txt", "--out", folder / "x"},
+                 {{"FLAIR_HOME", folder / "home"}});
+  EXPECT_NE(import.exit_code, 0);
+  EXPECT_THAT(import.err,
+              AllOf(HasSubstr("CMakeLists.txt"), HasSubstr("not a recorded room"), Not(HasSubstr("exception"))));
+  EXPECT_FALSE(std::filesystem::exists(folder / "x"));
+}
+
+}  // namespace
+}  // namespace flair::testing
