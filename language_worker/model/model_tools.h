@@ -43,7 +43,16 @@ void AddDiagnostic(v1::Severity severity, std::string code, std::string message,
 // Adds a remark for every fault that an answer had to the end: "left_out" for elements that were, else "model_answer".
 template <typename WithDiagnostics>
 void AddFaults(std::string_view step, const std::vector<llm::Fault>& faults, WithDiagnostics& to) {
+  constexpr int kMost = 40;
+  int told = 0;
   for (const llm::Fault& fault : faults) {
+    if (++told > kMost) {
+      AddDiagnostic(v1::SEVERITY_NOTE, "model_answer",
+                    "The model's answer to \"" + std::string(step) + "\" has " + std::to_string(faults.size()) +
+                        " faults; these are the first.",
+                    to);
+      return;
+    }
     const bool wrong = fault.kind == llm::FaultKind::kWrong;
     AddDiagnostic(wrong ? v1::SEVERITY_WARNING : v1::SEVERITY_NOTE, wrong ? "left_out" : "model_answer",
                   "The model's answer to \"" + std::string(step) + "\": " + fault.Sentence() +

@@ -217,7 +217,9 @@ TEST(StepFaults, WhatTheBriefNamesAndTheModelForgetsIsAnOmission) {
   for (const v1::Omission& omission : list.omissions()) omitted.push_back(omission.name());
   EXPECT_THAT(omitted, Contains("grand piano"));
   for (const v1::Object& object : list.objects()) {
-    if (object.id() == "desk") EXPECT_TRUE(object.requested());
+    if (object.id() == "desk") {
+      EXPECT_TRUE(object.requested());
+    }
   }
 }
 
@@ -269,8 +271,11 @@ TEST(StepFaults, ColoursThatAreNoneLeaveTheirThingToTheHandbook) {
   ASSERT_TRUE(style.ok()) << style.status();
   EXPECT_THAT(session.Repair(), HasSubstr("looks[0].colour.hex: is \"#GGGGGG\""));
   for (const v1::ObjectStyle& look : style->style_sheet().objects()) {
-    if (look.subject_id() == "double_bed") EXPECT_NE(look.description(), "A low oak bed.");
-    if (look.subject_id() == "nightstand_1") EXPECT_EQ(look.colour().name(), "sage green") << "a name that is known";
+    if (look.subject_id() == "double_bed") {
+      EXPECT_NE(look.description(), "A low oak bed.");
+    } else if (look.subject_id() == "nightstand_1") {
+      EXPECT_EQ(look.colour().name(), "sage green") << "a name that is known";
+    }
   }
 }
 

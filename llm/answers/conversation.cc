@@ -37,12 +37,6 @@ std::string RoleName(Role role) {
   return role == Role::kSystem ? "system" : (role == Role::kUser ? "user" : "assistant");
 }
 
-int64_t EstimateInput(const ChatRequest& request) {
-  int64_t tokens = EstimateTokens(request.schema);
-  for (const Message& message : request.messages) tokens += EstimateTokens(message.text);
-  return tokens;
-}
-
 absl::Status ForStep(const std::string& step, const absl::Status& status) {
   // UNAVAILABLE would tell the caller to ask the worker again, which has asked the model as often as is right.
   const absl::StatusCode code = absl::IsUnavailable(status) ? absl::StatusCode::kAborted : status.code();
@@ -158,7 +152,7 @@ absl::Status Conversation::CheckBudget(std::span<Turn* const> turns) const {
     cost_usd += call.usage().cost_usd();
   }
   int64_t estimate = 0;
-  for (const Turn* turn : turns) estimate += EstimateInput(turn->request);
+  for (const Turn* turn : turns) estimate += EstimateTokens(turn->request);
   if (budget.has_call_count() && static_cast<int64_t>(calls_.size() + turns.size()) > budget.call_count()) {
     return absl::FailedPreconditionError(
         fmt::format("the budget of {} calls is spent: {} were made and {} more are needed", budget.call_count(),

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "llm/answers/utf8.h"
+
 namespace flair::llm {
 namespace {
 
@@ -88,6 +90,20 @@ TEST(ExtractJson, NestingAndLengthHaveLimits) {
   const ExtractedJson lengthy = ExtractJson(std::string(2'000'000, ' '), kKeys);
   ASSERT_EQ(lengthy.faults.size(), 1U);
   EXPECT_EQ(lengthy.faults[0].text, "has 2000000 bytes; at most 1000000");
+}
+
+TEST(ExtractJson, FaultsAreGoodTextWhereverTheyQuote) {
+  for (const std::string whole :
+       {R"({"zones":[{"größe des schönen möbelstücks im zimmer über dem öfchen":"ä 家具 🛋 é"},{"name":äöü家具🛋}]})",
+        R"({"zones":[家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü]})",
+        "家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü"}) {
+    for (size_t start = 0; start < whole.size(); ++start) {
+      for (const std::string& part : {whole.substr(start), whole.substr(0, start)}) {
+        for (const Fault& fault : ExtractJson(part, kKeys).faults) EXPECT_EQ(ToUtf8(fault.text), fault.text) << part;
+      }
+      EXPECT_EQ(ToUtf8(Quoted(whole.substr(start))), Quoted(whole.substr(start)));
+    }
+  }
 }
 
 TEST(ExtractJson, EveryPrefixOfAGoodAnswerIsATruncatedOne) {

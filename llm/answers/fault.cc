@@ -10,6 +10,8 @@
 #include <set>
 #include <utility>
 
+#include "llm/answers/utf8.h"
+
 namespace flair::llm {
 namespace {
 
@@ -88,15 +90,14 @@ std::string Fault::Sentence() const { return path.empty() ? text : fmt::format("
 
 std::string Quoted(std::string_view value) {
   constexpr size_t kMostBytes = 60;
-  size_t end = std::min(value.size(), kMostBytes);
-  if (end < value.size()) {
-    while (end > 0 && (static_cast<unsigned char>(value[end]) & 0xC0) == 0x80) --end;
-  }
-  std::string text(value.substr(0, end));
+  // A part of a text may begin or end within a character.
+  std::string text = ToUtf8(value.substr(0, kMostBytes + 4));
+  const bool cut = value.size() > kMostBytes + 4 || text.size() > kMostBytes;
+  if (text.size() > kMostBytes) text = CutCharacters(text, kMostBytes);
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
   }
-  return fmt::format("\"{}{}\"", text, end < value.size() ? "…" : "");
+  return fmt::format("\"{}{}\"", text, cut ? "…" : "");
 }
 
 std::string WithoutQuotations(std::string_view text) {

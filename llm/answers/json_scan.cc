@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "llm/answers/utf8.h"
+
 namespace flair::llm {
 namespace {
 
@@ -103,7 +105,7 @@ class Scanner {
     }
     if (at_ < text_.size()) json += '"';
     constexpr size_t kMostKey = 40;
-    if (is_key) frames_.back().key = content.empty() ? "?" : content.substr(0, kMostKey);
+    if (is_key) frames_.back().key = content.empty() ? "?" : CutCharacters(content, kMostKey);
   }
 
   // Copies the word that begins here, Python's as JSON's; at_ ends on its last letter.

@@ -35,11 +35,15 @@ std::string ToUtf8(std::string_view text) {
   return good;
 }
 
-std::string CutBytes(const std::string& text, size_t most) {
-  if (text.size() <= most) return text;
+std::string CutCharacters(std::string_view text, size_t most) {
+  if (text.size() <= most) return std::string(text);
   size_t end = most;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return text.substr(0, end) + " …";
+  return std::string(text.substr(0, end));
+}
+
+std::string CutBytes(const std::string& text, size_t most) {
+  return text.size() <= most ? text : CutCharacters(text, most) + " …";
 }
 
 }  // namespace flair::llm

@@ -9,7 +9,10 @@ namespace flair::llm {
 // The text with U+FFFD for every byte that is no UTF-8.
 std::string ToUtf8(std::string_view text);
 
-// The text cut to at most `most` bytes at a character's start, with " …" behind it when it was longer.
+// Good UTF-8 cut to at most `most` bytes at a character's start.
+std::string CutCharacters(std::string_view text, size_t most);
+
+// The same, with " …" behind it when it was longer.
 std::string CutBytes(const std::string& text, size_t most);
 
 }  // namespace flair::llm
