@@ -133,8 +133,9 @@ bool ReadCall(const v1::ConstraintEdge& edge, const Ids& ids, RecordedCall& call
 
 class Matcher {
  public:
-  Matcher(const std::vector<PromptSentence>& sentences, const std::vector<PromptObject>& objects)
-      : sentences_(sentences) {
+  // `items`: the sentences are about items, one each.
+  Matcher(const std::vector<PromptSentence>& sentences, const std::vector<PromptObject>& objects, bool items)
+      : sentences_(sentences), items_(items) {
     for (const PromptObject& object : objects) names_[object.id] = NameKey(object.name);
     for (const PromptSentence& sentence : sentences) {
       KeySet words;
@@ -193,7 +194,11 @@ class Matcher {
     if (call.objects.empty() || known == kWordsOf.end()) return 0;
     double score = 0;
     for (const std::string& word : known->second) score += words_[i].contains(word) ? 1 : 0;
-    if (score == 0) return 0;
+    // An item's sentence is the only one about it, in whatever words.
+    const auto& subjects = sentences_[i].subject_ids;
+    const bool first = !subjects.empty() && subjects.front() == call.objects.front();
+    if (score == 0 && !(items_ && first)) return 0;
+    score += 0.5;
     for (const std::string& value : call.words) {
       for (const Word& word : ReadWords(value)) {
         if (words_[i].contains(word.key) || words_[i].contains(word.key + "m")) score += 3;
@@ -208,11 +213,11 @@ class Matcher {
                                              words_[i].contains("entry") || words_[i].contains("entryway"));
       if (!words_[i].contains(value) && !outlet && !entry) return 0;
     }
-    const auto& subjects = sentences_[i].subject_ids;
-    return score + (!subjects.empty() && subjects.front() == call.objects.front() ? 0.5 : 0);
+    return score + (first ? 0.5 : 0);
   }
 
   const std::vector<PromptSentence>& sentences_;
+  const bool items_;
   std::map<std::string, std::string> names_;
   std::vector<KeySet> words_;
   model::v1::CallsAnswer answer_;
@@ -248,7 +253,7 @@ model::v1::CallsAnswer FindCalls(const RecordedRoom& room, std::string_view step
                         : step.ends_with("inter")  ? CallKind::kInter
                                                    : CallKind::kIntra;
   const Ids ids(room, objects);
-  Matcher matcher(sentences, objects);
+  Matcher matcher(sentences, objects, kind == CallKind::kTertiary);
   for (const v1::ConstraintEdge& edge : room.graph.edges()) {
     const bool own = KindOf(edge, room) == kind;
     const bool known = std::find(functions.begin(), functions.end(), edge.type()) != functions.end();

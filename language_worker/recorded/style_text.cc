@@ -112,7 +112,7 @@ class Reader {
     for (size_t i = 0; i < lines_.size(); ++i) {
       const OutlineLine& line = lines_[i];
       if (line.kind == LineKind::kText && line.label.empty() && !line.title) {
-        if (style.summary.empty() && style.looks.empty()) style.summary = SummaryOf(line.text);
+        if (style.summary.empty()) style.summary = SummaryOf(line.text);
         continue;
       }
       RecordedLook look;
@@ -132,7 +132,10 @@ class Reader {
   static std::string SummaryOf(const std::string& text) {
     for (const std::string& sentence : SplitSentences(text)) {
       constexpr size_t kLeast = 6;
-      if (ReadWords(sentence).size() >= kLeast) return llm::CutBytes(sentence, kLongestSummary);
+      // Talk with who asked, not about the room.
+      static const KeySet kTalk = {"sure", "certainly", "absolutely", "of", "let", "here", "given", "below"};
+      const std::vector<Word> words = ReadWords(sentence);
+      if (words.size() >= kLeast && !kTalk.contains(words.front().key)) return llm::CutBytes(sentence, kLongestSummary);
     }
     return "";
   }

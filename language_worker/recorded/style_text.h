@@ -32,7 +32,7 @@ struct RecordedLook {
 };
 
 struct RecordedStyle {
-  // The first sentence that says something about the whole; may be empty.
+  // The first sentence of prose that is about the room; may be empty.
   std::string summary;
   std::vector<RecordedLook> looks;
 };
