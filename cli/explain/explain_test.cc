@@ -95,6 +95,8 @@ TEST(Standing, NamesWallsCornersAndNeighbours) {
 TEST(Standing, NamesWhatAChairIsDrawnUpTo) {
   const char* const scene = "6x4 room; desk 1.2x0.6 at 3,0.3,0; chair 0.5x0.5 at 3,0.9,180";
   EXPECT_EQ(Placed(scene, "chair"), "stands drawn up to the desk");
+  EXPECT_EQ(Placed("6x4 room; desk 1.2x0.6 at 3,0.3,0; table 0.5x0.5 at 3,0.9,180", "table"),
+            "stands right before the desk");
 }
 
 TEST(Standing, OfARoomThatIsNoRectangleNamesTheWallAndWhereItIs) {

@@ -137,9 +137,18 @@ class Place {
     return words;
   }
 
+  bool IsSeat() const {
+    for (const char* word : {"chair", "stool", "bench", "seat"}) {
+      if (object_.name.find(word) != std::string::npos) return true;
+    }
+    return false;
+  }
+
   // For what stands free: at what it looks, or the wall it is nearest to.
   std::string OffWalls(int seen) const {
-    if (seen >= 0 && GapTo(seen) < kDrawnUp_m) return fmt::format("stands drawn up to {}", Name(seen));
+    if (seen >= 0 && GapTo(seen) < kDrawnUp_m) {
+      return fmt::format("stands {} {}", IsSeat() ? "drawn up to" : "right before", Name(seen));
+    }
     double least_m = std::numeric_limits<double>::infinity();
     const Wall* nearest = &scene_.room.walls.front();
     for (const Wall& wall : scene_.room.walls) {
