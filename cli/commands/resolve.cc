@@ -17,7 +17,7 @@
 #include "optimizer_worker/resolve/edit_text.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
-#include "orchestrator/store/sha256.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::cli {
 namespace {
@@ -84,7 +84,7 @@ absl::Status Resolve(const ResolveArguments& arguments) {
   v1::Artifact layout;
   layout.add_made_from_ids(before->id());
   *layout.mutable_producer() = response->producer();
-  layout.set_options_digest(orchestrator::Sha256Hex(orchestrator::CanonicalBytes(request->options())));
+  layout.set_options_digest(runtime::Sha256Hex(runtime::CanonicalBytes(request->options())));
   *layout.mutable_solved_layout() = response->solved_layout();
   layout.set_id(orchestrator::ComputeArtifactId(layout));
   if (absl::Status status = WriteOutputFile(arguments.out, ArtifactBytes(layout)); !status.ok()) return status;

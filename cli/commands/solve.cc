@@ -18,7 +18,7 @@
 #include "optimizer_worker/stages/evaluate_layout.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
-#include "orchestrator/store/sha256.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::cli {
 namespace {
@@ -40,7 +40,7 @@ v1::Artifact MakeArtifact(const v1::Artifact& graph, const v1::SolveRequest& req
   // The number of threads changes no result, so it is none of what the layout was made with.
   v1::SolveOptions options = request.options();
   options.clear_thread_count();
-  artifact.set_options_digest(orchestrator::Sha256Hex(orchestrator::CanonicalBytes(options)));
+  artifact.set_options_digest(runtime::Sha256Hex(runtime::CanonicalBytes(options)));
   return artifact;
 }
 

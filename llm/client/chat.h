@@ -21,8 +21,8 @@ struct ChatRequest {
   // What it is for, such as "zones" or "objects.floor/repair": names the call in records, logs and meters.
   std::string step;
   std::vector<Message> messages;
-  // JSON schema that the answer must follow, as compact JSON text, and its name ([a-zA-Z0-9_-]{1,64}); both empty when the
-  // answer is free text.
+  // JSON schema that the answer must follow, as compact JSON text, and its name ([a-zA-Z0-9_-]{1,64}); both empty when
+  // the answer is free text.
   std::string schema;
   std::string schema_name;
   // 0 means the client's own limit.
@@ -54,5 +54,8 @@ struct ChatAnswer {
 
 // About as many tokens as the text has: a quarter of its bytes, rounded up.
 int64_t EstimateTokens(const std::string& text);
+
+// Of all that is sent with a question.
+int64_t EstimateTokens(const ChatRequest& request);
 
 }  // namespace flair::llm

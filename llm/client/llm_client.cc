@@ -9,6 +9,12 @@ namespace flair::llm {
 
 int64_t EstimateTokens(const std::string& text) { return static_cast<int64_t>((text.size() + 3) / 4); }
 
+int64_t EstimateTokens(const ChatRequest& request) {
+  int64_t tokens = EstimateTokens(request.schema);
+  for (const Message& message : request.messages) tokens += EstimateTokens(message.text);
+  return tokens;
+}
+
 absl::StatusOr<ChatAnswer> AskAndWait(LlmClient& client, const ChatRequest& request, runtime::CallContext& call) {
   return std::move(AskAllAndWait(client, {&request, 1}, call).front());
 }

@@ -12,12 +12,6 @@ namespace {
 // Calls without a deadline need no end of their wait.
 constexpr absl::Duration kLongestWait = absl::Hours(24);
 
-int64_t EstimateQuestion(const ChatRequest& request) {
-  int64_t tokens = EstimateTokens(request.schema);
-  for (const Message& message : request.messages) tokens += EstimateTokens(message.text);
-  return tokens;
-}
-
 }  // namespace
 
 struct LimitingLlmClient::Waiting {
@@ -42,7 +36,7 @@ LimitingLlmClient::LimitingLlmClient(std::unique_ptr<LlmClient> inner, CallLimit
       inner_(std::move(inner)) {}
 
 void LimitingLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call, AnswerCallback done) {
-  const int64_t estimate = EstimateQuestion(request);
+  const int64_t estimate = EstimateTokens(request);
   const bool at_once = [&] {
     const std::lock_guard lock(mutex_);
     return queue_.empty() && TakeTurn(estimate);

@@ -3,7 +3,7 @@
 #include "absl/strings/ascii.h"
 #include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage.h"
-#include "orchestrator/store/sha256.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -36,7 +36,7 @@ Request BeginWithObjects(const StageRun& run, std::string_view stage) {
 }  // namespace
 
 absl::StatusOr<std::string> LanguageOptions(const StageRun& run) {
-  return CanonicalBytes(DecidingOptions(run.spec.model_options()));
+  return runtime::CanonicalBytes(DecidingOptions(run.spec.model_options()));
 }
 
 absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run) {

@@ -2,7 +2,7 @@
 // The stages that make and draw the layout: translation, solve, render.
 #include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage.h"
-#include "orchestrator/store/sha256.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
 
@@ -14,7 +14,7 @@ absl::StatusOr<std::string> TranslationOptions(const StageRun& run) {
   v1::TranslateRequest request;
   *request.mutable_catalog() = std::move(*response->mutable_catalog());
   *request.mutable_model_options() = DecidingOptions(run.spec.model_options());
-  return CanonicalBytes(request);
+  return runtime::CanonicalBytes(request);
 }
 
 absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run) {
@@ -41,7 +41,7 @@ absl::StatusOr<std::string> SolverOptions(const StageRun& run) {
   v1::SolveOptions options = run.spec.solve_options();
   options.clear_thread_count();
   if (!options.has_seed()) options.set_seed(run.spec.brief().seed());
-  return CanonicalBytes(options);
+  return runtime::CanonicalBytes(options);
 }
 
 absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run) {
@@ -60,7 +60,9 @@ absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run) {
   return artifact;
 }
 
-absl::StatusOr<std::string> RendererOptions(const StageRun& run) { return CanonicalBytes(run.spec.render_options()); }
+absl::StatusOr<std::string> RendererOptions(const StageRun& run) {
+  return runtime::CanonicalBytes(run.spec.render_options());
+}
 
 absl::StatusOr<v1::Artifact> RunRender(const StageRun& run) {
   const v1::Artifact& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT);

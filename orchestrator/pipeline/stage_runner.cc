@@ -6,8 +6,8 @@
 #include "google/protobuf/util/time_util.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
-#include "orchestrator/store/sha256.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -28,7 +28,7 @@ absl::Status CheckAnswer(const Stage& stage, const v1::Artifact& artifact) {
                                          artifact.producer().program(), std::string(status.message())));
 }
 
-std::string OptionsDigest(const StageRun& run) { return run.options.empty() ? "" : Sha256Hex(run.options); }
+std::string OptionsDigest(const StageRun& run) { return run.options.empty() ? "" : runtime::Sha256Hex(run.options); }
 
 std::vector<std::string> InputIds(const StageRun& run) {
   std::vector<std::string> ids;
@@ -77,7 +77,8 @@ absl::StatusOr<std::string> StageRunner::KeyOf(const Stage& stage, const StageRu
       [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
   if (!revision.ok()) return revision.status();
   // The first stage has no artifacts to be made from: what it is made from is the brief itself.
-  const std::string own_input = run.inputs.empty() ? Sha256Hex(CanonicalBytes(run.spec.brief())) : OptionsDigest(run);
+  const std::string own_input =
+      run.inputs.empty() ? runtime::Sha256Hex(runtime::CanonicalBytes(run.spec.brief())) : OptionsDigest(run);
   return ResultKey(stage.name, *revision, own_input, InputIds(run));
 }
 

@@ -6,16 +6,16 @@
 
 #include <vector>
 
-#include "orchestrator/store/sha256.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
 namespace {
 
 std::string DigestOf(const v1::CreateBatchRequest& request) {
   std::string digests;
-  for (const v1::JobSpec& spec : request.specs()) digests += Sha256Hex(CanonicalBytes(spec));
-  return Sha256Hex(digests);
+  for (const v1::JobSpec& spec : request.specs()) digests += runtime::Sha256Hex(runtime::CanonicalBytes(spec));
+  return runtime::Sha256Hex(digests);
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::
     } else {
       absl::StatusOr<v1::Job> job = store_.jobs().Get(*known);
       if (!job.ok()) return job.status();
-      if (CanonicalBytes(job->spec()) != CanonicalBytes(request.spec())) {
+      if (runtime::CanonicalBytes(job->spec()) != runtime::CanonicalBytes(request.spec())) {
         return absl::AlreadyExistsError(fmt::format("request_id: \"{}\" made job {} with another spec; use a new id",
                                                     request.request_id(), job->id()));
       }

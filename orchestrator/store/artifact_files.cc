@@ -8,8 +8,8 @@
 #include <iterator>
 
 #include "orchestrator/store/artifact_id.h"
-#include "orchestrator/store/sha256.h"
 #include "worker_runtime/files/atomic_file.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
 
@@ -19,7 +19,7 @@ std::string ArtifactFiles::PathOf(const std::string& id) const {
 
 absl::StatusOr<v1::ArtifactRef> ArtifactFiles::Put(v1::Artifact& artifact) const {
   artifact.set_id(ComputeArtifactId(artifact));
-  const std::string bytes = CanonicalBytes(artifact);
+  const std::string bytes = runtime::CanonicalBytes(artifact);
   v1::ArtifactRef ref;
   ref.set_id(artifact.id());
   ref.set_kind(KindOf(artifact));

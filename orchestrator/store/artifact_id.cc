@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "orchestrator/store/sha256.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
 
 std::string ComputeArtifactId(v1::Artifact artifact) {
   artifact.clear_id();
-  return Sha256Hex(CanonicalBytes(artifact));
+  return runtime::Sha256Hex(runtime::CanonicalBytes(artifact));
 }
 
 v1::ArtifactKind KindOf(const v1::Artifact& artifact) {
@@ -36,7 +36,7 @@ std::string ResultKey(std::string_view stage, std::string_view revision, std::st
   append(revision);
   append(options_digest);
   for (const std::string& id : input_ids) append(id);
-  return Sha256Hex(text);
+  return runtime::Sha256Hex(text);
 }
 
 }  // namespace flair::orchestrator

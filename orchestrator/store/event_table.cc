@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "orchestrator/store/sha256.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
 
@@ -18,7 +18,7 @@ absl::Status EventTable::Append(v1::JobEvent& event) {
   return database_.Prepare("INSERT INTO events VALUES (?, ?, ?)")
       .Bind(event.job_id())
       .Bind(event.sequence())
-      .BindBytes(CanonicalBytes(event))
+      .BindBytes(runtime::CanonicalBytes(event))
       .Run();
 }
 

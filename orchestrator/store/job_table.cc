@@ -5,7 +5,7 @@
 #include <google/protobuf/util/time_util.h>
 
 #include "orchestrator/store/artifact_table.h"
-#include "orchestrator/store/sha256.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -27,7 +27,7 @@ absl::Status JobTable::Insert(const v1::Job& job, const std::string& request_id)
   } else {
     insert.Bind(request_id);
   }
-  return insert.BindBytes(CanonicalBytes(job.spec()))
+  return insert.BindBytes(runtime::CanonicalBytes(job.spec()))
       .Bind(v1::JOB_STATE_QUEUED)
       .Bind(TimeUtil::TimestampToMicroseconds(job.create_time()))
       .Bind(job.batch_id())

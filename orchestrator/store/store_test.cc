@@ -7,8 +7,8 @@
 
 #include "orchestrator/store/artifact_id.h"
 #include "orchestrator/store/job_store.h"
-#include "orchestrator/store/sha256.h"
 #include "orchestrator/store/temporary_folder.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -31,8 +31,8 @@ v1::Job NewJob(const std::string& id) {
 }
 
 TEST(Sha256, MatchesThePublishedVectors) {
-  EXPECT_EQ(Sha256Hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(Sha256Hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(runtime::Sha256Hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(runtime::Sha256Hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
 TEST(ArtifactId, CoversContentAndOriginButNotItself) {
