@@ -45,6 +45,12 @@ bool Composer::IsChair(const Placed& placed) const {
   return EndsWithOneOf(object(placed.object).name(), {"chair", "stool", "bench", "throne", "seat"});
 }
 
+bool Composer::HasDoors(const Placed& placed) const {
+  return EndsWithOneOf(object(placed.object).name(),
+                       {"wardrobe", "cabinet", "cupboard", "closet", "armoire", "locker", "lockers", "sideboard",
+                        "refrigerator", "fridge", "oven", "pantry", "hutch", "dresser", "drawers", "nightstand"});
+}
+
 bool Composer::HasFeature(const std::string& kind) const {
   if (kind == "socket") return request_.room().sockets_size() > 0;
   const auto wanted = kind == "door" ? v1::OPENING_KIND_DOOR : v1::OPENING_KIND_WINDOW;

@@ -62,6 +62,8 @@ class Composer {
   bool IsCeiling(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_CEILING; }
   bool IsSurface(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_SURFACE; }
   bool IsChair(const Placed& placed) const;
+  // A wardrobe, cabinet, fridge...
+  bool HasDoors(const Placed& placed) const;
   bool HasFeature(const std::string& kind) const;
 
   // Adds the call if the catalogue has its type; false when it has not.

@@ -133,6 +133,7 @@ TEST(Forms, PathsBetweenNamedPiecesAreDistances) {
             "away_from(object=desk, target=daybed)");
   EXPECT_EQ(Read("There should be a clear path around the desk."),
             "accessible(object=desk, sides=[\"front\",\"left\",\"right\"])");
+  EXPECT_EQ(Read("Maintain clear access to the desk."), "accessible(object=desk, sides=[\"front\"])");
   EXPECT_EQ(Read("Keep pathways between the furniture clear."), "");
 }
 
@@ -141,6 +142,9 @@ TEST(Forms, FeaturesAsSubjectsAreKeptAwayFrom) {
   EXPECT_EQ(Read("Sockets should be at least 1m away.", {"desk"}),
             "away_from_feature(object=desk, feature=socket, min_distance_m=1.0)");
   EXPECT_EQ(Read("Ensure easy access to the door.", {"desk"}), "clear_of_feature(object=desk, feature=door)");
+  EXPECT_EQ(Read("Doors open freely.", {"desk"}), "clear_of_feature(object=desk, feature=door)");
+  EXPECT_EQ(Read("The door can open fully without hitting the daybed."),
+            "clear_of_feature(object=daybed, feature=door)");
   EXPECT_EQ(Read("Ensure easy access to sockets.", {"desk"}), "close_to_feature(object=desk, feature=socket)");
 }
 

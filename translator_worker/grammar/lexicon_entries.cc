@@ -63,11 +63,11 @@ relation away_from: away from | far from | far away from | [a|at a] [safe|reason
   | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | at a (distance|remove) from | at a [safe|good|reasonable] distance | gap from | spaced from | distanced from | a gap from
 relation apart: (some|enough|adequate|sufficient|clear) separation | separate | separated | distinct | apart | [spaced|set] apart [from each other] | away from each other | from each other | from one another | away
 relation block: (block|obstruct) or limit [access (to|of)] | limit access (to|of) | limits access (to|of) | obstruct [the] (front|side) access (to|of) | block [the] (front|side) access (to|of) | (block|blocks|blocking|obstruct|obstructing|restrict) [direct|easy|the] access (to or from|to and from|to|of) | restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
-  | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
+  | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | covered | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
   | block [the] (view|views|light|access|opening|swing|use|view or access|access or view) (to|of|from|through|for) | block light from | block or cover | (block|obstruct) [the] [natural] (light|view) [coming] from
   | obstruct [the] [easy] (view|views|access|use|opening|swing) (to|of|from|for) | blocking [the] [natural] (view|access|light|opening|swing|use|view or access) (to|of|from|through|for)
   | obstructing [the] (access|view|use|opening|swing) (to|of|from|for) | placed over | placement over | in the path of | interfere with [the] (opening|swing|use|access|operation) (of|to) | stand in the way of
-  | in [the] direct line of | in the (swing|line|arc) of | obstruct or block | block or obstruct | collide with | collides with | hit | hits | in the swing path of | overlap | overlaps | overlapping
+  | in [the] direct line of | in the (swing|line|arc) of | obstruct or block | block or obstruct | collide with | collides with | colliding with | hit | hits | hitting | in the swing path of | overlap | overlaps | overlapping
 relation clear_of: [be|is|are|remain|remains] clear of | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear of | leave [enough] (space|clearance|room) for | outside [of]
   | clear for | out of
 relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free|unobstructed|unblocked|open) | unobstructed | unblocked | not obstructed | stays (clear|free)
@@ -81,12 +81,13 @@ relation pull_out: [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in a
 relation swing_open: to open | [should] [be able to|able to|to] open [up] [fully|freely|completely|easily|properly] | opened | opens (fully|freely) | (opening|operation) | can open | swing open
 relation space: space | distance | gap | clearance | spacing | separation | buffer | clearances | [of] [clear|open|free|ample|adequate|sufficient|empty|unobstructed|walking|viewing|circulation|movement] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances) [of] | enough (space|room) | (leave|leaves|leaving|allow|allows|allowing|provide|provides|providing|is) room (for|to) | there is room | has room | room to (move|walk|pull|open|sit) | clearance space | clear floor
   | clear area | floor space | clear floor space | elbow room
+relation space: [clear|enough|adequate|sufficient|ample] (space|room|clearance) (should|must) be (left|kept|maintained|provided|allowed|ensured)
 relation space: [of] [clear|open|free|adequate|sufficient|enough] (walking|circulation|movement|viewing|maneuvering) (space|clearance|distance|area)
 relation space: [clear] (walking|circulation|walkway|movement) room | space to walk | (ample|adequate|sufficient|more) room
 relation minimal: minimal | kept minimal
 relation considered: (in|into) (consideration|mind|account)
 relation same_wall: (against|on|along) the same wall as
-relation of: of
+relation of: of | reach of
 relation pushed_under: (pushed|push|slide|slid|stored|tuck) (under|underneath|beneath)
 relation tucked_under: (tucked|tucks|fits|fit|stands|stowed) (under|underneath|beneath)
 relation under_when_unused: when not in use
@@ -112,7 +113,7 @@ relation freestanding: freestanding | free standing | away from all walls
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
 relation on_wall_of: on the (wall|walls) of
-filler: in (a|such a) (way|manner) (that|so that) [it|they] | such that (it|they) | allowed | given | considered | created | observed | (unobstructed|accessible|open|clear) (area|location|spot) | (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | in [a|the|an] (position|positions|location|spot|place|places|area|areas|way|manner) (where|that|which) [it|they] [will|would|could|might|can]
+filler: [with] one on each side | in (a|such a) (way|manner) (that|so that) [it|they] | such that (it|they) | allowed | given | considered | created | observed | (unobstructed|accessible|open|clear) (area|location|spot) | (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | in [a|the|an] (position|positions|location|spot|place|places|area|areas|way|manner) (where|that|which) [it|they] [will|would|could|might|can]
   | where (it|they) [will|would|could|might|can] | [at a|in a|at the] location | the | a | an | its own | own | this | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
   | place | places | placed | placing | placement | put | puts | set | sets | position | positions | positioned | positioning | locate | located | location | situate | situated | stand | stands | standing | sit | sits | sitting | keep | keeps | kept | keeping
   | leave | leaves | leaving | left free | ensure | ensures | ensuring | make sure | making sure | maintain | maintains | maintaining | provide | provides | providing | require | requires | requiring | need | needs | needed | allow | allows | arrange | arranged

@@ -268,6 +268,7 @@ std::vector<Rule> FrontRules() {
       {"not near B.side", NothingNear},
       {"A.group not near B.side", NothingNear},
       {"A.group not in_front_of B.thing", NothingInFront},
+      {"A.group not D of/near B.side", NothingNear},
   };
 }
 

@@ -254,6 +254,7 @@ std::vector<Rule> DistanceRules() {
       {"A? D of? space? ,? between B", Between},
       {"space between B minimal", Between, "touching"},
       {"apart between B", Between},
+      {"D apart B.list", Between},
       {"A? not centered? between B", AwayFrom},
       {"A? not? space? D? space? apart", ApartFromEachOther},
       {"A? not near/next_to/against both_ways", ApartFromEachOther},

@@ -98,6 +98,16 @@ void PathBetween(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
 }
 
+// "Doors can open freely": the room's, unless a piece with doors of its own is spoken of.
+void DoorsOpen(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed>& topic = composer.topic();
+  if (!topic.empty() && composer.HasDoors(topic.front())) {
+    for (const Placed& placed : topic) composer.EmitFirst({AccessibleFront(placed, composer)});
+  } else {
+    KeepClear(match, tag, composer);
+  }
+}
+
 void NotBlockEachOther(const Match& match, std::string_view, Composer& composer) {
   std::vector<Placed> all = composer.Movers(match.a);
   if (all.size() < 2) all = composer.subjects();
@@ -121,6 +131,10 @@ std::vector<Rule> FeatureRules() {
       {"A? not block B accessible", NotBlock},
       {"A? not block B.object space", NotBlock, "gap"},
       {"A? not block C.vague between B", PathBetween},
+      {"B.feature not block next_to A.object", NotBlock},
+      {"B.feature swing_open not block A.object", NotBlock},
+      {"B.feature swing_open", DoorsOpen},
+      {"B.feature swing_open not C.vague", DoorsOpen},
       {"A? not corner , B.feature", NotBlock},
       {"A? not block C.vague to B.object", NotBlock},
       {"A? not block accessible to B.object", NotBlock},

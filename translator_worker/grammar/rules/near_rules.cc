@@ -47,7 +47,16 @@ void NearOne(const Placed& mover, const Target& target, const Distance* distance
   if (!target.objects.empty()) composer.SetPair({mover}, target.objects);
 }
 
-void Near(const Match& match, std::string_view, Composer& composer) {
+void Near(const Match& match, std::string_view tag, Composer& composer) {
+  // "Maintain clear access to the table", when nobody else is spoken of.
+  if (tag == "access" && match.a == nullptr && composer.topic().empty()) {
+    for (const Placed& other : composer.TargetObjects(*match.b, {})) {
+      std::vector<std::string> sides = SidesOf(composer, other);
+      if (sides.empty()) sides = {"front"};
+      composer.EmitFirst({Call("accessible").Text("object", composer.id(other)).Texts("sides", sides)});
+    }
+    return;
+  }
   if (match.a != nullptr && match.a->references.front().kind == RefKind::kGroup &&
       match.a->references.front().name != "seating") {
     composer.Refuse("not_about_layout", "say which object is near it");
@@ -67,10 +76,10 @@ void Near(const Match& match, std::string_view, Composer& composer) {
 }
 
 // "Access to sockets" wants them near, "access to the door" wants it free.
-void AccessToFeature(const Match& match, std::string_view tag, Composer& composer) {
+void AccessToFeature(const Match& match, std::string_view, Composer& composer) {
   const Reference& first = match.b->references.front();
   if (first.name == "socket" || !composer.HasFeature(first.name)) {
-    Near(match, tag, composer);
+    Near(match, "", composer);
     return;
   }
   for (const Placed& mover : composer.Movers(match.a)) {
@@ -148,7 +157,7 @@ std::vector<Rule> NearRules() {
       {"A? near D? of B", Near},
       {"A? D of/near B", Near},
       {"A? access_to B.feature", AccessToFeature},
-      {"A? access_to B.object", Near},
+      {"A? access_to B.object", Near, "access"},
       {"A? accessible access_to? B.feature", Near},
       {"nearby B", Near},
       {"A? next_to B", NextTo},
