@@ -107,8 +107,10 @@ absl::StatusOr<OptionalLlm> ReadLlm(const DesignArguments& arguments) {
                     given, arguments.orchestrator));
   }
   absl::StatusOr<OptionalLlm> llm = ReadLlmFlags(arguments.llm);
-  if (!llm.ok() || !llm->has_value()) return llm;
-  if (absl::Status status = CheckLimits(arguments.model, **llm); !status.ok()) return status;
+  if (!llm.ok()) return llm.status();
+  if (const OptionalLlm& found = *llm; found.has_value()) {
+    if (absl::Status status = CheckLimits(arguments.model, *found); !status.ok()) return status;
+  }
   return llm;
 }
 
