@@ -13,8 +13,8 @@ namespace flair::cli {
 // NOT_FOUND when there is no such file, FAILED_PRECONDITION when it cannot be read.
 absl::StatusOr<std::string> ReadFile(const std::filesystem::path& path);
 
-// An artifact in its .pb or .json form, told apart by the content, or as protobuf text when the file is named .textproto,
-// .txtpb or .pbtxt. DATA_LOSS when it is none of them. Does not check the id.
+// An artifact in its .pb or .json form, told apart by the content, or as protobuf text when the file is named
+// .textproto, .txtpb or .pbtxt. DATA_LOSS when it is none of them. Does not check the id.
 absl::StatusOr<v1::Artifact> ReadArtifact(const std::filesystem::path& path);
 
 // A room: an artifact that holds one (also a layout's or graph's), or a Room message itself, as .pb or .json.
