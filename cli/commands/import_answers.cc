@@ -3,24 +3,31 @@
 #include "language_worker/recorded/import_answers.h"
 
 #include <google/protobuf/util/json_util.h>
+#include <stdlib.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "cli/commands/commands.h"
+#include "cli/exit_code.h"
 #include "cli/input/files.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/model/model_tools.h"
 #include "language_worker/recorded/recorded_room_client.h"
+#include "llm/wrappers/answer_folder.h"
 #include "llm/wrappers/recording_llm_client.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "translator_worker/model/model_translator.h"
 
 namespace flair::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct ImportAnswersArguments {
   std::string room;
@@ -31,15 +38,63 @@ struct ImportAnswersArguments {
 constexpr char kBriefFile[] = "brief.json";
 constexpr char kRemarksFile[] = "remarks.txt";
 
+// A folder for the answers while they are made; removed with them.
+class WorkFolder {
+ public:
+  absl::Status Make() {
+    std::error_code error;
+    std::string pattern = (fs::temp_directory_path(error) / "flair-import-XXXXXX").string();
+    if (error || mkdtemp(pattern.data()) == nullptr) return FileError(pattern + ": no temporary folder can be made");
+    path_ = pattern;
+    return absl::OkStatus();
+  }
+  ~WorkFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+
+  // What is in it, by name.
+  absl::StatusOr<std::vector<OutputFile>> Files() const {
+    std::vector<OutputFile> files;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path_, error)) {
+      absl::StatusOr<std::string> content = ReadFile(entry.path());
+      if (!content.ok()) return content.status();
+      files.push_back({entry.path().filename().string(), *std::move(content)});
+    }
+    std::sort(files.begin(), files.end(), [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
+    return files;
+  }
+
+ private:
+  std::string path_;
+};
+
+// Answers of two recordings do not mix: a folder of another one is refused.
+absl::Status CheckFolder(const ImportAnswersArguments& arguments, const language::RecordedRoom& room,
+                         const language::Handbook& handbook) {
+  const absl::StatusOr<std::string> there = llm::AnswerFolder(arguments.out).Identity();
+  const std::string identity = language::RecordedRoomClient(room, handbook).identity();
+  if (there.ok() && *there != identity) {
+    return absl::FailedPreconditionError(fmt::format(
+        "{}: holds answers of \"{}\", not of \"{}\"; choose another folder", arguments.out, *there, identity));
+  }
+  // The same recording again replaces its own files.
+  if (there.ok()) return CheckOutputFolder(arguments.out, {});
+  return CheckOutputFolder(arguments.out, {kBriefFile, kRemarksFile});
+}
+
 // Asks the translation's questions too, so that the folder has all answers of a design.
 absl::Status ImportTranslation(const language::RecordedRoom& room, const language::Handbook& handbook,
-                               const ImportAnswersArguments& arguments, language::ImportedAnswers& imported) {
+                               const ImportAnswersArguments& arguments, const std::string& folder,
+                               language::ImportedAnswers& imported) {
   const auto translation =
       arguments.no_calls ? language::RecordedTranslation::kRefused : language::RecordedTranslation::kCalls;
   auto recorded = std::make_unique<language::RecordedRoomClient>(room, handbook, translation);
   const language::RecordedRoomClient& client = *recorded;
   absl::StatusOr<std::unique_ptr<llm::LlmClient>> recording =
-      llm::RecordingLlmClient::Make(std::move(recorded), arguments.out);
+      llm::RecordingLlmClient::Make(std::move(recorded), folder);
   if (!recording.ok()) return recording.status();
   const auto translator =
       translator::ModelTranslator::Make(*std::move(recording), translator::DefaultPromptFolder(), {});
@@ -71,14 +126,12 @@ std::string RemarksText(const language::ImportedAnswers& imported) {
   return text;
 }
 
-absl::Status WriteBrief(const language::RecordedRoom& room, const std::string& folder) {
+absl::StatusOr<std::string> BriefText(const language::RecordedRoom& room) {
   google::protobuf::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
   std::string json;
-  if (!google::protobuf::util::MessageToJsonString(room.brief, &json, options).ok()) {
-    return absl::InternalError("the brief cannot be written as JSON");
-  }
-  return WriteOutputFile(std::filesystem::path(folder) / kBriefFile, json + "\n");
+  if (google::protobuf::util::MessageToJsonString(room.brief, &json, options).ok()) return json + "\n";
+  return absl::InternalError("the brief cannot be written as JSON");
 }
 
 // What a person wants to know at the end.
@@ -115,13 +168,22 @@ absl::Status ImportAnswersOf(const ImportAnswersArguments& arguments) {
   if (!handbook.ok()) return handbook.status();
   const auto prompts = llm::PromptLibrary::Load(language::DefaultPromptsFolder(), {}, language::LanguagePrompts());
   if (!prompts.ok()) return prompts.status();
+  if (absl::Status status = CheckFolder(arguments, *room, **handbook); !status.ok()) return status;
+  WorkFolder work;
+  if (absl::Status status = work.Make(); !status.ok()) return status;
   absl::StatusOr<language::ImportedAnswers> imported =
-      language::ImportAnswers(*room, **handbook, *prompts, arguments.out);
+      language::ImportAnswers(*room, **handbook, *prompts, work.path());
   if (!imported.ok()) return imported.status();
-  if (absl::Status status = ImportTranslation(*room, **handbook, arguments, *imported); !status.ok()) return status;
-  if (absl::Status status = WriteBrief(*room, arguments.out); !status.ok()) return status;
-  const std::filesystem::path remarks = std::filesystem::path(arguments.out) / kRemarksFile;
-  if (absl::Status status = WriteOutputFile(remarks, RemarksText(*imported)); !status.ok()) return status;
+  if (absl::Status status = ImportTranslation(*room, **handbook, arguments, work.path(), *imported); !status.ok()) {
+    return status;
+  }
+  const absl::StatusOr<std::string> brief = BriefText(*room);
+  if (!brief.ok()) return brief.status();
+  absl::StatusOr<std::vector<OutputFile>> files = work.Files();
+  if (!files.ok()) return files.status();
+  files->push_back({kBriefFile, *brief});
+  files->push_back({kRemarksFile, RemarksText(*imported)});
+  if (absl::Status status = WriteOutputFolder(arguments.out, *files); !status.ok()) return status;
   ShowEnd(arguments, *imported);
   return absl::OkStatus();
 }

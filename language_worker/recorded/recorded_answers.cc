@@ -184,43 +184,46 @@ model::v1::FloorObjectsAnswer RecordedAnswers::FloorObjects() const {
   return answer;
 }
 
+model::v1::TertiaryAnswer RecordedAnswers::Tertiary(const v1::Object& object, const std::string& placement,
+                                                    const std::vector<std::string>& hosts) const {
+  model::v1::TertiaryAnswer made;
+  made.set_name(NameFor(object, 1));
+  made.set_kind(WordOf(object.kind()));
+  if (!hosts.empty()) made.set_at(hosts.front());
+  made.set_count(1);
+  made.set_width_m(object.width_m());
+  made.set_depth_m(object.depth_m());
+  made.set_height_m(HeightOf(object));
+  made.set_placement(placement);
+  if (!placement.empty()) return made;
+  const char* const where = object.kind() == v1::OBJECT_KIND_SURFACE ? "on" : "near";
+  made.set_placement(hosts.empty() ? fmt::format("The {} goes where it fits.", made.name())
+                                   : fmt::format("The {} is {} the {}.", made.name(), where, hosts.front()));
+  return made;
+}
+
 model::v1::TertiariesAnswer RecordedAnswers::Tertiaries(std::string_view prompt, Conversion& conversion) const {
   const PromptIds ids(floor_, ReadPromptObjects(prompt));
   const std::vector<RecordedPlacement> placements =
       ReadTertiaryText(room_.Text("tertiary"), tertiaries_, floor_names_, conversion);
   model::v1::TertiariesAnswer answer;
-  int line_before = 0;
   for (size_t i = 0; i < tertiaries_.size(); ++i) {
     const v1::Object& object = *tertiaries_[i];
     const RecordedPlacement& placement = placements[i];
     // Several of a kind that one item lists.
-    const bool again =
-        i > 0 && placement.line != 0 && placement.line == line_before && Alike(object, *tertiaries_[i - 1]);
-    line_before = placement.line;
-    if (again) {
+    if (i > 0 && placement.line != 0 && placement.line == placements[i - 1].line &&
+        Alike(object, *tertiaries_[i - 1])) {
       model::v1::TertiaryAnswer& last = *answer.mutable_objects(answer.objects_size() - 1);
       last.set_count(last.count() + 1);
       continue;
     }
-    model::v1::TertiaryAnswer& made = *answer.add_objects();
-    made.set_name(NameFor(object, 1));
-    made.set_kind(WordOf(object.kind()));
     std::vector<std::string> hosts = ids.NamesOf(placement.hosts);
     if (const v1::Object* host = hosts.empty() ? HostByCalls(room_, object) : nullptr; host != nullptr) {
       hosts = ids.NamesOf({static_cast<int>(std::find(floor_.begin(), floor_.end(), host) - floor_.begin())});
     }
-    if (!hosts.empty()) made.set_at(hosts.front());
-    made.set_count(1);
-    made.set_width_m(object.width_m());
-    made.set_depth_m(object.depth_m());
-    made.set_height_m(HeightOf(object));
-    made.set_placement(placement.text);
+    *answer.add_objects() = Tertiary(object, placement.text, hosts);
     if (placement.text.empty()) {
       conversion.Keep("tertiary", 0, object.name(), "is in no item of the text; it goes where its call says");
-      made.set_placement(hosts.empty()
-                             ? fmt::format("The {} goes where it fits.", made.name())
-                             : fmt::format("The {} is {} the {}.", made.name(),
-                                           object.kind() == v1::OBJECT_KIND_SURFACE ? "on" : "near", hosts.front()));
     }
   }
   return answer;

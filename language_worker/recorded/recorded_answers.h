@@ -45,6 +45,9 @@ class RecordedAnswers {
   // Equal for objects that are called alike.
   std::string NameOf(int object) const;
   double HeightOf(const v1::Object& object) const;
+  // `placement` and `hosts` may be empty.
+  model::v1::TertiaryAnswer Tertiary(const v1::Object& object, const std::string& placement,
+                                     const std::vector<std::string>& hosts) const;
 
   const RecordedRoom& room_;
   const Handbook& handbook_;

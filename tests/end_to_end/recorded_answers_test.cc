@@ -97,6 +97,23 @@ TEST_P(RecordedAnswers, GiveTheSameBytesAgainAndSayWhatIsMissing) {
 INSTANTIATE_TEST_SUITE_P(Rooms, RecordedAnswers, ::testing::Values("study", "washroom"),
                          [](const auto& info) { return info.param; });
 
+TEST(RecordedAnswersOfAnotherRoom, DoNotMixWithThoseOfOne) {
+  const TestFolder folder;
+  const auto import = [&](const std::string& room) {
+    return RunProgram("flair",
+                      {"import", "answers", FLAIR_SOURCE_DIR "/language_worker/recorded/testdata/" + room + ".json",
+                       "--out", folder / "answers"},
+                      {{"FLAIR_HOME", folder / "home"}});
+  };
+  ASSERT_EQ(import("study").exit_code, 0);
+  const std::string brief = ReadAll(folder / "answers" / "brief.json");
+  EXPECT_EQ(import("study").exit_code, 0) << "the same again";
+  const Finished other = import("washroom");
+  EXPECT_NE(other.exit_code, 0);
+  EXPECT_THAT(other.err, HasSubstr("choose another folder"));
+  EXPECT_EQ(ReadAll(folder / "answers" / "brief.json"), brief);
+}
+
 TEST(RecordedAnswersOfAnotherFile, AreRefusedInOneLineAndLeaveNothingBehind) {
   const TestFolder folder;
   const Finished import =
