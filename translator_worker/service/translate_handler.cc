@@ -24,7 +24,9 @@ absl::StatusOr<v1::TranslateResponse> TranslateHandler::Answer(const v1::Transla
   if (model_ != nullptr) {
     response = model_->Translate(complete, call);
     if (!response.ok()) return response.status();
-    response->mutable_producer()->set_method(model_->model());
+    // As the server names it; a request that needed no call names what was configured.
+    response->mutable_producer()->set_method(response->model_calls().empty() ? model_->model()
+                                                                             : response->model_calls(0).model());
     response->mutable_producer()->set_version(model_->version());
   } else {
     *response->mutable_layout_graph() = Translate(complete);
