@@ -106,7 +106,7 @@ absl::Status ImportTranslation(const language::RecordedRoom& room, const languag
   *request.mutable_object_list() = imported.objects;
   *request.mutable_constraint_list() = imported.constraints;
   *request.mutable_catalog() = optimizer::MakeCatalog();
-  request.mutable_model_options()->set_stand_in_allowed(true);
+  request.mutable_model_options()->set_stand_in_allowed(arguments.no_calls);
   runtime::CallContext call;
   const absl::StatusOr<v1::TranslateResponse> response = (*translator)->Translate(request, call);
   if (!response.ok()) return response.status();
