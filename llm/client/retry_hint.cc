@@ -16,7 +16,9 @@ constexpr char kPayload[] = "flair.llm/retry_after_ms";
 
 void SetRetryAfter(absl::Status& status, absl::Duration delay) {
   const absl::Duration kept = std::clamp(delay, absl::ZeroDuration(), absl::Hours(24));
-  status.SetPayload(kPayload, absl::Cord(std::to_string(absl::ToInt64Milliseconds(kept))));
+  const std::string milliseconds = std::to_string(absl::ToInt64Milliseconds(kept));
+  // Not of a std::string: clang and GCC spell that constructor differently, and the library has GCC's.
+  status.SetPayload(kPayload, absl::Cord(absl::string_view(milliseconds)));
 }
 
 std::optional<absl::Duration> RetryAfter(const absl::Status& status) {
