@@ -80,7 +80,7 @@ class Run {
                                                   {"functions", FunctionsText(types)},
                                                   {"room", RoomText(request_.room())},
                                                   {"zones", ZonesText(request_.zone_plan())},
-                                                  {"objects", ObjectsText(request_.object_list())},
+                                                  {"objects", ObjectsText(request_.object_list(), portion.sentences)},
                                                   {"sentences", SentencesText(portion.sentences)}});
     llm::Choices& ids = question.choices["flair.model.v1.SentenceCallsAnswer.id"];
     for (const v1::Sentence* sentence : portion.sentences) ids.names.push_back(sentence->id());

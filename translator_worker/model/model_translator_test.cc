@@ -195,7 +195,7 @@ TEST_F(ModelTranslatorTest, APassIsToldOfItsOwnFunctionsAndSentencesOnly) {
   ASSERT_THAT(requests, SizeIs(3));
   EXPECT_EQ(requests[0].step, "translation.intra");
   EXPECT_THAT(requests[0].messages[1].text,
-              AllOf(HasSubstr("against_wall(object: object, side?"), HasSubstr("- s1 [table]"),
+              AllOf(HasSubstr("against_wall(object, side?, wall?)"), HasSubstr("- s1 [table]"),
                     Not(HasSubstr("surround(")), Not(HasSubstr("s2")), Not(HasSubstr("no_overlap"))));
   EXPECT_THAT(requests[1].messages[1].text, HasSubstr("surround("));
   EXPECT_THAT(requests[2].messages[1].text, HasSubstr("on("));

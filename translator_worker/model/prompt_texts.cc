@@ -2,6 +2,8 @@
 #include "translator_worker/model/prompt_texts.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include "fmt/format.h"
@@ -10,6 +12,7 @@
 namespace flair::translator {
 namespace {
 
+// As the prompt explains the kinds.
 const char* KindText(v1::ParameterKind kind) {
   switch (kind) {
     case v1::PARAMETER_KIND_OBJECT:
@@ -19,15 +22,15 @@ const char* KindText(v1::ParameterKind kind) {
     case v1::PARAMETER_KIND_ZONE:
       return "zone";
     case v1::PARAMETER_KIND_FEATURE:
-      return "door|window|socket";
+      return "feature";
     case v1::PARAMETER_KIND_WALL:
       return "wall";
     case v1::PARAMETER_KIND_SIDE:
-      return "front|back|left|right";
+      return "side";
     case v1::PARAMETER_KIND_SIDES:
-      return "list of front|back|left|right";
+      return "sides";
     case v1::PARAMETER_KIND_CORNER:
-      return "back_left|back_right|front_left|front_right";
+      return "corner";
     case v1::PARAMETER_KIND_NUMBER:
       return "number";
     case v1::PARAMETER_KIND_BOOLEAN:
@@ -37,39 +40,19 @@ const char* KindText(v1::ParameterKind kind) {
   }
 }
 
+// "target", "side?", "max_distance_m? = 0.5", "others: objects": what the name says already is not said again.
 std::string ParameterText(const v1::ParameterSpec& parameter) {
-  std::string text =
-      fmt::format("{}{}: {}", parameter.name(), parameter.required() ? "" : "?", KindText(parameter.kind()));
-  if (!parameter.unit().empty()) text += " " + parameter.unit();
+  std::string text = parameter.name() + (parameter.required() ? "" : "?");
+  const std::string kind = KindText(parameter.kind());
+  const bool clear = parameter.kind() == v1::PARAMETER_KIND_OBJECT || kind == parameter.name() ||
+                     (!parameter.unit().empty() && parameter.name().ends_with("_" + parameter.unit()));
+  if (!clear) text += ": " + kind;
   if (parameter.has_default_value() && parameter.default_value().has_number()) {
     text += fmt::format(" = {}", parameter.default_value().number());
   } else if (parameter.has_default_value() && !parameter.default_value().text().empty()) {
     text += " = " + parameter.default_value().text();
   }
   return text;
-}
-
-std::string ValueText(const v1::ArgumentValue& value) {
-  switch (value.value_case()) {
-    case v1::ArgumentValue::kTexts:
-      return fmt::format("[{}]", fmt::join(value.texts().items(), ", "));
-    case v1::ArgumentValue::kNumber:
-      return fmt::format("{}", value.number());
-    case v1::ArgumentValue::kFlag:
-      return value.flag() ? "true" : "false";
-    default:
-      return value.text();
-  }
-}
-
-std::string ExampleText(const v1::ConstraintType& type) {
-  if (type.examples().empty()) return "";
-  const v1::CallExample& example = type.examples(0);
-  std::vector<std::string> arguments;
-  for (const v1::Argument& argument : example.arguments()) {
-    arguments.push_back(fmt::format("{}={}", argument.name(), ValueText(argument.value())));
-  }
-  return fmt::format(" \"{}\" -> {}({})", example.sentence(), type.name(), fmt::join(arguments, ", "));
 }
 
 const char* PlaceText(const v1::Object& object) {
@@ -96,8 +79,9 @@ std::string FunctionsText(std::span<const v1::ConstraintType* const> types) {
   for (const v1::ConstraintType* type : types) {
     std::vector<std::string> parameters;
     for (const v1::ParameterSpec& parameter : type->parameters()) parameters.push_back(ParameterText(parameter));
-    text +=
-        fmt::format("- {}({}): {}{}\n", type->name(), fmt::join(parameters, ", "), type->summary(), ExampleText(*type));
+    text += fmt::format("- {}({}): {}", type->name(), fmt::join(parameters, ", "), type->summary());
+    if (!type->examples().empty()) text += fmt::format(" \"{}\"", type->examples(0).sentence());
+    text += "\n";
   }
   return text;
 }
@@ -123,9 +107,17 @@ std::string ZonesText(const v1::ZonePlan& zones) {
   return fmt::format("{}", fmt::join(ids, ", "));
 }
 
-std::string ObjectsText(const v1::ObjectList& objects) {
+std::string ObjectsText(const v1::ObjectList& objects, std::span<const v1::Sentence* const> sentences) {
+  std::set<std::string_view> spoken_of;
+  bool about_tertiaries = false;
+  for (const v1::Sentence* sentence : sentences) {
+    spoken_of.insert(sentence->subject_ids().begin(), sentence->subject_ids().end());
+    about_tertiaries |= sentence->scope() == v1::SENTENCE_SCOPE_TERTIARY;
+  }
   std::string text;
   for (const v1::Object& object : objects.objects()) {
+    const bool tertiary = object.role() == v1::OBJECT_ROLE_TERTIARY;
+    if (tertiary && !about_tertiaries && !spoken_of.contains(object.id())) continue;
     text += fmt::format("- {}: {}, {:.2f} x {:.2f} x {:.2f}, {}, {}\n", object.id(), llm::QuoteData(object.name()),
                         object.width_m(), object.depth_m(), object.height_m(),
                         object.zone_id().empty() ? "no zone" : object.zone_id(), PlaceText(object));

@@ -20,8 +20,8 @@ std::string RoomText(const v1::Room& room);
 
 std::string ZonesText(const v1::ZonePlan& zones);
 
-// One line an object.
-std::string ObjectsText(const v1::ObjectList& objects);
+// One line an object; tertiaries only where the sentences are about them.
+std::string ObjectsText(const v1::ObjectList& objects, std::span<const v1::Sentence* const> sentences);
 
 // One line a sentence: id, the names of its subjects in brackets, and its text quoted as data.
 std::string SentencesText(std::span<const v1::Sentence* const> sentences);
