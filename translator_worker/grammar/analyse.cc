@@ -269,7 +269,7 @@ class Reader {
         at_ += phrase.length;
         return;
       case WordClass::kGroup:
-        if (tokens_[at_].IsWord("no")) raw.negative = true;
+        if (tokens_[at_].IsWord("no") || tokens_[at_].IsWord("nothing")) raw.negative = true;
         push_reference(RefKind::kGroup);
         break;
       case WordClass::kPronoun:

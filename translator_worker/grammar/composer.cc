@@ -156,6 +156,8 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
       break;
     case RefKind::kGroup:
       objects = Group(reference.name, movers);
+      // "The seating" under the heading "Dining chairs" is these chairs.
+      if (reference.name == "seating" && !target) KeepSubjects(objects);
       // "the seating" is that of the zone when it has some.
       if (reference.name == "seating" && !reference.each && !movers.empty()) KeepZone(objects, movers.front());
       break;
@@ -268,6 +270,14 @@ std::vector<Placed> Composer::Primaries() const {
   }
   if (result.size() > kMost) result.clear();
   return result;
+}
+
+void Composer::KeepSubjects(std::vector<int>& objects) const {
+  std::vector<int> kept;
+  for (const int index : objects) {
+    if (Contains(subjects_, index)) kept.push_back(index);
+  }
+  if (!kept.empty()) objects = kept;
 }
 
 void Composer::KeepZone(std::vector<int>& objects, const Placed& mover) const {

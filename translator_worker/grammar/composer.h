@@ -101,6 +101,8 @@ class Composer {
   std::vector<int> Choose(const Reference& reference, const std::vector<Placed>& movers);
   // The primary objects, when there are few enough to be spoken of together.
   std::vector<Placed> Primaries() const;
+  // Those that the heading names, when there are any.
+  void KeepSubjects(std::vector<int>& objects) const;
   void KeepZone(std::vector<int>& objects, const Placed& mover) const;
   // "The TV screen" of a TV stand is the stand where floor objects are spoken of.
   Placed PieceFor(const Placed& placed) const;

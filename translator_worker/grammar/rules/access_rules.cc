@@ -104,14 +104,16 @@ void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
     return;
   }
   const std::vector<Placed> owners =
-      match.b != nullptr ? composer.TargetObjects(*match.b, {}) : composer.Movers(match.a);
+      match.b != nullptr && tag != "free_sides" ? composer.TargetObjects(*match.b, {}) : composer.Movers(match.a);
   std::vector<Placed> placed;
   for (Placed owner : owners) {
     if (tag == "around") {
       if (owner.side.empty()) {
-        for (const char* side : {"front", "left", "right"}) placed.push_back({owner.object, side});
-        continue;
+        // Most pieces have their back at a wall; chairs are got at from there.
+        owner.side = composer.IsChair(owner) ? "all" : "three";
       }
+    } else if (tag == "free_sides") {
+      owner.side = "three";  // the back is at the wall
     } else if (tag != "named" || owner.side.empty()) {
       owner.side = tag == "named" ? "front" : std::string(tag);
     }
@@ -193,6 +195,10 @@ std::vector<Rule> AccessRules() {
       {"A.object? space? D? accessible ,? at_sides", SpaceAt, "sides"},
       {"A? accessible in_front", SpaceAt, "front"},
       {"A? space? D? space? ,? at_sides", SpaceAt, "sides"},
+      {"D space left_of B.object", SpaceAt, "left"},
+      {"space D? left_of B.object", SpaceAt, "left"},
+      {"D space right_of B.object", SpaceAt, "right"},
+      {"space D? right_of B.object", SpaceAt, "right"},
       {"A.side keep_clear/accessible ,? D", Accessible},
       {"A? ,? D? space? keep_clear? in_front keep_clear?", SpaceAt, "front"},
       {"A? ,? space? D? space? in_front", SpaceAt, "front"},
@@ -200,8 +206,10 @@ std::vector<Rule> AccessRules() {
       {"A? ,? space D? at_sides", SpaceAt, "sides"},
       {"A? space? D? space? around B.side", SpaceAt, "named"},
       {"A? space D? around", SpaceAt, "around"},
+      {"A? space? D? around D? space ,? D?", SpaceAt, "around"},
       {"A? space? ,? D? space? all_sides", SpaceAt, "all"},
       {"A? space? D? space? all_sides B.object", SpaceAt, "all"},
+      {"A? space? D? space? all_sides that? not against/near/along/next_to B.wall", SpaceAt, "free_sides"},
       {"A? space? all_sides , D space?", SpaceAt, "all"},
       {"A? space? around B.side , D space?", SpaceAt, "named"},
       {"A? space? around B.object , D space?", SpaceAt, "around"},
@@ -209,6 +217,7 @@ std::vector<Rule> AccessRules() {
       {"A.object? accessible space? D? on? B.side", SpaceAt, "named"},
       {"A? accessible/access_to/allow_access_to B.object away_from C.side", AccessFromSide},
       {"A.side not block", OfMovers},
+      {"A.object? not block away_from B.side", AccessToSide},
       {"A? not block next_to B", OfMovers},
       {"not? C.vague not? in_front", SpaceAt, "front"},
       {"around B.object keep_clear/clear_of", SpaceAt, "around"},

@@ -101,7 +101,8 @@ void KeepDistance(const Placed& mover, const Placed& other, const Distance* dist
     composer.EmitFirst(
         {Call("away_from").Text("object", id).Text("target", target).Number("min_distance_m", *distance->min_m)});
   }
-  if (distance->max_m) {
+  // "0.5 m from the sofa" is kept clear; only a range or a limit also asks to be near.
+  if (distance->max_m && !distance->exact) {
     composer.EmitFirst(
         {Call("near").Text("object", id).Text("target", target).Number("max_distance_m", *distance->max_m)});
   }

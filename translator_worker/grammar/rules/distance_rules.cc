@@ -65,6 +65,17 @@ void AwayFrom(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+// "0.5 m from the wall on its left": free space at that side; tag is a side word, else C names it.
+void FromWallAtSide(const Match& match, std::string_view tag, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    if (match.c == nullptr) FreeSpace({mover.object, std::string(tag)}, match.distance, composer);
+    if (match.c == nullptr) continue;
+    for (const Reference& reference : match.c->references) {
+      FreeSpace({mover.object, reference.side}, match.distance, composer);
+    }
+  }
+}
+
 bool Names(const Reference& reference, int object) {
   const auto has = [&](const std::vector<int>& list) {
     return std::find(list.begin(), list.end(), object) != list.end();
@@ -231,10 +242,15 @@ void FeatureAway(const Match& match, std::string_view, Composer& composer) {
 
 std::vector<Rule> WalkwayRules() {
   return {
-      {"D? C.vague D? ,? between B", PathBetween}, {"A.list D? C.vague D? between B.pronoun", PathBetween},
-      {"B.feature not near/next_to", FeatureAway}, {"B.feature not near/next_to A.object", FeatureAway},
-      {"B.feature away_from", FeatureAway},        {"B.feature away_from/near D", FeatureAway},
-      {"B.feature D apart", FeatureAway},          {"B.feature apart", FeatureAway},
+      {"D? C.vague D? ,? between B", PathBetween},
+      {"D? C.vague between B ,? D", PathBetween},
+      {"A.list D? C.vague D? between B.pronoun", PathBetween},
+      {"B.feature not near/next_to", FeatureAway},
+      {"B.feature not near/next_to A.object", FeatureAway},
+      {"B.feature away_from", FeatureAway},
+      {"B.feature away_from/near D", FeatureAway},
+      {"B.feature D apart", FeatureAway},
+      {"B.feature apart", FeatureAway},
   };
 }
 
@@ -247,6 +263,10 @@ std::vector<Rule> DistanceRules() {
       {"A.list D space?", ApartFromEachOther},
       {"A.list space ,? D?", ApartFromEachOther},
       {"A? space? away_from B ,? D", AwayFrom},
+      {"A? space? D? space? away_from B.wall on/to/at_sides C.side", FromWallAtSide},
+      {"A? space? D? space? away_from B.wall behind", FromWallAtSide, "back"},
+      {"A? space? D? space? away_from B.wall at_sides", FromWallAtSide, "sides"},
+      {"A? space? D? space? away_from B.wall in_front", FromWallAtSide, "front"},
       {"A? space? away_from B next_to D", AwayFrom},
       {"A? D space? of B", AwayFrom},
       {"A? not near/next_to/in_front_of B", AwayFrom},
@@ -257,6 +277,8 @@ std::vector<Rule> DistanceRules() {
       {"D apart B.list", Between},
       {"A? not centered? between B", AwayFrom},
       {"A? not? space? D? space? apart", ApartFromEachOther},
+      {"A? not? apart D space?", ApartFromEachOther},
+      {"A? apart ,? D space? away_from B", AwayFrom},
       {"A? not near/next_to/against both_ways", ApartFromEachOther},
       {"A.list not near/next_to/together", ApartFromEachOther},
       {"A? not near/next_to/against B.pronoun", ApartFromEachOther},

@@ -57,6 +57,12 @@ void Near(const Match& match, std::string_view tag, Composer& composer) {
     }
     return;
   }
+  // Access to an area is a matter of ways, not of nearness.
+  if (tag == "access" && match.b->references.front().kind == RefKind::kZone) {
+    composer.Refuse("not_about_layout",
+                    "access to an area cannot be asked for; name the objects and sides that serve it");
+    return;
+  }
   if (match.a != nullptr && match.a->references.front().kind == RefKind::kGroup &&
       match.a->references.front().name != "seating") {
     composer.Refuse("not_about_layout", "say which object is near it");
