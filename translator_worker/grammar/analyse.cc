@@ -197,6 +197,16 @@ class Reader {
     Push(std::move(raw), 1);
   }
 
+  // "Keep the front clear": elsewhere "clear" tells only what kind of space.
+  bool EndsSideClear(const Phrase& phrase) const {
+    if (phrase.word_class != WordClass::kFiller || phrase.length != 1 || terms_.empty()) return false;
+    const Token& token = tokens_[at_];
+    if (!token.IsWord("clear") && !token.IsWord("free") && !token.IsWord("open")) return false;
+    if (terms_.back().role != RawTerm::Role::kSide) return false;
+    return at_ + 1 == tokens_.size() || tokens_[at_ + 1].IsMark('.') || tokens_[at_ + 1].IsMark(',') ||
+           tokens_[at_ + 1].IsWord("for") || tokens_[at_ + 1].IsWord("to") || tokens_[at_ + 1].IsWord("so");
+  }
+
   void PushPhrase(const Phrase& phrase) {
     RawTerm raw;
     Reference reference;
@@ -212,6 +222,10 @@ class Reader {
     };
     switch (phrase.word_class) {
       case WordClass::kFiller:
+        if (EndsSideClear(phrase)) {
+          push_word("keep_clear");
+          break;
+        }
         at_ += phrase.length;
         return;
       case WordClass::kWish:

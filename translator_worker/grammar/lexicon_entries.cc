@@ -52,6 +52,7 @@ relation facing: [to|and] (allow|allowing|have|having|provide) [a|an|the] [clear
   | pointed (towards|toward|at) | pointing (towards|toward|at) | [a|an] [clear|good|direct|unobstructed|direct] (view|visibility|line of sight) (of|to|from|onto)
   | (viewable|visible|seen) from | in [the] view of | in [direct] [line of] sight of | for view of | overlooking | orient (towards|toward|to) | turn (towards|toward|to) | [clear] line of sight (from|to)
   | clearly visible from | has a view of | in [full] view from | within view of | directed (towards|toward|at)
+relation facing_away: [to] (face|faces|facing|faced|turned|oriented|pointed|pointing) [directly] away from
 relation facing_each_other: (face|facing) each other | face one another | facing one another
 relation opposite: opposite | opposite to | opposite from | across from | directly across [from] | on the opposite side of
 relation same_direction: (face|faces|facing) [in] the same (direction|way) (as|like) | same (direction|orientation|way) (as|like) | oriented the same way as
@@ -84,7 +85,7 @@ relation space: space | distance | gap | clearance | spacing | separation | buff
 relation space: [clear|enough|adequate|sufficient|ample] (space|room|clearance) (should|must) be (left|kept|maintained|provided|allowed|ensured)
 relation space: [of] [clear|open|free|adequate|sufficient|enough] (walking|circulation|movement|viewing|maneuvering) (space|clearance|distance|area)
 relation space: [clear] (walking|circulation|walkway|movement) room | space to walk | (ample|adequate|sufficient|more) room
-relation space: (leave|leaves|leaving|allow|allows|allowing|provide|provides|providing|maintain|extra|some|more|walking) room | legroom | leg room | (clearance|clear|free|buffer) (zone|area)
+relation space: (leave|leaves|leaving|allow|allows|allowing|provide|provides|providing|maintain|extra|some|more|walking) room | legroom | leg room | [of] (clear|free|open|unobstructed|empty) floor (space|area) | (clearance|clear|free|buffer) (zone|area)
 relation minimal: minimal | kept minimal
 relation considered: (in|into) (consideration|mind|account)
 relation same_wall: (against|on|along) the same wall as
@@ -148,7 +149,7 @@ side short_one: [at least] (one|a) [of its|of the] (short|shorter) (side|sides|e
 side short_both: [both|the|two] (short|shorter) (sides|edges)
 side two_any: [at least] two adjacent sides | [at least|on at least] two [of its] sides
 side three: [all|the] sides (not against|away from|not touching|not facing|facing away from|other than) [the|a|any] (wall|walls) | [all|the] sides that are not against [the|a|any] (wall|walls) | [at least] three [of its] sides
-side all: all [of its|of the] [four] sides | all four sides | every side | all around sides | (each|all) of its sides | all [its] [four] sides
+side all: all directions | every direction | all angles | all [of its|of the] [four] sides | all four sides | every side | all around sides | (each|all) of its sides | all [its] [four] sides
 feature door: opening of [the] (door|doors) | (door|doors) (openings|entryways) | room 's (entrance|entry|door|doorway|exit) | (wall|walls) with [a|the] (door|doors) | [bedroom|entrance|entry|main|room|front] (door|doors|doorway|doorways) | [the] (entrance|entry|entryway|entryways|entrances|exit|exits|access point|entry point|entry points|doorframe|threshold) [door|way] | (door|door 's) (swing|swings|opening|area|clearance|path|frame|arc)
   | doors 's (swing|swings) | swing[ing] of [the] (door|doors) | swings | entry area | entrance area | doors swings | door swing area | passage door | entry to the room | entry and exit [points] | line of entry
 feature window: (window|windows) access | opening of [the] (window|windows) | (wall|walls) with [a|the|any] (window|windows) | window (wall|walls) | window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light

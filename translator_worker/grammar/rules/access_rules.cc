@@ -131,6 +131,10 @@ void PathAround(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+void MovementAround(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_about_layout", "ways cannot be asked for; say which sides are kept free");
+}
+
 // A chair is pulled out backwards; room for "the chair" of a desk is in front of the desk.
 void PullOut(const Match& match, std::string_view, Composer& composer) {
   const Mention* const chairs = match.a != nullptr ? match.a : match.b;
@@ -246,6 +250,9 @@ std::vector<Rule> AccessRules() {
       {"A.side space D?", SpaceAt, "named"},
       {"A? space? D? space? pull_out ,? D? space?", PullOut},
       {"A? space for? A pull_out", PullOut},
+      {"A? space? pull_out ,? all_sides", PullOut},
+      {"A? space? pull_out ,? not block B", PullOut},
+      {"A swing_open ,? not block B", SpaceAt, "named"},
       {"space for/to? pull_out", PullOut},
       {"A? space? pull_out away_from C", PullOut},
       {"clear_of B pull_out", PullOut},
@@ -267,8 +274,10 @@ std::vector<Rule> AccessRules() {
 std::vector<Rule> PathRules() {
   return {
       {"A.side clear_of B.vague", OfMovers},
+      {"A.side clear_of accessible/space/access_to", OfMovers},
       {"A? D? C.vague D? around B.object", PathAround, "around"},
       {"A? D? C.vague D? all_sides B.object", PathAround, "all"},
+      {"A? not block C.vague around B.object", MovementAround},
   };
 }
 

@@ -147,6 +147,18 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+// "Between the backs of the chairs and any wall or furniture": free space there.
+void BetweenOrAnything(const Match& match, std::string_view tag, Composer& composer) {
+  const Reference& first = match.b->references.front();
+  if (first.side.empty() || first.kind == RefKind::kGroup) {
+    Between(match, tag, composer);
+    return;
+  }
+  Mention owner;
+  owner.references = {first};
+  for (const Placed& placed : composer.Movers(&owner)) FreeSpace(placed, match.distance, composer);
+}
+
 // "between the lamp and the walls".
 void BetweenAndWall(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.b)) {
@@ -263,6 +275,7 @@ std::vector<Rule> DistanceRules() {
       {"A.list D space?", ApartFromEachOther},
       {"A.list space ,? D?", ApartFromEachOther},
       {"A? space? away_from B ,? D", AwayFrom},
+      {"A? space? D? space? away_from B.wall all_sides", AwayFrom},
       {"A? space? D? space? away_from B.wall on/to/at_sides C.side", FromWallAtSide},
       {"A? space? D? space? away_from B.wall behind", FromWallAtSide, "back"},
       {"A? space? D? space? away_from B.wall at_sides", FromWallAtSide, "sides"},
@@ -272,6 +285,7 @@ std::vector<Rule> DistanceRules() {
       {"A? not near/next_to/in_front_of B", AwayFrom},
       {"A? not? space D? between ,? B ,? D?", Between},
       {"A? D of? space? ,? between B", Between},
+      {"A? space? D? space? between B or C.group", BetweenOrAnything},
       {"space between B minimal", Between, "touching"},
       {"apart between B", Between},
       {"D apart B.list", Between},
@@ -295,6 +309,8 @@ std::vector<Rule> DistanceRules() {
       {"A? space? away_from B.object to C.object D", FromTo},
       {"A? space? D? space? away_from B to C.group", FromTo},
       {"A? space? D? space? away_from B to C.group or C.wall", FromTo},
+      {"A? space? D? space? away_from B.side to C.wall", FromTo},
+      {"A? space? D? space? away_from B.side to C.wall or C.group", FromTo},
       {"A? not B.feature", AwayFrom},
       {"A? not crowd B", AwayFrom},
       {"space D? next_to/near B.feature", AwayFrom},

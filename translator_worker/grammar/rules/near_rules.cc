@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nearness and contact by position: near, next to, left of, behind, on each side of.
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -47,7 +48,23 @@ void NearOne(const Placed& mover, const Target& target, const Distance* distance
   if (!target.objects.empty()) composer.SetPair({mover}, target.objects);
 }
 
+// "Easy access to the shelves" of a bookcase that is spoken of: it is the target itself.
+bool IsOwnPart(const Mention& mention, const Composer& composer) {
+  if (composer.topic().size() != 1 || mention.references.size() != 1) return false;
+  const Reference& reference = mention.references.front();
+  const int topic = composer.topic().front().object;
+  const auto has = [&](const std::vector<int>& list) {
+    return std::find(list.begin(), list.end(), topic) != list.end();
+  };
+  return reference.kind == RefKind::kObjects && (has(reference.candidates) || has(reference.weak_candidates));
+}
+
 void Near(const Match& match, std::string_view tag, Composer& composer) {
+  if (tag == "access" && match.a == nullptr && IsOwnPart(*match.b, composer)) {
+    composer.EmitFirst(
+        {Call("accessible").Text("object", composer.id(composer.topic().front())).Texts("sides", {"front"})});
+    return;
+  }
   // "Maintain clear access to the table", when nobody else is spoken of.
   if (tag == "access" && match.a == nullptr && composer.topic().empty()) {
     for (const Placed& other : composer.TargetObjects(*match.b, {})) {
