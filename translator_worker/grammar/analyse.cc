@@ -197,12 +197,14 @@ class Reader {
     Push(std::move(raw), 1);
   }
 
-  // "Keep the front clear": elsewhere "clear" tells only what kind of space.
+  // "Keep the front clear", "front accessibility": elsewhere "clear" tells only what kind of space.
   bool EndsSideClear(const Phrase& phrase) const {
     if (phrase.word_class != WordClass::kFiller || phrase.length != 1 || terms_.empty()) return false;
     const Token& token = tokens_[at_];
+    if (token.IsWord("accessibility") && terms_.back().role == RawTerm::Role::kSide) return true;
     if (!token.IsWord("clear") && !token.IsWord("free") && !token.IsWord("open")) return false;
-    if (terms_.back().role != RawTerm::Role::kSide) return false;
+    const size_t modals = terms_.back().role == RawTerm::Role::kModal ? 1 : 0;
+    if (terms_.size() <= modals || terms_[terms_.size() - 1 - modals].role != RawTerm::Role::kSide) return false;
     return at_ + 1 == tokens_.size() || tokens_[at_ + 1].IsMark('.') || tokens_[at_ + 1].IsMark(',') ||
            tokens_[at_ + 1].IsWord("for") || tokens_[at_ + 1].IsWord("to") || tokens_[at_ + 1].IsWord("so");
   }

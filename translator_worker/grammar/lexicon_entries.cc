@@ -22,7 +22,7 @@ relation next_to: next to | beside | adjacent to | directly adjacent to | immedi
 relation to_side: (to|on|at) the other side of | (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
 relation side_by_side: side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
   | form (a|one) row | lined up
-relation together: close together | (grouped|placed|kept) together
+relation together: in (close|immediate) proximity | close together | (grouped|placed|kept) together
 relation each_side_of: on (each|either|both) (side|sides) of | at (each|either) side of | on opposite sides of
   | flanking | flank | flanks | one on each side of | on both sides of | at both sides of | to (each|either) side of
 relation left_of: (to|on|at) [the] left [side] of | left of | immediately left of
@@ -85,6 +85,7 @@ relation space: space | distance | gap | clearance | spacing | separation | buff
 relation space: [clear|enough|adequate|sufficient|ample] (space|room|clearance) (should|must) be (left|kept|maintained|provided|allowed|ensured)
 relation space: [of] [clear|open|free|adequate|sufficient|enough] (walking|circulation|movement|viewing|maneuvering) (space|clearance|distance|area)
 relation space: [clear] (walking|circulation|walkway|movement) room | space to walk | (ample|adequate|sufficient|more) room
+  | [enough|ample|adequate|sufficient|clear|more] (space|room) to (move|walk|navigate|maneuver|manoeuvre|circulate|get)
 relation space: (leave|leaves|leaving|allow|allows|allowing|provide|provides|providing|maintain|extra|some|more|walking) room | legroom | leg room | [of] (clear|free|open|unobstructed|empty) floor (space|area) | (clearance|clear|free|buffer) (zone|area)
 relation minimal: minimal | kept minimal
 relation considered: (in|into) (consideration|mind|account)

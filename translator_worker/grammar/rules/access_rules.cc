@@ -2,6 +2,7 @@
 // Free space at an object's sides: accessible, clearance in front, room to pull a chair out.
 #include <algorithm>
 
+#include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/sides.h"
 
@@ -96,12 +97,27 @@ void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "The bookshelf and the bed have a gap of 0.5 m": between them.
+bool IsPairWithoutSides(const Mention& mention, const Composer& composer) {
+  return composer.scope() == v1::SENTENCE_SCOPE_INTER && mention.references.size() == 2 &&
+         std::all_of(mention.references.begin(), mention.references.end(), [](const Reference& reference) {
+           return reference.kind == RefKind::kObjects && reference.side.empty();
+         });
+}
+
 // Space at a place relative to B, or to the topic: tag is "front", "back", "sides" or "around".
 void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
   const Mention* const of = match.b != nullptr ? match.b : match.a;
   if (of != nullptr && of->references.front().kind == RefKind::kGroup && of->references.front().name != "seating") {
     composer.Refuse("not_about_layout", "space around pieces that are not named cannot be asked for; name them");
     return;
+  }
+  if (tag == "named" && match.b == nullptr && match.a != nullptr && IsPairWithoutSides(*match.a, composer)) {
+    const std::vector<Placed> pair = composer.Movers(match.a);
+    if (pair.size() == 2) {
+      KeepDistance(pair[0], pair[1], match.distance, composer);
+      return;
+    }
   }
   const std::vector<Placed> owners =
       match.b != nullptr && tag != "free_sides" ? composer.TargetObjects(*match.b, {}) : composer.Movers(match.a);
@@ -252,6 +268,7 @@ std::vector<Rule> AccessRules() {
       {"A? space for? A pull_out", PullOut},
       {"A? space? pull_out ,? all_sides", PullOut},
       {"A? space? pull_out ,? not block B", PullOut},
+      {"A.object? space D? swing_open ,? C.feature?", SpaceAt, "named"},
       {"A swing_open ,? not block B", SpaceAt, "named"},
       {"space for/to? pull_out", PullOut},
       {"A? space? pull_out away_from C", PullOut},

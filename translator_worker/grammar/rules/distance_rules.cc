@@ -313,6 +313,9 @@ std::vector<Rule> DistanceRules() {
       {"A? space? D? space? away_from B.side to C.wall or C.group", FromTo},
       {"A? not B.feature", AwayFrom},
       {"A? not crowd B", AwayFrom},
+      {"A? D clear_of B.object", AwayFrom},
+      {"A? away_from apart", ApartFromEachOther},
+      {"A? space? D? space? away_from both_ways", ApartFromEachOther},
       {"space D? next_to/near B.feature", AwayFrom},
       {"space away_from B ,? D", AwayFrom},
   };

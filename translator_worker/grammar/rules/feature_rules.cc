@@ -61,6 +61,10 @@ void AllowAccess(const Match& match, std::string_view tag, Composer& composer) {
     }
     return;
   }
+  if (first.kind == RefKind::kZone) {
+    composer.Refuse("not_about_layout", "access to an area cannot be asked for; name the objects that are reached");
+    return;
+  }
   NotBlock(match, tag, composer);
 }
 

@@ -34,6 +34,20 @@ void Against(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Against a wall with both sides accessible".
+void AgainstAndAccessible(const Match& match, std::string_view tag, Composer& composer) {
+  Match wall = match;
+  wall.c = nullptr;
+  Against(wall, tag, composer);
+  for (const Placed& mover : composer.Movers(match.a)) {
+    std::vector<std::string> sides;
+    for (const Reference& reference : match.c->references) {
+      for (const std::string& side : SidesOf(composer, {mover.object, reference.side})) sides.push_back(side);
+    }
+    composer.EmitFirst({Call("accessible").Text("object", composer.id(mover)).Texts("sides", sides)});
+  }
+}
+
 // "X's right side aligns with Y's left": adjoining for opposite sides, the same direction for equal ones.
 void Aligned(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
@@ -113,6 +127,7 @@ std::vector<Rule> WallRules() {
   return {
       {"A? against B , C.side", Against},
       {"A? against/along/on/next_to B.wall ,? C.side", Against},
+      {"A? against/along/on/next_to B.wall , C.side accessible/keep_clear", AgainstAndAccessible},
       {"A? against/along/next_to B.wall", Against},
       {"A? against B", Against},
       {"A? against/near corner", InCorner},
