@@ -11,7 +11,7 @@ relation against: (installed|mounted|fixed|positioned|placed|set) against | [rig
   | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | fixed to | attached to
 relation along: along | alongside | lined up along | runs along | running along
 relation aligned: aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
-relation near: close enough (to|for) | near enough (to|for) | in conjunction with | together with | combined with | near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
+relation near: [within] [an|a] (arm 's|arms) length (of|from) | close enough (to|for) | near enough (to|for) | in conjunction with | together with | combined with | near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
   | proximity to | in the vicinity of | within [easy|arm 's|arms|comfortable|convenient|close] reach of | not far from | not too far from
   | easily accessible from | conveniently accessible from | in reach of | [within] [a] comfortable sitting distance (from|of)
   | within [a] (comfortable|short|reasonable|walking|easy) distance (of|from) | within [easy|arm 's|close] reach from | within easy reach | within arm 's reach

@@ -157,6 +157,13 @@ class Tokenizer {
     }
   }
 
+  // "0.3m - 0.5m", "0.3 - 0.5m": a number, or one and its unit.
+  bool EndsInLength() const {
+    const size_t n = tokens_.size();
+    return n > 0 &&
+           (tokens_[n - 1].kind == Token::Kind::kNumber || (n > 1 && tokens_[n - 2].kind == Token::Kind::kNumber));
+  }
+
   void Mark(char c) {
     const size_t begin = at_++;
     switch (c) {
@@ -169,7 +176,7 @@ class Tokenizer {
       case '-':
         // Joins words unless it stands alone (a dash) or between numbers (a range).
         if (Next(0) == ' ' && begin > 0 && text_[begin - 1] == ' ') {
-          Push(Token::Kind::kPunctuation, ",", begin, at_);
+          Push(Token::Kind::kPunctuation, IsDigit(Next(1)) && EndsInLength() ? "-" : ",", begin, at_);
         } else if (IsDigit(Next(0)) || Next(0) == '.') {
           Push(Token::Kind::kPunctuation, "-", begin, at_);
         }

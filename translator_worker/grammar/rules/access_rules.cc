@@ -94,6 +94,7 @@ void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
         composer.EmitFirst({Call("near").Text("object", composer.id(mover)).Text("target", composer.id(other))});
       }
     }
+    if (!target.objects.empty()) composer.SetPair(movers, target.objects);
   }
 }
 

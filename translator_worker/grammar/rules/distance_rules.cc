@@ -131,6 +131,7 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
     composer.Refuse("unknown_sentence", "a distance needs two objects that it is kept between");
     return;
   }
+  if (all.size() == 2) composer.SetPair({all[0]}, {all[1]});
   // "Between the table and each chair": the chairs among themselves are not meant.
   const bool among_groups = mention.references.size() > 1;
   const auto group_of = [&](const Placed& placed) {
@@ -250,19 +251,20 @@ void FeatureAway(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Nothing between the sofa and the TV stand".
+void NothingBetween(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "no call keeps the space between two objects empty; name a side or a distance");
+}
+
 }  // namespace
 
 std::vector<Rule> WalkwayRules() {
   return {
-      {"D? C.vague D? ,? between B", PathBetween},
-      {"D? C.vague between B ,? D", PathBetween},
-      {"A.list D? C.vague D? between B.pronoun", PathBetween},
-      {"B.feature not near/next_to", FeatureAway},
-      {"B.feature not near/next_to A.object", FeatureAway},
-      {"B.feature away_from", FeatureAway},
-      {"B.feature away_from/near D", FeatureAway},
-      {"B.feature D apart", FeatureAway},
-      {"B.feature apart", FeatureAway},
+      {"D? C.vague D? ,? between B", PathBetween}, {"D? C.vague between B ,? D", PathBetween},
+      {"A.group not between B", NothingBetween},   {"A.list D? C.vague D? between B.pronoun", PathBetween},
+      {"B.feature not near/next_to", FeatureAway}, {"B.feature not near/next_to A.object", FeatureAway},
+      {"B.feature away_from", FeatureAway},        {"B.feature away_from/near D", FeatureAway},
+      {"B.feature D apart", FeatureAway},          {"B.feature apart", FeatureAway},
   };
 }
 
@@ -313,6 +315,7 @@ std::vector<Rule> DistanceRules() {
       {"A? space? D? space? away_from B.side to C.wall or C.group", FromTo},
       {"A? not B.feature", AwayFrom},
       {"A? not crowd B", AwayFrom},
+      {"A.object to B.object ,? D", AwayFrom},
       {"A? D clear_of B.object", AwayFrom},
       {"A? away_from apart", ApartFromEachOther},
       {"A? space? D? space? away_from both_ways", ApartFromEachOther},
