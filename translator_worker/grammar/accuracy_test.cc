@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How well the grammar reads what real models wrote, against labels made by hand. Ten rooms were looked at while the
 // grammar was written; 24 further ones were labelled, measured and then looked at four at a time (docs/benchmarks.md
-// has the figures of before they were looked at); four were only ever measured. FLAIR_SHOW_MISSES=1 prints what is
-// wrong in all but the four. A sentence is correct when every part of it gets all calls of one accepted reading and
+// has the figures of before they were looked at). Of four held-out rooms one, 63_living_dining, was opened later and is
+// now a development room; nobody has looked at the sentences of the other three. FLAIR_SHOW_MISSES=1 prints what is
+// wrong in all but the three; their sum is printed only with FLAIR_SHOW_HELD_OUT=1: who sees it at each run develops by
+// it. A sentence is correct when every part of it gets all calls of one accepted reading and
 // nothing else is made, or nothing at all where nothing is to be made.
 #include <algorithm>
 #include <cstdlib>
@@ -79,6 +81,7 @@ Measured Measure(const std::string& file, bool held_out) {
     if (room.held_out == held_out) MeasureRoom(room, show, measured);
   }
   const Score& score = measured.score;
+  if (held_out && std::getenv("FLAIR_SHOW_HELD_OUT") == nullptr) return measured;
   std::cout << file << (held_out ? ", held-out" : ", development") << " rooms: correct " << measured.correct_share()
             << " (" << measured.correct << "/" << measured.sentences << "), recall " << score.recall() << " ("
             << score.met_calls << "/" << score.labelled_calls << "), precision " << score.precision() << " ("
@@ -89,7 +92,7 @@ Measured Measure(const std::string& file, bool held_out) {
 
 TEST(Accuracy, OfSentencesThatTheGrammarWasWrittenWith) {
   const Measured measured = Measure("labelled_rooms.jsonl", false);
-  EXPECT_GE(measured.correct_share(), 0.98);
+  EXPECT_GE(measured.correct_share(), 0.985);
   EXPECT_GE(measured.score.recall(), 0.99);
   EXPECT_GE(measured.score.precision(), 0.99);
   EXPECT_GE(measured.score.refusal_share(), 0.97);
@@ -100,17 +103,17 @@ TEST(Accuracy, OfFurtherSentencesThatWereMeasuredAndThenLookedAt) {
   const Measured measured = Measure("further_rooms.jsonl", false);
   EXPECT_GE(measured.correct_share(), 0.96);
   EXPECT_GE(measured.score.recall(), 0.97);
-  EXPECT_GE(measured.score.precision(), 0.97);
+  EXPECT_GE(measured.score.precision(), 0.975);
   EXPECT_GE(measured.score.refusal_share(), 0.9);
   EXPECT_EQ(measured.score.silent, 0);
 }
 
 TEST(Accuracy, OfSentencesOfHeldOutRooms) {
   const Measured measured = Measure("labelled_rooms.jsonl", true);
-  EXPECT_GE(measured.correct_share(), 0.82);
-  EXPECT_GE(measured.score.recall(), 0.81);
-  EXPECT_GE(measured.score.precision(), 0.83);
-  EXPECT_GE(measured.score.refusal_share(), 0.80);
+  EXPECT_GE(measured.correct_share(), 0.85);
+  EXPECT_GE(measured.score.recall(), 0.84);
+  EXPECT_GE(measured.score.precision(), 0.89);
+  EXPECT_GE(measured.score.refusal_share(), 0.84);
   EXPECT_EQ(measured.score.silent, 0);
 }
 

@@ -163,5 +163,42 @@ TEST(Forms, NothingIsRelatedToItself) {
   EXPECT_EQ(Read("The desk is near the desk."), "");
 }
 
+// A distance as such only keeps apart; a range also asks to be near.
+TEST(Forms, DistancesKeepApartAndRangesAlsoKeepNear) {
+  const std::string apart = "away_from(object=desk, target=daybed, min_distance_m=0.5)";
+  EXPECT_EQ(Read("Keep 0.5m distance between the desk and the daybed."), apart);
+  EXPECT_EQ(Read("The desk and the daybed should have a minimum gap of 0.5m."), apart);
+  EXPECT_EQ(Read("The desk and the daybed should be separated by at least 0.5m."), apart);
+  EXPECT_EQ(Read("There is a gap of 0.5m between the edge of the desk and the front of the daybed."), apart);
+  EXPECT_EQ(Read("The desk should be 0.5m - 1m from the daybed."),
+            apart + "; near(object=desk, target=daybed, max_distance_m=1.0)");
+  EXPECT_EQ(Read("The chair is in front of the desk at a distance of 0.1m."),
+            "in_front_of(object=chair, target=desk, distance_m=0.1)");
+}
+
+TEST(Forms, FreeSidesAreThoseThatAreMeant) {
+  const auto intra = [](const char* text, const char* subject) {
+    return Read(text, {subject}, v1::SENTENCE_SCOPE_INTRA);
+  };
+  EXPECT_EQ(Read("The desk has 0.5m clearance on all sides not against the wall."),
+            "accessible(object=desk, sides=[\"front\",\"left\",\"right\"], min_clearance_m=0.5)");
+  EXPECT_EQ(Read("The desk is at least 0.5m from the wall on its left side."),
+            "accessible(object=desk, sides=[\"left\"], min_clearance_m=0.5)");
+  EXPECT_EQ(intra("Needs enough surrounding space.", "desk"),
+            "accessible(object=desk, sides=[\"front\",\"left\",\"right\"])");
+  EXPECT_EQ(intra("Needs space around it.", "chair"),
+            "accessible(object=chair, sides=[\"front\",\"back\",\"left\",\"right\"])");
+  EXPECT_EQ(intra("Against a wall with both sides accessible.", "desk"),
+            "against_wall(object=desk); accessible(object=desk, sides=[\"left\",\"right\"])");
+  EXPECT_EQ(intra("Keep the front clear.", "desk"), "accessible(object=desk, sides=[\"front\"])");
+  EXPECT_EQ(intra("Nothing should be placed in front of it.", "desk"), "accessible(object=desk, sides=[\"front\"])");
+}
+
+TEST(Forms, AccessToAnAreaAndEmptySpaceBetweenThingsAreRefused) {
+  EXPECT_EQ(Read("The desk should be oriented to facilitate easy access to the reading area."), "");
+  EXPECT_EQ(Read("Do not place any furniture between the desk and the daybed."), "");
+  EXPECT_EQ(Read("The desk should not hinder movement around the daybed."), "");
+}
+
 }  // namespace
 }  // namespace flair::translator
