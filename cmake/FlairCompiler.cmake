@@ -13,7 +13,7 @@ if(FLAIR_SANITIZE)
   add_compile_options(-fsanitize=${FLAIR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${FLAIR_SANITIZE})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    # CGAL casts faces of arrangements to a class that they are not of; GCC's build, which has this check, lets it pass.
+    # As in optimizer_worker/zones, for what clang instantiates elsewhere.
     add_compile_options(-fno-sanitize=vptr)
   endif()
 endif()
