@@ -5,9 +5,9 @@
 
 #include <utility>
 
-namespace flair::language {
+#include "worker_runtime/files/installed_folder.h"
 
-namespace fs = std::filesystem;
+namespace flair::language {
 
 std::vector<llm::PromptSpec> LanguagePrompts() {
   return {{"system", {}, {}},
@@ -22,14 +22,8 @@ std::vector<llm::PromptSpec> LanguagePrompts() {
           llm::RepairPrompt()};
 }
 
-fs::path DefaultPromptsFolder() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    const fs::path installed = program.parent_path().parent_path() / "share" / "flair" / "prompts" / "language";
-    if (fs::is_directory(installed, error)) return installed;
-  }
-  return FLAIR_LANGUAGE_PROMPTS_FOLDER;
+std::filesystem::path DefaultPromptsFolder() {
+  return runtime::InstalledFolder("prompts/language", FLAIR_LANGUAGE_PROMPTS_FOLDER);
 }
 
 llm::Question MakeQuestion(const ModelTools& tools, std::string step, std::string_view prompt,

@@ -2,13 +2,14 @@
 #include "llm/answers/prompt_library.h"
 
 #include <fmt/format.h>
-#include <openssl/sha.h>
 
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
+
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::llm {
 namespace {
@@ -91,14 +92,6 @@ absl::Status Check(const fs::path& path, const std::string& text, const PromptSp
   return absl::OkStatus();
 }
 
-std::string Digest(const std::string& bytes) {
-  unsigned char digest[SHA256_DIGEST_LENGTH];
-  SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest);
-  std::string hex;
-  for (int i = 0; i < 8; ++i) hex += fmt::format("{:02x}", digest[i]);
-  return hex;
-}
-
 }  // namespace
 
 absl::StatusOr<PromptLibrary> PromptLibrary::Load(const fs::path& installed, const fs::path& overrides,
@@ -122,7 +115,7 @@ absl::StatusOr<PromptLibrary> PromptLibrary::Load(const fs::path& installed, con
     library.texts_[spec.name] = Trimmed(kept);
   }
   for (const auto& [name, text] : library.texts_) all += fmt::format("{}\n{}\n{}", name, text.size(), text);
-  library.version_ = Digest(all);
+  library.version_ = runtime::Sha256Hex(all).substr(0, 16);
   return library;
 }
 

@@ -18,6 +18,7 @@
 #include "translator_worker/model/passes.h"
 #include "translator_worker/model/prompt_texts.h"
 #include "translator_worker/model/read_calls.h"
+#include "worker_runtime/files/installed_folder.h"
 
 namespace flair::translator {
 namespace {
@@ -223,14 +224,7 @@ absl::StatusOr<v1::TranslateResponse> ModelTranslator::Translate(const v1::Trans
 }
 
 std::filesystem::path DefaultPromptFolder() {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    const std::filesystem::path installed =
-        program.parent_path().parent_path() / "share" / "flair" / "prompts" / "translator";
-    if (std::filesystem::is_directory(installed, error)) return installed;
-  }
-  return FLAIR_TRANSLATOR_PROMPTS;
+  return runtime::InstalledFolder("prompts/translator", FLAIR_TRANSLATOR_PROMPTS);
 }
 
 }  // namespace flair::translator

@@ -13,7 +13,8 @@
 #include <vector>
 
 #include "language_worker/handbook/loading/check_handbook.h"
-#include "language_worker/handbook/loading/digest.h"
+#include "worker_runtime/files/installed_folder.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::language {
 namespace {
@@ -88,17 +89,9 @@ absl::StatusOr<std::unique_ptr<const Handbook>> LoadHandbook(const fs::path& fol
   }
   if (problems.empty()) problems = CheckHandbook(merged, sources);
   if (!problems.empty()) return Report(problems);
-  return std::make_unique<const Handbook>(std::move(merged), Sha256Hex(digest_input).substr(0, 16));
+  return std::make_unique<const Handbook>(std::move(merged), runtime::Sha256Hex(digest_input).substr(0, 16));
 }
 
-fs::path DefaultHandbookFolder() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    const fs::path installed = program.parent_path().parent_path() / "share" / "flair" / "handbook";
-    if (fs::is_directory(installed, error)) return installed;
-  }
-  return FLAIR_HANDBOOK_FOLDER;
-}
+fs::path DefaultHandbookFolder() { return runtime::InstalledFolder("handbook", FLAIR_HANDBOOK_FOLDER); }
 
 }  // namespace flair::language
