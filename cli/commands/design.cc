@@ -190,6 +190,10 @@ void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const Artifac
     return;
   }
   if (arguments.quiet) return;
+  // What was asked of the room itself and done otherwise, such as a round one.
+  for (const v1::Diagnostic& remark : layout.solved_layout().graph().room().diagnostics()) {
+    if (remark.severity() >= v1::SEVERITY_WARNING) fmt::print(stderr, "remark       {}\n", remark.message());
+  }
   for (const v1::Omission& omission : layout.solved_layout().graph().object_list().omissions()) {
     if (omission.requested()) fmt::print(stderr, "left out     {}: {}\n", omission.name(), omission.reason());
   }

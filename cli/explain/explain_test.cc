@@ -62,6 +62,8 @@ TEST(AboutIt, CutsTheObjectOutOfTheBeginning) {
   EXPECT_EQ(AboutIt("The front of the double bed has space.", bed, others), "Its front has space");
   EXPECT_EQ(AboutIt("Both long sides of the double bed have space.", bed, others), "Both its long sides have space");
   EXPECT_EQ(AboutIt("DOUBLE_BED_1 should face the desk", bed, others), "It should face the desk");
+  EXPECT_EQ(AboutIt("The wall hooks hang by the door.", {"wall hooks"}, {}), "They hang by the door");
+  EXPECT_EQ(AboutIt("The wall hooks", {"wall hooks"}, {}), "It");
 }
 
 TEST(AboutIt, LeavesOtherSentencesAlone) {

@@ -40,6 +40,14 @@ bool EndsName(std::string_view rest) {
   return std::any_of(kVerbs.begin(), kVerbs.end(), [&](std::string_view verb) { return NameAt(rest, 1, verb) > 0; });
 }
 
+// Whether the verb behind a name is that of several: "The wall hooks hang ...". "should" and "must" say nothing of
+// that.
+bool IsPlural(std::string_view rest) {
+  static constexpr std::array<std::string_view, 9> kVerbs = {"are",  "have", "do",  "face", "stand",
+                                                             "hang", "lie",  "sit", "look"};
+  return std::any_of(kVerbs.begin(), kVerbs.end(), [&](std::string_view verb) { return NameAt(rest, 1, verb) > 0; });
+}
+
 // The name at `at` behind an optional "the": where it ends; 0 when it is not there.
 size_t EndOfName(std::string_view text, size_t at, const std::vector<std::string>& names,
                  const std::vector<std::string>& others) {
@@ -56,7 +64,7 @@ std::string AboutIt(std::string_view sentence, const std::vector<std::string>& n
   if (const size_t end = EndOfName(sentence, 0, names, others); end > 0) {
     const std::string_view rest = sentence.substr(end);
     if (rest.starts_with("'s ")) return fmt::format("Its{}", rest.substr(2));
-    if (EndsName(rest)) return fmt::format("It{}", rest);
+    if (EndsName(rest)) return fmt::format("{}{}", IsPlural(rest) ? "They" : "It", rest);
   }
   // "The front of the desk ...", "Both long sides of the bed ...".
   const size_t of = sentence.find(" of ");
