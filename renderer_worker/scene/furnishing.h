@@ -25,7 +25,8 @@ struct Furnishing {
   std::string class_name;  // one of the furniture classes; "box" when nothing better is known
   std::shared_ptr<const Mesh> mesh;
   std::vector<LampLight> lights;
-  std::string asset_id;  // empty when the mesh was made by us
+  std::string asset_id;       // empty when the mesh was made by us
+  std::string asset_licence;  // as its manifest says, such as "CC-BY-4.0"; empty when it does not
 };
 
 // Where furniture comes from. Thread-safe; the same object and style give the same mesh.
