@@ -19,7 +19,10 @@ struct ShellPart {
   std::string id;  // "floor", "ceiling", a wall's name, an opening's id
   int wall = -1;   // index in the room's walls, for walls and what is in them
   Mesh mesh;
+  Mesh stub;  // of a wall: what is left of it in views that cut it away, kStubHeight_m high
 };
+
+inline constexpr float kStubHeight_m = 0.1F;
 
 // An object where it stands.
 struct SceneObject {

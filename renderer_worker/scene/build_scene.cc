@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+#include <unordered_map>
+
+#include "renderer_worker/scene/cameras.h"
+#include "renderer_worker/scene/scene.h"
+#include "renderer_worker/scene/shell.h"
+
+namespace flair::renderer {
+namespace {
+
+absl::Status CheckObject(const v1::Object& object, const v1::Placement& pose, int index) {
+  for (double value : {pose.x_m(), pose.y_m(), pose.z_m(), pose.theta_rad()}) {
+    if (!std::isfinite(value) || std::abs(value) > 1e4) {
+      return absl::InvalidArgumentError(
+          fmt::format("placements of \"{}\": {} is no coordinate in a room; must be finite", object.id(), value));
+    }
+  }
+  for (double value : {object.width_m(), object.depth_m(), object.height_m()}) {
+    if (!std::isfinite(value) || value <= 0 || value > 1e3) {
+      return absl::InvalidArgumentError(
+          fmt::format("graph.object_list.objects[{}] \"{}\": a size of {} m cannot be shown; must be in (0, 1000]",
+                      index, object.id(), value));
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::Status PlaceObjects(const v1::SolvedLayout& layout, const FurnishingSource& source, Scene& scene) {
+  std::unordered_map<std::string, const v1::Placement*> placements;
+  for (const v1::Placement& placement : layout.placements()) placements[placement.object_id()] = &placement;
+  std::unordered_map<std::string, const v1::ObjectStyle*> styles;
+  for (const v1::ObjectStyle& style : layout.graph().style_sheet().objects()) styles[style.subject_id()] = &style;
+  const auto& objects = layout.graph().object_list().objects();
+  for (int i = 0; i < objects.size(); ++i) {
+    const auto at = placements.find(objects[i].id());
+    if (at == placements.end()) continue;
+    if (absl::Status status = CheckObject(objects[i], *at->second, i); !status.ok()) return status;
+    const auto style = styles.find(objects[i].id());
+    SceneObject placed;
+    placed.object = &objects[i];
+    placed.style = style == styles.end() ? nullptr : style->second;
+    placed.placement = *at->second;
+    placed.furnishing = source.FurnishingOf(objects[i], placed.style, scene.diagnostics);
+    if (placed.furnishing.mesh == nullptr) {
+      return absl::InternalError(fmt::format("object \"{}\": its furnishing has no mesh", objects[i].id()));
+    }
+    scene.objects.push_back(std::move(placed));
+  }
+  return absl::OkStatus();
+}
+
+std::vector<DaylightWindow> WindowsOf(const RoomShape& shape) {
+  std::vector<DaylightWindow> windows;
+  for (const ShapedWall& wall : shape.walls) {
+    for (const ShapedOpening& opening : wall.openings) {
+      if (opening.door()) continue;
+      windows.push_back({wall.axes.At(opening.u0, 0, opening.w0), wall.axes.along * (opening.u1 - opening.u0),
+                         wall.axes.up * (opening.w1 - opening.w0), -wall.axes.outward});
+    }
+  }
+  return windows;
+}
+
+}  // namespace
+
+absl::StatusOr<Scene> BuildScene(const v1::SolvedLayout& layout, const FurnishingSource& source) {
+  absl::StatusOr<RoomShape> shape = ShapeOf(layout.graph().room());
+  if (!shape.ok()) return shape.status();
+  Scene scene;
+  scene.layout = &layout;
+  scene.shell = BuildShell(*shape, layout.graph().style_sheet());
+  scene.windows = WindowsOf(*shape);
+  if (absl::Status status = PlaceObjects(layout, source, scene); !status.ok()) return status;
+  const Sight sight(*shape, scene.objects);
+  scene.birdseye = BirdseyeCamera(*shape, sight);
+  scene.perspective = PerspectiveCamera(*shape, sight);
+  return scene;
+}
+
+}  // namespace flair::renderer

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "renderer_worker/scene/room_shape.h"
+
+namespace flair::renderer {
+
+enum class WallCut {
+  kWhole,
+  kStub,  // cut at kStubHeight_m
+  kGone,
+};
+
+// What a camera does not see, so that it sees the room.
+struct CutAway {
+  bool ceiling = false;
+  std::vector<WallCut> walls;  // as RoomShape::walls
+};
+
+// From above the ceiling: no ceiling, stubs of the walls that would hide floor. From outside a wall, below the ceiling:
+// the walls seen from behind are gone. From within the room: nothing is cut.
+CutAway CutAwayFor(const RoomShape& shape, Vec3 eye);
+
+}  // namespace flair::renderer

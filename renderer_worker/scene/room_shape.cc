@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/scene/room_shape.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace flair::renderer {
+namespace {
+
+absl::Status Invalid(std::string message) { return absl::InvalidArgumentError(std::move(message)); }
+
+bool Plausible(double value) { return std::isfinite(value) && std::abs(value) <= 1e4; }
+
+absl::Status ReadFloor(const v1::Room& room, RoomShape& shape) {
+  const int count = room.floor().vertices_size();
+  if (count < 3) return Invalid(fmt::format("graph.room.floor.vertices: {} vertices; at least 3", count));
+  double twice_area = 0;
+  for (int i = 0; i < count; ++i) {
+    const v1::Point2 &p = room.floor().vertices(i), &q = room.floor().vertices((i + 1) % count);
+    if (!Plausible(p.x_m()) || !Plausible(p.y_m())) {
+      return Invalid(fmt::format("graph.room.floor.vertices[{}]: ({}, {}) is no point of a room", i, p.x_m(), p.y_m()));
+    }
+    twice_area += p.x_m() * q.y_m() - q.x_m() * p.y_m();
+    shape.floor.push_back({static_cast<float>(p.x_m()), static_cast<float>(p.y_m())});
+  }
+  if (!(twice_area > 2e-3)) {
+    return Invalid("graph.room.floor.vertices: must run counter-clockwise around an area");
+  }
+  return absl::OkStatus();
+}
+
+// How far beyond a corner the outer face of a wall runs: t tan(half the turn), long spikes cut short.
+float MitreOf(Vec3 along_before, Vec3 along_after, float thickness) {
+  const float turn = along_before.x * along_after.y - along_before.y * along_after.x;
+  const float cosine = Dot(along_before, along_after);
+  return std::clamp(turn / std::max(1 + cosine, 0.2F), -3.0F, 3.0F) * thickness;
+}
+
+absl::Status ReadWalls(const v1::Room& room, RoomShape& shape) {
+  const size_t count = shape.floor.size();
+  for (size_t i = 0; i < count; ++i) {
+    const Vec2 a = shape.floor[i], b = shape.floor[(i + 1) % count];
+    ShapedWall wall;
+    wall.name = static_cast<int>(i) < room.walls_size() ? room.walls(static_cast<int>(i)).name()
+                                                        : fmt::format("wall_{}", i + 1);
+    wall.length_m = std::hypot(b.x - a.x, b.y - a.y);
+    if (!(wall.length_m > 1e-5F)) {
+      return Invalid(fmt::format("graph.room.floor.vertices[{}]: repeats the vertex before it", (i + 1) % count));
+    }
+    const Vec3 along{(b.x - a.x) / wall.length_m, (b.y - a.y) / wall.length_m, 0};
+    wall.axes = {{a.x, a.y, 0}, along, {along.y, -along.x, 0}, {0, 0, 1}};
+    shape.walls.push_back(std::move(wall));
+  }
+  for (size_t i = 0; i < count; ++i) {
+    ShapedWall& wall = shape.walls[i];
+    const Vec3 along = wall.axes.along;
+    wall.outer_start = -MitreOf(shape.walls[(i + count - 1) % count].axes.along, along, shape.wall_thickness_m);
+    wall.outer_end = wall.length_m + MitreOf(along, shape.walls[(i + 1) % count].axes.along, shape.wall_thickness_m);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status ReadOpenings(const v1::Room& room, RoomShape& shape) {
+  for (int i = 0; i < room.openings_size(); ++i) {
+    const v1::Opening& opening = room.openings(i);
+    const auto wall = std::find_if(shape.walls.begin(), shape.walls.end(),
+                                   [&](const ShapedWall& w) { return w.name == opening.wall(); });
+    if (wall == shape.walls.end()) {
+      return Invalid(fmt::format("graph.room.openings[{}].wall: there is no wall \"{}\"", i, opening.wall()));
+    }
+    for (double value : {opening.offset_m(), opening.width_m(), opening.sill_height_m(), opening.head_height_m()}) {
+      if (!Plausible(value)) return Invalid(fmt::format("graph.room.openings[{}]: sizes must be finite", i));
+    }
+    ShapedOpening shaped;
+    shaped.opening = &opening;
+    shaped.u0 = std::clamp(static_cast<float>(opening.offset_m()), 0.0F, wall->length_m);
+    shaped.u1 = std::clamp(static_cast<float>(opening.offset_m() + opening.width_m()), shaped.u0, wall->length_m);
+    shaped.w0 = opening.kind() == v1::OPENING_KIND_DOOR
+                    ? 0
+                    : std::clamp(static_cast<float>(opening.sill_height_m()), 0.0F, shape.height_m);
+    shaped.w1 = std::clamp(static_cast<float>(opening.head_height_m()), shaped.w0, shape.height_m);
+    if (shaped.u1 - shaped.u0 > 0.02F && shaped.w1 - shaped.w0 > 0.02F) wall->openings.push_back(shaped);
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+absl::StatusOr<RoomShape> ShapeOf(const v1::Room& room) {
+  RoomShape shape;
+  const double height = room.height_m() == 0 ? 3 : room.height_m();
+  if (!Plausible(height) || height < 0.5) {
+    return Invalid(fmt::format("graph.room.height_m: {} is no height of a room", room.height_m()));
+  }
+  shape.height_m = static_cast<float>(height);
+  if (absl::Status status = ReadFloor(room, shape); !status.ok()) return status;
+  if (absl::Status status = ReadWalls(room, shape); !status.ok()) return status;
+  if (absl::Status status = ReadOpenings(room, shape); !status.ok()) return status;
+  return shape;
+}
+
+bool Inside(const RoomShape& shape, float x, float y) {
+  bool inside = false;
+  for (size_t i = 0, k = shape.floor.size() - 1; i < shape.floor.size(); k = i++) {
+    const Vec2 a = shape.floor[i], b = shape.floor[k];
+    if ((a.y > y) != (b.y > y) && x < (b.x - a.x) * (y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace flair::renderer
