@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "renderer_worker/drawing/symbols/families.h"
+#include "renderer_worker/furniture/classes.h"
 
 namespace flair::renderer {
 namespace {
@@ -14,7 +16,7 @@ using enum Outline;
 constexpr double kSeat = 0.40;  // seats slide under table tops
 constexpr double kTop = 0.74;   // table tops
 
-// Sorted by category; a test holds this and that every word in symbol_words.inc leads here.
+// Sorted by category; a test holds this and that every class of furniture leads here.
 constexpr Symbol kSymbols[] = {
     {"armchair", DrawArmchair, kRounded, 0xB9A99A, kSeat},
     {"barrel", DrawBarrel, kEllipse, 0xA67B4F},
@@ -104,6 +106,19 @@ constexpr Symbol kSymbols[] = {
     {"workbench", DrawWorkbench, kRectangle, 0xB98F62, kTop},
 };
 
+// Classes of furniture that look like another in plan, sorted by class.
+constexpr std::pair<std::string_view, std::string_view> kLookAlikes[] = {
+    {"aquarium", "counter"},        {"bean_bag", "pouf"},
+    {"board", "picture"},           {"clock", "picture"},
+    {"coat_stand", "rack"},         {"floor_lamp", "lamp"},
+    {"folding_screen", "curtain"},  {"garment_rack", "rack"},
+    {"kitchen_island", "table"},    {"ladder", "rack"},
+    {"loom", "workbench"},          {"punching_bag", "orb"},
+    {"range_hood", "shelf"},        {"rowing_machine", "exercise_bike"},
+    {"side_table", "coffee_table"}, {"spinning_wheel", "exercise_bike"},
+    {"table_lamp", "lamp"},         {"tv_stand", "dresser"},
+};
+
 }  // namespace
 
 std::span<const Symbol> Symbols() { return kSymbols; }
@@ -114,5 +129,15 @@ const Symbol* FindSymbol(std::string_view category) {
                        [](const Symbol& symbol, std::string_view name) { return symbol.category < name; });
   return at != std::end(kSymbols) && at->category == category ? at : nullptr;
 }
+
+const Symbol* SymbolOfClass(std::string_view class_name) {
+  if (const Symbol* symbol = FindSymbol(class_name); symbol != nullptr) return symbol;
+  for (const auto& [name, category] : kLookAlikes) {
+    if (name == class_name) return FindSymbol(category);
+  }
+  return FindSymbol("box");
+}
+
+const Symbol* SymbolFor(const v1::Object& object) { return SymbolOfClass(ClassOf(object)); }
 
 }  // namespace flair::renderer

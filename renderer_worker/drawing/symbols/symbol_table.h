@@ -15,11 +15,10 @@ std::span<const Symbol> Symbols();
 // The symbol of a category; null when there is none.
 const Symbol* FindSymbol(std::string_view category);
 
-// The symbol that `object` is drawn with: what the words of its name call for, else its category. The last telling word
-// wins ("desk lamp" is a lamp), whole phrases before words ("chest of drawers"). Never null: a plain box.
-const Symbol* SymbolFor(const v1::Object& object);
+// The symbol of a class of furniture (furniture/classes.h). Never null: a plain box.
+const Symbol* SymbolOfClass(std::string_view class_name);
 
-// The category that free text names, such as "adjustable dumbbell set" -> "weights"; empty when no word is telling.
-std::string_view CategoryFromWords(std::string_view text);
+// The symbol that `object` is drawn with: that of its class.
+const Symbol* SymbolFor(const v1::Object& object);
 
 }  // namespace flair::renderer

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "absl/container/flat_hash_map.h"
+#include "renderer_worker/scene/furnishing.h"
+
+namespace flair::renderer {
+
+// Furniture of our own making: a parametric mesh for every class of furniture, in the size of its object and the
+// materials of its style. Equal objects share one mesh as long as somebody holds it.
+class ProceduralFurniture final : public FurnishingSource {
+ public:
+  Furnishing FurnishingOf(const v1::Object& object, const v1::ObjectStyle* style,
+                          std::vector<v1::Diagnostic>& diagnostics) const override;
+
+ private:
+  struct Made {
+    std::weak_ptr<const Mesh> mesh;
+    std::vector<LampLight> lights;
+  };
+  mutable std::mutex mutex_;
+  // By everything that decides a mesh: class, size and words.
+  mutable absl::flat_hash_map<std::string, Made> made_;
+};
+
+}  // namespace flair::renderer
