@@ -1,30 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "flair/v1/preview.pb.h"
 #include "renderer_worker/drawing/draw_plan.h"
+#include "renderer_worker/images/encoder_module.h"
 
 namespace flair::renderer {
 
-// Name and value, in the order they are written.
+// Name and value, in the order they are written. PNG and EXR keep all; JPEG and TIFF keep names that they know, and get
+// the rest as lines "name: value" of their ImageDescription.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
-// Turns pixels into the bytes of an image file. Thread-safe.
+// One or more channels of an EXR that lie side by side in memory: value c of pixel p is [p * channels.size() + c], rows
+// from the top. `floats` for kHalf and kFloat, `numbers` for kUint32. Halves end at 65504.
+struct ImagePlane {
+  std::vector<std::string> channels;
+  ChannelStorage storage = ChannelStorage::kHalf;
+  std::span<const float> floats;
+  std::span<const uint32_t> numbers;
+};
+
+// Turns pixels into the bytes of an image file: the same bytes for the same pixels and metadata, no time of day.
+// UNAVAILABLE when the encoder cannot be loaded, RESOURCE_EXHAUSTED when memory is, INTERNAL when it fails.
+// Thread-safe.
 class ImageWriter {
  public:
   virtual ~ImageWriter() = default;
-  // The same bytes for the same pixels and metadata. UNAVAILABLE when the encoder cannot be loaded, INTERNAL when it
-  // fails.
-  virtual absl::StatusOr<std::string> WritePng(const Pixels& pixels, const ImageMetadata& metadata) = 0;
+  // `format` is PNG, JPEG or TIFF. `dots_per_inch` is written when above 0.
+  virtual absl::StatusOr<std::string> Write(v1::PreviewFormat format, const Pixels& pixels,
+                                            const ImageMetadata& metadata, double dots_per_inch = 0) = 0;
+  // OpenEXR, linear light. INVALID_ARGUMENT for planes that are not width x height.
+  virtual absl::StatusOr<std::string> WriteExr(int width_px, int height_px, std::span<const ImagePlane> planes,
+                                               const ImageMetadata& metadata) = 0;
+
+  absl::StatusOr<std::string> WritePng(const Pixels& pixels, const ImageMetadata& metadata) {
+    return Write(v1::PREVIEW_FORMAT_PNG, pixels, metadata);
+  }
 };
 
-// Writes through OpenImageIO, which is loaded as a module on first use: beside the program, in ../lib or ../lib/flair
-// of it, in $FLAIR_MODULE_DIR, or where it was built.
+// Writes through OpenImageIO, which is loaded on first use (load_module.h).
 std::unique_ptr<ImageWriter> MakeImageWriter();
 
 }  // namespace flair::renderer

@@ -15,7 +15,15 @@ namespace {
 // Answers with the metadata instead of a picture.
 class FakeWriter final : public ImageWriter {
  public:
-  absl::StatusOr<std::string> WritePng(const Pixels& pixels, const ImageMetadata& metadata) override {
+  absl::StatusOr<std::string> Write(v1::PreviewFormat, const Pixels&, const ImageMetadata& metadata, double) override {
+    return Text(metadata);
+  }
+  absl::StatusOr<std::string> WriteExr(int, int, std::span<const ImagePlane>, const ImageMetadata& metadata) override {
+    return Text(metadata);
+  }
+
+ private:
+  static std::string Text(const ImageMetadata& metadata) {
     std::string text;
     for (const auto& [name, value] : metadata) text += name + "=" + value + ";";
     return text;
