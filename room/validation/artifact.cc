@@ -44,6 +44,10 @@ void Check(const v1::Preview& preview, const Field& at) {
   at["width_px"].InRange(preview.width_px(), {.least = 1, .most = 16384});
   at["height_px"].InRange(preview.height_px(), {.least = 1, .most = 16384});
   if (preview.image().empty()) at["image"].Reject("is empty");
+  const int matrix_size = preview.annotations().camera().camera_from_room_size();
+  if (matrix_size != 0 && matrix_size != 16) {
+    at["annotations"]["camera"]["camera_from_room"].Reject("has {} numbers; 16", matrix_size);
+  }
 }
 
 void Check(const v1::Report& report, const Field& at) {

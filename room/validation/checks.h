@@ -35,6 +35,8 @@ void Check(const v1::LayoutGraph& graph, const Field& at);
 void Check(const v1::SolvedLayout& layout, const Field& at);
 void Check(const v1::SolveOptions& options, const Field& at);
 void Check(const v1::RenderOptions& options, const Field& at);
+void Check(const v1::ContactSheetOptions& options, const Field& at);
+void Check(const v1::ContactSheetTile& tile, const Field& at);
 void Check(const v1::ModelOptions& options, const Field& at);
 void Check(const v1::JobSpec& spec, const Field& at);
 void Check(const v1::Preview& preview, const Field& at);

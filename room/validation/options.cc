@@ -53,12 +53,6 @@ void Check(const v1::SolveOptions& options, const Field& at) {
   }
 }
 
-void Check(const v1::RenderOptions& options, const Field& at) {
-  if (!v1::PreviewView_IsValid(options.view())) at["view"].Reject("{} is no known value", int{options.view()});
-  if (!v1::PreviewFormat_IsValid(options.format())) at["format"].Reject("{} is no known value", int{options.format()});
-  if (options.has_size_px()) at["size_px"].InRange(options.size_px(), {.least = 256, .most = 8192});
-}
-
 void Check(const v1::ModelOptions& options, const Field& at) {
   const v1::ModelBudget& budget = options.budget();
   const Field limits = at["budget"];

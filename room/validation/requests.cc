@@ -58,6 +58,18 @@ void CheckGraphPlacements(const v1::LayoutGraph& graph,
   validation::CheckPlacements(placements, {.objects = &objects}, parts.At("placements"));
 }
 
+// What of a request only goes into the metadata.
+template <typename Request>
+void CheckOrigin(const Request& request, Parts& parts) {
+  parts.At("job_id").Text(request.job_id(), 0, 128);
+  parts.At("brief_text").Text(request.brief_text(), 0, 4000);
+  if (request.has_brief_seed()) {
+    parts.At("brief_seed")
+        .InRange(static_cast<double>(request.brief_seed()),
+                 {.least = 0, .most = 9007199254740992.0, .open_most = true});
+  }
+}
+
 }  // namespace
 
 absl::Status Validate(const v1::DescribeRoomRequest& request) {
@@ -147,6 +159,7 @@ absl::Status Validate(const v1::EvaluateRequest& request) {
 absl::Status Validate(const v1::RenderRequest& request) {
   Parts parts;
   parts.Id(request.request_id()).Part(request.solved_layout(), "solved_layout").Part(request.options(), "options");
+  CheckOrigin(request, parts);
   return parts.Done();
 }
 
@@ -154,6 +167,16 @@ absl::Status Validate(const v1::ExportSceneRequest& request) {
   Parts parts;
   parts.Id(request.request_id()).Part(request.solved_layout(), "solved_layout");
   parts.At("format").Enum(request.format(), v1::SceneFormat_IsValid(request.format()));
+  CheckOrigin(request, parts);
+  return parts.Done();
+}
+
+absl::Status Validate(const v1::ComposeContactSheetRequest& request, int index) {
+  Parts parts;
+  if (index == 0 && !request.has_options()) parts.At("options").Reject("is not set; the first message holds it");
+  if (index > 0 && !request.has_tile()) parts.At("tile").Reject("is not set; every message after the first holds one");
+  if (request.has_options()) parts.Part(request.options(), "options");
+  if (request.has_tile()) parts.Part(request.tile(), "tile");
   return parts.Done();
 }
 

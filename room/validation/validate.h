@@ -57,6 +57,8 @@ absl::Status Validate(const v1::SolveRestartsRequest& request);
 absl::Status Validate(const v1::EvaluateRequest& request);
 absl::Status Validate(const v1::RenderRequest& request);
 absl::Status Validate(const v1::ExportSceneRequest& request);
+// The message `index` of a stream: the first one holds options, every further one a tile.
+absl::Status Validate(const v1::ComposeContactSheetRequest& request, int index);
 absl::Status Validate(const v1::CreateJobRequest& request);
 absl::Status Validate(const v1::CreateBatchRequest& request);
 
