@@ -8,13 +8,14 @@
 #include "worker_runtime/grpc/status.h"
 
 namespace flair::runtime {
-namespace {
 
-absl::Time DeadlineOf(const grpc::CallbackServerContext& context) {
+absl::Time internal::DeadlineOf(const grpc::CallbackServerContext& context) {
   const std::chrono::system_clock::time_point deadline = context.deadline();
   if (deadline == std::chrono::system_clock::time_point::max()) return absl::InfiniteFuture();
   return absl::FromChrono(deadline);
 }
+
+namespace {
 
 // One call from arrival to answer. Deletes itself when gRPC is done with it, which is never before Finish.
 class UnaryCall final : public grpc::ServerUnaryReactor {
@@ -70,7 +71,7 @@ class UnaryCall final : public grpc::ServerUnaryReactor {
 grpc::ServerUnaryReactor* StartUnary(WorkerContext& worker, std::string_view method, std::string request_id,
                                      grpc::CallbackServerContext& context,
                                      std::function<absl::Status(CallContext&)> work) {
-  auto* call = new UnaryCall(worker, method, std::move(request_id), DeadlineOf(context));
+  auto* call = new UnaryCall(worker, method, std::move(request_id), internal::DeadlineOf(context));
   call->Start(std::move(work));
   return call;
 }

@@ -25,6 +25,9 @@ grpc::ServerUnaryReactor* StartUnary(WorkerContext& worker, std::string_view met
                                      std::function<absl::Status(CallContext&)> work);
 
 namespace internal {
+// absl::InfiniteFuture() when the caller set none.
+absl::Time DeadlineOf(const grpc::CallbackServerContext& context);
+
 template <typename Request>
 std::string RequestIdOf(const Request& request) {
   if constexpr (requires {
