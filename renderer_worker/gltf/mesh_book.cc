@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/gltf/mesh_book.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "fmt/format.h"
+#include "renderer_worker/gltf/frame.h"
+
+namespace flair::renderer::gltf {
+namespace {
+
+bool Finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+absl::Status Check(const MeshPart& part, const std::string& name) {
+  const size_t count = part.positions.size();
+  if (part.normals.size() != count || (!part.uvs.empty() && part.uvs.size() != count) || part.indices.size() % 3 != 0) {
+    return absl::InternalError(fmt::format("the mesh of {} has {} positions, {} normals, {} uvs and {} indices", name,
+                                           count, part.normals.size(), part.uvs.size(), part.indices.size()));
+  }
+  for (size_t i = 0; i < count; ++i) {
+    if (!Finite(part.positions[i]) || !Finite(part.normals[i])) {
+      return absl::InternalError(fmt::format("vertex {} of the mesh of {} is not finite", i, name));
+    }
+  }
+  for (const uint32_t index : part.indices) {
+    if (index >= count) {
+      return absl::InternalError(fmt::format("the mesh of {} names vertex {} of {}", name, index, count));
+    }
+  }
+  return absl::OkStatus();
+}
+
+// FNV-1a over words.
+class Digest {
+ public:
+  template <typename T>
+  void Add(const std::vector<T>& values) {
+    const auto* words = reinterpret_cast<const uint32_t*>(values.data());
+    for (size_t i = 0; i < values.size() * sizeof(T) / 4; ++i) Add(words[i]);
+    Add(static_cast<uint32_t>(values.size()));
+  }
+  void Add(uint32_t word) { value_ = (value_ ^ word) * 0x100000001B3U; }
+  uint64_t value() const { return value_; }
+
+ private:
+  uint64_t value_ = 0xCBF29CE484222325U;
+};
+
+uint64_t DigestOf(const Mesh& mesh, MeshFrame frame) {
+  Digest digest;
+  digest.Add(static_cast<uint32_t>(frame));
+  for (const MeshPart& part : mesh.parts) {
+    digest.Add(part.positions);
+    digest.Add(part.indices);
+  }
+  return digest.value();
+}
+
+bool Equal(const Mesh& a, const Mesh& b) {
+  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
+                    [](const MeshPart& p, const MeshPart& q) {
+                      return p.material == q.material && p.positions == q.positions && p.normals == q.normals &&
+                             p.uvs == q.uvs && p.indices == q.indices;
+                    });
+}
+
+// The part in glTF's frame, without triangles that have lost a corner and without uvs that nothing uses.
+Vertices Converted(const MeshPart& part, MeshFrame frame) {
+  Vertices out;
+  const auto convert = [&](Vec3 v) { return frame == MeshFrame::kRoom ? FromRoom(v) : FromObject(v); };
+  out.positions.reserve(part.positions.size());
+  out.normals.reserve(part.normals.size());
+  for (const Vec3 p : part.positions) out.positions.push_back(convert(p));
+  for (const Vec3 n : part.normals) out.normals.push_back(Normalized(convert(n)));
+  const Vec2 scale = MaterialBook::UvScale(part.material);
+  if (scale.x > 0) {
+    for (size_t i = 0; i < part.positions.size(); ++i) {
+      const Vec2 uv = i < part.uvs.size() ? part.uvs[i] : Vec2{};
+      out.uvs.push_back({uv.x * scale.x, uv.y * scale.y});
+    }
+  }
+  for (size_t i = 0; i < part.indices.size(); i += 3) {
+    const uint32_t a = part.indices[i];
+    const uint32_t b = part.indices[i + 1];
+    const uint32_t c = part.indices[i + 2];
+    if (a != b && b != c && c != a) out.indices.insert(out.indices.end(), {a, b, c});
+  }
+  return out;
+}
+
+}  // namespace
+
+absl::StatusOr<int> MeshBook::NumberOf(const Mesh& mesh, MeshFrame frame, const std::string& name) {
+  auto& namesakes = written_[DigestOf(mesh, frame)];
+  for (const Written& known : namesakes) {
+    if (known.frame == frame && (known.mesh == &mesh || Equal(*known.mesh, mesh))) return known.number;
+  }
+  for (const MeshPart& part : mesh.parts) {
+    if (absl::Status sound = Check(part, name); !sound.ok()) return sound;
+  }
+  namesakes.push_back({&mesh, frame, Write(mesh, frame, name)});
+  return namesakes.back().number;
+}
+
+int MeshBook::Write(const Mesh& mesh, MeshFrame frame, const std::string& name) {
+  tinygltf::Mesh written;
+  written.name = name;
+  for (const MeshPart& part : mesh.parts) {
+    const Vertices vertices = Converted(part, frame);
+    if (vertices.indices.empty()) continue;
+    tinygltf::Primitive primitive = buffer_.Add(vertices);
+    primitive.material = materials_.NumberOf(part.material);
+    written.primitives.push_back(std::move(primitive));
+  }
+  if (written.primitives.empty()) return -1;
+  model_.meshes.push_back(std::move(written));
+  return static_cast<int>(model_.meshes.size()) - 1;
+}
+
+}  // namespace flair::renderer::gltf

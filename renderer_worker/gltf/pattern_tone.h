@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "renderer_worker/scene/material.h"
+
+namespace flair::renderer::gltf {
+
+// What a pattern does to a material's colour at one point: (1 - mix) colour + mix second_colour, times shade.
+struct Tone {
+  float mix = 0;    // [0, 1]
+  float shade = 1;  // [kDarkestShade, kLightestShade]
+};
+
+inline constexpr float kDarkestShade = 0.78F;
+inline constexpr float kLightestShade = 1.12F;
+
+// The rectangle after which a pattern repeats, in units of pattern_size_m: a board's or stave's width, a tile's side, a
+// brick's length, a stone, a tuft, a thread, a repeat of wallpaper. (0, 0) for kPlain.
+Vec2 PeriodOf(Pattern pattern);
+
+// The tone at (u, v), units of pattern_size_m, within the period. Grain and boards run along u.
+Tone ToneAt(Pattern pattern, float u, float v);
+
+}  // namespace flair::renderer::gltf
