@@ -20,6 +20,7 @@ class Reader {
       : tokens_(std::move(tokens)), names_(names), analysis_(analysis) {}
 
   std::vector<RawTerm> Run() {
+    DropAdverbs();
     MoveAdjectiveBehindSide();
     while (at_ < tokens_.size()) {
       if (at_ == inlined_end_) {
@@ -32,9 +33,8 @@ class Reader {
       const bool relation_wins =
           phrase.length == name.length && phrase.word_class == WordClass::kRelation && !name.full;
       // "The lamp stands": a verb, though there is a TV stand.
-      const bool verb = phrase.length == name.length && phrase.word_class == WordClass::kFiller && !name.full &&
-                        !terms_.empty() && terms_.back().role == RawTerm::Role::kNone &&
-                        terms_.back().term.kind == Term::Kind::kMention;
+      const bool verb =
+          phrase.length == name.length && phrase.word_class == WordClass::kFiller && !name.full && VerbFollows();
       if (name.length > 0 && name.length >= phrase.length && !relation_wins && !verb) {
         PushName(name);
       } else if (phrase.length > 0) {
@@ -47,11 +47,31 @@ class Reader {
   }
 
  private:
+  // "The lamp", "must", "not", or the beginning: a verb comes next, where "the" would bring a noun.
+  bool VerbFollows() const {
+    if (at_ == 0 || tokens_[at_ - 1].IsMark('.')) return true;
+    if (terms_.empty()) return false;
+    const RawTerm& before = terms_.back();
+    if (before.role == RawTerm::Role::kModal || before.term.IsWord("not"))
+      return before.term.end == tokens_[at_ - 1].end;
+    return before.role == RawTerm::Role::kNone && before.term.kind == Term::Kind::kMention;
+  }
+
   void Push(RawTerm term, size_t length) {
     term.term.begin = tokens_[at_].begin;
     term.term.end = tokens_[at_ + length - 1].end;
     at_ += length;
     terms_.push_back(std::move(term));
+  }
+
+  // "Backed directly onto": adverbs that say nothing of places do not come between the words of a phrase.
+  void DropAdverbs() {
+    static constexpr std::array<std::string_view, 7> kAdverbs = {"directly", "immediately", "firmly", "securely",
+                                                                 "properly", "safely",      "neatly"};
+    std::erase_if(tokens_, [](const Token& token) {
+      return token.kind == Token::Kind::kWord &&
+             std::find(kAdverbs.begin(), kAdverbs.end(), token.text) != kAdverbs.end();
+    });
   }
 
   // "At least one accessible side" is at least one side accessible.
@@ -99,8 +119,7 @@ class Reader {
     const bool explains = first.IsWord("eg") || first.IsWord("ie") || first.IsWord("preferably") ||
                           first.IsWord("ideally") || first.IsWord("left") || first.IsMark(')') || length_only;
     // "Enough space (at least 0.6 m) behind": the bracket adds to what is said.
-    const bool of_space =
-        !terms_.empty() && terms_.back().role == RawTerm::Role::kNone && terms_.back().term.IsWord("space");
+    const bool of_space = !dimension && SpaceSpokenOf();
     if (first.kind == Token::Kind::kDistance && (!length_only || of_space) && end <= at_ + 4 && end < tokens_.size() &&
         tokens_[end].IsMark(')')) {
       inlined_end_ = end;
@@ -110,6 +129,18 @@ class Reader {
     if (TakeNamesInBracket(end) || (explains && TakeSideInBracket(end)) || explains) {
       at_ = std::min(end + 1, tokens_.size());
       return true;
+    }
+    return false;
+  }
+
+  // Whether this sentence has said that something is kept free, so that a bare figure is how much.
+  bool SpaceSpokenOf() const {
+    for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
+      const Term& term = terms_[i - 1].term;
+      if (term.IsWord("space") || term.IsWord("pull_out") || term.IsWord("keep_clear") || term.IsWord("accessible") ||
+          term.IsWord("away_from") || term.IsWord("clear_of")) {
+        return true;
+      }
     }
     return false;
   }
@@ -204,9 +235,21 @@ class Reader {
     if (token.IsWord("accessibility") && terms_.back().role == RawTerm::Role::kSide) return true;
     if (!token.IsWord("clear") && !token.IsWord("free") && !token.IsWord("open")) return false;
     const size_t modals = terms_.back().role == RawTerm::Role::kModal ? 1 : 0;
-    if (terms_.size() <= modals || terms_[terms_.size() - 1 - modals].role != RawTerm::Role::kSide) return false;
+    if (terms_.size() <= modals) return false;
+    const RawTerm& what = terms_[terms_.size() - 1 - modals];
+    const bool thing = what.role == RawTerm::Role::kNone && what.term.kind == Term::Kind::kMention;
+    if (what.role != RawTerm::Role::kSide && !thing) return false;
     return at_ + 1 == tokens_.size() || tokens_[at_ + 1].IsMark('.') || tokens_[at_ + 1].IsMark(',') ||
            tokens_[at_ + 1].IsWord("for") || tokens_[at_ + 1].IsWord("to") || tokens_[at_ + 1].IsWord("so");
+  }
+
+  // "Easily accessible from the front": from a side of its own, not from another thing.
+  bool ReachedFromSide(const Phrase& phrase) const {
+    size_t next = at_ + phrase.length;
+    if (!tokens_[next - 1].IsWord("from")) return false;
+    while (next < tokens_.size() && (tokens_[next].IsWord("the") || tokens_[next].IsWord("its"))) ++next;
+    return next < tokens_.size() && Lexicon::Get().Find(tokens_, next).word_class == WordClass::kSide &&
+           Lexicon::Get().Find(tokens_, next).length > 0;
   }
 
   void PushPhrase(const Phrase& phrase) {
@@ -266,7 +309,7 @@ class Reader {
         push_word("not");
         break;
       case WordClass::kRelation:
-        push_word(phrase.lemma);
+        push_word(phrase.lemma == "near" && ReachedFromSide(phrase) ? "accessible_from" : phrase.lemma);
         break;
       case WordClass::kFeature:
         reference.plural = true;

@@ -89,6 +89,8 @@ std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<
     target.name = reference.name;
     switch (reference.kind) {
       case RefKind::kWall:
+        wall_named = true;
+        break;
       case RefKind::kCeiling:
       case RefKind::kRoom:
       case RefKind::kFloor:
@@ -213,6 +215,7 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
       if (weak_subject(index) && !reference.plural) return {index};
     }
   }
+  if (movers.empty() && reference.plural) KeepSeveralSubjects(candidates);
   if (candidates.size() < 2 || reference.plural || reference.each) return candidates;
   // Singular with several of the name: those that the sentence is about, then those of one name, then of the same zone.
   const auto keep = [&](auto&& wanted) {
@@ -278,6 +281,12 @@ void Composer::KeepSubjects(std::vector<int>& objects) const {
     if (Contains(subjects_, index)) kept.push_back(index);
   }
   if (!kept.empty()) objects = kept;
+}
+
+void Composer::KeepSeveralSubjects(std::vector<int>& objects) const {
+  std::vector<int> kept = objects;
+  KeepSubjects(kept);
+  if (kept.size() > 1) objects = kept;
 }
 
 void Composer::KeepZone(std::vector<int>& objects, const Placed& mover) const {

@@ -93,6 +93,8 @@ class Composer {
   v1::SentenceScope scope() const { return sentence_.scope(); }
   // The feature that a fact of this sentence related to last: "near a socket without blocking it".
   std::string last_feature;
+  // Whether a fact of this sentence related to a wall: "near a wall, not against it".
+  bool wall_named = false;
   // Whether a rug has been placed by this sentence; it lies in one place only.
   bool rug_placed = false;
 
@@ -103,6 +105,8 @@ class Composer {
   std::vector<Placed> Primaries() const;
   // Those that the heading names, when there are any.
   void KeepSubjects(std::vector<int>& objects) const;
+  // "The chairs" under a heading of chairs are these.
+  void KeepSeveralSubjects(std::vector<int>& objects) const;
   void KeepZone(std::vector<int>& objects, const Placed& mover) const;
   // "The TV screen" of a TV stand is the stand where floor objects are spoken of.
   Placed PieceFor(const Placed& placed) const;

@@ -7,11 +7,11 @@ namespace flair::translator {
 // space continues the entry. The first entry wins when a phrase stands in two of the same length.
 std::string_view LexiconEntries() {
   return R"(
-relation against: (installed|mounted|fixed|positioned|placed|set) against | [right|up|flush|snug|snugly|directly|pushed|tight] against | flush (with|to) | backed (onto|against|by) | backs onto
-  | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | fixed to | attached to
+relation against: (installed|mounted|fixed|positioned|placed|set) against | [tucked|pushed|pressed|butted|lean|leans|leaning|rest|rests|resting|sits|stands|backs] [right|up|flush|snug|snugly|tight] against | (pushed|set|moved) back against | (pushed|set|placed|pressed) flat against | flat against | flush (with|to) | backed (onto|against|by) | backs onto
+  | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | (secure|secured|anchor|anchored|fasten|fastened|fix|fixed|attach|attached|bolted|screwed) (to|onto) | (join|joins|meet|meets|adjoin) [up with|with]
 relation along: along | alongside | lined up along | runs along | running along
 relation aligned: aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
-relation near: [within] [an|a] (arm 's|arms) length (of|from) | close enough (to|for) | near enough (to|for) | in conjunction with | together with | combined with | near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
+relation near: close at hand | at hand | within [easy|close|arm 's|arms|convenient|comfortable] reach | [within] [an|a] (arm 's|arms) length (of|from) | close enough (to|for) | near enough (to|for) | in conjunction with | together with | combined with | near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
   | proximity to | in the vicinity of | within [easy|arm 's|arms|comfortable|convenient|close] reach of | not far from | not too far from
   | easily accessible from | conveniently accessible from | in reach of | [within] [a] comfortable sitting distance (from|of)
   | within [a] (comfortable|short|reasonable|walking|easy) distance (of|from) | within [easy|arm 's|close] reach from | within easy reach | within arm 's reach
@@ -20,14 +20,14 @@ relation nearby: have nearby access to
 relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | adjacent | alongside of | side by side with
   | by | at
 relation to_side: (to|on|at) the other side of | (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
-relation side_by_side: side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
+relation side_by_side: [stand|placed|arranged|positioned] side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
   | form (a|one) row | lined up
 relation together: in (close|immediate) proximity | close together | (grouped|placed|kept) together
 relation each_side_of: on (each|either|both) (side|sides) of | at (each|either) side of | on opposite sides of
   | flanking | flank | flanks | one on each side of | on both sides of | at both sides of | to (each|either) side of
-relation left_of: (to|on|at) [the] left [side] of | left of | immediately left of
+relation left_of: (should|must|can|may|to) be left of | (to|on|at) [the] left [side] of | left of | immediately left of
 relation right_of: (to|on|at) [the] right [side] of | right of | immediately right of
-relation foot_of: (at|by|near|against) the foot [end] of | at the end of
+relation foot_of: (at|by|near|against|below|beyond|beneath) the foot [end] of | at the end of
 relation head_of: (at|by|near) the head [end] of
 relation behind: behind | in back of | at the back of | at the rear of | to the rear of
 relation in_front_of: in front of | (centered|centred|central|centrally) in front of | [directly] before | ahead of | in the front of
@@ -39,7 +39,7 @@ relation surround: surround | surrounds | surrounded | arranged around | [evenly
   | stand (around|round) | against each side of | on all sides round
 relation surrounded_by: surrounded by
 relation between: [in] between | [in] between the [outer|front|back|near|nearest|closest] (edge|edges) of
-relation on: in (a|its) (separate|own|dedicated) | on | on top of | atop | onto | upon | resting on | sits on | sit on | stand on | stands on | standing on | sitting on | inside | in | into
+relation on: [standing|sitting|resting|placed|perched|perching|stands|sits|rests|lies|lying|set|stored|kept] on top of | on the (mantel|mantelpiece|ledge|lid|seat|tray|rim) of | perched on | stored on | draped over | spread (over|across) | in (a|its) (separate|own|dedicated) | on | on top of | atop | onto | upon | resting on | sits on | sit on | stand on | stands on | standing on | sitting on | inside | in | into
   | on one of the shelves (of|inside|in|on) | on a shelf of | on the (top|surface) of | on the (upper|lower|top|middle|bottom) (shelf|shelves) of
   | on the (upper|lower|top|middle|bottom) | laid on | lies on | lie on | rests on | rest on | within | displayed on | inside of
 relation under: under | underneath | beneath | below | extending (under|beneath) | extends (under|beneath) | spread under
@@ -53,17 +53,18 @@ relation facing: [to|and] (allow|allowing|have|having|provide) [a|an|the] [clear
   | (viewable|visible|seen) from | in [the] view of | in [direct] [line of] sight of | for view of | overlooking | orient (towards|toward|to) | turn (towards|toward|to) | [clear] line of sight (from|to)
   | clearly visible from | has a view of | in [full] view from | within view of | directed (towards|toward|at)
 relation facing_away: [to] (face|faces|facing|faced|turned|oriented|pointed|pointing) [directly] away from
-relation facing_each_other: (face|facing) each other | face one another | facing one another
+relation facing_each_other: (opposite|across from) (each other|one another) | (face|facing) each other | face one another | facing one another
 relation opposite: opposite | opposite to | opposite from | across from | directly across [from] | on the opposite side of
 relation same_direction: (face|faces|facing) [in] the same (direction|way) (as|like) | same (direction|orientation|way) (as|like) | oriented the same way as
 relation parallel: parallel [to|with] | is parallel to | run parallel to | runs parallel to
-relation perpendicular: perpendicular to | at [a] right (angle|angles) to | perpendicular | at 90 degrees to | at a 90 degree angle to | square to
+relation perpendicular: perpendicular to | at [a] right (angle|angles) to | perpendicular | form [a] right angle [with|to] | forms a right angle (with|to) | at 90 degrees to | at a 90 degree angle to | square to
 relation not_angle: at [a|an] (45|30|60) [degree|degrees] angle (to|with) | at an angle [to] | diagonally | diagonal | at a 45 degree angle
 relation crowd: crowd | crowds | crowding
-relation away_from: away from | far from | far away from | [a|at a] [safe|reasonable|good|fair|some|comfortable|certain|suitable|sufficient|adequate|short|proper] distance (from|to) | apart from | separate from | from the [outer|front|back|near|nearest|closest] (edge|edges) of
+relation away_from: [slightly|well] off [of] | stand apart from | removed from | remote from | away from | far from | far away from | [a|at a] [safe|reasonable|good|fair|some|comfortable|certain|suitable|sufficient|adequate|short|proper] distance (from|to) | apart from | separate from | from the [outer|front|back|near|nearest|closest] (edge|edges) of
   | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | at a (distance|remove) from | at a [safe|good|reasonable] distance | gap from | spaced from | distanced from | a gap from
-relation apart: (separated|spaced|divided) by | [set|placed|kept] apart by | (some|enough|adequate|sufficient|clear) separation | separate | separated | distinct | apart | [spaced|set] apart [from each other] | away from each other | from each other | from one another | away
-relation block: (block|obstruct) or limit [access (to|of)] | limit access (to|of) | limits access (to|of) | obstruct [the] (front|side) access (to|of) | block [the] (front|side) access (to|of) | (block|blocks|blocking|obstruct|obstructing|restrict) [direct|easy|the] access (to or from|to and from|to|of) | restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
+relation apart: (separated|spaced|divided) by | [set|placed|kept] apart by | (some|enough|adequate|sufficient|clear) separation | separate | separated | distinct | apart | [spaced|set] apart [from each other] | separating | separates | (on|at) opposite ends of the room | (on|at) (opposite|different|other) (sides|ends|walls) of the room | on different (sides|walls) | away from each other | from each other | from one another | away
+relation not_prevent: (not|never|nor) (prevent|stop|keep|hamper) | without (preventing|stopping)
+relation block: hamper | hampers | hampering | hampered | hindered | impeded | obscured | restricted | inhibit | inhibits | inhibiting | disturb | disturbs | disrupt | disrupts | bump into | bumps into | bumping into | crash into | knock into | (block|obstruct|hinder|impede|hamper|restrict) [the] (path|way|route) (to|of) | get in the way | (block|obstruct) or limit [access (to|of)] | limit access (to|of) | limits access (to|of) | obstruct [the] (front|side) access (to|of) | block [the] (front|side) access (to|of) | (block|blocks|blocking|obstruct|obstructing|restrict) [direct|easy|the] access (to or from|to and from|to|of) | restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
   | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | covered | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
   | block [the] (view|views|light|access|opening|swing|use|view or access|access or view) (to|of|from|through|for) | block light from | block or cover | (block|obstruct) [the] [natural] (light|view) [coming] from
   | obstruct [the] [easy] (view|views|access|use|opening|swing) (to|of|from|for) | blocking [the] [natural] (view|access|light|opening|swing|use|view or access) (to|of|from|through|for)
@@ -75,12 +76,12 @@ relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free
 relation keep_front_clear: [the] (area|space|zone|floor space|floor area) in front of
 relation accessible: accessible | fully accessible | easily accessible | reachable | easy to (reach|access|get to) | approachable | accessibly | (unobstructed|easy|convenient|clear|full|direct) access
   | accessed | accessed easily | access is (needed|possible) | can be reached | be reached | free access | access
-relation accessible_from: accessible (side|sides) | (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
+relation accessible_from: (easy|possible) to (reach|access|approach|use) (from|on|at) | approachable (from|on|at|along) | [easily|conveniently|readily|quickly] (reached|reachable) from | readily accessible from | accessible (side|sides) | (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
 relation access_to: availability of | access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | power from | plugged into | plug into | [easy] access from
 relation allow_access_to: [to|and] (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to
-relation pull_out: [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | [to] pulling [it] (out|back) | [to] [be] (roll|rolled|rolling|slid|slide|sliding|moved|scoot|pushed) (out|back|backwards|backward|in and out) | back out | pull it out | movement space | allow movement space | space to move | move back
+relation pull_out: [to] [be] moved back | [to] roll freely | to swivel | [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | [to] pulling [it] (out|back) | [to] [be] (roll|rolled|rolling|slid|slide|sliding|moved|scoot|pushed) (out|back|backwards|backward|in and out) | back out | pull it out | movement space | allow movement space | space to move | move back
 relation swing_open: to open | [should] [be able to|able to|to] open [up] [fully|freely|completely|easily|properly] | opened | opens (fully|freely) | (opening|operation) | can open | swing open
-relation space: space | distance | gap | clearance | spacing | separation | buffer | clearances | [of] [clear|open|free|ample|adequate|sufficient|empty|unobstructed|walking|viewing|circulation|movement] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances) [of] | enough (space|room) | (leave|leaves|leaving|allow|allows|allowing|provide|provides|providing|is) room (for|to) | there is room | has room | room to (move|walk|pull|open|sit) | clearance space | clear floor
+relation space: of room (to|for) | of room | breathing room | (clearance|clear|free) depth | space | distance | gap | clearance | spacing | separation | buffer | clearances | [of] [clear|open|free|ample|adequate|sufficient|empty|unobstructed|walking|viewing|circulation|movement] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances) [of] | enough (space|room) | (leave|leaves|leaving|allow|allows|allowing|provide|provides|providing|is) room (for|to) | there is room | has room | room to (move|walk|pull|open|sit) | clearance space | clear floor
   | clear area | floor space | clear floor space | elbow room
 relation space: [clear|enough|adequate|sufficient|ample] (space|room|clearance) (should|must) be (left|kept|maintained|provided|allowed|ensured)
 relation space: [of] [clear|open|free|adequate|sufficient|enough] (walking|circulation|movement|viewing|maneuvering) (space|clearance|distance|area)
@@ -93,7 +94,7 @@ relation same_wall: (against|on|along) the same wall as
 relation of: of | reach of
 relation pushed_under: (pushed|push|slide|slid|stored|tuck) (under|underneath|beneath)
 relation tucked_under: (tucked|tucks|fits|fit|stands|stowed) (under|underneath|beneath)
-relation under_when_unused: when not in use
+relation under_when_unused: when (not|un) (in use|used|needed|required|occupied|being used) | when unused
 relation centered: (centered|centred) on top of | [be] (centered|centred|center|centre) | [placed|located|positioned] (centrally|central) | central | centrally | in the middle | in a central (location|position|place|spot) | in the (center|centre)
   | at [its|the] (center|centre) | center (of|on|in) | centre (of|on|in) | [in|at|on|near|towards] the (center|centre|middle) (of|in|on) | middle of | [in|at] (center|centre|middle) of
   | centred (in|on|within|at) | centered (in|on|within|at) | centrally (in|on|within|located|positioned|placed|hung) [in|on|within] | in the middle of | on the (center|centre) line of | central [location] (in|within|to)
@@ -103,20 +104,20 @@ relation centered: centered along [the|its] (length|width) of | centrally along 
 relation centered: in the central (part|area|portion) of | in a central (part|area) of
 relation wall_centered: centered (on|along|against) | centred (on|along|against) | in the middle of
 relation corner: [on|in|at] [the] (left|right|far|near|opposite|other) corner (of|on) | in [a|one|the] corner | corner | [in|into] [an|a|the] (empty|unused|quiet|cozy|free|far) corner | corner (of|in) | [in|at|on|near|towards|toward|to] (a|the|one|each|any) [far|near|quiet|free|empty] corner [of] | corners [of] | across [a|the] corner | into (a|the) corner | one corner (of|on)
-relation corner_back_left: [on|at|in|near|towards] [the] (back left|rear left|left back|left rear) [hand] corner [of|on]
-relation corner_back_right: [on|at|in|near|towards] [the] (back right|rear right|right back|right rear) [hand] corner [of|on]
-relation corner_front_left: [on|at|in|near|towards] [the] (front left|left front) [hand] corner [of|on]
-relation corner_front_right: [on|at|in|near|towards] [the] (front right|right front) [hand] corner [of|on]
+relation corner_back_left: [on|at|in|near|towards|toward|to] [the|its] (back left|rear left|left back|left rear) [hand] corner [of|on]
+relation corner_back_right: [on|at|in|near|towards|toward|to] [the|its] (back right|rear right|right back|right rear) [hand] corner [of|on]
+relation corner_front_left: [on|at|in|near|towards|toward|to] [the|its] (front left|left front) [hand] corner [of|on]
+relation corner_front_right: [on|at|in|near|towards|toward|to] [the|its] (front right|right front) [hand] corner [of|on]
 relation edge: [near|at|by|on|along] [the|an|its] edge | [on|at|near|by|towards|along] (the|an|one) (edge|end) (of|on) | edge of | (on|to) one (end|edge) of | [on|at] the edge of | end of | edges of
 relation towards_back: [and] (towards|toward) the (back|rear|wall|back side|back edge) [of] | at the back edge of | [positioned] (towards|toward) the wall
-relation into_room: (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | [a|the] [good|clear|full] (view|overview) of [the] [whole|entire|main] room | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the [whole|entire|main] (area|space) | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the rest of the (room|space|area) | facing inward | facing inwards | view of the [main|entire|whole] room
-relation hanging: hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
+relation into_room: (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | [a|the] [good|clear|full] (view|overview) of [the] [whole|entire|main] room | [a|the] [good|clear|full|comfortable|wide] (view|viewing angle|overview|visibility) (over|across|of|into) [of] [the] [whole|entire|main|rest of the] room | overlooking the [whole|entire|rest of the] room | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the [whole|entire|main] (area|space) | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the rest of the (room|space|area) | facing inward | facing inwards | view of the [main|entire|whole] room
+relation hanging: (nailed|pinned|fastened|secured|anchored|tacked|taped|clipped|screwed|attached|fixed|affixed|strung|draped) [to|on|onto|across|over|along|from] [the] [back] | hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
 relation both_ways: each other | one another
-relation freestanding: freestanding | free standing | away from all walls
+relation freestanding: freestanding | free standing
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
 relation on_wall_of: on the (wall|walls) of
-filler: at (a|the) distance of | [with] one on each side | in (a|such a) (way|manner) (that|so that) [it|they] | such that (it|they) | allowed | given | considered | created | observed | (unobstructed|accessible|open|clear) (area|location|spot) | (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | in [a|the|an] (position|positions|location|spot|place|places|area|areas|way|manner) (where|that|which) [it|they] [will|would|could|might|can]
+filler: people | someone | anyone | (the|a) (user|users|person|occupant|occupants) | being | (front|top) loading | at a [viewing|walking] (depth|width|radius|distance) of | [to|for] a depth of | [at|with] a spacing of | at (a|the) distance of | [with] one on each side | in (a|such a) (way|manner) (that|so that) [it|they] | such that (it|they) | allowed | given | considered | created | observed | (unobstructed|accessible|open|clear) (area|location|spot) | (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | in [a|the|an] (position|positions|location|spot|place|places|area|areas|way|manner) (where|that|which) [it|they] [will|would|could|might|can]
   | where (it|they) [will|would|could|might|can] | [at a|in a|at the] location | the | a | an | its own | own | this | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
   | place | places | placed | placing | placement | put | puts | set | sets | position | positions | positioned | positioning | locate | located | location | situate | situated | stand | stands | standing | sit | sits | sitting | keep | keeps | kept | keeping
   | leave | leaves | leaving | left free | ensure | ensures | ensuring | make sure | making sure | maintain | maintains | maintaining | provide | provides | providing | require | requires | requiring | need | needs | needed | allow | allows | arrange | arranged
@@ -129,18 +130,18 @@ filler: at (a|the) distance of | [with] one on each side | in (a|such a) (way|ma
   | some of the | one of | all of the | accessible location | spot | surface space | do | does | did | get | gets | getting | eg | ie | physically | visually | typically | centrally aligned | facilitate
   | measuring | size | sized | (in|of) size | free of charge | still | yet | please | should the | together | aligned in | evenly | equally | symmetric | symmetrical | symmetrically | neatly
   | installed hanging | in position | in place | extends | extend | extending | centre on | floor level | placements | plenty of | between them and | other | of clearance
-modal: should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
-wish: ideal to have | ideal to | ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
+modal: (should|must|can|may|shall|to|needs to|need to) be left | should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
+wish: if available | if one is available | (if|where|when|provided) [the|your] (layout|space|room|design|plan|area) (permits|allows) [it] | if permitted | it is (recommended|advisable|best|preferable) (to|that) [have] | recommended | advisable | ideal to have | ideal to | ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
   | where (space|room) (allows|permits) | (if|when|where) (feasible|practical|appropriate|suitable|convenient|allowed) | if it fits
   | (if|as long as|provided|provided that|so long as) (this|it|that|doing so) (does not|will not|would not) (violate|conflict with|contradict|affect|break|compromise|interfere with) [any] [of] [the] other (constraints|requirements|rules|needs|conditions|guidelines)
   | as far as possible | whenever possible | if there is (space|room)
 purpose: than | for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | rather than | such as | like | depending | even
 condition: not [necessarily] need to | need not | not necessarily | not (necessary|required|needed|essential) | is optional | no need | if | unless | only if | in the event
-not: not | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | don
+not: not | neither | hardly | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | don
 side front: front [side|edge|face|end|part] | front and center | foot [end] | footboard | fronts | front sides
 side back: back [side|edge|end|part] | rear [side|edge] | headboard | head [end|side] | backrest | backs | back sides | headrest
-side left: left [hand] [side|edge] | left hand side
-side right: right [hand] [side|edge] | right hand side
+side left: left [hand] [side|edge|end] | left hand side
+side right: right [hand] [side|edge|end] | right hand side
 side sides: arms | armrests | [both|the|two|either|each] sides | both [of its] sides | left and right [sides] | left and right side | (each|either) side | (left and right|right and left) sides | both ends | ends | lateral sides
 side opposite_two: [on|at] [at least] two opposite sides
 side side: side | [the] (arm|armrest) | [at least] one side | one of [its|the] sides | (left or right|right or left) [side] | a side | any side | at least one of its sides | one [free|open] side | one end
@@ -155,18 +156,18 @@ feature door: opening of [the] (door|doors) | (door|doors) (openings|entryways) 
   | doors 's (swing|swings) | swing[ing] of [the] (door|doors) | swings | entry area | entrance area | doors swings | door swing area | passage door | entry to the room | entry and exit [points] | line of entry
 feature window: (window|windows) access | opening of [the] (window|windows) | (wall|walls) with [a|the|any] (window|windows) | window (wall|walls) | window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
 feature socket: (wall|walls) with [a|the|any] (socket|sockets|outlet|outlets) | electrical and gas (outlets|sockets) | [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plug|plugs|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
-place wall: [one or] two walls | [one of the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
+place wall: [one or] two walls | [one of the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby|side|rear|exterior|interior|outer|inner|outside|inside|dry|structural|load bearing] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
 place ceiling: ceiling | ceilings
 place room: [whole|entire|main] (room|bedroom|living room|dining room|kitchen|office|study|bathroom|studio|space|workshop|workroom|hall|library|gym|nursery) | floor plan | room 's space | center of attention | layout
 place floor: floor | ground
 area area: area | zone | region | section | space | nook | spot | area 's | zones | areas | arrangement | group | station | location
-group all: nothing | [all|each|every|any|no] (object|objects|item|items|piece|pieces|furniture) [of furniture] | (pieces|piece|items) of furniture | furniture pieces | furniture | all furniture | furnishings | each piece | anything | everything | large furniture
+group all: nothing | [all|each|every|any|no] [of the] (object|objects|item|items|piece|pieces|furniture|equipment) [of] [furniture|equipment] | (pieces|piece|items) of furniture | furniture pieces | furniture | all furniture | furnishings | each piece | anything | everything | large furniture
 group others: [any|all|every|the|each] other (large|big|tall|major|main|nearby) (object|objects|furniture|items|pieces) | [any|all|every|the|each] other (object|objects|furniture|furnishings|item|items|piece|pieces) [of furniture] | (other|surrounding|adjacent|nearby|neighbouring) (furniture|objects|items|pieces) [pieces] | anything else | everything else | the rest of the furniture
 group seating: (seating|seats|seat) [furniture|arrangement|pieces]
 group heat: heat source | heat sources | sources of heat
 pronoun it: it | itself | this piece | this object | its
 pronoun them: all (three|four) (pieces|objects|items) [of furniture] | the (three|four) (pieces|objects|items) [of furniture] | them | they | their | themselves | these two | the two | both of them | the three | all three [pieces of furniture] | these objects
-quantity each: each | every | each of the | every one of the | all | all the | both | both of the | all of the | any | each one of the | either | neither of the | two | three | four | five | six | eight | both the | all four | all six | the two | the four | the three | the six | pair of | a pair of
+quantity each: any of the | each | every | each of the | every one of the | all | all the | both | both of the | all of the | any | each one of the | either | neither of the | two | three | four | five | six | eight | both the | all four | all six | the two | the four | the three | the six | pair of | a pair of
 ordinal 1: first | one
 ordinal 2: second | the other
 ordinal 3: third

@@ -267,6 +267,8 @@ class Grouper {
 
   // "the bed, wardrobe, and desk": after the comma come only list members up to an "and" or "or".
   bool ListGoesOn(size_t comma) const {
+    // "Doors, windows.": features need no "and".
+    if (comma > 0 && Peek(comma + 1) && IsFeature(in_[comma - 1]) && IsFeature(in_[comma + 1])) return true;
     for (size_t i = comma + 1, seen = 0; Peek(i) && seen < 12; ++i, ++seen) {
       if (in_[i].role == Role::kAnd || in_[i].role == Role::kOr) return i > comma + 1;
       if (!IsMention(in_[i]) && !(in_[i].term.kind == Term::Kind::kSoft && in_[i].term.lemma == ",")) return false;

@@ -96,14 +96,15 @@ const Qualifier kQualifiers[] = {
 };
 
 // Words that may stand between a qualifier and its length: "a minimum clear distance of 0.5 m".
-constexpr std::array<std::string_view, 24> kBetween = {
-    "distance", "gap", "space",  "spacing",       "clearance", "separation", "of",      "clear",
-    "a",        "an",  "about",  "around",        "free",      "width",      "walkway", "roughly",
-    "is",       "be",  "should", "approximately", "exactly",   "buffer",     "another", "the"};
+constexpr std::array<std::string_view, 25> kBetween = {
+    "depth", "distance", "gap",           "space",   "spacing", "clearance", "separation", "of",      "clear",
+    "a",     "an",       "about",         "around",  "free",    "width",     "walkway",    "roughly", "is",
+    "be",    "should",   "approximately", "exactly", "buffer",  "another",   "the"};
 constexpr std::array<std::string_view, 12> kDimensionWords = {
     "wide", "long", "deep", "high", "tall", "square", "thick", "width", "length", "height", "depth", "diameter"};
 
-constexpr std::array<std::string_view, 6> kSpaceWords = {"clearance", "space", "gap", "distance", "room", "spacing"};
+constexpr std::array<std::string_view, 11> kSpaceWords = {
+    "clearance", "space", "gap", "distance", "room", "out", "spacing", "clear", "unobstructed", "free", "accessible"};
 
 constexpr std::array<std::string_view, 10> kGapWords = {"gap",   "clearance", "separation", "buffer",  "spacing",
                                                         "space", "path",      "pathway",    "walkway", "passage"};
@@ -202,7 +203,7 @@ class Joiner {
     token.end = in_[next - 1].end;
     // A lone length in brackets says how long something is, "one long side (1.5m)", but not how wide a space is.
     const bool in_brackets = !out_.empty() && out_.back().IsMark('(') && MarkAt(next, ')');
-    const bool of_space = out_.size() > 1 && Contains(kSpaceWords, out_[out_.size() - 2].text);
+    const bool of_space = SpaceSpokenOf();
     if (!in_brackets || of_space || !token.distance.exact) {
       out_.push_back(std::move(token));
     } else {
@@ -283,6 +284,14 @@ class Joiner {
         break;
     }
     return {value, value, true};
+  }
+
+  // Whether this sentence has spoken of free space.
+  bool SpaceSpokenOf() const {
+    for (size_t i = out_.size(); i > 0 && !out_[i - 1].IsMark('.'); --i) {
+      if (Contains(kSpaceWords, out_[i - 1].text)) return true;
+    }
+    return false;
   }
 
   // Takes a qualifier off the sentence when a length follows it; it then waits for that length.

@@ -75,7 +75,8 @@ void OnWallOpposite(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
-void InFrontOf(const Match& match, std::string_view, Composer& composer) {
+// tag "after": the figure stands after the place, so it is how far away the mover stands.
+void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   // "In front of the desk, at least 1 m from the bed": the figure is for the bed.
   if (match.c != nullptr && match.distance != nullptr) {
@@ -110,7 +111,7 @@ void InFrontOf(const Match& match, std::string_view, Composer& composer) {
     for (const Placed& other : target.objects) {
       const bool own = movers.empty() || (movers.size() == 1 && movers.front().object == other.object);
       const bool at_least = match.distance != nullptr && !match.distance->max_m;
-      if ((own && match.distance != nullptr) || (match.a == nullptr && (own || at_least))) {
+      if ((own && match.distance != nullptr) || (match.a == nullptr && (own || (at_least && tag != "after")))) {
         Call call = Call("accessible").Text("object", composer.id(other)).Texts("sides", {"front"});
         if (match.distance != nullptr) call.Number("min_clearance_m", match.distance->Nominal());
         composer.EmitFirst({std::move(call)});
@@ -164,10 +165,25 @@ void Direction(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
-void ParallelPairs(const Match& match, std::string_view, Composer& composer) {
-  const std::vector<Placed> movers = composer.Movers(match.a);
-  for (size_t i = 1; i < movers.size(); ++i) composer.EmitFirst({Two("parallel", movers[i], movers[0], composer)});
-  if (movers.size() < 2) composer.Refuse("unknown_sentence", "parallel needs two objects; name them");
+// tag is the type.
+void ParallelPairs(const Match& match, std::string_view tag, Composer& composer) {
+  std::vector<Placed> movers = composer.Movers(match.a);
+  if (movers.size() < 2) movers = composer.subjects();
+  for (size_t i = 1; i < movers.size(); ++i) {
+    composer.EmitFirst({Two(std::string(tag).c_str(), movers[i], movers[0], composer)});
+  }
+  if (movers.size() < 2) composer.Refuse("unknown_sentence", "a direction needs two objects; name them");
+}
+
+void NotFacingPair(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> all = composer.Movers(match.a);
+  if (all.size() < 2) all = composer.subjects();
+  if (all.size() != 2) {
+    composer.Refuse("unknown_sentence", "two objects can face each other; name them");
+    return;
+  }
+  composer.EmitFirst({Two("not_facing", all[0], all[1], composer)});
+  composer.EmitFirst({Two("not_facing", all[1], all[0], composer)});
 }
 
 void Angle(const Match& match, std::string_view, Composer& composer) {
@@ -196,14 +212,18 @@ std::vector<Rule> AngleRules() {
       {"A? opposite both_ways", EachOther},
       {"A? on B.wall opposite/facing C", OnWallOpposite},
       {"A? on? opposite B.wall away_from/of/opposite C", OnWallOpposite},
-      {"A? D? in_front_of B D?", InFrontOf},
-      {"A? in_front_of B , space? D", InFrontOf},
+      {"A? D? in_front_of B", InFrontOf},
+      {"A? in_front_of B D", InFrontOf, "after"},
+      {"A? in_front_of B , space? D", InFrontOf, "after"},
+      {"A? not facing_each_other", NotFacingPair},
+      {"A? not facing/opposite both_ways", NotFacingPair},
+      {"A? perpendicular both_ways?", ParallelPairs, "perpendicular"},
       {"A? in_front_of B , D space? behind C.pronoun", InFrontWithSpaceBehind},
       {"A? in_front_of B ,? D space? apart", InFrontOf},
       {"A? in_front_of B , D space? away_from C", InFrontOf},
       {"A? same_direction B", Direction, "parallel"},
       {"A? parallel B", Direction, "parallel"},
-      {"A? parallel both_ways", ParallelPairs},
+      {"A? parallel both_ways?", ParallelPairs, "parallel"},
       {"A? perpendicular B", Direction, "perpendicular"},
       {"A? not_angle B", Angle},
       {"A? into_room", IntoRoom},

@@ -85,6 +85,18 @@ void KeepClear(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "With socket access": sockets are reached from near them, doors and windows are kept free.
+void FeatureAccessible(const Match& match, std::string_view tag, Composer& composer) {
+  const std::string& name = match.b->references.front().name;
+  if (name != "socket" || !composer.HasFeature(name) || match.b->references.size() > 1) {
+    KeepClear(match, tag, composer);
+    return;
+  }
+  for (const Placed& mover : composer.topic()) {
+    composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", name)});
+  }
+}
+
 void UnderWindow(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
     for (const Target& target : composer.Targets(*match.b, {})) {
@@ -127,6 +139,11 @@ void ViewBetween(const Match&, std::string_view, Composer& composer) {
 std::vector<Rule> FeatureRules() {
   return {
       {"A? not block B", NotBlock},
+      {"A? not_prevent access_to? B", NotBlock},
+      {"A? not_prevent away_from ,? to? access_to? B", NotBlock},
+      {"A? not_prevent B away_from? swing_open", NotBlock},
+      {"A? not_prevent away_from to? swing_open B", NotBlock},
+      {"A? not block B.object to C.object", ViewBetween},
       {"A? not block B or accessible/access_to/allow_access_to C", NotBlock},
       {"A? allow_access_to B", AllowAccess},
       {"A? not block ,? accessible/access_to/allow_access_to/accessible_from B", NotBlock},
@@ -136,9 +153,10 @@ std::vector<Rule> FeatureRules() {
       {"A? not block B.object space", NotBlock, "gap"},
       {"A? not block C.vague between B", PathBetween},
       {"B.feature not block next_to A.object", NotBlock},
-      {"B.feature swing_open not block A.object", NotBlock},
       {"B.feature swing_open", DoorsOpen},
       {"B.feature swing_open not C.vague", DoorsOpen},
+      {"B.feature swing_open not block A.group", DoorsOpen},
+      {"B.feature swing_open not block A.object", NotBlock},
       {"A? not corner , B.feature", NotBlock},
       {"A? not block C.vague to B.object", NotBlock},
       {"A? not block accessible to B.object", NotBlock},
@@ -154,7 +172,7 @@ std::vector<Rule> FeatureRules() {
       {"A? not in_front_of/under/on/over or in_front_of/under/behind/on B.feature", NotBlock},
       {"B.feature keep_clear", KeepClear},
       {"B.feature not block", KeepClear},
-      {"B.feature accessible", KeepClear},
+      {"B.feature accessible", FeatureAccessible},
       {"space in_front_of B.feature keep_clear?", KeepClear},
       {"keep_front_clear B keep_clear?", KeepClear},
       {"A? under B.feature", UnderWindow},

@@ -16,6 +16,7 @@ void EmitSurround(const std::vector<Placed>& movers, const std::vector<Placed>& 
     return;
   }
   composer.EmitFirst({Call("surround").Text("center", composer.id(centers.front())).Texts("objects", ids)});
+  composer.SetPair(movers, {centers.front()});
 }
 
 void Surround(const Match& match, std::string_view, Composer& composer) {

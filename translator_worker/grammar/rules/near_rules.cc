@@ -165,7 +165,16 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
 }
 
 void OnEachSide(const Match& match, std::string_view, Composer& composer) {
-  const std::vector<Placed> movers = composer.Movers(match.a);
+  std::vector<Placed> movers;
+  if (match.a != nullptr && match.a->references.size() == 1 && match.a->references.front().ordinal == 1) {
+    // "One lamp on each side": all lamps.
+    Mention all = *match.a;
+    all.references.front().ordinal = 0;
+    all.references.front().each = true;
+    movers = composer.Movers(&all);
+  } else {
+    movers = composer.Movers(match.a);
+  }
   Flank(movers, composer.TargetObjects(*match.b, movers), composer);
 }
 
@@ -184,6 +193,7 @@ std::vector<Rule> NearRules() {
       {"A? accessible access_to? B.feature", Near},
       {"nearby B", Near},
       {"A? next_to B", NextTo},
+      {"A? along B.thing", NextTo},
       {"A? on B.feature", Near},
       {"A? D? left_of B ,? D?", AtSide, "left"},
       {"A? D? right_of B ,? D?", AtSide, "right"},

@@ -57,7 +57,9 @@ void CentralIn(const Match& match, std::string_view, Composer& composer) {
 void InZone(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
     const std::string& zone = match.b->references.front().name;
-    if (!composer.IsFloor(mover) && !composer.calls().empty()) continue;
+    // "Under the sofa in the seating area": the sofa says it all.
+    const bool rug = composer.IsTertiaryRug(mover);
+    if ((!composer.IsFloor(mover) || rug) && !composer.calls().empty()) continue;
     if (composer.IsWall(mover)) {
       composer.EmitFirst({Call("on_wall_in_zone").Text("object", composer.id(mover)).Text("zone", zone)});
     } else if (composer.IsFloor(mover)) {
@@ -92,7 +94,7 @@ std::vector<Rule> RoomRules() {
       {"A? centered B.room , above/on B.object", Central},
       {"A? on B.zone", InZone},
       {"A? hanging? on_wall_of B.zone", InZone},
-      {"A? hanging? on C.wall of/on B.zone", InZone},
+      {"A? hanging? on C.wall of/on/around B.zone", InZone},
       {"on B.room", Ignore},
       {"A? on B.floor", OnFloor},
       {"A? on? B.ceiling on? centered of? B.room", Central},

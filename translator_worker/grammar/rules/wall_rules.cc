@@ -34,6 +34,13 @@ void Against(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Needs a wall behind it".
+void BackAgainst(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst({Call("against_wall").Text("object", composer.id(mover)).Text("side", "back")});
+  }
+}
+
 // "Against a wall with both sides accessible".
 void AgainstAndAccessible(const Match& match, std::string_view tag, Composer& composer) {
   Match wall = match;
@@ -76,7 +83,11 @@ void SameWall(const Match&, std::string_view, Composer& composer) {
 
 void NotAgainst(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
-  for (const Target& target : composer.Targets(*match.b, movers, false)) {
+  // "Near a wall, not against it".
+  const bool of_wall = match.b->references.front().kind == RefKind::kPronoun && composer.wall_named;
+  const std::vector<Target> targets =
+      of_wall ? std::vector<Target>{{RefKind::kWall, {}, ""}} : composer.Targets(*match.b, movers, false);
+  for (const Target& target : targets) {
     for (const Placed& mover : movers) {
       if (target.kind == RefKind::kWall) {
         composer.EmitFirst(
@@ -130,6 +141,8 @@ std::vector<Rule> WallRules() {
       {"A? against/along/on/next_to B.wall , C.side accessible/keep_clear", AgainstAndAccessible},
       {"A? against/along/next_to B.wall", Against},
       {"A? against B", Against},
+      {"A.side to/facing B.wall", Against},
+      {"B.wall behind A.pronoun", BackAgainst},
       {"A? against/near corner", InCorner},
       {"A? on B.wall", Against},
       {"A? aligned B", Aligned},
