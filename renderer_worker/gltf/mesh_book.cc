@@ -67,26 +67,30 @@ bool Equal(const Mesh& a, const Mesh& b) {
                     });
 }
 
-// The part in glTF's frame, without triangles that have lost a corner and without uvs that nothing uses.
+// The part in glTF's frame, without triangles that have lost a corner, vertices that no triangle has, and uvs that
+// nothing uses.
 Vertices Converted(const MeshPart& part, MeshFrame frame) {
   Vertices out;
-  const auto convert = [&](Vec3 v) { return frame == MeshFrame::kRoom ? FromRoom(v) : FromObject(v); };
-  out.positions.reserve(part.positions.size());
-  out.normals.reserve(part.normals.size());
-  for (const Vec3 p : part.positions) out.positions.push_back(convert(p));
-  for (const Vec3 n : part.normals) out.normals.push_back(Normalized(convert(n)));
   const Vec2 scale = MaterialBook::UvScale(part.material);
-  if (scale.x > 0) {
-    for (size_t i = 0; i < part.positions.size(); ++i) {
-      const Vec2 uv = i < part.uvs.size() ? part.uvs[i] : Vec2{};
-      out.uvs.push_back({uv.x * scale.x, uv.y * scale.y});
+  constexpr uint32_t kUnseen = ~uint32_t{0};
+  std::vector<uint32_t> moved(part.positions.size(), kUnseen);
+  const auto convert = [&](Vec3 v) { return frame == MeshFrame::kRoom ? FromRoom(v) : FromObject(v); };
+  const auto vertex = [&](uint32_t index) {
+    if (moved[index] == kUnseen) {
+      moved[index] = static_cast<uint32_t>(out.positions.size());
+      out.positions.push_back(convert(part.positions[index]));
+      out.normals.push_back(Normalized(convert(part.normals[index])));
+      const Vec2 uv = index < part.uvs.size() ? part.uvs[index] : Vec2{};
+      if (scale.x > 0) out.uvs.push_back({uv.x * scale.x, uv.y * scale.y});
     }
-  }
+    return moved[index];
+  };
+  out.indices.reserve(part.indices.size());
   for (size_t i = 0; i < part.indices.size(); i += 3) {
     const uint32_t a = part.indices[i];
     const uint32_t b = part.indices[i + 1];
     const uint32_t c = part.indices[i + 2];
-    if (a != b && b != c && c != a) out.indices.insert(out.indices.end(), {a, b, c});
+    if (a != b && b != c && c != a) out.indices.insert(out.indices.end(), {vertex(a), vertex(b), vertex(c)});
   }
   return out;
 }

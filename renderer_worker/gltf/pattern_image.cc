@@ -46,7 +46,7 @@ ToneImage DrawTones(Pattern pattern) {
   uLongf size = compressBound(rows.size());
   image.pixels.resize(size);
   compress2(reinterpret_cast<Bytef*>(image.pixels.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
-            rows.size(), 9);
+            rows.size(), 6);
   image.pixels.resize(size);
   return image;
 }

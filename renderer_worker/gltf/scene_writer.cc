@@ -8,6 +8,7 @@
 
 #include "fmt/format.h"
 #include "renderer_worker/gltf/numbers.h"
+#include "renderer_worker/gltf/shell_faces.h"
 
 namespace flair::renderer::gltf {
 namespace {
@@ -25,23 +26,6 @@ std::vector<double> ListOf(const Quaternion& q) {
   std::vector<double> list;
   for (const double component : q) list.push_back(std::round(component * 1e9) / 1e9 + 0.0);
   return list;
-}
-
-// Only what is seen from below: viewers that do not draw the backs of surfaces show the room from above.
-Mesh Underside(const Mesh& mesh) {
-  Mesh under = mesh;
-  for (MeshPart& part : under.parts) {
-    std::vector<uint32_t> kept;
-    for (size_t i = 0; i + 2 < part.indices.size(); i += 3) {
-      const uint32_t* corner = &part.indices[i];
-      if (std::max({corner[0], corner[1], corner[2]}) >= part.positions.size()) return mesh;  // MeshBook tells
-      const Vec3 a = part.positions[corner[0]];
-      const Vec3 normal = Cross(part.positions[corner[1]] - a, part.positions[corner[2]] - a);
-      if (normal.z < 0) kept.insert(kept.end(), corner, corner + 3);
-    }
-    part.indices = std::move(kept);
-  }
-  return under;
 }
 
 }  // namespace
@@ -68,13 +52,12 @@ std::string SceneWriter::Unused(const std::string& name, std::string_view kind) 
 }
 
 absl::Status SceneWriter::AddShell(Group& group) {
-  ceilings_.reserve(scene_.shell.size());  // MeshBook keeps pointers
+  seen_.reserve(scene_.shell.size());  // MeshBook keeps pointers
   for (const ShellPart& part : scene_.shell) {
-    const Mesh* mesh = &part.mesh;
-    if (part.kind == ShellPart::Kind::kCeiling) mesh = &ceilings_.emplace_back(Underside(part.mesh));
+    const Mesh& mesh = seen_.emplace_back(SeenFromWithin(part, scene_.layout->graph().room()));
     tinygltf::Node node;
     node.name = Unused(part.id, part.kind == ShellPart::Kind::kSkirting ? "skirting" : "part");
-    absl::StatusOr<int> number = meshes_.NumberOf(*mesh, MeshFrame::kRoom, node.name);
+    absl::StatusOr<int> number = meshes_.NumberOf(mesh, MeshFrame::kRoom, node.name);
     if (!number.ok()) return number.status();
     node.mesh = *number;
     node.extras = extras_.OfShellPart(part);

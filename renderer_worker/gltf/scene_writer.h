@@ -46,7 +46,7 @@ class SceneWriter {
   MaterialBook materials_{model_, buffer_};
   MeshBook meshes_{model_, buffer_, materials_};
   std::set<std::string> names_;
-  std::vector<Mesh> ceilings_;
+  std::vector<Mesh> seen_;  // of the shell
   bool has_assets_ = false;
 };
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/gltf/shell_faces.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace flair::renderer::gltf {
+namespace {
+
+// Towards the outside of the wall from floor corner `wall` to the next; the floor runs counter-clockwise.
+Vec3 OutwardOf(const v1::Room& room, int wall) {
+  const auto& corners = room.floor().vertices();
+  if (wall < 0 || wall >= corners.size()) return {};
+  const v1::Point2& a = corners[wall];
+  const v1::Point2& b = corners[(wall + 1) % corners.size()];
+  return Normalized({static_cast<float>(b.y_m() - a.y_m()), static_cast<float>(a.x_m() - b.x_m()), 0});
+}
+
+}  // namespace
+
+Mesh SeenFromWithin(const ShellPart& part, const v1::Room& room) {
+  Vec3 hidden;  // faces that look this way are left out
+  float least = 0;
+  if (part.kind == ShellPart::Kind::kCeiling) {
+    hidden = {0, 0, 1};
+    least = -1e-3F;  // and the sides of the slab
+  } else if (part.kind == ShellPart::Kind::kWall) {
+    hidden = OutwardOf(room, part.wall);
+    least = 0.9F;
+  } else {
+    return part.mesh;
+  }
+  Mesh kept;
+  for (MeshPart faces : part.mesh.parts) {
+    std::vector<uint32_t> indices;
+    for (size_t i = 0; i + 2 < faces.indices.size(); i += 3) {
+      const uint32_t* corner = &faces.indices[i];
+      if (std::max({corner[0], corner[1], corner[2]}) >= faces.positions.size()) return part.mesh;  // MeshBook tells
+      const Vec3 a = faces.positions[corner[0]];
+      const Vec3 normal = Normalized(Cross(faces.positions[corner[1]] - a, faces.positions[corner[2]] - a));
+      if (Dot(normal, hidden) < least) indices.insert(indices.end(), corner, corner + 3);
+    }
+    faces.indices = std::move(indices);
+    if (!faces.indices.empty()) kept.parts.push_back(std::move(faces));
+  }
+  return kept;
+}
+
+}  // namespace flair::renderer::gltf
