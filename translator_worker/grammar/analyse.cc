@@ -21,6 +21,7 @@ class Reader {
 
   std::vector<RawTerm> Run() {
     DropAdverbs();
+    JoinNeitherNor();
     MoveAdjectiveBehindSide();
     while (at_ < tokens_.size()) {
       if (at_ == inlined_end_) {
@@ -72,6 +73,15 @@ class Reader {
       return token.kind == Token::Kind::kWord &&
              std::find(kAdverbs.begin(), kAdverbs.end(), token.text) != kAdverbs.end();
     });
+  }
+
+  // "Neither X nor Y" denies a list.
+  void JoinNeitherNor() {
+    bool neither = false;
+    for (Token& token : tokens_) {
+      neither = (neither || token.IsWord("neither")) && !token.IsMark('.');
+      if (neither && token.IsWord("nor")) token.text = "or";
+    }
   }
 
   // "At least one accessible side" is at least one side accessible.

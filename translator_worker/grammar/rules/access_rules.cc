@@ -204,6 +204,8 @@ void Unreachable(const Match&, std::string_view, Composer& composer) {
 
 std::vector<Rule> AccessRules() {
   return {
+      {"C.feature space? D? space? keep_clear? in_front keep_clear?", SpaceAt, "front"},
+      {"swing_open A not block next_to B", OfMovers},
       {"A.object? accessible/keep_clear", Accessible},
       {"A.object? accessible/keep_clear ,? D space?", Accessible},
       {"A.object? keep_clear/accessible ,? space D", Accessible},
@@ -261,8 +263,6 @@ std::vector<Rule> AccessRules() {
       {"on/at_sides/next_to/along/each_side_of B.side keep_clear", SpaceAt, "named"},
       {"A space? D space? behind C.pronoun", SpaceAt, "back"},
       {"A space? D space? in_front_of C.pronoun", SpaceAt, "front"},
-      {"C.feature space? D? space? keep_clear? in_front keep_clear?", SpaceAt, "front"},
-      {"swing_open A not block next_to B", OfMovers},
       {"space D? on/next_to/along/near B.object", SpaceAt, "named"},
       {"D space on/next_to/along B.object", SpaceAt, "named"},
       {"space D? each_side_of B.object", SpaceAt, "sides"},

@@ -29,6 +29,8 @@ void Facing(const Match& match, std::string_view tag, Composer& composer) {
       if (target.kind == RefKind::kFeature) {
         if (tag == "not") {
           composer.EmitFirst({Call("clear_of_feature").Text("object", id).Text("feature", target.name)});
+        } else if (target.name == "door") {
+          composer.EmitFirst({Call("faces_feature").Text("object", id).Text("feature", target.name)});
         } else {
           composer.EmitFirst({Call("faces_feature").Text("object", id).Text("feature", target.name),
                               Call("close_to_feature").Text("object", id).Text("feature", target.name)});

@@ -48,6 +48,18 @@ void OnWallNear(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Needs a wall behind it".
+void WallBehind(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.b);
+  if (!movers.empty() && !composer.IsFloor(movers.front())) {
+    Above(match, tag, composer);
+    return;
+  }
+  for (const Placed& mover : movers) {
+    composer.EmitFirst({Call("against_wall").Text("object", composer.id(mover)).Text("side", "back")});
+  }
+}
+
 void NotInCorner(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_expressible", "on the ceiling only the middle and places above objects can be asked for");
 }
@@ -56,11 +68,12 @@ void NotInCorner(const Match&, std::string_view, Composer& composer) {
 
 std::vector<Rule> HangingRules() {
   return {
+      {"C.wall behind B.pronoun", WallBehind},
+      {"hanging? on? C.wall ,? centered? D? above/behind B", Above},
+      {"hanging? on? C.wall ,? near/next_to/left_of/right_of/to_side/in_front_of B", OnWallNear},
       {"A? hanging? centered? D? above B", Above},
       {"A? hanging? centered? above B ,? on? C.wall ,? centered?", Above},
       {"A? hanging? on C.wall ,? centered? D? above/behind/centered B", Above},
-      {"hanging? on? C.wall ,? centered? D? above/behind B", Above},
-      {"hanging? on? C.wall ,? near/next_to/left_of/right_of/to_side/in_front_of B", OnWallNear},
       {"A? hanging? on C.wall around/in_front_of B", OnWallNear},
       {"A? hanging? on C.wall next_to or above B", OnWallNear},
       {"A? hanging? on C.wall near/next_to/left_of/right_of/to_side B", OnWallNear},

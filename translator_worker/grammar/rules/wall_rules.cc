@@ -34,13 +34,6 @@ void Against(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
-// "Needs a wall behind it".
-void BackAgainst(const Match& match, std::string_view, Composer& composer) {
-  for (const Placed& mover : composer.Movers(match.a)) {
-    composer.EmitFirst({Call("against_wall").Text("object", composer.id(mover)).Text("side", "back")});
-  }
-}
-
 // "Against a wall with both sides accessible".
 void AgainstAndAccessible(const Match& match, std::string_view tag, Composer& composer) {
   Match wall = match;
@@ -142,7 +135,6 @@ std::vector<Rule> WallRules() {
       {"A? against/along/next_to B.wall", Against},
       {"A? against B", Against},
       {"A.side to/facing B.wall", Against},
-      {"B.wall behind A.pronoun", BackAgainst},
       {"A? against/near corner", InCorner},
       {"A? on B.wall", Against},
       {"A? aligned B", Aligned},
