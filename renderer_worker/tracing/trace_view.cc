@@ -1,16 +1,119 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/tracing/trace_view.h"
 
-namespace flair::renderer {
+#include <fmt/format.h>
 
-absl::StatusOr<TracedView> TraceView(const Scene& scene, const SceneCamera& camera, const TraceOptions& options) {
-  return absl::UnimplementedError("views are not traced yet");
+#include <algorithm>
+#include <new>
+
+#include "renderer_worker/scene/room_shape.h"
+#include "renderer_worker/tracing/annotations.h"
+#include "renderer_worker/tracing/compose.h"
+#include "renderer_worker/tracing/denoise.h"
+#include "renderer_worker/tracing/radiosity.h"
+
+namespace flair::renderer {
+namespace {
+
+constexpr int kRadiosityPoints = 6000;
+
+absl::Status CheckOptions(const TraceOptions& options) {
+  for (const int size : {options.width_px, options.height_px}) {
+    if (size < 16 || size > 8192)
+      return absl::InvalidArgumentError(fmt::format("a picture {} px wide or high; [16, 8192]", size));
+  }
+  if (int64_t{options.width_px} * options.height_px > kMaxTracedPixels) {
+    return absl::ResourceExhaustedError(fmt::format("a traced picture of {} x {} px; at most {} pixels",
+                                                    options.width_px, options.height_px, kMaxTracedPixels));
+  }
+  if (options.sample_count < 1 || options.sample_count > 4096) {
+    return absl::InvalidArgumentError(fmt::format("sample_count: {}; must be in [1, 4096]", options.sample_count));
+  }
+  if (options.thread_count < 1 || options.thread_count > 256) {
+    return absl::InvalidArgumentError(fmt::format("thread_count: {}; must be in [1, 256]", options.thread_count));
+  }
+  return absl::OkStatus();
 }
 
-Pixels ToneMapped(const TracedView& view) {
-  Pixels pixels{view.width_px, view.height_px, {}};
-  pixels.rgb.resize(3 * view.colour.size());
-  return pixels;
+// The planes that say what is seen.
+void FillPlanes(const World& world, const PinholeCamera& camera, const std::vector<Seen>& seen, int y,
+                TracedView& view) {
+  for (int x = 0; x < camera.width_px; ++x) {
+    const size_t at = static_cast<size_t>(y) * camera.width_px + x;
+    const Seen& s = seen[at];
+    if (s.instance < 0) continue;
+    const Vec3 way = camera.Through(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+    view.depth_m[at] = s.distance * Dot(way, camera.forward);
+    view.normal[at] = s.first_normal;
+    view.albedo[at] = s.first_albedo;
+    view.instance[at] = world.instances()[s.instance].instance_id;
+    view.object_class[at] = world.instances()[s.instance].class_id;
+  }
+}
+
+void Resize(const TraceOptions& options, TracedView& view) {
+  const size_t count = static_cast<size_t>(options.width_px) * options.height_px;
+  view.width_px = options.width_px;
+  view.height_px = options.height_px;
+  view.depth_m.resize(count);
+  view.normal.resize(count);
+  view.albedo.resize(count);
+  view.instance.resize(count);
+  view.object_class.resize(count);
+}
+
+absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_camera, const TraceOptions& options) {
+  absl::StatusOr<RoomShape> shape = ShapeOf(scene.layout->graph().room());
+  if (!shape.ok()) return shape.status();
+  absl::StatusOr<PinholeCamera> camera = PinholeCamera::Make(scene_camera, options.width_px, options.height_px);
+  if (!camera.ok()) return camera.status();
+  const Workers workers{options.thread_count, options.check_alive};
+  if (workers.check_alive) {
+    if (absl::Status status = workers.check_alive(); !status.ok()) return status;
+  }
+  const CutAway cut = CutAwayFor(*shape, scene_camera.eye);
+  absl::StatusOr<std::unique_ptr<World>> world = World::Make(scene, cut);
+  if (!world.ok()) return world.status();
+  Lights lights = LightsOf(scene, cut.ceiling);
+  const std::vector<SurfacePoint> points = SpreadPoints(**world, kRadiosityPoints);
+  if (!cut.ceiling) BalanceLights(**world, points, *shape, lights);
+  absl::StatusOr<std::unique_ptr<Radiosity>> radiosity = Radiosity::Solve(**world, lights, points, workers);
+  if (!radiosity.ok()) return radiosity.status();
+
+  Surroundings surroundings;
+  surroundings.open = cut.ceiling;
+  TracedView view;
+  Resize(options, view);
+  std::vector<Seen> seen(view.depth_m.size());
+  std::vector<Lit> lit(view.depth_m.size());
+  const uint32_t seed = Mix(static_cast<uint32_t>(options.seed) ^ Mix(static_cast<uint32_t>(options.seed >> 32)));
+  absl::Status status = ForEach(workers, options.height_px, [&](int y) {
+    for (int x = 0; x < options.width_px; ++x) {
+      const size_t at = static_cast<size_t>(y) * options.width_px + x;
+      const Vec3 way = camera->Through(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+      seen[at] = LookFrom(**world, lights, surroundings, camera->eye, way, 1 / camera->focal_px);
+      lit[at] = LightOf(**world, lights, **radiosity, seen[at], x, y, options.sample_count, seed);
+    }
+    FillPlanes(**world, *camera, seen, y, view);
+  });
+  if (!status.ok()) return status;
+  status = SmoothLight(options.width_px, options.height_px, 1 / camera->focal_px, seen, workers, lit);
+  if (!status.ok()) return status;
+  status = ComposeColour({**world, lights, **radiosity, surroundings, *camera, seen, lit}, workers, view.colour);
+  if (!status.ok()) return status;
+  view.annotations = AnnotationsOf(scene, **world, *camera, view);
+  return view;
+}
+
+}  // namespace
+
+absl::StatusOr<TracedView> TraceView(const Scene& scene, const SceneCamera& camera, const TraceOptions& options) {
+  if (absl::Status status = CheckOptions(options); !status.ok()) return status;
+  try {
+    return Trace(scene, camera, options);
+  } catch (const std::bad_alloc&) {
+    return absl::ResourceExhaustedError("no memory for the picture");
+  }
 }
 
 }  // namespace flair::renderer

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/tracing/look.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer_worker/tracing/patterns/pattern.h"
+
+namespace flair::renderer {
+namespace {
+
+constexpr int kMostLayers = 8;  // panes and mirrors one behind the other
+
+Vec3 Schlick(Vec3 straight, float cosine) {
+  const float grazing = std::pow(std::clamp(1 - cosine, 0.0F, 1.0F), 5.0F);
+  return straight * (1 - grazing) + Vec3{1, 1, 1} * grazing;
+}
+
+// Nothing more is met on the way.
+void SeeBeyond(const Lights& lights, const Surroundings& around, Vec3 from, Vec3 direction, Seen& seen) {
+  seen.lit_instance = -1;
+  if (around.open && direction.z < -1e-4F && from.z > around.ground_z) {
+    seen.background = seen.instance < 0;
+    seen.position = from + direction * ((around.ground_z - from.z) / direction.z);
+    seen.normal = {0, 0, 1};
+    seen.albedo = around.backdrop;
+    seen.lit_instance = -2;
+    return;
+  }
+  const Vec3 beyond = !around.open && lights.WindowThrough(from, direction) >= 0
+                          ? lights.SkyRadiance(direction) * (1.0F / lights.sky_scale)
+                          : around.backdrop;
+  seen.added = seen.added + seen.filter * beyond;
+  seen.background = seen.instance < 0;
+}
+
+}  // namespace
+
+Seen LookFrom(const World& world, const Lights& lights, const Surroundings& around, Vec3 eye, Vec3 direction,
+              float pixel_rad) {
+  Seen seen;
+  Vec3 from = eye;
+  float travelled = 0;
+  for (int layer = 0; layer < kMostLayers; ++layer) {
+    const Hit hit = world.Look(from, direction, layer == 0 ? 0.01F : 1e-4F);
+    seen.direction = direction;
+    if (hit.instance < 0) {
+      SeeBeyond(lights, around, from, direction, seen);
+      return seen;
+    }
+    const Surface surface = world.SurfaceAt(hit, from, direction);
+    const Material& material = *surface.material;
+    travelled += hit.distance;
+    const float cosine = std::max(0.05F, -Dot(surface.geometric, direction));
+    const Vec3 colour = PatternColour(material, surface.uv, travelled * pixel_rad / std::sqrt(cosine));
+    if (layer == 0) {
+      seen.instance = hit.instance;
+      seen.distance = hit.distance;
+      seen.first_normal = surface.normal;
+      seen.first_albedo = colour;
+    }
+    if (material.opacity < 1 && layer + 1 < kMostLayers) {
+      // A pane: a little of its own colour, the more the flatter it is looked through.
+      const float kept = 1 - std::clamp(material.opacity, 0.0F, 1.0F);
+      const float mirrored = Schlick({0.04F, 0.04F, 0.04F}, -Dot(surface.normal, direction)).x;
+      seen.added = seen.added + seen.filter * colour * ((1 - kept) * 0.6F + 0.25F * mirrored);
+      seen.filter = seen.filter * (kept * (1 - mirrored));
+      from = from + direction * hit.distance;
+      continue;
+    }
+    if (IsMirror(material) && layer + 1 < kMostLayers) {
+      seen.filter = seen.filter * Schlick(colour, -Dot(surface.normal, direction));
+      from = surface.position;
+      direction = direction - surface.normal * (2 * Dot(surface.normal, direction));
+      continue;
+    }
+    seen.lit_instance = hit.instance;
+    seen.position = surface.position;
+    seen.normal = surface.normal;
+    seen.added = seen.added + seen.filter * material.emission;
+    seen.albedo = colour * (1 - material.metallic);
+    seen.specular = Vec3{0.04F, 0.04F, 0.04F} * (1 - material.metallic) + colour * material.metallic;
+    seen.roughness = std::clamp(material.roughness, 0.05F, 1.0F);
+    return seen;
+  }
+  return seen;
+}
+
+}  // namespace flair::renderer

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "renderer_worker/tracing/parallel.h"
+#include "renderer_worker/tracing/surface_points.h"
+
+namespace flair::renderer {
+
+// The light that falls on every surface of a room, coarsely: points all over the surfaces gather light from the lights
+// and from each other (the same rays for every bounce), and are averaged by instance, cell and side. It is what the
+// fine picture sees where it looks at another surface (final gathering). Irradiance is over pi: what a white diffuse
+// surface sends back as radiance. Thread-safe once made.
+class Radiosity {
+ public:
+  // What the workers' check_alive says when it is not well.
+  static absl::StatusOr<std::unique_ptr<Radiosity>> Solve(const World& world, const Lights& lights,
+                                                          const std::vector<SurfacePoint>& points,
+                                                          const Workers& workers);
+
+  // What falls on the surface of `instance` about `position` on the side of `normal`.
+  Vec3 IrradianceAt(int instance, Vec3 position, Vec3 normal) const;
+
+ private:
+  uint64_t KeyOf(int instance, Vec3 position, int side) const;
+  int CellAt(int instance, Vec3 position, Vec3 normal) const;
+  std::vector<int> AssignCells(const std::vector<SurfacePoint>& points, size_t instance_count);
+  void Average(const std::vector<SurfacePoint>& points, const std::vector<int>& cell_of,
+               const std::vector<Vec3>& values);
+
+  float cell_m_ = 0.35F;
+  std::unordered_map<uint64_t, int> cells_;
+  int first_fallback_ = 0;        // six sides of each instance, for where there is no cell
+  std::vector<Vec3> irradiance_;  // by cell, then by fallback
+};
+
+}  // namespace flair::renderer

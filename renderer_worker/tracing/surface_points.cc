@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/tracing/surface_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flair::renderer {
+namespace {
+
+constexpr int kLeastPerInstance = 3;
+
+bool HoldsUpLight(const Material& material) { return material.opacity >= 1 && Luminance(material.emission) <= 0; }
+
+float AreaOf(const MeshPart& part, size_t triangle) {
+  const uint32_t* corner = &part.indices[3 * triangle];
+  const Vec3 a = part.positions[corner[0]];
+  const float area = Length(Cross(part.positions[corner[1]] - a, part.positions[corner[2]] - a)) / 2;
+  return std::isfinite(area) ? area : 0;
+}
+
+double AreaOf(const Mesh& mesh) {
+  double area = 0;
+  for (const MeshPart& part : mesh.parts) {
+    if (!HoldsUpLight(part.material)) continue;
+    for (size_t i = 0; i < part.indices.size() / 3; ++i) area += AreaOf(part, i);
+  }
+  return area;
+}
+
+// One point every `step` square metres, the first after half of it; within a triangle by Roberts' R2 sequence.
+void AddPoints(const WorldInstance& instance, int index, double step, std::vector<SurfacePoint>& points) {
+  double due = step / 2;
+  uint32_t number = static_cast<uint32_t>(index) * 7U;
+  for (const MeshPart& part : instance.mesh->parts) {
+    if (!HoldsUpLight(part.material)) continue;
+    for (size_t i = 0; i < part.indices.size() / 3; ++i) {
+      due -= AreaOf(part, i);
+      for (; due < 0; due += step, ++number) {
+        const uint32_t* corner = &part.indices[3 * i];
+        float u = static_cast<float>((number * 3242174889U) >> 8) * 0x1p-24F;
+        float v = static_cast<float>((number * 2447445414U) >> 8) * 0x1p-24F;
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        const Vec3 a = part.positions[corner[0]], b = part.positions[corner[1]] - a, c = part.positions[corner[2]] - a;
+        const Vec3 normal = Normalized(instance.TurnToRoom(Cross(b, c)));
+        points.push_back({instance.ToRoom(a + b * u + c * v) + normal * 1e-3F, normal, index});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> SpreadPoints(const World& world, int count) {
+  std::vector<double> areas;
+  double total = 0;
+  for (const WorldInstance& instance : world.instances()) {
+    areas.push_back(instance.shades ? AreaOf(*instance.mesh) : 0);
+    total += areas.back();
+  }
+  std::vector<SurfacePoint> points;
+  const double step = total / std::max(count, 1);
+  for (size_t i = 0; i < areas.size(); ++i) {
+    if (areas[i] <= 0 || !std::isfinite(areas[i])) continue;
+    AddPoints(world.instances()[i], static_cast<int>(i), std::min(step, areas[i] / kLeastPerInstance), points);
+  }
+  return points;
+}
+
+float MeanDirectLight(const World& world, const Lights& lights, const std::vector<SurfacePoint>& points, int samples) {
+  double sum = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const PixelSamples random(static_cast<int>(i % 256), static_cast<int>(i / 256), samples, 77);
+    for (int k = 0; k < samples; ++k) {
+      const LightSample light =
+          SampleLights(lights, points[i].position, points[i].normal, random.At(k, 0), random.At(k, 1));
+      const float given = Luminance(light.irradiance);
+      if (given > 0 && !world.Shaded(points[i].position, light.direction, light.distance * 0.999F)) sum += given;
+    }
+  }
+  return points.empty() ? 0 : static_cast<float>(sum / (static_cast<double>(points.size()) * samples));
+}
+
+void BalanceLights(const World& world, const std::vector<SurfacePoint>& points, const RoomShape& shape,
+                   Lights& lights) {
+  constexpr float kDaylight = 0.6F, kLeastDaylight = 0.002F, kFill = 0.22F;
+  std::vector<SurfacePoint> inside;  // what faces the outside gets no light and shall not count
+  for (const SurfacePoint& p : points) {
+    const Vec3 q = p.position;
+    if (q.z > 0 && q.z < shape.height_m && Inside(shape, q.x, q.y)) inside.push_back(p);
+  }
+  Lights daylight = lights;
+  daylight.balls.clear();
+  daylight.sun_irradiance = {};
+  const float mean = MeanDirectLight(world, daylight, inside, 4);
+  if (mean > kLeastDaylight) {
+    lights.sky_scale = kDaylight / mean;
+    return;
+  }
+  lights.sky_scale = 1;
+  lights.sun_irradiance = {};
+  Vec2 low = shape.floor[0], high = low;
+  for (const Vec2& p : shape.floor) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const float width = 0.8F * (high.x - low.x), depth = 0.8F * (high.y - low.y);
+  RectLight fill;
+  fill.corner = {low.x + width / 8, high.y - depth / 8, shape.height_m - 0.01F};
+  fill.along = {width, 0, 0};
+  fill.up = {0, -depth, 0};
+  fill.normal = {0, 0, -1};
+  fill.area_m2 = width * depth;
+  fill.radiance = {1, 0.98F, 0.95F};
+  daylight.rects = {fill};
+  const float filled = MeanDirectLight(world, daylight, inside, 4);
+  if (!(filled > 1e-6F)) return;
+  fill.radiance = fill.radiance * (kFill / filled);
+  lights.rects = {fill};
+}
+
+}  // namespace flair::renderer

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/tracing/world.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <unordered_map>
+
+#include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/tracing/patterns/pattern.h"
+#include "renderer_worker/tracing/sampling.h"
+
+namespace flair::renderer {
+namespace {
+
+bool HoldsUpLight(const Material& material) { return material.opacity >= 1 && Luminance(material.emission) <= 0; }
+
+absl::Status CheckMesh(const Mesh& mesh, int64_t& triangles) {
+  for (const MeshPart& part : mesh.parts) {
+    if (part.normals.size() != part.positions.size() || part.uvs.size() != part.positions.size() ||
+        part.indices.size() % 3 != 0) {
+      return absl::InvalidArgumentError(
+          fmt::format("mesh part \"{}\": its arrays do not run parallel", part.material.name));
+    }
+    for (uint32_t index : part.indices) {
+      if (index >= part.positions.size()) {
+        return absl::InvalidArgumentError(fmt::format("mesh part \"{}\": index {} of {} positions", part.material.name,
+                                                      index, part.positions.size()));
+      }
+    }
+    triangles += static_cast<int64_t>(part.indices.size() / 3);
+  }
+  return absl::OkStatus();
+}
+
+int ClassOfPart(ShellPart::Kind kind) {
+  switch (kind) {
+    case ShellPart::Kind::kFloor:
+      return kFloorClass;
+    case ShellPart::Kind::kCeiling:
+      return kCeilingClass;
+    case ShellPart::Kind::kWall:
+      return kWallClass;
+    case ShellPart::Kind::kDoor:
+      return kDoorClass;
+    case ShellPart::Kind::kWindow:
+      return kWindowClass;
+    case ShellPart::Kind::kSkirting:
+      return kSkirtingClass;
+  }
+  return 0;
+}
+
+// Ids count objects in the list's order, then all parts of the shell, seen or not: the same in every view.
+std::vector<WorldInstance> InstancesOf(const Scene& scene, const CutAway& cut) {
+  std::vector<WorldInstance> instances;
+  int id = 0;
+  for (const SceneObject& object : scene.objects) {
+    WorldInstance instance;
+    instance.instance_id = ++id;
+    instance.class_id = ClassIdOf(object.furnishing.class_name);
+    instance.mesh = object.furnishing.mesh.get();
+    const double theta = object.placement.theta_rad();
+    instance.cosine = static_cast<float>(std::cos(theta));
+    instance.sine = static_cast<float>(std::sin(theta));
+    instance.origin = {static_cast<float>(object.placement.x_m()), static_cast<float>(object.placement.y_m()),
+                       static_cast<float>(object.placement.z_m())};
+    instances.push_back(instance);
+  }
+  for (const ShellPart& part : scene.shell) {
+    WorldInstance instance;
+    instance.instance_id = ++id;
+    instance.class_id = ClassOfPart(part.kind);
+    instance.mesh = &part.mesh;
+    const WallCut wall = part.wall >= 0 ? cut.walls[part.wall] : WallCut::kWhole;
+    if (part.kind == ShellPart::Kind::kCeiling && cut.ceiling) instance.seen = instance.shades = false;
+    if (wall != WallCut::kWhole) {
+      instance.seen = false;
+      // Below a ceiling the light is that of the whole room; without one, that of the model on the table.
+      instance.shades = !cut.ceiling;
+      if (part.kind == ShellPart::Kind::kWall && wall == WallCut::kStub) {
+        instance.mesh = &part.stub;
+        instance.seen = instance.shades = true;
+      }
+    }
+    instances.push_back(instance);
+  }
+  return instances;
+}
+
+}  // namespace
+
+// Embree's side: one scene per mesh (and one without what lets light through, where that differs), two scenes of
+// instances.
+struct World::Rays {
+  RTCDevice device = nullptr;
+  std::vector<RTCScene> meshes;
+  RTCScene seen = nullptr;
+  RTCScene shading = nullptr;
+
+  ~Rays() {
+    for (RTCScene scene : meshes) rtcReleaseScene(scene);
+    if (seen != nullptr) rtcReleaseScene(seen);
+    if (shading != nullptr) rtcReleaseScene(shading);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  RTCScene MakeMesh(const Mesh& mesh, bool only_shading);
+  bool AttachInstance(RTCScene scene, RTCScene mesh, const WorldInstance& instance, unsigned id);
+};
+
+RTCScene World::Rays::MakeMesh(const Mesh& mesh, bool only_shading) {
+  RTCScene scene = rtcNewScene(device);
+  for (unsigned i = 0; i < mesh.parts.size(); ++i) {
+    const MeshPart& part = mesh.parts[i];
+    if (part.indices.empty() || (only_shading && !HoldsUpLight(part.material))) continue;
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3),
+                                             part.positions.size());
+    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t),
+                                            part.indices.size() / 3);
+    if (vertices != nullptr && indices != nullptr) {
+      std::memcpy(vertices, part.positions.data(), part.positions.size() * sizeof(Vec3));
+      std::memcpy(indices, part.indices.data(), part.indices.size() * sizeof(uint32_t));
+      rtcCommitGeometry(geometry);
+      rtcAttachGeometryByID(scene, geometry, i);
+    }
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene);
+  meshes.push_back(scene);
+  return scene;
+}
+
+bool World::Rays::AttachInstance(RTCScene scene, RTCScene mesh, const WorldInstance& instance, unsigned id) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  if (geometry == nullptr) return false;
+  rtcSetGeometryInstancedScene(geometry, mesh);
+  rtcSetGeometryTimeStepCount(geometry, 1);
+  const float to_room[12] = {
+      instance.cosine,   instance.sine,    0, -instance.sine, instance.cosine, 0, 0, 0, 1, instance.origin.x,
+      instance.origin.y, instance.origin.z};
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, to_room);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene, geometry, id);
+  rtcReleaseGeometry(geometry);
+  return true;
+}
+
+World::World() = default;
+World::~World() = default;
+
+absl::StatusOr<std::unique_ptr<World>> World::Make(const Scene& scene, const CutAway& cut) {
+  std::unique_ptr<World> world(new World);
+  world->instances_ = InstancesOf(scene, cut);
+  world->rays_ = std::make_unique<Rays>();
+  Rays& rays = *world->rays_;
+  // One thread builds, so that the trees and with them ties between surfaces are always the same.
+  rays.device = rtcNewDevice("threads=1,set_affinity=0");
+  if (rays.device == nullptr) return absl::InternalError("embree: no device");
+  struct Built {
+    int index;
+    RTCScene seen, shading;
+  };
+  std::unordered_map<const Mesh*, Built> built;
+  rays.seen = rtcNewScene(rays.device);
+  rays.shading = rtcNewScene(rays.device);
+  int64_t triangles = 0;
+  for (unsigned i = 0; i < world->instances_.size(); ++i) {
+    WorldInstance& instance = world->instances_[i];
+    auto [at, is_new] = built.try_emplace(instance.mesh);
+    if (is_new) {
+      if (absl::Status status = CheckMesh(*instance.mesh, triangles); !status.ok()) return status;
+      if (triangles > kMaxTriangles) {
+        return absl::ResourceExhaustedError(
+            fmt::format("the scene's meshes have more than {} triangles", kMaxTriangles));
+      }
+      at->second.index = static_cast<int>(world->mean_colours_.size());
+      std::vector<Vec3>& colours = world->mean_colours_.emplace_back();
+      bool all_shade = true;
+      for (const MeshPart& part : instance.mesh->parts) {
+        colours.push_back(MeanPatternColour(part.material));
+        all_shade = all_shade && HoldsUpLight(part.material);
+      }
+      at->second.seen = rays.MakeMesh(*instance.mesh, false);
+      at->second.shading = all_shade ? at->second.seen : rays.MakeMesh(*instance.mesh, true);
+    }
+    instance.mesh_index = at->second.index;
+    if (instance.seen && !rays.AttachInstance(rays.seen, at->second.seen, instance, i)) instance.seen = false;
+    if (instance.shades && !rays.AttachInstance(rays.shading, at->second.shading, instance, i)) instance.shades = false;
+  }
+  rtcCommitScene(rays.seen);
+  rtcCommitScene(rays.shading);
+  if (const RTCError error = rtcGetDeviceError(rays.device); error != RTC_ERROR_NONE) {
+    if (error == RTC_ERROR_OUT_OF_MEMORY) return absl::ResourceExhaustedError("embree: out of memory");
+    return absl::InternalError(fmt::format("embree: error {}", static_cast<int>(error)));
+  }
+  return world;
+}
+
+namespace {
+
+Hit Nearest(RTCScene scene, Vec3 from, Vec3 direction, float least, unsigned flags) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = static_cast<RTCIntersectContextFlags>(flags);
+  RTCRayHit query;
+  query.ray.org_x = from.x, query.ray.org_y = from.y, query.ray.org_z = from.z;
+  query.ray.dir_x = direction.x, query.ray.dir_y = direction.y, query.ray.dir_z = direction.z;
+  query.ray.tnear = least;
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.time = 0;
+  query.ray.mask = ~0U;
+  query.ray.id = 0;
+  query.ray.flags = 0;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene, &context, &query);
+  Hit hit;
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
+  hit.distance = query.ray.tfar;
+  hit.instance = static_cast<int>(query.hit.instID[0]);
+  hit.part = static_cast<int>(query.hit.geomID);
+  hit.triangle = static_cast<int>(query.hit.primID);
+  hit.u = query.hit.u;
+  hit.v = query.hit.v;
+  return hit;
+}
+
+}  // namespace
+
+Hit World::Look(Vec3 from, Vec3 direction, float least) const {
+  return Nearest(rays_->seen, from, direction, least, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+}
+
+Hit World::Feel(Vec3 from, Vec3 direction) const {
+  return Nearest(rays_->shading, from, direction, 0, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+}
+
+bool World::Shaded(Vec3 from, Vec3 direction, float distance) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay ray;
+  ray.org_x = from.x, ray.org_y = from.y, ray.org_z = from.z;
+  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
+  ray.tnear = 0;
+  ray.tfar = distance;
+  ray.time = 0;
+  ray.mask = ~0U;
+  ray.id = 0;
+  ray.flags = 0;
+  rtcOccluded1(rays_->shading, &context, &ray);
+  return ray.tfar < 0;
+}
+
+Vec3 World::GeometricNormalAt(const Hit& hit, Vec3 direction) const {
+  const WorldInstance& instance = instances_[hit.instance];
+  const MeshPart& part = instance.mesh->parts[hit.part];
+  const uint32_t* corner = &part.indices[3 * static_cast<size_t>(hit.triangle)];
+  const Vec3 a = part.positions[corner[0]];
+  const Vec3 normal =
+      Normalized(instance.TurnToRoom(Cross(part.positions[corner[1]] - a, part.positions[corner[2]] - a)));
+  return Dot(normal, direction) > 0 ? -normal : normal;
+}
+
+Surface World::SurfaceAt(const Hit& hit, Vec3 from, Vec3 direction) const {
+  const WorldInstance& instance = instances_[hit.instance];
+  const MeshPart& part = instance.mesh->parts[hit.part];
+  const uint32_t* corner = &part.indices[3 * static_cast<size_t>(hit.triangle)];
+  const float w = 1 - hit.u - hit.v;
+  Surface surface;
+  surface.material = &part.material;
+  surface.mean_colour = mean_colours_[instance.mesh_index][hit.part];
+  surface.geometric = GeometricNormalAt(hit, direction);
+  const Vec3 smooth = part.normals[corner[0]] * w + part.normals[corner[1]] * hit.u + part.normals[corner[2]] * hit.v;
+  surface.normal = Normalized(instance.TurnToRoom(smooth));
+  if (Dot(surface.normal, surface.geometric) < 0) surface.normal = -surface.normal;
+  if (!(Dot(surface.normal, direction) < -1e-3F)) surface.normal = surface.geometric;
+  const Vec2 a = part.uvs[corner[0]], b = part.uvs[corner[1]], c = part.uvs[corner[2]];
+  surface.uv = {a.x * w + b.x * hit.u + c.x * hit.v, a.y * w + b.y * hit.u + c.y * hit.v};
+  // Off the surface by more than what single precision loses of a room's coordinates.
+  surface.position = from + direction * hit.distance + surface.geometric * (2e-4F + 2e-5F * hit.distance);
+  return surface;
+}
+
+}  // namespace flair::renderer

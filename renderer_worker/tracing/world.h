@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "renderer_worker/scene/cut_away.h"
+#include "renderer_worker/scene/scene.h"
+
+namespace flair::renderer {
+
+// A mesh where it stands: turned about z, then moved.
+struct WorldInstance {
+  int instance_id = 0;
+  int class_id = 0;
+  const Mesh* mesh = nullptr;
+  int mesh_index = 0;
+  float cosine = 1, sine = 0;
+  Vec3 origin;
+  bool seen = true;    // by the camera
+  bool shades = true;  // holds up light
+  Vec3 ToRoom(Vec3 p) const { return TurnToRoom(p) + origin; }
+  Vec3 TurnToRoom(Vec3 v) const { return {v.x * cosine - v.y * sine, v.x * sine + v.y * cosine, v.z}; }
+};
+
+// Where a ray met a surface.
+struct Hit {
+  float distance = 0;
+  int instance = -1;  // index in World::instances; -1 when nothing was met
+  int part = 0;
+  int triangle = 0;
+  float u = 0, v = 0;
+};
+
+// The surface at a hit.
+struct Surface {
+  Vec3 position;
+  Vec3 normal;     // shading, unit, towards where the ray came from
+  Vec3 geometric;  // of the triangle, the same side
+  Vec2 uv;
+  const Material* material = nullptr;
+  Vec3 mean_colour;  // of the material's pattern
+};
+
+// Triangles in space for rays. Thread-safe once made.
+class World {
+ public:
+  // Meshes are borrowed from the scene. RESOURCE_EXHAUSTED beyond kMaxTriangles, INVALID_ARGUMENT for broken meshes.
+  static absl::StatusOr<std::unique_ptr<World>> Make(const Scene& scene, const CutAway& cut);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  const std::vector<WorldInstance>& instances() const { return instances_; }
+  // The nearest thing that the camera sees.
+  Hit Look(Vec3 from, Vec3 direction, float least) const;
+  // The nearest thing that holds up light: no glass, nothing that shines, but walls that are cut away for the camera
+  // only.
+  Hit Feel(Vec3 from, Vec3 direction) const;
+  bool Shaded(Vec3 from, Vec3 direction, float distance) const;
+  Surface SurfaceAt(const Hit& hit, Vec3 from, Vec3 direction) const;
+  const Material& MaterialAt(const Hit& hit) const { return instances_[hit.instance].mesh->parts[hit.part].material; }
+  Vec3 MeanColourAt(const Hit& hit) const { return mean_colours_[instances_[hit.instance].mesh_index][hit.part]; }
+  // The unit normal of the hit triangle, on the side that `direction` comes from.
+  Vec3 GeometricNormalAt(const Hit& hit, Vec3 direction) const;
+  const std::vector<std::vector<Vec3>>& mean_colours() const { return mean_colours_; }
+
+ private:
+  struct Rays;
+  World();
+  std::vector<WorldInstance> instances_;
+  std::vector<std::vector<Vec3>> mean_colours_;  // by mesh and part
+  std::unique_ptr<Rays> rays_;
+};
+
+inline constexpr int64_t kMaxTriangles = 20'000'000;
+
+// Ids of the parts of a room, beside those of furniture classes.
+inline constexpr int kFloorClass = 1001, kCeilingClass = 1002, kWallClass = 1003, kDoorClass = 1004,
+                     kWindowClass = 1005, kSkirtingClass = 1006;
+
+}  // namespace flair::renderer
