@@ -45,6 +45,11 @@ bool Composer::IsChair(const Placed& placed) const {
   return EndsWithOneOf(object(placed.object).name(), {"chair", "stool", "bench", "throne", "seat"});
 }
 
+bool Composer::StandsAtSubject(const Placed& chair) const {
+  return scope() == v1::SENTENCE_SCOPE_INTRA && subjects_.size() == 1 && IsChair(chair) &&
+         !IsChair(subjects_.front()) && chair.object != subjects_.front().object;
+}
+
 bool Composer::HasDoors(const Placed& placed) const {
   return EndsWithOneOf(object(placed.object).name(),
                        {"wardrobe", "cabinet", "cupboard", "closet", "armoire", "locker", "lockers", "sideboard",

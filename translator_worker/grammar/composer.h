@@ -62,6 +62,8 @@ class Composer {
   bool IsCeiling(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_CEILING; }
   bool IsSurface(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_SURFACE; }
   bool IsChair(const Placed& placed) const;
+  // A chair that a sentence about one other piece alone brings in: "behind the chair" of a desk.
+  bool StandsAtSubject(const Placed& chair) const;
   // A wardrobe, cabinet, fridge...
   bool HasDoors(const Placed& placed) const;
   bool HasFeature(const std::string& kind) const;

@@ -10,11 +10,11 @@ std::string_view LexiconEntries() {
 relation against: (installed|mounted|fixed|positioned|placed|set) against | [tucked|pushed|pressed|butted|lean|leans|leaning|rest|rests|resting|sits|stands|backs] [right|up|flush|snug|snugly|tight] against | (pushed|set|moved) back against | (pushed|set|placed|pressed) flat against | flat against | flush (with|to) | backed (onto|against|by) | backs onto
   | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | (secure|secured|anchor|anchored|fasten|fastened|fix|fixed|attach|attached|bolted|screwed) (to|onto) | (join|joins|meet|meets|adjoin) [up with|with]
 relation along: along | alongside | lined up along | runs along | running along
-relation aligned: aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
+relation aligned: (line|lines|lining) up with | level with | aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
 relation near: close at hand | at hand | within [easy|close|arm 's|arms|convenient|comfortable] reach | [within] [an|a] (arm 's|arms) length (of|from) | close enough (to|for) | near enough (to|for) | in conjunction with | together with | combined with | near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
   | proximity to | in the vicinity of | within [easy|arm 's|arms|comfortable|convenient|close] reach of | not far from | not too far from
   | easily accessible from | conveniently accessible from | in reach of | [within] [a] comfortable sitting distance (from|of)
-  | within [a] (comfortable|short|reasonable|walking|easy) distance (of|from) | within [easy|arm 's|close] reach from | within easy reach | within arm 's reach
+  | (in|within) [a|an] (comfortable|short|reasonable|walking|easy|convenient|close|small|serving|reaching|conversational|conversation|accessible|practical) distance (of|from|to) | within [easy|arm 's|close] reach from | within easy reach | within arm 's reach
   | convenient to | (closer|nearer) to | nearer | as close as possible to | grouped with | paired with | grouped near | at arm 's length from
 relation nearby: have nearby access to
 relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | adjacent | alongside of | side by side with
@@ -51,7 +51,7 @@ relation facing: [to|and] (allow|allowing|have|having|provide) [a|an|the] [clear
   | looks (at|towards|toward|onto|out|on) [of] | look (at|towards|toward|onto|out) [of] | looking (at|towards|toward|onto|out) [of] | [be] angled (towards|toward)
   | pointed (towards|toward|at) | pointing (towards|toward|at) | [a|an] [clear|good|direct|unobstructed|direct] (view|visibility|line of sight) (of|to|from|onto)
   | (viewable|visible|seen) from | in [the] view of | in [direct] [line of] sight of | for view of | overlooking | orient (towards|toward|to) | turn (towards|toward|to) | [clear] line of sight (from|to)
-  | clearly visible from | has a view of | in [full] view from | within view of | directed (towards|toward|at)
+  | clearly visible from | has a view of | in [full] view from | within view of | (directed|oriented|orientated|turned|pointed|angled) (towards|toward|at|to)
 relation facing_away: [to] (face|faces|facing|faced|turned|oriented|pointed|pointing) [directly] away from
 relation facing_each_other: (opposite|across from) (each other|one another) | (face|facing) each other | face one another | facing one another
 relation opposite: opposite | opposite to | opposite from | across from | directly across [from] | on the opposite side of
@@ -64,7 +64,7 @@ relation away_from: [slightly|well] off [of] | stand apart from | removed from |
   | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | at a (distance|remove) from | at a [safe|good|reasonable] distance | gap from | spaced from | distanced from | a gap from
 relation apart: (separated|spaced|divided) by | [set|placed|kept] apart by | (some|enough|adequate|sufficient|clear) separation | separate | separated | distinct | apart | [spaced|set] apart [from each other] | separating | separates | (on|at) opposite ends of the room | (on|at) (opposite|different|other) (sides|ends|walls) of the room | on different (sides|walls) | away from each other | from each other | from one another | away
 relation not_prevent: (not|never|nor) (prevent|stop|keep|hamper) | without (preventing|stopping)
-relation block: hamper | hampers | hampering | hampered | hindered | impeded | obscured | restricted | inhibit | inhibits | inhibiting | disturb | disturbs | disrupt | disrupts | bump into | bumps into | bumping into | crash into | knock into | (block|obstruct|hinder|impede|hamper|restrict) [the] (path|way|route) (to|of) | get in the way | (block|obstruct) or limit [access (to|of)] | limit access (to|of) | limits access (to|of) | obstruct [the] (front|side) access (to|of) | block [the] (front|side) access (to|of) | (block|blocks|blocking|obstruct|obstructing|restrict) [direct|easy|the] access (to or from|to and from|to|of) | restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
+relation block: bumped into | struck | knocked [over|into] | (overlap|overlaps|overlapping|conflict|conflicts|conflicting) with | hamper | hampers | hampering | hampered | hindered | impeded | obscured | restricted | inhibit | inhibits | inhibiting | disturb | disturbs | disrupt | disrupts | bump into | bumps into | bumping into | crash into | knock into | (block|obstruct|hinder|impede|hamper|restrict) [the] (path|way|route) (to|of) | get in the way | (block|obstruct) or limit [access (to|of)] | limit access (to|of) | limits access (to|of) | obstruct [the] (front|side) access (to|of) | block [the] (front|side) access (to|of) | (block|blocks|blocking|obstruct|obstructing|restrict) [direct|easy|the] access (to or from|to and from|to|of) | restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
   | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | covered | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
   | block [the] (view|views|light|access|opening|swing|use|view or access|access or view) (to|of|from|through|for) | block light from | block or cover | (block|obstruct) [the] [natural] (light|view) [coming] from
   | obstruct [the] [easy] (view|views|access|use|opening|swing) (to|of|from|for) | blocking [the] [natural] (view|access|light|opening|swing|use|view or access) (to|of|from|through|for)
@@ -76,7 +76,8 @@ relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free
 relation keep_front_clear: [the] (area|space|zone|floor space|floor area) in front of
 relation accessible: accessible (at|to|for) a (depth|distance|width) of | accessible | fully accessible | easily accessible | reachable | easy to (reach|access|get to) | approachable | accessibly | (unobstructed|easy|convenient|clear|full|direct) access
   | accessed | accessed easily | access is (needed|possible) | can be reached | be reached | free access | access
-relation accessible_from: (easy|possible) to (reach|access|approach|use) (from|on|at) | approachable (from|on|at|along) | [easily|conveniently|readily|quickly] (reached|reachable) from | readily accessible from | accessible (side|sides) | (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
+relation power_access: (power|electrical|electric|electricity|socket|outlet) (access|connection|connections|accessibility)
+relation accessible_from: (can|could|may|should|must|to) be [easily] (reached|accessed|approached|used) (from|on|at) | (easy|possible) to (reach|access|approach|use) (from|on|at) | approachable (from|on|at|along) | [easily|conveniently|readily|quickly] (reached|reachable) from | readily accessible from | accessible (side|sides) | (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
 relation access_to: availability of | access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | power from | plugged into | plug into | [easy] access from
 relation allow_access_to: [to|and] (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to
 relation pull_out: [to] [be] moved back | [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | [to] pulling [it] (out|back) | [to] [be] (roll|rolled|rolling|slid|slide|sliding|moved|scoot|pushed) (out|back|backwards|backward|in and out) | back out | pull it out | movement space | allow movement space | space to move | move back
@@ -104,8 +105,8 @@ relation centered: centered along [the|its] (length|width) of | centrally along 
 relation centered: in the central (part|area|portion) of | in a central (part|area) of
 relation wall_centered: centered (on|along|against) | centred (on|along|against) | in the middle of
 relation corner: [on|in|at] [the] (left|right|far|near|opposite|other) corner (of|on) | in [a|one|the] corner | corner | [in|into] [an|a|the] (empty|unused|quiet|cozy|free|far) corner | corner (of|in) | [in|at|on|near|towards|toward|to] (a|the|one|each|any) [far|near|quiet|free|empty] corner [of] | corners [of] | across [a|the] corner | into (a|the) corner | one corner (of|on)
-relation corner_back_left: [on|at|in|near|towards|toward|to] [the|its] (back left|rear left|left back|left rear) [hand] corner [of|on]
-relation corner_back_right: [on|at|in|near|towards|toward|to] [the|its] (back right|rear right|right back|right rear) [hand] corner [of|on]
+relation corner_back_left: [on|at|in|near|towards|toward|to] [the|its] (back left|rear left|left back|left rear|upper left|top left|far left) [hand] corner [of|on]
+relation corner_back_right: [on|at|in|near|towards|toward|to] [the|its] (back right|rear right|right back|right rear|upper right|top right|far right) [hand] corner [of|on]
 relation corner_front_left: [on|at|in|near|towards|toward|to] [the|its] (front left|left front) [hand] corner [of|on]
 relation corner_front_right: [on|at|in|near|towards|toward|to] [the|its] (front right|right front) [hand] corner [of|on]
 relation edge: [near|at|by|on|along] [the|an|its] edge | [on|at|near|by|towards|along] (the|an|one) (edge|end) (of|on) | edge of | (on|to) one (end|edge) of | [on|at] the edge of | end of | edges of
@@ -144,7 +145,7 @@ side left: left [hand] [side|edge|end] | left hand side
 side right: right [hand] [side|edge|end] | right hand side
 side sides: arms | armrests | [both|the|two|either|each] sides | both [of its] sides | left and right [sides] | left and right side | (each|either) side | (left and right|right and left) sides | both ends | ends | lateral sides
 side opposite_two: [on|at] [at least] two opposite sides
-side side: side | [the] (arm|armrest) | [at least] one side | one of [its|the] sides | (left or right|right or left) [side] | a side | any side | at least one of its sides | one [free|open] side | one end
+side side: side | [the] (arm|armrest) | [at least] one side | [at least] one of [its|the] sides | (left or right|right or left) [side] | a side | any side | at least one of its sides | one [free|open] side | one end
 side long_one: [at least|on|along] (one|a) [of its|of the|of their] (long|longer|longest|lengthwise) (side|sides|edge|edges) | (long|longer|longest) (side|edge) | (one|a) length
 side long_both: [both|the|two|on both|all] (long|longer|longest) (sides|edges)
 side short_one: [at least] (one|a) [of its|of the] (short|shorter) (side|sides|edge|edges) | (short|shorter) (side|edge) | one width

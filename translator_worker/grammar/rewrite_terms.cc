@@ -69,7 +69,8 @@ void TakeExamples(std::vector<Term>& terms) {
 void TakeFirstPlace(std::vector<Term>& terms) {
   const auto place = [](const Term& term) {
     return term.IsWord("behind") || term.IsWord("next_to") || term.IsWord("left_of") || term.IsWord("right_of") ||
-           term.IsWord("in_front_of") || term.IsWord("near") || term.IsWord("opposite");
+           term.IsWord("in_front_of") || term.IsWord("near") || term.IsWord("opposite") || term.IsWord("to_side") ||
+           term.IsWord("each_side_of");
   };
   std::vector<Term> kept;
   for (size_t i = 0; i < terms.size(); ++i) {
@@ -83,6 +84,24 @@ void TakeFirstPlace(std::vector<Term>& terms) {
     }
   }
   terms = std::move(kept);
+}
+
+// "Not in front of windows or over sockets": both are denied.
+void SpreadDenial(std::vector<Term>& terms) {
+  const auto relates = [](const Term& term) {
+    return term.kind == Term::Kind::kWord && term.lemma != "not" && term.lemma != "or" && term.lemma != "accessible" &&
+           term.lemma != "access_to" && term.lemma != "allow_access_to" && term.lemma != "accessible_from";
+  };
+  bool denied = false;
+  for (size_t i = 0; i < terms.size(); ++i) {
+    const bool ends = terms[i].kind == Term::Kind::kStop || terms[i].kind == Term::Kind::kSoft ||
+                      terms[i].kind == Term::Kind::kPurpose;
+    denied = (denied || terms[i].IsWord("not")) && !ends;
+    const bool next_fact = terms[i].IsWord("or") && i > 0 && terms[i - 1].kind == Term::Kind::kMention &&
+                           i + 2 < terms.size() && relates(terms[i + 1]) &&
+                           terms[i + 2].kind == Term::Kind::kMention;
+    if (denied && next_fact) terms[i].lemma = "not";
+  }
 }
 
 // "Facing directly towards the door".
@@ -135,6 +154,7 @@ void RewriteTerms(std::vector<Term>& terms) {
   DropToBesideNot(terms);
   DropCenteredBesideRelation(terms);
   MoveNotBehindSubject(terms);
+  SpreadDenial(terms);
 }
 
 }  // namespace flair::translator

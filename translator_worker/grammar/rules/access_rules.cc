@@ -124,6 +124,11 @@ void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
       match.b != nullptr && tag != "free_sides" ? composer.TargetObjects(*match.b, {}) : composer.Movers(match.a);
   std::vector<Placed> placed;
   for (Placed owner : owners) {
+    if (tag == "back" && composer.StandsAtSubject(owner)) {
+      // "Behind the chair" of a desk is in front of the desk.
+      placed.push_back({composer.subjects().front().object, "front"});
+      continue;
+    }
     if (tag == "around") {
       if (owner.side.empty()) {
         // Most pieces have their back at a wall; chairs are got at from there.
@@ -196,7 +201,16 @@ void NothingInFront(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
-void Unreachable(const Match&, std::string_view, Composer& composer) {
+// "Its top and front are accessible": the front is.
+void Unreachable(const Match& match, std::string_view, Composer& composer) {
+  Mention sides;
+  for (const Reference& reference : match.a->references) {
+    if (reference.kind != RefKind::kVague && !reference.side.empty()) sides.references.push_back(reference);
+  }
+  if (!sides.references.empty()) {
+    EmitForSides(composer.Movers(&sides), match.distance, composer);
+    return;
+  }
   composer.Refuse("not_about_layout", "access is kept at the front, back, left and right, not from above");
 }
 
@@ -244,6 +258,11 @@ std::vector<Rule> AccessRules() {
       {"A? not block next_to B", OfMovers},
       {"not? C.vague not? in_front", SpaceAt, "front"},
       {"around B.object keep_clear/clear_of", SpaceAt, "around"},
+      {"A? space D? around B.object keep_clear", SpaceAt, "around"},
+      {"A? space D? in_front_of B.object keep_clear", SpaceAt, "front"},
+      {"A? space D? behind B.object keep_clear", SpaceAt, "back"},
+      {"A? space D? all_sides keep_clear", SpaceAt, "all"},
+      {"A? space D? at_sides keep_clear", SpaceAt, "sides"},
       {"around B.object clear_of C", SpaceAt, "around"},
       {"A.side where B accessible/keep_clear", OfMovers},
       {"A.object? accessible all_sides", SpaceAt, "all"},

@@ -97,6 +97,16 @@ void FeatureAccessible(const Match& match, std::string_view tag, Composer& compo
   }
 }
 
+void PowerAccess(const Match& match, std::string_view, Composer& composer) {
+  if (!composer.HasFeature("socket")) {
+    composer.Refuse("names_absent_feature", "the room has no socket");
+    return;
+  }
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", "socket")});
+  }
+}
+
 void UnderWindow(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
     for (const Target& target : composer.Targets(*match.b, {})) {
@@ -139,6 +149,12 @@ void ViewBetween(const Match&, std::string_view, Composer& composer) {
 std::vector<Rule> FeatureRules() {
   return {
       {"A? not block B", NotBlock},
+      {"A? not block next_to B.feature", NotBlock},
+      {"A? not aligned B.feature", NotBlock},
+      {"not B.feature not swing_open", KeepClear},
+      {"A? not block C.vague to B.feature", NotBlock},
+      {"A? power_access", PowerAccess},
+      {"A? access_to power_access", PowerAccess},
       {"A? not_prevent access_to? B", NotBlock},
       {"A? not_prevent away_from ,? to? access_to? B", NotBlock},
       {"A? not_prevent B away_from? swing_open", NotBlock},

@@ -134,9 +134,11 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
   // "At least 0.6 m behind each chair": free space, when nobody else is spoken of.
   if (own || (match.a == nullptr && match.distance != nullptr && !match.distance->max_m)) {
     for (const Placed& other : targets) {
+      // "Behind the chair" of a desk is in front of the desk.
+      const bool at_subject = tag == "back" && composer.StandsAtSubject(other);
       composer.EmitFirst({Call("accessible")
-                              .Text("object", composer.id(other))
-                              .Texts("sides", {tag == "side" ? "left" : std::string(tag)})
+                              .Text("object", composer.id(at_subject ? composer.subjects().front() : other))
+                              .Texts("sides", {at_subject ? "front" : tag == "side" ? "left" : std::string(tag)})
                               .Number("min_clearance_m", match.distance->Nominal())});
     }
     return;
@@ -185,7 +187,8 @@ std::vector<Rule> NearRules() {
       {"B.feature near/next_to A.object", Near},
       {"B.feature near", Near},
       {"A? near B D?", Near},
-      {"A? near B , D", Near},
+      {"C.vague near/accessible_from B.object", Near},
+      {"A? near B , D apart?", Near},
       {"A? near D? of B", Near},
       {"A? D of/near B", Near},
       {"A? access_to B.feature", AccessToFeature},
@@ -195,9 +198,9 @@ std::vector<Rule> NearRules() {
       {"A? next_to B", NextTo},
       {"A? along B.thing", NextTo},
       {"A? on B.feature", Near},
-      {"A? D? left_of B ,? D?", AtSide, "left"},
-      {"A? D? right_of B ,? D?", AtSide, "right"},
-      {"A? D? behind B ,? D?", AtSide, "back"},
+      {"A? D? left_of B ,? D? apart?", AtSide, "left"},
+      {"A? D? right_of B ,? D? apart?", AtSide, "right"},
+      {"A? D? behind B ,? D? apart?", AtSide, "back"},
       {"A? foot_of B", AtSide, "front"},
       {"A? head_of B", AtSide, "side"},
       {"A? D? to_side B", AtSide, "side"},
