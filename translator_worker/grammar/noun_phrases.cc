@@ -92,14 +92,33 @@ class Grouper {
     return reference.kind == RefKind::kObjects && reference.candidates.size() == 2 && !reference.plural;
   }
 
+  bool IsComma(size_t i) const {
+    return Peek(i) && in_[i].role == Role::kNone && in_[i].term.kind == Term::Kind::kSoft && in_[i].term.lemma == ",";
+  }
+
+  // The side that a list goes on with at `next`, 0 when it does not: "front, left and right" needs its "and".
+  size_t NextSide(size_t next) const {
+    size_t i = next;
+    const auto side_after_comma = [&](size_t at) {
+      return IsComma(at) && Peek(at + 1) && in_[at + 1].role == Role::kSide;
+    };
+    // "Front, left and right": these two are one word of the lexicon.
+    if (side_after_comma(i) && in_[i + 1].term.lemma == "sides") return i + 1;
+    while (side_after_comma(i)) i += 2;
+    if (IsComma(i)) ++i;
+    const bool ends =
+        Peek(i + 1) && (in_[i].role == Role::kAnd || in_[i].role == Role::kOr) && in_[i + 1].role == Role::kSide;
+    if (!ends) return 0;
+    return IsComma(next) && in_[next + 1].role == Role::kSide ? next + 1 : i + 1;
+  }
+
   // "front and sides of the bed"; returns the last index that was used.
   size_t AttachOf(size_t i, std::vector<RawTerm>& out) {
     std::vector<size_t> sides = {i};
     size_t next = i + 1;
-    while (Peek(next + 1) && (in_[next].role == Role::kAnd || in_[next].role == Role::kOr) &&
-           in_[next + 1].role == Role::kSide) {
-      sides.push_back(next + 1);
-      next += 2;
+    while (const size_t joined = NextSide(next)) {
+      sides.push_back(joined);
+      next = joined + 1;
     }
     RawTerm raw = BareSide(in_[i]);
     raw.side_first = true;
@@ -108,7 +127,7 @@ class Grouper {
     for (const size_t index : sides) {
       mention.references.push_back(BareSide(in_[index]).term.mention.references.front());
     }
-    mention.either = sides.size() > 1 && in_[i + 1].role == Role::kOr;
+    mention.either = sides.size() > 1 && in_[sides.back() - 1].role == Role::kOr;
     raw.term.end = in_[next - 1].term.end;
     size_t owner = next + 1;
     while (Peek(next) && IsOf(in_[next]) && Peek(owner) &&

@@ -30,7 +30,10 @@ void DropCenteredBesideRelation(std::vector<Term>& terms) {
   };
   std::vector<Term> kept;
   for (size_t i = 0; i < terms.size(); ++i) {
-    const bool beside = terms[i].IsWord("centered") && i + 1 < terms.size() && says_where(terms[i + 1]);
+    const bool along = i + 2 < terms.size() && terms[i + 1].IsWord("along") &&
+                       terms[i + 2].kind == Term::Kind::kMention &&
+                       terms[i + 2].mention.references.front().kind != RefKind::kWall;
+    const bool beside = terms[i].IsWord("centered") && i + 1 < terms.size() && (along || says_where(terms[i + 1]));
     if (!beside) kept.push_back(std::move(terms[i]));
   }
   terms = std::move(kept);
@@ -98,8 +101,7 @@ void SpreadDenial(std::vector<Term>& terms) {
                       terms[i].kind == Term::Kind::kPurpose;
     denied = (denied || terms[i].IsWord("not")) && !ends;
     const bool next_fact = terms[i].IsWord("or") && i > 0 && terms[i - 1].kind == Term::Kind::kMention &&
-                           i + 2 < terms.size() && relates(terms[i + 1]) &&
-                           terms[i + 2].kind == Term::Kind::kMention;
+                           i + 2 < terms.size() && relates(terms[i + 1]) && terms[i + 2].kind == Term::Kind::kMention;
     if (denied && next_fact) terms[i].lemma = "not";
   }
 }

@@ -227,6 +227,8 @@ std::vector<Rule> AccessRules() {
       {"A.object? accessible_from ,? B.side ,? space D?", Accessible},
       {"A.object? accessible B.side D?", Accessible},
       {"A.object? accessible on/at_sides B.side D?", Accessible},
+      {"A.object? accessible away_from B.side D?", Accessible},
+      {"A.object? accessible_from ,? around", SpaceAt, "around"},
       {"A.object? accessible_from B.object", AccessibleFrom},
       {"A.object? accessible_from B.feature", AccessibleFrom},
       {"A.object? space? D? accessible ,? at_sides", SpaceAt, "sides"},

@@ -277,6 +277,7 @@ std::vector<Rule> DistanceRules() {
       {"D apart A.object away_from B", AwayFrom},
       {"not? apart A.object away_from B ,? D?", AwayFrom},
       {"A? space? D space? to B.object", AwayFrom},
+      {"A? space? D space? to B.wall", AwayFrom},
       {"A.list each_side_of B.room", ApartFromEachOther},
       {"A? not block B.object ,? space? D space?", AwayFrom},
       {"A? not? D space? to B.object", AwayFrom, "to"},

@@ -138,13 +138,21 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
       const bool at_subject = tag == "back" && composer.StandsAtSubject(other);
       composer.EmitFirst({Call("accessible")
                               .Text("object", composer.id(at_subject ? composer.subjects().front() : other))
-                              .Texts("sides", {at_subject ? "front" : tag == "side" ? "left" : std::string(tag)})
+                              .Texts("sides", {at_subject      ? "front"
+                                               : tag == "side" ? "left"
+                                                               : std::string(tag)})
                               .Number("min_clearance_m", match.distance->Nominal())});
     }
     return;
   }
   for (const Placed& mover : movers) {
-    if (composer.IsSurface(mover)) {
+    if (composer.IsTertiaryRug(mover) && tag == "front" && !targets.empty()) {
+      if (!composer.rug_placed) {
+        composer.EmitFirst(
+            {Call("rug_under_forward").Text("rug", composer.id(mover)).Text("object", composer.id(targets.front()))});
+      }
+      composer.rug_placed = true;
+    } else if (composer.IsSurface(mover)) {
       // "On the right side of the desk": near that edge of its top.
       for (const Placed& other : targets) {
         composer.EmitFirst({Call("on_top_corner").Text("object", composer.id(mover)).Text("host", composer.id(other))});
