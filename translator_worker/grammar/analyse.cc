@@ -80,7 +80,7 @@ class Reader {
     bool neither = false;
     for (Token& token : tokens_) {
       neither = (neither || token.IsWord("neither")) && !token.IsMark('.');
-      if (neither && token.IsWord("nor")) token.text = "or";
+      if (neither && token.IsWord("nor")) token.text = "and";
     }
   }
 
@@ -276,6 +276,13 @@ class Reader {
       raw.term.lemma = std::move(lemma);
     };
     switch (phrase.word_class) {
+      case WordClass::kRelation:
+        if (phrase.lemma == "around" && at_ + 1 < tokens_.size() && tokens_[at_ + 1].kind == Token::Kind::kDistance) {
+          ++at_;  // "around 0.9 m"
+          return;
+        }
+        push_word(phrase.lemma == "near" && ReachedFromSide(phrase) ? "accessible_from" : phrase.lemma);
+        break;
       case WordClass::kFiller:
         if (EndsSideClear(phrase)) {
           push_word("keep_clear");
@@ -317,9 +324,6 @@ class Reader {
         break;
       case WordClass::kNot:
         push_word("not");
-        break;
-      case WordClass::kRelation:
-        push_word(phrase.lemma == "near" && ReachedFromSide(phrase) ? "accessible_from" : phrase.lemma);
         break;
       case WordClass::kFeature:
         reference.plural = true;

@@ -10,6 +10,7 @@ std::string_view LexiconEntries() {
 relation against: (installed|mounted|fixed|positioned|placed|set) against | [tucked|pushed|pressed|butted|lean|leans|leaning|rest|rests|resting|sits|stands|backs] [right|up|flush|snug|snugly|tight] against | (pushed|set|moved) back against | (pushed|set|placed|pressed) flat against | flat against | flush (with|to) | backed (onto|against|by) | backs onto
   | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | (secure|secured|anchor|anchored|fasten|fastened|fix|fixed|attach|attached|bolted|screwed) (to|onto) | (join|joins|meet|meets|adjoin) [up with|with]
 relation along: along | alongside | lined up along | runs along | running along
+relation not_aligned: (avoid|not) aligning
 relation aligned: (line|lines|lining) up with | aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
 relation near: close at hand | at hand | within [easy|close|arm 's|arms|convenient|comfortable] reach | [within] [an|a] (arm 's|arms) length (of|from) | close enough (to|for) | near enough (to|for) | in conjunction with | together with | combined with | near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
   | proximity to | in the vicinity of | within [easy|arm 's|arms|comfortable|convenient|close] reach of | not far from | not too far from
@@ -31,7 +32,7 @@ relation foot_of: (at|by|near|against|below|beyond|beneath) the foot [end] of | 
 relation head_of: (at|by|near) the head [end] of
 relation behind: behind | in back of | at the back of | at the rear of | to the rear of
 relation in_front_of: right in front of | in front of | (centered|centred|central|centrally) in front of | [directly] before | ahead of | in the front of
-relation in_front: in front | at the front
+relation in_front: (open|free|clear|unobstructed) (area|zone) in front | in front | at the front
 relation at_sides: (on|at|to|by) (both|each|either) (end|ends) | (on|at|to) (both|each|the|either) sides | on either side | on each side | at the sides | on both sides
 relation all_sides: (sit|sits|seated|stand|stands|walk|gather) (on|at|from) [all|every] [four] (side|sides) | on all (accessible|open) sides | on all [four] sides [of] | on every side [of] | at all sides [of] | from all sides
 relation around: around | round | surrounding | all around | all round
@@ -188,8 +189,8 @@ vague lighting: [a] [good] [source|sources] of light | light source | light sour
 vague comfort: comfort | relaxation feel | ambience | ambiance | cozy | cosy | aesthetics | atmosphere | style | balance | visual balance | minimalist | view
 vague services: ventilation | ventilation system | drainage | plumbing | water supply | gas | water | airflow | air flow | air circulation | ventilated | gas outlets | gas outlet | water source | moisture | humidity | temperature | radiator | radiators | vent | vents | air vent | flammable materials | materials
 vague height: top | eye level | height | heights | at eye level | level surface | [at] [a] (comfortable|suitable|appropriate) height | top side | surface | reachable height | from above | tabletop
-side front: drawers | drawer
-vague lighting: illuminate | illuminates | brightness
+side front: drawers | drawer | (door|drawer|working|user|sitting|seating|opening|access|viewing|operating) side
+vague lighting: [window] reflections | [window] glare | reflection | illuminate | illuminates | brightness
 vague comfort: sound | noise | decor | functionality | privacy | crowding | efficient use | appealing | quiet | conversation | interaction
 vague clutter: obstructions | obstacles | obstruction | major obstructions | clutter | workspace | important areas | hazards | other functions | essential areas | other areas | activities
 and: and [the] [outer|front|back|near|nearest|closest] (edge|edges) of | and | as well as | plus | along with | and also | in addition to

@@ -241,7 +241,7 @@ class Grouper {
       }
       if (raw.term.kind == Term::Kind::kStop) relation_seen = false;
       if (raw.term.kind == Term::Kind::kWord) {
-        relation_seen = true;
+        relation_seen = relation_seen || raw.term.lemma != "not";
         after_between_ = raw.term.lemma == "between";
       }
       if (IsMention(raw)) i = ReadList(i, relation_seen);

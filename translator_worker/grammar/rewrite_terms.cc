@@ -89,6 +89,13 @@ void TakeFirstPlace(std::vector<Term>& terms) {
   terms = std::move(kept);
 }
 
+// "Space in front of at least 0.8 m": of the figure, not of a thing.
+void EndFrontBeforeFigure(std::vector<Term>& terms) {
+  for (size_t i = 0; i + 1 < terms.size(); ++i) {
+    if (terms[i].IsWord("in_front_of") && terms[i + 1].kind == Term::Kind::kDistance) terms[i].lemma = "in_front";
+  }
+}
+
 // "Not in front of windows or over sockets": both are denied.
 void SpreadDenial(std::vector<Term>& terms) {
   const auto relates = [](const Term& term) {
@@ -157,6 +164,7 @@ void RewriteTerms(std::vector<Term>& terms) {
   DropCenteredBesideRelation(terms);
   MoveNotBehindSubject(terms);
   SpreadDenial(terms);
+  EndFrontBeforeFigure(terms);
 }
 
 }  // namespace flair::translator

@@ -233,6 +233,7 @@ std::vector<Rule> AccessRules() {
       {"A.object? accessible_from B.feature", AccessibleFrom},
       {"A.object? space? D? accessible ,? at_sides", SpaceAt, "sides"},
       {"A? accessible in_front", SpaceAt, "front"},
+      {"A? space? in_front of? ,? D", SpaceAt, "front"},
       {"A? space? D? space? ,? at_sides", SpaceAt, "sides"},
       {"D space left_of B.object", SpaceAt, "left"},
       {"space D? left_of B.object", SpaceAt, "left"},

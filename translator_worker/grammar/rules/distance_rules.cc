@@ -256,6 +256,13 @@ void NothingBetween(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_expressible", "no call keeps the space between two objects empty; name a side or a distance");
 }
 
+// "Not between the sofa and the bookshelf" is away from both; doors and windows would say something else.
+void NotBetween(const Match& match, std::string_view tag, Composer& composer) {
+  const bool features = std::any_of(match.b->references.begin(), match.b->references.end(),
+                                    [](const Reference& one) { return one.kind == RefKind::kFeature; });
+  features ? NothingBetween(match, tag, composer) : AwayFrom(match, tag, composer);
+}
+
 }  // namespace
 
 std::vector<Rule> WalkwayRules() {
@@ -298,7 +305,8 @@ std::vector<Rule> DistanceRules() {
       {"space between B minimal", Between, "touching"},
       {"apart between B", Between},
       {"D apart B.list", Between},
-      {"A? not centered? between B", AwayFrom},
+      {"space D? apart B.list", Between},
+      {"A? not centered? between B", NotBetween},
       {"A? not? space? D? space? apart", ApartFromEachOther},
       {"A? not? apart D space?", ApartFromEachOther},
       {"A? apart ,? D space? away_from B", AwayFrom},

@@ -150,7 +150,8 @@ std::vector<Rule> FeatureRules() {
   return {
       {"A? not block B", NotBlock},
       {"A? not block next_to B.feature", NotBlock},
-      {"A? not aligned B.feature", NotBlock},
+      {"A? not aligned ,? B.feature", NotBlock},
+      {"not_aligned A.object? ,? B.feature", NotBlock},
       {"not B.feature not swing_open", KeepClear},
       {"A? not block C.vague to B.feature", NotBlock},
       {"A? power_access", PowerAccess},

@@ -129,7 +129,7 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> targets =
       composer.TargetObjects(*match.b, match.a == nullptr ? std::vector<Placed>{} : movers);
   // "The chairs have 0.6 m behind them".
-  const bool own = match.a != nullptr && match.distance != nullptr && !movers.empty() && !targets.empty() &&
+  const bool own = match.distance != nullptr && !movers.empty() && !targets.empty() &&
                    movers.front().object == targets.front().object;
   // "At least 0.6 m behind each chair": free space, when nobody else is spoken of.
   if (own || (match.a == nullptr && match.distance != nullptr && !match.distance->max_m)) {
@@ -194,6 +194,7 @@ std::vector<Rule> NearRules() {
   return {
       {"B.feature near/next_to A.object", Near},
       {"B.feature near", Near},
+      {"B.feature at_sides considered?", Near},
       {"A? near B D?", Near},
       {"C.vague near/accessible_from B.object", Near},
       {"A? near B , D apart?", Near},
