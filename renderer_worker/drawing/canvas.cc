@@ -5,16 +5,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer_worker/drawing/lettering.h"
+
 namespace flair::renderer {
 
 using std::numbers::pi;
 
-Canvas::Canvas(cairo_t* cairo) : cairo_(cairo) {
+Canvas::Canvas(cairo_t* cairo) : cairo_(cairo), lettering_(std::make_unique<Lettering>()) {
   cairo_get_matrix(cairo_, &sheet_);
   frame_ = sheet_;
   cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_MITER);
   cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_BUTT);
 }
+
+Canvas::~Canvas() = default;
 
 void Canvas::EnterFrame(Point origin_mm, double mm_per_unit, double theta_rad, bool y_up) {
   cairo_set_matrix(cairo_, &sheet_);

@@ -4,12 +4,15 @@
 #include <cairo.h>
 
 #include <initializer_list>
+#include <memory>
 #include <span>
 
 #include "renderer_worker/drawing/box.h"
 #include "renderer_worker/drawing/colour.h"
 
 namespace flair::renderer {
+
+class Lettering;
 
 enum class Dash { kSolid, kDashed, kDotted };
 
@@ -27,6 +30,9 @@ class Canvas {
  public:
   // `cairo` must outlive the canvas.
   explicit Canvas(cairo_t* cairo);
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
 
   // Paths are from now on built in a frame with this origin (in S), `mm_per_unit` and, when `y_up`, its y axis pointing
   // up the sheet before turning counter-clockwise by `theta_rad`.
@@ -56,9 +62,11 @@ class Canvas {
   void Unclip();
 
   cairo_t* cairo() const { return cairo_; }
+  const Lettering& lettering() const { return *lettering_; }
 
  private:
   cairo_t* cairo_;
+  std::unique_ptr<Lettering> lettering_;
   cairo_matrix_t sheet_;
   cairo_matrix_t frame_;
 };

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer_worker/drawing/dimension_layout.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/text.h"
 

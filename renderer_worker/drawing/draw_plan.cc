@@ -1,95 +1,139 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/drawing/draw_plan.h"
 
-#include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "renderer_worker/drawing/layers.h"
+#include "renderer_worker/drawing/plan_sheet.h"
+#include "renderer_worker/drawing/surface.h"
 
 namespace flair::renderer {
 namespace {
 
-struct DestroySurface {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-struct DestroyCairo {
-  void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
-};
-
-void DrawFrame(Canvas& canvas, const Sheet& sheet) {
-  canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
-  canvas.Fill(Hex(0xFFFFFF));
-  canvas.Rectangle(Box{0, 0, sheet.size_mm.width, sheet.size_mm.height}.Grown(-6));
-  canvas.Draw({Hex(0x8A8379), 0.25});
-}
-
-std::vector<PlacedLabel> DrawSheet(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
-  DrawFrame(canvas, sheet);
-  canvas.Rectangle(sheet.plan_mm.Grown(4));
-  canvas.Clip();
-  DrawFloor(canvas, plan, sheet);
-  DrawZones(canvas, plan, sheet);
-  DrawFurniture(canvas, plan, sheet);
-  DrawWalls(canvas, plan, sheet);
-  DrawOpenings(canvas, plan, sheet);
-  DrawSockets(canvas, plan, sheet);
-  DrawMounted(canvas, plan, sheet);
-  DrawDimensions(canvas, plan, sheet);
-  std::vector<PlacedLabel> labels = DrawLabels(canvas, plan, sheet);
-  canvas.Unclip();
-  DrawSidePanel(canvas, plan, sheet);
-  return labels;
-}
+constexpr double kMmPerInch = 25.4;
 
 Pixels ReadPixels(cairo_surface_t* surface) {
   cairo_surface_flush(surface);
   Pixels pixels{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-  pixels.rgb.reserve(static_cast<size_t>(pixels.width_px) * pixels.height_px * 3);
+  pixels.rgb.resize(static_cast<size_t>(pixels.width_px) * pixels.height_px * 3);
   const unsigned char* data = cairo_image_surface_get_data(surface);
   const int stride = cairo_image_surface_get_stride(surface);
+  uint8_t* to = pixels.rgb.data();
   for (int y = 0; y < pixels.height_px; ++y) {
     const auto* row = reinterpret_cast<const uint32_t*>(data + static_cast<ptrdiff_t>(y) * stride);
-    for (int x = 0; x < pixels.width_px; ++x) {
-      for (int shift : {16, 8, 0}) pixels.rgb.push_back(static_cast<uint8_t>(row[x] >> shift));
+    for (int x = 0; x < pixels.width_px; ++x, to += 3) {
+      to[0] = static_cast<uint8_t>(row[x] >> 16);
+      to[1] = static_cast<uint8_t>(row[x] >> 8);
+      to[2] = static_cast<uint8_t>(row[x]);
     }
   }
   return pixels;
 }
 
-}  // namespace
-
-absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
-  const int size_px = options.has_size_px() ? options.size_px() : kDefaultSizePx;
-  if (size_px < 256 || size_px > 8192) {
-    return absl::InvalidArgumentError(fmt::format("options.size_px: {}; must be in [256, 8192]", size_px));
-  }
-  absl::StatusOr<Plan> plan = ReadPlan(layout);
-  if (!plan.ok()) return plan.status();
-  const Sheet sheet = ChooseSheet(*plan);
-  const double px_per_mm = size_px / std::max(sheet.size_mm.width, sheet.size_mm.height);
-  const int width = static_cast<int>(std::lround(sheet.size_mm.width * px_per_mm));
-  const int height = static_cast<int>(std::lround(sheet.size_mm.height * px_per_mm));
-  const std::unique_ptr<cairo_surface_t, DestroySurface> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-  const std::unique_ptr<cairo_t, DestroyCairo> cairo(cairo_create(surface.get()));
-  if (cairo_status(cairo.get()) != CAIRO_STATUS_SUCCESS) {
+absl::StatusOr<SurfacePtr> MakeImage(int width, int height) {
+  SurfacePtr surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
     return absl::ResourceExhaustedError(fmt::format("no memory for a picture of {} x {} pixels", width, height));
   }
-  cairo_scale(cairo.get(), px_per_mm, px_per_mm);
+  return surface;
+}
+
+// Resolution of the picture, within what the options and the memory allow.
+absl::StatusOr<double> PixelsPerMm(const Sheet& sheet, const v1::RenderOptions& options) {
+  if (!options.has_dpi()) {
+    const int size_px = options.has_size_px() ? options.size_px() : kDefaultSizePx;
+    if (size_px < 256 || size_px > 8192) {
+      return absl::InvalidArgumentError(fmt::format("options.size_px: {}; must be in [256, 8192]", size_px));
+    }
+    return size_px / std::max(sheet.size_mm.width, sheet.size_mm.height);
+  }
+  if (options.has_size_px()) return absl::InvalidArgumentError("options.dpi: not together with size_px");
+  if (options.dpi() < 36 || options.dpi() > 1200) {
+    return absl::InvalidArgumentError(fmt::format("options.dpi: {}; must be in [36, 1200]", options.dpi()));
+  }
+  const double most = std::floor(kMmPerInch * std::sqrt(kMostPixels / (sheet.size_mm.width * sheet.size_mm.height)));
+  if (options.dpi() > most) {
+    return absl::InvalidArgumentError(fmt::format(
+        "options.dpi: {} is more than a picture of {} can have; at most {:.0f}", options.dpi(), sheet.paper, most));
+  }
+  return options.dpi() / kMmPerInch;
+}
+
+// Scale and place of a room on a tile of `size_mm`, walls and outward doors included.
+Sheet TileSheet(const Plan& plan, Size size_mm) {
+  constexpr double kMarginMm = 2;
+  Sheet sheet;
+  sheet.size_mm = size_mm;
+  sheet.plan_mm = Box{0, 0, size_mm.width, size_mm.height}.Grown(-kMarginMm);
+  // A scale need not be round here; two rounds, because walls and doors take paper beside the room.
+  double room_mm = 8;
+  for (int round = 0; round < 2; ++round) {
+    const double across = std::max(plan.bounds_m.width() / (sheet.plan_mm.width() - room_mm),
+                                   plan.bounds_m.height() / (sheet.plan_mm.height() - room_mm));
+    sheet.scale = std::max(1, static_cast<int>(std::ceil(1000 * across)));
+    double beside = WallThicknessMm(sheet) + 1;
+    for (size_t wall = 0; wall < plan.walls.size(); ++wall)
+      beside = std::max(beside, OutwardReachMm(plan, sheet, static_cast<int>(wall)) + 1);
+    room_mm = std::min(2 * beside, 0.5 * std::min(sheet.plan_mm.width(), sheet.plan_mm.height()));
+  }
+  const Point middle = plan.bounds_m.centre(), target = sheet.plan_mm.centre();
+  sheet.origin_mm = {target.x - middle.x * sheet.mm_per_m(), target.y + middle.y * sheet.mm_per_m()};
+  return sheet;
+}
+
+}  // namespace
+
+absl::Status StatusOf(cairo_status_t status) {
+  if (status == CAIRO_STATUS_SUCCESS) return absl::OkStatus();
+  const std::string message = fmt::format("drawing failed: {}", cairo_status_to_string(status));
+  return status == CAIRO_STATUS_NO_MEMORY ? absl::ResourceExhaustedError(message) : absl::InternalError(message);
+}
+
+absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
+  const absl::StatusOr<PlanSheet> made = MakePlanSheet(layout, options);
+  if (!made.ok()) return made.status();
+  const Sheet& sheet = made->sheet;
+  const absl::StatusOr<double> px_per_mm = PixelsPerMm(sheet, options);
+  if (!px_per_mm.ok()) return px_per_mm.status();
+  const absl::StatusOr<SurfacePtr> surface =
+      MakeImage(static_cast<int>(std::lround(sheet.size_mm.width * *px_per_mm)),
+                static_cast<int>(std::lround(sheet.size_mm.height * *px_per_mm)));
+  if (!surface.ok()) return surface.status();
+  const CairoPtr cairo(cairo_create(surface->get()));
+  cairo_scale(cairo.get(), *px_per_mm, *px_per_mm);
   Canvas canvas(cairo.get());
   DrawnPlan drawn;
-  drawn.labels = DrawSheet(canvas, *plan, sheet);
-  if (cairo_status(cairo.get()) != CAIRO_STATUS_SUCCESS) {
-    return absl::InternalError(fmt::format("drawing failed: {}", cairo_status_to_string(cairo_status(cairo.get()))));
-  }
-  drawn.pixels = ReadPixels(surface.get());
-  drawn.title = plan->title;
+  drawn.labels = DrawSheet(canvas, made->plan, sheet);
+  if (absl::Status status = StatusOf(cairo_status(cairo.get())); !status.ok()) return status;
+  drawn.pixels = ReadPixels(surface->get());
+  drawn.title = made->plan.title;
   drawn.scale = sheet.scale;
+  drawn.paper = sheet.paper;
   return drawn;
+}
+
+absl::StatusOr<Pixels> DrawPlanTile(const v1::SolvedLayout& layout, int width_px, int height_px) {
+  if (std::min(width_px, height_px) < 16 || std::max(width_px, height_px) > 4096) {
+    return absl::InvalidArgumentError(
+        fmt::format("tile: {} x {} px; sides must be in [16, 4096]", width_px, height_px));
+  }
+  const absl::StatusOr<Plan> plan = ReadPlan(layout, {.dimensions = false});
+  if (!plan.ok()) return plan.status();
+  const absl::StatusOr<SurfacePtr> surface = MakeImage(width_px, height_px);
+  if (!surface.ok()) return surface.status();
+  // As if printed 110 mm wide: line weights are millimetres.
+  const double px_per_mm = std::max(width_px, height_px) / 110.0;
+  const CairoPtr cairo(cairo_create(surface->get()));
+  cairo_scale(cairo.get(), px_per_mm, px_per_mm);
+  Canvas canvas(cairo.get());
+  const Sheet sheet = TileSheet(*plan, {width_px / px_per_mm, height_px / px_per_mm});
+  canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
+  canvas.Fill(Hex(0xFFFFFF));
+  DrawRoom(canvas, *plan, sheet);
+  if (absl::Status status = StatusOf(cairo_status(cairo.get())); !status.ok()) return status;
+  return ReadPixels(surface->get());
 }
 
 }  // namespace flair::renderer

@@ -3,12 +3,17 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "flair/v1/renderer_service.pb.h"
 #include "renderer_worker/drawing/labels.h"
 
+// Plans of layouts: one geometry, drawn by the same commands as pixels, SVG and PDF. Pure: the same bytes for the same
+// layout and options. Thread-safe. Errors of all: INVALID_ARGUMENT names the field that cannot be drawn,
+// RESOURCE_EXHAUSTED when there is no memory for the picture, FAILED_PRECONDITION when no font is installed.
 namespace flair::renderer {
 
 // 8-bit RGB, rows from the top, no padding.
@@ -22,14 +27,29 @@ struct Pixels {
 struct DrawnPlan {
   Pixels pixels;
   std::string title;
-  int scale = 0;  // 1:scale on A3
+  int scale = 0;           // 1:scale
+  std::string_view paper;  // "A3" or "A4"
   std::vector<PlacedLabel> labels;
 };
 
 inline constexpr int kDefaultSizePx = 1600;
+inline constexpr int64_t kMostPixels = 150'000'000;
 
-// Draws the plan of a layout: pure, and the same bytes for the same layout and options. INVALID_ARGUMENT names the
-// field that cannot be drawn; RESOURCE_EXHAUSTED when there is no memory for the picture.
+// The plan on its sheet of paper as pixels: `size_px` along its longer side, or so many that `dpi` holds.
 absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options);
+
+// Name and value, in order. "Title", "Description", "Software" and "Keywords" go where the format has a place for them,
+// all others as "name: value" among the keywords.
+using DrawingMetadata = std::vector<std::pair<std::string, std::string>>;
+
+// The same sheet as a file, `options.format` SVG or PDF: its page is exactly the paper, one unit of the SVG is one
+// millimetre. Letters are outlines, so that no font is needed to read it. Adds title and scale to the metadata unless
+// they are there.
+absl::StatusOr<std::string> DrawPlanDocument(const v1::SolvedLayout& layout, const v1::RenderOptions& options,
+                                             const DrawingMetadata& metadata);
+
+// The plan without its sheet, dimensions and labels, as large as the box of pixels allows, on white: a tile of a
+// contact sheet. Sides in [16, 4096].
+absl::StatusOr<Pixels> DrawPlanTile(const v1::SolvedLayout& layout, int width_px, int height_px);
 
 }  // namespace flair::renderer

@@ -118,12 +118,104 @@ TEST(DrawPlan, ObjectsWithoutAPlacementAreNamed) {
 TEST(Sheet, TakesTheLargestUsualScaleThatFits) {
   const absl::StatusOr<Plan> plan = ReadPlan(EmptyRoom());
   ASSERT_TRUE(plan.ok());
-  const Sheet sheet = ChooseSheet(*plan);
+  const absl::StatusOr<Sheet> chosen = ChooseSheet(*plan);
+  ASSERT_TRUE(chosen.ok()) << chosen.status();
+  const Sheet& sheet = *chosen;
   EXPECT_EQ(sheet.scale, 20);
   const Point a = sheet.ToSheet({0, 0}), b = sheet.ToSheet({4, 3});
   EXPECT_DOUBLE_EQ(b.x - a.x, 200);
   EXPECT_DOUBLE_EQ(a.y - b.y, 150);
   EXPECT_TRUE(sheet.plan_mm.Contains({a.x, b.y, b.x, a.y}));
+}
+
+TEST(Sheet, TakesTheScaleAskedForOrSaysWhichOneWouldFit) {
+  const absl::StatusOr<Plan> plan = ReadPlan(EmptyRoom());
+  ASSERT_TRUE(plan.ok());
+  v1::RenderOptions options;
+  options.set_scale_denominator(33);
+  ASSERT_TRUE(ChooseSheet(*plan, options).ok());
+  EXPECT_EQ(ChooseSheet(*plan, options)->scale, 33);
+  options.set_paper(v1::PAPER_SIZE_A4);
+  options.set_scale_denominator(12);
+  EXPECT_EQ(ChooseSheet(*plan, options).status().code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_THAT(std::string(ChooseSheet(*plan, options).status().message()), HasSubstr("A4 at 1:12; it does at 1:25"));
+  options.set_scale_denominator(4);
+  EXPECT_THAT(std::string(ChooseSheet(*plan, options).status().message()), HasSubstr("[5, 1000]"));
+}
+
+TEST(Sheet, RoomsFromOneAndAHalfMetresToAHundredFitSomeScale) {
+  for (const v1::PaperSize paper : {v1::PAPER_SIZE_A3, v1::PAPER_SIZE_A4}) {
+    int before = 0;
+    for (const double side : {1.5, 3.0, 6.0, 12.0, 30.0, 100.0}) {
+      v1::SolvedLayout layout = EmptyRoom();
+      for (v1::Point2& vertex : *layout.mutable_graph()->mutable_room()->mutable_floor()->mutable_vertices()) {
+        vertex.set_x_m(vertex.x_m() > 0 ? side : 0);
+        vertex.set_y_m(vertex.y_m() > 0 ? side : 0);
+      }
+      v1::RenderOptions options = Small();
+      options.set_paper(paper);
+      const absl::StatusOr<DrawnPlan> drawn = DrawPlan(layout, options);
+      ASSERT_TRUE(drawn.ok()) << drawn.status();
+      EXPECT_GE(drawn->scale, before);
+      before = drawn->scale;
+    }
+    EXPECT_GE(before, 500);
+  }
+  v1::SolvedLayout huge = EmptyRoom();
+  huge.mutable_graph()->mutable_room()->mutable_floor()->mutable_vertices(1)->set_x_m(9000);
+  EXPECT_THAT(std::string(DrawPlan(huge, Small()).status().message()), HasSubstr("do not fit A3 even at 1:1000"));
+}
+
+TEST(DrawPlan, DotsPerInchGiveThePapersPixelsWithinBounds) {
+  v1::RenderOptions options;
+  options.set_dpi(100);
+  options.set_paper(v1::PAPER_SIZE_A4);
+  const absl::StatusOr<DrawnPlan> drawn = DrawPlan(EmptyRoom(), options);
+  ASSERT_TRUE(drawn.ok()) << drawn.status();
+  EXPECT_EQ(drawn->pixels.width_px, 1169);  // 297 mm
+  EXPECT_EQ(drawn->pixels.height_px, 827);
+  options.set_paper(v1::PAPER_SIZE_A3);
+  options.set_dpi(1200);
+  EXPECT_THAT(std::string(DrawPlan(EmptyRoom(), options).status().message()), HasSubstr("options.dpi: 1200"));
+  options.set_size_px(800);
+  EXPECT_THAT(std::string(DrawPlan(EmptyRoom(), options).status().message()), HasSubstr("not together"));
+}
+
+TEST(DrawPlan, LayersThatAreLeftOutAreNotDrawnNorInTheKey) {
+  v1::SolvedLayout layout = EmptyRoom();
+  Add(layout, "bed", 1, 1);
+  Add(layout, "rug", 2, 1);
+  layout.mutable_graph()->mutable_object_list()->mutable_objects(1)->set_walk_over(true);
+  const auto names = [&layout](const PlanLayers& layers) {
+    std::vector<std::string> drawn;
+    const absl::StatusOr<Plan> plan = ReadPlan(layout, layers);
+    for (const PlanKey& key : plan->keys) drawn.push_back(key.name);
+    return drawn;
+  };
+  EXPECT_THAT(names({}), testing::ElementsAre("bed", "rug"));
+  EXPECT_THAT(names({.tertiary = false}), testing::ElementsAre("bed"));
+  EXPECT_THAT(names({.floor_pieces = false}), testing::ElementsAre("rug"));
+  v1::RenderOptions options = Small();
+  options.add_layers(v1::PLAN_LAYER_UNSPECIFIED);
+  EXPECT_THAT(std::string(DrawPlan(layout, options).status().message()), HasSubstr("options.layers[0]"));
+}
+
+TEST(DrawPlanTile, FillsItsBoxWithTheRoomWhateverItsShape) {
+  for (const std::string& name : SampleLayouts()) {
+    for (const auto& [width, height] : {std::pair{480, 480}, {300, 120}, {64, 200}, {16, 16}}) {
+      const absl::StatusOr<Pixels> tile = DrawPlanTile(ReadSample(name), width, height);
+      ASSERT_TRUE(tile.ok()) << tile.status();
+      ASSERT_EQ(tile->rgb.size(), static_cast<size_t>(width) * height * 3);
+      // Something in the middle, nothing but paper in the corners.
+      const auto at = [&tile](int x, int y) {
+        return tile->rgb[(static_cast<size_t>(y) * tile->width_px + x) * 3 + 2];
+      };
+      EXPECT_EQ(at(0, 0), 255) << name;
+      EXPECT_EQ(at(width - 1, height - 1), 255) << name;
+      EXPECT_NE(at(width / 2, height / 2), 255) << name;
+    }
+  }
+  EXPECT_EQ(DrawPlanTile(EmptyRoom(), 5000, 100).status().code(), absl::StatusCode::kInvalidArgument);
 }
 
 TEST(Door, LeafStartsAtItsHingeAndOpensIntoTheRoomOrOut) {

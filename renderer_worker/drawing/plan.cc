@@ -193,7 +193,11 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
           fmt::format("object_list.objects[{}] \"{}\": pose and sizes must be finite, width_m and depth_m above 0", i,
                       object.id()));
     }
+    // Lying, hanging and standing on something is what the layer of tertiaries shows, whatever their role.
+    const bool tertiary = object.kind() != v1::OBJECT_KIND_FLOOR || object.walk_over();
+    if (tertiary ? !plan.layers.tertiary : !plan.layers.floor_pieces) continue;
     PlanObject read;
+    read.id = object.id();
     read.name = object.name();
     read.symbol = SymbolFor(object);
     const auto style = styles.find(object.id());
@@ -233,8 +237,9 @@ std::vector<Point> PlanObject::Corners() const {
           centre_m - half_u + half_v};
 }
 
-absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout) {
+absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout, const PlanLayers& layers) {
   Plan plan;
+  plan.layers = layers;
   const v1::Room& room = layout.graph().room();
   plan.room_type = room.room_type();
   plan.title = room.title().empty() ? (room.room_type().empty() ? "Room" : room.room_type()) : room.title();

@@ -7,6 +7,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "renderer_worker/drawing/box.h"
+#include "renderer_worker/drawing/plan_layers.h"
 #include "renderer_worker/drawing/symbols/symbol.h"
 
 namespace flair::renderer {
@@ -42,6 +43,7 @@ struct PlanZone {
 };
 
 struct PlanObject {
+  std::string id;
   std::string name;
   const Symbol* symbol = nullptr;
   Ink ink;
@@ -71,6 +73,7 @@ struct PlanKey {
 };
 
 struct Plan {
+  PlanLayers layers;
   std::string title;
   std::string room_type;
   double height_m = 0;
@@ -94,7 +97,8 @@ struct Plan {
 };
 
 // Resolves a layout. INVALID_ARGUMENT with the field path for what cannot be drawn: no floor, numbers that are not
-// finite, openings in walls that do not exist. Objects without a placement are listed as unplaced.
-absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout);
+// finite, openings in walls that do not exist. Objects without a placement are listed as unplaced; those of layers that
+// are not drawn are left out.
+absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout, const PlanLayers& layers = {});
 
 }  // namespace flair::renderer

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
+#include <string_view>
 
+#include "absl/status/statusor.h"
+#include "flair/v1/renderer_service.pb.h"
 #include "renderer_worker/drawing/plan.h"
 
 namespace flair::renderer {
 
-// A dimension line outside the room, in S: `ticks_mm` along it, one text between each two.
-struct DimensionString {
-  Point direction;  // unit, along the line
-  Point outward;    // unit, away from the wall
-  std::vector<Point> ticks_mm;
-  std::vector<std::string> texts;
-  double reach_mm = 0;  // from the wall's face to the line
-};
-
-// Paper and scale: A3, turned whichever way shows the room larger. The plan has its own area; the key and the title
-// have a column on the right (landscape) or a strip below (portrait).
+// Paper and scale, turned whichever way shows the room larger. The plan has its own area; the key and the title have a
+// column on the right (landscape) or a strip below (portrait).
 struct Sheet {
+  std::string_view paper = "A3";
   Size size_mm;
   Box plan_mm;
   Box side_mm;
@@ -37,10 +30,12 @@ inline constexpr double kWallThicknessM = 0.14;
 // Thick enough to be seen as a pair of lines at any scale, and no heavier than the drawing can bear.
 inline double WallThicknessMm(const Sheet& sheet) { return std::clamp(kWallThicknessM * sheet.mm_per_m(), 2.0, 7.0); }
 
-// The largest usual scale at which room, outward doors and dimension strings fit the plan area.
-Sheet ChooseSheet(const Plan& plan);
+// How far doors of a wall swing out of the room, millimetres of paper.
+double OutwardReachMm(const Plan& plan, const Sheet& sheet, int wall);
 
-// Dimension strings: a chain along each wall with openings, and the length of every wall that no parallel one tells.
-std::vector<DimensionString> LayOutDimensions(const Plan& plan, const Sheet& sheet);
+// The paper of the options at their scale, or at the largest common one at which room, outward doors and dimension
+// lines fit. INVALID_ARGUMENT when a given scale is out of [5, 1000] or too large for the paper (the message says which
+// one would fit), or when no scale is small enough.
+absl::StatusOr<Sheet> ChooseSheet(const Plan& plan, const v1::RenderOptions& options = {});
 
 }  // namespace flair::renderer

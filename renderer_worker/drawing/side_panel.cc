@@ -219,7 +219,7 @@ void DrawScaleBar(Canvas& canvas, const Sheet& sheet, Point left) {
 void DrawScale(Canvas& canvas, const Sheet& sheet, const Box& box) {
   const TextBlock scale{fmt::format("1:{}", sheet.scale), {.size_mm = 5.6, .colour = kInk, .serif = true}};
   DrawText(canvas, scale, {box.x0, box.y0});
-  DrawText(canvas, {"at A3, dimensions in metres", {.size_mm = 2.7, .colour = kSoft}},
+  DrawText(canvas, {fmt::format("at {}, dimensions in metres", sheet.paper), {.size_mm = 2.7, .colour = kSoft}},
            {box.x0 + Measure(canvas, scale).width + 2.5, box.y0 + 2.6});
   DrawScaleBar(canvas, sheet, {box.x0 + 0.5, box.y0 + 10.5});
   DrawNorthArrow(canvas, {box.x1 - 8, box.y0 + 11});

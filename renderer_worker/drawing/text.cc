@@ -1,32 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/drawing/text.h"
 
-#include <pango/pangocairo.h>
-
 #include <cmath>
 #include <memory>
+
+#include "renderer_worker/drawing/lettering.h"
 
 namespace flair::renderer {
 namespace {
 
-// Text is laid out in units this much finer than a millimetre: fonts are measured in whole units somewhere below.
-constexpr double kUnitsPerMm = 64;
-
-struct Unref {
-  void operator()(void* object) const { g_object_unref(object); }
-};
-using LayoutPtr = std::unique_ptr<PangoLayout, Unref>;
-
-// No hinting and no rounding to pixels: the same words take the same paper at any resolution and on any machine.
-void FixFontOptions(PangoContext* context) {
-  cairo_font_options_t* options = cairo_font_options_create();
-  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
-  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
-  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-  pango_cairo_context_set_font_options(context, options);
-  cairo_font_options_destroy(options);
-  pango_context_set_round_glyph_positions(context, FALSE);
-}
+constexpr double kUnitsPerMm = Lettering::kUnitsPerMm;
 
 void SetTracking(PangoLayout* layout, const TextStyle& style) {
   if (style.tracking == 0) return;
@@ -39,11 +22,7 @@ void SetTracking(PangoLayout* layout, const TextStyle& style) {
 
 LayoutPtr MakeLayout(const Canvas& canvas, const TextBlock& block) {
   // Pango mismeasures under a matrix that condenses: that comes later, to the outlines.
-  cairo_save(canvas.cairo());
-  cairo_scale(canvas.cairo(), 1 / kUnitsPerMm, 1 / kUnitsPerMm);
-  LayoutPtr layout(pango_cairo_create_layout(canvas.cairo()));
-  cairo_restore(canvas.cairo());
-  FixFontOptions(pango_layout_get_context(layout.get()));
+  LayoutPtr layout = canvas.lettering().MakeLayout();
   PangoFontDescription* font = pango_font_description_new();
   pango_font_description_set_family_static(font, block.style.serif ? "DejaVu Serif" : "DejaVu Sans");
   pango_font_description_set_weight(font, block.style.bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
@@ -63,9 +42,7 @@ LayoutPtr MakeLayout(const Canvas& canvas, const TextBlock& block) {
   pango_layout_set_alignment(layout.get(), block.align == Align::kLeft     ? PANGO_ALIGN_LEFT
                                            : block.align == Align::kCentre ? PANGO_ALIGN_CENTER
                                                                            : PANGO_ALIGN_RIGHT);
-  gchar* valid = g_utf8_make_valid(block.text.data(), static_cast<gssize>(block.text.size()));
-  pango_layout_set_text(layout.get(), valid, -1);
-  g_free(valid);
+  pango_layout_set_text(layout.get(), ValidUtf8(block.text).c_str(), -1);
   return layout;
 }
 
@@ -80,14 +57,12 @@ Size SizeOf(PangoLayout* layout, const TextStyle& style) {
 // image backend would round every glyph to whole pixels.
 void TraceOutlines(Canvas& canvas, PangoLayout* layout, const TextStyle& style, Point at_mm, double angle_rad,
                    Point anchor) {
+  cairo_t* letters = canvas.lettering().cairo();
+  cairo_new_path(letters);
+  cairo_move_to(letters, 0, 0);
+  pango_cairo_layout_path(letters, layout);
+  cairo_path_t* outlines = cairo_copy_path(letters);
   cairo_t* cairo = canvas.cairo();
-  cairo_save(cairo);
-  cairo_scale(cairo, 1 / kUnitsPerMm, 1 / kUnitsPerMm);
-  cairo_new_path(cairo);
-  cairo_move_to(cairo, 0, 0);
-  pango_cairo_layout_path(cairo, layout);
-  cairo_path_t* outlines = cairo_copy_path(cairo);
-  cairo_restore(cairo);
   cairo_new_path(cairo);
   cairo_save(cairo);
   cairo_translate(cairo, at_mm.x, at_mm.y);
@@ -100,6 +75,23 @@ void TraceOutlines(Canvas& canvas, PangoLayout* layout, const TextStyle& style, 
 }
 
 }  // namespace
+
+absl::Status CheckFonts() {
+  PangoFontMap* fonts = pango_cairo_font_map_get_default();
+  const std::unique_ptr<PangoContext, UnrefObject> context(pango_font_map_create_context(fonts));
+  PangoFontDescription* any = pango_font_description_from_string("DejaVu Sans 10");
+  const std::unique_ptr<PangoFont, UnrefObject> font(pango_font_map_load_font(fonts, context.get(), any));
+  pango_font_description_free(any);
+  if (font != nullptr) return absl::OkStatus();
+  return absl::FailedPreconditionError("no font is installed to write with; DejaVu is what drawings are made for");
+}
+
+std::string ValidUtf8(const std::string& text) {
+  gchar* valid = g_utf8_make_valid(text.data(), static_cast<gssize>(text.size()));
+  std::string result = valid;
+  g_free(valid);
+  return result;
+}
 
 Size Measure(const Canvas& canvas, const TextBlock& block) {
   return SizeOf(MakeLayout(canvas, block).get(), block.style);

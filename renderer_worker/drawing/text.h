@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "absl/status/status.h"
 #include "renderer_worker/drawing/box.h"
 #include "renderer_worker/drawing/canvas.h"
 
@@ -29,6 +30,12 @@ struct TextBlock {
   int max_lines = 1;
   Align align = Align::kLeft;
 };
+
+// FAILED_PRECONDITION when there is no font at all to write with; any other will do for a missing DejaVu.
+absl::Status CheckFonts();
+
+// The text with what is not UTF-8 replaced.
+std::string ValidUtf8(const std::string& text);
 
 // The size on paper; independent of the surface up to rounding of the font backend.
 Size Measure(const Canvas& canvas, const TextBlock& block);

@@ -6,7 +6,7 @@
 namespace flair::renderer {
 
 void DrawPlainBox(SymbolPen& pen) {
-  pen.Area(pen.whole(), Tone::kBody, Line::kOutline, 0.01);
+  pen.Area(pen.whole(), Tone::kBody, Line::kOutline);
   pen.Area(pen.whole().Grown(-std::min(0.04, 0.08 * pen.smaller())), Tone::kLight, Line::kFaint);
   pen.FrontMark();
 }

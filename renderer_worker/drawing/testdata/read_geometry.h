@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer_worker/drawing/box.h"
+
+namespace flair::renderer {
+
+// The painted paths of a document as its file says them, for tests: ends of lines and curves (control points are left
+// out), millimetres from the upper left corner of the page. What only clips is left out.
+using PaintedPath = std::vector<Point>;
+
+struct Document {
+  Size page_mm;
+  std::vector<PaintedPath> paths;  // in the order of painting; at least two points each
+};
+
+// Of what cairo writes; stops the test program at anything it does not understand.
+Document ReadSvg(const std::string& file);
+Document ReadPdf(const std::string& file);
+
+}  // namespace flair::renderer
