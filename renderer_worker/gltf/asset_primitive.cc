@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/gltf/asset_primitive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "fmt/format.h"
+#include "renderer_worker/gltf/limited_json.h"
+
+namespace flair::renderer::gltf {
+namespace {
+
+using Json = nlohmann::json;
+
+// Farther than this from the origin nothing of an asset lies, in any unit: squares must stay finite.
+constexpr float kFarthest = 1e8F;
+
+bool Near(Vec3 p) { return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest; }
+
+std::vector<Vec3> Triples(const std::vector<float>& numbers) {
+  std::vector<Vec3> triples(numbers.size() / 3);
+  for (size_t i = 0; i < triples.size(); ++i) triples[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+  return triples;
+}
+
+// Mean of COLOR_0, three or four components a vertex.
+std::optional<Vec3> MeanColour(const AssetFile& file, size_t accessor, size_t vertex_count) {
+  for (const auto& [type, components] : {std::pair<const char*, size_t>{"VEC3", 3}, {"VEC4", 4}}) {
+    const auto numbers = file.Numbers(accessor, type, components, vertex_count);
+    if (!numbers.ok()) continue;
+    Vec3 sum;
+    for (size_t i = 0; i + components <= numbers->size(); i += components) {
+      sum = sum + Vec3{(*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]};
+    }
+    const Vec3 mean = sum * (static_cast<float>(components) / static_cast<float>(numbers->size()));
+    if (!std::isfinite(mean.x + mean.y + mean.z)) return std::nullopt;
+    return Vec3{std::clamp(mean.x, 0.0F, 1.0F), std::clamp(mean.y, 0.0F, 1.0F), std::clamp(mean.z, 0.0F, 1.0F)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+absl::Status PrimitiveReader::AddMesh(size_t index, const Affine& transform) {
+  const Json* mesh = file_.Item("meshes", index);
+  if (mesh == nullptr) return absl::InvalidArgumentError(fmt::format("there is no mesh {}", index));
+  for (const Json& primitive : ArrayOf(*mesh, "primitives")) {
+    if (absl::Status added = AddPrimitive(primitive, transform); !added.ok()) return added;
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<std::vector<uint32_t>> PrimitiveReader::Triangles(const Json& json, size_t vertex_count) const {
+  std::vector<uint32_t> corners;
+  if (const std::optional<size_t> accessor = CountOf(json, "indices")) {
+    auto read = file_.Indices(*accessor, vertex_count, 3 * kMaxAssetTriangles);
+    if (!read.ok()) return read.status();
+    corners = *std::move(read);
+  } else {
+    corners.resize(vertex_count);
+    for (size_t i = 0; i < vertex_count; ++i) corners[i] = static_cast<uint32_t>(i);
+  }
+  const size_t mode = CountOf(json, "mode").value_or(4);
+  std::vector<uint32_t> triangles;
+  if (mode == 4) {
+    corners.resize(corners.size() / 3 * 3);
+    triangles = std::move(corners);
+  } else {  // 5: strip, 6: fan
+    for (size_t i = 2; i < corners.size(); ++i) {
+      const uint32_t first = mode == 6 ? corners[0] : corners[i - 2 + i % 2];
+      const uint32_t second = mode == 6 ? corners[i - 1] : corners[i - 1 - i % 2];
+      triangles.insert(triangles.end(), {first, second, corners[i]});
+    }
+  }
+  return triangles;
+}
+
+absl::StatusOr<PrimitiveReader::Primitive> PrimitiveReader::Read(const Json& json,
+                                                                 const AssetMaterial& material) const {
+  const Json* attributes = Find(json, "attributes");
+  const std::optional<size_t> positions = attributes == nullptr ? std::nullopt : CountOf(*attributes, "POSITION");
+  if (!positions.has_value()) return absl::InvalidArgumentError("a primitive has no positions");
+  auto numbers = file_.Numbers(*positions, "VEC3", 3, kMaxAssetVertices - vertex_count_);
+  if (!numbers.ok()) return numbers.status();
+  Primitive read;
+  read.positions = Triples(*numbers);
+  const size_t count = read.positions.size();
+  if (const std::optional<size_t> normals = CountOf(*attributes, "NORMAL")) {
+    auto values = file_.Numbers(*normals, "VEC3", 3, count);
+    if (!values.ok()) return values.status();
+    if (values->size() == 3 * count) read.normals = Triples(*values);
+  }
+  if (material.material.image != nullptr) {
+    const std::string name = fmt::format("TEXCOORD_{}", material.uv.set);
+    if (const std::optional<size_t> uvs = CountOf(*attributes, name.c_str())) {
+      auto values = file_.Numbers(*uvs, "VEC2", 2, count);
+      if (!values.ok()) return values.status();
+      for (size_t i = 0; i + 1 < values->size(); i += 2) {
+        const Vec2 uv = material.uv.Of({(*values)[i], (*values)[i + 1]});
+        read.uvs.push_back(std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : Vec2{});
+      }
+      read.uvs.resize(count);
+    }
+  }
+  if (const std::optional<size_t> colours = CountOf(*attributes, "COLOR_0")) {
+    read.tint = MeanColour(file_, *colours, count).value_or(read.tint);
+  }
+  auto triangles = Triangles(json, count);
+  if (!triangles.ok()) return triangles.status();
+  read.indices = *std::move(triangles);
+  return read;
+}
+
+MeshPart& PrimitiveReader::PartOf(size_t material_index, const AssetMaterial& material, Vec3 tint) {
+  const auto [known, fresh] = parts_.try_emplace(material_index, asset_.mesh.parts.size());
+  if (fresh) {
+    asset_.mesh.parts.emplace_back().material = material.material;
+    Vec3& colour = asset_.mesh.parts.back().material.colour;
+    colour = colour * tint;
+  }
+  return asset_.mesh.parts[known->second];
+}
+
+absl::Status PrimitiveReader::AddPrimitive(const Json& json, const Affine& transform) {
+  const size_t mode = CountOf(json, "mode").value_or(4);
+  if (mode < 4 || mode > 6) return absl::OkStatus();  // points and lines
+  const size_t material_index = CountOf(json, "material").value_or(SIZE_MAX);
+  const AssetMaterial& material = materials_.At(material_index);
+  absl::StatusOr<Primitive> read = Read(json, material);
+  if (!read.ok()) return read.status();
+  // A mesh of few triangles may have many vertices and be in many nodes.
+  read_vertex_count_ += read->positions.size();
+  if (read_vertex_count_ > 4 * kMaxAssetVertices) {
+    return absl::ResourceExhaustedError(fmt::format("its meshes repeat more than {} vertices", 4 * kMaxAssetVertices));
+  }
+  if (read->indices.empty()) return absl::OkStatus();
+  triangle_count_ += read->indices.size() / 3;
+  if (triangle_count_ > kMaxAssetTriangles) {
+    return absl::ResourceExhaustedError(fmt::format("it has more than {} triangles", kMaxAssetTriangles));
+  }
+  for (Vec3& p : read->positions) {
+    p = transform.Point(p);
+    if (!Near(p)) return absl::InvalidArgumentError("a vertex is not finite or farther than 1e8 from the origin");
+  }
+  MeshPart& part = PartOf(material_index, material, read->tint);
+  const bool mirrored = transform.Determinant() < 0;
+  // Without normals every triangle is flat: each corner its own vertex.
+  const bool flat = read->normals.empty();
+  const auto add = [&](uint32_t corner, Vec3 normal) {
+    part.positions.push_back(read->positions[corner]);
+    part.normals.push_back(Near(normal) ? Normalized(normal) : Vec3{0, 0, 1});
+    part.uvs.push_back(read->uvs.empty() ? Vec2{} : read->uvs[corner]);
+  };
+  const auto base = static_cast<uint32_t>(part.positions.size());
+  if (!flat) {
+    for (uint32_t i = 0; i < read->positions.size(); ++i) {
+      Vec3 normal = transform.Normal(read->normals[i]);
+      if (mirrored) normal = -normal;
+      add(i, normal * (1 / std::max(1e-30F, std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)}))));
+    }
+  }
+  for (size_t i = 0; i < read->indices.size(); i += 3) {
+    uint32_t a = read->indices[i], b = read->indices[i + 1], c = read->indices[i + 2];
+    if (mirrored) std::swap(b, c);
+    if (flat) {
+      const Vec3 ab = read->positions[b] - read->positions[a];
+      const Vec3 ac = read->positions[c] - read->positions[a];
+      const Vec3 normal = Cross(Normalized(ab), Normalized(ac));
+      const auto next = static_cast<uint32_t>(part.positions.size());
+      for (const uint32_t corner : {a, b, c}) add(corner, normal);
+      part.indices.insert(part.indices.end(), {next, next + 1, next + 2});
+    } else {
+      part.indices.insert(part.indices.end(), {base + a, base + b, base + c});
+    }
+  }
+  vertex_count_ += flat ? read->indices.size() : read->positions.size();
+  if (vertex_count_ > kMaxAssetVertices) {
+    return absl::ResourceExhaustedError(fmt::format("it has more than {} vertices", kMaxAssetVertices));
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace flair::renderer::gltf
