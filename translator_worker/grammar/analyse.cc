@@ -136,7 +136,7 @@ class Reader {
       ++at_;
       return true;
     }
-    if (TakeNamesInBracket(end) || (explains && TakeSideInBracket(end)) || explains) {
+    if (TakeNamesInBracket(end) || TakeSideInBracket(end) || explains) {
       at_ = std::min(end + 1, tokens_.size());
       return true;
     }
@@ -253,6 +253,16 @@ class Reader {
            tokens_[at_ + 1].IsWord("for") || tokens_[at_ + 1].IsWord("to") || tokens_[at_ + 1].IsWord("so");
   }
 
+  // "The front is accessible; the back need not be": only what follows the stop is conditional.
+  bool DropClauseAfterStop() {
+    size_t begin = terms_.size();
+    while (begin > 0 && terms_[begin - 1].term.kind != Term::Kind::kStop) --begin;
+    if (begin == 0) return false;
+    terms_.resize(begin);
+    while (at_ < tokens_.size() && !tokens_[at_].IsMark('.')) ++at_;
+    return true;
+  }
+
   // "Easily accessible from the front": from a side of its own, not from another thing.
   bool ReachedFromSide(const Phrase& phrase) const {
     size_t next = at_ + phrase.length;
@@ -295,6 +305,7 @@ class Reader {
         at_ += phrase.length;
         return;
       case WordClass::kCondition:
+        if (DropClauseAfterStop()) return;
         analysis_.conditional = true;
         at_ += phrase.length;
         return;

@@ -47,7 +47,9 @@ void TakeExamples(std::vector<Term>& terms) {
     return kind == RefKind::kGroup || kind == RefKind::kVague || kind == RefKind::kAbsent;
   };
   const auto names = [](const Term& term) {
-    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kObjects;
+    if (term.kind != Term::Kind::kMention) return false;
+    const RefKind kind = term.mention.references.front().kind;
+    return kind == RefKind::kObjects || kind == RefKind::kFeature;
   };
   std::vector<Term> kept;
   for (size_t i = 0; i < terms.size(); ++i) {

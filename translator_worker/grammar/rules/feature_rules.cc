@@ -171,6 +171,7 @@ std::vector<Rule> FeatureRules() {
       {"A? not block C.vague between B", PathBetween},
       {"B.feature not block next_to A.object", NotBlock},
       {"B.feature swing_open", DoorsOpen},
+      {"swing_open B.feature", DoorsOpen},
       {"B.feature swing_open not C.vague", DoorsOpen},
       {"B.feature swing_open not block A.group", DoorsOpen},
       {"B.feature swing_open not block A.object", NotBlock},
