@@ -65,9 +65,10 @@ bool Composer::HasFeature(const std::string& kind) const {
 
 std::vector<Placed> Composer::Movers(const Mention* mention) {
   if (mention == nullptr) return topic_;
-  // "Hang a clock on the wall" under the heading "Clock": whatever it is called here, it is what the heading names.
+  // "Hang a clock on the wall", "eye level on the wall" under the heading "Clock": it is what the heading names.
   const RefKind kind = mention->references.front().kind;
-  if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !subjects_.empty() && kind == RefKind::kAbsent) return topic_;
+  const bool thing = kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kGroup;
+  if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !subjects_.empty() && !thing) return topic_;
   std::vector<Placed> result;
   for (const Reference& reference : mention->references) {
     for (const Placed& placed : Resolve(reference, {}, false)) result.push_back(PieceFor(placed));

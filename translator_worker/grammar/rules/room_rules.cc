@@ -47,7 +47,9 @@ void CentralIn(const Match& match, std::string_view, Composer& composer) {
         } else if (composer.IsSurface(mover)) {
           composer.EmitFirst({Call("on_top_center").Text("object", id).Text("host", host)});
         } else {
-          composer.EmitFirst({Call("near").Text("object", id).Text("target", host)});
+          // "Centred at the desk's front" is in front of it.
+          const char* type = other.side == "front" ? "in_front_of" : "near";
+          composer.EmitFirst({Call(type).Text("object", id).Text("target", host)});
         }
       }
     }
@@ -96,6 +98,7 @@ std::vector<Rule> RoomRules() {
       {"A? hanging? on_wall_of B.zone", InZone},
       {"A? hanging? on C.wall of/on/around B.zone", InZone},
       {"on B.room", Ignore},
+      {"A? block B.floor", Ignore},
       {"A? on B.floor", OnFloor},
       {"A? on? B.ceiling on? centered of? B.room", Central},
       {"A? centered of? B.ceiling on B.room", Central},
