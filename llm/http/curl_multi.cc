@@ -7,7 +7,8 @@
 
 namespace flair::llm {
 
-CurlMulti::CurlMulti(EventLoop& loop) : loop_(loop), pacer_(loop), multi_(curl_multi_init()) {
+CurlMulti::CurlMulti(EventLoop& loop)
+    : loop_(loop), pacer_(loop, [this](int fd) { return Read(fd); }), multi_(curl_multi_init()) {
   // As many as the server takes; beyond that, each request gets a connection of its own.
   curl_multi_setopt(multi_, CURLMOPT_MAX_CONCURRENT_STREAMS, 1000L);
   curl_multi_setopt(multi_, CURLMOPT_SOCKETDATA, this);
@@ -36,6 +37,7 @@ void CurlMulti::Start(int64_t id, std::unique_ptr<Transfer> transfer, Done done)
   curl_easy_setopt(handle, CURLOPT_PRIVATE, reinterpret_cast<void*>(id));
   Running& running = running_[id];
   running.transfer = std::move(transfer);
+  running.transfer->CountBodyIn(&body_bytes_came_);
   running.done = std::move(done);
   if (curl_multi_add_handle(multi_, handle) != CURLM_OK) {
     Abort(id, absl::ResourceExhaustedError("no memory for an HTTP request"));
@@ -58,8 +60,14 @@ void CurlMulti::AbortAll(const absl::Status& status) {
 }
 
 void CurlMulti::OnSocket(int fd, bool readable, bool writable) {
-  Act(fd, (readable ? CURL_CSELECT_IN : 0) | (writable ? CURL_CSELECT_OUT : 0));
-  if (readable) pacer_.OnRead(fd);
+  if (writable) Act(fd, CURL_CSELECT_OUT | (readable ? CURL_CSELECT_IN : 0));
+  if (readable && !writable) pacer_.OnReadable(fd);
+}
+
+int64_t CurlMulti::Read(int fd) {
+  body_bytes_came_ = 0;
+  Act(fd, CURL_CSELECT_IN);
+  return body_bytes_came_;
 }
 
 void CurlMulti::Act(curl_socket_t fd, int events) {

@@ -41,6 +41,8 @@ class CurlMulti {
     runtime::Timer::Id check = 0;
   };
 
+  // How many bytes of answers' bodies came.
+  int64_t Read(int fd);
   void Act(curl_socket_t fd, int events);
   void FinishDone();
   // Ends the transfer when its time is over, or else looks again later.
@@ -52,6 +54,7 @@ class CurlMulti {
   EventLoop& loop_;
   ReadPacer pacer_;
   CURLM* const multi_;
+  int64_t body_bytes_came_ = 0;
   std::unordered_map<int64_t, Running> running_;
   runtime::Timer::Id curl_timer_ = 0;
 };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "worker_runtime/clock/clock.h"
 
@@ -133,7 +134,7 @@ void EventLoop::Run() {
 }
 
 void EventLoop::RunTasks() {
-  std::deque<std::function<void()>> tasks;
+  std::vector<std::function<void()>> tasks;
   {
     const std::lock_guard lock(mutex_);
     tasks.swap(tasks_);

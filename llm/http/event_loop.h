@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -11,6 +10,7 @@
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "worker_runtime/clock/timer.h"
 
@@ -63,7 +63,7 @@ class EventLoop final : public runtime::Timer {
   // Of the loop thread.
   std::unordered_set<int> watched_;
   std::mutex mutex_;
-  std::deque<std::function<void()>> tasks_;
+  std::vector<std::function<void()>> tasks_;
   std::map<Due, runtime::TimerCallback> timers_;
   std::unordered_map<Id, absl::Duration> due_of_;
   Id next_id_ = 1;

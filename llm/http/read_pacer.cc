@@ -1,23 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/http/read_pacer.h"
 
+#include <poll.h>
+
 #include <algorithm>
 
 #include "worker_runtime/clock/clock.h"
 
 namespace flair::llm {
+namespace {
+
+// Reads of fewer bytes than this took all there was but for what came meanwhile, which can wait for the next.
+constexpr int64_t kLargeReadByteCount = 8192;
+
+bool HasMore(int fd) {
+  pollfd socket{.fd = fd, .events = POLLIN, .revents = 0};
+  return poll(&socket, 1, 0) > 0;
+}
+
+}  // namespace
 
 absl::Duration ReadPause(absl::Duration elapsed) {
-  const absl::Duration pause = std::min(elapsed / 20, absl::Milliseconds(250));
-  return pause < absl::Milliseconds(1) ? absl::ZeroDuration() : pause;
+  return std::clamp(elapsed / 4, absl::Milliseconds(8), absl::Milliseconds(250));
 }
 
 void ReadPacer::Watch(int fd, bool readable, bool writable) {
   const auto [found, added] = sockets_.try_emplace(fd);
   Socket& socket = found->second;
-  if (added || writable) socket.start = runtime::SystemClock().Elapsed();
+  if (added || writable) {
+    socket.start = runtime::SystemClock().Elapsed();
+    EndPause(socket);
+  }
   if (!readable && !writable) {
-    if (socket.pause != 0) loop_.Drop(socket.pause);
+    EndPause(socket);
     sockets_.erase(found);
     loop_.Watch(fd, false, false);
     return;
@@ -27,19 +42,32 @@ void ReadPacer::Watch(int fd, bool readable, bool writable) {
   loop_.Watch(fd, readable && socket.pause == 0, writable);
 }
 
-void ReadPacer::OnRead(int fd) {
+void ReadPacer::OnReadable(int fd) { ReadAndGoOn(fd, true); }
+
+void ReadPacer::ReadAndGoOn(int fd, bool watched) {
+  const int64_t byte_count = read_(fd);
   const auto found = sockets_.find(fd);
   if (found == sockets_.end() || !found->second.readable || found->second.pause != 0) return;
-  Socket& socket = found->second;
-  const absl::Duration pause = ReadPause(runtime::SystemClock().Elapsed() - socket.start);
-  if (pause == absl::ZeroDuration()) return;
+  if (byte_count > 0 && (byte_count < kLargeReadByteCount || !HasMore(fd))) {
+    Pause(fd, found->second);
+  } else if (!watched) {
+    loop_.Watch(fd, true, found->second.writable);
+  }
+}
+
+void ReadPacer::EndPause(Socket& socket) {
+  if (socket.pause != 0) loop_.Drop(socket.pause);
+  socket.pause = 0;
+}
+
+void ReadPacer::Pause(int fd, Socket& socket) {
   loop_.Watch(fd, false, socket.writable);
+  const absl::Duration pause = pause_(runtime::SystemClock().Elapsed() - socket.start);
   socket.pause = loop_.RunAfter(pause, [this, fd](const absl::Status& time) {
     if (!time.ok()) return;
-    const auto paused = sockets_.find(fd);
-    if (paused == sockets_.end()) return;
-    paused->second.pause = 0;
-    loop_.Watch(fd, paused->second.readable, paused->second.writable);
+    sockets_.at(fd).pause = 0;
+    // Without asking whether there is anything: of a slow answer there nearly always is, and then one wake-up does.
+    ReadAndGoOn(fd, false);
   });
 }
 

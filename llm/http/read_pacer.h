@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <unordered_map>
+#include <utility>
 
 #include "absl/time/time.h"
 #include "llm/http/event_loop.h"
 
 namespace flair::llm {
 
-// How long a socket that was read is left alone, when it has been read for `elapsed` since it was last added or written
-// to: a twentieth of that, at most 250 ms, nothing below 1 ms. A model sends a small piece every few milliseconds for
-// many seconds; so a hundred reads take them all in, and no answer is known later than a twentieth of its time.
+// How long a socket is left alone that brought a part of an answer, `elapsed` after it was last added or written to: a
+// quarter of that, at least 8 ms, at most 250 ms. An answer is known that much later at most, on average half of it. A
+// model sends a small piece every few milliseconds for many seconds, and waking up for a piece costs many times what
+// reading it does: an answer of a second is read twenty times, each second more four times.
 absl::Duration ReadPause(absl::Duration elapsed);
 
-// Watches sockets on an event loop, with these pauses. Loop thread.
+// Watches sockets on an event loop, with these pauses. The first bytes of an answer, what a connection needs before
+// it, and bytes that lie ready already are never waited for; nor is anything but the one socket. Loop thread.
 class ReadPacer {
  public:
-  explicit ReadPacer(EventLoop& loop) : loop_(loop) {}
+  // Reads some 16 KiB of what a socket has, which may be nothing; how many bytes of an answer's body came.
+  using Read = std::function<int64_t(int fd)>;
 
-  // As EventLoop::Watch.
+  // As ReadPause.
+  using PauseRule = std::function<absl::Duration(absl::Duration elapsed)>;
+
+  ReadPacer(EventLoop& loop, Read read, PauseRule pause = ReadPause)
+      : loop_(loop), read_(std::move(read)), pause_(std::move(pause)) {}
+
+  // As EventLoop::Watch. Writing, such as the next request over a shared connection, ends a pause.
   void Watch(int fd, bool readable, bool writable);
 
-  // After the socket was read.
-  void OnRead(int fd);
+  // Reads a socket that has something.
+  void OnReadable(int fd);
 
  private:
   struct Socket {
@@ -33,7 +45,14 @@ class ReadPacer {
     runtime::Timer::Id pause = 0;
   };
 
+  // `watched`: by the event loop, for reading.
+  void ReadAndGoOn(int fd, bool watched);
+  void EndPause(Socket& socket);
+  void Pause(int fd, Socket& socket);
+
   EventLoop& loop_;
+  const Read read_;
+  const PauseRule pause_;
   std::unordered_map<int, Socket> sockets_;
 };
 

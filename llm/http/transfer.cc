@@ -140,6 +140,7 @@ size_t Transfer::TakeHeader(std::string_view line) {
 
 size_t Transfer::TakeBody(std::string_view piece) {
   silent_since_ = Now();
+  if (body_bytes_came_ != nullptr) *body_bytes_came_ += static_cast<int64_t>(piece.size());
   long status = 0;
   curl_easy_getinfo(handle_.get(), CURLINFO_RESPONSE_CODE, &status);
   const bool success = status / 100 == 2;

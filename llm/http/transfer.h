@@ -27,6 +27,9 @@ class Transfer {
   const absl::Status& status() const { return failure_; }
   CURL* handle() const { return handle_.get(); }
 
+  // Adds to `*byte_count` what comes of the body, decompressed.
+  void CountBodyIn(int64_t* byte_count) { body_bytes_came_ = byte_count; }
+
   // The earliest moment at which Expired() can have an error, as known at `now`.
   absl::Duration NextCheck(absl::Duration now) const;
   // The error of a transfer that has run out of time at `now`.
@@ -57,6 +60,7 @@ class Transfer {
   std::unique_ptr<curl_slist, CleanUp> header_list_;
   HttpResponse response_;
   int64_t body_byte_count_ = 0;
+  int64_t* body_bytes_came_ = nullptr;
   int64_t header_byte_count_ = 0;
   // Why the transfer was ended from our side.
   absl::Status failure_;

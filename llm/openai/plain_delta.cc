@@ -121,6 +121,11 @@ bool TakeChoice(Cursor& cursor, std::string_view& content) {
   });
 }
 
+// Neither escapes nor anything but ASCII.
+bool IsPlain(std::string_view text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return c >= 0x20 && c < 0x80 && c != '\\'; });
+}
+
 }  // namespace
 
 std::optional<std::string_view> PlainDelta(std::string_view chunk) {
@@ -136,8 +141,22 @@ std::optional<std::string_view> PlainDelta(std::string_view chunk) {
 
 std::optional<std::string_view> PlainText(std::string_view json_string) {
   const std::string_view text = json_string.substr(1, json_string.size() - 2);
-  const bool plain = std::ranges::all_of(text, [](unsigned char c) { return c >= 0x20 && c < 0x80 && c != '\\'; });
-  return plain ? std::optional(text) : std::nullopt;
+  return IsPlain(text) ? std::optional(text) : std::nullopt;
+}
+
+void RepeatedDelta::Learn(std::string_view chunk, std::string_view content) {
+  const size_t begin = static_cast<size_t>(content.data() - chunk.data()) + 1;
+  before_ = chunk.substr(0, begin);
+  after_ = chunk.substr(begin + content.size() - 2);
+}
+
+std::optional<std::string_view> RepeatedDelta::Text(std::string_view chunk) const {
+  if (before_.empty() || chunk.size() < before_.size() + after_.size()) return std::nullopt;
+  if (!chunk.starts_with(before_) || !chunk.ends_with(after_)) return std::nullopt;
+  chunk.remove_prefix(before_.size());
+  chunk.remove_suffix(after_.size());
+  // A quotation mark would end the string within the text.
+  return IsPlain(chunk) && chunk.find('"') == std::string_view::npos ? std::optional(chunk) : std::nullopt;
 }
 
 }  // namespace flair::llm

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace flair::llm {
@@ -13,5 +14,21 @@ std::optional<std::string_view> PlainDelta(std::string_view chunk);
 
 // The text of such a string that holds neither escapes nor anything but ASCII; none when it does.
 std::optional<std::string_view> PlainText(std::string_view json_string);
+
+// Finds the text of a chunk that differs from an earlier one in nothing else, by comparing: a tenth of PlainDelta's
+// time.
+class RepeatedDelta {
+ public:
+  // `content` is what PlainDelta found in `chunk`, a part of it.
+  void Learn(std::string_view chunk, std::string_view content);
+
+  // As PlainText(*PlainDelta(chunk)); none when the chunk is not like the one learnt, or its text not plain.
+  std::optional<std::string_view> Text(std::string_view chunk) const;
+
+ private:
+  // Of the chunk learnt, what is before and after the text; the quotation marks included.
+  std::string before_;
+  std::string after_;
+};
 
 }  // namespace flair::llm

@@ -66,5 +66,35 @@ TEST(PlainText, IsOnlyWhatNeedsNoDecoding) {
   EXPECT_EQ(PlainText("\"a\nb\""), std::nullopt);
 }
 
+RepeatedDelta Learnt() {
+  const std::string chunk = R"({"id":"c-1","choices":[{"index":0,"delta":{"content":"ab"},"finish_reason":null}]})";
+  RepeatedDelta repeated;
+  repeated.Learn(chunk, PlainDelta(chunk).value());
+  return repeated;
+}
+
+TEST(RepeatedDelta, FindsTheTextOfAChunkThatDiffersInNothingElse) {
+  const RepeatedDelta repeated = Learnt();
+  for (const std::string text : {"ab", "", " x", "{}[]:,"}) {
+    const std::string chunk =
+        R"({"id":"c-1","choices":[{"index":0,"delta":{"content":")" + text + R"("},"finish_reason":null}]})";
+    EXPECT_EQ(repeated.Text(chunk), text);
+  }
+}
+
+TEST(RepeatedDelta, LeavesAnythingElseToPlainDelta) {
+  const RepeatedDelta repeated = Learnt();
+  for (const char* chunk :
+       {R"({"id":"c-2","choices":[{"index":0,"delta":{"content":"ab"},"finish_reason":null}]})",
+        R"({"id":"c-1","choices":[{"index":0,"delta":{"content":"ab"},"finish_reason":"stop"}]})",
+        R"({"id":"c-1","choices":[{"index":0,"delta":{"content":"a\nb"},"finish_reason":null}]})",
+        R"({"id":"c-1","choices":[{"index":0,"delta":{"content":"a","refusal":"b"},"finish_reason":null}]})",
+        R"({"id":"c-1","choices":[{"index":0,"delta":{"content":"ü"},"finish_reason":null}]})",
+        R"({"id":"c-1","choices":[{"index":0,"delta":{"content":"},"finish_reason":null}]})", ""}) {
+    EXPECT_EQ(repeated.Text(chunk), std::nullopt) << chunk;
+  }
+  EXPECT_EQ(RepeatedDelta().Text(""), std::nullopt);
+}
+
 }  // namespace
 }  // namespace flair::llm

@@ -6,7 +6,6 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "llm/openai/json_fields.h"
-#include "llm/openai/plain_delta.h"
 
 namespace flair::llm {
 namespace {
@@ -27,6 +26,8 @@ absl::Status ReplyReader::Take(std::string_view piece) {
     if (begin == std::string_view::npos) return absl::OkStatus();
     const bool whole = piece[begin] == '{' || piece[begin] == '[' || piece[begin] == '<';
     kind_ = whole ? Kind::kWhole : Kind::kEvents;
+    // As if it had come in a piece of its own.
+    piece.remove_prefix(begin);
   }
   if (kind_ == Kind::kWhole) {
     whole_ += piece;
@@ -64,8 +65,10 @@ absl::Status ReplyReader::TakeEvent(std::string_view data) {
 }
 
 bool ReplyReader::AddPlainDelta(std::string_view json_text) {
+  if (const auto text = repeated_.Text(json_text)) return completion_.AddText(*text);
   const auto content = PlainDelta(json_text);
   if (!content.has_value()) return false;
+  repeated_.Learn(json_text, *content);
   if (const auto text = PlainText(*content)) return completion_.AddText(*text);
   const nlohmann::json text = ParseJson(*content);
   return text.is_string() && completion_.AddText(text.get_ref<const std::string&>());

@@ -8,6 +8,7 @@
 #include "absl/status/statusor.h"
 #include "llm/client/chat.h"
 #include "llm/openai/completion.h"
+#include "llm/openai/plain_delta.h"
 #include "llm/openai/server_error.h"
 #include "llm/openai/sse_reader.h"
 
@@ -43,6 +44,7 @@ class ReplyReader {
   const Confidential& confidential_;
   SseReader sse_;
   Completion completion_;
+  RepeatedDelta repeated_;
   bool done_ = false;
   // A server that knows no streams sends the whole reply at once; kept until its end.
   enum class Kind { kUnknown, kEvents, kWhole } kind_ = Kind::kUnknown;
