@@ -11,7 +11,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kBirdseyeFov_rad = 0.52F;
 constexpr float kBirdseyeElevation_rad = 0.90F;
-constexpr float kPerspectiveFov_rad = 1.02F;
+constexpr float kPerspectiveFov_rad = 1.13F;
 constexpr float kEyeHeight_m = 1.5F;
 constexpr float kMargin = 0.95F;  // share of the half picture that the room may fill
 
@@ -113,7 +113,7 @@ std::vector<Vec3> EyesToTry(const RoomShape& shape, Vec3 middle, float height) {
       const float along = Dot(middle + out * distance - wall.axes.origin, wall.axes.along);
       if (distance > 0 && along >= -1e-3F && along <= wall.length_m + 1e-3F) boundary = std::max(boundary, distance);
     }
-    for (const float beyond : {-0.35F, 0.35F, 0.9F, 1.5F})
+    for (const float beyond : {-0.7F, -0.25F, 0.3F, 0.8F})
       eyes.push_back(middle + out * std::max(0.1F, boundary + beyond));
   }
   for (const ShapedWall& wall : shape.walls) {
@@ -125,22 +125,44 @@ std::vector<Vec3> EyesToTry(const RoomShape& shape, Vec3 middle, float height) {
   return eyes;
 }
 
-// The share of the picture that something close before the eye takes.
-double CloseShare(const Sight& sight, const SceneCamera& camera, float close_m) {
+// How far along `direction` an eye outside the room gets before it is within; 0 for an eye that is.
+float WayIn(const RoomShape& shape, Vec3 eye, Vec3 direction) {
+  if (Inside(shape, eye.x, eye.y)) return 0;
+  float first = 1e9F;
+  for (const ShapedWall& wall : shape.walls) {
+    const float rate = Dot(direction, wall.axes.outward);
+    if (rate > -1e-6F) continue;
+    const float distance = Dot(wall.axes.origin - eye, wall.axes.outward) / rate;
+    const float along = Dot(eye + direction * distance - wall.axes.origin, wall.axes.along);
+    if (distance > 0 && along >= 0 && along <= wall.length_m) first = std::min(first, distance);
+  }
+  return first;
+}
+
+struct Spoiled {
+  double close = 0;    // share of the picture that something right before the eye takes
+  double outside = 0;  // share that is not of the room
+};
+
+Spoiled SpoiledShares(const RoomShape& shape, const Sight& sight, const SceneCamera& camera) {
+  constexpr int kRays = 14;
+  constexpr float kClose_m = 2.0F;
   const View view = Looking(Normalized(camera.target - camera.eye));
   const float tangent = std::tan(camera.field_of_view_rad / 2);
-  constexpr int kRays = 12;
-  double close = 0;
+  Spoiled spoiled;
   for (int i = 0; i < kRays; ++i) {
     for (int k = 0; k < kRays; ++k) {
       const float x = (2 * (static_cast<float>(i) + 0.5F) / kRays - 1) * tangent;
       const float y = (2 * (static_cast<float>(k) + 0.5F) / kRays - 1) * tangent;
       const Vec3 direction = Normalized(view.forward + view.right * x + view.down * y);
-      const float distance = sight.FirstBox(camera.eye, direction, close_m, -1);
-      close += 1 - distance / close_m;
+      const float distance = sight.FirstBox(camera.eye, direction, kClose_m, -1);
+      spoiled.close += std::pow(1 - distance / kClose_m, 1.5);
+      const float to_floor =
+          direction.z < 0 ? camera.eye.z / -direction.z : (shape.height_m - camera.eye.z) / direction.z;
+      if (WayIn(shape, camera.eye, direction) > to_floor) spoiled.outside += 1;
     }
   }
-  return close / (kRays * kRays);
+  return {spoiled.close / (kRays * kRays), spoiled.outside / (kRays * kRays)};
 }
 
 double PerspectiveScore(const RoomShape& shape, const Sight& sight, const SceneCamera& camera) {
@@ -167,7 +189,8 @@ double PerspectiveScore(const RoomShape& shape, const Sight& sight, const SceneC
       if (faces && framed(at)) score += opening.door() ? 0.03 * most : 0.08 * most;
     }
   }
-  return score / most - 1.5 * CloseShare(sight, camera, 1.4F);
+  const Spoiled spoiled = SpoiledShares(shape, sight, camera);
+  return score / most - 2.0 * spoiled.close - 1.6 * spoiled.outside;
 }
 
 }  // namespace

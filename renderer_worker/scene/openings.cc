@@ -106,7 +106,7 @@ Mesh WindowMesh(const RoomShape& shape, const ShapedWall& wall, const ShapedOpen
   MeshBuilder builder;
   const Axes& axes = wall.axes;
   const float t = shape.wall_thickness_m, width = window.u1 - window.u0, height = window.w1 - window.w0;
-  const float bar = std::min(0.055F, std::min(width, height) / 5), v0 = 0.5F * t, v1 = 0.85F * t, glass = 0.68F * t;
+  const float bar = std::min(0.055F, std::min(width, height) / 5), v0 = 0.3F * t, v1 = 0.65F * t, glass = 0.48F * t;
   AddFrame(frame, axes, {window.u0, v0, window.w0}, {window.u1, v1, window.w1}, bar, true, builder);
   // Casements of 0.9 m at most; a transom where they are tall.
   const int casements = std::clamp(static_cast<int>(std::ceil((width - 0.2F) / 0.9F)), 1, 24);

@@ -10,13 +10,17 @@ namespace {
 
 constexpr float kMostGloss = 3;  // brighter reflections of lights would sparkle
 
-// Radiance that arrives from `direction`, without what SampleLights accounts for.
+// Radiance that the surface at a hit sends back.
+Vec3 SentBack(const World& world, const Radiosity& radiosity, Vec3 from, Vec3 direction, const Hit& hit) {
+  const Vec3 normal = world.GeometricNormalAt(hit, direction);
+  const Vec3 position = from + direction * hit.distance + normal * 1e-3F;
+  return world.MeanColourAt(hit) * radiosity.IrradianceAt(hit.instance, position, normal);
+}
+
+// Radiance that arrives from `direction`, without what LightChoice accounts for.
 Vec3 Arriving(const World& world, const Lights& lights, const Radiosity& radiosity, Vec3 from, Vec3 direction) {
   const Hit hit = world.Feel(from, direction);
-  if (hit.instance < 0) return lights.open_sky ? lights.SkyRadiance(direction) : Vec3{};
-  const Vec3 normal = world.GeometricNormalAt(hit, direction);
-  return world.MeanColourAt(hit) *
-         radiosity.IrradianceAt(hit.instance, from + direction * hit.distance + normal * 1e-3F, normal);
+  return hit.instance < 0 ? lights.Beyond(from, direction) : SentBack(world, radiosity, from, direction, hit);
 }
 
 // A normal of a facet of a rough surface (GGX with alpha = roughness squared).
@@ -38,10 +42,14 @@ Vec3 GlossOf(const World& world, const Lights& lights, const Radiosity& radiosit
   // Rough surfaces shadow themselves at grazing angles.
   const float grazing = std::pow(1 - cosine, 5.0F) * (1 - seen.roughness) * (1 - seen.roughness);
   const Vec3 share = seen.specular * (1 - grazing) + Vec3{1, 1, 1} * grazing;
-  Vec3 arriving = Arriving(world, lights, radiosity, seen.position, direction);
-  if (!lights.open_sky && lights.WindowThrough(seen.position, direction) >= 0 &&
-      world.Feel(seen.position, direction).instance < 0) {
+  const Hit hit = world.Feel(seen.position, direction);
+  Vec3 arriving;
+  if (hit.instance >= 0) {
+    arriving = SentBack(world, radiosity, seen.position, direction, hit);
+  } else if (!lights.open_sky && lights.WindowThrough(seen.position, direction) >= 0) {
     arriving = lights.SkyRadiance(direction);
+  } else {
+    arriving = lights.Beyond(seen.position, direction);
   }
   const Vec3 gloss = share * arriving;
   const float most = std::max({gloss.x, gloss.y, gloss.z});
@@ -50,16 +58,18 @@ Vec3 GlossOf(const World& world, const Lights& lights, const Radiosity& radiosit
 
 }  // namespace
 
-Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity, const Seen& seen, int column, int row,
-            int sample_count, uint32_t seed) {
+Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity, const Seen& seen,
+            const SampleSeeds& seeds, int column, int row, int sample_count) {
   Lit lit;
   if (seen.lit_instance == -1) return lit;
-  const PixelSamples random(column, row, sample_count, seed);
+  const PixelSamples random(seeds, column, row, sample_count);
+  const LightChoice choice(lights, seen.position, seen.normal);
   float sum = 0, sum_of_squares = 0;
   for (int i = 0; i < sample_count; ++i) {
-    Vec3 light = Arriving(world, lights, radiosity, seen.position, CosineDirection(seen.normal, random.At(i, 2)));
-    if (lights.any()) {
-      const LightSample direct = SampleLights(lights, seen.position, seen.normal, random.At(i, 0), random.At(i, 1));
+    Vec3 light =
+        Arriving(world, lights, radiosity, seen.position, CosineDirection(seen.normal, random.At(i, Purpose::kBounce)));
+    if (choice.any()) {
+      const LightSample direct = choice.Sample(random.At(i, Purpose::kLight).x, random.At(i, Purpose::kPlaceOnLight));
       if (Luminance(direct.irradiance) > 0 &&
           !world.Shaded(seen.position, direct.direction, direct.distance * 0.999F)) {
         light = light + direct.irradiance;
@@ -80,7 +90,7 @@ Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity
   if (seen.lit_instance < 0 || (seen.roughness > 0.65F && metal < 0.1F)) return lit;
   const int gloss_count = (sample_count + 3) / 4;
   for (int i = 0; i < gloss_count; ++i) {
-    lit.gloss = lit.gloss + GlossOf(world, lights, radiosity, seen, random.At(i, 3));
+    lit.gloss = lit.gloss + GlossOf(world, lights, radiosity, seen, random.At(i, Purpose::kGloss));
   }
   lit.gloss = lit.gloss * (1 / static_cast<float>(gloss_count));
   return lit;

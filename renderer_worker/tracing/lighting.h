@@ -15,7 +15,7 @@ struct Lit {
 };
 
 // Gathers `sample_count` samples of light for pixel (column, row).
-Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity, const Seen& seen, int column, int row,
-            int sample_count, uint32_t seed);
+Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity, const Seen& seen,
+            const SampleSeeds& seeds, int column, int row, int sample_count);
 
 }  // namespace flair::renderer

@@ -2,7 +2,6 @@
 #include "renderer_worker/tracing/lights.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,7 +10,7 @@ namespace flair::renderer {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr size_t kMostLights = 256;  // beyond, the least bright ones of a scene stay dark
+constexpr size_t kMostLights = 250;  // beyond, the least bright ones of a scene stay dark
 
 // How much a light may give a point: only steers the choice.
 float GuessOf(const RectLight& rect, Vec3 position, Vec3 normal) {
@@ -88,6 +87,11 @@ Vec3 Lights::SkyRadiance(Vec3 direction) const {
   return (Vec3{0.86F, 0.87F, 0.88F} * (1 - up) + Vec3{1.03F, 1.05F, 1.08F} * up) * sky_scale;
 }
 
+Vec3 Lights::Beyond(Vec3 from, Vec3 direction) const {
+  if (open_sky) return SkyRadiance(direction);
+  return WindowThrough(from, direction) >= 0 ? Vec3{} : beyond;
+}
+
 int Lights::WindowThrough(Vec3 from, Vec3 direction) const {
   for (size_t i = 0; i < rects.size(); ++i) {
     const RectLight& rect = rects[i];
@@ -102,30 +106,33 @@ int Lights::WindowThrough(Vec3 from, Vec3 direction) const {
   return -1;
 }
 
-LightSample SampleLights(const Lights& lights, Vec3 position, Vec3 normal, Vec2 choice, Vec2 place) {
-  std::array<float, kMostLights + 1> guess;
-  size_t count = 0;
-  float total = 0;
-  for (const RectLight& rect : lights.rects) total += guess[count++] = GuessOf(rect, position, normal);
-  for (const BallLight& ball : lights.balls) total += guess[count++] = GuessOf(ball, position, normal);
-  const float sun = Dot(normal, lights.sun_direction) + lights.sun_radius;
-  float sun_guess = sun > 0 ? sun * Luminance(lights.sun_irradiance) / kPi : 0;
-  if (sun_guess > 0 && !lights.open_sky && lights.WindowThrough(position, lights.sun_direction) < 0) {
-    sun_guess *= 0.1F;  // only the penumbra's rim
-  }
-  total += guess[count++] = sun_guess;
-  if (!(total > 0)) return {};
-  float rest = choice.x * total;
+LightChoice::LightChoice(const Lights& lights, Vec3 position, Vec3 normal)
+    : lights_(lights), position_(position), normal_(normal) {
+  for (const RectLight& rect : lights.rects) total_ += guess_[count_++] = GuessOf(rect, position, normal);
+  for (const BallLight& ball : lights.balls) total_ += guess_[count_++] = GuessOf(ball, position, normal);
+  const float above = Dot(normal, lights.sun_direction) + lights.sun_radius;
+  float sun = above > 0 ? above * Luminance(lights.sun_irradiance) / kPi : 0;
+  // Below a ceiling the sun comes through windows, or nearly, within the penumbra's rim.
+  if (sun > 0 && !lights.open_sky && lights.WindowThrough(position, lights.sun_direction) < 0) sun *= 0.1F;
+  total_ += guess_[count_++] = sun;
+}
+
+LightSample LightChoice::Sample(float choice, Vec2 place) const {
+  if (!(total_ > 0)) return {};
+  float rest = choice * total_;
   size_t chosen = 0;
-  while (chosen + 1 < count && (rest >= guess[chosen] || guess[chosen] <= 0)) rest -= guess[chosen++];
-  if (guess[chosen] <= 0) return {};
-  const float probability = guess[chosen] / total;
-  LightSample sample = chosen < lights.rects.size() ? TowardsRect(lights, lights.rects[chosen], position, normal, place)
-                       : chosen + 1 < count
-                           ? TowardsBall(lights.balls[chosen - lights.rects.size()], position, normal, place)
-                           : TowardsSun(lights, normal, place);
-  if (chosen + 1 == count && !lights.open_sky && lights.WindowThrough(position, sample.direction) < 0) return {};
-  sample.irradiance = sample.irradiance * (1 / probability);
+  while (chosen + 1 < count_ && (rest >= guess_[chosen] || guess_[chosen] <= 0)) rest -= guess_[chosen++];
+  if (guess_[chosen] <= 0) return {};
+  LightSample sample;
+  if (chosen < lights_.rects.size()) {
+    sample = TowardsRect(lights_, lights_.rects[chosen], position_, normal_, place);
+  } else if (chosen + 1 < count_) {
+    sample = TowardsBall(lights_.balls[chosen - lights_.rects.size()], position_, normal_, place);
+  } else {
+    sample = TowardsSun(lights_, normal_, place);
+    if (!lights_.open_sky && lights_.WindowThrough(position_, sample.direction) < 0) return {};
+  }
+  sample.irradiance = sample.irradiance * (total_ / guess_[chosen]);
   return sample;
 }
 
@@ -174,7 +181,8 @@ Lights LightsOf(const Scene& scene, bool open_sky) {
     if (area <= 1e-4F || lights.rects.size() >= 100) continue;
     lights.rects.push_back({window.corner, window.along, window.up, window.inward, area, true, {}});
   }
-  AddLamps(scene, 0.02F, lights);
+  AddLamps(scene, 0.012F, lights);
+  lights.beyond = {0.32F, 0.32F, 0.31F};
   // The sun stands where the largest window lets it in, aslant.
   const auto largest = std::max_element(lights.rects.begin(), lights.rects.end(),
                                         [](const auto& a, const auto& b) { return a.area_m2 < b.area_m2 - 1e-3F; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "renderer_worker/scene/scene.h"
@@ -30,6 +31,7 @@ struct Lights {
   bool open_sky = false;     // rays that meet nothing see the sky; otherwise only those through windows
   bool uniform_sky = false;  // the same from everywhere: for tests of the balance of light
   float sky_scale = 1;
+  Vec3 beyond;                  // see Beyond
   Vec3 sun_direction{0, 0, 1};  // unit, towards it
   Vec3 sun_irradiance;          // 0: no sun
   float sun_radius = 0.03F;     // tangent of half its angle
@@ -38,6 +40,9 @@ struct Lights {
 
   // What is seen of the sky and the ground outside in that direction.
   Vec3 SkyRadiance(Vec3 direction) const;
+  // What a ray that meets nothing finds: the sky, or, where walls are taken away, a room as light as this one; nothing
+  // in windows, which are lights.
+  Vec3 Beyond(Vec3 from, Vec3 direction) const;
   // The window that a ray from within passes through, -1 for none.
   int WindowThrough(Vec3 from, Vec3 direction) const;
   bool any() const { return !rects.empty() || !balls.empty() || Luminance(sun_irradiance) > 0; }
@@ -50,8 +55,22 @@ struct LightSample {
   Vec3 irradiance;  // unshadowed, over pi, divided by the probability of the choice; 0 when nothing comes from there
 };
 
-// One sample of the light that comes straight from the lights. `choice` picks the light, `place` the point on it.
-LightSample SampleLights(const Lights& lights, Vec3 position, Vec3 normal, Vec2 choice, Vec2 place);
+// Chooses among the lights for one point of a surface, by how much each of them may give it. Borrows the lights.
+class LightChoice {
+ public:
+  LightChoice(const Lights& lights, Vec3 position, Vec3 normal);
+  // One sample of the light that comes straight from the lights. `choice` picks the light, `place` the point on it.
+  LightSample Sample(float choice, Vec2 place) const;
+  bool any() const { return total_ > 0; }
+
+ private:
+  static constexpr size_t kMost = 256;
+  const Lights& lights_;
+  Vec3 position_, normal_;
+  float total_ = 0;
+  size_t count_ = 0;
+  std::array<float, kMost + 1> guess_;
+};
 
 // The lights of a scene: windows and lamps below a ceiling; sky, sun and faint lamps without one. Not yet balanced.
 Lights LightsOf(const Scene& scene, bool open_sky);

@@ -28,8 +28,9 @@ int SideOf(Vec3 normal) {
 }  // namespace
 
 uint64_t Radiosity::KeyOf(int instance, Vec3 position, int side) const {
+  // Truncation is rounding down here: nothing lies 8,192 cells off.
   const auto cell = [this](float value) {
-    return static_cast<uint64_t>(static_cast<int64_t>(std::floor(value / cell_m_)) + 8192) & 0x3fffU;
+    return static_cast<uint64_t>(static_cast<int>(std::clamp(value * cells_per_m_ + 8192, 0.0F, 16383.0F)));
   };
   return ((static_cast<uint64_t>(instance) * 6 + static_cast<uint64_t>(side)) << 42) | (cell(position.x) << 28) |
          (cell(position.y) << 14) | cell(position.z);
@@ -81,22 +82,24 @@ absl::StatusOr<std::unique_ptr<Radiosity>> Radiosity::Solve(const World& world, 
   const std::vector<int> cell_of = result->AssignCells(points, world.instances().size());
   std::vector<Vec3> direct(points.size());
   std::vector<Link> links(points.size() * kRaysPerPoint);
+  const SampleSeeds seeds(1234);
   const auto gather = [&](size_t i) {
     const SurfacePoint& p = points[i];
-    const PixelSamples random(static_cast<int>(i & 255), static_cast<int>(i >> 8), 64, 1234);
+    const PixelSamples random(seeds, static_cast<int>(i & 255), static_cast<int>(i >> 8), 64);
+    const LightChoice choice(lights, p.position, p.normal);
     Vec3 sum;
-    for (int k = 0; k < kLightSamples && lights.any(); ++k) {
-      const LightSample light = SampleLights(lights, p.position, p.normal, random.At(k, 0), random.At(k, 1));
+    for (int k = 0; k < kLightSamples && choice.any(); ++k) {
+      const LightSample light = choice.Sample(random.At(k, Purpose::kLight).x, random.At(k, Purpose::kPlaceOnLight));
       if (!(Luminance(light.irradiance) > 0)) continue;
       if (!world.Shaded(p.position, light.direction, light.distance * 0.999F)) sum = sum + light.irradiance;
     }
     direct[i] = sum * (1.0F / kLightSamples);
     Vec3 sky;
     for (int k = 0; k < kRaysPerPoint; ++k) {
-      const Vec3 direction = CosineDirection(p.normal, random.At(k, 2));
+      const Vec3 direction = CosineDirection(p.normal, random.At(k, Purpose::kBounce));
       const Hit hit = world.Feel(p.position, direction);
       if (hit.instance < 0) {
-        if (lights.open_sky) sky = sky + lights.SkyRadiance(direction);
+        sky = sky + lights.Beyond(p.position, direction);
         continue;
       }
       const Vec3 normal = world.GeometricNormalAt(hit, direction);

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
+#include "absl/container/flat_hash_map.h"
 #include "absl/status/statusor.h"
 #include "renderer_worker/tracing/parallel.h"
 #include "renderer_worker/tracing/surface_points.h"
@@ -33,8 +33,8 @@ class Radiosity {
   void Average(const std::vector<SurfacePoint>& points, const std::vector<int>& cell_of,
                const std::vector<Vec3>& values);
 
-  float cell_m_ = 0.35F;
-  std::unordered_map<uint64_t, int> cells_;
+  float cells_per_m_ = 1 / 0.35F;
+  absl::flat_hash_map<uint64_t, int> cells_;
   int first_fallback_ = 0;        // six sides of each instance, for where there is no cell
   std::vector<Vec3> irradiance_;  // by cell, then by fallback
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -20,22 +21,29 @@ inline uint32_t Mix(uint32_t x) {
 }
 
 inline uint32_t ReverseBits(uint32_t x) {
-  x = (x << 16) | (x >> 16);
-  x = ((x & 0x00ff00ffU) << 8) | ((x & 0xff00ff00U) >> 8);
+  x = __builtin_bswap32(x);
   x = ((x & 0x0f0f0f0fU) << 4) | ((x & 0xf0f0f0f0U) >> 4);
   x = ((x & 0x33333333U) << 2) | ((x & 0xccccccccU) >> 2);
   return ((x & 0x55555555U) << 1) | ((x & 0xaaaaaaaaU) >> 1);
 }
 
-// Owen's scrambling by a hash of all higher bits (Laine and Karras 2011, as Burley 2020 improved it).
-inline uint32_t OwenScramble(uint32_t x, uint32_t seed) {
-  x = ReverseBits(x);
+// Owen's scrambling of a number whose bits are reversed, by a hash of all lower bits (Laine and Karras 2011, constants
+// of Burley 2020).
+inline uint32_t ScrambleReversed(uint32_t x, uint32_t seed) {
   x ^= x * 0x3d20adeaU;
   x += seed;
   x *= (seed >> 16) | 1;
   x ^= x * 0x05526c56U;
-  x ^= x * 0x53a22864U;
-  return ReverseBits(x);
+  return x ^ (x * 0x53a22864U);
+}
+
+// The second dimension of Sobol's sequence, bits reversed: Pascal's triangle modulo 2, a factor a line.
+inline uint32_t SobolSecondReversed(uint32_t index) {
+  index ^= (index >> 1) & 0x55555555U;
+  index ^= (index >> 2) & 0x33333333U;
+  index ^= (index >> 4) & 0x0f0f0f0fU;
+  index ^= (index >> 8) & 0x00ff00ffU;
+  return index ^ (index >> 16);
 }
 
 inline uint32_t SpreadBits(uint32_t x) {
@@ -46,32 +54,47 @@ inline uint32_t SpreadBits(uint32_t x) {
   return (x | (x << 1)) & 0x55555555U;
 }
 
+// What a sampled point is for; each has points of its own.
+enum class Purpose { kLight, kPlaceOnLight, kBounce, kGloss };
+
+// Scrambles of a picture.
+class SampleSeeds {
+ public:
+  explicit SampleSeeds(uint32_t seed) {
+    for (uint32_t i = 0; i < 4; ++i) {
+      const uint32_t of_purpose = Mix(seed + 0x9e3779b9U * (i + 1));
+      seeds[i] = {of_purpose, Mix(of_purpose ^ 0x68bc21ebU), Mix(of_purpose ^ 0x02e5be93U)};
+    }
+  }
+  struct Triple {
+    uint32_t order, x, y;
+  };
+  std::array<Triple, 4> seeds;
+};
+
 // Points of the plane's (0, 2)-sequence of Sobol, numbered along the picture's Z-curve so that pixels which are
-// smoothed together complement each other (Ahmed and Wonka 2020). A function of its arguments alone.
+// smoothed together complement each other (Ahmed and Wonka 2020). A function of its arguments alone; borrows the seeds.
 class PixelSamples {
  public:
-  PixelSamples(int x, int y, int sample_count, uint32_t seed)
-      : first_((SpreadBits(static_cast<uint32_t>(x)) | (SpreadBits(static_cast<uint32_t>(y)) << 1)) *
-               static_cast<uint32_t>(sample_count)),
-        seed_(seed) {}
+  PixelSamples(const SampleSeeds& seeds, int x, int y, int sample_count)
+      : seeds_(&seeds),
+        first_((SpreadBits(static_cast<uint32_t>(x)) | (SpreadBits(static_cast<uint32_t>(y)) << 1)) *
+               static_cast<uint32_t>(sample_count)) {}
 
-  // Both in [0, 1). `dimension` numbers what the point is for.
-  Vec2 At(int sample, int dimension) const {
-    const uint32_t seed = Mix(seed_ + 0x9e3779b9U * static_cast<uint32_t>(dimension + 1));
-    const uint32_t index = OwenScramble(first_ + static_cast<uint32_t>(sample), seed);
-    uint32_t second = 0;
-    for (uint32_t rest = index, v = 1U << 31; rest != 0; rest >>= 1, v ^= v >> 1) {
-      if ((rest & 1) != 0) second ^= v;
-    }
-    const uint32_t x = OwenScramble(ReverseBits(index), Mix(seed ^ 0x68bc21ebU));
-    const uint32_t y = OwenScramble(second, Mix(seed ^ 0x02e5be93U));
+  // Both in [0, 1).
+  Vec2 At(int sample, Purpose purpose) const {
+    const SampleSeeds::Triple& seed = seeds_->seeds[static_cast<size_t>(purpose)];
+    const uint32_t index =
+        ReverseBits(ScrambleReversed(ReverseBits(first_ + static_cast<uint32_t>(sample)), seed.order));
+    const uint32_t x = ReverseBits(ScrambleReversed(index, seed.x));
+    const uint32_t y = ReverseBits(ScrambleReversed(SobolSecondReversed(index), seed.y));
     constexpr float kUnit = 0x1p-24F;
     return {static_cast<float>(x >> 8) * kUnit, static_cast<float>(y >> 8) * kUnit};
   }
 
  private:
+  const SampleSeeds* seeds_;
   uint32_t first_;
-  uint32_t seed_;
 };
 
 // Two unit vectors that are right-angled to `n` (unit) and to each other (Duff et al. 2017).

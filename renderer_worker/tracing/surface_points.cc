@@ -67,12 +67,13 @@ std::vector<SurfacePoint> SpreadPoints(const World& world, int count) {
 }
 
 float MeanDirectLight(const World& world, const Lights& lights, const std::vector<SurfacePoint>& points, int samples) {
+  const SampleSeeds seeds(77);
   double sum = 0;
   for (size_t i = 0; i < points.size(); ++i) {
-    const PixelSamples random(static_cast<int>(i % 256), static_cast<int>(i / 256), samples, 77);
-    for (int k = 0; k < samples; ++k) {
-      const LightSample light =
-          SampleLights(lights, points[i].position, points[i].normal, random.At(k, 0), random.At(k, 1));
+    const PixelSamples random(seeds, static_cast<int>(i % 256), static_cast<int>(i / 256), samples);
+    const LightChoice choice(lights, points[i].position, points[i].normal);
+    for (int k = 0; k < samples && choice.any(); ++k) {
+      const LightSample light = choice.Sample(random.At(k, Purpose::kLight).x, random.At(k, Purpose::kPlaceOnLight));
       const float given = Luminance(light.irradiance);
       if (given > 0 && !world.Shaded(points[i].position, light.direction, light.distance * 0.999F)) sum += given;
     }

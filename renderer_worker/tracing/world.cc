@@ -79,8 +79,7 @@ std::vector<WorldInstance> InstancesOf(const Scene& scene, const CutAway& cut) {
     if (part.kind == ShellPart::Kind::kCeiling && cut.ceiling) instance.seen = instance.shades = false;
     if (wall != WallCut::kWhole) {
       instance.seen = false;
-      // Below a ceiling the light is that of the whole room; without one, that of the model on the table.
-      instance.shades = !cut.ceiling;
+      instance.shades = false;
       if (part.kind == ShellPart::Kind::kWall && wall == WallCut::kStub) {
         instance.mesh = &part.stub;
         instance.seen = instance.shades = true;
@@ -227,6 +226,7 @@ Hit Nearest(RTCScene scene, Vec3 from, Vec3 direction, float least, unsigned fla
   hit.triangle = static_cast<int>(query.hit.primID);
   hit.u = query.hit.u;
   hit.v = query.hit.v;
+  hit.across = {query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
   return hit;
 }
 
@@ -254,16 +254,6 @@ bool World::Shaded(Vec3 from, Vec3 direction, float distance) const {
   ray.flags = 0;
   rtcOccluded1(rays_->shading, &context, &ray);
   return ray.tfar < 0;
-}
-
-Vec3 World::GeometricNormalAt(const Hit& hit, Vec3 direction) const {
-  const WorldInstance& instance = instances_[hit.instance];
-  const MeshPart& part = instance.mesh->parts[hit.part];
-  const uint32_t* corner = &part.indices[3 * static_cast<size_t>(hit.triangle)];
-  const Vec3 a = part.positions[corner[0]];
-  const Vec3 normal =
-      Normalized(instance.TurnToRoom(Cross(part.positions[corner[1]] - a, part.positions[corner[2]] - a)));
-  return Dot(normal, direction) > 0 ? -normal : normal;
 }
 
 Surface World::SurfaceAt(const Hit& hit, Vec3 from, Vec3 direction) const {

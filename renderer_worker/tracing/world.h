@@ -32,6 +32,7 @@ struct Hit {
   int part = 0;
   int triangle = 0;
   float u = 0, v = 0;
+  Vec3 across;  // of the triangle, in its mesh, any length, either side
 };
 
 // The surface at a hit.
@@ -64,8 +65,10 @@ class World {
   const Material& MaterialAt(const Hit& hit) const { return instances_[hit.instance].mesh->parts[hit.part].material; }
   Vec3 MeanColourAt(const Hit& hit) const { return mean_colours_[instances_[hit.instance].mesh_index][hit.part]; }
   // The unit normal of the hit triangle, on the side that `direction` comes from.
-  Vec3 GeometricNormalAt(const Hit& hit, Vec3 direction) const;
-  const std::vector<std::vector<Vec3>>& mean_colours() const { return mean_colours_; }
+  Vec3 GeometricNormalAt(const Hit& hit, Vec3 direction) const {
+    const Vec3 normal = Normalized(instances_[hit.instance].TurnToRoom(hit.across));
+    return Dot(normal, direction) > 0 ? -normal : normal;
+  }
 
  private:
   struct Rays;

@@ -27,7 +27,7 @@ inline float Step(float low, float high, float value) {
   return Smooth(std::clamp((value - low) / (high - low), 0.0F, 1.0F));
 }
 
-inline Vec3 Blend(Vec3 a, Vec3 b, float share) { return a * (1 - share) + b * share; }
+inline Vec3 Lerp(Vec3 a, Vec3 b, float share) { return a * (1 - share) + b * share; }
 
 // Smooth noise in [0, 1] with features of size 1.
 inline float Noise(float x, float y, uint32_t salt) {

@@ -15,7 +15,7 @@ Vec3 Veined(const Material& m, Vec2 uv, float filter, float contrast) {
   const float fold = std::abs(FractalNoise(warped, size * 0.45F, 4, filter, 83));
   const float vein = 1 - Step(0.0F, 0.035F, fold);
   const float share = std::clamp(0.35F + 0.9F * clouds + contrast * vein, 0.0F, 1.0F);
-  return Blend(m.colour, m.second_colour, share);
+  return Lerp(m.colour, m.second_colour, share);
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ Vec3 StoneColour(const Material& m, Vec2 uv, float filter) {
   const float grain = FractalNoise(uv, size * 0.5F, 6, filter, static_cast<uint32_t>(stone_i * 31 + stone_k) + 109U);
   const Vec3 stone = m.colour * (tone + 0.35F * grain);
   const float rounded = 1 - 0.25F * (1 - Step(0.0F, 0.04F, edge));
-  return Blend(stone * rounded, m.second_colour * 0.7F, LineCover(edge, 0.016F, filter));
+  return Lerp(stone * rounded, m.second_colour * 0.7F, LineCover(edge, 0.016F, filter));
 }
 
 }  // namespace flair::renderer

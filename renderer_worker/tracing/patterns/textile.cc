@@ -10,7 +10,7 @@ Vec3 CarpetColour(const Material& m, Vec2 uv, float filter) {
   const float tuft = std::clamp(m.pattern_size_m, 0.004F, 0.03F);
   const float tufts = FractalNoise(uv, tuft, 2, filter, 131);
   const float pile = FractalNoise(uv, 0.5F, 3, filter, 137);
-  return Blend(m.colour, m.second_colour, std::clamp(0.3F + 0.9F * tufts + 0.25F * pile, 0.0F, 1.0F));
+  return Lerp(m.colour, m.second_colour, std::clamp(0.3F + 0.9F * tufts + 0.25F * pile, 0.0F, 1.0F));
 }
 
 // Threads over and under, a little uneven.
@@ -26,7 +26,7 @@ Vec3 FabricColour(const Material& m, Vec2 uv, float filter) {
     const float bulge = ((i + k) & 1) == 0 ? 1 - 4 * x * x : 1 - 4 * y * y;
     weave = 0.5F + kept * (0.75F - bulge);
   }
-  return Blend(m.colour, m.second_colour, std::clamp(weave * 0.6F + 0.2F * slub, 0.0F, 1.0F));
+  return Lerp(m.colour, m.second_colour, std::clamp(weave * 0.6F + 0.2F * slub, 0.0F, 1.0F));
 }
 
 }  // namespace flair::renderer

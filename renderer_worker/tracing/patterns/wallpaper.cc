@@ -39,7 +39,7 @@ Vec3 WallpaperColour(const Material& m, Vec2 uv, float filter) {
   const float kept = Kept(repeat * 0.15F, filter);
   const float share = 0.25F + kept * (0.75F * std::max(figure, 0.6F * frame) - 0.25F);
   const float paper = 1 + 0.03F * FractalNoise(uv, 0.01F, 2, filter, 167);
-  return Blend(m.colour, m.second_colour, share) * paper;
+  return Lerp(m.colour, m.second_colour, share) * paper;
 }
 
 }  // namespace flair::renderer

@@ -14,7 +14,7 @@ Vec3 Grain(const Material& m, Vec2 p, float filter, uint32_t board) {
   const float bands = FractalNoise({stretched.x, stretched.y + warp}, 0.035F, 3, filter, board);
   const float pores = FractalNoise(stretched, 0.006F, 2, filter, board + 31);
   const float dark = std::clamp(0.16F + 0.42F * bands + 0.28F * pores, 0.0F, 0.75F);
-  return Blend(m.colour, m.second_colour, dark);
+  return Lerp(m.colour, m.second_colour, dark);
 }
 
 Vec3 Board(const Material& m, Vec2 along, float filter, uint32_t board) {
@@ -42,7 +42,7 @@ Vec3 PlanksColour(const Material& m, Vec2 uv, float filter) {
       Board(m, {shifted, across}, filter, Mix(static_cast<uint32_t>(board) * 7919U + static_cast<uint32_t>(row)));
   const float edge = std::min(across, width - across);
   const float gap = std::max(LineCover(edge, 0.005F, filter), LineCover(std::abs(shifted - joint), 0.004F, filter));
-  return Blend(wood, m.second_colour * 0.35F, 0.8F * gap);
+  return Lerp(wood, m.second_colour * 0.35F, 0.8F * gap);
 }
 
 // Staves five times as long as wide, each row turned a right angle to the next.
@@ -64,7 +64,7 @@ Vec3 HerringboneColour(const Material& m, Vec2 uv, float filter) {
   const Vec3 wood =
       Board(m, {along * width + 3 * CellValue(static_cast<int>(stave), 0, 3), across * width}, filter, stave);
   const float edge = std::min({across, 1 - across, along, kLong - along}) * width;
-  return Blend(wood, m.second_colour * 0.4F, 0.7F * LineCover(edge, 0.003F, filter));
+  return Lerp(wood, m.second_colour * 0.4F, 0.7F * LineCover(edge, 0.003F, filter));
 }
 
 }  // namespace flair::renderer
