@@ -338,7 +338,7 @@ class Reader {
         break;
       case WordClass::kFeature:
         reference.plural = true;
-        raw.part_of_furniture = tokens_[at_ + phrase.length - 1].IsWord("doors") && phrase.length == 1;
+        raw.part_of_furniture = phrase.length == 1 && (tokens_[at_].IsWord("doors") || tokens_[at_].IsWord("door"));
         push_reference(RefKind::kFeature);
         break;
       case WordClass::kPlace: {

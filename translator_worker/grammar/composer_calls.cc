@@ -108,6 +108,10 @@ bool Composer::Emit(Call call) {
   }
   // "Space around it (at least 0.3 m on all sides)": the one with the figure stays.
   std::erase_if(calls_, [&](const Call& other) { return IsSameSpace(other, call); });
+  // "In the living area, under the sofa": the sofa says where the rug lies.
+  if (call.type == "rug_under_center" || call.type == "rug_under_forward") {
+    std::erase_if(calls_, [](const Call& other) { return other.type == "in_zone"; });
+  }
   for (Call& other : calls_) {
     if (Includes(other, call)) return true;
     if (Includes(call, other)) {

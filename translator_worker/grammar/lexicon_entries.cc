@@ -12,6 +12,8 @@ relation against: (installed|mounted|fixed|positioned|placed|set) against | [tuc
 relation along: along | alongside | lined up along | runs along | running along
 relation not_aligned: (avoid|not) aligning
 relation aligned: (line|lines|lining) up with | aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
+relation not_further: (no|not) [be] (further|farther) [away] from
+relation not_closer: (no|not) [be] (closer|nearer) to
 relation near: not (be|placed|located|positioned) [placed|located|positioned] [too|very] far [away] from | close at hand | at hand | within [easy|close|arm 's|arms|convenient|comfortable] reach | [within] [an|a] (arm 's|arms) length (of|from) | close enough (to|for) | near enough (to|for) | in conjunction with | together with | combined with | near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
   | proximity to | in the vicinity of | within [easy|arm 's|arms|comfortable|convenient|close] reach of | not far from | not too far from
   | easily accessible from | conveniently accessible from | in reach of | [within] [a] comfortable sitting distance (from|of)
@@ -31,7 +33,7 @@ relation right_of: (to|on|at) [the] right [side] of | right of | immediately rig
 relation foot_of: (at|by|near|against|below|beyond|beneath) the foot [end] of | at the end of
 relation head_of: (at|by|near) the head [end] of
 relation behind: behind | in back of | at the back of | at the rear of | to the rear of
-relation in_front_of: right in front of | in front of | (centered|centred|central|centrally) in front of | [directly] before | ahead of | in the front of
+relation in_front_of: [of] (open|free|clear|unobstructed) (area|zone) in front of | right in front of | in front of | (centered|centred|central|centrally) in front of | [directly] before | ahead of | in the front of
 relation in_front: (open|free|clear|unobstructed) (area|zone) in front | in front | at the front
 relation at_sides: (on|at|to|by) (both|each|either) (end|ends) | (on|at|to) (both|each|the|either) sides | on either side | on each side | at the sides | on both sides
 relation all_sides: (sit|sits|seated|stand|stands|walk|gather) (on|at|from) [all|every] [four] (side|sides) | on all (accessible|open) sides | on all [four] sides [of] | on every side [of] | at all sides [of] | from all sides
@@ -40,7 +42,7 @@ relation surround: surround | surrounds | surrounded | arranged around | [evenly
   | stand (around|round) | against each side of | on all sides round
 relation surrounded_by: surrounded by
 relation between: [in] between | [in] between the [outer|front|back|near|nearest|closest] (edge|edges) of
-relation on: [standing|sitting|resting|placed|perched|perching|stands|sits|rests|lies|lying|set|stored|kept] on top of | on the (mantel|mantelpiece|ledge|lid|seat|tray|rim) of | perched on | stored on | draped over | spread (over|across) | in (a|its) (separate|own|dedicated) | on | on top of | atop | onto | upon | resting on | sits on | sit on | stand on | stands on | standing on | sitting on | inside | in | into
+relation on: [the] top of | [standing|sitting|resting|placed|perched|perching|stands|sits|rests|lies|lying|set|stored|kept] on top of | on the (mantel|mantelpiece|ledge|lid|seat|tray|rim) of | perched on | stored on | draped over | spread (over|across) | in (a|its) (separate|own|dedicated) | on | on top of | atop | onto | upon | resting on | sits on | sit on | stand on | stands on | standing on | sitting on | inside | in | into
   | on one of the shelves (of|inside|in|on) | on a shelf of | on the (top|surface) of | on the (upper|lower|top|middle|bottom) (shelf|shelves) of
   | on the (upper|lower|top|middle|bottom) | laid on | lies on | lie on | rests on | rest on | within | displayed on | inside of
 relation under: under | underneath | beneath | below | extending (under|beneath) | extends (under|beneath) | spread under
@@ -73,9 +75,10 @@ relation block: (block|blocks|blocking|obstruct|obstructs|obstructing|hinder|hin
   | in [the] direct line of | in the (swing|line|arc) of | obstruct or block | block or obstruct | collide with | collides with | colliding with | hit | hits | hitting | in the swing path of | overlap | overlaps | overlapping
 relation clear_of: [be|is|are|remain|remains] clear of | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear (of|from) | leave [enough] (space|clearance|room) for | outside [of]
   | clear for | out of
+relation wall_placement: wall placement | (placement|positioning) (against|along) [a|the] wall
 relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free|unobstructed|unblocked|open) | unobstructed | unblocked | not obstructed | stays (clear|free)
 relation keep_front_clear: [the] (area|space|zone|floor space|floor area) in front of
-relation accessible: accessible (at|to|for) a (depth|distance|width) of | accessible | fully accessible | easily accessible | reachable | easy to (reach|access|get to) | approachable | accessibly | (unobstructed|easy|convenient|clear|full|direct) access
+relation accessible: passable | accessible (at|to|for) a (depth|distance|width) of | accessible | fully accessible | easily accessible | reachable | easy to (reach|access|get to) | approachable | accessibly | (unobstructed|easy|convenient|clear|full|direct) access
   | accessed | accessed easily | access is (needed|possible) | can be reached | be reached | free access | access
 relation power_access: (power|electrical|electric|electricity|socket|outlet) (access|connection|connections|accessibility)
 relation accessible_from: (can|could|may|should|must|to) be [easily] (reached|accessed|approached|used) (from|on|at) | (easy|possible) to (reach|access|approach|use) (from|on|at) | approachable (from|on|at|along) | [easily|conveniently|readily|quickly] (reached|reachable) from | readily accessible from | accessible (side|sides) | (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
@@ -111,7 +114,7 @@ relation corner_back_right: [on|at|in|near|towards|toward|to] [the|its] (back ri
 relation corner_front_left: [on|at|in|near|towards|toward|to] [the|its] (front left|left front) [hand] corner [of|on]
 relation corner_front_right: [on|at|in|near|towards|toward|to] [the|its] (front right|right front) [hand] corner [of|on]
 relation edge: [near|at|by|on|along] [the|an|its] edge | [on|at|near|by|towards|along] (the|an|one) (edge|end) (of|on) | edge of | (on|to) one (end|edge) of | [on|at] the edge of | end of | edges of
-relation edge: (on|at|to) (either|each) end of
+relation edge: [slightly] off (center|centre) | (on|at|to) (either|each) end of
 relation towards_back: [and] (towards|toward) the (back|rear|wall|back side|back edge) [of] | at the back edge of | [positioned] (towards|toward) the wall
 relation into_room: (angled|oriented|orientated|directed|pointed|pointing|positioned) (into|to|towards|toward) [the] [center|centre|middle|rest|inside] [of] the room | (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | [a|the] [good|clear|full] (view|overview) of [the] [whole|entire|main] room | [a|the] [good|clear|full|comfortable|wide] (view|viewing angle|overview|visibility) (over|across|of|into) [of] [the] [whole|entire|main|rest of the] room | overlooking the [whole|entire|rest of the] room | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the [whole|entire|main] (area|space) | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the rest of the (room|space|area) | facing inward | facing inwards | view of the [main|entire|whole] room
 relation hanging: (nailed|pinned|fastened|secured|anchored|tacked|taped|clipped|screwed|attached|fixed|affixed|strung|draped) [to|on|onto|across|along|from] | hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
@@ -140,7 +143,7 @@ wish: if available | if one is available | (if|where|when|provided) [the|your] (
   | as far as possible | whenever possible | if there is (space|room)
 purpose: than | for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | rather than | such as | like | depending | even
 condition: not [necessarily] need to | need not | not necessarily | not (necessary|required|needed|essential) | is optional | no need | if | unless | only if | in the event
-not: not | neither | hardly | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | don
+not: not | nowhere | neither | hardly | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | don
 side front: front [side|edge|face|end|part] | front and center | foot [end] | footboard | fronts | front sides
 side back: back [side|edge|end|part] | rear [side|edge] | headboard | head [end|side] | backrest | backs | back sides | headrest
 side left: left [hand] [side|edge|end] | left hand side
@@ -148,7 +151,7 @@ side right: right [hand] [side|edge|end] | right hand side
 side sides: arms | armrests | [both|the|two|either|each] sides | both [of its] sides | left and right [sides] | left and right side | (each|either) side | (left and right|right and left) sides | both ends | ends | lateral sides
 side opposite_two: [on|at] [at least] two opposite sides
 side side: side | [the] (arm|armrest) | [at least] one side | [at least] one of [its|the] sides | (left or right|right or left) [side] | a side | any side | at least one of its sides | one [free|open] side | one end
-side long_one: [at least|on|along] (one|a) [of its|of the|of their] (long|longer|longest|lengthwise) (side|sides|edge|edges) | (long|longer|longest) (side|edge) | (one|a) length
+side long_one: either [of the|of its] (long|longer|longest) (side|sides|edge|edges) | [at least|on|along] (one|a) [of its|of the|of their] (long|longer|longest|lengthwise) (side|sides|edge|edges) | (long|longer|longest) (side|edge) | (one|a) length
 side long_both: [both|the|two|on both|all] (long|longer|longest) (sides|edges)
 side short_one: [at least] (one|a) [of its|of the] (short|shorter) (side|sides|edge|edges) | (short|shorter) (side|edge) | one width
 side short_both: [both|the|two] (short|shorter) (sides|edges)
@@ -191,7 +194,7 @@ vague services: ventilation | ventilation system | drainage | plumbing | water s
 vague height: top | eye level | height | heights | at eye level | level surface | [at] [a] (comfortable|suitable|appropriate) height | top side | surface | reachable height | from above | tabletop
 side front: drawers | drawer | (door|drawer|working|user|sitting|seating|opening|access|viewing|operating) side
 vague lighting: [window] reflections | [window] glare | reflection | illuminate | illuminates | brightness
-vague comfort: sound | noise | decor | functionality | privacy | crowding | efficient use | appealing | quiet | conversation | interaction
+vague comfort: [out of] sight | sound | noise | decor | functionality | privacy | crowding | efficient use | appealing | quiet | conversation | interaction
 vague clutter: obstructions | obstacles | obstruction | major obstructions | clutter | workspace | important areas | hazards | other functions | essential areas | other areas | activities
 and: and [the] [outer|front|back|near|nearest|closest] (edge|edges) of | and | as well as | plus | along with | and also | in addition to
 or: or | and or

@@ -64,8 +64,7 @@ class Grouper {
           reference.side = in_[next].term.lemma;
           raw.term.end = in_[next].term.end;
           i = next;
-        } else if (Peek(next) && reference.kind == RefKind::kObjects && IsFeature(in_[next]) &&
-                   in_[next].part_of_furniture) {
+        } else if (Peek(next) && HasParts(reference) && IsFeature(in_[next]) && in_[next].part_of_furniture) {
           reference.side = "front";
           raw.term.end = in_[next].term.end;
           i = next;
@@ -82,6 +81,11 @@ class Grouper {
       }
     }
     in_ = std::move(out);
+  }
+
+  // "The wardrobe's doors", "its door": of a piece that is named or spoken of.
+  static bool HasParts(const Reference& reference) {
+    return reference.kind == RefKind::kObjects || (reference.kind == RefKind::kPronoun && reference.name == "it");
   }
 
   // "The right nightstand" of two.

@@ -52,6 +52,9 @@ std::vector<std::string> SidesOf(Composer& composer, const Placed& placed) {
 std::string OneSide(Composer& composer, const Placed& placed) {
   if (placed.side == "sides" || placed.side == "all" || placed.side == "side" || placed.side == "axial") return "";
   const std::vector<std::string> sides = SidesOf(composer, placed);
+  // "A long side against a wall": of front and back the back.
+  const bool open = placed.side == "long_one" || placed.side == "short_one";
+  if (open && sides.size() == 1 && sides.front() == "front") return "back";
   if (placed.side == "long_both" || placed.side == "short_both" || sides.size() != 1) return "";
   return sides.front();
 }

@@ -206,7 +206,7 @@ std::vector<Rule> AngleRules() {
   return {
       {"A? facing B", Facing},
       {"A? facing ,? in_front_of B", Facing},
-      {"A? not facing B", Facing, "not"},
+      {"A? not facing/opposite B", Facing, "not"},
       {"A? facing_away B", Facing, "not"},
       {"A? opposite B", Facing},
       {"A? facing_each_other", EachOther},

@@ -77,6 +77,7 @@ void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets
       side = OppositeSide(side);
     }
   }
+  if (!movers.empty() && !targets.empty()) composer.SetPair(movers, targets);
 }
 
 void KeepDistance(const Placed& mover, const Placed& other, const Distance* distance, Composer& composer) {

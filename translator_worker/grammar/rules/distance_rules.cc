@@ -318,6 +318,7 @@ std::vector<Rule> DistanceRules() {
       {"away_from? D apart?", BareDistance},
       {"A? D? space? away_from edge/corner of? B", AwayFrom},
       {"D away_from B", AwayFrom},
+      {"A? not_closer B than D", AwayFrom},
       {"not near B", AwayFrom},
       {"A? not behind/left_of/right_of/foot_of/each_side_of B", AwayFrom},
       {"A? not near/next_to/in_front_of/behind or near/next_to/in_front_of/behind B", AwayFrom},

@@ -185,7 +185,7 @@ std::vector<Rule> FeatureRules() {
       {"A? clear_of B", NotBlock},
       {"A? clear_of B.feature ,? swing_open", NotBlock},
       {"A? not in_front_of B.feature", NotBlock},
-      {"A? not in_front_of/under/behind/on/above/next_to B.feature", NotBlock},
+      {"A? not in_front_of/under/behind/on/above B.feature", NotBlock},
       {"A? not against/facing/opposite B.feature", NotBlock},
       {"A? not in_front_of/under/on/over or in_front_of/under/behind/on B.feature", NotBlock},
       {"B.feature keep_clear", KeepClear},

@@ -73,7 +73,9 @@ void NearEachOther(const Match& match, std::string_view, Composer& composer) {
   if (movers.size() < 2) movers = composer.subjects();
   if (movers.size() < 2) composer.Refuse("unknown_sentence", "nothing says what is near what; name two objects");
   for (size_t i = 1; i < movers.size(); ++i) {
-    composer.EmitFirst({Call("near").Text("object", composer.id(movers[i])).Text("target", composer.id(movers[0]))});
+    Call call = Call("near").Text("object", composer.id(movers[i])).Text("target", composer.id(movers[0]));
+    if (match.distance != nullptr) call.MaybeNumber("max_distance_m", match.distance->max_m);
+    composer.EmitFirst({std::move(call)});
   }
 }
 
@@ -101,7 +103,7 @@ std::vector<Rule> GroupRules() {
       {"A? next_to both_ways", Row},
       {"A? near both_ways", NearEachOther},
       {"A? against both_ways", Touching},
-      {"A.list together", NearEachOther},
+      {"A.list together ,? D?", NearEachOther},
       {"A? next_to both_ways ,? side_by_side", Row},
   };
 }

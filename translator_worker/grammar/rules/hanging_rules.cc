@@ -81,6 +81,7 @@ std::vector<Rule> HangingRules() {
       {"A? hanging? on_wall_of B.thing", OnWallNear},
       {"A? hanging near/next_to/left_of/right_of/to_side B", OnWallNear},
       {"A? hanging? away_from? on? C.ceiling ,? centered? above B", Above},
+      {"A? hanging? away_from? on? C.ceiling ,? on/centered B.zone", Above},
       {"A? hanging away_from C.ceiling ,? above B", Above},
       {"A? hanging? away_from/on C.ceiling ,? near/next_to B.thing", Above},
       {"A? hanging? away_from/on C.ceiling ,? near/next_to/on? corner", NotInCorner},

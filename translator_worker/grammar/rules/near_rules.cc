@@ -98,6 +98,14 @@ void Near(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+// "No further from the stove than 1.5 m".
+void NotFurther(const Match& match, std::string_view tag, Composer& composer) {
+  const Distance most{std::nullopt, match.distance->Nominal(), false};
+  Match near = match;
+  near.distance = &most;
+  Near(near, tag, composer);
+}
+
 // "Access to sockets" wants them near, "access to the door" wants it free.
 void AccessToFeature(const Match& match, std::string_view, Composer& composer) {
   const Reference& first = match.b->references.front();
@@ -197,6 +205,7 @@ std::vector<Rule> NearRules() {
       {"B.feature at_sides considered?", Near},
       {"A? near B D?", Near},
       {"C.vague near/accessible_from B.object", Near},
+      {"A? not_further B than D", NotFurther},
       {"A? near B , D apart?", Near},
       {"A? near D? of B", Near},
       {"A? D of/near B", Near},

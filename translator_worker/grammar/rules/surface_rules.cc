@@ -104,6 +104,7 @@ std::vector<Rule> SurfaceRules() {
       {"A? towards_back B.thing", On, "back_left"},
       {"A? on B.thing ,? towards_back", On, "back_left"},
       {"A? on B.thing , on/at_sides? C.side", On, "any"},
+      {"A? on B.thing ,? near/next_to C.side", On, "any"},
       {"A? on B.thing ,? corner_back_left", On, "back_left"},
       {"A? on B.thing ,? corner_back_right", On, "back_right"},
       {"A? on B.thing ,? corner_front_left", On, "front_left"},

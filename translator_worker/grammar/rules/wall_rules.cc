@@ -70,6 +70,16 @@ void Aligned(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+// "With their backs aligned": of the two last spoken of.
+void AlignedPair(const Match&, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.pair_movers()) {
+    for (const Placed& other : composer.pair_targets()) {
+      composer.EmitFirst({Call("parallel").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+    }
+  }
+  if (composer.pair_targets().empty()) composer.Refuse("unknown_sentence", "say with what it is aligned");
+}
+
 void SameWall(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_expressible", "no call compares the walls of two objects; name the wall");
 }
@@ -145,6 +155,8 @@ std::vector<Rule> WallRules() {
       {"A? not against B", NotAgainst},
       {"not against B", NotAgainst},
       {"A.side towards_back", TowardsWall},
+      {"A? wall_placement", TowardsWall},
+      {"A.side aligned both_ways?", AlignedPair},
       {"A? freestanding", Freestanding},
       {"A? corner B.room?", InCorner},
       {"A? corner of? B.room", InCorner},
