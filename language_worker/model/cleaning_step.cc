@@ -31,19 +31,13 @@ SentenceIndex IndexOf(const v1::ConstraintList& list) {
 }
 
 std::string SentencesText(const v1::ConstraintList& list) {
-  std::string text;
+  std::string text, heading;
   for (const v1::Sentence& sentence : list.sentences()) {
     if (sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY) continue;
-    text += fmt::format("{}{} [{}] {}", text.empty() ? "" : "\n", sentence.id(),
-                        fmt::join(sentence.subject_ids(), ", "), llm::QuoteData(sentence.text()));
-  }
-  return text;
-}
-
-std::string NamesText(const v1::ObjectList& objects) {
-  std::string text;
-  for (const ObjectGroup& group : GroupObjects(objects, /*floor_only=*/true)) {
-    text += (text.empty() ? "" : ", ") + group.name;
+    std::string own = fmt::format("[{}]\n", fmt::join(sentence.subject_ids(), ", "));
+    if (own != heading) text += own;
+    heading = std::move(own);
+    text += fmt::format("- {} {}\n", sentence.id(), llm::QuoteData(sentence.text()));
   }
   return text;
 }
@@ -62,18 +56,14 @@ std::string FaultOf(const ChangeAnswer& change, const SentenceIndex& sentences) 
   for (const std::string& id : change.from()) {
     if (sentences.at(id)->scope() != scope) return "joins sentences about one object with others about several";
   }
-  const std::string& action = change.action();
-  if (action == "merge" && (from < 2 || to != 1)) return "makes one of several: at least two in from, one in to";
-  if (action == "split" && (from != 1 || to < 2)) return "makes several of one: one in from, at least two in to";
-  if (action == "simplify" && (from != 1 || to != 1)) return "makes one of one: one in from, one in to";
-  if (action == "remove" && to != 0) return "removes: none in to";
+  if (from > 1 && to > 1) return "makes several sentences of several; one in from, or one in to, would be right";
   return "";
 }
 
 size_t RemovedCount(const CleaningAnswer& answer) {
   size_t count = 0;
   for (const ChangeAnswer& change : answer.changes()) {
-    if (change.action() == "remove") count += static_cast<size_t>(change.from_size());
+    if (change.to().empty()) count += static_cast<size_t>(change.from_size());
   }
   return count;
 }
@@ -82,23 +72,29 @@ size_t RemovedCount(const CleaningAnswer& answer) {
 CleaningAnswer WithoutRemovals(const CleaningAnswer& answer) {
   CleaningAnswer kept;
   for (const ChangeAnswer& change : answer.changes()) {
-    if (change.action() != "remove") *kept.add_changes() = change;
+    if (!change.to().empty()) *kept.add_changes() = change;
   }
   return kept;
 }
 
-v1::CleaningAction ActionOf(const std::string& word) {
-  if (word == "merge") return v1::CLEANING_ACTION_MERGED;
-  if (word == "split") return v1::CLEANING_ACTION_SPLIT;
-  return word == "remove" ? v1::CLEANING_ACTION_CONTRADICTION_REMOVED : v1::CLEANING_ACTION_SIMPLIFIED;
+v1::CleaningAction ActionOf(const ChangeAnswer& change) {
+  if (change.to().empty()) return v1::CLEANING_ACTION_CONTRADICTION_REMOVED;
+  if (change.from_size() > 1) return v1::CLEANING_ACTION_MERGED;
+  return change.to_size() > 1 ? v1::CLEANING_ACTION_SPLIT : v1::CLEANING_ACTION_SIMPLIFIED;
 }
 
 std::string ReasonOf(const ChangeAnswer& change) {
   if (!change.reason().empty()) return change.reason();
-  if (change.action() == "merge") return "They say the same.";
-  if (change.action() == "split") return "It says several things, each a constraint of its own.";
-  return change.action() == "remove" ? "It cannot hold together with the others, or says nothing about a place."
-                                     : "Plainer words.";
+  switch (ActionOf(change)) {
+    case v1::CLEANING_ACTION_MERGED:
+      return "They say the same.";
+    case v1::CLEANING_ACTION_SPLIT:
+      return "It says several things, each a constraint of its own.";
+    case v1::CLEANING_ACTION_SIMPLIFIED:
+      return "Plainer words.";
+    default:
+      return "It cannot hold together with the others, or says nothing about a place.";
+  }
 }
 
 class Changer {
@@ -117,8 +113,9 @@ class Changer {
     std::map<std::string, std::vector<v1::Sentence>> instead;
     std::vector<v1::CleaningStep> steps;
     for (const ChangeAnswer& change : answer.changes()) {
+      if (ChangesNothing(change)) continue;
       v1::CleaningStep& step = steps.emplace_back();
-      step.set_action(ActionOf(change.action()));
+      step.set_action(ActionOf(change));
       step.set_reason(ReasonOf(change));
       for (const std::string& id : change.from()) {
         step.add_from_ids(id);
@@ -146,6 +143,11 @@ class Changer {
   }
 
  private:
+  // A sentence in its own place.
+  bool ChangesNothing(const ChangeAnswer& change) const {
+    return change.from_size() == 1 && change.to_size() == 1 && change.to(0) == sentences_.at(change.from(0))->text();
+  }
+
   v1::Sentence Make(const ChangeAnswer& change, const std::string& text) {
     v1::Sentence made = *sentences_.at(change.from(0));
     made.set_text(words_.InWords(text));
@@ -217,9 +219,8 @@ absl::StatusOr<v1::ConstraintList> AskCleaning(const v1::Room& room, const v1::O
   v1::ConstraintList list = CleanConstraints(raw);
   const SentenceIndex sentences = IndexOf(list);
   if (sentences.empty()) return list;
-  llm::Question question =
-      MakeQuestion(tools, "cleaning", "cleaning", {{"objects", NamesText(objects)}, {"sentences", SentencesText(list)}},
-                   CleaningAnswer::default_instance());
+  llm::Question question = MakeQuestion(tools, "cleaning", "cleaning", {{"sentences", SentencesText(list)}},
+                                        CleaningAnswer::default_instance());
   llm::Choices& ids = question.choices["flair.model.v1.ChangeAnswer.from"];
   for (const v1::Sentence& sentence : list.sentences()) {
     if (sentences.contains(sentence.id())) ids.names.push_back(sentence.id());

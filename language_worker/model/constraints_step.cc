@@ -24,16 +24,19 @@ using model::v1::IntraAnswer;
 
 constexpr double kMustWeight = 2;
 constexpr double kShouldWeight = 1;
+
+// The sentences of an entry of either answer.
+template <typename Entry>
+void AddSentences(const Entry& entry, v1::SentenceScope scope, const std::vector<std::string>& subjects,
+                  const ObjectWords& words, v1::ConstraintList& list) {
+  for (const std::string& text : entry.must()) AddSentence(words.InWords(text), scope, kMustWeight, subjects, list);
+  for (const std::string& text : entry.should()) AddSentence(words.InWords(text), scope, kShouldWeight, subjects, list);
+}
+
 void AddIntra(const IntraAnswer& answer, const std::vector<ObjectGroup>& groups, const ObjectWords& words,
               v1::ConstraintList& list) {
   for (const model::v1::ObjectSentencesAnswer& object : answer.objects()) {
-    const std::vector<std::string> subjects = IdsOf(object.object(), groups);
-    for (const std::string& text : object.must()) {
-      AddSentence(words.InWords(text), v1::SENTENCE_SCOPE_INTRA, kMustWeight, subjects, list);
-    }
-    for (const std::string& text : object.should()) {
-      AddSentence(words.InWords(text), v1::SENTENCE_SCOPE_INTRA, kShouldWeight, subjects, list);
-    }
+    AddSentences(object, v1::SENTENCE_SCOPE_INTRA, IdsOf(object.object(), groups), words, list);
   }
 }
 
@@ -44,8 +47,7 @@ void AddInter(const InterAnswer& answer, const std::vector<ObjectGroup>& groups,
     for (const std::string& name : pair.objects()) {
       for (std::string& id : IdsOf(name, groups)) subjects.push_back(std::move(id));
     }
-    AddSentence(words.InWords(pair.text()), v1::SENTENCE_SCOPE_INTER, pair.must() ? kMustWeight : kShouldWeight,
-                subjects, list);
+    AddSentences(pair, v1::SENTENCE_SCOPE_INTER, subjects, words, list);
   }
 }
 
@@ -70,13 +72,14 @@ absl::StatusOr<v1::ConstraintList> AskConstraints(const ObjectsRequest& request,
   const std::vector<ObjectGroup> groups = GroupObjects(objects, /*floor_only=*/true);
   v1::ConstraintList list;
   if (!groups.empty()) {
-    const llm::PromptValues values = {{"brief", llm::QuoteData(request.brief.text())},
-                                      {"room", RoomText(request.room)},
-                                      {"objects", GroupsText(groups)}};
+    llm::PromptValues values = {{"brief", llm::QuoteData(request.brief.text())},
+                                {"room", RoomText(request.room)},
+                                {"objects", GroupsText(groups)}};
     std::vector<llm::Question> questions;
     questions.push_back(MakeQuestion(tools, "constraints.intra", "intra", values, IntraAnswer::default_instance()));
     questions.back().choices["flair.model.v1.ObjectSentencesAnswer.object"] = GroupChoices(groups);
     if (groups.size() > 1 || groups.front().objects.size() > 1) {
+      values["room"] = RoomSizeText(request.room);
       questions.push_back(MakeQuestion(tools, "constraints.inter", "inter", values, InterAnswer::default_instance()));
       questions.back().choices["flair.model.v1.PairAnswer.objects"] = GroupChoices(groups);
       questions.back().check = llm::CheckOf<InterAnswer>([](InterAnswer& answer) { return CheckInter(answer); });

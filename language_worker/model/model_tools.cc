@@ -10,16 +10,19 @@
 namespace flair::language {
 
 std::vector<llm::PromptSpec> LanguagePrompts() {
-  return {{"system", {}, {}},
-          {"room", {"brief"}, {"brief"}},
-          {"zones", {"brief", "room", "zone_count", "wanted_zones"}, {"brief", "room", "wanted_zones"}},
-          {"floor_objects", {"brief", "room", "zones", "area_m2"}, {"brief", "room", "zones"}},
-          {"tertiaries", {"brief", "room", "objects", "count"}, {"brief", "objects"}},
-          {"style", {"brief", "room", "objects"}, {"brief", "objects"}},
-          {"intra", {"brief", "room", "objects"}, {"room", "objects"}},
-          {"inter", {"brief", "room", "objects"}, {"objects"}},
-          {"cleaning", {"objects", "sentences"}, {"sentences"}},
-          llm::RepairPrompt()};
+  std::vector<llm::PromptSpec> prompts = llm::RepairPrompts();
+  const std::vector<llm::PromptSpec> steps = {
+      {"system", {}, {}},
+      {"room", {"brief"}, {"brief"}},
+      {"zones", {"brief", "room", "zone_count", "wanted_zones"}, {"brief", "room", "wanted_zones"}},
+      {"floor_objects", {"brief", "room", "zones", "area_m2"}, {"brief", "room", "zones"}},
+      {"tertiaries", {"brief", "room", "objects", "count"}, {"brief", "objects"}},
+      {"style", {"brief", "room", "objects"}, {"brief", "objects"}},
+      {"intra", {"brief", "room", "objects"}, {"room", "objects"}},
+      {"inter", {"brief", "room", "objects"}, {"objects"}},
+      {"cleaning", {"sentences"}, {"sentences"}}};
+  prompts.insert(prompts.end(), steps.begin(), steps.end());
+  return prompts;
 }
 
 std::filesystem::path DefaultPromptsFolder() {

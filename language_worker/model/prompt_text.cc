@@ -51,11 +51,14 @@ bool Alike(const v1::Object& a, const v1::Object& b) {
 
 }  // namespace
 
-std::string RoomText(const v1::Room& room) {
+std::string RoomSizeText(const v1::Room& room) {
   const FloorExtent extent = ExtentOf(room);
-  std::string text =
-      fmt::format("{}, {} m x {} m ({} m2), {} m high", llm::QuoteData(room.room_type()), Rounded(extent.width_m),
-                  Rounded(extent.depth_m), std::round(extent.area_m2 * 10) / 10, Rounded(room.height_m()));
+  return fmt::format("{}, {} m x {} m ({} m2), {} m high", llm::QuoteData(room.room_type()), Rounded(extent.width_m),
+                     Rounded(extent.depth_m), std::round(extent.area_m2 * 10) / 10, Rounded(room.height_m()));
+}
+
+std::string RoomText(const v1::Room& room) {
+  std::string text = RoomSizeText(room);
   for (int i = 0; i < room.walls_size(); ++i) text += "; " + WallText(room, i);
   return text;
 }

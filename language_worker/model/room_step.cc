@@ -208,6 +208,7 @@ absl::StatusOr<v1::Room> AskRoom(const v1::Brief& brief, const ModelTools& tools
   if (!facts.ok()) return facts.status();
   llm::Question question =
       MakeQuestion(tools, "room", "room", {{"brief", llm::QuoteData(brief.text())}}, RoomAnswer::default_instance());
+  question.repaired_whole = true;
   question.check = llm::CheckOf<RoomAnswer>([&](RoomAnswer& answer) { return CheckRoom(facts->size, answer); });
   const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
   if (!reply.ok()) return reply.status();

@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "language_worker/handbook/styling/choose_style.h"
 #include "language_worker/handbook/styling/style_choice.h"
+#include "language_worker/model/colour_text.h"
 #include "language_worker/model/prompt_text.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
@@ -20,49 +19,10 @@ namespace {
 
 using llm::Fault;
 using llm::FaultKind;
-using model::v1::ColourAnswer;
 using model::v1::LookAnswer;
 using model::v1::StyleAnswer;
 
 constexpr const char* kSubjectField = "flair.model.v1.LookAnswer.of";
-
-bool IsHex(std::string_view text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); });
-}
-
-int HexValue(std::string_view digits) {
-  int value = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-  return value;
-}
-
-// The three numbers of "rgb(1, 2, 3)" or "1,2,3".
-std::optional<std::array<int, 3>> ReadTriple(std::string_view text) {
-  std::array<int, 3> triple = {};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (int& value : triple) {
-    while (at != end && (*at < '0' || *at > '9')) ++at;
-    const auto [stop, error] = std::from_chars(at, end, value);
-    if (error != std::errc() || value > 255) return std::nullopt;
-    at = stop;
-  }
-  return triple;
-}
-
-std::optional<std::array<int, 3>> ReadHex(std::string_view text) {
-  if (text.starts_with("#")) text.remove_prefix(1);
-  if (text.size() == 6 && IsHex(text)) {
-    return std::array{HexValue(text.substr(0, 2)), HexValue(text.substr(2, 2)), HexValue(text.substr(4, 2))};
-  }
-  if (text.size() == 3 && IsHex(text)) {
-    return std::array{17 * HexValue(text.substr(0, 1)), 17 * HexValue(text.substr(1, 1)),
-                      17 * HexValue(text.substr(2, 1))};
-  }
-  if (text.starts_with("rgb")) return ReadTriple(text);
-  return std::nullopt;
-}
 
 // Groups by name, then openings by id: what a look is asked for.
 std::vector<ObjectGroup> Subjects(const StyleRequest& request) {
@@ -86,11 +46,10 @@ llm::Choices SubjectChoices(const StyleRequest& request) {
   return choices;
 }
 
-void CheckColour(const ColourAnswer& colour, const std::string& path, const Handbook& handbook,
+void CheckColour(const std::string& colour, const std::string& path, const Handbook& handbook,
                  std::vector<Fault>& faults) {
-  if (colour.hex().empty() || ReadColour(colour, handbook)) return;
-  faults.push_back(
-      {path + ".hex", fmt::format("is {}; a colour such as \"#7A8B6F\" would be right", llm::Quoted(colour.hex()))});
+  if (ReadColour(colour, handbook)) return;
+  faults.push_back({path, fmt::format("is {}; a colour such as \"sage #7A8B6F\" would be right", llm::Quoted(colour))});
 }
 
 std::vector<std::string> SubjectIds(const std::string& name, const StyleRequest& request) {
@@ -100,17 +59,17 @@ std::vector<std::string> SubjectIds(const std::string& name, const StyleRequest&
 }
 
 // "warm white lacquer"; the material alone when it names its colour: "oak".
-std::string FinishText(const std::string& material, const ColourAnswer& colour) {
+std::string FinishText(const std::string& material, const v1::Colour& colour) {
   const bool named = PlainName(material).find(PlainName(colour.name())) != std::string::npos;
   return named ? material : colour.name() + " " + material;
 }
 
 v1::StyleSheet ToStyleSheet(const StyleRequest& request, const Handbook& handbook, const StyleAnswer& answer) {
-  const auto colour = [&](const ColourAnswer& read) { return ReadColour(read, handbook).value_or(v1::Colour()); };
+  const auto colour = [&](const std::string& text) { return ReadColour(text, handbook).value_or(v1::Colour()); };
   v1::StyleSheet sheet;
   sheet.set_name(answer.name());
   sheet.set_summary(answer.summary());
-  for (const ColourAnswer& main : answer.palette()) *sheet.add_palette() = colour(main);
+  for (const std::string& main : answer.palette()) *sheet.add_palette() = colour(main);
   std::set<std::string> seen;
   for (const model::v1::SurfaceAnswer& surface : answer.surfaces()) {
     if (!seen.insert(surface.surface()).second) continue;
@@ -118,16 +77,20 @@ v1::StyleSheet ToStyleSheet(const StyleRequest& request, const Handbook& handboo
     style.set_surface(surface.surface());
     style.set_material(surface.material());
     *style.mutable_colour() = colour(surface.colour());
-    style.set_description(FinishText(surface.material(), surface.colour()));
+    style.set_description(FinishText(surface.material(), style.colour()));
   }
   for (const LookAnswer& look : answer.looks()) {
-    for (const std::string& id : SubjectIds(look.of(), request)) {
+    std::vector<std::string> ids;
+    for (const std::string& name : look.of()) {
+      for (std::string& id : SubjectIds(name, request)) ids.push_back(std::move(id));
+    }
+    for (const std::string& id : ids) {
       if (!seen.insert("of " + id).second) continue;
       v1::ObjectStyle& style = *sheet.add_objects();
       style.set_subject_id(id);
       style.set_material(look.material());
       *style.mutable_colour() = colour(look.colour());
-      style.set_description(look.description().empty() ? FinishText(look.material(), look.colour())
+      style.set_description(look.description().empty() ? FinishText(look.material(), style.colour())
                                                        : look.description());
     }
   }
@@ -162,22 +125,6 @@ void Complete(const v1::StyleSheet& other, v1::StyleSheet& sheet) {
 
 }  // namespace
 
-std::optional<v1::Colour> ReadColour(const ColourAnswer& answer, const Handbook& handbook) {
-  v1::Colour colour;
-  if (const auto read = ReadHex(answer.hex())) {
-    colour.set_red((*read)[0]);
-    colour.set_green((*read)[1]);
-    colour.set_blue((*read)[2]);
-  } else {
-    const hb::NamedColour* named = handbook.FindColour(PlainName(answer.hex()));
-    if (named == nullptr) named = handbook.FindColour(PlainName(answer.name()));
-    if (named == nullptr) return std::nullopt;
-    colour = ToColour(*named);
-  }
-  colour.set_name(answer.name());
-  return colour;
-}
-
 std::vector<Fault> CheckStyle(const StyleRequest& request, const ModelTools& tools, const StyleAnswer& answer) {
   std::vector<Fault> faults;
   for (int i = 0; i < answer.palette_size(); ++i) {
@@ -189,7 +136,7 @@ std::vector<Fault> CheckStyle(const StyleRequest& request, const ModelTools& too
   std::set<std::string> seen;
   for (int i = 0; i < answer.looks_size(); ++i) {
     CheckColour(answer.looks(i).colour(), fmt::format("looks[{}].colour", i), tools.handbook, faults);
-    seen.insert(answer.looks(i).of());
+    seen.insert(answer.looks(i).of().begin(), answer.looks(i).of().end());
   }
   const size_t wanted = Subjects(request).size() + static_cast<size_t>(request.room.openings_size());
   // The rest looks as the handbook has it; another call is worth more than that only when hardly anything is there.
@@ -205,7 +152,7 @@ absl::StatusOr<v1::StyleSheet> AskStyle(const StyleRequest& request, const Model
                                         llm::Conversation& conversation) {
   llm::Question question = MakeQuestion(tools, "style", "style",
                                         {{"brief", llm::QuoteData(request.brief.text())},
-                                         {"room", RoomText(request.room)},
+                                         {"room", RoomSizeText(request.room)},
                                          {"objects", SubjectsText(request)}},
                                         StyleAnswer::default_instance());
   question.choices[kSubjectField] = SubjectChoices(request);

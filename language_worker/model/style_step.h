@@ -31,7 +31,4 @@ absl::StatusOr<v1::StyleSheet> AskStyle(const StyleRequest& request, const Model
 std::vector<llm::Fault> CheckStyle(const StyleRequest& request, const ModelTools& tools,
                                    const model::v1::StyleAnswer& answer);
 
-// The colour of "#RRGGBB", "RRGGBB", "#RGB" or "rgb(r, g, b)"; else that of a name which the handbook knows.
-std::optional<v1::Colour> ReadColour(const model::v1::ColourAnswer& answer, const Handbook& handbook);
-
 }  // namespace flair::language

@@ -110,6 +110,7 @@ absl::StatusOr<v1::ZonePlan> AskZones(const v1::Brief& brief, const v1::Room& ro
                                          {"zone_count", CountText(FloorArea(room))},
                                          {"wanted_zones", WantedText(brief)}},
                                         ZonesAnswer::default_instance());
+  question.repaired_whole = true;
   question.check = llm::CheckOf<ZonesAnswer>([&](ZonesAnswer& answer) { return CheckZones(room, answer); });
   const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
   if (!reply.ok()) return reply.status();

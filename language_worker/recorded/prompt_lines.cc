@@ -76,44 +76,86 @@ std::optional<PromptObjects> ReadObjects(std::string_view line) {
   return objects;
 }
 
-// "- bed_1: "double bed", 1.60 x 2.00 x 0.50, sleeping, on the floor"
-std::optional<PromptObject> ReadTranslationObject(std::string_view line) {
-  if (!line.starts_with("- ")) return std::nullopt;
+// "- chair_1, chair_2: "dining chair", 0.45 x 0.5, dining, on a wall"; without the name where the ids tell it.
+std::vector<PromptObject> ReadTranslationObjectLine(std::string_view line) {
+  if (!line.starts_with("- ")) return {};
   line.remove_prefix(2);
   PromptObject object;
-  const auto id = TakeUntil(": \"", line);
-  if (!id || id->find(' ') != std::string_view::npos) return std::nullopt;
-  const auto name = TakeUntil("\", ", line);
-  const auto width = name ? TakeUntil(" x ", line) : std::nullopt;
-  const auto depth = width ? TakeUntil(" x ", line) : std::nullopt;
-  const auto height = depth ? TakeUntil(", ", line) : std::nullopt;
-  const auto zone = height ? TakeUntil(", ", line) : std::nullopt;
-  if (!zone) return std::nullopt;
-  object.id = std::string(*id);
-  object.name = std::string(*name);
-  if (*zone != "no zone") object.zone_id = std::string(*zone);
-  std::from_chars(width->data(), width->data() + width->size(), object.width_m);
-  std::from_chars(depth->data(), depth->data() + depth->size(), object.depth_m);
-  return object;
+  auto ids = TakeUntil(": ", line);
+  if (!ids) return {};
+  const std::string_view first_id = ids->substr(0, ids->find(", "));
+  object.name = std::string(WithoutNumber(first_id));
+  if (line.starts_with('"')) {
+    const auto name = TakeUntil("\", ", line);
+    if (!name) return {};
+    object.name = std::string(name->substr(1));
+  }
+  const auto width = TakeUntil(" x ", line);
+  const auto depth = width ? TakeUntil(", ", line) : std::nullopt;
+  if (!depth) return {};
+  const std::string_view zone = line.substr(0, line.find(','));
+  if (zone != "no zone") object.zone_id = std::string(zone);
+  const auto read = [](std::string_view text, double& number) {
+    const char* const end = text.data() + text.size();
+    return std::from_chars(text.data(), end, number).ptr == end;
+  };
+  if (!read(*width, object.width_m) || !read(*depth, object.depth_m)) return {};
+  std::vector<PromptObject> objects;
+  while (!ids->empty()) {
+    const size_t end = std::min(ids->find(", "), ids->size());
+    object.id = std::string(ids->substr(0, end));
+    objects.push_back(object);
+    ids->remove_prefix(std::min(end + 2, ids->size()));
+  }
+  return objects;
 }
 
-std::optional<PromptSentence> ReadSentence(std::string_view line) {
-  PromptSentence sentence;
-  if (line.starts_with("- ")) line.remove_prefix(2);
-  const auto id = TakeUntil(" [", line);
-  if (!id || id->empty() || id->find(' ') != std::string_view::npos) return std::nullopt;
-  sentence.id = std::string(*id);
-  auto subjects = TakeUntil("] ", line);
-  if (!subjects || !line.starts_with('"')) return std::nullopt;
-  while (!subjects->empty()) {
-    const size_t end = std::min(subjects->find(", "), subjects->size());
-    sentence.subject_ids.emplace_back(subjects->substr(0, end));
-    subjects->remove_prefix(std::min(end + 2, subjects->size()));
+// "[altar, workbench]"
+std::optional<std::vector<std::string>> ReadHeading(std::string_view line) {
+  if (line.size() < 2 || line.front() != '[' || line.back() != ']') return std::nullopt;
+  line = line.substr(1, line.size() - 2);
+  std::vector<std::string> ids;
+  while (!line.empty()) {
+    const size_t end = std::min(line.find(", "), line.size());
+    ids.emplace_back(line.substr(0, end));
+    line.remove_prefix(std::min(end + 2, line.size()));
   }
+  return ids;
+}
+
+// "- s1 "The bed stands at a wall.""
+std::optional<PromptSentence> ReadSentence(std::string_view line) {
+  if (!line.starts_with("- ")) return std::nullopt;
+  line.remove_prefix(2);
+  PromptSentence sentence;
+  const auto id = TakeUntil(" ", line);
+  if (!id || id->empty() || !line.starts_with('"')) return std::nullopt;
+  sentence.id = std::string(*id);
   const nlohmann::json text = nlohmann::json::parse(line, nullptr, /*allow_exceptions=*/false);
   if (!text.is_string()) return std::nullopt;
   sentence.text = text.get<std::string>();
   return sentence;
+}
+
+// "- near(object, target, max_distance_m? = 3): They are near."
+std::optional<PromptFunction> ReadFunction(std::string_view line) {
+  if (!line.starts_with("- ")) return std::nullopt;
+  line.remove_prefix(2);
+  PromptFunction function;
+  const auto name = TakeUntil("(", line);
+  auto parameters = name ? TakeUntil("): ", line) : std::nullopt;
+  if (!parameters || name->empty() || name->find(' ') != std::string_view::npos) return std::nullopt;
+  function.name = std::string(*name);
+  while (!parameters->empty()) {
+    const size_t end = std::min(parameters->find(", "), parameters->size());
+    const std::string_view parameter = parameters->substr(0, end);
+    parameters->remove_prefix(std::min(end + 2, parameters->size()));
+    const size_t name_end = std::min(parameter.find_first_of("?: ="), parameter.size());
+    if (name_end == parameter.size() || parameter[name_end] != '?') {
+      function.needed.emplace_back(parameter.substr(0, name_end));
+    }
+  }
+  return function;
 }
 
 }  // namespace
@@ -129,15 +171,28 @@ std::vector<PromptObjects> ReadPromptObjects(std::string_view prompt) {
 std::vector<PromptObject> ReadTranslationObjects(std::string_view prompt) {
   std::vector<PromptObject> list;
   ForEachLine(prompt, [&](std::string_view line) {
-    if (auto object = ReadTranslationObject(line)) list.push_back(*std::move(object));
+    for (PromptObject& object : ReadTranslationObjectLine(line)) list.push_back(std::move(object));
   });
   return list;
 }
 
 std::vector<PromptSentence> ReadPromptSentences(std::string_view prompt) {
   std::vector<PromptSentence> list;
+  std::vector<std::string> subject_ids;
   ForEachLine(prompt, [&](std::string_view line) {
-    if (auto sentence = ReadSentence(line)) list.push_back(*std::move(sentence));
+    if (auto heading = ReadHeading(line)) subject_ids = *std::move(heading);
+    if (auto sentence = ReadSentence(line)) {
+      sentence->subject_ids = subject_ids;
+      list.push_back(*std::move(sentence));
+    }
+  });
+  return list;
+}
+
+std::vector<PromptFunction> ReadPromptFunctions(std::string_view prompt) {
+  std::vector<PromptFunction> list;
+  ForEachLine(prompt, [&](std::string_view line) {
+    if (auto function = ReadFunction(line)) list.push_back(*std::move(function));
   });
   return list;
 }

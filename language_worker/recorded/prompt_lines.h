@@ -30,17 +30,25 @@ struct PromptObject {
   double depth_m = 0;
 };
 
-// A line of the cleaning prompt, or of one of the translation.
+// A sentence in the cleaning prompt, or in one of the translation, with the objects of the heading above it.
 struct PromptSentence {
   std::string id;
   std::vector<std::string> subject_ids;
   std::string text;
 };
 
+// A function in a prompt of the translation.
+struct PromptFunction {
+  std::string name;
+  // The parameters that it cannot do without, in order.
+  std::vector<std::string> needed;
+};
+
 // The lines of that form, in their order; others are passed over. Read any text.
 std::vector<PromptObjects> ReadPromptObjects(std::string_view prompt);
 std::vector<PromptObject> ReadTranslationObjects(std::string_view prompt);
 std::vector<PromptSentence> ReadPromptSentences(std::string_view prompt);
+std::vector<PromptFunction> ReadPromptFunctions(std::string_view prompt);
 
 // "dining_chair_3" without its number.
 std::string_view WithoutNumber(std::string_view id);

@@ -44,27 +44,43 @@ TEST(PromptLines, ReadWhatThePromptsOfTheStepsList) {
   EXPECT_EQ(objects[1].depth_m, 0.45);
 }
 
-TEST(PromptLines, ReadSentencesOfBothForms) {
+TEST(PromptLines, ReadSentencesUnderTheirHeadings) {
   const auto sentences = ReadPromptSentences(
-      "Sentences:\ns1 [bed, desk_2] \"The \\\"bed\\\" is near.\"\n- s2a [] \"Alone.\"\nnot [a] sentence\ns3 [x] bare");
-  ASSERT_THAT(sentences, SizeIs(2));
+      "Sentences:\n[bed, desk_2]\n- s1 \"The \\\"bed\\\" is near.\"\n- s2a \"Alone.\"\nnot [a] sentence\n[]\n- s3 "
+      "bare\n- "
+      "s4 \"Of none.\"\n");
+  ASSERT_THAT(sentences, SizeIs(3));
   EXPECT_THAT(sentences[0].subject_ids, ElementsAre("bed", "desk_2"));
   EXPECT_EQ(sentences[0].text, "The \"bed\" is near.");
   EXPECT_EQ(sentences[1].id, "s2a");
-  EXPECT_THAT(sentences[1].subject_ids, IsEmpty());
+  EXPECT_THAT(sentences[1].subject_ids, ElementsAre("bed", "desk_2"));
+  EXPECT_EQ(sentences[2].id, "s4");
+  EXPECT_THAT(sentences[2].subject_ids, IsEmpty());
 }
 
 TEST(PromptLines, ReadObjectsOfTheTranslation) {
   const auto objects = ReadTranslationObjects(
-      "- bed_1: \"double bed\", 1.60 x 2.00 x 0.50, sleeping, on the floor\n- lamp: \"lamp\", 0.20 x 0.20 x 0.40, no "
-      "zone, "
-      "on another object\n- near(object: object): a function\n");
-  ASSERT_THAT(objects, SizeIs(2));
+      "- bed_1: \"double bed\", 1.6 x 2, sleeping\n- stool_1, stool_2: 0.2 x 0.2, no zone, on another object\n"
+      "- near(object, target): a function, 2 x 3, that\n");
+  ASSERT_THAT(objects, SizeIs(3));
   EXPECT_EQ(objects[0].id, "bed_1");
   EXPECT_EQ(objects[0].name, "double bed");
   EXPECT_EQ(objects[0].depth_m, 2);
   EXPECT_EQ(objects[0].zone_id, "sleeping");
   EXPECT_EQ(objects[1].zone_id, "");
+  EXPECT_EQ(objects[2].id, "stool_2");
+  EXPECT_EQ(objects[2].name, "stool");
+}
+
+TEST(PromptLines, ReadFunctionsWithWhatTheyNeed) {
+  const auto functions = ReadPromptFunctions(
+      "- near(object, target, max_distance_m? = 3): Near.\n- row(objects): In a row (flush).\n- bed: 1 x 2, "
+      "sleeping\n- in "
+      "the (way): no\n");
+  ASSERT_THAT(functions, SizeIs(2));
+  EXPECT_EQ(functions[0].name, "near");
+  EXPECT_THAT(functions[0].needed, ElementsAre("object", "target"));
+  EXPECT_THAT(functions[1].needed, ElementsAre("objects"));
 }
 
 TEST(PromptLines, GroupsThatCannotBeAreNotReadFor) {

@@ -54,7 +54,9 @@ const std::map<std::string, KeySet, std::less<>> kWordsOf = {
 
 // A recorded call in today's words.
 struct RecordedCall {
-  model::v1::CallAnswer answer;
+  std::string function;
+  // As an answer writes it.
+  std::string text;
   std::vector<std::string> objects;
   // Doors, zones, distances: what else the sentence should name.
   std::vector<std::string> words;
@@ -115,20 +117,45 @@ std::vector<std::string> ValuesOf(const v1::ArgumentValue& value) {
   }
 }
 
-// False when the call names an object that is not there any more.
-bool ReadCall(const v1::ConstraintEdge& edge, const Ids& ids, RecordedCall& call) {
-  call.answer.set_function(edge.type());
-  for (const v1::Argument& argument : edge.arguments()) {
-    model::v1::CallArgumentAnswer& made = *call.answer.add_arguments();
-    made.set_name(argument.name());
-    for (std::string& value : ValuesOf(argument.value())) {
-      bool is_object = false;
-      if (!ids.Translate(value, is_object)) return false;
-      (is_object ? call.objects : call.words).push_back(value);
-      made.add_values(std::move(value));
+// "near(sofa, shelf, max_distance_m=1)": what the function needs by its place, the rest by name.
+std::string CallText(const std::string& function, const std::vector<std::string>& needed,
+                     const std::vector<std::pair<std::string, std::vector<std::string>>>& arguments) {
+  std::vector<std::string> by_place(needed.size()), written;
+  for (const auto& [name, values] : arguments) {
+    const std::string value = values.size() == 1 ? values.front() : fmt::format("[{}]", fmt::join(values, ", "));
+    const auto place = std::find(needed.begin(), needed.end(), name);
+    if (place != needed.end()) {
+      by_place[static_cast<size_t>(place - needed.begin())] = value;
+    } else {
+      written.push_back(fmt::format("{}={}", name, value));
     }
   }
-  return true;
+  // Without one of them the others are told by name.
+  const bool all = std::find(by_place.begin(), by_place.end(), "") == by_place.end();
+  for (size_t i = by_place.size(); i-- > 0;) {
+    if (by_place[i].empty()) continue;
+    written.insert(written.begin(), all ? by_place[i] : fmt::format("{}={}", needed[i], by_place[i]));
+  }
+  return fmt::format("{}({})", function, fmt::join(written, ", "));
+}
+
+// False when the call names an object that is not there any more.
+bool ReadCall(const v1::ConstraintEdge& edge, const std::vector<std::string>& needed, const Ids& ids,
+              RecordedCall& call) {
+  call.function = edge.type();
+  bool there = true;
+  std::vector<std::pair<std::string, std::vector<std::string>>> arguments;
+  for (const v1::Argument& argument : edge.arguments()) {
+    std::vector<std::string> values = ValuesOf(argument.value());
+    for (std::string& value : values) {
+      bool is_object = false;
+      there = ids.Translate(value, is_object) && there;
+      (is_object ? call.objects : call.words).push_back(value);
+    }
+    arguments.emplace_back(argument.name(), std::move(values));
+  }
+  call.text = CallText(edge.type(), needed, arguments);
+  return there;
 }
 
 class Matcher {
@@ -159,13 +186,13 @@ class Matcher {
       best_score = score;
     }
     if (best < 0) return false;
-    *answer_.mutable_sentences(best)->add_calls() = call.answer;
+    answer_.mutable_sentences(best)->add_calls(call.text);
     return true;
   }
 
   model::v1::CallsAnswer Finish() {
     for (model::v1::SentenceCallsAnswer& entry : *answer_.mutable_sentences()) {
-      if (entry.calls().empty()) entry.set_refusal("The recorded model made no call of it.");
+      if (entry.calls().empty()) entry.add_calls("none(no call was recorded)");
     }
     return std::move(answer_);
   }
@@ -190,7 +217,7 @@ class Matcher {
     for (const std::string& object : call.objects) {
       if (!Names(i, object)) return 0;
     }
-    const auto known = kWordsOf.find(call.answer.function());
+    const auto known = kWordsOf.find(call.function);
     if (call.objects.empty() || known == kWordsOf.end()) return 0;
     double score = 0;
     for (const std::string& word : known->second) score += words_[i].contains(word) ? 1 : 0;
@@ -246,7 +273,9 @@ CallKind KindOf(const v1::ConstraintEdge& edge, const RecordedRoom& room) {
 }  // namespace
 
 model::v1::CallsAnswer FindCalls(const RecordedRoom& room, std::string_view step, std::string_view prompt,
-                                 const std::vector<std::string>& functions, Conversion& conversion) {
+                                 Conversion& conversion) {
+  std::map<std::string, std::vector<std::string>> functions;  // with what they need
+  for (PromptFunction& function : ReadPromptFunctions(prompt)) functions[function.name] = std::move(function.needed);
   const std::vector<PromptObject> objects = ReadTranslationObjects(prompt);
   const std::vector<PromptSentence> sentences = ReadPromptSentences(prompt);
   const CallKind kind = step.ends_with("tertiary") ? CallKind::kTertiary
@@ -256,9 +285,9 @@ model::v1::CallsAnswer FindCalls(const RecordedRoom& room, std::string_view step
   Matcher matcher(sentences, objects, kind == CallKind::kTertiary);
   for (const v1::ConstraintEdge& edge : room.graph.edges()) {
     const bool own = KindOf(edge, room) == kind;
-    const bool known = std::find(functions.begin(), functions.end(), edge.type()) != functions.end();
+    const bool known = functions.contains(edge.type());
     RecordedCall call;
-    const bool there = ReadCall(edge, ids, call);
+    const bool there = ReadCall(edge, known ? functions[edge.type()] : std::vector<std::string>(), ids, call);
     // A sentence about a pair may say of one of them where its wall is.
     const bool taken = known && there && (own || (kind == CallKind::kInter && IsOfAWall(edge.type())));
     if (taken && matcher.Give(call, own ? "" : "wall")) {
@@ -266,7 +295,7 @@ model::v1::CallsAnswer FindCalls(const RecordedRoom& room, std::string_view step
       continue;
     }
     if (!own) continue;
-    conversion.Keep("calls", 0, call.answer.ShortDebugString(),
+    conversion.Keep("calls", 0, call.text,
                     !there  ? "its object was left out"
                     : known ? "no sentence says it"
                             : "is for another pass");

@@ -14,9 +14,8 @@ namespace flair::language {
 // Gives the calls that the recorded model translated its sentences to back to the sentences of a translation prompt. A
 // recording does not say which call is of which sentence: a call goes to the sentence about its objects whose words
 // name what the function does, the feature and the distance best; calls without such a sentence are kept in the
-// remarks. `step` names the pass ("translation.inter"), `functions` are those that it knows. Every sentence gets an
-// entry.
+// remarks. `step` names the pass ("translation.inter"). Every sentence gets an entry.
 model::v1::CallsAnswer FindCalls(const RecordedRoom& room, std::string_view step, std::string_view prompt,
-                                 const std::vector<std::string>& functions, Conversion& conversion);
+                                 Conversion& conversion);
 
 }  // namespace flair::language

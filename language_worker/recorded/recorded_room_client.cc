@@ -38,7 +38,9 @@ std::vector<std::string> FindChoices(const json& schema, const char* field) {
   std::vector<std::string> names;
   if (!schema.is_structured()) return names;
   if (schema.is_object() && schema.contains("properties") && schema["properties"].contains(field)) {
-    for (const json& name : schema["properties"][field].value("enum", json::array())) {
+    const json& described = schema["properties"][field];
+    // Of a list, those of its elements.
+    for (const json& name : described.value("items", described).value("enum", json::array())) {
       if (name.is_string()) names.push_back(name.get<std::string>());
     }
     return names;
@@ -71,14 +73,16 @@ absl::StatusOr<std::string> RecordedRoomClient::Answer(const std::string& step, 
   if (step == "style") return keep(answers_.Style(FindChoices(schema, "of"), conversion));
   if (step.starts_with("translation.")) {
     if (translation_ == RecordedTranslation::kRefused) return "I have no calls for these sentences.";
-    return keep(FindCalls(room_, step, question, FindChoices(schema, "function"), conversion));
+    return keep(FindCalls(room_, step, question, conversion));
   }
   return absl::NotFoundError(fmt::format("step \"{}\": a recorded room has no answer to it", step));
 }
 
 void RecordedRoomClient::Ask(const llm::ChatRequest& request, runtime::CallContext&, llm::AnswerCallback done) {
-  const std::string step = request.step.substr(0, request.step.find('/'));
-  absl::StatusOr<std::string> text = Answer(step, request);
+  // A repair shows what was answered; that is answered again.
+  const bool repair = request.step.ends_with("/repair") && request.messages.size() > 2;
+  absl::StatusOr<std::string> text =
+      repair ? request.messages[request.messages.size() - 2].text : Answer(request.step, request);
   if (!text.ok()) {
     done(text.status());
     return;

@@ -16,10 +16,8 @@ namespace {
 // Limits of the answers, see protos/flair/model/v1/constraint_answers.proto.
 constexpr int kMostPerObject = 12, kMostPairs = 200, kMostOfAPair = 8;
 
-void SetColour(const RecordedColour& colour, model::v1::ColourAnswer& answer) {
-  answer.set_name(colour.name);
-  answer.set_hex(colour.hex);
-}
+// As an answer writes it.
+std::string ColourText(const RecordedColour& colour) { return colour.name + " " + colour.hex; }
 
 // The names in the prompt that mean these objects. Objects that are called alike (two bookshelves of two sizes) share
 // their looks: the recorded texts tell them apart by size if at all.
@@ -98,12 +96,18 @@ model::v1::InterAnswer RecordedAnswers::Inter(std::string_view prompt, Conversio
       conversion.Unconvert("inter", sentence.text, names.empty() ? "its objects were left out" : "one too many");
       continue;
     }
-    model::v1::PairAnswer& pair = *answer.add_constraints();
+    model::v1::PairAnswer entry;
     for (const std::string& name : names) {
-      if (pair.objects_size() < kMostOfAPair) pair.add_objects(name);
+      if (entry.objects_size() < kMostOfAPair) entry.add_objects(name);
     }
-    pair.set_text(sentence.text);
-    pair.set_must(sentence.must);
+    const auto same = [&](const model::v1::PairAnswer& last) {
+      return std::equal(last.objects().begin(), last.objects().end(), entry.objects().begin(), entry.objects().end()) &&
+             (sentence.must ? last.must_size() : last.should_size()) < kMostPerObject;
+    };
+    const bool again = answer.constraints_size() > 0 && same(*answer.constraints().rbegin());
+    if (!again) *answer.add_constraints() = entry;
+    model::v1::PairAnswer& pair = *answer.mutable_constraints(answer.constraints_size() - 1);
+    *(sentence.must ? pair.add_must() : pair.add_should()) = sentence.text;
   }
   return answer;
 }
@@ -133,25 +137,25 @@ model::v1::StyleAnswer RecordedAnswers::Style(const std::vector<std::string>& na
       model::v1::SurfaceAnswer& surface = *answer.add_surfaces();
       surface.set_surface(look.surface);
       surface.set_material(look.material.empty() ? "paint" : look.material);
-      SetColour(look.colour, *surface.mutable_colour());
+      surface.set_colour(ColourText(look.colour));
       continue;
     }
     std::vector<std::string> keys = {NameKey(look.surface)};
     for (const int object : look.objects) keys.push_back(NameKey(all[static_cast<size_t>(object)]->name()));
-    for (const std::string& name : NamesFor(keys, names)) {
-      model::v1::LookAnswer& made = *answer.add_looks();
-      made.set_of(name);
-      made.set_material(look.material.empty() ? "mixed materials" : look.material);
-      SetColour(look.colour, *made.mutable_colour());
-      if (!look.description.empty()) made.set_description(look.description);
-    }
+    const std::vector<std::string> of = NamesFor(keys, names);
+    if (of.empty()) continue;
+    model::v1::LookAnswer& made = *answer.add_looks();
+    for (const std::string& name : of) made.add_of(name);
+    made.set_material(look.material.empty() ? "mixed materials" : look.material);
+    made.set_colour(ColourText(look.colour));
+    if (!look.description.empty()) made.set_description(look.description);
   }
   std::vector<std::pair<int, RecordedColour>> most;
   for (const auto& [colour, count] : palette) most.emplace_back(count, RecordedColour{colour.first, colour.second});
   std::stable_sort(most.begin(), most.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   constexpr size_t kPalette = 5;
   for (size_t i = 0; i < std::min(kPalette, most.size()); ++i) {
-    SetColour(most[i].second, *answer.add_palette());
+    answer.add_palette(ColourText(most[i].second));
   }
   return answer;
 }

@@ -32,16 +32,16 @@ const char* const kTertiaries = R"({"objects":[
   {"name":"pendant light","kind":"ceiling","at":null,"count":1,"width_m":0.4,"depth_m":0.4,"height_m":0.5,"elevation_m":null,"placement":"The pendant light hangs in the middle of the ceiling.","description":null,"requested":false}]})";
 
 const char* const kStyle = R"json({"name":"calm natural","summary":"Oak and linen. Warm whites.",
-  "palette":[{"name":"warm white","hex":"#F3EEE6"},{"name":"sage","hex":"#9CAF94"}],
-  "surfaces":[{"surface":"walls","material":"matt paint","colour":{"name":"warm white","hex":"#F3EEE6"}},
-    {"surface":"floor","material":"oak boards","colour":{"name":"oak","hex":"#B98B55"}},
-    {"surface":"ceiling","material":"paint","colour":{"name":"white","hex":"#FFFFFF"}}],
-  "looks":[{"of":"double_bed","material":"oak","colour":{"name":"oak","hex":"#B98B55"},"description":"A low oak bed."},
-    {"of":"nightstand","material":"oak","colour":{"name":"oak","hex":"B98B55"},"description":null},
-    {"of":"wardrobe","material":"lacquer","colour":{"name":"warm white","hex":"#fee"},"description":null},
-    {"of":"desk","material":"oak","colour":{"name":"oak","hex":"rgb(185, 139, 85)"},"description":null},
-    {"of":"desk_chair","material":"wool","colour":{"name":"sage","hex":"#9CAF94"},"description":null},
-    {"of":"door_1","material":"painted wood","colour":{"name":"white","hex":"#FFFFFF"},"description":null}]})json";
+  "palette":["warm white #F3EEE6","sage #9CAF94"],
+  "surfaces":[{"surface":"walls","material":"matt paint","colour":"warm white #F3EEE6"},
+    {"surface":"floor","material":"oak boards","colour":"oak #B98B55"},
+    {"surface":"ceiling","material":"paint","colour":"white #FFFFFF"}],
+  "looks":[{"of":["double_bed"],"material":"oak","colour":"oak #B98B55","description":"A low oak bed."},
+    {"of":["nightstand"],"material":"oak","colour":"oak B98B55","description":null},
+    {"of":["wardrobe"],"material":"lacquer","colour":"warm white #fee","description":null},
+    {"of":["desk"],"material":"oak","colour":"oak rgb(185, 139, 85)","description":null},
+    {"of":["desk_chair"],"material":"wool","colour":"sage #9CAF94","description":null},
+    {"of":["door_1"],"material":"painted wood","colour":"white #FFFFFF","description":null}]})json";
 
 const char* const kIntra = R"({"objects":[
   {"object":"double_bed","must":["The double bed's back is against a wall."],"should":["The double bed does not block a door.","There is 0.6 m of free floor to the left of the double bed."]},
@@ -51,10 +51,10 @@ const char* const kIntra = R"({"objects":[
   {"object":"desk_chair","must":[],"should":[]}]})";
 
 const char* const kInter = R"({"constraints":[
-  {"objects":["nightstand_1","double_bed"],"text":"The first nightstand is next to the left side of the double bed.","must":true},
-  {"objects":["nightstand_2","double_bed"],"text":"The second nightstand is next to the right side of the double bed.","must":true},
-  {"objects":["desk_chair","desk"],"text":"The desk chair is in front of the desk.","must":true},
-  {"objects":["wardrobe","double_bed"],"text":"Ideally the wardrobe is away from the double bed.","must":false}]})";
+  {"objects":["nightstand_1","double_bed"],"must":["The first nightstand is next to the left side of the double bed."],"should":[]},
+  {"objects":["nightstand_2","double_bed"],"must":["The second nightstand is next to the right side of the double bed."],"should":[]},
+  {"objects":["desk_chair","desk"],"must":["The desk chair is in front of the desk."],"should":[]},
+  {"objects":["wardrobe","double_bed"],"must":[],"should":["Ideally the wardrobe is away from the double bed."]}]})";
 
 }  // namespace
 
@@ -72,7 +72,7 @@ const std::map<std::string, std::string>& GoodAnswers() {
       {"constraints.intra", kIntra},
       {"constraints.inter", kInter},
       {"cleaning", R"({"changes":[
-        {"action":"simplify","from":["s11"],"to":["The wardrobe is away from the double bed."],"reason":"No ifs."}]})"},
+        {"from":["s11"],"to":["The wardrobe is away from the double bed."],"reason":null}]})"},
   };
   return answers;
 }

@@ -92,7 +92,7 @@ TEST_P(ObjectFaults, AreToldWithPlaceAndFiguresAndLeftOutAlone) {
   const ObjectCase& c = GetParam();
   StubbornSession session(c.step, [&](json& answer) { answer["objects"][1][c.field] = c.value; });
   const v1::ObjectList list = session.Objects();
-  EXPECT_THAT(session.Repair(), HasSubstr("objects[1]." + c.told));
+  EXPECT_THAT(session.Repair(), HasSubstr("objects[0]." + c.told));
   if (!c.left_out.empty()) {
     EXPECT_EQ(CountOf(list, c.left_out), 0);
     EXPECT_TRUE(HasDiagnostic(list.diagnostics(), "left_out", "objects[1]." + c.told)) << list.DebugString();
@@ -263,13 +263,13 @@ TEST(StepFaults, ZonesInAnyScriptHaveIds) {
 
 TEST(StepFaults, ColoursThatAreNoneLeaveTheirThingToTheHandbook) {
   StubbornSession session("style", [](json& answer) {
-    answer["looks"][0]["colour"] = {{"name", "mystery"}, {"hex", "#GGGGGG"}};
-    answer["looks"][1]["colour"] = {{"name", "sage green"}, {"hex", "greenish"}};
+    answer["looks"][0]["colour"] = "mystery #GGGGGG";
+    answer["looks"][1]["colour"] = "sage green #greenish";
   });
   session.Objects();
   const auto style = session->ChooseStyle();
   ASSERT_TRUE(style.ok()) << style.status();
-  EXPECT_THAT(session.Repair(), HasSubstr("looks[0].colour.hex: is \"#GGGGGG\""));
+  EXPECT_THAT(session.Repair(), HasSubstr("looks[0].colour: is \"mystery #GGGGGG\""));
   for (const v1::ObjectStyle& look : style->style_sheet().objects()) {
     if (look.subject_id() == "double_bed") {
       EXPECT_NE(look.description(), "A low oak bed.");
@@ -282,12 +282,12 @@ TEST(StepFaults, ColoursThatAreNoneLeaveTheirThingToTheHandbook) {
 TEST(StepFaults, SentencesAboutThingsThatAreNotThereGo) {
   StubbornSession session("constraints.inter", [](json& answer) {
     answer["constraints"].push_back(
-        {{"objects", {"piano", "desk"}}, {"text", "The piano is by the desk."}, {"must", true}});
+        {{"objects", {"piano", "desk"}}, {"must", {"The piano is by the desk."}}, {"should", json::array()}});
   });
   session.Objects();
   const auto list = session->ListConstraints();
   ASSERT_TRUE(list.ok()) << list.status();
-  EXPECT_THAT(session.Repair(), HasSubstr("constraints[4].objects[0]: is \"piano\"; one of"));
+  EXPECT_THAT(session.Repair(), HasSubstr("constraints[0].objects[0]: is \"piano\"; one of"));
   for (const v1::Sentence& sentence : list->constraint_list().sentences()) {
     EXPECT_EQ(sentence.text().find("piano"), std::string::npos);
   }
@@ -296,16 +296,15 @@ TEST(StepFaults, SentencesAboutThingsThatAreNotThereGo) {
 TEST(StepFaults, ChangesThatDoNotWhatTheySayAreNotMade) {
   StubbornSession session("cleaning", [](json& answer) {
     answer["changes"] = {
-        {{"action", "merge"}, {"from", {"s1"}}, {"to", {"The bed is by a wall."}}, {"reason", nullptr}},
-        {{"action", "remove"}, {"from", {"s99"}}, {"to", json::array()}, {"reason", nullptr}},
-        {{"action", "split"}, {"from", {"s3"}}, {"to", {"One."}}, {"reason", nullptr}}};
+        {{"from", {"s1", "s2"}}, {"to", {"The bed is by a wall.", "It is there."}}, {"reason", nullptr}},
+        {{"from", {"s99"}}, {"to", json::array()}, {"reason", nullptr}}};
   });
   session.Objects();
   const auto raw = session->ListConstraints();
   ASSERT_TRUE(raw.ok()) << raw.status();
   const auto cleaned = session->CleanConstraints();
   ASSERT_TRUE(cleaned.ok()) << cleaned.status();
-  EXPECT_THAT(session.Repair(), HasSubstr("changes[0]: makes one of several"));
+  EXPECT_THAT(session.Repair(), HasSubstr("changes[0]: makes several sentences of several"));
   EXPECT_THAT(session.Repair(), HasSubstr("changes[1].from[0]: is \"s99\""));
   EXPECT_GE(cleaned->constraint_list().sentences_size(), raw->constraint_list().sentences_size());
 }
@@ -314,7 +313,7 @@ TEST(StepFaults, AModelThatWouldRemoveMostSentencesIsNotFollowed) {
   StubbornSession session("cleaning", [](json& answer) {
     answer["changes"] = json::array();
     for (const char* id : {"s1", "s2", "s3", "s4", "s5", "s7", "s8", "s9", "s10"}) {
-      answer["changes"].push_back({{"action", "remove"}, {"from", {id}}, {"to", json::array()}, {"reason", "no"}});
+      answer["changes"].push_back({{"from", {id}}, {"to", json::array()}, {"reason", "no"}});
     }
   });
   session.Objects();

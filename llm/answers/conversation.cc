@@ -45,18 +45,12 @@ absl::Status ForStep(const std::string& step, const absl::Status& status) {
   return named;
 }
 
+void LeaveOutQuotations(std::vector<Fault>& faults) {
+  for (Fault& fault : faults) fault.text = WithoutQuotations(fault.text);
+}
+
 // Drops the elements with faults; returns those that make the whole answer useless.
 std::vector<Fault> LeaveOutFaulty(Reply& reply) { return DropFaulty(reply.faults, *reply.answer); }
-
-// Elements of the root's lists.
-int ElementCount(const google::protobuf::Message& answer) {
-  int count = 0;
-  const google::protobuf::Descriptor& type = *answer.GetDescriptor();
-  for (int i = 0; i < type.field_count(); ++i) {
-    if (type.field(i)->is_repeated()) count += answer.GetReflection()->FieldSize(answer, type.field(i));
-  }
-  return count;
-}
 
 // Faults of the caller's check are dropped where the reader found one already: a number that could not be read is also
 // 0.
@@ -70,7 +64,10 @@ void AddChecked(std::vector<Fault> checked, std::vector<Fault>& faults) {
 
 }  // namespace
 
-PromptSpec RepairPrompt() { return {.name = "repair", .placeholders = {"faults"}, .required = {"faults"}}; }
+std::vector<PromptSpec> RepairPrompts() {
+  return {{.name = "repair", .placeholders = {"faults"}, .required = {"faults"}},
+          {.name = "repair_part", .placeholders = {"faults"}, .required = {"faults"}}};
+}
 
 absl::StatusOr<Reply> Conversation::Ask(const Question& question) { return std::move(AskAll({&question, 1}).front()); }
 
@@ -89,13 +86,17 @@ std::vector<absl::StatusOr<Reply>> Conversation::AskAll(std::span<const Question
   Round(round);
   round.clear();
   for (Turn& turn : turns) {
-    if (!turn.error.ok() || turn.faults.empty()) continue;
+    const std::vector<Fault>& faults = turn.reply.faults;
+    if (!turn.error.ok() || std::none_of(faults.begin(), faults.end(), WorthAsking)) continue;
     PrepareRepair(turn);
     round.push_back(&turn);
   }
   if (!round.empty()) Round(round);
   std::vector<absl::StatusOr<Reply>> replies;
   for (Turn& turn : turns) {
+    if (options_.texts_omitted()) {
+      for (Reply* reply : {&turn.first_reply, &turn.reply}) LeaveOutQuotations(reply->faults);
+    }
     if (turn.error.ok()) turn.error = Finish(turn);
     if (turn.error.ok()) {
       replies.push_back(std::move(turn.reply));
@@ -109,12 +110,7 @@ std::vector<absl::StatusOr<Reply>> Conversation::AskAll(std::span<const Question
 absl::Status Conversation::Finish(Turn& turn) {
   const std::vector<Fault> useless = LeaveOutFaulty(turn.reply);
   if (turn.repairing && turn.first_reply.answer != nullptr) {
-    const bool whole = std::none_of(turn.first_reply.faults.begin(), turn.first_reply.faults.end(),
-                                    [](const Fault& fault) { return fault.kind == FaultKind::kDoubtful; });
-    const bool first_useful = LeaveOutFaulty(turn.first_reply).empty();
-    // Models at times repeat only what they mended; a list that was asked to be shorter is another matter.
-    const bool shrunk = whole && 2 * ElementCount(*turn.reply.answer) < ElementCount(*turn.first_reply.answer);
-    if (first_useful && (!useless.empty() || shrunk)) {
+    if (!useless.empty() && LeaveOutFaulty(turn.first_reply).empty()) {
       turn.reply = std::move(turn.first_reply);
       return absl::OkStatus();
     }
@@ -205,25 +201,62 @@ void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
   if (answer.finish == FinishReason::kRefused && unread) {
     faults.front().text = fmt::format("is a refusal: {}", Quoted(answer.text));
   }
-  // What could not be read at all need not be judged.
-  if (!unread && question.check) AddChecked(question.check(*turn.reply.answer), faults);
-  turn.faults = SentencesOf(faults, /*worth_asking_only=*/true);
-  if (options_.texts_omitted()) {
-    for (Fault& fault : faults) fault.text = WithoutQuotations(fault.text);
+  std::vector<Fault> of_answer;
+  if (turn.part) {
+    of_answer = TakePart(faults, turn);
+  } else {
+    turn.read_fault_count = faults.size();
+    // What could not be read at all need not be judged.
+    if (!unread && question.check) AddChecked(question.check(*turn.reply.answer), faults);
+    of_answer = faults;
+    turn.reply.faults = std::move(faults);
   }
-  Record(turn, answer, faults);
-  turn.reply.faults = std::move(faults);
+  if (options_.texts_omitted()) LeaveOutQuotations(of_answer);
+  Record(turn, answer, of_answer);
   turn.first_answer = answer.text;
+}
+
+std::vector<Fault> Conversation::TakePart(const std::vector<Fault>& read, Turn& turn) {
+  const std::unique_ptr<google::protobuf::Message> repair = std::move(turn.reply.answer);
+  Reply first = std::exchange(turn.first_reply, {});
+  Merged merged = MergeElements(*repair, read, *turn.part, *first.answer);
+  std::vector<Fault> faults = std::move(merged.faults);
+  for (size_t i = 0; i < first.faults.size(); ++i) {
+    const Fault& fault = first.faults[i];
+    const bool replaced = !NumberedInPart({&fault, 1}, merged.replaced).empty();
+    // What the caller's check said of the whole it says again.
+    const bool of_whole = i >= turn.read_fault_count && fault.path.find('[') == std::string::npos;
+    if (!replaced && !of_whole) faults.push_back(fault);
+  }
+  if (turn.question->check) AddChecked(turn.question->check(*first.answer), faults);
+  std::vector<Fault> of_repair = NumberedInPart(faults, *turn.part);
+  for (const Fault& fault : read) {
+    if (fault.path.empty()) of_repair.push_back(fault);
+  }
+  turn.reply = {std::move(first.answer), std::move(faults)};
+  return of_repair;
 }
 
 void Conversation::PrepareRepair(Turn& turn) const {
   turn.repairing = true;
   turn.first_reply = std::move(turn.reply);
-  std::string faults;
-  for (const std::string& sentence : turn.faults) faults += fmt::format("- {}\n", CutBytes(sentence, 500));
   turn.request.step += "/repair";
-  turn.request.messages.push_back({Role::kAssistant, CutBytes(ToUtf8(turn.first_answer), kMostQuotedBytes)});
-  turn.request.messages.push_back({Role::kUser, prompts_.Fill("repair", {{"faults", faults}})});
+  std::vector<Fault> asked = turn.first_reply.faults;
+  if (!turn.question->repaired_whole) turn.part = FaultyElements(asked, *turn.first_reply.answer);
+  std::string first_answer = ToUtf8(turn.first_answer);
+  if (turn.part) {
+    const google::protobuf::Message& answer = *turn.first_reply.answer;
+    asked = NumberedInPart(asked, *turn.part);
+    first_answer = PartOf(ExtractAnswer(first_answer, *answer.GetDescriptor()).value, answer, *turn.part);
+    if (turn.question->text_of_part) turn.request.messages[1].text = turn.question->text_of_part(answer, *turn.part);
+  }
+  std::string faults;
+  for (const std::string& sentence : SentencesOf(asked, /*worth_asking_only=*/true)) {
+    faults += fmt::format("- {}\n", CutBytes(sentence, 500));
+  }
+  turn.request.messages.push_back({Role::kAssistant, CutBytes(first_answer, kMostQuotedBytes)});
+  turn.request.messages.push_back(
+      {Role::kUser, prompts_.Fill(turn.part ? "repair_part" : "repair", {{"faults", faults}})});
 }
 
 bool Conversation::IsModelFailure(const absl::Status& status) {

@@ -172,10 +172,12 @@ class Reader {
       Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
       return std::string();
     };
-    if (!value.is_string() && !value.is_number()) return wrong();
-    std::string text = OneLine(value.is_string() ? value.get<std::string>() : value.dump());
+    const bool notation = FactsOf(field).notation();
+    if (!value.is_string() && !value.is_number() && !notation) return wrong();
+    std::string text = OneLine(value.is_string() ? value.get<std::string>()
+                                                 : value.dump(-1, ' ', false, json::error_handler_t::replace));
     const FieldTexts texts(field, choices_);
-    if (text.empty()) return field.has_optional_keyword() ? text : wrong();
+    if (text.empty()) return field.has_optional_keyword() || notation ? text : wrong();
     if (texts.get() != nullptr) {
       const std::optional<std::string> chosen = FindChoice(text, *texts.get());
       return chosen ? *chosen : wrong();
@@ -257,12 +259,15 @@ std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, Mess
   return reader.TakeFaults();
 }
 
-std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, Message& message) {
-  const google::protobuf::Descriptor& type = *message.GetDescriptor();
+ExtractedJson ExtractAnswer(std::string_view answer, const google::protobuf::Descriptor& type) {
   std::vector<std::string> keys;
   keys.reserve(static_cast<size_t>(type.field_count()));
   for (int i = 0; i < type.field_count(); ++i) keys.push_back(type.field(i)->name());
-  ExtractedJson extracted = ExtractJson(answer, keys);
+  return ExtractJson(answer, keys);
+}
+
+std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, Message& message) {
+  ExtractedJson extracted = ExtractAnswer(answer, *message.GetDescriptor());
   std::vector<Fault> faults = std::move(extracted.faults);
   if (extracted.value.is_discarded()) return faults;
   for (Fault& fault : ReadJson(extracted.value, choices, message)) faults.push_back(std::move(fault));

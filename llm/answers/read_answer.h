@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "llm/answers/choices.h"
+#include "llm/answers/extract_json.h"
 #include "llm/answers/fault.h"
 
 namespace flair::llm {
@@ -20,7 +21,10 @@ namespace flair::llm {
 std::vector<Fault> ReadJson(const nlohmann::json& value, const FieldChoices& choices,
                             google::protobuf::Message& message);
 
-// ExtractJson, then ReadJson: all that is wrong with what a model wrote. Pure; any bytes are good input.
+// ExtractJson with the fields of a type.
+ExtractedJson ExtractAnswer(std::string_view answer, const google::protobuf::Descriptor& type);
+
+// ExtractAnswer, then ReadJson: all that is wrong with what a model wrote. Pure; any bytes are good input.
 std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, google::protobuf::Message& message);
 
 }  // namespace flair::llm

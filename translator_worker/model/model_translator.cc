@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -72,35 +73,29 @@ class Run {
         names_(request.room(), request.zone_plan(), request.object_list()) {}
 
   llm::Question Ask(const Portion& portion, size_t number) const {
-    const std::vector<const v1::ConstraintType*> types = TypesFor(*portion.pass, request_.catalog());
     llm::Question question;
     question.step = std::string(portion.pass->step);
     if (number > 0) question.step += fmt::format(".{}", number + 1);
     question.system = prompts_.Fill("translator", {});
-    question.text = prompts_.Fill("translation", {{"pass", std::string(portion.pass->task)},
-                                                  {"functions", FunctionsText(types)},
-                                                  {"room", RoomText(request_.room())},
-                                                  {"zones", ZonesText(request_.zone_plan())},
-                                                  {"objects", ObjectsText(request_.object_list(), portion.sentences)},
-                                                  {"sentences", SentencesText(portion.sentences)}});
+    question.text = Text(portion, TypesFor(*portion.pass, request_));
     llm::Choices& ids = question.choices["flair.model.v1.SentenceCallsAnswer.id"];
     for (const v1::Sentence* sentence : portion.sentences) ids.names.push_back(sentence->id());
-    llm::Choices& functions = question.choices["flair.model.v1.CallAnswer.function"];
-    for (const v1::ConstraintType* type : types) {
-      functions.names.push_back(type->name());
-      for (const std::string& alias : type->aliases()) functions.aliases.emplace(alias, type->name());
-    }
     question.answer = &CallsAnswer::default_instance();
     question.check = llm::CheckOf<CallsAnswer>([this, &portion](CallsAnswer& answer) {
       std::vector<llm::Fault> faults;
-      ReadCalls(answer, portion.sentences, catalog_, reader_, &faults);
+      ReadCalls(answer, portion.sentences, FunctionsOf(portion), catalog_, reader_, &faults);
+      AddMissing(portion.sentences, answer, faults);
       return faults;
     });
+    question.text_of_part = [this, &portion](const google::protobuf::Message& answer, const llm::Elements& elements) {
+      return TextOfPart(portion, static_cast<const CallsAnswer&>(answer), elements.begin()->second);
+    };
     return question;
   }
 
   void Take(const Portion& portion, const llm::Reply& reply) {
-    const auto calls = ReadCalls(reply.As<CallsAnswer>(), portion.sentences, catalog_, reader_, nullptr);
+    const auto calls =
+        ReadCalls(reply.As<CallsAnswer>(), portion.sentences, FunctionsOf(portion), catalog_, reader_, nullptr);
     for (const v1::Sentence* sentence : portion.sentences) Keep(*sentence, calls.at(sentence->id()));
     for (const llm::Fault& fault : reply.faults) {
       if (fault.kind != llm::FaultKind::kWrong) continue;
@@ -158,6 +153,48 @@ class Run {
     double weight_factor = 1;
   };
 
+  // The names by which the functions of a pass may be called.
+  llm::Choices FunctionsOf(const Portion& portion) const {
+    llm::Choices functions;
+    for (const v1::ConstraintType* type : TypesFor(*portion.pass, request_)) {
+      functions.names.push_back(type->name());
+      for (const std::string& alias : type->aliases()) functions.aliases.emplace(alias, type->name());
+    }
+    return functions;
+  }
+
+  std::string Text(const Portion& portion, const std::vector<const v1::ConstraintType*>& types) const {
+    return prompts_.Fill("translation", {{"pass", std::string(portion.pass->task)},
+                                         {"functions", FunctionsText(types)},
+                                         {"room", RoomText(request_.room())},
+                                         {"zones", ZonesText(request_.zone_plan())},
+                                         {"objects", ObjectsText(request_.object_list(), portion.sentences)},
+                                         {"sentences", SentencesText(portion.sentences)}});
+  }
+
+  // The question for some sentences of an answer: the functions that it called for them, or all where that tells
+  // nothing.
+  std::string TextOfPart(const Portion& portion, const CallsAnswer& answer, const std::set<int>& numbers) const {
+    Portion part{portion.pass, {}};
+    const std::vector<const v1::ConstraintType*> all = TypesFor(*portion.pass, request_);
+    std::set<const v1::ConstraintType*> called;
+    bool clear = true;
+    for (const int number : numbers) {
+      const model::v1::SentenceCallsAnswer& said = answer.sentences(number);
+      for (const v1::Sentence* sentence : portion.sentences) {
+        if (sentence->id() == said.id()) part.sentences.push_back(sentence);
+      }
+      const std::optional<std::set<std::string>> names = FunctionsIn(said, FunctionsOf(portion));
+      clear = clear && names.has_value();
+      for (const std::string& name : names.value_or(std::set<std::string>())) called.insert(catalog_.Find(name));
+    }
+    std::vector<const v1::ConstraintType*> types;
+    for (const v1::ConstraintType* type : all) {
+      if (!clear || called.contains(type)) types.push_back(type);
+    }
+    return Text(part, types);
+  }
+
   void Keep(const v1::Sentence& sentence, const SentenceCalls& read) {
     Kept& kept = kept_[sentence.id()];
     kept.calls = read.calls;
@@ -189,12 +226,12 @@ class Run {
 absl::StatusOr<std::unique_ptr<ModelTranslator>> ModelTranslator::Make(std::unique_ptr<llm::LlmClient> client,
                                                                        const std::filesystem::path& prompts,
                                                                        const std::filesystem::path& overrides) {
-  const std::vector<std::string> parts = {"pass", "functions", "room", "zones", "objects", "sentences"};
-  absl::StatusOr<llm::PromptLibrary> library = llm::PromptLibrary::Load(
-      prompts, overrides,
-      {{.name = "translator", .placeholders = {}, .required = {}},
-       {.name = "translation", .placeholders = parts, .required = {"functions", "objects", "sentences"}},
-       llm::RepairPrompt()});
+  std::vector<llm::PromptSpec> specs = llm::RepairPrompts();
+  specs.push_back({.name = "translator", .placeholders = {}, .required = {}});
+  specs.push_back({.name = "translation",
+                   .placeholders = {"pass", "functions", "room", "zones", "objects", "sentences"},
+                   .required = {"functions", "objects", "sentences"}});
+  absl::StatusOr<llm::PromptLibrary> library = llm::PromptLibrary::Load(prompts, overrides, specs);
   if (!library.ok()) return library.status();
   return std::unique_ptr<ModelTranslator>(new ModelTranslator(std::move(client), *std::move(library)));
 }

@@ -22,14 +22,47 @@ bool IsOurs(std::string_view family) {
   return std::find(ours.begin(), ours.end(), family) != ours.end();
 }
 
+bool Any(const v1::ObjectList& list, v1::ObjectKind kind, bool tertiary_only) {
+  return std::any_of(list.objects().begin(), list.objects().end(), [&](const v1::Object& object) {
+    return object.kind() == kind && (!tertiary_only || object.role() == v1::OBJECT_ROLE_TERTIARY);
+  });
+}
+
+// Whether a pass has what the types of a family are about.
+bool HasUseFor(std::string_view family, const Pass& pass, const v1::ObjectList& objects) {
+  if (family == "surface") return Any(objects, v1::OBJECT_KIND_SURFACE, false);
+  if (family == "on_wall") return Any(objects, v1::OBJECT_KIND_WALL, false);
+  if (family == "ceiling") return Any(objects, v1::OBJECT_KIND_CEILING, false);
+  // Of the small things only those on the floor stand at walls, and only some of them are rugs.
+  const bool small_on_floor = Any(objects, v1::OBJECT_KIND_FLOOR, true);
+  if (family == "rug") return small_on_floor;
+  return family != "wall" || pass.scope != v1::SENTENCE_SCOPE_TERTIARY || small_on_floor;
+}
+
+// Whether there is something for every argument that a type needs.
+bool CanBeCalled(const v1::ConstraintType& type, const v1::TranslateRequest& request) {
+  int object_count = 0;
+  for (const v1::ParameterSpec& parameter : type.parameters()) {
+    if (!parameter.required()) continue;
+    const v1::ParameterKind kind = parameter.kind();
+    object_count += kind == v1::PARAMETER_KIND_OBJECT || kind == v1::PARAMETER_KIND_OBJECTS ? 1 : 0;
+    if (kind == v1::PARAMETER_KIND_ZONE && request.zone_plan().zones().empty()) return false;
+    if (kind == v1::PARAMETER_KIND_FEATURE && request.room().openings().empty() && request.room().sockets().empty()) {
+      return false;
+    }
+  }
+  return object_count <= request.object_list().objects_size();
+}
+
 }  // namespace
 
-std::vector<const v1::ConstraintType*> TypesFor(const Pass& pass, const v1::ConstraintCatalog& catalog) {
+std::vector<const v1::ConstraintType*> TypesFor(const Pass& pass, const v1::TranslateRequest& request) {
   const Families& families = FamiliesOf(pass.scope);
   std::vector<const v1::ConstraintType*> types;
-  for (const v1::ConstraintType& type : catalog.types()) {
-    if (type.built_in()) continue;
-    const bool wanted = std::find(families.begin(), families.end(), type.family()) != families.end();
+  for (const v1::ConstraintType& type : request.catalog().types()) {
+    if (type.built_in() || !CanBeCalled(type, request)) continue;
+    const bool wanted = std::find(families.begin(), families.end(), type.family()) != families.end() &&
+                        HasUseFor(type.family(), pass, request.object_list());
     if (wanted || !IsOurs(type.family())) types.push_back(&type);
   }
   return types;

@@ -8,6 +8,7 @@
 
 #include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/constraint_list.pb.h"
+#include "flair/v1/translator_service.pb.h"
 
 namespace flair::translator {
 
@@ -26,7 +27,8 @@ inline constexpr std::array<Pass, 3> kPasses = {
       "These sentences say where small things, rugs, lamps and wall pieces go."}}};
 
 // The types that a pass is told of: those of the families that its sentences speak of, and of every family that is not
-// one of ours, in the order of the catalogue. None is built in.
-std::vector<const v1::ConstraintType*> TypesFor(const Pass& pass, const v1::ConstraintCatalog& catalog);
+// one of ours, in the order of the catalogue, as far as the room has something to call them with: no lamps without a
+// ceiling lamp. None is built in.
+std::vector<const v1::ConstraintType*> TypesFor(const Pass& pass, const v1::TranslateRequest& request);
 
 }  // namespace flair::translator

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "flair/model/v1/calls_answers.pb.h"
 #include "flair/v1/constraint_list.pb.h"
+#include "llm/answers/choices.h"
 #include "llm/answers/fault.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/call.h"
@@ -22,15 +25,21 @@ struct SentenceCalls {
   // What was wrong with calls that were left out, and what was changed in others; sentences for people.
   std::vector<std::string> rejected;
   std::vector<std::string> adjusted;
-  // The model said something about it.
-  bool answered = false;
 };
 
-// The calls of a pass's answer that fit the catalogue, by sentence id. Says of every other one what is wrong, as faults
-// to ask about, in `faults` when it is not null. Takes any answer.
+// The calls of a pass's answer that are of its functions and fit the catalogue, by sentence id. Says of every other one
+// what is wrong, as faults to ask about, in `faults` when it is not null. Takes any answer.
 std::map<std::string, SentenceCalls> ReadCalls(const model::v1::CallsAnswer& answer,
                                                const std::vector<const v1::Sentence*>& sentences,
-                                               const CatalogIndex& catalog, const ArgumentReader& reader,
-                                               std::vector<llm::Fault>* faults);
+                                               const llm::Choices& functions, const CatalogIndex& catalog,
+                                               const ArgumentReader& reader, std::vector<llm::Fault>* faults);
+
+// The functions that an entry calls, by name; nothing when it calls one that there is not, or none.
+std::optional<std::set<std::string>> FunctionsIn(const model::v1::SentenceCallsAnswer& said,
+                                                 const llm::Choices& functions);
+
+// Appends an entry without calls for every sentence that has none, with a fault to ask about.
+void AddMissing(const std::vector<const v1::Sentence*>& sentences, model::v1::CallsAnswer& answer,
+                std::vector<llm::Fault>& faults);
 
 }  // namespace flair::translator
