@@ -6,6 +6,7 @@
 #include "translator_worker/grammar/furniture_words.h"
 #include "translator_worker/grammar/lexicon.h"
 #include "translator_worker/grammar/noun_phrases.h"
+#include "translator_worker/grammar/prepare_tokens.h"
 #include "translator_worker/grammar/quantity.h"
 #include "translator_worker/grammar/rewrite_terms.h"
 #include "translator_worker/grammar/term.h"
@@ -20,9 +21,6 @@ class Reader {
       : tokens_(std::move(tokens)), names_(names), analysis_(analysis) {}
 
   std::vector<RawTerm> Run() {
-    DropAdverbs();
-    JoinNeitherNor();
-    MoveAdjectiveBehindSide();
     while (at_ < tokens_.size()) {
       if (at_ == inlined_end_) {
         ++at_;
@@ -63,43 +61,6 @@ class Reader {
     term.term.end = tokens_[at_ + length - 1].end;
     at_ += length;
     terms_.push_back(std::move(term));
-  }
-
-  // "Backed directly onto": adverbs that say nothing of places do not come between the words of a phrase.
-  void DropAdverbs() {
-    static constexpr std::array<std::string_view, 7> kAdverbs = {"directly", "immediately", "firmly", "securely",
-                                                                 "properly", "safely",      "neatly"};
-    std::erase_if(tokens_, [](const Token& token) {
-      return token.kind == Token::Kind::kWord &&
-             std::find(kAdverbs.begin(), kAdverbs.end(), token.text) != kAdverbs.end();
-    });
-  }
-
-  // "Neither X nor Y" denies a list.
-  void JoinNeitherNor() {
-    bool neither = false;
-    for (Token& token : tokens_) {
-      neither = (neither || token.IsWord("neither")) && !token.IsMark('.');
-      if (neither && token.IsWord("nor")) token.text = "and";
-    }
-  }
-
-  // "At least one accessible side" is at least one side accessible.
-  void MoveAdjectiveBehindSide() {
-    static constexpr std::array<std::string_view, 4> kAdjectives = {"accessible", "unobstructed", "unblocked",
-                                                                    "reachable"};
-    for (size_t i = 0; i + 2 < tokens_.size(); ++i) {
-      const bool adjective = std::find(kAdjectives.begin(), kAdjectives.end(), tokens_[i].text) != kAdjectives.end();
-      size_t side = i + 1;
-      while (side < tokens_.size() && (tokens_[side].IsWord("long") || tokens_[side].IsWord("short"))) ++side;
-      if (!adjective || side + 1 >= tokens_.size() || tokens_[side + 1].IsMark(':')) continue;
-      const bool end = tokens_[side].IsWord("front") || tokens_[side].IsWord("back");
-      const bool after_article = i > 0 && (tokens_[i - 1].IsWord("an") || tokens_[i - 1].IsWord("a"));
-      if (!tokens_[side].IsWord("side") && !tokens_[side].IsWord("sides") && !(end && after_article)) continue;
-      std::rotate(tokens_.begin() + static_cast<long>(i), tokens_.begin() + static_cast<long>(i) + 1,
-                  tokens_.begin() + static_cast<long>(side) + 1);
-      i = side;
-    }
   }
 
   // "any side tables" is not "any side" and "tables": a name that begins within a phrase and ends after it cuts it
@@ -382,7 +343,7 @@ class Reader {
 
 Analysis Analyse(std::string_view text, const SceneNames& names) {
   Analysis analysis;
-  Reader reader(JoinQuantities(Tokenize(text)), names, analysis);
+  Reader reader(PrepareTokens(JoinQuantities(Tokenize(text))), names, analysis);
   analysis.terms = GroupNounPhrases(reader.Run());
   RewriteTerms(analysis.terms);
   return analysis;

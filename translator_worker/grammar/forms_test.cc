@@ -107,6 +107,26 @@ TEST(Forms, BracketsAddFiguresSidesAndMembers) {
   EXPECT_EQ(Read("The front (1.4m) is accessible.", {"desk"}), "accessible(object=desk, sides=[\"front\"])");
 }
 
+TEST(Forms, DenialsReachAcrossOrAndNor) {
+  EXPECT_EQ(Read("Not in front of the window or over sockets.", {"desk"}),
+            "clear_of_feature(object=desk, feature=window); clear_of_feature(object=desk, feature=socket)");
+  EXPECT_EQ(Read("Neither the window nor the door should be blocked by the desk."),
+            "clear_of_feature(object=desk, feature=window); clear_of_feature(object=desk, feature=door)");
+  EXPECT_EQ(Read("Should not prevent the door from opening.", {"desk"}), "clear_of_feature(object=desk, feature=door)");
+  EXPECT_EQ(Read("The desk must not be too far from the daybed."), "near(object=desk, target=daybed)");
+  EXPECT_EQ(Read("The front is accessible; the back need not be.", {"desk"}),
+            "accessible(object=desk, sides=[\"front\"])");
+}
+
+TEST(Forms, SidesOfAThingAreNotOtherThings) {
+  EXPECT_EQ(Read("Needs to be easily accessible from all sides.", {"desk"}),
+            "accessible(object=desk, sides=[\"front\",\"back\",\"left\",\"right\"])");
+  EXPECT_EQ(Read("Must be accessible from the front, left and right.", {"desk"}),
+            "accessible(object=desk, sides=[\"front\",\"left\",\"right\"])");
+  EXPECT_EQ(Read("Its top and front should be accessible.", {"desk"}), "accessible(object=desk, sides=[\"front\"])");
+  EXPECT_EQ(Read("Needs a solid wall behind it.", {"desk"}), "against_wall(object=desk, side=back)");
+}
+
 TEST(Forms, SidesAreNamedByLengthPlaceAndAdjective) {
   EXPECT_EQ(Read("The 2m side is accessible.", {"daybed"}), "accessible(object=daybed, sides=[\"left\"])");
   EXPECT_EQ(Read("The 1.4m sides are accessible.", {"desk"}), "accessible(object=desk, sides=[\"front\",\"back\"])");

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/prepare_tokens.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace flair::translator {
+namespace {
+
+// "Backed directly onto": adverbs that say nothing of places do not come between the words of a phrase.
+void DropAdverbs(std::vector<Token>& tokens) {
+  static constexpr std::array<std::string_view, 7> kAdverbs = {"directly", "immediately", "firmly", "securely",
+                                                               "properly", "safely",      "neatly"};
+  std::erase_if(tokens, [](const Token& token) {
+    return token.kind == Token::Kind::kWord &&
+           std::find(kAdverbs.begin(), kAdverbs.end(), token.text) != kAdverbs.end();
+  });
+}
+
+// "Neither X nor Y" denies a list.
+void JoinNeitherNor(std::vector<Token>& tokens) {
+  bool neither = false;
+  for (Token& token : tokens) {
+    neither = (neither || token.IsWord("neither")) && !token.IsMark('.');
+    if (neither && token.IsWord("nor")) token.text = "and";
+  }
+}
+
+// "At least one accessible side" is at least one side accessible.
+void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
+  static constexpr std::array<std::string_view, 4> kAdjectives = {"accessible", "unobstructed", "unblocked",
+                                                                  "reachable"};
+  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
+    const bool adjective = std::find(kAdjectives.begin(), kAdjectives.end(), tokens[i].text) != kAdjectives.end();
+    size_t side = i + 1;
+    while (side < tokens.size() && (tokens[side].IsWord("long") || tokens[side].IsWord("short"))) ++side;
+    if (!adjective || side + 1 >= tokens.size() || tokens[side + 1].IsMark(':')) continue;
+    const bool end = tokens[side].IsWord("front") || tokens[side].IsWord("back");
+    const bool after_article = i > 0 && (tokens[i - 1].IsWord("an") || tokens[i - 1].IsWord("a"));
+    if (!tokens[side].IsWord("side") && !tokens[side].IsWord("sides") && !(end && after_article)) continue;
+    std::rotate(tokens.begin() + static_cast<long>(i), tokens.begin() + static_cast<long>(i) + 1,
+                tokens.begin() + static_cast<long>(side) + 1);
+    i = side;
+  }
+}
+
+}  // namespace
+
+std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
+  DropAdverbs(tokens);
+  JoinNeitherNor(tokens);
+  MoveAdjectiveBehindSide(tokens);
+  return tokens;
+}
+
+}  // namespace flair::translator

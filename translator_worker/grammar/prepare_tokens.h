@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "translator_worker/grammar/token.h"
+
+namespace flair::translator {
+
+// Makes some ways of saying a thing one, before phrases are looked up: adverbs that place nothing are dropped, "neither
+// X nor Y" becomes "neither X and Y", "one accessible side" becomes "one side accessible". Linear in the tokens.
+std::vector<Token> PrepareTokens(std::vector<Token> tokens);
+
+}  // namespace flair::translator
