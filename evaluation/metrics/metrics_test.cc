@@ -43,6 +43,14 @@ TEST(Oor, WallObjectsCollideOnlyAtTheSameHeight) {
               100 * 0.1 / 20, 1e-9);
 }
 
+TEST(Oor, WhatHangsOnAWallObjectDoesNotCollideWithIt) {
+  const std::string shelf = "4x5 room; shelf 1x0.2 at 2,0.1,0 wall tertiary height 0.4 elevation 1.5; ";
+  EXPECT_GT(OorPercent(Furnished(shelf + "lamp 0.1x0.1 at 2,0.1,0 wall tertiary height 0.3 elevation 1.6").view()), 0);
+  EXPECT_EQ(
+      OorPercent(Furnished(shelf + "lamp 0.1x0.1 at 2,0.1,0 wall tertiary height 0.3 elevation 1.6 on shelf").view()),
+      0);
+}
+
 TEST(Oor, AWallObjectOverAWindowCountsAtTheWindowsHeight) {
   const std::string room = "4x5 room; window south 1.5 1 sill 0.9 head 2; ";
   EXPECT_NEAR(OorPercent(Furnished(room + "a 1x0.1 at 2,0.05,0 wall tertiary height 0.5 elevation 1").view()),

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastArea_m2 = 1e-12;
 constexpr int kArcPieces = 32;
 constexpr double kHeightSlack_m = 1e-9;
-// A picture may begin where a wardrobe ends, to the centimetre.
+// A picture may begin where a wardrobe or another picture ends, to the centimetre.
 constexpr double kAboveSlack_m = 0.01;
 // A runner, a tray, a throw: flat enough for other things to stand on.
 constexpr double kFlat_m = 0.05;
@@ -33,7 +33,7 @@ bool HeightsOverlap(double low_a, double high_a, double low_b, double high_b, do
 bool HangsBehind(const Scene& scene, int on_wall, int on_floor) {
   const Object& a = scene.objects[static_cast<size_t>(on_wall)];
   const Object& b = scene.objects[static_cast<size_t>(on_floor)];
-  return a.kind == ObjectKind::kWall && IsSolid(b) && a.host != on_floor &&
+  return a.kind == ObjectKind::kWall && IsSolid(b) && !scene.Carries(on_floor, on_wall) &&
          HeightsOverlap(scene.BottomOf(on_wall), scene.TopOf(on_wall), scene.BottomOf(on_floor), scene.TopOf(on_floor),
                         kAboveSlack_m);
 }
@@ -44,8 +44,9 @@ bool CanCollide(const Scene& scene, size_t i, size_t k) {
   const int ia = static_cast<int>(i), ib = static_cast<int>(k);
   if (a.kind != b.kind) return HangsBehind(scene, ia, ib) || HangsBehind(scene, ib, ia);
   if (a.kind == ObjectKind::kFloor) return IsSolid(a) && IsSolid(b);
+  if (scene.Carries(ia, ib) || scene.Carries(ib, ia)) return false;
   if (a.kind == ObjectKind::kSurface && std::min(a.height_m, b.height_m) <= kFlat_m) return false;
-  return HeightsOverlap(scene.BottomOf(ia), scene.TopOf(ia), scene.BottomOf(ib), scene.TopOf(ib));
+  return HeightsOverlap(scene.BottomOf(ia), scene.TopOf(ia), scene.BottomOf(ib), scene.TopOf(ib), kAboveSlack_m);
 }
 
 void AddPairs(const LayoutView& view, std::vector<Overlap>& overlaps) {

@@ -4,9 +4,11 @@
 //   OOR  what is in the same place as something else:
 //        - solid floor objects against each other (rugs and mats exempt; a chair under a table counts)
 //        - solid floor objects in the sector that an inward door sweeps (the paper: an enlarged square)
-//        - wall, ceiling and surface objects against their own kind, where their heights overlap
-//          (the paper: at any height); things of up to 5 cm on a surface exempt: others stand on them
-//        - wall objects behind furniture that reaches up to them by more than 1 cm (the paper: never)
+//        - wall, ceiling and surface objects against their own kind, where their heights overlap by more than 1 cm
+//          (the paper: at any height), unless one carries the other; things of up to 5 cm on a surface exempt: others
+//          stand on them
+//        - wall objects behind furniture that reaches up to them by more than 1 cm and does not carry them (the paper:
+//          never)
 //        - wall objects over a door or window at their height, area along the wall times depth
 // Accurate to rounding; door arcs are replaced by 32 tangents (0.01 % too large).
 #pragma once

@@ -17,6 +17,15 @@ int Scene::ZoneIndexOf(std::string_view zone_id) const {
   return -1;
 }
 
+bool Scene::Carries(int carrier, int object) const {
+  // As below: a circle of hosts ends here.
+  for (size_t steps = 0; object >= 0 && steps <= objects.size(); ++steps) {
+    if (object == carrier) return true;
+    object = objects[static_cast<size_t>(object)].host;
+  }
+  return false;
+}
+
 double Scene::BottomOf(int object) const {
   double bottom = 0;
   // A chain of hosts is at most as long as the list; anything longer is a circle and ends here.

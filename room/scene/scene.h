@@ -48,6 +48,9 @@ struct Scene {
   // -1 when there is none of that id.
   int IndexOf(std::string_view object_id) const;
   int ZoneIndexOf(std::string_view zone_id) const;
+  // Whether `object` stands on `carrier` or is attached to it, directly or through others; true of an object and
+  // itself.
+  bool Carries(int carrier, int object) const;
   // Underside of an object above the floor; that of a surface object follows its host's top.
   double BottomOf(int object) const;
   double TopOf(int object) const { return BottomOf(object) + objects[static_cast<size_t>(object)].height_m; }

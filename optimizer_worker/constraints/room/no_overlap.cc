@@ -18,26 +18,13 @@ T NoOverlap::operator()(const Frames<T, 2>& frames) const {
   return SquaredPenetration<T>(Box<T>(first, frames[0]), Box<T>(second, frames[1]));
 }
 
-namespace {
-
-// Whether `carrier` carries `object`, directly or through others.
-bool Carries(const Scene& scene, int carrier, int object) {
-  for (size_t steps = 0; object >= 0 && steps <= scene.objects.size(); ++steps) {
-    if (object == carrier) return true;
-    object = scene.objects[static_cast<size_t>(object)].host;
-  }
-  return false;
-}
-
-}  // namespace
-
 bool CanCollide(const Scene& scene, int a, int b) {
   const Object& first = scene.objects[static_cast<size_t>(a)];
   const Object& second = scene.objects[static_cast<size_t>(b)];
   if (a == b || first.walk_over || second.walk_over) return false;
   // Both stand on the floor, whatever is said about one carrying the other.
   if (first.kind == ObjectKind::kFloor && second.kind == ObjectKind::kFloor) return true;
-  if (Carries(scene, a, b) || Carries(scene, b, a)) return false;
+  if (scene.Carries(a, b) || scene.Carries(b, a)) return false;
   const bool on_surface = first.kind == ObjectKind::kSurface || second.kind == ObjectKind::kSurface;
   const bool on_floor = first.kind == ObjectKind::kFloor || second.kind == ObjectKind::kFloor;
   // A thing on a table stays within the table, which keeps clear of other furniture.
