@@ -14,8 +14,6 @@ using std::numbers::pi;
 Canvas::Canvas(cairo_t* cairo) : cairo_(cairo), lettering_(std::make_unique<Lettering>()) {
   cairo_get_matrix(cairo_, &sheet_);
   frame_ = sheet_;
-  cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_MITER);
-  cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_BUTT);
 }
 
 Canvas::~Canvas() = default;
@@ -107,6 +105,8 @@ void Canvas::Draw(const Stroke& stroke, bool keep) {
   const double dashed[] = {1.6, 1.0};
   const double dotted[] = {0.35, 0.8};
   if (stroke.dash != Dash::kSolid) cairo_set_dash(cairo_, stroke.dash == Dash::kDashed ? dashed : dotted, 2, 0);
+  cairo_set_line_join(cairo_, stroke.round ? CAIRO_LINE_JOIN_ROUND : CAIRO_LINE_JOIN_MITER);
+  cairo_set_line_cap(cairo_, stroke.round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
   keep ? cairo_stroke_preserve(cairo_) : cairo_stroke(cairo_);
   cairo_set_dash(cairo_, nullptr, 0, 0);
   cairo_set_matrix(cairo_, &frame_);

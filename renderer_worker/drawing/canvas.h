@@ -22,6 +22,7 @@ struct Stroke {
   double width_mm = 0.18;
   double alpha = 1;
   Dash dash = Dash::kSolid;
+  bool round = false;  // ends and corners
 };
 
 // Draws on any cairo surface whose user unit is one millimetre of paper (sheet frame S). Paths may be built in another

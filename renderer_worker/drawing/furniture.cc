@@ -71,21 +71,27 @@ void DrawOverhead(Canvas& canvas, const PlanObject& object, const Sheet& sheet) 
 
 }  // namespace
 
+void DrawRugs(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  for (const PlanObject& object : plan.objects) {
+    if (object.walk_over) DrawSymbol(canvas, object, sheet);
+  }
+}
+
 void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
-    if (object.kind == v1::OBJECT_KIND_WALL || object.kind == v1::OBJECT_KIND_CEILING) continue;
-    const bool casts = object.kind == v1::OBJECT_KIND_FLOOR && object.symbol->outline != Outline::kOpen;
-    if (casts && !object.walk_over) DrawShadow(canvas, object, sheet);
+    if (object.walk_over || object.kind == v1::OBJECT_KIND_WALL || object.kind == v1::OBJECT_KIND_CEILING) continue;
+    if (object.kind == v1::OBJECT_KIND_FLOOR && object.symbol->outline != Outline::kOpen)
+      DrawShadow(canvas, object, sheet);
     DrawSymbol(canvas, object, sheet);
   }
 }
 
 void DrawMounted(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
-    if (object.kind == v1::OBJECT_KIND_WALL) DrawSymbol(canvas, AsBar(object, sheet), sheet);
+    if (object.kind == v1::OBJECT_KIND_WALL && !object.walk_over) DrawSymbol(canvas, AsBar(object, sheet), sheet);
   }
   for (const PlanObject& object : plan.objects) {
-    if (object.kind == v1::OBJECT_KIND_CEILING) DrawOverhead(canvas, object, sheet);
+    if (object.kind == v1::OBJECT_KIND_CEILING && !object.walk_over) DrawOverhead(canvas, object, sheet);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "renderer_worker/drawing/canvas.h"
@@ -26,9 +27,19 @@ void DrawZones(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawWalls(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawOpenings(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawSockets(Canvas& canvas, const Plan& plan, const Sheet& sheet);
-// furniture.cc; the second draws what hangs on walls and above, after the walls
+// furniture.cc; the last draws what hangs on walls and above, after the walls
+void DrawRugs(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawMounted(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// circulation_layer.cc: the ways, below the furniture; what they do not reach, above it; what that means, in a box
+void DrawRoutes(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+void DrawBlocked(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+void DrawRouteSign(Canvas& canvas, const Box& box, bool blocked);
+// constraint_layer.cc; violated edges carry letters in their order
+void DrawConstraints(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+Stroke VerdictStroke(v1::OutcomeStatus status);
+std::string ViolationLetters(int index);
+void DrawViolationBadge(Canvas& canvas, int index, Point centre_mm);
 // dimensions.cc
 void DrawDimensions(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 // label_layer.cc

@@ -249,6 +249,10 @@ absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout, const PlanLayers& 
   if (absl::Status status = ReadOpenings(room, plan); !status.ok()) return status;
   if (absl::Status status = ReadZones(layout, plan); !status.ok()) return status;
   if (absl::Status status = ReadObjects(layout, plan); !status.ok()) return status;
+  if (layers.constraints) ReadEdges(layout, plan);
+  if (layers.circulation) {
+    if (absl::Status status = ReadRoutes(layout, plan); !status.ok()) return status;
+  }
   return plan;
 }
 

@@ -53,9 +53,10 @@ struct PlanObject {
   double theta_rad = 0;
   double width_m = 0;
   double depth_m = 0;
-  double level_m = 0;  // drawing order within a layer
-  double top_m = 0;    // height of its top above the floor, for the shadow
-  int key = 0;         // index in Plan::keys
+  double level_m = 0;    // drawing order within a layer
+  double top_m = 0;      // height of its top above the floor, for the shadow
+  int key = 0;           // index in Plan::keys
+  bool blocked = false;  // nobody can stand at its front; known with the layer of circulation only
 
   // Back-left, back-right, front-right, front-left.
   std::vector<Point> Corners() const;
@@ -70,6 +71,14 @@ struct PlanKey {
   double width_m = 0;
   double depth_m = 0;
   int count = 0;
+};
+
+// A constraint as the overlay shows it: lines from its first operand to each other one, or a mark at its only one.
+struct PlanEdge {
+  v1::OutcomeStatus status = v1::OUTCOME_STATUS_DROPPED;
+  std::vector<Point> operands_m;  // middles of objects and openings, points on walls
+  std::string words;              // the sentence it comes from, else its type and operands
+  std::string miss;               // by how much it is violated, such as "0.12 m"; may be empty
 };
 
 struct Plan {
@@ -87,6 +96,9 @@ struct Plan {
   std::vector<PlanObject> objects;  // in drawing order
   std::vector<PlanKey> keys;        // in legend order
   std::vector<std::string> unplaced;
+  std::vector<PlanEdge> edges;               // with the layer of constraints only
+  std::vector<std::vector<Point>> routes_m;  // with the layer of circulation only: from doors to fronts
+  std::vector<std::string> blocked;          // names of what they do not reach
   std::string style_name;
   std::string style_summary;
   std::vector<std::pair<std::string, Rgb>> palette;
@@ -100,5 +112,9 @@ struct Plan {
 // finite, openings in walls that do not exist. Objects without a placement are listed as unplaced; those of layers that
 // are not drawn are left out.
 absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout, const PlanLayers& layers = {});
+
+// read_overlays.cc, parts of the above: what the layers of constraints and circulation show.
+void ReadEdges(const v1::SolvedLayout& layout, Plan& plan);
+absl::Status ReadRoutes(const v1::SolvedLayout& layout, Plan& plan);
 
 }  // namespace flair::renderer

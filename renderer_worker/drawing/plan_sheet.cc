@@ -30,6 +30,8 @@ absl::StatusOr<PlanSheet> MakePlanSheet(const v1::SolvedLayout& layout, const v1
 void DrawRoom(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   DrawFloor(canvas, plan, sheet);
   if (plan.layers.zones) DrawZones(canvas, plan, sheet);
+  DrawRugs(canvas, plan, sheet);
+  if (plan.layers.circulation) DrawRoutes(canvas, plan, sheet);
   DrawFurniture(canvas, plan, sheet);
   DrawWalls(canvas, plan, sheet);
   DrawOpenings(canvas, plan, sheet);
@@ -42,6 +44,8 @@ std::vector<PlacedLabel> DrawSheet(Canvas& canvas, const Plan& plan, const Sheet
   canvas.Rectangle(sheet.plan_mm.Grown(4));
   canvas.Clip();
   DrawRoom(canvas, plan, sheet);
+  DrawBlocked(canvas, plan, sheet);
+  if (plan.layers.constraints) DrawConstraints(canvas, plan, sheet);
   DrawDimensions(canvas, plan, sheet);
   std::vector<PlacedLabel> labels = DrawLabels(canvas, plan, sheet);
   canvas.Unclip();

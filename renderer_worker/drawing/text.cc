@@ -110,9 +110,7 @@ void DrawTextAt(Canvas& canvas, const TextBlock& block, Point centre_mm, double 
   const Point middle{(logical.x + logical.width / 2.0) / PANGO_SCALE, (logical.y + logical.height / 2.0) / PANGO_SCALE};
   TraceOutlines(canvas, layout.get(), block.style, centre_mm, angle_rad, middle);
   if (halo != nullptr) {
-    cairo_set_line_join(canvas.cairo(), CAIRO_LINE_JOIN_ROUND);
-    canvas.Draw({*halo, 0.32 * block.style.size_mm, 0.85}, true);
-    cairo_set_line_join(canvas.cairo(), CAIRO_LINE_JOIN_MITER);
+    canvas.Draw({*halo, 0.32 * block.style.size_mm, 0.85, Dash::kSolid, true}, true);
   }
   canvas.Fill(block.style.colour);
 }
