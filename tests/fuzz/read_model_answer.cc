@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a language model, or whoever passes for one, may send: replies of the chat protocol, answers of every type,
-// records.
-#include <array>
+// What a language model, or whoever passes for one, may answer: every type of answer; and records of answers.
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include "flair/model/v1/room_answers.pb.h"
 #include "flair/model/v1/style_answers.pb.h"
 #include "llm/answers/read_answer.h"
-#include "llm/openai/reply_reader.h"
 #include "llm/wrappers/answer_json.h"
 #include "tests/fuzz/targets.h"
 
@@ -50,27 +48,6 @@ void ReadTyped(std::string_view text, const Message& type) {
   Require(answer->SerializeToString(&bytes), "what was read can be written");
 }
 
-void ReadReply(std::string_view bytes) {
-  const std::string address = "http://model";
-  const llm::ChatRequest request;
-  const llm::Confidential confidential;
-  const absl::StatusOr<llm::ChatAnswer> whole = llm::ReplyReader(address, request, confidential).Read(bytes, "m");
-  Require(whole.ok() || !whole.status().message().empty(), "a refusal says why");
-  // The pieces in which a stream comes change nothing.
-  std::array<absl::StatusOr<llm::ChatAnswer>, 2> streamed;
-  for (const size_t piece_bytes : {size_t{7}, bytes.size() + 1}) {
-    llm::ReplyReader reader(address, request, confidential);
-    absl::Status status;
-    for (size_t at = 0; at < bytes.size() && status.ok(); at += piece_bytes) {
-      status = reader.Take(bytes.substr(at, piece_bytes));
-    }
-    streamed[piece_bytes == 7 ? 0 : 1] =
-        status.ok() ? reader.FinishStream("m") : absl::StatusOr<llm::ChatAnswer>(status);
-  }
-  Require(streamed[0].ok() == streamed[1].ok(), "a stream's pieces do not matter");
-  if (streamed[0].ok()) Require(streamed[0]->text == streamed[1]->text, "a stream's pieces do not change the text");
-}
-
 void ReadRecord(std::string_view bytes) {
   const absl::StatusOr<llm::ChatAnswer> answer = llm::ReadRecordJson(std::string(bytes));
   if (!answer.ok()) return;
@@ -82,12 +59,10 @@ void ReadRecord(std::string_view bytes) {
 
 void ReadModelAnswer(std::string_view bytes) {
   if (bytes.empty()) return;
-  const size_t choice = static_cast<unsigned char>(bytes.front()) % (AnswerTypes().size() + 2);
+  const size_t choice = static_cast<unsigned char>(bytes.front()) % (AnswerTypes().size() + 1);
   bytes.remove_prefix(1);
   if (choice < AnswerTypes().size()) {
     ReadTyped(bytes, *AnswerTypes()[choice]);
-  } else if (choice == AnswerTypes().size()) {
-    ReadReply(bytes);
   } else {
     ReadRecord(bytes);
   }

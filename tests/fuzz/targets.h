@@ -25,12 +25,13 @@ void ReadReferenceRoom(std::string_view bytes);
 // The short text form of scenes.
 void ReadSceneText(std::string_view bytes);
 
-// What a model may send: the first byte chooses among the types of answers, a reply of the chat protocol and a recorded
-// answer; the rest is its text.
+// What a model may send: the first byte chooses among the types of answers and a recorded answer; the rest is its text.
 void ReadModelAnswer(std::string_view bytes);
 
-// A step of the language or translation phase, chosen by the first byte, whose model answers with the rest; after a
-// line
+// A reply of the chat protocol, streamed or not: the first byte says in which pieces it comes, the rest is its body.
+void ReadReply(std::string_view bytes);
+
+// A step of the language or translation phase, chosen by the first byte, whose model answers with the rest; after a line
 // "=====" with what follows to the request to repair. See model_step.cc for what must hold.
 void ModelStep(std::string_view bytes);
 
