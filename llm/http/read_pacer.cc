@@ -21,7 +21,7 @@ bool HasMore(int fd) {
 }  // namespace
 
 absl::Duration ReadPause(absl::Duration elapsed) {
-  return std::clamp(elapsed / 4, absl::Milliseconds(8), absl::Milliseconds(250));
+  return std::clamp(elapsed / 3, absl::Milliseconds(8), absl::Milliseconds(250));
 }
 
 void ReadPacer::Watch(int fd, bool readable, bool writable) {

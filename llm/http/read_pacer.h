@@ -12,9 +12,9 @@
 namespace flair::llm {
 
 // How long a socket is left alone that brought a part of an answer, `elapsed` after it was last added or written to: a
-// quarter of that, at least 8 ms, at most 250 ms. An answer is known that much later at most, on average half of it. A
+// third of that, at least 8 ms, at most 250 ms. An answer is known that much later at most, on average half of it. A
 // model sends a small piece every few milliseconds for many seconds, and waking up for a piece costs many times what
-// reading it does: an answer of a second is read twenty times, each second more four times.
+// reading it does: an answer of a second is read fifteen times, each second more four times.
 absl::Duration ReadPause(absl::Duration elapsed);
 
 // Watches sockets on an event loop, with these pauses. The first bytes of an answer, what a connection needs before
