@@ -13,7 +13,7 @@ namespace {
 constexpr int kRounds = 5;
 constexpr int kBlock = 256;  // pixels whose sums stay in the nearest cache
 constexpr std::array<float, 5> kKernel = {0.0625F, 0.25F, 0.375F, 0.25F, 0.0625F};  // B3 spline
-constexpr float kSpreads = 2.5F;     // differences of so many standard deviations are noise
+constexpr float kSpreads = 4;        // differences of so many standard deviations are noise
 constexpr float kRelative = 0.012F;  // as are those of this share
 
 // Planes of floats in one piece. Each begins at another place of a page: planes in step would drive each other out of
@@ -39,21 +39,28 @@ enum Light { kRed, kGreen, kBlue, kGlossRed, kGlossGreen, kGlossBlue, kVariance,
 // Sums over a row's neighbours: kRed to kVariance as above.
 enum Sum { kWeight = kVariance + 1, kTolerance, kSumCount };
 
-// Inverse of the difference of luminance that noise may make, from the mean variance of 3 x 3 pixels of one instance.
-void Tolerances(const Planes& guides, const Planes& from, int width, int height, int y, float* inverse) {
-  const float *instance = guides[kInstance], *variance = from[kVariance], *luminance = from[kLuminance];
+// Pixels brighter than all their neighbours of one instance (light or gloss) come down to the brightest of them.
+void TameSparks(const Planes& guides, int width, int height, const std::vector<Lit>& lit, int y,
+                std::vector<Lit>& tamed) {
+  const float* instance = guides[kInstance];
   for (int x = 0; x < width; ++x) {
     const size_t here = static_cast<size_t>(y) * width + x;
-    float sum = 0, weight = 0;
+    float light = 0, gloss = 0;
+    bool alone = true;
     for (int b = std::max(0, y - 1); b <= std::min(height - 1, y + 1); ++b) {
       for (int a = std::max(0, x - 1); a <= std::min(width - 1, x + 1); ++a) {
         const size_t there = static_cast<size_t>(b) * width + a;
-        const float same = instance[there] == instance[here] ? 1.0F : 0.0F;
-        sum += same * variance[there];
-        weight += same;
+        if (there == here || instance[there] != instance[here]) continue;
+        alone = false;
+        light = std::max(light, Luminance(lit[there].irradiance));
+        gloss = std::max(gloss, Luminance(lit[there].gloss));
       }
     }
-    inverse[x] = 1 / (kSpreads * std::sqrt(sum / weight) + kRelative * luminance[here] + 1e-4F);
+    tamed[here] = lit[here];
+    if (alone) continue;
+    const float own_light = Luminance(lit[here].irradiance), own_gloss = Luminance(lit[here].gloss);
+    if (own_light > light) tamed[here].irradiance = lit[here].irradiance * (light / own_light);
+    if (own_gloss > gloss) tamed[here].gloss = lit[here].gloss * (gloss / own_gloss);
   }
 }
 
@@ -64,6 +71,38 @@ void Tolerances(const Planes& guides, const Planes& from, int width, int height,
 #else
 #define FLAIR_WIDE_VECTORS
 #endif
+
+// Adds the variance of the pixels `shift` away, where they are of the same instance.
+FLAIR_WIDE_VECTORS void AddVariance(const float* instance, const float* variance, ptrdiff_t shift, int begin, int end,
+                                    float* sum, float* weight) {
+#pragma GCC ivdep
+  for (int x = begin; x < end; ++x) {
+    const float same = instance[x + shift] == instance[x] ? 1.0F : 0.0F;
+    sum[x] += same * variance[x + shift];
+    weight[x] += same;
+  }
+}
+
+// Inverse of the difference of luminance that noise may make, from the mean variance of 17 pixels of 7 x 7: the few
+// samples of one pixel may all have missed what makes its neighbours differ.
+void Tolerances(const Planes& guides, const Planes& from, int width, int height, int y, Planes& sums) {
+  const size_t row = static_cast<size_t>(y) * width;
+  float *inverse = sums[kTolerance], *sum = sums[kRed], *weight = sums[kGreen];
+  const auto add = [&](int right, int below) {
+    if (y + below < 0 || y + below >= height) return;
+    AddVariance(guides[kInstance] + row, from[kVariance] + row, static_cast<ptrdiff_t>(below) * width + right,
+                std::max(0, -right), std::min(width, width - right), sum, weight);
+  };
+  add(0, 0);
+  for (const int below : {-3, -1, 1, 3}) {
+    for (const int right : {-3, -1, 1, 3}) add(right, below);
+  }
+  const float* luminance = from[kLuminance] + row;
+  for (int x = 0; x < width; ++x) {
+    inverse[x] = 1 / (kSpreads * std::sqrt(sum[x] / weight[x]) + kRelative * luminance[x] + 1e-4F);
+    sum[x] = weight[x] = 0;
+  }
+}
 
 // Adds the neighbours `shift` pixels right of and `rows` below the pixels [begin, end) of row y.
 FLAIR_WIDE_VECTORS void AddNeighbours(const Planes& g, const Planes& from, size_t row, ptrdiff_t shift, int begin,
@@ -105,7 +144,7 @@ FLAIR_WIDE_VECTORS void AddNeighbours(const Planes& g, const Planes& from, size_
 
 void SmoothRow(const Planes& guides, const Planes& from, int width, int height, int y, int step, Planes& to) {
   Planes sums(kSumCount, width);
-  Tolerances(guides, from, width, height, y, sums[kTolerance]);
+  Tolerances(guides, from, width, height, y, sums);
   const size_t row = static_cast<size_t>(y) * width;
   for (int block = 0; block < width; block += kBlock) {
     for (int j = -2; j <= 2; ++j) {
@@ -146,6 +185,12 @@ Planes GuidesOf(const std::vector<Seen>& seen, float pixel_rad) {
 absl::Status SmoothLight(int width, int height, float pixel_rad, const std::vector<Seen>& seen, const Workers& workers,
                          std::vector<Lit>& lit) {
   const Planes guides = GuidesOf(seen, pixel_rad);
+  {
+    std::vector<Lit> tamed(lit.size());
+    absl::Status status = ForEach(workers, height, [&](int y) { TameSparks(guides, width, height, lit, y, tamed); });
+    if (!status.ok()) return status;
+    lit.swap(tamed);
+  }
   Planes from(kLightCount, lit.size()), to(kLightCount, lit.size());
   for (size_t i = 0; i < lit.size(); ++i) {
     const Vec3 e = lit[i].irradiance, g = lit[i].gloss;

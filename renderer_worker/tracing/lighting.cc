@@ -68,13 +68,7 @@ Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity
   for (int i = 0; i < sample_count; ++i) {
     Vec3 light =
         Arriving(world, lights, radiosity, seen.position, CosineDirection(seen.normal, random.At(i, Purpose::kBounce)));
-    if (choice.any()) {
-      const LightSample direct = choice.Sample(random.At(i, Purpose::kLight).x, random.At(i, Purpose::kPlaceOnLight));
-      if (Luminance(direct.irradiance) > 0 &&
-          !world.Shaded(seen.position, direct.direction, direct.distance * 0.999F)) {
-        light = light + direct.irradiance;
-      }
-    }
+    light = light + DirectLight(world, choice, seen.position, random, i);
     lit.irradiance = lit.irradiance + light;
     const float luminance = Luminance(light);
     sum += luminance;

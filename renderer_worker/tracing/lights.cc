@@ -92,7 +92,7 @@ Vec3 Lights::Beyond(Vec3 from, Vec3 direction) const {
   return WindowThrough(from, direction) >= 0 ? Vec3{} : beyond;
 }
 
-int Lights::WindowThrough(Vec3 from, Vec3 direction) const {
+int Lights::WindowThrough(Vec3 from, Vec3 direction, float spread) const {
   for (size_t i = 0; i < rects.size(); ++i) {
     const RectLight& rect = rects[i];
     const float rate = -Dot(rect.normal, direction);
@@ -100,8 +100,10 @@ int Lights::WindowThrough(Vec3 from, Vec3 direction) const {
     const float distance = Dot(from - rect.corner, rect.normal) / rate;
     if (distance <= 0) continue;
     const Vec3 at = from + direction * distance - rect.corner;
-    const float u = Dot(at, rect.along) / Dot(rect.along, rect.along), v = Dot(at, rect.up) / Dot(rect.up, rect.up);
-    if (u >= 0 && u <= 1 && v >= 0 && v <= 1) return static_cast<int>(i);
+    const float width2 = Dot(rect.along, rect.along), height2 = Dot(rect.up, rect.up), margin = spread * distance;
+    const float u = Dot(at, rect.along) / width2, v = Dot(at, rect.up) / height2;
+    const float du = margin / std::sqrt(width2), dv = margin / std::sqrt(height2);
+    if (u >= -du && u <= 1 + du && v >= -dv && v <= 1 + dv) return static_cast<int>(i);
   }
   return -1;
 }
@@ -110,11 +112,8 @@ LightChoice::LightChoice(const Lights& lights, Vec3 position, Vec3 normal)
     : lights_(lights), position_(position), normal_(normal) {
   for (const RectLight& rect : lights.rects) total_ += guess_[count_++] = GuessOf(rect, position, normal);
   for (const BallLight& ball : lights.balls) total_ += guess_[count_++] = GuessOf(ball, position, normal);
-  const float above = Dot(normal, lights.sun_direction) + lights.sun_radius;
-  float sun = above > 0 ? above * Luminance(lights.sun_irradiance) / kPi : 0;
-  // Below a ceiling the sun comes through windows, or nearly, within the penumbra's rim.
-  if (sun > 0 && !lights.open_sky && lights.WindowThrough(position, lights.sun_direction) < 0) sun *= 0.1F;
-  total_ += guess_[count_++] = sun;
+  sun_ = Luminance(lights.sun_irradiance) > 0 && Dot(normal, lights.sun_direction) + lights.sun_radius > 0 &&
+         (lights.open_sky || lights.WindowThrough(position, lights.sun_direction, 2 * lights.sun_radius) >= 0);
 }
 
 LightSample LightChoice::Sample(float choice, Vec2 place) const {
@@ -123,16 +122,16 @@ LightSample LightChoice::Sample(float choice, Vec2 place) const {
   size_t chosen = 0;
   while (chosen + 1 < count_ && (rest >= guess_[chosen] || guess_[chosen] <= 0)) rest -= guess_[chosen++];
   if (guess_[chosen] <= 0) return {};
-  LightSample sample;
-  if (chosen < lights_.rects.size()) {
-    sample = TowardsRect(lights_, lights_.rects[chosen], position_, normal_, place);
-  } else if (chosen + 1 < count_) {
-    sample = TowardsBall(lights_.balls[chosen - lights_.rects.size()], position_, normal_, place);
-  } else {
-    sample = TowardsSun(lights_, normal_, place);
-    if (!lights_.open_sky && lights_.WindowThrough(position_, sample.direction) < 0) return {};
-  }
+  LightSample sample = chosen < lights_.rects.size()
+                           ? TowardsRect(lights_, lights_.rects[chosen], position_, normal_, place)
+                           : TowardsBall(lights_.balls[chosen - lights_.rects.size()], position_, normal_, place);
   sample.irradiance = sample.irradiance * (total_ / guess_[chosen]);
+  return sample;
+}
+
+LightSample LightChoice::SampleSun(Vec2 place) const {
+  LightSample sample = TowardsSun(lights_, normal_, place);
+  if (!lights_.open_sky && lights_.WindowThrough(position_, sample.direction) < 0) sample.irradiance = {};
   return sample;
 }
 
@@ -173,7 +172,6 @@ Lights LightsOf(const Scene& scene, bool open_sky) {
     lights.sun_direction = Normalized(left * 0.75F - ahead * 0.15F + Vec3{0, 0, 1.15F});
     lights.sun_irradiance = Vec3{1.0F, 0.94F, 0.85F} * 2.2F;
     lights.sun_radius = 0.09F;
-    AddLamps(scene, 0.004F, lights);
     return lights;
   }
   for (const DaylightWindow& window : scene.windows) {

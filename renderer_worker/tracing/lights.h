@@ -43,9 +43,8 @@ struct Lights {
   // What a ray that meets nothing finds: the sky, or, where walls are taken away, a room as light as this one; nothing
   // in windows, which are lights.
   Vec3 Beyond(Vec3 from, Vec3 direction) const;
-  // The window that a ray from within passes through, -1 for none.
-  int WindowThrough(Vec3 from, Vec3 direction) const;
-  bool any() const { return !rects.empty() || !balls.empty() || Luminance(sun_irradiance) > 0; }
+  // The window that a ray from within passes through, -1 for none. Windows count as larger by `spread` times the way.
+  int WindowThrough(Vec3 from, Vec3 direction, float spread = 0) const;
 };
 
 // A light chosen for a point, and a way to it.
@@ -59,17 +58,22 @@ struct LightSample {
 class LightChoice {
  public:
   LightChoice(const Lights& lights, Vec3 position, Vec3 normal);
-  // One sample of the light that comes straight from the lights. `choice` picks the light, `place` the point on it.
+  // One sample of the light that comes straight from the lights but the sun. `choice` picks the light, `place` the
+  // point on it.
   LightSample Sample(float choice, Vec2 place) const;
+  // One sample of the sun's light.
+  LightSample SampleSun(Vec2 place) const;
+  bool sun() const { return sun_; }
   bool any() const { return total_ > 0; }
 
  private:
   static constexpr size_t kMost = 256;
   const Lights& lights_;
   Vec3 position_, normal_;
+  bool sun_ = false;  // whether some of it may get here
   float total_ = 0;
   size_t count_ = 0;
-  std::array<float, kMost + 1> guess_;
+  std::array<float, kMost> guess_;
 };
 
 // The lights of a scene: windows and lamps below a ceiling; sky, sun and faint lamps without one. Not yet balanced.

@@ -88,11 +88,7 @@ absl::StatusOr<std::unique_ptr<Radiosity>> Radiosity::Solve(const World& world, 
     const PixelSamples random(seeds, static_cast<int>(i & 255), static_cast<int>(i >> 8), 64);
     const LightChoice choice(lights, p.position, p.normal);
     Vec3 sum;
-    for (int k = 0; k < kLightSamples && choice.any(); ++k) {
-      const LightSample light = choice.Sample(random.At(k, Purpose::kLight).x, random.At(k, Purpose::kPlaceOnLight));
-      if (!(Luminance(light.irradiance) > 0)) continue;
-      if (!world.Shaded(p.position, light.direction, light.distance * 0.999F)) sum = sum + light.irradiance;
-    }
+    for (int k = 0; k < kLightSamples; ++k) sum = sum + DirectLight(world, choice, p.position, random, k);
     direct[i] = sum * (1.0F / kLightSamples);
     Vec3 sky;
     for (int k = 0; k < kRaysPerPoint; ++k) {

@@ -55,13 +55,13 @@ inline uint32_t SpreadBits(uint32_t x) {
 }
 
 // What a sampled point is for; each has points of its own.
-enum class Purpose { kLight, kPlaceOnLight, kBounce, kGloss };
+enum class Purpose { kLight, kPlaceOnLight, kSun, kBounce, kGloss, kCount };
 
 // Scrambles of a picture.
 class SampleSeeds {
  public:
   explicit SampleSeeds(uint32_t seed) {
-    for (uint32_t i = 0; i < 4; ++i) {
+    for (uint32_t i = 0; i < seeds.size(); ++i) {
       const uint32_t of_purpose = Mix(seed + 0x9e3779b9U * (i + 1));
       seeds[i] = {of_purpose, Mix(of_purpose ^ 0x68bc21ebU), Mix(of_purpose ^ 0x02e5be93U)};
     }
@@ -69,7 +69,7 @@ class SampleSeeds {
   struct Triple {
     uint32_t order, x, y;
   };
-  std::array<Triple, 4> seeds;
+  std::array<Triple, static_cast<size_t>(Purpose::kCount)> seeds;
 };
 
 // Points of the plane's (0, 2)-sequence of Sobol, numbered along the picture's Z-curve so that pixels which are

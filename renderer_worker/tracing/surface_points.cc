@@ -66,17 +66,27 @@ std::vector<SurfacePoint> SpreadPoints(const World& world, int count) {
   return points;
 }
 
+Vec3 DirectLight(const World& world, const LightChoice& choice, Vec3 position, const PixelSamples& random, int sample) {
+  Vec3 light;
+  const auto add = [&](const LightSample& from) {
+    if (!(Luminance(from.irradiance) > 0)) return;
+    // Windows and balls are no surfaces: just short of them is far enough.
+    if (!world.Shaded(position, from.direction, from.distance * 0.999F)) light = light + from.irradiance;
+  };
+  if (choice.any()) {
+    add(choice.Sample(random.At(sample, Purpose::kLight).x, random.At(sample, Purpose::kPlaceOnLight)));
+  }
+  if (choice.sun()) add(choice.SampleSun(random.At(sample, Purpose::kSun)));
+  return light;
+}
+
 float MeanDirectLight(const World& world, const Lights& lights, const std::vector<SurfacePoint>& points, int samples) {
   const SampleSeeds seeds(77);
   double sum = 0;
   for (size_t i = 0; i < points.size(); ++i) {
     const PixelSamples random(seeds, static_cast<int>(i % 256), static_cast<int>(i / 256), samples);
     const LightChoice choice(lights, points[i].position, points[i].normal);
-    for (int k = 0; k < samples && choice.any(); ++k) {
-      const LightSample light = choice.Sample(random.At(k, Purpose::kLight).x, random.At(k, Purpose::kPlaceOnLight));
-      const float given = Luminance(light.irradiance);
-      if (given > 0 && !world.Shaded(points[i].position, light.direction, light.distance * 0.999F)) sum += given;
-    }
+    for (int k = 0; k < samples; ++k) sum += Luminance(DirectLight(world, choice, points[i].position, random, k));
   }
   return points.empty() ? 0 : static_cast<float>(sum / (static_cast<double>(points.size()) * samples));
 }

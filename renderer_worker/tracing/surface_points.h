@@ -19,6 +19,9 @@ struct SurfacePoint {
 // Points spread evenly over everything that holds up light: about `count` by area, at least three an instance.
 std::vector<SurfacePoint> SpreadPoints(const World& world, int count);
 
+// What the lights send to a point straight away: one sample of the lamps and windows, one of the sun.
+Vec3 DirectLight(const World& world, const LightChoice& choice, Vec3 position, const PixelSamples& random, int sample);
+
 // Mean over points and samples of what the lights send to a point directly, over pi.
 float MeanDirectLight(const World& world, const Lights& lights, const std::vector<SurfacePoint>& points, int samples);
 
