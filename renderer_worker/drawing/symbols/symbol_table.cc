@@ -108,15 +108,28 @@ constexpr Symbol kSymbols[] = {
 
 // Classes of furniture that look like another in plan, sorted by class.
 constexpr std::pair<std::string_view, std::string_view> kLookAlikes[] = {
-    {"aquarium", "counter"},        {"bean_bag", "pouf"},
-    {"board", "picture"},           {"clock", "picture"},
-    {"coat_stand", "rack"},         {"floor_lamp", "lamp"},
-    {"folding_screen", "curtain"},  {"garment_rack", "rack"},
-    {"kitchen_island", "table"},    {"ladder", "rack"},
-    {"loom", "workbench"},          {"punching_bag", "orb"},
-    {"range_hood", "shelf"},        {"rowing_machine", "exercise_bike"},
-    {"side_table", "coffee_table"}, {"spinning_wheel", "exercise_bike"},
-    {"table_lamp", "lamp"},         {"tv_stand", "dresser"},
+    {"aquarium", "counter"},
+    {"bean_bag", "pouf"},
+    {"blanket", "cushion"},
+    {"board", "picture"},
+    {"cart", "tray"},
+    {"clock", "picture"},
+    {"coat_stand", "rack"},
+    {"floor_lamp", "lamp"},
+    {"folding_screen", "curtain"},
+    {"garment_rack", "rack"},
+    {"kitchen_island", "table"},
+    {"ladder", "rack"},
+    {"loom", "workbench"},
+    {"organizer", "tray"},
+    {"pool", "bath"},
+    {"punching_bag", "orb"},
+    {"range_hood", "shelf"},
+    {"rowing_machine", "exercise_bike"},
+    {"side_table", "coffee_table"},
+    {"spinning_wheel", "exercise_bike"},
+    {"table_lamp", "lamp"},
+    {"tv_stand", "dresser"},
 };
 
 }  // namespace

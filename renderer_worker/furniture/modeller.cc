@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/furniture/modeller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flair::renderer {
+namespace {
+
+// Scale and shift that take [low, high] to [to_low, to_high]; what has no extent is put in the middle.
+struct Fit {
+  float low, high, to_low, to_high;
+  float scale() const { return high - low > 1e-6F ? (to_high - to_low) / (high - low) : 0; }
+  float Of(float value) const {
+    if (scale() == 0) return (to_low + to_high) / 2;
+    return std::clamp(to_low + (value - low) * scale(), to_low, to_high);
+  }
+};
+
+// Triangles that have an area; vertices that they use, in order.
+MeshPart Cleaned(const MeshPart& part) {
+  MeshPart clean;
+  clean.material = part.material;
+  std::vector<uint32_t> taken(part.positions.size(), UINT32_MAX);
+  for (size_t i = 0; i + 2 < part.indices.size(); i += 3) {
+    const Vec3 a = part.positions[part.indices[i]], b = part.positions[part.indices[i + 1]],
+               c = part.positions[part.indices[i + 2]];
+    const float longest = std::max({Length(b - a), Length(c - b), Length(a - c)});
+    if (!(Length(Cross(b - a, c - a)) > 1e-3F * longest * longest) || longest < 1e-6F) continue;
+    for (size_t k = i; k < i + 3; ++k) {
+      uint32_t& index = taken[part.indices[k]];
+      if (index == UINT32_MAX) {
+        index = static_cast<uint32_t>(clean.positions.size());
+        clean.positions.push_back(part.positions[part.indices[k]]);
+        clean.normals.push_back(part.normals[part.indices[k]]);
+        clean.uvs.push_back(part.uvs[part.indices[k]]);
+      }
+      clean.indices.push_back(index);
+    }
+  }
+  return clean;
+}
+
+}  // namespace
+
+Frame Frame::TurnedX(Vec3 origin, float angle_rad) {
+  const float c = std::cos(angle_rad), s = std::sin(angle_rad);
+  return {origin, {1, 0, 0}, {0, c, s}, {0, -s, c}};
+}
+
+Frame Frame::TurnedY(Vec3 origin, float angle_rad) {
+  const float c = std::cos(angle_rad), s = std::sin(angle_rad);
+  return {origin, {c, 0, -s}, {0, 1, 0}, {s, 0, c}};
+}
+
+Frame Frame::TurnedZ(Vec3 origin, float angle_rad) {
+  const float c = std::cos(angle_rad), s = std::sin(angle_rad);
+  return {origin, {c, s, 0}, {-s, c, 0}, {0, 0, 1}};
+}
+
+void Modeller::In(const Frame& frame, const std::function<void()>& body) {
+  const Frame outer = frame_;
+  frame_ = {Placed(frame.origin), Directed(frame.x), Directed(frame.y), Directed(frame.z)};
+  body();
+  frame_ = outer;
+}
+
+Vec3 Modeller::Directed(Vec3 direction) const {
+  return frame_.x * direction.x + frame_.y * direction.y + frame_.z * direction.z;
+}
+
+Vec3 Modeller::Placed(Vec3 point) const { return frame_.origin + Directed(point); }
+
+MeshPart& Modeller::PartOf(const Material& material) {
+  const auto at = std::find_if(parts_.begin(), parts_.end(), [&](const MeshPart& p) { return p.material == material; });
+  if (at != parts_.end()) return *at;
+  parts_.emplace_back().material = material;
+  return parts_.back();
+}
+
+Mesh Modeller::Filling(float width, float depth, float height, std::span<Vec3> inside) {
+  constexpr float kHuge = std::numeric_limits<float>::max();
+  Vec3 low{kHuge, kHuge, kHuge}, high{-kHuge, -kHuge, -kHuge};
+  for (const MeshPart& part : parts_) {
+    for (const Vec3& p : part.positions) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+  const Fit x{low.x, high.x, -width / 2, width / 2}, y{low.y, high.y, -depth / 2, depth / 2},
+      z{low.z, high.z, 0, height};
+  const auto fitted = [&](Vec3 p) { return Vec3{x.Of(p.x), y.Of(p.y), z.Of(p.z)}; };
+  for (Vec3& point : inside) point = fitted(point);
+  Mesh mesh;
+  for (MeshPart& part : parts_) {
+    for (Vec3& p : part.positions) p = fitted(p);
+    // Normals turn against the stretching.
+    for (Vec3& n : part.normals) {
+      n = Normalized({n.x * y.scale() * z.scale(), n.y * x.scale() * z.scale(), n.z * x.scale() * y.scale()});
+    }
+    MeshPart clean = Cleaned(part);
+    if (!clean.indices.empty()) mesh.parts.push_back(std::move(clean));
+  }
+  return mesh;
+}
+
+}  // namespace flair::renderer

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "renderer_worker/scene/mesh.h"
+
+namespace flair::renderer {
+
+// Where the shapes that follow are put: a point p of theirs lands at origin + p.x x + p.y y + p.z z. The axes are unit,
+// perpendicular and right-handed.
+struct Frame {
+  Vec3 origin;
+  Vec3 x{1, 0, 0};
+  Vec3 y{0, 1, 0};
+  Vec3 z{0, 0, 1};
+  // Turned by this angle, counter-clockwise as seen from the axis' tip.
+  static Frame TurnedX(Vec3 origin, float angle_rad);
+  static Frame TurnedY(Vec3 origin, float angle_rad);
+  static Frame TurnedZ(Vec3 origin, float angle_rad);
+};
+
+// Collects solid shapes into a mesh with one part per material. All lengths in metres. Shapes are closed, wound
+// counter-clockwise as seen from outside, smooth where they are round; texture coordinates are metres, the first along
+// the grain (the longer way). Sizes may be given in any order and as small as wanted: what has no volume is left out.
+class Modeller {
+ public:
+  // Everything that `body` adds is put into `frame`, within the frames around it.
+  void In(const Frame& frame, const std::function<void()>& body);
+
+  // Where a point of the frame that is being filled lands.
+  Vec3 Placed(Vec3 point) const;
+
+  // A box whose edges are cut by `bevel`, and shaded as if they were rounded.
+  void Box(const Material& material, Vec3 low, Vec3 high, float bevel = 0.004F);
+  // A box with truly round edges, its six faces puffed out by `crown` from the middle: cushions and mattresses. The
+  // outermost points stay within the box.
+  void Cushion(const Material& material, Vec3 low, Vec3 high, float radius, float crown = 0);
+  // From a rectangle around `bottom` to one around `top`, half sizes given, both level: tapered legs, shades, hoods.
+  void Taper(const Material& material, Vec3 bottom, Vec2 bottom_half, Vec3 top, Vec2 top_half);
+  // A polygon, simple and counter-clockwise, between two heights; its upper and lower edges cut by `bevel`. Smooth
+  // where its corners turn by less than 40 degrees.
+  void Slab(const Material& material, std::span<const Vec2> outline, float bottom, float top, float bevel = 0.003F);
+  // A profile of (radius, height) turned about a vertical axis, from bottom to top; ends that do not reach the axis are
+  // closed by a disc. `stretch` scales x and y. Creases where the profile turns by more than 40 degrees.
+  void Lathe(const Material& material, Vec3 base, std::span<const Vec2> profile, int sides = 20, Vec2 stretch = {1, 1});
+  // The same with a closed profile that stays off the axis, counter-clockwise with radius to the right: rings, shades.
+  void Ring(const Material& material, Vec3 base, std::span<const Vec2> profile, int sides = 24, Vec2 stretch = {1, 1});
+  // An upright cylinder with bevelled rims.
+  void Cylinder(const Material& material, Vec3 base, float radius, float height, float bevel = 0.003F, int sides = 20);
+  void Ellipsoid(const Material& material, Vec3 centre, Vec3 radii, int sides = 16, int rings = 8);
+  // A round bar through the points, with flat ends. `radii` has one entry for all, or one a point.
+  void Tube(const Material& material, std::span<const Vec3> path, std::span<const float> radii, int sides = 8);
+  void Bar(const Material& material, Vec3 from, Vec3 to, float radius, int sides = 8);
+  void Bar(const Material& material, Vec3 from, Vec3 to, float from_radius, float to_radius, int sides = 8);
+  // A closed ring of wire about the z axis of the frame.
+  void Hoop(const Material& material, Vec3 centre, float radius, float thickness, int sides = 24);
+  // A sheet of cloth, paper or leaf: `at` maps [0, 1] x [0, 1] to points; the side towards which d/du x d/dv points and
+  // its other side are `thickness` apart.
+  void Sheet(const Material& material, int columns, int rows, const std::function<Vec3(float u, float v)>& at,
+             float thickness = 0.003F);
+
+  // The mesh, stretched along its axes so that it fills [-width/2, width/2] x [-depth/2, depth/2] x [0, height]
+  // exactly. Triangles without an area are gone. Empty when nothing was added. Points inside move along through
+  // `inside`.
+  Mesh Filling(float width, float depth, float height, std::span<Vec3> inside);
+
+ private:
+  friend class Patch;
+  MeshPart& PartOf(const Material& material);
+  Vec3 Directed(Vec3 direction) const;
+
+  std::vector<MeshPart> parts_;
+  Frame frame_;
+};
+
+// Points (radius, height) of a quarter turn or more, for profiles: around `centre` from one angle to another.
+std::vector<Vec2> ArcPoints(Vec2 centre, float radius_x, float radius_y, float from_rad, float to_rad, int steps);
+// Outlines, counter-clockwise.
+std::vector<Vec2> EllipseOutline(Vec2 centre, float radius_x, float radius_y, int sides);
+std::vector<Vec2> RoundedOutline(Vec2 low, Vec2 high, float radius, int steps = 3);
+
+}  // namespace flair::renderer
