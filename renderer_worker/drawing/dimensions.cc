@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer_worker/drawing/clearances.h"
 #include "renderer_worker/drawing/dimension_layout.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/text.h"
@@ -53,6 +54,7 @@ void DrawString(Canvas& canvas, const DimensionString& string) {
 
 void DrawDimensions(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const DimensionString& string : LayOutDimensions(plan, sheet)) DrawString(canvas, string);
+  DrawClearances(canvas, plan, sheet);
 }
 
 }  // namespace flair::renderer

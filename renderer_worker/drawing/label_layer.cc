@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "renderer_worker/drawing/clearances.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/text.h"
 
@@ -38,12 +39,24 @@ class LabelLayer {
   LabelLayer(Canvas& canvas, const Plan& plan, const Sheet& sheet) : canvas_(canvas), plan_(plan), sheet_(sheet) {
     for (Point vertex : plan.floor) floor_mm_.push_back(sheet.ToSheet(vertex));
     for (const PlanObject& object : plan.objects) AddObject(object);
-    for (const PlanZone& zone : plan.zones) AddZone(zone);
+    if (plan.layers.zones) {
+      for (const PlanZone& zone : plan.zones) AddArea(zone.name, zone.parts, LineColourFor(zone.tint));
+    }
+    if (areas_.size() < 2) {
+      for (LabelItem& item : items_) item.forms_mm.resize(item.only_inside ? 0 : item.forms_mm.size());
+      AddArea(plan.room_type, {plan.floor}, Hex(0x4A4641));
+    }
     for (const PlanOpening& opening : plan.openings) AddDoor(opening);
+    for (const Clearance& clearance : ShownClearances(plan, sheet)) {
+      taken_.push_back(ClearanceTextBox(canvas, sheet, clearance));
+      Box line;
+      for (Point end : {clearance.from_m, clearance.to_m}) line.Include(sheet.ToSheet(end));
+      obstacles_.push_back({line.Grown(0.4), 3, -1});
+    }
   }
 
   std::vector<PlacedLabel> Draw() {
-    std::vector<PlacedLabel> placed = PlaceLabels(items_, obstacles_, floor_mm_);
+    std::vector<PlacedLabel> placed = PlaceLabels(items_, obstacles_, floor_mm_, taken_);
     for (const PlacedLabel& label : placed) DrawLeader(label);
     for (const PlacedLabel& label : placed) DrawOne(label);
     return placed;
@@ -53,9 +66,10 @@ class LabelLayer {
   static constexpr double kLineMm = 3.9;
 
   TextStyle NameStyle() const { return {.size_mm = 3.3, .colour = Hex(0x2B2926)}; }
-  TextStyle ZoneStyle(size_t zone) const {
-    return {.size_mm = 3.1, .colour = LineColourFor(plan_.zones[zone].tint), .bold = true, .tracking = 0.14};
+  static TextStyle AreaStyle(const Rgb& colour) {
+    return {.size_mm = 3.1, .colour = colour, .bold = true, .tracking = 0.14};
   }
+  static TextStyle NumberStyle() { return {.size_mm = 2.9, .colour = Hex(0x4A4641)}; }
 
   void AddObject(const PlanObject& object) {
     LabelItem item;
@@ -88,21 +102,30 @@ class LabelLayer {
     obstacles_.push_back({box, cost, index});
   }
 
-  void AddZone(const PlanZone& zone) {
+  // The name of a zone or of the room with its area.
+  void AddArea(const std::string& name, const std::vector<std::vector<Point>>& parts, const Rgb& colour) {
     LabelItem item;
     item.only_inside = true;
     std::vector<Point> corners;
-    for (const std::vector<Point>& part : zone.parts) {
-      for (Point vertex : part) corners.push_back(sheet_.ToSheet(vertex));
+    double area_m2 = 0;
+    for (const std::vector<Point>& part : parts) {
+      for (size_t i = 0; i < part.size(); ++i) {
+        corners.push_back(sheet_.ToSheet(part[i]));
+        area_m2 += Cross(part[i], part[(i + 1) % part.size()]) / 2;
+      }
     }
-    if (zone.parts.size() == 1) item.region_mm = corners;
+    areas_.push_back({Upper(name), fmt::format("{:.1f} m²", area_m2), colour});
+    if (parts.size() == 1) item.region_mm = corners;
     item.shyness = 4;
     const Box box = BoundsOf(corners);
     item.centre_mm = box.empty() ? Point{} : box.centre();
     item.half_width_mm = box.empty() ? 0 : box.width() / 2;
     item.half_depth_mm = box.empty() ? 0 : box.height() / 2;
-    if (!box.empty())
-      item.forms_mm.push_back(Measure(canvas_, {Upper(zone.name), ZoneStyle(items_.size() - plan_.objects.size())}));
+    if (!box.empty()) {
+      const Size title = Measure(canvas_, {areas_.back().name, AreaStyle(colour)}),
+                 number = Measure(canvas_, {areas_.back().area, NumberStyle()});
+      item.forms_mm.push_back({std::max(title.width, number.width), title.height + number.height});
+    }
     items_.push_back(std::move(item));
   }
 
@@ -142,8 +165,11 @@ class LabelLayer {
   void DrawOne(const PlacedLabel& label) {
     const Point centre = label.box_mm.centre();
     if (label.item >= static_cast<int>(plan_.objects.size())) {
-      const size_t zone = label.item - plan_.objects.size();
-      DrawTextAt(canvas_, {Upper(plan_.zones[zone].name), ZoneStyle(zone)}, centre, 0, &kWhite);
+      const Area& area = areas_[label.item - plan_.objects.size()];
+      const double title = Measure(canvas_, {area.name, AreaStyle(area.colour)}).height;
+      DrawTextAt(canvas_, {area.name, AreaStyle(area.colour)}, {centre.x, label.box_mm.y0 + title / 2}, 0, &kWhite);
+      DrawTextAt(canvas_, {area.area, NumberStyle()}, {centre.x, (label.box_mm.y0 + title + label.box_mm.y1) / 2}, 0,
+                 &kWhite);
       return;
     }
     const PlanObject& object = plan_.objects[label.item];
@@ -154,7 +180,9 @@ class LabelLayer {
     }
     const Form& form = forms_[label.item][label.form];
     const Size badge = items_[label.item].badge_mm;
-    const Rgb halo = Mix(object.ink.fill, kWhite, 0.55);
+    // A plate hides the lines of the piece below the name.
+    canvas_.Rectangle(label.box_mm.Grown(0.35), kBadgeMm / 2);
+    canvas_.Fill(Mix(object.ink.fill, kWhite, 0.72), 0.88);
     const Point badge_at = form.beside ? Point{label.box_mm.x0 + badge.width / 2, centre.y}
                                        : Point{centre.x, label.box_mm.y0 + badge.height / 2};
     DrawBadge(canvas_, object.key + 1, badge_at, fill, object.ink.line);
@@ -162,29 +190,38 @@ class LabelLayer {
     double y = form.beside ? centre.y - kLineMm * (static_cast<double>(form.lines.size()) - 1) / 2
                            : label.box_mm.y0 + badge.height + kLineMm / 2;
     for (const std::string& line : form.lines) {
-      DrawTextAt(canvas_, {line, NameStyle()}, {x, y}, 0, &halo);
+      DrawTextAt(canvas_, {line, NameStyle()}, {x, y});
       y += kLineMm;
     }
   }
+
+  struct Area {
+    std::string name, area;
+    Rgb colour;
+  };
 
   Canvas& canvas_;
   const Plan& plan_;
   const Sheet& sheet_;
   std::vector<Point> floor_mm_;
-  std::vector<LabelItem> items_;
+  std::vector<LabelItem> items_;  // objects, then areas
+  std::vector<Area> areas_;
   std::vector<std::vector<Form>> forms_;
   std::vector<LabelObstacle> obstacles_;
+  std::vector<Box> taken_;  // by the numbers of clearances
 };
 
 }  // namespace
 
 Size BadgeSize(int number) { return {number > 99 ? 1.7 * kBadgeMm : number > 9 ? 1.2 * kBadgeMm : kBadgeMm, kBadgeMm}; }
 
-void DrawBadge(Canvas& canvas, int number, Point centre_mm, const Rgb& fill, const Rgb& line) {
-  canvas.Rectangle(BoxAround(centre_mm, BadgeSize(number)), kBadgeMm / 2);
+void DrawBadge(Canvas& canvas, int number, Point centre_mm, const Rgb& fill, const Rgb& line, double factor) {
+  const Size size = BadgeSize(number);
+  canvas.Rectangle(BoxAround(centre_mm, {size.width * factor, size.height * factor}), kBadgeMm / 2);
   canvas.Fill(fill, 1, true);
   canvas.Draw({line, 0.2});
-  DrawTextAt(canvas, {fmt::format("{}", number), {.size_mm = 2.9, .colour = Hex(0x26231F), .bold = true}}, centre_mm);
+  DrawTextAt(canvas, {fmt::format("{}", number), {.size_mm = 2.9 * factor, .colour = Hex(0x26231F), .bold = true}},
+             centre_mm);
 }
 
 std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Plan& plan, const Sheet& sheet) {

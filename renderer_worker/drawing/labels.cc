@@ -50,8 +50,8 @@ double OverlapArea(const Box& a, const Box& b) {
 class Placer {
  public:
   Placer(const std::vector<LabelItem>& items, const std::vector<LabelObstacle>& obstacles,
-         const std::vector<Point>& floor)
-      : items_(items), obstacles_(obstacles), floor_(floor) {}
+         const std::vector<Point>& floor, const std::vector<Box>& taken)
+      : items_(items), obstacles_(obstacles), floor_(floor), taken_(taken) {}
 
   // The cheapest place for the form inside the item, at most `limit` dear.
   bool TryInside(int item, int form, Size size, double padding, double limit) {
@@ -112,6 +112,9 @@ class Placer {
     for (const PlacedLabel& other : placed_) {
       if (other.box_mm.Overlaps(box.Grown(kGapMm))) return;
     }
+    for (const Box& other : taken_) {
+      if (other.Overlaps(box.Grown(kGapMm))) return;
+    }
     for (const LabelObstacle& obstacle : obstacles_) {
       if (obstacle.owner != item) cost += it.shyness * obstacle.cost * OverlapArea(obstacle.box_mm, box);
     }
@@ -127,6 +130,7 @@ class Placer {
   const std::vector<LabelItem>& items_;
   const std::vector<LabelObstacle>& obstacles_;
   const std::vector<Point>& floor_;
+  const std::vector<Box>& taken_;
   std::vector<PlacedLabel> placed_;
 };
 
@@ -135,8 +139,8 @@ double Area(const LabelItem& item) { return item.half_width_mm * item.half_depth
 }  // namespace
 
 std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelItem>& items, const std::vector<LabelObstacle>& obstacles,
-                                     const std::vector<Point>& floor_mm) {
-  Placer placer(items, obstacles, floor_mm);
+                                     const std::vector<Point>& floor_mm, const std::vector<Box>& taken) {
+  Placer placer(items, obstacles, floor_mm, taken);
   std::vector<int> order;
   for (size_t i = 0; i < items.size(); ++i) order.push_back(static_cast<int>(i));
   std::stable_sort(order.begin(), order.end(), [&items](int a, int b) { return Area(items[a]) > Area(items[b]); });

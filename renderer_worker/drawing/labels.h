@@ -40,9 +40,9 @@ struct LabelObstacle {
 };
 
 // Places at most one label per item, greedily: names inside their pieces first where they fit, then numbers, smallest
-// pieces first, nearest free place with a leader when the piece is too small. No two labels overlap; each lies in
-// `floor_mm`. An item that finds no place gets none.
+// pieces first, nearest free place with a leader when the piece is too small. No two labels overlap, none covers a box
+// that is `taken`; each lies in `floor_mm`. An item that finds no place gets none.
 std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelItem>& items, const std::vector<LabelObstacle>& obstacles,
-                                     const std::vector<Point>& floor_mm);
+                                     const std::vector<Point>& floor_mm, const std::vector<Box>& taken = {});
 
 }  // namespace flair::renderer

@@ -26,6 +26,8 @@ void DrawZones(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 // walls.cc
 void DrawWalls(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawOpenings(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// `inward` is a unit vector away from the wall.
+void DrawSocketSign(Canvas& canvas, Point at_mm, Point inward);
 void DrawSockets(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 // furniture.cc; the last draws what hangs on walls and above, after the walls
 void DrawRugs(Canvas& canvas, const Plan& plan, const Sheet& sheet);
@@ -44,9 +46,10 @@ void DrawViolationBadge(Canvas& canvas, int index, Point centre_mm);
 void DrawDimensions(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 // label_layer.cc
 std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Plan& plan, const Sheet& sheet);
-// side_panel.cc: title, key, style, scale bar, north arrow
+// side_panel.cc: title, key, legends, style, title block; see panel.h
 void DrawSidePanel(Canvas& canvas, const Plan& plan, const Sheet& sheet);
-void DrawBadge(Canvas& canvas, int number, Point centre_mm, const Rgb& fill, const Rgb& line);
+// `factor` shrinks it.
+void DrawBadge(Canvas& canvas, int number, Point centre_mm, const Rgb& fill, const Rgb& line, double factor = 1);
 Size BadgeSize(int number);
 
 }  // namespace flair::renderer

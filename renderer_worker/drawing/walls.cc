@@ -139,22 +139,24 @@ void DrawOpenings(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   }
 }
 
-void DrawSockets(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+void DrawSocketSign(Canvas& canvas, Point at_mm, Point inward) {
   constexpr double kRadiusMm = 1.3;
+  const Point along{-inward.y, inward.x}, centre = at_mm + inward * (kRadiusMm + 0.9);
+  const double angle = std::atan2(inward.y, inward.x);
+  canvas.Line(at_mm, centre - inward * kRadiusMm);
+  canvas.Draw({kInk, 0.22});
+  canvas.Arc(centre, kRadiusMm, angle + std::numbers::pi / 2, angle + 1.5 * std::numbers::pi);
+  canvas.Close();
+  canvas.Fill(kPaper, 0.9, true);
+  canvas.Draw({kInk, 0.22});
+  canvas.Line(centre - along * kRadiusMm, centre + along * kRadiusMm);
+  canvas.Draw({kInk, 0.35});
+}
+
+void DrawSockets(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanSocket& socket : plan.sockets) {
     const PlanWall& wall = plan.walls[socket.wall];
-    const Point at = sheet.ToSheet(wall.start + wall.along * socket.offset_m);
-    const Point inward{-wall.outward.x, wall.outward.y}, along{wall.along.x, -wall.along.y};
-    const Point centre = at + inward * (kRadiusMm + 0.9);
-    const double angle = std::atan2(inward.y, inward.x);
-    canvas.Line(at, centre - inward * kRadiusMm);
-    canvas.Draw({kInk, 0.22});
-    canvas.Arc(centre, kRadiusMm, angle + std::numbers::pi / 2, angle + 1.5 * std::numbers::pi);
-    canvas.Close();
-    canvas.Fill(kPaper, 0.9, true);
-    canvas.Draw({kInk, 0.22});
-    canvas.Line(centre - along * kRadiusMm, centre + along * kRadiusMm);
-    canvas.Draw({kInk, 0.35});
+    DrawSocketSign(canvas, sheet.ToSheet(wall.start + wall.along * socket.offset_m), {-wall.outward.x, wall.outward.y});
   }
 }
 
