@@ -90,7 +90,7 @@ double BirdseyeScore(const RoomShape& shape, const Sight& sight, const SceneCame
   double score = 0;
   for (int i = 0; i < static_cast<int>(sight.boxes().size()); ++i) {
     const double share = sight.VisibleShare(i, camera.eye, cut, [](Vec3) { return true; });
-    score += WeightOf(sight.boxes()[i]) * (share + 0.35 * Dot(sight.boxes()[i].front, to_eye));
+    score += WeightOf(sight.boxes()[i]) * (share + 0.6 * Dot(sight.boxes()[i].front, to_eye));
   }
   for (size_t i = 0; i < shape.walls.size(); ++i) {
     if (cut.walls[i] == WallCut::kWhole) score += 0.6 * static_cast<double>(shape.walls[i].openings.size());
@@ -190,7 +190,7 @@ double PerspectiveScore(const RoomShape& shape, const Sight& sight, const SceneC
     }
   }
   const Spoiled spoiled = SpoiledShares(shape, sight, camera);
-  return score / most - 2.0 * spoiled.close - 1.6 * spoiled.outside;
+  return score / most - 2.0 * spoiled.close - 2.2 * spoiled.outside;
 }
 
 }  // namespace

@@ -7,10 +7,11 @@
 namespace flair::renderer {
 namespace {
 
-constexpr int kEdgeLooks = 8;
-constexpr float kWhite = 1.02F;        // what a white surface in mean light comes to
-constexpr float kUsualAlbedo = 0.42F;  // of a room in common colours
-constexpr float kAdaptation = 0.35F;   // how far the eye gets used to darker or lighter ones
+constexpr int kEdgeLooks = 6;
+constexpr double kWhite = 1.0;          // what a white surface in mean light comes to
+constexpr double kWhiteBalance = 0.65;  // how much of the light's colour is taken out
+constexpr double kUsualAlbedo = 0.42;   // of a room in common colours
+constexpr double kAdaptation = 0.35;    // how far the eye gets used to darker or lighter ones
 
 // Light on bare ground beside the model, which its backdrop shall keep the colour of.
 float BareGroundLight(const Lights& lights) {
@@ -38,30 +39,44 @@ class Composer {
 
   const Exposed& e_;
   float bare_ground_;
-  float exposure_ = 1;
+  Vec3 exposure_{1, 1, 1};
 };
 
 // Means by row, then over rows, so that the order of the sum is always the same.
 absl::Status Composer::Expose(const Workers& workers) {
   struct Row {
-    double light = 0, albedo = 0, count = 0;
+    double red = 0, green = 0, blue = 0, albedo = 0, count = 0;
   };
   std::vector<Row> rows(e_.camera.height_px);
   absl::Status status = ForEach(workers, e_.camera.height_px, [&](int y) {
     for (int x = 0; x < e_.camera.width_px; ++x) {
       const Seen& seen = e_.seen[At(x, y)];
       if (seen.lit_instance < 0 || seen.instance < 0) continue;
-      rows[y].light += Luminance(e_.lit[At(x, y)].irradiance);
+      const Vec3 light = e_.lit[At(x, y)].irradiance;
+      rows[y].red += light.x;
+      rows[y].green += light.y;
+      rows[y].blue += light.z;
       rows[y].albedo += Luminance(seen.albedo + seen.specular);
       rows[y].count += 1;
     }
   });
   if (!status.ok()) return status;
   Row all;
-  for (const Row& row : rows) all = {all.light + row.light, all.albedo + row.albedo, all.count + row.count};
-  if (all.count == 0 || !(all.light > 1e-9)) return status;
-  const float light = static_cast<float>(all.light / all.count), albedo = static_cast<float>(all.albedo / all.count);
-  exposure_ = kWhite / light * std::clamp(std::pow(kUsualAlbedo / std::max(albedo, 0.01F), kAdaptation), 0.75F, 2.2F);
+  for (const Row& row : rows) {
+    all = {all.red + row.red, all.green + row.green, all.blue + row.blue, all.albedo + row.albedo,
+           all.count + row.count};
+  }
+  const double light = 0.2126 * all.red + 0.7152 * all.green + 0.0722 * all.blue;
+  if (all.count == 0 || !(light > 1e-9 * all.count)) return status;
+  const double albedo = std::max(all.albedo / all.count, 0.01);
+  const double exposure =
+      kWhite * all.count / light * std::clamp(std::pow(kUsualAlbedo / albedo, kAdaptation), 0.75, 2.2);
+  // Lamplight stays a little warm: the eye gets used to most of its colour, not to all.
+  const auto gain = [&](double channel) {
+    return static_cast<float>(exposure *
+                              std::pow(std::clamp(light / std::max(channel, 1e-9), 0.5, 2.0), kWhiteBalance));
+  };
+  exposure_ = {gain(all.red), gain(all.green), gain(all.blue)};
   return status;
 }
 

@@ -16,6 +16,16 @@ Vec3 Schlick(Vec3 straight, float cosine) {
   return straight * (1 - grazing) + Vec3{1, 1, 1} * grazing;
 }
 
+// A bright day far out of focus, as it shall appear in a window.
+Vec3 DayOutside(Vec3 direction) {
+  const float up = std::clamp(direction.z, -1.0F, 1.0F);
+  const Vec3 horizon{1.12F, 1.12F, 1.08F}, zenith{0.66F, 0.83F, 1.08F}, garden{0.60F, 0.68F, 0.52F};
+  const float ground = std::clamp(0.5F - up / 0.16F, 0.0F, 1.0F);
+  const Vec3 sky = horizon + (zenith - horizon) * std::sqrt(std::max(0.0F, up));
+  const float share = ground * ground * (3 - 2 * ground) * 0.8F;
+  return sky * (1 - share) + garden * share;
+}
+
 // Nothing more is met on the way.
 void SeeBeyond(const Lights& lights, const Surroundings& around, Vec3 from, Vec3 direction, Seen& seen) {
   seen.lit_instance = -1;
@@ -27,9 +37,8 @@ void SeeBeyond(const Lights& lights, const Surroundings& around, Vec3 from, Vec3
     seen.lit_instance = -2;
     return;
   }
-  const Vec3 beyond = !around.open && lights.WindowThrough(from, direction) >= 0
-                          ? lights.SkyRadiance(direction) * (1.0F / lights.sky_scale)
-                          : around.backdrop;
+  const Vec3 beyond =
+      !around.open && lights.WindowThrough(from, direction) >= 0 ? DayOutside(direction) : around.backdrop;
   seen.added = seen.added + seen.filter * beyond;
   seen.background = seen.instance < 0;
 }

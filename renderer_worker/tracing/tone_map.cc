@@ -12,6 +12,10 @@ namespace {
 // A filmic curve that leaves colours as they are up to a shoulder, then bends towards white and pales, as film does;
 // after the PBR Neutral curve of Khronos (2024), with a gentler shoulder.
 Vec3 Filmic(Vec3 c) {
+  // Film's slope: shadows a little deeper, what is bright a little brighter.
+  constexpr float kPivot = 0.30F, kSlope = 0.16F;
+  const float luminance = std::clamp(Luminance(c), 1e-4F, 1.0F);
+  c = c * std::pow(luminance / kPivot, kSlope * (1 - luminance));
   constexpr float kShoulder = 0.62F, kPaling = 0.12F;
   const float peak = std::max({c.x, c.y, c.z, 0.0F});
   if (peak <= kShoulder) return c;

@@ -4,10 +4,13 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <tuple>
 #include <unordered_map>
+#include <utility>
 
 #include "renderer_worker/furniture/classes.h"
 #include "renderer_worker/tracing/patterns/pattern.h"
@@ -17,6 +20,12 @@ namespace flair::renderer {
 namespace {
 
 bool HoldsUpLight(const Material& material) { return material.opacity >= 1 && Luminance(material.emission) <= 0; }
+
+int64_t TriangleCount(const Mesh& mesh) {
+  int64_t count = 0;
+  for (const MeshPart& part : mesh.parts) count += static_cast<int64_t>(part.indices.size() / 3);
+  return count;
+}
 
 absl::Status CheckMesh(const Mesh& mesh, int64_t& triangles) {
   for (const MeshPart& part : mesh.parts) {
@@ -31,8 +40,8 @@ absl::Status CheckMesh(const Mesh& mesh, int64_t& triangles) {
                                                       index, part.positions.size()));
       }
     }
-    triangles += static_cast<int64_t>(part.indices.size() / 3);
   }
+  triangles += TriangleCount(mesh);
   return absl::OkStatus();
 }
 
@@ -92,13 +101,14 @@ std::vector<WorldInstance> InstancesOf(const Scene& scene, const CutAway& cut) {
 
 }  // namespace
 
-// Embree's side: one scene per mesh (and one without what lets light through, where that differs), two scenes of
-// instances.
+// Embree's side: two scenes, of what is seen and of what shades.
 struct World::Rays {
   RTCDevice device = nullptr;
-  std::vector<RTCScene> meshes;
+  std::vector<RTCScene> meshes;  // of instances
   RTCScene seen = nullptr;
   RTCScene shading = nullptr;
+  bool flat = false;
+  std::vector<std::pair<int, int>> parts;  // flat: instance and part by geometry
 
   ~Rays() {
     for (RTCScene scene : meshes) rtcReleaseScene(scene);
@@ -107,36 +117,65 @@ struct World::Rays {
     if (device != nullptr) rtcReleaseDevice(device);
   }
 
+  RTCGeometry MakePart(const MeshPart& part, const WorldInstance* placed);
   RTCScene MakeMesh(const Mesh& mesh, bool only_shading);
-  bool AttachInstance(RTCScene scene, RTCScene mesh, const WorldInstance& instance, unsigned id);
+  void AttachFlat(const WorldInstance& instance, int index);
+  void AttachInstance(RTCScene scene, RTCScene mesh, const WorldInstance& instance, unsigned id);
+  Hit Nearest(RTCScene scene, const std::vector<WorldInstance>& instances, Vec3 from, Vec3 direction, float least,
+              unsigned flags) const;
 };
+
+// Null when there is no memory. In room frame R when `placed`.
+RTCGeometry World::Rays::MakePart(const MeshPart& part, const WorldInstance* placed) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  Vec3* vertices = static_cast<Vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                              sizeof(Vec3), part.positions.size()));
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t),
+                                          part.indices.size() / 3);
+  if (vertices == nullptr || indices == nullptr) {
+    rtcReleaseGeometry(geometry);
+    return nullptr;
+  }
+  for (size_t i = 0; i < part.positions.size(); ++i) {
+    vertices[i] = placed != nullptr ? placed->ToRoom(part.positions[i]) : part.positions[i];
+  }
+  std::memcpy(indices, part.indices.data(), part.indices.size() * sizeof(uint32_t));
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
 
 RTCScene World::Rays::MakeMesh(const Mesh& mesh, bool only_shading) {
   RTCScene scene = rtcNewScene(device);
   for (unsigned i = 0; i < mesh.parts.size(); ++i) {
     const MeshPart& part = mesh.parts[i];
     if (part.indices.empty() || (only_shading && !HoldsUpLight(part.material))) continue;
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3),
-                                             part.positions.size());
-    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t),
-                                            part.indices.size() / 3);
-    if (vertices != nullptr && indices != nullptr) {
-      std::memcpy(vertices, part.positions.data(), part.positions.size() * sizeof(Vec3));
-      std::memcpy(indices, part.indices.data(), part.indices.size() * sizeof(uint32_t));
-      rtcCommitGeometry(geometry);
+    if (RTCGeometry geometry = MakePart(part, nullptr); geometry != nullptr) {
       rtcAttachGeometryByID(scene, geometry, i);
+      rtcReleaseGeometry(geometry);
     }
-    rtcReleaseGeometry(geometry);
   }
   rtcCommitScene(scene);
   meshes.push_back(scene);
   return scene;
 }
 
-bool World::Rays::AttachInstance(RTCScene scene, RTCScene mesh, const WorldInstance& instance, unsigned id) {
+void World::Rays::AttachFlat(const WorldInstance& instance, int index) {
+  for (size_t i = 0; i < instance.mesh->parts.size(); ++i) {
+    const MeshPart& part = instance.mesh->parts[i];
+    if (part.indices.empty() || !(instance.seen || instance.shades)) continue;
+    RTCGeometry geometry = MakePart(part, &instance);
+    if (geometry == nullptr) continue;
+    const unsigned id = static_cast<unsigned>(parts.size());
+    parts.emplace_back(index, static_cast<int>(i));
+    if (instance.seen) rtcAttachGeometryByID(seen, geometry, id);
+    if (instance.shades && HoldsUpLight(part.material)) rtcAttachGeometryByID(shading, geometry, id);
+    rtcReleaseGeometry(geometry);
+  }
+}
+
+void World::Rays::AttachInstance(RTCScene scene, RTCScene mesh, const WorldInstance& instance, unsigned id) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-  if (geometry == nullptr) return false;
+  if (geometry == nullptr) return;
   rtcSetGeometryInstancedScene(geometry, mesh);
   rtcSetGeometryTimeStepCount(geometry, 1);
   const float to_room[12] = {
@@ -146,51 +185,67 @@ bool World::Rays::AttachInstance(RTCScene scene, RTCScene mesh, const WorldInsta
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, id);
   rtcReleaseGeometry(geometry);
-  return true;
 }
 
 World::World() = default;
 World::~World() = default;
 
+absl::Status World::MakeMeanColours() {
+  std::unordered_map<const Mesh*, int> known;
+  int64_t triangles = 0;
+  for (WorldInstance& instance : instances_) {
+    const auto [at, is_new] = known.try_emplace(instance.mesh, static_cast<int>(mean_colours_.size()));
+    instance.mesh_index = at->second;
+    if (!is_new) continue;
+    if (absl::Status status = CheckMesh(*instance.mesh, triangles); !status.ok()) return status;
+    if (triangles > kMaxTriangles) {
+      return absl::ResourceExhaustedError(fmt::format("the scene's meshes have more than {} triangles", kMaxTriangles));
+    }
+    std::vector<Vec3>& colours = mean_colours_.emplace_back();
+    for (const MeshPart& part : instance.mesh->parts) colours.push_back(MeanPatternColour(part.material));
+  }
+  return absl::OkStatus();
+}
+
+void World::AttachAll() {
+  struct Built {
+    RTCScene seen = nullptr, shading = nullptr;
+  };
+  std::vector<Built> built(mean_colours_.size());
+  int64_t triangles = 0;
+  for (const WorldInstance& instance : instances_) triangles += TriangleCount(*instance.mesh);
+  rays_->flat = triangles <= kMaxFlatTriangles;
+  for (size_t i = 0; i < instances_.size(); ++i) {
+    const WorldInstance& instance = instances_[i];
+    if (rays_->flat) {
+      rays_->AttachFlat(instance, static_cast<int>(i));
+      continue;
+    }
+    Built& mesh = built[instance.mesh_index];
+    if (mesh.seen == nullptr) {
+      const auto& parts = instance.mesh->parts;
+      mesh.seen = rays_->MakeMesh(*instance.mesh, false);
+      mesh.shading = std::all_of(parts.begin(), parts.end(), [](const MeshPart& p) { return HoldsUpLight(p.material); })
+                         ? mesh.seen
+                         : rays_->MakeMesh(*instance.mesh, true);
+    }
+    if (instance.seen) rays_->AttachInstance(rays_->seen, mesh.seen, instance, static_cast<unsigned>(i));
+    if (instance.shades) rays_->AttachInstance(rays_->shading, mesh.shading, instance, static_cast<unsigned>(i));
+  }
+}
+
 absl::StatusOr<std::unique_ptr<World>> World::Make(const Scene& scene, const CutAway& cut) {
   std::unique_ptr<World> world(new World);
   world->instances_ = InstancesOf(scene, cut);
+  if (absl::Status status = world->MakeMeanColours(); !status.ok()) return status;
   world->rays_ = std::make_unique<Rays>();
   Rays& rays = *world->rays_;
   // One thread builds, so that the trees and with them ties between surfaces are always the same.
   rays.device = rtcNewDevice("threads=1,set_affinity=0");
   if (rays.device == nullptr) return absl::InternalError("embree: no device");
-  struct Built {
-    int index;
-    RTCScene seen, shading;
-  };
-  std::unordered_map<const Mesh*, Built> built;
   rays.seen = rtcNewScene(rays.device);
   rays.shading = rtcNewScene(rays.device);
-  int64_t triangles = 0;
-  for (unsigned i = 0; i < world->instances_.size(); ++i) {
-    WorldInstance& instance = world->instances_[i];
-    auto [at, is_new] = built.try_emplace(instance.mesh);
-    if (is_new) {
-      if (absl::Status status = CheckMesh(*instance.mesh, triangles); !status.ok()) return status;
-      if (triangles > kMaxTriangles) {
-        return absl::ResourceExhaustedError(
-            fmt::format("the scene's meshes have more than {} triangles", kMaxTriangles));
-      }
-      at->second.index = static_cast<int>(world->mean_colours_.size());
-      std::vector<Vec3>& colours = world->mean_colours_.emplace_back();
-      bool all_shade = true;
-      for (const MeshPart& part : instance.mesh->parts) {
-        colours.push_back(MeanPatternColour(part.material));
-        all_shade = all_shade && HoldsUpLight(part.material);
-      }
-      at->second.seen = rays.MakeMesh(*instance.mesh, false);
-      at->second.shading = all_shade ? at->second.seen : rays.MakeMesh(*instance.mesh, true);
-    }
-    instance.mesh_index = at->second.index;
-    if (instance.seen && !rays.AttachInstance(rays.seen, at->second.seen, instance, i)) instance.seen = false;
-    if (instance.shades && !rays.AttachInstance(rays.shading, at->second.shading, instance, i)) instance.shades = false;
-  }
+  world->AttachAll();
   rtcCommitScene(rays.seen);
   rtcCommitScene(rays.shading);
   if (const RTCError error = rtcGetDeviceError(rays.device); error != RTC_ERROR_NONE) {
@@ -200,9 +255,8 @@ absl::StatusOr<std::unique_ptr<World>> World::Make(const Scene& scene, const Cut
   return world;
 }
 
-namespace {
-
-Hit Nearest(RTCScene scene, Vec3 from, Vec3 direction, float least, unsigned flags) {
+Hit World::Rays::Nearest(RTCScene scene, const std::vector<WorldInstance>& instances, Vec3 from, Vec3 direction,
+                         float least, unsigned flags) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = static_cast<RTCIntersectContextFlags>(flags);
@@ -221,23 +275,26 @@ Hit Nearest(RTCScene scene, Vec3 from, Vec3 direction, float least, unsigned fla
   Hit hit;
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
   hit.distance = query.ray.tfar;
-  hit.instance = static_cast<int>(query.hit.instID[0]);
-  hit.part = static_cast<int>(query.hit.geomID);
   hit.triangle = static_cast<int>(query.hit.primID);
   hit.u = query.hit.u;
   hit.v = query.hit.v;
   hit.across = {query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
+  if (flat) {
+    std::tie(hit.instance, hit.part) = parts[query.hit.geomID];
+  } else {
+    hit.instance = static_cast<int>(query.hit.instID[0]);
+    hit.part = static_cast<int>(query.hit.geomID);
+    hit.across = instances[hit.instance].TurnToRoom(hit.across);
+  }
   return hit;
 }
 
-}  // namespace
-
 Hit World::Look(Vec3 from, Vec3 direction, float least) const {
-  return Nearest(rays_->seen, from, direction, least, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  return rays_->Nearest(rays_->seen, instances_, from, direction, least, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
 }
 
 Hit World::Feel(Vec3 from, Vec3 direction) const {
-  return Nearest(rays_->shading, from, direction, 0, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  return rays_->Nearest(rays_->shading, instances_, from, direction, 0, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
 }
 
 bool World::Shaded(Vec3 from, Vec3 direction, float distance) const {

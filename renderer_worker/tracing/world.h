@@ -32,7 +32,7 @@ struct Hit {
   int part = 0;
   int triangle = 0;
   float u = 0, v = 0;
-  Vec3 across;  // of the triangle, in its mesh, any length, either side
+  Vec3 across;  // right-angled to the triangle in room frame R, any length, either side
 };
 
 // The surface at a hit.
@@ -66,19 +66,24 @@ class World {
   Vec3 MeanColourAt(const Hit& hit) const { return mean_colours_[instances_[hit.instance].mesh_index][hit.part]; }
   // The unit normal of the hit triangle, on the side that `direction` comes from.
   Vec3 GeometricNormalAt(const Hit& hit, Vec3 direction) const {
-    const Vec3 normal = Normalized(instances_[hit.instance].TurnToRoom(hit.across));
+    const Vec3 normal = Normalized(hit.across);
     return Dot(normal, direction) > 0 ? -normal : normal;
   }
 
  private:
   struct Rays;
   World();
+  absl::Status MakeMeanColours();
+  void AttachAll();
   std::vector<WorldInstance> instances_;
   std::vector<std::vector<Vec3>> mean_colours_;  // by mesh and part
   std::unique_ptr<Rays> rays_;
 };
 
 inline constexpr int64_t kMaxTriangles = 20'000'000;
+// Up to so many triangles, counted once for every object that has them, rays search one tree of all of them, which is
+// faster; beyond, equal meshes share a tree each.
+inline constexpr int64_t kMaxFlatTriangles = 600'000;
 
 // Ids of the parts of a room, beside those of furniture classes.
 inline constexpr int kFloorClass = 1001, kCeilingClass = 1002, kWallClass = 1003, kDoorClass = 1004,
