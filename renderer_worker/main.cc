@@ -16,11 +16,17 @@ absl::Status Assemble(const config::v1::RendererWorkerConfig& config, runtime::W
   return absl::OkStatus();
 }
 
+void Check(const config::v1::RendererWorkerConfig& config, runtime::ConfigChecker& checker) {
+  if (config.has_tracing_thread_count()) checker.Range("tracing_thread_count", config.tracing_thread_count(), 1, 256);
+}
+
 }  // namespace
 }  // namespace flair
 
 int main(int argc, char** argv) {
   return flair::runtime::Run<flair::config::v1::RendererWorkerConfig>(
-      argc, argv, {"flair-renderer", "Serves flair.v1.RendererService: draws layouts.", flair::runtime::BuildName()},
-      flair::Assemble);
+      argc, argv,
+      {"flair-renderer", "Serves flair.v1.RendererService: draws layouts and writes their scenes.",
+       flair::runtime::BuildName()},
+      flair::Assemble, flair::Check);
 }

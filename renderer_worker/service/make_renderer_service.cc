@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/service/make_renderer_service.h"
 
+#include <algorithm>
+#include <atomic>
+#include <thread>
 #include <utility>
 
 #include "flair/v1/renderer_service.grpc.pb.h"
+#include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/images/image_writer.h"
+#include "renderer_worker/service/contact_sheet_taker.h"
 #include "renderer_worker/service/export_scene_handler.h"
 #include "renderer_worker/service/render_handler.h"
+#include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/client_stream_call.h"
 #include "worker_runtime/grpc/unary_call.h"
 
 namespace flair::renderer {
@@ -14,8 +21,13 @@ namespace {
 
 class Service final : public v1::RendererService::CallbackService {
  public:
-  Service(std::unique_ptr<ImageWriter> writer, runtime::WorkerContext& worker)
-      : worker_(worker), writer_(std::move(writer)), render_(*writer_) {}
+  Service(std::unique_ptr<ImageWriter> writer, std::unique_ptr<FurnishingSource> furnishing, const ViewLimits& limits,
+          runtime::WorkerContext& worker)
+      : worker_(worker),
+        writer_(std::move(writer)),
+        furnishing_(std::move(furnishing)),
+        render_(*writer_, *furnishing_, limits),
+        export_scene_(*furnishing_, worker.build, limits.answer_bytes) {}
 
   grpc::ServerUnaryReactor* Render(grpc::CallbackServerContext* context, const v1::RenderRequest* request,
                                    v1::RenderResponse* response) override {
@@ -27,18 +39,34 @@ class Service final : public v1::RendererService::CallbackService {
     return runtime::ServeUnary(worker_, "ExportScene", context, request, response, export_scene_);
   }
 
+  grpc::ServerReadReactor<v1::ComposeContactSheetRequest>* ComposeContactSheet(
+      grpc::CallbackServerContext* context, v1::ComposeContactSheetResponse* response) override {
+    return runtime::ServeClientStream<v1::ComposeContactSheetRequest>(
+        worker_, "ComposeContactSheet", context, response, std::make_unique<ContactSheetTaker>(*writer_, open_sheets_));
+  }
+
  private:
   runtime::WorkerContext& worker_;
   const std::unique_ptr<ImageWriter> writer_;
+  const std::unique_ptr<FurnishingSource> furnishing_;
+  std::atomic<int> open_sheets_ = 0;
   RenderHandler render_;
   ExportSceneHandler export_scene_;
 };
+
+ViewLimits LimitsOf(const config::v1::RendererWorkerConfig& config) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return {.thread_count = std::clamp(
+              config.has_tracing_thread_count() ? static_cast<int>(config.tracing_thread_count()) : cores, 1, 256),
+          .answer_bytes = runtime::MaxMessageBytes(config.runtime().max_message_mib())};
+}
 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeRendererService(const config::v1::RendererWorkerConfig& config,
                                                                    runtime::WorkerContext& worker) {
-  return std::make_unique<Service>(MakeImageWriter(), worker);
+  auto furnishing = std::make_unique<ProceduralFurniture>();
+  return std::make_unique<Service>(MakeImageWriter(), std::move(furnishing), LimitsOf(config), worker);
 }
 
 }  // namespace flair::renderer

@@ -3,23 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
-#include "renderer_worker/drawing/draw_plan.h"
+#include "renderer_worker/service/render_plan.h"
 #include "room/validation/validate.h"
 
 namespace flair::renderer {
 namespace {
 
-// Raise whenever equal layouts would give another picture.
-constexpr char kPlanVersion[] = "1";
-
-// Nothing that differs between two runs: no time, no machine.
-ImageMetadata MetadataOf(const v1::RenderRequest& request, const DrawnPlan& plan) {
-  ImageMetadata metadata = {{"Title", plan.title}, {"Software", fmt::format("flair-renderer plan {}", kPlanVersion)}};
-  metadata.emplace_back("flair:scale", fmt::format("1:{} at A3", plan.scale));
-  if (!request.job_id().empty()) metadata.emplace_back("flair:job_id", request.job_id());
-  return metadata;
+// A plan is compressed many times over, so that its size is known when it is there.
+absl::Status CheckAnswer(const v1::RenderResponse& response, int64_t answer_bytes) {
+  const size_t size = response.ByteSizeLong();
+  if (size <= static_cast<uint64_t>(answer_bytes)) return absl::OkStatus();
+  return absl::ResourceExhaustedError(
+      fmt::format("options: the picture's file takes {} MiB, and this renderer sends messages of {} MiB "
+                  "(runtime.max_message_mib); ask for a smaller size_px or dpi, or PNG or JPEG",
+                  size >> 20, answer_bytes >> 20));
 }
 
 }  // namespace
@@ -27,21 +24,12 @@ ImageMetadata MetadataOf(const v1::RenderRequest& request, const DrawnPlan& plan
 absl::StatusOr<v1::RenderResponse> RenderHandler::Handle(const v1::RenderRequest& request,
                                                          runtime::CallContext& call) const {
   if (absl::Status status = Validate(request); !status.ok()) return status;
-  absl::StatusOr<DrawnPlan> plan = DrawPlan(request.solved_layout(), request.options());
-  if (!plan.ok()) return plan.status();
-  if (absl::Status status = call.CheckAlive(); !status.ok()) return status;
-  absl::StatusOr<std::string> file = writer_.WritePng(plan->pixels, MetadataOf(request, *plan));
-  if (!file.ok()) return file.status();
-  v1::RenderResponse response;
-  v1::Preview& preview = *response.mutable_preview();
-  preview.set_view(v1::PREVIEW_VIEW_PLAN);
-  preview.set_format(v1::PREVIEW_FORMAT_PNG);
-  preview.set_width_px(plan->pixels.width_px);
-  preview.set_height_px(plan->pixels.height_px);
-  preview.set_image(*std::move(file));
-  response.mutable_producer()->set_program("flair-renderer");
-  response.mutable_producer()->set_method("plan");
-  response.mutable_producer()->set_version(kPlanVersion);
+  const v1::PreviewView view = request.options().view();
+  const bool is_plan = view == v1::PREVIEW_VIEW_UNSPECIFIED || view == v1::PREVIEW_VIEW_PLAN;
+  absl::StatusOr<v1::RenderResponse> response =
+      is_plan ? RenderPlan(request, writer_, call) : RenderView(request, furnishing_, writer_, limits_, call);
+  if (!response.ok()) return response;
+  if (absl::Status status = CheckAnswer(*response, limits_.answer_bytes); !status.ok()) return status;
   return response;
 }
 

@@ -138,8 +138,8 @@ void Check(const v1::ContactSheetOptions& options, const Field& at) {
 void Check(const v1::ContactSheetTile& tile, const Field& at) {
   at["caption"].Text(tile.caption(), 0, 200);
   at["remark"].Text(tile.remark(), 0, 400);
-  if (tile.picture_case() == v1::ContactSheetTile::PICTURE_NOT_SET) {
-    at["picture"].Reject("is not set; solved_layout or image");
+  if (tile.picture_case() == v1::ContactSheetTile::PICTURE_NOT_SET && tile.remark().empty()) {
+    at["picture"].Reject("is not set; solved_layout or image, or a remark that says why there is none");
   }
 }
 

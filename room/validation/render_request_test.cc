@@ -106,7 +106,8 @@ TEST(ContactSheet, SaysWhatIsWrongWithOptionsAndTiles) {
   EXPECT_EQ(WhyNot("options { tile_count: 9 tile_px: 2000 }", 0), "options.tile_px: 2000 is outside [64, 1024]");
   EXPECT_EQ(WhyNot("options { tile_count: 9 format: PREVIEW_FORMAT_SVG }", 0),
             "options.format: PREVIEW_FORMAT_SVG; a contact sheet is PNG, JPEG or TIFF");
-  EXPECT_EQ(WhyNot("tile { caption: 'a' }", 1), "tile.picture: is not set; solved_layout or image");
+  EXPECT_EQ(WhyNot("tile { caption: 'a' }", 1),
+            "tile.picture: is not set; solved_layout or image, or a remark that says why there is none");
 }
 
 }  // namespace
