@@ -12,6 +12,7 @@
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is an error like any other
   CLI::App program("From a sentence to a furnished, explained, editable room.", "flair");
   program.footer(fmt::format("{}\n\nTry: flair design \"A bedroom that is 4m x 5m.\" --out out/bedroom",
                              flair::cli::kExitCodeHelp));
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
   flair::cli::AddExplain(program, result);
   flair::cli::AddJobs(program, result);
   flair::cli::AddRender(program, result);
+  flair::cli::AddContactSheet(program, result);
   flair::cli::AddSolve(program, result);
   flair::cli::AddResolve(program, result);
   flair::cli::AddImport(program, result);

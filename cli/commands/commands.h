@@ -18,6 +18,9 @@ void AddImport(CLI::App& program, absl::Status& result);
 // Into the command that AddImport makes.
 void AddImportAnswers(CLI::App& import, absl::Status& result);
 void AddExport(CLI::App& program, absl::Status& result);
+// Into the command that AddExport makes.
+void AddExportScene(CLI::App& exports, absl::Status& result);
+void AddContactSheet(CLI::App& program, absl::Status& result);
 void AddBench(CLI::App& program, absl::Status& result);
 // After AddBench.
 void AddBenchResolve(CLI::App& program, absl::Status& result);

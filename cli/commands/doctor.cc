@@ -16,7 +16,7 @@
 #include "cli/exit_code.h"
 #include "cli/input/llm_flags.h"
 #include "cli/output/output_folder.h"
-#include "cli/session/stage_call.h"
+#include "cli/session/renderer_client.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "fmt/format.h"
@@ -134,7 +134,9 @@ void LookAtPictures(Findings& findings) {
   placement.set_x_m(1.5);
   placement.set_y_m(1.5);
   request.mutable_options()->set_size_px(256);
-  const absl::StatusOr<v1::RenderResponse> response = CallRender(request, "");
+  absl::StatusOr<std::unique_ptr<RendererClient>> renderer = RendererClient::Open({});
+  if (!renderer.ok()) return findings.Bad("pictures", std::string(renderer.status().message()), "./flair build");
+  const absl::StatusOr<v1::RenderResponse> response = (*renderer)->Render(request);
   if (!response.ok()) {
     return findings.Bad("pictures", std::string(response.status().message()),
                         "apt-get install libopenimageio2.4 (or libopenimageio-dev), then ./flair build");

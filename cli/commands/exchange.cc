@@ -81,13 +81,14 @@ void AddImport(CLI::App& program, absl::Status& result) {
 
 void AddExport(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<ExchangeArguments>();
-  CLI::App* command = program.add_subcommand("export", "Layouts in the formats of other systems.");
+  CLI::App* command = program.add_subcommand("export", "Layouts in the formats of other systems, and as 3D scenes.");
   command->require_subcommand(1);
   CLI::App* flairgpt = command->add_subcommand("flairgpt", "Poses as the released implementation writes them.");
   flairgpt->add_option("LAYOUT", arguments->in, "layout.pb or layout.json")->required();
   flairgpt->add_option("-o,--out", arguments->out, "Where the .json goes")->required()->type_name("FILE");
   flairgpt->add_option("--name", arguments->name, "Name of the problem; that of FILE when left out");
   flairgpt->callback([arguments, &result] { result = ExportFlairGpt(*arguments); });
+  AddExportScene(*command, result);
 }
 
 }  // namespace flair::cli

@@ -2,12 +2,15 @@
 // flair render: draws a stored layout.
 #include <cstdio>
 #include <memory>
-#include <optional>
 
 #include "cli/commands/commands.h"
-#include "cli/input/files.h"
+#include "cli/exit_code.h"
+#include "cli/input/layout_file.h"
+#include "cli/input/render_flags.h"
+#include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
-#include "cli/session/stage_call.h"
+#include "cli/progress/slow_note.h"
+#include "cli/session/renderer_client.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -16,28 +19,59 @@ namespace {
 struct RenderArguments {
   std::string layout;
   std::string out;
-  std::string renderer;
-  std::optional<int> size_px;
+  std::string annotations;
+  bool no_annotations = false;
+  RenderFlags flags;
+  RendererChoice renderer;
 };
 
-absl::Status Render(const RenderArguments& arguments) {
-  const absl::StatusOr<v1::Artifact> artifact = ReadArtifact(arguments.layout);
-  if (!artifact.ok()) return artifact.status();
-  if (!artifact->has_solved_layout()) {
-    return absl::InvalidArgumentError(
-        fmt::format("{}: not a layout; give the layout.pb of a design", arguments.layout));
+// Where the JSON goes; empty: nowhere.
+absl::StatusOr<std::string> AnnotationsPath(const RenderArguments& arguments, const v1::RenderOptions& options) {
+  if (options.view() == v1::PREVIEW_VIEW_PLAN) {
+    if (arguments.annotations.empty()) return "";
+    return absl::InvalidArgumentError("--annotations: is for the ray-traced views; leave it out for a plan");
   }
-  if (absl::Status status = CheckArtifactId(*artifact, arguments.layout); !status.ok()) return status;
+  if (!arguments.annotations.empty()) return arguments.annotations;
+  if (options.format() != v1::PREVIEW_FORMAT_EXR || arguments.no_annotations) return "";
+  return arguments.out + ".json";
+}
+
+std::string WhatTakesLong(const v1::RenderOptions& options) {
+  if (options.view() == v1::PREVIEW_VIEW_PLAN) return "drawing";
+  return fmt::format("tracing {} paths of light per pixel", options.has_sample_count() ? options.sample_count() : 16);
+}
+
+absl::Status Render(const RenderArguments& arguments) {
+  const absl::StatusOr<v1::RenderOptions> options = ReadRenderFlags(arguments.flags, arguments.out);
+  if (!options.ok()) return options.status();
+  const absl::StatusOr<std::string> annotations = AnnotationsPath(arguments, *options);
+  if (!annotations.ok()) return annotations.status();
+  const absl::StatusOr<LayoutFile> layout = ReadLayoutFile(arguments.layout);
+  if (!layout.ok()) return layout.status();
+  for (const std::string& path : {arguments.out, *annotations}) {
+    if (absl::Status status = CheckOutputFile(path); !status.ok()) return status;
+  }
   v1::RenderRequest request;
   request.set_request_id("flair-render");
-  *request.mutable_solved_layout() = artifact->solved_layout();
-  if (arguments.size_px) request.mutable_options()->set_size_px(*arguments.size_px);
-  request.set_job_id(artifact->id());
-  const absl::StatusOr<v1::RenderResponse> response = CallRender(request, arguments.renderer);
+  SetOrigin(*layout, request);
+  *request.mutable_options() = *options;
+  absl::StatusOr<std::unique_ptr<RendererClient>> renderer = RendererClient::Open(arguments.renderer);
+  if (!renderer.ok()) return renderer.status();
+  const absl::StatusOr<v1::RenderResponse> response = [&] {
+    const SlowNote note(WhatTakesLong(*options));
+    return (*renderer)->Render(request);
+  }();
   if (!response.ok()) return response.status();
-  if (absl::Status status = WriteOutputFile(arguments.out, response->preview().image()); !status.ok()) return status;
-  fmt::print(stderr, "{}: {} x {} px\n", arguments.out, response->preview().width_px(),
-             response->preview().height_px());
+  const v1::Preview& preview = response->preview();
+  if (absl::Status status = WriteOutputFile(arguments.out, preview.image()); !status.ok()) return status;
+  if (!annotations->empty()) {
+    if (absl::Status status = WriteOutputFile(*annotations, ToJson(preview.annotations())); !status.ok()) return status;
+  }
+  for (const v1::Diagnostic& diagnostic : response->diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
+  fmt::print(stderr, "{}: {}\n", arguments.out,
+             preview.width_px() > 0 ? fmt::format("{} x {} px", preview.width_px(), preview.height_px())
+                                    : fmt::format("{} KiB", (preview.image().size() + 1023) / 1024));
+  if (!annotations->empty()) fmt::print(stderr, "{}: camera and objects\n", *annotations);
   return absl::OkStatus();
 }
 
@@ -45,13 +79,28 @@ absl::Status Render(const RenderArguments& arguments) {
 
 void AddRender(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* command = program.add_subcommand("render", "Draw a layout again.");
+  CLI::App* command = program.add_subcommand("render", "Draw a layout: a plan to scale, or a ray-traced view.");
   command->add_option("LAYOUT", arguments->layout, "layout.pb or layout.json of a design")->required();
-  command->add_option("-o,--out", arguments->out, "Where the PNG goes")->required()->type_name("FILE");
-  command->add_option("--size", arguments->size_px, "Longer side in pixels, 256 to 8192 (1600)")
-      ->type_name("PX")
-      ->check(CLI::Range(256, 8192));
-  command->add_option("--renderer", arguments->renderer, "Use this one instead of an own one")->type_name("HOST:PORT");
+  command
+      ->add_option(
+          "-o,--out", arguments->out,
+          "Where the picture goes; the ending says the format: png jpg tif, plans also svg pdf, views also exr")
+      ->required()
+      ->type_name("FILE");
+  AddRenderFlags(*command, arguments->flags);
+  CLI::Option* annotations =
+      command
+          ->add_option("--annotations", arguments->annotations,
+                       "Views: write camera, ids, boxes and poses there as JSON; with .exr, FILE.json when left out")
+          ->type_name("FILE");
+  command->add_flag("--no-annotations", arguments->no_annotations, "Write none beside an .exr")->excludes(annotations);
+  AddRendererFlags(*command, arguments->renderer);
+  command->footer(
+      "Files are written whole or not at all, and the same layout and options give the same bytes. Examples:\n"
+      "  flair render out/layout.pb --out plan.pdf --paper a4 --scale 1:50 --layers all\n"
+      "  flair render out/layout.pb --view birdseye --out room.png --samples 64\n"
+      "  flair render out/layout.pb --view perspective --out room.exr --size 512\n" +
+      std::string(kExitCodeHelp));
   command->callback([arguments, &result] { result = Render(*arguments); });
 }
 

@@ -63,9 +63,10 @@ class TemporaryFolder {
   bool keep_parents_ = false;
 };
 
-absl::Status WriteNew(const fs::path& path, const std::string& content) {
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) return Cannot("be written", path, errno);
+// `flags` say how it is opened; errors speak of `shown`.
+absl::Status Write(const fs::path& path, int flags, const std::string& content, const fs::path& shown) {
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
+  if (file < 0) return Cannot("be written", shown, errno);
   size_t written = 0;
   int error = 0;
   while (written < content.size() && error == 0) {
@@ -75,7 +76,18 @@ absl::Status WriteNew(const fs::path& path, const std::string& content) {
   }
   if (error == 0 && fsync(file) != 0 && errno != EINVAL) error = errno;
   if (close(file) != 0 && error == 0) error = errno;
-  return error == 0 ? absl::OkStatus() : Cannot("be written", path, error);
+  return error == 0 ? absl::OkStatus() : Cannot("be written", shown, error);
+}
+
+absl::Status WriteNew(const fs::path& path, const std::string& content, const fs::path& shown) {
+  return Write(path, O_CREAT | O_EXCL, content, shown);
+}
+
+// A device, a pipe: written to, never replaced.
+bool IsSpecial(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
 bool HoldsOnly(const fs::path& folder, const std::set<std::string>& names) {
@@ -133,7 +145,8 @@ absl::Status WriteOutputFolder(const fs::path& given, const std::vector<OutputFi
   TemporaryFolder temporary;
   if (absl::Status status = temporary.Make(folder); !status.ok()) return status;
   for (const OutputFile& file : files) {
-    if (absl::Status status = WriteNew(temporary.path() / file.name, file.content); !status.ok()) return status;
+    if (absl::Status status = WriteNew(temporary.path() / file.name, file.content, folder / file.name); !status.ok())
+      return status;
   }
   absl::Status status = PutInPlace(temporary.path(), folder, files);
   if (status.ok()) temporary.KeepParents();
@@ -145,6 +158,7 @@ absl::Status CheckOutputFile(const fs::path& given) {
   const fs::path path = Absolute(given);
   std::error_code error;
   if (fs::is_directory(path, error)) return FileError(fmt::format("{}: is a folder", path.string()));
+  if (IsSpecial(path)) return access(path.c_str(), W_OK) == 0 ? absl::OkStatus() : Cannot("be written", path, errno);
   return TemporaryFolder().Make(path);
 }
 
@@ -152,10 +166,11 @@ absl::Status WriteOutputFile(const fs::path& given, const std::string& content) 
   const fs::path path = Absolute(given);
   std::error_code error;
   if (fs::is_directory(path, error)) return FileError(fmt::format("{}: is a folder", path.string()));
+  if (IsSpecial(path)) return Write(path, 0, content, path);
   TemporaryFolder temporary;
   if (absl::Status status = temporary.Make(path); !status.ok()) return status;
   const fs::path made = temporary.path() / path.filename();
-  if (absl::Status status = WriteNew(made, content); !status.ok()) return status;
+  if (absl::Status status = WriteNew(made, content, path); !status.ok()) return status;
   if (rename(made.c_str(), path.c_str()) != 0) return Cannot("be written", path, errno);
   temporary.KeepParents();
   return absl::OkStatus();

@@ -28,7 +28,7 @@ absl::Status WriteOutputFolder(const std::filesystem::path& folder, const std::v
 // behind. An empty path is fine: nothing will be written.
 absl::Status CheckOutputFile(const std::filesystem::path& path);
 
-// One file, whole or not at all.
+// One file, whole or not at all. A device or pipe of that name is written to and stays what it is.
 absl::Status WriteOutputFile(const std::filesystem::path& path, const std::string& content);
 
 }  // namespace flair::cli

@@ -4,7 +4,6 @@
 #include "absl/time/clock.h"
 #include "cli/embedded/embedded_services.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
-#include "flair/v1/renderer_service.grpc.pb.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -50,11 +49,6 @@ absl::StatusOr<v1::SolveResponse> CallSolve(const v1::SolveRequest& request, con
 absl::StatusOr<v1::ResolveResponse> CallResolve(const v1::ResolveRequest& request, const std::string& address) {
   return Call<v1::OptimizerService>(request, address, &orchestrator::StageChannels::optimizer,
                                     &v1::OptimizerService::StubInterface::Resolve);
-}
-
-absl::StatusOr<v1::RenderResponse> CallRender(const v1::RenderRequest& request, const std::string& address) {
-  return Call<v1::RendererService>(request, address, &orchestrator::StageChannels::renderer,
-                                   &v1::RendererService::StubInterface::Render);
 }
 
 }  // namespace flair::cli

@@ -6,13 +6,11 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/optimizer_service.pb.h"
-#include "flair/v1/renderer_service.pb.h"
 
 namespace flair::cli {
 
 // `address` empty: a worker in this process.
 absl::StatusOr<v1::SolveResponse> CallSolve(const v1::SolveRequest& request, const std::string& address);
 absl::StatusOr<v1::ResolveResponse> CallResolve(const v1::ResolveRequest& request, const std::string& address);
-absl::StatusOr<v1::RenderResponse> CallRender(const v1::RenderRequest& request, const std::string& address);
 
 }  // namespace flair::cli

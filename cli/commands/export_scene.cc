@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair export scene and flair export sceneeval: a furnished room in three dimensions.
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands/commands.h"
+#include "cli/exit_code.h"
+#include "cli/input/layout_file.h"
+#include "cli/output/output_folder.h"
+#include "cli/progress/slow_note.h"
+#include "cli/session/renderer_client.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+struct ExportSceneArguments {
+  std::string layout;
+  std::string out;
+  std::string format = "glb";
+  RendererChoice renderer;
+};
+
+absl::Status ExportScene(const ExportSceneArguments& arguments, v1::SceneFormat format) {
+  const absl::StatusOr<LayoutFile> layout = ReadLayoutFile(arguments.layout);
+  if (!layout.ok()) return layout.status();
+  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
+  v1::ExportSceneRequest request;
+  request.set_request_id("flair-export");
+  request.set_format(format);
+  SetOrigin(*layout, request);
+  absl::StatusOr<std::unique_ptr<RendererClient>> renderer = RendererClient::Open(arguments.renderer);
+  if (!renderer.ok()) return renderer.status();
+  const absl::StatusOr<v1::ExportSceneResponse> response = [&] {
+    const SlowNote note("building the scene");
+    return (*renderer)->ExportScene(request);
+  }();
+  if (!response.ok()) return response.status();
+  if (absl::Status status = WriteOutputFile(arguments.out, response->scene()); !status.ok()) return status;
+  for (const v1::Diagnostic& diagnostic : response->diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
+  fmt::print(stderr, "{}: {} objects, {} KiB\n", arguments.out, layout->artifact.solved_layout().placements_size(),
+             (response->scene().size() + 1023) / 1024);
+  return absl::OkStatus();
+}
+
+absl::Status ExportGlb(const ExportSceneArguments& arguments) {
+  if (arguments.format != "glb") {
+    return absl::InvalidArgumentError(fmt::format(
+        "--format: {}: is no format of scenes; glb (for SceneEval: flair export sceneeval)", arguments.format));
+  }
+  return ExportScene(arguments, v1::SCENE_FORMAT_GLB);
+}
+
+}  // namespace
+
+void AddExportScene(CLI::App& exports, absl::Status& result) {
+  auto scene = std::make_shared<ExportSceneArguments>();
+  CLI::App* command = exports.add_subcommand(
+      "scene", "The furnished room in three dimensions, for Blender, Unity, Unreal and browsers.");
+  command->add_option("LAYOUT", scene->layout, "layout.pb or layout.json")->required();
+  command->add_option("-o,--out", scene->out, "Where the scene goes")->required()->type_name("FILE");
+  command->add_option("--format", scene->format, "glb, which is binary glTF 2.0 (glb)")->type_name("FORMAT");
+  AddRendererFlags(*command, scene->renderer);
+  command->footer(kExitCodeHelp);
+  command->callback([scene, &result] { result = ExportGlb(*scene); });
+
+  auto state = std::make_shared<ExportSceneArguments>();
+  command = exports.add_subcommand("sceneeval", "SceneState JSON, as the benchmark SceneEval reads it.");
+  command->add_option("LAYOUT", state->layout, "layout.pb or layout.json")->required();
+  command->add_option("-o,--out", state->out, "Where the .json goes")->required()->type_name("FILE");
+  AddRendererFlags(*command, state->renderer);
+  command->footer(kExitCodeHelp);
+  command->callback([state, &result] { result = ExportScene(*state, v1::SCENE_FORMAT_SCENE_STATE); });
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/session/renderer_client.h"
+
+#include <utility>
+
+#include "absl/time/clock.h"
+#include "fmt/format.h"
+#include "renderer_worker/service/make_renderer_service.h"
+#include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/grpc/status.h"
+
+namespace flair::cli {
+namespace {
+
+constexpr absl::Duration kWithin = absl::Hours(12);
+// An EXR of 3,800 x 3,800 px.
+constexpr int kMessageMib = 500;
+
+absl::StatusOr<std::unique_ptr<runtime::InProcessServer>> StartRenderer(const RendererChoice& choice) {
+  config::v1::RendererWorkerConfig config;
+  config.mutable_runtime()->set_log_level("error");
+  config.mutable_runtime()->set_max_message_mib(kMessageMib);
+  config.set_asset_folder_path(choice.asset_folder);
+  if (choice.thread_count > 0) config.set_tracing_thread_count(choice.thread_count);
+  return runtime::InProcessServer::Start("flair-renderer", config.runtime(), v1::RendererService::service_full_name(),
+                                         [&](runtime::WorkerContext& context) {
+                                           context.build = runtime::BuildName();
+                                           return renderer::MakeRendererService(config, context);
+                                         });
+}
+
+}  // namespace
+
+void AddRendererFlags(CLI::App& command, RendererChoice& choice) {
+  CLI::Option* renderer =
+      command.add_option("--renderer", choice.address, "Use this one instead of an own one")->type_name("HOST:PORT");
+  command
+      .add_option("--assets", choice.asset_folder,
+                  "Folder of 3D models with a manifest (docs/assets.md), for furniture that one of them fits")
+      ->type_name("DIR")
+      ->excludes(renderer);
+}
+
+absl::StatusOr<std::unique_ptr<RendererClient>> RendererClient::Open(const RendererChoice& choice) {
+  std::unique_ptr<RendererClient> client(new RendererClient(choice.address));
+  std::shared_ptr<grpc::Channel> channel;
+  if (choice.address.empty()) {
+    absl::StatusOr<std::unique_ptr<runtime::InProcessServer>> server = StartRenderer(choice);
+    if (!server.ok()) return server.status();
+    client->server_ = *std::move(server);
+    channel = client->server_->channel();
+  } else {
+    absl::StatusOr<std::shared_ptr<grpc::Channel>> made =
+        runtime::MakeChannel(choice.address, v1::RendererService::service_full_name(), kMessageMib);
+    if (!made.ok()) return made.status();
+    channel = *std::move(made);
+  }
+  client->stub_ = v1::RendererService::NewStub(channel);
+  return client;
+}
+
+absl::Status RendererClient::InWords(const absl::Status& status) const {
+  if (address_.empty() || !absl::IsUnavailable(status)) return status;
+  return absl::UnavailableError(
+      fmt::format("{}: no {} answers there: {}; is the program running, and is this its port?", address_,
+                  v1::RendererService::service_full_name(), std::string(status.message())));
+}
+
+absl::StatusOr<v1::RenderResponse> RendererClient::Render(const v1::RenderRequest& request) {
+  runtime::CallContext call;
+  absl::StatusOr<v1::RenderResponse> response =
+      runtime::UnaryRequest(*stub_, &v1::RendererService::StubInterface::Render, request, call, absl::Now() + kWithin);
+  if (!response.ok()) return InWords(response.status());
+  return response;
+}
+
+absl::StatusOr<v1::ExportSceneResponse> RendererClient::ExportScene(const v1::ExportSceneRequest& request) {
+  runtime::CallContext call;
+  absl::StatusOr<v1::ExportSceneResponse> response = runtime::UnaryRequest(
+      *stub_, &v1::RendererService::StubInterface::ExportScene, request, call, absl::Now() + kWithin);
+  if (!response.ok()) return InWords(response.status());
+  return response;
+}
+
+std::unique_ptr<ContactSheetCall> RendererClient::ComposeContactSheet(const v1::ContactSheetOptions& options) {
+  return std::make_unique<ContactSheetCall>(*this, options);
+}
+
+ContactSheetCall::ContactSheetCall(RendererClient& client, const v1::ContactSheetOptions& options) : client_(client) {
+  context_.set_deadline(absl::ToChronoTime(absl::Now() + kWithin));
+  writer_ = client.stub_->ComposeContactSheet(&context_, &response_);
+  v1::ComposeContactSheetRequest first;
+  *first.mutable_options() = options;
+  writer_->Write(first);
+}
+
+bool ContactSheetCall::Add(v1::ContactSheetTile tile) {
+  v1::ComposeContactSheetRequest request;
+  *request.mutable_tile() = std::move(tile);
+  return writer_->Write(request);
+}
+
+absl::StatusOr<v1::ComposeContactSheetResponse> ContactSheetCall::Finish() {
+  writer_->WritesDone();
+  const grpc::Status status = writer_->Finish();
+  if (!status.ok()) return client_.InWords(runtime::FromGrpcStatus(status));
+  return std::move(response_);
+}
+
+}  // namespace flair::cli
