@@ -10,6 +10,7 @@ namespace flair::renderer {
 namespace {
 
 constexpr double kRowMm = 8;       // between two dimension lines
+constexpr int kMostRows = 6;       // of dimension lines beside each other
 constexpr size_t kMostWalls = 60;  // of a room whose lines can still be told apart
 
 // Whether an earlier parallel wall of the same length already carries it, as in rectangles.
@@ -83,6 +84,26 @@ bool AddString(DimensionString string, std::vector<DimensionString>& strings) {
   return true;
 }
 
+// The extent of a room that no single wall tells: below and on the left of everything else.
+void AddOverall(const Plan& plan, const Sheet& sheet, std::vector<DimensionString>& strings) {
+  const Box b = plan.bounds_m;
+  const PlanWall sides[] = {{{b.x0, b.y0}, {b.x1, b.y0}, {1, 0}, {0, -1}, b.width()},
+                            {{b.x0, b.y1}, {b.x0, b.y0}, {0, -1}, {-1, 0}, b.height()}};
+  for (const PlanWall& side : sides) {
+    const bool told = std::any_of(plan.walls.begin(), plan.walls.end(), [&side](const PlanWall& wall) {
+      return std::abs(Cross(wall.along, side.along)) < 1e-6 && std::abs(wall.length_m - side.length_m) < 5e-3;
+    });
+    if (told) continue;
+    double reach = WallThicknessMm(sheet) + 7;
+    for (size_t i = 0; i < plan.walls.size(); ++i) {
+      if (Dot(plan.walls[i].outward, side.outward) > 0.9)
+        reach = std::max(reach, WallThicknessMm(sheet) + OutwardReachMm(plan, sheet, static_cast<int>(i)) + 7);
+    }
+    for (int row = 0; row < kMostRows && !AddString(MakeString(sheet, side, {0, side.length_m}, reach), strings); ++row)
+      reach += kRowMm;
+  }
+}
+
 }  // namespace
 
 std::vector<DimensionString> LayOutDimensions(const Plan& plan, const Sheet& sheet) {
@@ -103,6 +124,7 @@ std::vector<DimensionString> LayOutDimensions(const Plan& plan, const Sheet& she
       }
     }
   }
+  AddOverall(plan, sheet, strings);
   return strings;
 }
 

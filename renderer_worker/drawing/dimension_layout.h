@@ -18,8 +18,8 @@ struct DimensionString {
   double reach_mm = 0;  // from the wall's face to the line
 };
 
-// Dimension strings: a chain along each wall with openings, and the length of every wall that no parallel one tells.
-// None when the layer is not drawn.
+// Dimension strings: a chain along each wall with openings, the length of every wall that no parallel one tells, and
+// the extent of the room where none of its walls has it. None when the layer is not drawn.
 std::vector<DimensionString> LayOutDimensions(const Plan& plan, const Sheet& sheet);
 
 }  // namespace flair::renderer

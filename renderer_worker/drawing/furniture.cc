@@ -69,17 +69,25 @@ void DrawOverhead(Canvas& canvas, const PlanObject& object, const Sheet& sheet) 
   canvas.LeaveFrame();
 }
 
+// Whether any of it can be seen; what lies kilometres away would overflow the surface's coordinates.
+bool OnPaper(const PlanObject& object, const Sheet& sheet) {
+  const Point centre = sheet.ToSheet(object.centre_m);
+  const double reach = std::hypot(object.width_m, object.depth_m) / 2 * sheet.mm_per_m();
+  return BoxAround(centre, {2 * reach, 2 * reach}).Overlaps(sheet.plan_mm.Grown(10));
+}
+
 }  // namespace
 
 void DrawRugs(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
-    if (object.walk_over) DrawSymbol(canvas, object, sheet);
+    if (object.walk_over && OnPaper(object, sheet)) DrawSymbol(canvas, object, sheet);
   }
 }
 
 void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
     if (object.walk_over || object.kind == v1::OBJECT_KIND_WALL || object.kind == v1::OBJECT_KIND_CEILING) continue;
+    if (!OnPaper(object, sheet)) continue;
     if (object.kind == v1::OBJECT_KIND_FLOOR && object.symbol->outline != Outline::kOpen)
       DrawShadow(canvas, object, sheet);
     DrawSymbol(canvas, object, sheet);
@@ -88,10 +96,12 @@ void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
 
 void DrawMounted(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
-    if (object.kind == v1::OBJECT_KIND_WALL && !object.walk_over) DrawSymbol(canvas, AsBar(object, sheet), sheet);
+    if (object.kind == v1::OBJECT_KIND_WALL && !object.walk_over && OnPaper(object, sheet))
+      DrawSymbol(canvas, AsBar(object, sheet), sheet);
   }
   for (const PlanObject& object : plan.objects) {
-    if (object.kind == v1::OBJECT_KIND_CEILING && !object.walk_over) DrawOverhead(canvas, object, sheet);
+    if (object.kind == v1::OBJECT_KIND_CEILING && !object.walk_over && OnPaper(object, sheet))
+      DrawOverhead(canvas, object, sheet);
   }
 }
 

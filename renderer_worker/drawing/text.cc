@@ -31,6 +31,8 @@ LayoutPtr MakeLayout(const Canvas& canvas, const TextBlock& block) {
   pango_font_description_free(font);
   SetTracking(layout.get(), block.style);
   pango_layout_set_single_paragraph_mode(layout.get(), TRUE);
+  // Lines start at the left whatever the script; words of a script from right to left still run that way.
+  pango_layout_set_auto_dir(layout.get(), FALSE);
   if (block.style.line_spacing != 1.0) pango_layout_set_line_spacing(layout.get(), block.style.line_spacing);
   if (block.max_width_mm > 0) {
     pango_layout_set_width(layout.get(),
