@@ -37,7 +37,7 @@ void CurlMulti::Start(int64_t id, std::unique_ptr<Transfer> transfer, Done done)
   curl_easy_setopt(handle, CURLOPT_PRIVATE, reinterpret_cast<void*>(id));
   Running& running = running_[id];
   running.transfer = std::move(transfer);
-  running.transfer->CountBodyIn(&body_bytes_came_);
+  running.transfer->Join(&round_);
   running.done = std::move(done);
   if (curl_multi_add_handle(multi_, handle) != CURLM_OK) {
     Abort(id, absl::ResourceExhaustedError("no memory for an HTTP request"));
@@ -65,12 +65,12 @@ void CurlMulti::OnSocket(int fd, bool readable, bool writable) {
 }
 
 int64_t CurlMulti::Read(int fd) {
-  body_bytes_came_ = 0;
   Act(fd, CURL_CSELECT_IN);
-  return body_bytes_came_;
+  return round_.body_byte_count;
 }
 
 void CurlMulti::Act(curl_socket_t fd, int events) {
+  round_ = {.now = runtime::SystemClock().Elapsed()};
   int running_count = 0;
   curl_multi_socket_action(multi_, fd, events, &running_count);
   FinishDone();

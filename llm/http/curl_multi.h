@@ -54,7 +54,7 @@ class CurlMulti {
   EventLoop& loop_;
   ReadPacer pacer_;
   CURLM* const multi_;
-  int64_t body_bytes_came_ = 0;
+  ReadRound round_;
   std::unordered_map<int64_t, Running> running_;
   runtime::Timer::Id curl_timer_ = 0;
 };

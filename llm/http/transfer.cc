@@ -120,7 +120,7 @@ std::optional<absl::Status> Transfer::Expired(absl::Duration now) const {
 }
 
 size_t Transfer::TakeHeader(std::string_view line) {
-  silent_since_ = Now();
+  silent_since_ = round_->now;
   header_byte_count_ += static_cast<int64_t>(line.size());
   if (header_byte_count_ > kHeaderByteLimit) {
     failure_ = absl::DataLossError(
@@ -139,8 +139,8 @@ size_t Transfer::TakeHeader(std::string_view line) {
 }
 
 size_t Transfer::TakeBody(std::string_view piece) {
-  silent_since_ = Now();
-  if (body_bytes_came_ != nullptr) *body_bytes_came_ += static_cast<int64_t>(piece.size());
+  silent_since_ = round_->now;
+  round_->body_byte_count += static_cast<int64_t>(piece.size());
   long status = 0;
   curl_easy_getinfo(handle_.get(), CURLINFO_RESPONSE_CODE, &status);
   const bool success = status / 100 == 2;

@@ -16,6 +16,15 @@
 
 namespace flair::llm {
 
+// What one call to libcurl reads. An answer comes in hundreds of pieces: asking for the time of each would be much of
+// the work.
+struct ReadRound {
+  // runtime::SystemClock().Elapsed().
+  absl::Duration now;
+  // Of bodies, decompressed.
+  int64_t body_byte_count = 0;
+};
+
 // One request on its way: a libcurl easy handle, what came so far, and when to give up. Made by any thread, then used
 // by the loop thread.
 class Transfer {
@@ -27,8 +36,8 @@ class Transfer {
   const absl::Status& status() const { return failure_; }
   CURL* handle() const { return handle_.get(); }
 
-  // Adds to `*byte_count` what comes of the body, decompressed.
-  void CountBodyIn(int64_t* byte_count) { body_bytes_came_ = byte_count; }
+  // Before libcurl runs it. `round` is shared by all that libcurl reads at once, and outlives this.
+  void Join(ReadRound* round) { round_ = round; }
 
   // The earliest moment at which Expired() can have an error, as known at `now`.
   absl::Duration NextCheck(absl::Duration now) const;
@@ -60,7 +69,7 @@ class Transfer {
   std::unique_ptr<curl_slist, CleanUp> header_list_;
   HttpResponse response_;
   int64_t body_byte_count_ = 0;
-  int64_t* body_bytes_came_ = nullptr;
+  ReadRound* round_ = nullptr;
   int64_t header_byte_count_ = 0;
   // Why the transfer was ended from our side.
   absl::Status failure_;
