@@ -31,7 +31,8 @@ void ReadModelAnswer(std::string_view bytes);
 // A reply of the chat protocol, streamed or not: the first byte says in which pieces it comes, the rest is its body.
 void ReadReply(std::string_view bytes);
 
-// A step of the language or translation phase, chosen by the first byte, whose model answers with the rest; after a line
+// A step of the language or translation phase, chosen by the first byte, whose model answers with the rest; after a
+// line
 // "=====" with what follows to the request to repair. See model_step.cc for what must hold.
 void ModelStep(std::string_view bytes);
 
