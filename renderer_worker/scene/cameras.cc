@@ -190,7 +190,7 @@ double PerspectiveScore(const RoomShape& shape, const Sight& sight, const SceneC
     }
   }
   const Spoiled spoiled = SpoiledShares(shape, sight, camera);
-  return score / most - 2.0 * spoiled.close - 2.2 * spoiled.outside;
+  return score / most - 2.0 * spoiled.close - 4.0 * spoiled.outside;
 }
 
 }  // namespace

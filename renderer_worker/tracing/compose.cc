@@ -70,7 +70,7 @@ absl::Status Composer::Expose(const Workers& workers) {
   if (all.count == 0 || !(light > 1e-9 * all.count)) return status;
   const double albedo = std::max(all.albedo / all.count, 0.01);
   const double exposure =
-      kWhite * all.count / light * std::clamp(std::pow(kUsualAlbedo / albedo, kAdaptation), 0.75, 2.2);
+      kWhite * all.count / light * std::clamp(std::pow(kUsualAlbedo / albedo, kAdaptation), 0.75, 1.7);
   // Lamplight stays a little warm: the eye gets used to most of its colour, not to all.
   const auto gain = [&](double channel) {
     return static_cast<float>(exposure *

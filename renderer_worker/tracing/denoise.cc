@@ -13,6 +13,7 @@ namespace {
 constexpr int kRounds = 5;
 constexpr int kBlock = 256;  // pixels whose sums stay in the nearest cache
 constexpr std::array<float, 5> kKernel = {0.0625F, 0.25F, 0.375F, 0.25F, 0.0625F};  // B3 spline
+constexpr float kFirstSpreads = 12;  // between near neighbours nearly everything is noise
 constexpr float kSpreads = 4;        // differences of so many standard deviations are noise
 constexpr float kRelative = 0.012F;  // as are those of this share
 
@@ -37,7 +38,7 @@ enum Guide { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kReach, kInstance, kGuide
 enum Light { kRed, kGreen, kBlue, kGlossRed, kGlossGreen, kGlossBlue, kVariance, kLuminance, kLightCount };
 
 // Sums over a row's neighbours: kRed to kVariance as above.
-enum Sum { kWeight = kVariance + 1, kTolerance, kSumCount };
+enum Sum { kWeight = kVariance + 1, kGlossWeight, kTolerance, kSumCount };
 
 // Pixels brighter than all their neighbours of one instance (light or gloss) come down to the brightest of them.
 void TameSparks(const Planes& guides, int width, int height, const std::vector<Lit>& lit, int y,
@@ -85,7 +86,7 @@ FLAIR_WIDE_VECTORS void AddVariance(const float* instance, const float* variance
 
 // Inverse of the difference of luminance that noise may make, from the mean variance of 17 pixels of 7 x 7: the few
 // samples of one pixel may all have missed what makes its neighbours differ.
-void Tolerances(const Planes& guides, const Planes& from, int width, int height, int y, Planes& sums) {
+void Tolerances(const Planes& guides, const Planes& from, int width, int height, int y, int step, Planes& sums) {
   const size_t row = static_cast<size_t>(y) * width;
   float *inverse = sums[kTolerance], *sum = sums[kRed], *weight = sums[kGreen];
   const auto add = [&](int right, int below) {
@@ -98,8 +99,9 @@ void Tolerances(const Planes& guides, const Planes& from, int width, int height,
     for (const int right : {-3, -1, 1, 3}) add(right, below);
   }
   const float* luminance = from[kLuminance] + row;
+  const float spreads = step <= 2 ? kFirstSpreads : kSpreads;
   for (int x = 0; x < width; ++x) {
-    inverse[x] = 1 / (kSpreads * std::sqrt(sum[x] / weight[x]) + kRelative * luminance[x] + 1e-4F);
+    inverse[x] = 1 / (spreads * std::sqrt(sum[x] / weight[x]) + kRelative * luminance[x] + 1e-4F);
     sum[x] = weight[x] = 0;
   }
 }
@@ -119,32 +121,35 @@ FLAIR_WIDE_VECTORS void AddNeighbours(const Planes& g, const Planes& from, size_
               *gloss_b = from[kGlossBlue] + other;
   float *sr = sums[kRed], *sg = sums[kGreen], *sb = sums[kBlue];
   float *tr = sums[kGlossRed], *tg = sums[kGlossGreen], *tb = sums[kGlossBlue];
-  float *sv = sums[kVariance], *sw = sums[kWeight];
+  float *sv = sums[kVariance], *sw = sums[kWeight], *tw = sums[kGlossWeight];
   const float* inverse = sums[kTolerance];
 #pragma GCC ivdep
   for (int i = begin; i < end; ++i) {
     const float cosine = nx0[i] * nx1[i] + ny0[i] * ny1[i] + nz0[i] * nz1[i];
     const float c1 = cosine > 0.5F ? cosine : 0.0F, c2 = c1 * c1, c4 = c2 * c2, c8 = c4 * c4;
     const float off = nx0[i] * (x1[i] - x0[i]) + ny0[i] * (y1[i] - y0[i]) + nz0[i] * (z1[i] - z0[i]);
-    const float differs = std::fabs(l1[i] - l0[i]) * inverse[i] + std::fabs(off) * reach[i] * per_step;
-    // Close to exp(-differs), and cheap.
+    const float beside = std::fabs(off) * reach[i] * per_step;
+    const float differs = std::fabs(l1[i] - l0[i]) * inverse[i] + beside;
+    // Close to exp(-x), and cheap. Gloss is smooth by nature: only its surface's edges stop it.
     const float f1 = 1 - 0.25F * differs, f = f1 > 0.06F ? f1 : 0.0F, f2 = f * f;
-    const float same = i0[i] == i1[i] ? kernel : 0.0F;
-    const float w = same * c8 * c8 * f2 * f2;
+    const float h1 = 1 - 0.25F * beside, h = h1 > 0.06F ? h1 : 0.0F, h2 = h * h;
+    const float same = (i0[i] == i1[i] ? kernel : 0.0F) * c8 * c8;
+    const float w = same * f2 * f2, v = same * h2 * h2;
     sr[i] += w * r[i];
     sg[i] += w * gr[i];
     sb[i] += w * b[i];
-    tr[i] += w * gloss_r[i];
-    tg[i] += w * gloss_g[i];
-    tb[i] += w * gloss_b[i];
+    tr[i] += v * gloss_r[i];
+    tg[i] += v * gloss_g[i];
+    tb[i] += v * gloss_b[i];
     sv[i] += w * w * v1[i];
     sw[i] += w;
+    tw[i] += v;
   }
 }
 
 void SmoothRow(const Planes& guides, const Planes& from, int width, int height, int y, int step, Planes& to) {
   Planes sums(kSumCount, width);
-  Tolerances(guides, from, width, height, y, sums);
+  Tolerances(guides, from, width, height, y, step, sums);
   const size_t row = static_cast<size_t>(y) * width;
   for (int block = 0; block < width; block += kBlock) {
     for (int j = -2; j <= 2; ++j) {
@@ -159,9 +164,10 @@ void SmoothRow(const Planes& guides, const Planes& from, int width, int height, 
     }
   }
   for (int x = 0; x < width; ++x) {
-    const float weight = sums[kWeight][x];
-    const float scale = weight > 0 ? 1 / weight : 0;
-    for (int k = kRed; k <= kGlossBlue; ++k) to[k][row + x] = weight > 0 ? sums[k][x] * scale : from[k][row + x];
+    const float weight = sums[kWeight][x], gloss_weight = sums[kGlossWeight][x];
+    const float scale = weight > 0 ? 1 / weight : 0, gloss_scale = gloss_weight > 0 ? 1 / gloss_weight : 0;
+    for (int k = kRed; k <= kBlue; ++k) to[k][row + x] = weight > 0 ? sums[k][x] * scale : from[k][row + x];
+    for (int k = kGlossRed; k <= kGlossBlue; ++k) to[k][row + x] = sums[k][x] * gloss_scale;
     to[kVariance][row + x] = sums[kVariance][x] * scale * scale;
     to[kLuminance][row + x] = Luminance({to[kRed][row + x], to[kGreen][row + x], to[kBlue][row + x]});
   }

@@ -14,15 +14,15 @@ constexpr size_t kMostLights = 250;  // beyond, the least bright ones of a scene
 
 // How much a light may give a point: only steers the choice.
 float GuessOf(const RectLight& rect, Vec3 position, Vec3 normal) {
-  const Vec3 corners[] = {rect.corner, rect.corner + rect.along, rect.corner + rect.up,
-                          rect.corner + rect.along + rect.up, rect.corner + rect.along * 0.5F + rect.up * 0.5F};
-  float above = 0;
-  for (const Vec3& corner : corners) above = std::max(above, Dot(normal, Normalized(corner - position)));
-  const Vec3 way = position - corners[4];
-  const float distance2 = Dot(way, way), facing = Dot(way, rect.normal) / std::sqrt(std::max(distance2, 1e-8F));
-  if (above <= 0 || facing <= 0) return 0;
-  return (above + 0.05F) * (facing + 0.05F) * rect.area_m2 / (distance2 + rect.area_m2 * 0.5F) *
-         (rect.window ? 1 : Luminance(rect.radiance));
+  constexpr float kPlaces[5][2] = {{0.1F, 0.1F}, {0.9F, 0.1F}, {0.1F, 0.9F}, {0.9F, 0.9F}, {0.5F, 0.5F}};
+  float sum = 0;
+  for (const auto& place : kPlaces) {
+    const Vec3 way = rect.corner + rect.along * place[0] + rect.up * place[1] - position;
+    const float distance2 = Dot(way, way) + 0.02F * rect.area_m2;
+    const float above = std::max(0.0F, Dot(normal, way)), facing = std::max(0.0F, -Dot(rect.normal, way));
+    sum += above * facing / (distance2 * distance2);
+  }
+  return sum * rect.area_m2 * (rect.window ? 1 : Luminance(rect.radiance)) * (0.2F / kPi);
 }
 
 float GuessOf(const BallLight& ball, Vec3 position, Vec3 normal) {
@@ -110,8 +110,17 @@ int Lights::WindowThrough(Vec3 from, Vec3 direction, float spread) const {
 
 LightChoice::LightChoice(const Lights& lights, Vec3 position, Vec3 normal)
     : lights_(lights), position_(position), normal_(normal) {
-  for (const RectLight& rect : lights.rects) total_ += guess_[count_++] = GuessOf(rect, position, normal);
+  for (const RectLight& rect : lights.rects) {
+    total_ += guess_[count_++] = GuessOf(rect, position, normal) * (rect.window ? lights.sky_scale : 1);
+  }
   for (const BallLight& ball : lights.balls) total_ += guess_[count_++] = GuessOf(ball, position, normal);
+  // A guess may be wrong: no light that counts at all is chosen too seldom, or its few samples would be sparks.
+  const float least = 0.12F * total_ / static_cast<float>(std::max<size_t>(count_, 1));
+  total_ = 0;
+  for (size_t i = 0; i < count_; ++i) {
+    if (guess_[i] > 0) guess_[i] = std::max(guess_[i], least);
+    total_ += guess_[i];
+  }
   sun_ = Luminance(lights.sun_irradiance) > 0 && Dot(normal, lights.sun_direction) + lights.sun_radius > 0 &&
          (lights.open_sky || lights.WindowThrough(position, lights.sun_direction, 2 * lights.sun_radius) >= 0);
 }

@@ -48,13 +48,13 @@ void SeeBeyond(const Lights& lights, const Surroundings& around, Vec3 from, Vec3
 Seen LookFrom(const World& world, const Lights& lights, const Surroundings& around, Vec3 eye, Vec3 direction,
               float pixel_rad) {
   Seen seen;
-  Vec3 from = eye;
+  Vec3 from = eye, since = eye;  // `since`: where the way was last bent
   float travelled = 0;
   for (int layer = 0; layer < kMostLayers; ++layer) {
     const Hit hit = world.Look(from, direction, layer == 0 ? 0.01F : 1e-4F);
     seen.direction = direction;
     if (hit.instance < 0) {
-      SeeBeyond(lights, around, from, direction, seen);
+      SeeBeyond(lights, around, since, direction, seen);
       return seen;
     }
     const Surface surface = world.SurfaceAt(hit, from, direction);
@@ -79,7 +79,7 @@ Seen LookFrom(const World& world, const Lights& lights, const Surroundings& arou
     }
     if (IsMirror(material) && layer + 1 < kMostLayers) {
       seen.filter = seen.filter * Schlick(colour, -Dot(surface.normal, direction));
-      from = surface.position;
+      from = since = surface.position;
       direction = direction - surface.normal * (2 * Dot(surface.normal, direction));
       continue;
     }

@@ -313,6 +313,14 @@ bool World::Shaded(Vec3 from, Vec3 direction, float distance) const {
   return ray.tfar < 0;
 }
 
+Vec3 World::MeanColourOf(int class_id) const {
+  for (const WorldInstance& instance : instances_) {
+    const std::vector<Vec3>& colours = mean_colours_[instance.mesh_index];
+    if (instance.class_id == class_id && !colours.empty()) return colours[0];
+  }
+  return {0.5F, 0.5F, 0.5F};
+}
+
 Surface World::SurfaceAt(const Hit& hit, Vec3 from, Vec3 direction) const {
   const WorldInstance& instance = instances_[hit.instance];
   const MeshPart& part = instance.mesh->parts[hit.part];

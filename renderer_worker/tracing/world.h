@@ -64,6 +64,8 @@ class World {
   Surface SurfaceAt(const Hit& hit, Vec3 from, Vec3 direction) const;
   const Material& MaterialAt(const Hit& hit) const { return instances_[hit.instance].mesh->parts[hit.part].material; }
   Vec3 MeanColourAt(const Hit& hit) const { return mean_colours_[instances_[hit.instance].mesh_index][hit.part]; }
+  // Of the first part of the first instance of a class; grey when there is none.
+  Vec3 MeanColourOf(int class_id) const;
   // The unit normal of the hit triangle, on the side that `direction` comes from.
   Vec3 GeometricNormalAt(const Hit& hit, Vec3 direction) const {
     const Vec3 normal = Normalized(hit.across);
