@@ -93,7 +93,7 @@ float MeanDirectLight(const World& world, const Lights& lights, const std::vecto
 
 void BalanceLights(const World& world, const std::vector<SurfacePoint>& points, const RoomShape& shape,
                    Lights& lights) {
-  constexpr float kDaylight = 0.6F, kLeastDaylight = 0.002F, kFill = 0.22F;
+  constexpr float kDaylight = 0.6F, kLeastDaylight = 0.002F, kLamplight = 0.3F, kFill = 0.3F, kFillBesideLamps = 0.06F;
   std::vector<SurfacePoint> inside;  // what faces the outside gets no light and shall not count
   for (const SurfacePoint& p : points) {
     const Vec3 q = p.position;
@@ -108,6 +108,14 @@ void BalanceLights(const World& world, const std::vector<SurfacePoint>& points, 
     return;
   }
   lights.sky_scale = 1;
+  Lights lamplight = lights;
+  lamplight.rects.clear();
+  lamplight.sun_irradiance = {};
+  const float of_lamps = MeanDirectLight(world, lamplight, inside, 4);
+  const bool lamps = of_lamps > 1e-4F;
+  for (BallLight& ball : lights.balls) {
+    if (lamps) ball.intensity = ball.intensity * (kLamplight / of_lamps);
+  }
   lights.sun_irradiance = {};
   Vec2 low = shape.floor[0], high = low;
   for (const Vec2& p : shape.floor) {
@@ -125,7 +133,7 @@ void BalanceLights(const World& world, const std::vector<SurfacePoint>& points, 
   daylight.rects = {fill};
   const float filled = MeanDirectLight(world, daylight, inside, 4);
   if (!(filled > 1e-6F)) return;
-  fill.radiance = fill.radiance * (kFill / filled);
+  fill.radiance = fill.radiance * ((lamps ? kFillBesideLamps : kFill) / filled);
   lights.rects = {fill};
 }
 

@@ -8,6 +8,9 @@ namespace {
 
 Vec3 Clamped(Vec3 c) { return {std::clamp(c.x, 0.0F, 1.0F), std::clamp(c.y, 0.0F, 1.0F), std::clamp(c.z, 0.0F, 1.0F)}; }
 
+// Coordinates that a room has; meshes of others may hold anything.
+float InRoom(float value) { return value > -1e4F && value < 1e4F ? value : 0.0F; }
+
 Vec3 Colour(const Material& material, Vec2 uv, float filter) {
   switch (material.pattern) {
     case Pattern::kPlain:
@@ -37,7 +40,7 @@ Vec3 Colour(const Material& material, Vec2 uv, float filter) {
 }  // namespace
 
 Vec3 PatternColour(const Material& material, Vec2 uv_m, float filter_m) {
-  return Clamped(Colour(material, uv_m, filter_m));
+  return Clamped(Colour(material, {InRoom(uv_m.x), InRoom(uv_m.y)}, filter_m));
 }
 
 Vec3 MeanPatternColour(const Material& material) {

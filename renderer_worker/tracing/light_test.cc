@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The balance of light: what the parts of the tracer promise each other.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer_worker/scene/room_shape.h"
+#include "renderer_worker/scene/sample_rooms.h"
+#include "renderer_worker/tracing/denoise.h"
+#include "renderer_worker/tracing/lighting.h"
+#include "renderer_worker/tracing/look.h"
+#include "renderer_worker/tracing/patterns/pattern.h"
+
+namespace flair::renderer {
+namespace {
+
+Vec3 DirectionOf(Vec2 sample) {
+  const float z = 1 - 2 * sample.x, radius = std::sqrt(std::max(0.0F, 1 - z * z));
+  return {radius * std::cos(6.2831853F * sample.y), radius * std::sin(6.2831853F * sample.y), z};
+}
+
+// Where everything is white and the sky is the same from everywhere, nothing can be told from anything.
+TEST(Light, WhiteThingsVanishInAWhiteFurnace) {
+  v1::SolvedLayout layout = EmptyRoom(4, 4);
+  AddObject(layout, "desk", 2, 2, 0.3);
+  AddObject(layout, "bed", 2.4, 1.2, 1);
+  Scene scene = *BuildScene(layout, BoxFurniture({1, 1, 1}));
+  scene.shell.clear();
+  const auto world = World::Make(scene, {});
+  ASSERT_TRUE(world.ok()) << world.status();
+  Lights lights;
+  lights.open_sky = lights.uniform_sky = true;
+  const auto radiosity = Radiosity::Solve(**world, lights, SpreadPoints(**world, 2000), {});
+  ASSERT_TRUE(radiosity.ok());
+  const SampleSeeds seeds(5);
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < 400; ++i) {
+    const PixelSamples random(seeds, i, 0, 1);
+    const Vec3 eye = Vec3{2, 2, 0.4F} - DirectionOf(random.At(0, Purpose::kBounce)) * 5;
+    const Vec2 aim = random.At(0, Purpose::kLight);
+    const Seen seen = LookFrom(**world, lights, {}, eye, Normalized(Vec3{1.5F + aim.x, 1 + aim.y, 0.4F} - eye), 1e-3F);
+    if (seen.lit_instance < 0) continue;
+    const Lit lit = LightOf(**world, lights, **radiosity, seen, seeds, i, 3, 64);
+    EXPECT_NEAR(Luminance(lit.irradiance), 1, 0.12);
+    sum += Luminance(lit.irradiance);
+    ++count;
+  }
+  ASSERT_GT(count, 200);
+  EXPECT_NEAR(sum / count, 1, 0.02);
+}
+
+// Light of a ball on a plane: intensity times cosine over distance squared, over pi.
+TEST(Light, FallsWithTheSquareOfTheDistance) {
+  Lights lights;
+  lights.balls.push_back({{0, 0, 2}, {3, 3, 3}, 0.02F});
+  for (const float x : {0.0F, 1.0F, 3.0F}) {
+    const LightChoice choice(lights, {x, 0, 0}, {0, 0, 1});
+    double sum = 0;
+    const SampleSeeds seeds(1);
+    const PixelSamples random(seeds, 0, 0, 64);
+    for (int i = 0; i < 64; ++i) {
+      sum += choice.Sample(random.At(i, Purpose::kLight).x, random.At(i, Purpose::kPlaceOnLight)).irradiance.x / 64;
+    }
+    const double distance2 = x * x + 4;
+    EXPECT_NEAR(sum, 3 * 2 / std::sqrt(distance2) / distance2 / 3.14159265, 0.003);
+  }
+}
+
+// The form factor of a parallel rectangle seen from a point below its corner (Hottel).
+TEST(Light, OfARectangleIsItsFormFactor) {
+  Lights lights;
+  RectLight rect;
+  rect.corner = {0, 0, 1};
+  rect.along = {1, 0, 0};
+  rect.up = {0, 1, 0};
+  rect.normal = {0, 0, -1};
+  rect.area_m2 = 1;
+  rect.radiance = {1, 1, 1};
+  lights.rects.push_back(rect);
+  const LightChoice choice(lights, {0, 0, 0}, {0, 0, 1});
+  const SampleSeeds seeds(1);
+  const PixelSamples random(seeds, 0, 0, 4096);
+  double sum = 0;
+  for (int i = 0; i < 4096; ++i) {
+    sum += choice.Sample(random.At(i, Purpose::kLight).x, random.At(i, Purpose::kPlaceOnLight)).irradiance.x / 4096;
+  }
+  const double r2 = std::sqrt(2.0);
+  EXPECT_NEAR(sum, 2 * (1 / r2 * std::atan(1 / r2)) / (2 * 3.14159265), 0.001);
+}
+
+// Which rays leave a room: those that pass a window's glass or the gap of a door, no others.
+TEST(World, WallsHaveNoLeaks) {
+  v1::SolvedLayout layout = LShapedRoom();
+  layout.mutable_graph()->mutable_room()->mutable_openings()->DeleteSubrange(1, 1);  // the door is ajar
+  const Scene scene = *BuildScene(layout, BoxFurniture());
+  const RoomShape shape = *ShapeOf(layout.graph().room());
+  const auto world = World::Make(scene, CutAwayFor(shape, {4, 1, 1}));
+  ASSERT_TRUE(world.ok());
+  const Lights lights = LightsOf(scene, false);
+  const SampleSeeds seeds(9);
+  const PixelSamples random(seeds, 0, 0, 20000);
+  int through = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 direction = DirectionOf(random.At(i, Purpose::kBounce));
+    if ((*world)->Feel({4, 1.2F, 1.3F}, direction).instance >= 0) continue;
+    ++through;
+    EXPECT_GE(lights.WindowThrough({4, 1.2F, 1.3F}, direction), 0);
+  }
+  EXPECT_GT(through, 100);
+}
+
+TEST(World, FewTreesAndManySeeTheSame) {
+  const auto ball_room = [](int count) {
+    v1::SolvedLayout layout = EmptyRoom(8, 8);
+    for (int i = 0; i < count; ++i)
+      AddObject(layout, "box_" + std::to_string(i), 0.8 + i % 6 * 1.25, 0.8 + i / 6 * 1.25, 0.1 * i);
+    return layout;
+  };
+  const v1::SolvedLayout layout = ball_room(36);
+  Scene scene = *BuildScene(layout, BoxFurniture());
+  const auto flat = World::Make(scene, CutAwayFor(*ShapeOf(layout.graph().room()), scene.birdseye.eye));
+  // The same room with so many triangles out of sight that meshes are shared.
+  auto heavy = std::make_shared<Mesh>(*scene.objects[0].furnishing.mesh);
+  while (static_cast<int64_t>(heavy->parts[0].indices.size()) < 3 * kMaxFlatTriangles) {
+    std::vector<uint32_t>& indices = heavy->parts[0].indices;
+    indices.insert(indices.end(), indices.begin(), indices.end());
+  }
+  scene.objects[0].furnishing.mesh = heavy;
+  const auto shared = World::Make(scene, CutAwayFor(*ShapeOf(layout.graph().room()), scene.birdseye.eye));
+  ASSERT_TRUE(flat.ok() && shared.ok());
+  const SampleSeeds seeds(3);
+  const PixelSamples random(seeds, 0, 0, 2000);
+  int differ = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2 aim = random.At(i, Purpose::kBounce);
+    const Vec3 direction = Normalized(Vec3{aim.x * 8, aim.y * 8, 0.2F} - scene.birdseye.eye);
+    const Hit a = (*flat)->Look(scene.birdseye.eye, direction, 0),
+              b = (*shared)->Look(scene.birdseye.eye, direction, 0);
+    ASSERT_EQ(a.instance < 0, b.instance < 0);
+    if (a.instance < 0) continue;
+    EXPECT_NEAR(a.distance, b.distance, 1e-3);
+    // Where two surfaces meet either may be found.
+    if (a.instance != b.instance) {
+      ++differ;
+      continue;
+    }
+    EXPECT_GT(Dot((*flat)->GeometricNormalAt(a, direction), (*shared)->GeometricNormalAt(b, direction)), 0.999F);
+  }
+  EXPECT_LE(differ, 10);
+}
+
+TEST(Sampling, SixteenPointsOfAPixelFillEveryGridOfSixteen) {
+  const SampleSeeds seeds(42);
+  for (const Purpose purpose : {Purpose::kLight, Purpose::kBounce}) {
+    const PixelSamples random(seeds, 13, 7, 16);
+    for (const auto& [columns, rows] : {std::pair{16, 1}, {4, 4}, {1, 16}, {8, 2}}) {
+      std::vector<int> count(16);
+      for (int i = 0; i < 16; ++i) {
+        const Vec2 p = random.At(i, purpose);
+        ++count[static_cast<int>(p.x * static_cast<float>(columns)) * rows +
+                static_cast<int>(p.y * static_cast<float>(rows))];
+      }
+      EXPECT_THAT(count, testing::Each(1));
+    }
+  }
+}
+
+TEST(SmoothLight, LeavesEvenLightAndOtherInstancesAlone) {
+  constexpr int kSize = 48;
+  std::vector<Seen> seen(kSize * kSize);
+  std::vector<Lit> lit(kSize * kSize);
+  for (int i = 0; i < kSize * kSize; ++i) {
+    const bool right = i % kSize >= kSize / 2;
+    seen[i].instance = seen[i].lit_instance = right ? 2 : 1;
+    seen[i].position = {0.01F * static_cast<float>(i % kSize), 0.01F * static_cast<float>(i / kSize), 0};
+    seen[i].normal = {0, 0, 1};
+    seen[i].distance = 3;
+    // Noise of a tenth on one side, none on the other, which is ten times as light.
+    const float noise = right ? 0 : 0.1F * (2 * static_cast<float>(Mix(static_cast<uint32_t>(i)) >> 8) * 0x1p-24F - 1);
+    lit[i].irradiance = Vec3{1, 1, 1} * (right ? 10 : 1 + noise);
+    lit[i].variance = right ? 0 : 0.0033F;
+  }
+  ASSERT_TRUE(SmoothLight(kSize, kSize, 0.003F, seen, {}, lit).ok());
+  for (int i = 0; i < kSize * kSize; ++i) {
+    EXPECT_NEAR(lit[i].irradiance.x, i % kSize >= kSize / 2 ? 10 : 1, 0.04);
+  }
+}
+
+TEST(Patterns, AreColoursAndFadeToTheirMeanWhenSeenFromAfar) {
+  for (const Pattern pattern :
+       {Pattern::kPlain, Pattern::kWood, Pattern::kPlanks, Pattern::kHerringbone, Pattern::kTiles, Pattern::kBricks,
+        Pattern::kStone, Pattern::kCarpet, Pattern::kFabric, Pattern::kWallpaper}) {
+    Material material;
+    material.colour = {0.6F, 0.4F, 0.2F};
+    material.second_colour = {0.1F, 0.1F, 0.1F};
+    material.pattern = pattern;
+    double near = 0, far = 0;
+    float lightest = 0, darkest = 1;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec2 uv{static_cast<float>(i) * 0.0137F - 7, static_cast<float>(i) * 0.00619F - 3};
+      const Vec3 fine = PatternColour(material, uv, 0.001F), coarse = PatternColour(material, uv, 5);
+      for (const float v : {fine.x, fine.y, fine.z, coarse.x, coarse.y, coarse.z}) ASSERT_TRUE(v >= 0 && v <= 1);
+      near += fine.y;
+      far += coarse.y;
+      lightest = std::max(lightest, fine.y);
+      darkest = std::min(darkest, fine.y);
+    }
+    EXPECT_NEAR(near / 2000, far / 2000, 0.06) << static_cast<int>(pattern);
+    if (pattern != Pattern::kPlain) EXPECT_GT(lightest, darkest + 0.03F) << static_cast<int>(pattern);
+    EXPECT_GE(PatternColour(material, {1e30F, std::nanf("")}, 0).x, 0);
+  }
+}
+
+}  // namespace
+}  // namespace flair::renderer
