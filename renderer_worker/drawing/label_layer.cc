@@ -49,9 +49,14 @@ class LabelLayer {
     for (const PlanOpening& opening : plan.openings) AddDoor(opening);
     for (const Clearance& clearance : ShownClearances(plan, sheet)) {
       taken_.push_back(ClearanceTextBox(canvas, sheet, clearance));
-      Box line;
-      for (Point end : {clearance.from_m, clearance.to_m}) line.Include(sheet.ToSheet(end));
-      obstacles_.push_back({line.Grown(0.4), 3, -1});
+      // In pieces: the box of a slanted line would be all paper.
+      const Point from = sheet.ToSheet(clearance.from_m), along = sheet.ToSheet(clearance.to_m) - from;
+      const int pieces = 1 + static_cast<int>(std::hypot(along.x, along.y) / 4);
+      for (int i = 0; i < pieces; ++i) {
+        Box piece;
+        for (int end : {i, i + 1}) piece.Include(from + along * (static_cast<double>(end) / pieces));
+        obstacles_.push_back({piece.Grown(0.4), 1, -1});
+      }
     }
   }
 
@@ -116,7 +121,7 @@ class LabelLayer {
     }
     areas_.push_back({Upper(name), fmt::format("{:.1f} m²", area_m2), colour});
     if (parts.size() == 1) item.region_mm = corners;
-    item.shyness = 4;
+    item.shyness = 10;
     const Box box = BoundsOf(corners);
     item.centre_mm = box.empty() ? Point{} : box.centre();
     item.half_width_mm = box.empty() ? 0 : box.width() / 2;

@@ -168,7 +168,7 @@ std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelItem>& items, const 
   for (int i : left) {
     if (!items[i].only_inside) continue;
     for (size_t form = 0; form < items[i].forms_mm.size(); ++form) {
-      if (placer.TryInside(i, static_cast<int>(form), items[i].forms_mm[form], 0.5, 90)) break;
+      if (placer.TryInside(i, static_cast<int>(form), items[i].forms_mm[form], 0.5, 250)) break;
     }
   }
   return std::move(placer).placed();

@@ -52,9 +52,9 @@ class Column {
 
 void ListConstraints(Canvas& canvas, const Plan& plan, double most_mm, Column& column) {
   column.Head("CONSTRAINTS");
-  for (const auto& [status, verdict] : {std::pair{v1::OUTCOME_STATUS_SATISFIED, "hold"},
-                                        {v1::OUTCOME_STATUS_VIOLATED, "are violated"},
-                                        {v1::OUTCOME_STATUS_DROPPED, "were dropped"}}) {
+  for (const auto& [status, verdict] : {std::pair{v1::OUTCOME_STATUS_SATISFIED, "satisfied"},
+                                        {v1::OUTCOME_STATUS_VIOLATED, "violated"},
+                                        {v1::OUTCOME_STATUS_DROPPED, "dropped"}}) {
     if (status == v1::OUTCOME_STATUS_DROPPED && Count(plan, status) == 0) continue;
     column.Line(fmt::format("{} {}", Count(plan, status), verdict), 1, [&, status = status](const Box& box) {
       canvas.Line({box.x0, box.centre().y}, {box.x1, box.centre().y});

@@ -56,10 +56,10 @@ void DrawCell(Canvas& canvas, const Box& cell, const std::string& heading, const
 }
 
 std::string NameOfDrawing(const PlanLayers& layers) {
-  std::string name = layers.floor_pieces || layers.tertiary ? "Furniture plan" : "Room plan";
-  if (layers.constraints) name += ", constraints";
-  if (layers.circulation) name += ", circulation";
-  return name;
+  if (layers.constraints && layers.circulation) return "Constraints, circulation";
+  if (layers.constraints) return "Plan of constraints";
+  if (layers.circulation) return "Plan of circulation";
+  return layers.floor_pieces || layers.tertiary ? "Furniture plan" : "Room plan";
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 
 namespace flair::renderer {
 namespace {
@@ -28,24 +29,51 @@ std::string GoldenPath(const std::string& name) {
   return std::string(FLAIR_SOURCE_DIR) + "/renderer_worker/drawing/testdata/" + name + ".png";
 }
 
-absl::StatusOr<std::string> Picture(const std::string& name, DrawnPlan& plan) {
+// A picture: of every sample layout as it is drawn by default, and of some with other options.
+struct GoldenCase {
+  std::string name;
+  std::string sample;
   v1::RenderOptions options;
-  options.set_size_px(kSizePx);
-  absl::StatusOr<DrawnPlan> drawn = DrawPlan(ReadSample(name), options);
+};
+
+GoldenCase CaseWith(const std::string& name, const std::string& sample, const std::vector<v1::PlanLayer>& layers,
+                    v1::PaperSize paper = v1::PAPER_SIZE_A3) {
+  GoldenCase golden{name, sample, {}};
+  golden.options.set_size_px(kSizePx);
+  golden.options.set_paper(paper);
+  for (const v1::PlanLayer layer : layers) golden.options.add_layers(layer);
+  return golden;
+}
+
+std::vector<GoldenCase> Cases() {
+  std::vector<GoldenCase> cases;
+  for (const std::string& name : SampleLayouts()) cases.push_back(CaseWith(name, name, {}));
+  cases.push_back(CaseWith("nursery_constraints", "nursery",
+                           {v1::PLAN_LAYER_FLOOR_PIECES, v1::PLAN_LAYER_TERTIARY, v1::PLAN_LAYER_CONSTRAINTS}));
+  cases.push_back(
+      CaseWith("nursery_circulation", "nursery", {v1::PLAN_LAYER_FLOOR_PIECES, v1::PLAN_LAYER_CIRCULATION}));
+  cases.push_back(CaseWith("l_shaped_studio_a4", "l_shaped_studio", {}, v1::PAPER_SIZE_A4));
+  return cases;
+}
+
+absl::StatusOr<std::string> Picture(const GoldenCase& golden, DrawnPlan& plan) {
+  absl::StatusOr<DrawnPlan> drawn = DrawPlan(ReadSample(golden.sample), golden.options);
   if (!drawn.ok()) return drawn.status();
   plan = *std::move(drawn);
   return MakeImageWriter()->WritePng(plan.pixels,
                                      {{"Title", plan.title}, {"flair:scale", "1:" + std::to_string(plan.scale)}});
 }
 
-class Golden : public testing::TestWithParam<std::string> {};
+class Golden : public testing::TestWithParam<GoldenCase> {};
 
 TEST_P(Golden, LooksAsStored) {
   DrawnPlan plan;
   const absl::StatusOr<std::string> png = Picture(GetParam(), plan);
   ASSERT_TRUE(png.ok()) << png.status();
-  if (std::getenv("FLAIR_UPDATE_GOLDENS") != nullptr) std::ofstream(GoldenPath(GetParam()), std::ios::binary) << *png;
-  OIIO::ImageBuf golden(GoldenPath(GetParam()));
+  const char* update = std::getenv("FLAIR_UPDATE_GOLDENS");
+  if (update != nullptr && std::string_view(update) == "1")
+    std::ofstream(GoldenPath(GetParam().name), std::ios::binary) << *png;
+  OIIO::ImageBuf golden(GoldenPath(GetParam().name));
   ASSERT_TRUE(golden.read(0, 0, true, OIIO::TypeDesc::UINT8)) << golden.geterror();
   ASSERT_EQ(golden.spec().width, plan.pixels.width_px);
   ASSERT_EQ(golden.spec().height, plan.pixels.height_px);
@@ -63,12 +91,12 @@ TEST_P(Golden, LooksAsStored) {
   EXPECT_LE(hard / pixels, kHardShare);
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, Golden, testing::ValuesIn(SampleLayouts()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Plans, Golden, testing::ValuesIn(Cases()), [](const auto& info) { return info.param.name; });
 
 TEST(ImageWriter, WritesTheSameBytesTwiceAndSaysWhatItIs) {
+  const GoldenCase golden = CaseWith("vampire_bedroom", "vampire_bedroom", {});
   DrawnPlan plan;
-  const absl::StatusOr<std::string> first = Picture("vampire_bedroom", plan), second = Picture("vampire_bedroom", plan);
+  const absl::StatusOr<std::string> first = Picture(golden, plan), second = Picture(golden, plan);
   ASSERT_TRUE(first.ok()) << first.status();
   ASSERT_TRUE(second.ok());
   EXPECT_EQ(*first, *second);

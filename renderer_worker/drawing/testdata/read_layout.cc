@@ -11,8 +11,9 @@
 namespace flair::renderer {
 
 const std::vector<std::string>& SampleLayouts() {
-  static const auto& names = *new std::vector<std::string>{"bare_hall",       "cloakroom",       "crowded_kitchen",
-                                                           "l_shaped_studio", "vampire_bedroom", "writer_office"};
+  static const auto& names = *new std::vector<std::string>{
+      "attic_gym",     "bare_hall", "cloakroom",    "cross_chapel",   "crowded_kitchen", "l_shaped_studio",
+      "long_corridor", "nursery",   "seminar_room", "small_bathroom", "vampire_bedroom", "writer_office"};
   return names;
 }
 
