@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,13 @@ struct DimensionString {
   std::vector<std::string> texts;
   double reach_mm = 0;  // from the wall's face to the line
 };
+
+// A number needs this much between its ticks; shorter first and last pieces carry it beyond the end of the line.
+inline constexpr double kLeastPieceMm = 8;
+inline double PieceMm(const DimensionString& string, size_t piece) {
+  return std::hypot(string.ticks_mm[piece + 1].x - string.ticks_mm[piece].x,
+                    string.ticks_mm[piece + 1].y - string.ticks_mm[piece].y);
+}
 
 // Dimension strings: a chain along each wall with openings, the length of every wall that no parallel one tells, and
 // the extent of the room where none of its walls has it. None when the layer is not drawn.

@@ -36,17 +36,20 @@ void DrawString(Canvas& canvas, const DimensionString& string) {
   const Point above{-std::sin(angle), -std::cos(angle)};
   const TextStyle style{.size_mm = 3.3, .colour = kInk};
   for (size_t i = 0; i + 1 < string.ticks_mm.size(); ++i) {
-    const Point middle = (string.ticks_mm[i] + string.ticks_mm[i + 1]) * 0.5;
-    const double length =
-        std::hypot(string.ticks_mm[i + 1].x - string.ticks_mm[i].x, string.ticks_mm[i + 1].y - string.ticks_mm[i].y);
+    Point middle = (string.ticks_mm[i] + string.ticks_mm[i + 1]) * 0.5;
+    const double length = PieceMm(string, i);
     TextBlock block{string.texts[i], style};
     double width = Measure(canvas, block).width;
-    if (width > length - 1) {
+    double height_mm = 2.15;
+    if (length < kLeastPieceMm && i == 0) {
+      middle = string.ticks_mm.front() - string.direction * (width / 2 + 1.6);
+    } else if (length < kLeastPieceMm && i + 1 == string.texts.size()) {
+      middle = string.ticks_mm.back() + string.direction * (width / 2 + 1.6);
+    } else if (width > length - 1) {
       block.style.size_mm *= 0.8;
-      width *= 0.8;
+      if (0.8 * width > length - 0.4) height_mm += 2.9;  // over its neighbours
     }
-    if (width > length - 0.4) continue;
-    DrawTextAt(canvas, block, middle + above * 2.15, angle);
+    DrawTextAt(canvas, block, middle + above * height_mm, angle);
   }
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kScales[] = {10, 20, 25, 50, 75, 100, 200, 250, 500, 1000};
 constexpr int kLargestScale = 5, kSmallestScale = 1000;
+constexpr double kEndRoomMm = 10;  // text beyond the end of a dimension line
 constexpr double kTextRoomMm = 5;  // text beyond the outermost dimension line
 
 Sheet EmptySheet(v1::PaperSize paper, bool portrait, int scale) {
@@ -50,6 +51,9 @@ Box PaperNeeded(const Plan& plan, const Sheet& sheet) {
   }
   for (const DimensionString& string : LayOutDimensions(plan, sheet)) {
     for (Point tick : string.ticks_mm) needed.Include(tick + string.outward * kTextRoomMm);
+    if (PieceMm(string, 0) < kLeastPieceMm) needed.Include(string.ticks_mm.front() - string.direction * kEndRoomMm);
+    if (PieceMm(string, string.texts.size() - 1) < kLeastPieceMm)
+      needed.Include(string.ticks_mm.back() + string.direction * kEndRoomMm);
   }
   return needed;
 }
