@@ -30,7 +30,10 @@ int LevelOf(float value) { return std::clamp(static_cast<int>(std::lround(value 
 // What PNG wants compressed: every row after the number of its filter, here none.
 ToneImage DrawTones(Pattern pattern) {
   const Vec2 period = PeriodOf(pattern);
-  ToneImage image{period.x > 1.5F * period.y ? 512 : 256, 256, {}};
+  // Floors are looked at more closely than the wood of a chair.
+  ToneImage image{256, 256, {}};
+  if (pattern == Pattern::kPlanks) image.width_px = 512;
+  if (pattern == Pattern::kWood) image.height_px = 128;
   std::string rows;
   rows.reserve(static_cast<size_t>(image.height_px) * static_cast<size_t>(image.width_px + 1));
   for (int y = 0; y < image.height_px; ++y) {

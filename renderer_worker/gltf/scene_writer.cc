@@ -28,6 +28,32 @@ std::vector<double> ListOf(const Quaternion& q) {
   return list;
 }
 
+// Where a camera begins to see: behind the wall that it looks through from outside.
+double NearDistance(const SceneCamera& camera, const v1::Room& room) {
+  constexpr double kNearest_m = 0.05;
+  constexpr double kFramesReach_m = 0.2;  // into the room
+  const Vec3 direction = Normalized(camera.target - camera.eye);
+  if (camera.eye.z > room.height_m()) return kNearest_m;
+  const auto& corners = room.floor().vertices();
+  // Crossings of the line of sight and of a line from the eye with the walls, in plan: an odd number, and it is inside.
+  double first = 1e9;
+  int crossings = 0;
+  for (int i = 0; i < corners.size(); ++i) {
+    const v1::Point2& a = corners[i];
+    const v1::Point2& b = corners[(i + 1) % corners.size()];
+    const double ax = a.x_m() - camera.eye.x, ay = a.y_m() - camera.eye.y;
+    const double wx = b.x_m() - a.x_m(), wy = b.y_m() - a.y_m();
+    const double cross = direction.x * wy - direction.y * wx;
+    if (cross == 0) continue;
+    const double distance = (ax * wy - ay * wx) / cross;                 // along the line of sight
+    const double share = (ax * direction.y - ay * direction.x) / cross;  // of the wall
+    if (distance <= 0 || share < 0 || share >= 1) continue;
+    ++crossings;
+    first = std::min(first, distance);
+  }
+  return crossings > 0 && crossings % 2 == 0 ? Rounded(first + kFramesReach_m) : kNearest_m;
+}
+
 }  // namespace
 
 int SceneWriter::AddNode(tinygltf::Node node) {
@@ -156,7 +182,7 @@ absl::Status SceneWriter::AddCamera(const SceneCamera& camera, Group& group) {
   written.type = "perspective";
   written.name = camera.name;
   written.perspective.yfov = Rounded(camera.field_of_view_rad);
-  written.perspective.znear = 0.05;
+  written.perspective.znear = NearDistance(camera, scene_.layout->graph().room());
   written.perspective.zfar = 500;
   tinygltf::Node node;
   node.name = Unused(camera.name, "camera");

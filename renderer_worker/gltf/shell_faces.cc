@@ -2,6 +2,7 @@
 #include "renderer_worker/gltf/shell_faces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -9,29 +10,30 @@
 namespace flair::renderer::gltf {
 namespace {
 
-// Towards the outside of the wall from floor corner `wall` to the next; the floor runs counter-clockwise.
+// Unit, towards the outside of the wall from floor corner `wall` to the next; the floor runs counter-clockwise.
 Vec3 OutwardOf(const v1::Room& room, int wall) {
   const auto& corners = room.floor().vertices();
-  if (wall < 0 || wall >= corners.size()) return {};
+  if (wall < 0 || wall >= corners.size()) return {0, 0, 1};
   const v1::Point2& a = corners[wall];
   const v1::Point2& b = corners[(wall + 1) % corners.size()];
   return Normalized({static_cast<float>(b.y_m() - a.y_m()), static_cast<float>(a.x_m() - b.x_m()), 0});
 }
 
+// A wall's faces towards the room, its top and the reveals of its openings; not its outer face, nor the oblique ones at
+// its ends, which its neighbours cover.
+bool WallFaceIsSeen(Vec3 normal, Vec3 outward) {
+  constexpr float kParallel = 0.999F;
+  const Vec3 along{-outward.y, outward.x, 0};
+  return normal.z > kParallel || normal.z < -kParallel || Dot(normal, outward) < -kParallel ||
+         std::abs(Dot(normal, along)) > kParallel;
+}
+
 }  // namespace
 
 Mesh SeenFromWithin(const ShellPart& part, const v1::Room& room) {
-  Vec3 hidden;  // faces that look this way are left out
-  float least = 0;
-  if (part.kind == ShellPart::Kind::kCeiling) {
-    hidden = {0, 0, 1};
-    least = -1e-3F;  // and the sides of the slab
-  } else if (part.kind == ShellPart::Kind::kWall) {
-    hidden = OutwardOf(room, part.wall);
-    least = 0.9F;
-  } else {
-    return part.mesh;
-  }
+  const bool ceiling = part.kind == ShellPart::Kind::kCeiling;
+  if (!ceiling && part.kind != ShellPart::Kind::kWall) return part.mesh;
+  const Vec3 outward = OutwardOf(room, part.wall);
   Mesh kept;
   for (MeshPart faces : part.mesh.parts) {
     std::vector<uint32_t> indices;
@@ -40,7 +42,8 @@ Mesh SeenFromWithin(const ShellPart& part, const v1::Room& room) {
       if (std::max({corner[0], corner[1], corner[2]}) >= faces.positions.size()) return part.mesh;  // MeshBook tells
       const Vec3 a = faces.positions[corner[0]];
       const Vec3 normal = Normalized(Cross(faces.positions[corner[1]] - a, faces.positions[corner[2]] - a));
-      if (Dot(normal, hidden) < least) indices.insert(indices.end(), corner, corner + 3);
+      const bool seen = ceiling ? normal.z < -0.5F : WallFaceIsSeen(normal, outward);
+      if (seen) indices.insert(indices.end(), corner, corner + 3);
     }
     faces.indices = std::move(indices);
     if (!faces.indices.empty()) kept.parts.push_back(std::move(faces));
