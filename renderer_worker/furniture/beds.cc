@@ -34,9 +34,8 @@ void MakeBedding(Piece& p, const Bedding& b, bool several_pillows) {
               wide = std::min(0.72F, 0.88F * pitch);
   for (int i = 0; i < count; ++i) {
     const float x = b.left + pitch * (0.5F + static_cast<float>(i));
-    p.make.In(Frame::TurnedX({x, b.back + 0.03F * depth, b.top - 0.1F * thick}, 0.22F), [&] {
-      p.make.Cushion(p.is.pale, {-wide / 2, 0, 0}, {wide / 2, size, 0.36F * size}, 0.15F * size, 0.11F * size);
-    });
+    p.make.In(Frame::TurnedX({x, b.back + 0.03F * depth, b.top - 0.1F * thick}, 0.22F),
+              [&] { p.make.Pillow(p.is.pale, {-wide / 2, 0, 0}, {wide / 2, size, 0.42F * size}); });
   }
 }
 
@@ -108,7 +107,7 @@ void MakeBed(Piece& p) {
   }
   const float in = canopy ? 0.03F * p.w : 0.02F * p.w;
   MakeBedding(p,
-              {-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + 1.3F * board, p.d / 2 - rail * (canopy ? 1.5F : 0.6F),
+              {-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + 1.3F * board, p.d / 2 - (canopy ? 0.12F : 0.6F * rail),
                0.72F * deck, top},
               true);
 }

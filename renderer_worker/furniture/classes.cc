@@ -72,6 +72,17 @@ std::vector<std::string> WordsOf(std::string_view text) {
   return words;
 }
 
+// Words written as one: "desklamp" ends in a lamp, "pictureframe" in a frame.
+std::string_view LookupEnd(const std::string& word) {
+  constexpr size_t kShortestEnd = 4, kShortestStart = 3;
+  const std::string singular = Singular(word);
+  for (size_t at = kShortestStart; at + kShortestEnd <= singular.size(); ++at) {
+    const std::string_view found = Lookup(std::string_view(singular).substr(at));
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
 std::string_view ClassOfWords(std::span<const std::string> words) {
   for (size_t end = words.size(); end > 0; --end) {
     for (size_t length = std::min(kLongestPhrase, end); length > 0; --length) {
@@ -81,6 +92,7 @@ std::string_view ClassOfWords(std::span<const std::string> words) {
       if (found.empty()) found = Lookup(Singular(phrase));
       if (!found.empty()) return found;
     }
+    if (const std::string_view found = LookupEnd(words[end - 1]); !found.empty()) return found;
   }
   return {};
 }
@@ -96,6 +108,11 @@ std::string_view WhereItIs(std::string_view found, const v1::Object& object) {
       if (found == "coat_stand" || found == "garment_rack") return "rack";
       return IsLamp(found) ? "wall_lamp" : found.empty() ? "box" : found;
     case v1::OBJECT_KIND_SURFACE:
+      // "lamp desk" is the lamp on the desk.
+      if (found == "desk" || found == "table" || found == "dresser" || found == "bed") {
+        const std::string name = object.name().substr(0, object.name().find_last_of(' '));
+        if (const std::string_view thing = ClassFromWords(name); !thing.empty()) found = thing;
+      }
       return IsLamp(found) ? "table_lamp" : found.empty() ? "box" : found;
     default:
       if (found == "wall_lamp") return "floor_lamp";
@@ -108,15 +125,11 @@ std::string_view WhereItIs(std::string_view found, const v1::Object& object) {
 
 std::string_view ClassFromWords(std::string_view text) {
   const std::vector<std::string> words = WordsOf(text);
-  if (const std::string_view whole = ClassOfWords(std::span(words).last(std::min(kLongestPhrase, words.size())));
-      !whole.empty() && words.size() <= kLongestPhrase && std::find(words.begin(), words.end(), "of") == words.end()) {
-    return whole;
-  }
-  // "stack of books with a lamp": what comes before the first small word names the thing, unless it says nothing.
+  // "wardrobe with mirror": what comes before the first small word names the thing, unless it says nothing ("stack of
+  // books") or the phrase goes on ("chest of drawers").
   for (size_t i = 1; i < words.size(); ++i) {
     const std::string& word = words[i];
-    if (word == "chest" || (word == "of" && words[i - 1] == "chest") || (word == "of" && words[i - 1] == "suit"))
-      continue;
+    if (word == "of" && (words[i - 1] == "chest" || words[i - 1] == "suit")) continue;
     if (word != "of" && word != "with" && word != "for" && word != "on" && word != "in" && word != "and") continue;
     const std::string_view head = ClassOfWords(std::span(words).first(i));
     if (!head.empty()) return head;

@@ -71,6 +71,12 @@ TEST(Classes, FreeNamesFindTheirClass) {
                                                        {"grandfather clock", "clock"},
                                                        {"privacy screen", "folding_screen"},
                                                        {"weaving loom", "loom"},
+                                                       {"wardrobe with mirror", "wardrobe"},
+                                                       {"desklamp", "floor_lamp"},
+                                                       {"jewelrybox", "box"},
+                                                       {"throwpillow 2", "cushion"},
+                                                       {"fiddle leaf fig", "plant"},
+                                                       {"bed frame", "bed"},
                                                        {"dressing table", "vanity"}};
   for (const auto& [name, class_name] : cases) EXPECT_EQ(ClassOf(Named(name)), class_name) << name;
 }
@@ -99,7 +105,9 @@ TEST(Classes, WhatCarriesItTellsLampsAndRacksApart) {
   EXPECT_EQ(ClassOf(Named("lamp", v1::OBJECT_KIND_SURFACE)), "table_lamp");
   EXPECT_EQ(ClassOf(Named("torch stand")), "floor_lamp");
   EXPECT_EQ(ClassOf(Named("coat rack", v1::OBJECT_KIND_WALL)), "rack");
+  EXPECT_EQ(ClassOf(Named("hats on hooks", v1::OBJECT_KIND_WALL)), "rack");
   EXPECT_EQ(ClassOf(Named("coat rack")), "coat_stand");
+  EXPECT_EQ(ClassOf(Named("lamp desk", v1::OBJECT_KIND_SURFACE)), "table_lamp");
 }
 
 }  // namespace

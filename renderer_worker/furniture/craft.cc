@@ -181,7 +181,7 @@ void MakeSpinningWheel(Piece& p) {
 
 void MakeTelescope(Piece& p) {
   const Vec3 top{0, 0, 0.66F * p.h};
-  const float r = std::min(0.07F, 0.12F * p.smaller());
+  const float r = std::min(0.1F, 0.16F * p.smaller());
   for (int i = 0; i < 3; ++i) {
     const float turn = -kPi / 2 + 2 * kPi / 3 * static_cast<float>(i);
     p.make.Taper(p.is.hard, {0.48F * p.w * std::cos(turn), 0.48F * p.d * std::sin(turn), 0}, {0.25F * r, 0.25F * r},

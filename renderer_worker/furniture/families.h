@@ -110,12 +110,16 @@ void MakeSpinningWheel(Piece& p);
 void MakeTelescope(Piece& p);
 void MakeGlobe(Piece& p);
 
-// decor.cc
+// plants.cc
 void MakePlant(Piece& p);
+
+// decor.cc
 void MakeVase(Piece& p);
 void MakeTray(Piece& p);
 void MakeBooks(Piece& p);
 void MakeCandles(Piece& p);
+
+// figures.cc
 void MakeOrb(Piece& p);
 void MakeStatue(Piece& p);
 void MakeToy(Piece& p);

@@ -32,8 +32,8 @@ void Fire(Piece& p, Vec3 at, float size, float intensity_cd) {
 void MakeCauldron(Piece& p) {
   const float leg = 0.18F * p.h, body = 0.62F * p.h, pot_top = 0.86F * p.h;
   static const Material kBrew = [] {
-    Material m = PlainMaterial("brew", 0x7BAF4A, 0.25F);
-    m.emission = {0.10F, 0.22F, 0.04F};
+    Material m = PlainMaterial("brew", 0x5E8A3A, 0.25F);
+    m.emission = {0.02F, 0.05F, 0.01F};
     return m;
   }();
   p.make.Lathe(p.is.hard, {},
@@ -65,7 +65,7 @@ void MakeCauldron(Piece& p) {
     bail.push_back({point.x, 0, point.y});
   p.make.Tube(p.is.hard, bail, std::array{0.014F * p.smaller()}, 6);
   Fire(p, {0, 0, 0}, 0.16F * p.smaller(), 25);
-  p.Shine({0, 0, 0.9F * p.h}, 6, 0.1F * p.smaller(), {0.6F, 1, 0.35F});
+  p.Shine({0, 0, 0.98F * p.h}, 2, 0.05F * p.smaller(), {0.6F, 1, 0.35F});
 }
 
 void MakeFireplace(Piece& p) {
@@ -74,7 +74,7 @@ void MakeFireplace(Piece& p) {
     p.LegsAt(p.is.metal, 0.4F * p.w, 0.36F * p.d, leg + 0.01F, 0.04F * p.smaller(), 0.6F);
     p.make.Box(p.is.metal, {-0.47F * p.w, -0.47F * p.d, leg}, {0.47F * p.w, 0.46F * p.d, body - 0.03F * p.h}, 0.01F);
     p.make.Box(p.is.metal, {-p.w / 2, -p.d / 2, body - 0.04F * p.h}, {p.w / 2, p.d / 2, body}, 0.008F);
-    p.make.Box(stuff::FlameStuff(), {-0.3F * p.w, 0.45F * p.d, leg + 0.14F * p.h},
+    p.make.Box(stuff::Embers(), {-0.3F * p.w, 0.45F * p.d, leg + 0.14F * p.h},
                {0.3F * p.w, 0.47F * p.d, leg + 0.46F * p.h}, 0.002F);
     p.make.Bar(p.is.metal, {0, -0.1F * p.d, body}, {0, -0.1F * p.d, p.h}, 0.24F * r, 16);
     p.Shine({0, 0.6F * p.d, leg + 0.3F * p.h}, 40, 0.1F * r, {1, 0.6F, 0.28F});
@@ -122,7 +122,7 @@ void MakeAquarium(Piece& p) {
   Material water = stuff::Water();
   water.name = "clear water";
   water.opacity = 0.3F;
-  p.make.Box(water, {-x, -y, stand + 0.1F * (p.h - stand)}, {x, y, level}, 0);
+  p.make.Box(water, {-0.995F * x, -0.99F * y, stand + 0.08F * (p.h - stand)}, {0.995F * x, 0.99F * y, level}, 0);
   for (const float side : {-1.0F, 1.0F}) {
     p.make.Box(stuff::Glass(), {side * (x + glass), -y, stand}, {side * (x + 2 * glass), y, p.h - glass}, 0);
     p.make.Box(stuff::Glass(), {-x - glass, side * (y + glass), stand},

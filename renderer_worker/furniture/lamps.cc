@@ -165,7 +165,7 @@ void MakeWallLamp(Piece& p) {
 void MakePendant(Piece& p) {
   const float r = 0.5F * p.smaller(), shade = std::min(0.7F * p.h, 1.2F * r), rod = std::min(0.006F, 0.1F * r);
   if (p.h < 0.16F || p.Says("flush") || p.Says("recessed") || (p.h < 0.4F * p.smaller())) {  // close to the ceiling
-    p.make.Lathe(p.is.hard, {0, 0, 0.72F * p.h},
+    p.make.Lathe(p.is.styled ? p.is.hard : stuff::White(), {0, 0, 0.72F * p.h},
                  std::array<Vec2, 3>{{{0.46F, 0}, {0.5F, 0.1F * p.h}, {0.5F, 0.28F * p.h}}}, 30, {p.w, p.d});
     p.make.Lathe(stuff::Shade(), {},
                  std::array<Vec2, 6>{{{0, 0},

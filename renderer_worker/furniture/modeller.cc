@@ -27,7 +27,7 @@ MeshPart Cleaned(const MeshPart& part) {
     const Vec3 a = part.positions[part.indices[i]], b = part.positions[part.indices[i + 1]],
                c = part.positions[part.indices[i + 2]];
     const float longest = std::max({Length(b - a), Length(c - b), Length(a - c)});
-    if (!(Length(Cross(b - a, c - a)) > 1e-3F * longest * longest) || longest < 1e-6F) continue;
+    if (!(Length(Cross(b - a, c - a)) > 1e-6F * longest * longest)) continue;
     for (size_t k = i; k < i + 3; ++k) {
       uint32_t& index = taken[part.indices[k]];
       if (index == UINT32_MAX) {

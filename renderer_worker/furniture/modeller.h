@@ -38,13 +38,15 @@ class Modeller {
   // A box with truly round edges, its six faces puffed out by `crown` from the middle: cushions and mattresses. The
   // outermost points stay within the box.
   void Cushion(const Material& material, Vec3 low, Vec3 high, float radius, float crown = 0);
+  // Two sheets of cloth sewn together and filled: flat at its edges, full in the middle; thin along its shortest side.
+  void Pillow(const Material& material, Vec3 low, Vec3 high);
   // From a rectangle around `bottom` to one around `top`, half sizes given, both level: tapered legs, shades, hoods.
   void Taper(const Material& material, Vec3 bottom, Vec2 bottom_half, Vec3 top, Vec2 top_half);
   // A polygon, simple and counter-clockwise, between two heights; its upper and lower edges cut by `bevel`. Smooth
   // where its corners turn by less than 40 degrees.
   void Slab(const Material& material, std::span<const Vec2> outline, float bottom, float top, float bevel = 0.003F);
   // A profile of (radius, height) turned about a vertical axis, from bottom to top; ends that do not reach the axis are
-  // closed by a disc. `stretch` scales x and y. Creases where the profile turns by more than 40 degrees.
+  // closed by a disc. `stretch` scales x and y. Creases where the profile turns by more than 50 degrees.
   void Lathe(const Material& material, Vec3 base, std::span<const Vec2> profile, int sides = 20, Vec2 stretch = {1, 1});
   // The same with a closed profile that stays off the axis, counter-clockwise with radius to the right: rings, shades.
   void Ring(const Material& material, Vec3 base, std::span<const Vec2> profile, int sides = 24, Vec2 stretch = {1, 1});

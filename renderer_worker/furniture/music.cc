@@ -125,14 +125,14 @@ void MakeDrums(Piece& p) {
   const auto drum = [&](Vec3 centre, Vec3 axis, float r, float length) {
     const Vec3 side = Normalized(Cross(std::abs(axis.y) > 0.9F ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, axis));
     p.make.In({centre, side, Cross(axis, side), axis}, [&] {
-      p.make.Cylinder(p.is.hard, {0, 0, -length / 2}, r, length, 0.004F, 26);
+      p.make.Cylinder(p.is.hard, {0, 0, -length / 2}, r, length, 0.004F, 20);
       for (const float z : {-length / 2, length / 2}) {
         p.make.Ring(
             p.is.metal, {0, 0, z},
             std::array<Vec2, 4>{
                 {{0.97F * r, -0.04F * r}, {1.04F * r, -0.04F * r}, {1.04F * r, 0.04F * r}, {0.97F * r, 0.04F * r}}},
             26);
-        p.make.Cylinder(stuff::Ivory(), {0, 0, z - 0.005F * s}, 0.97F * r, 0.01F * s, 0.001F, 26);
+        p.make.Cylinder(stuff::Ivory(), {0, 0, z - 0.005F * s}, 0.97F * r, 0.01F * s, 0.001F, 20);
       }
     });
   };

@@ -48,7 +48,9 @@ Part PartColoured(const ClassLook& look, const Choice& choice, const Words& name
   const bool hard_is_metal = IsMetal(choice.hard != nullptr ? *choice.hard : BaseMaterialOf(look.hard));
   if (!said.empty() && IsMetal(*said.front())) return hard_is_metal ? Part::kHard : Part::kMetal;
   if (!said.empty()) return Part::kHard;
-  if (look.dominant == ClassLook::Dominant::kHard) return Part::kHard;
+  if (look.dominant == ClassLook::Dominant::kHard) {
+    return choice.soft != nullptr && choice.hard == nullptr ? Part::kSoft : Part::kHard;
+  }
   // Upholstery of which only wood or metal is named, in a brown that suits the wood: the wood's.
   if (!named.empty() && choice.soft == nullptr && choice.hard != nullptr && choice.hard->kind == MaterialKind::kWood) {
     const Vec3 difference = LinearOf(colour) - choice.hard->look.colour;

@@ -60,6 +60,7 @@ void Piece::RoundLegsAt(const Material& material, float x, float y, float top, f
 }
 
 void Piece::Knob(Vec3 at, float radius) {
+  if (radius < 1e-4F) return;
   make.In(Frame::TurnedX(at, -kPi / 2), [&] {
     const std::array<Vec2, 6> profile{{{0.45F, 0}, {0.4F, 0.5F}, {0.95F, 0.9F}, {1, 1.2F}, {0.75F, 1.6F}, {0, 1.7F}}};
     std::array<Vec2, 6> scaled{};
@@ -69,6 +70,7 @@ void Piece::Knob(Vec3 at, float radius) {
 }
 
 void Piece::Handle(Vec3 at, float length, bool upright) {
+  if (length < 1e-3F) return;
   const float thick = std::min(0.006F, 0.1F * length), out = 0.028F * std::min(1.0F, length / 0.1F);
   const Vec3 along = upright ? Vec3{0, 0, length / 2} : Vec3{length / 2, 0, 0}, front{0, out, 0};
   make.Bar(is.metal, at - along + front, at + along + front, thick, 8);
@@ -80,7 +82,7 @@ void Piece::Panel(const Material& material, Vec2 low, Vec2 high, float y, float 
   make.Box(material, {low.x, y, low.y}, {high.x, y + thickness, high.y}, 0.003F);
   const float width = high.x - low.x, height = high.y - low.y, rail = std::min({0.06F, 0.2F * width, 0.2F * height});
   if (!framed || rail < 0.008F) return;
-  const float front = y + thickness, proud = front + 0.4F * thickness;
+  const float front = y + thickness, proud = front + 0.55F * thickness;
   make.Box(material, {low.x, front, low.y}, {low.x + rail, proud, high.y}, 0.003F);
   make.Box(material, {high.x - rail, front, low.y}, {high.x, proud, high.y}, 0.003F);
   make.Box(material, {low.x + rail, front, low.y}, {high.x - rail, proud, low.y + rail}, 0.003F);

@@ -86,6 +86,7 @@ const Material& Lit();     // of something switched on
 const Material& Shade();   // of a lamp, shining
 const Material& Bulb();
 const Material& FlameStuff();
+const Material& Embers();  // behind a stove's window
 const Material& Water();
 const Material& Leaf(int tint);
 const Material& Soil();

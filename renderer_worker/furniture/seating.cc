@@ -63,9 +63,8 @@ void SeatCushions(Piece& p, const SofaShape& s, int count) {
 
 void ScatterCushion(Piece& p, Vec3 at, float size, float lean, float turn, const Material& material) {
   p.make.In(Frame::TurnedZ(at, turn), [&] {
-    p.make.In(Frame::TurnedX({}, lean), [&] {
-      p.make.Cushion(material, {-size / 2, 0, 0}, {size / 2, 0.36F * size, size}, 0.16F * size, 0.1F * size);
-    });
+    p.make.In(Frame::TurnedX({}, lean),
+              [&] { p.make.Pillow(material, {-size / 2, 0, 0}, {size / 2, 0.36F * size, size}); });
   });
 }
 
@@ -85,7 +84,8 @@ void MakeSofa(Piece& p) {
 void MakeArmchair(Piece& p) {
   SofaShape s = ShapeOf(p);
   s.arm = std::min(0.16F, 0.2F * p.w);
-  const bool winged = p.Says("wingback") || p.Says("wing") || p.Says("victorian") || p.Says("gothic") || p.h > 1.05F;
+  const bool winged = p.Says("chesterfield") || p.Says("wingback") || p.Says("wing") || p.Says("victorian") ||
+                      p.Says("gothic") || p.h > 1.05F;
   Carcass(p, s, winged);
   SeatCushions(p, s, 1);
   if (!winged) return;
@@ -141,14 +141,20 @@ void MakePouf(Piece& p) {
 }
 
 void MakeBeanBag(Piece& p) {
-  const std::vector<Vec2> profile{{0.36F, 0},    {0.47F, 0.06F}, {0.5F, 0.2F},   {0.47F, 0.4F},
-                                  {0.38F, 0.6F}, {0.27F, 0.78F}, {0.15F, 0.92F}, {0.06F, 0.97F}};
-  std::vector<Vec2> tall;
-  for (const Vec2& point : profile) tall.push_back({point.x, point.y * p.h});
-  p.make.Lathe(p.is.soft, {}, tall, 26, {p.w, p.d});
-  p.make.Ellipsoid(p.is.soft, {0, 0, 0.97F * p.h}, {0.07F * p.w, 0.07F * p.d, 0.05F * p.h}, 10, 5);
-  p.make.Cushion(p.is.soft, {-0.33F * p.w, -0.05F * p.d, 0.2F * p.h}, {0.33F * p.w, 0.47F * p.d, 0.5F * p.h},
-                 0.2F * p.h, 0.03F * p.h);
+  // Sagging at the floor, sat in towards the front, gathered to a tuft at the top of its back.
+  constexpr int kRound = 28, kUp = 12;
+  p.make.Sheet(
+      p.is.soft, kRound, kUp,
+      [&](float u, float v) {
+        const float turn = 2 * kPi * u, swell = std::sin(kPi * std::min(1.0F, 0.2F + 0.8F * v));
+        const float r = 0.5F * (v > 0.97F ? 0.06F : std::pow(swell, 0.6F) * (1 - 0.12F * v));
+        const float wrinkle = 1 + 0.025F * std::sin(7 * turn) * v;
+        const float front = 0.5F + 0.5F * std::sin(turn), sat = 0.3F * front * std::sin(kPi * v) * v;
+        return Vec3{r * wrinkle * p.w * std::cos(turn), (r * wrinkle * std::sin(turn) - 0.16F * v * v) * p.d,
+                    (v - sat) * 0.94F * p.h};
+      },
+      0.02F * p.smaller());
+  p.make.Ellipsoid(p.is.accent, {0, -0.16F * p.d, 0.95F * p.h}, {0.05F * p.w, 0.05F * p.d, 0.05F * p.h}, 12, 6);
 }
 
 }  // namespace flair::renderer

@@ -111,7 +111,7 @@ void Modeller::Box(const Material& material, Vec3 low, Vec3 high, float bevel) {
 
 void Modeller::Taper(const Material& material, Vec3 bottom, Vec2 bottom_half, Vec3 top, Vec2 top_half) {
   if (top.z < bottom.z) std::swap(top, bottom), std::swap(top_half, bottom_half);
-  if (top.z - bottom.z < 1e-5F) return;
+  if (top.z - bottom.z < 1e-5F || std::min({bottom_half.x, bottom_half.y, top_half.x, top_half.y}) < 1e-6F) return;
   const auto ring = [](Vec3 c, Vec2 h) {
     return std::array{c + Vec3{-h.x, -h.y, 0}, c + Vec3{h.x, -h.y, 0}, c + Vec3{h.x, h.y, 0}, c + Vec3{-h.x, h.y, 0}};
   };

@@ -18,7 +18,7 @@ struct RingPoint {
   float along = 0;                   // from the profile's start
 };
 
-// Profile with normals, smooth where it turns by less than 40 degrees.
+// Profile with normals, smooth where it turns by less than 50 degrees.
 std::vector<RingPoint> WithNormals(std::span<const Vec2> profile, bool closed) {
   const size_t count = profile.size(), edges = closed ? count : count - 1;
   std::vector<Vec2> normals;
@@ -32,7 +32,7 @@ std::vector<RingPoint> WithNormals(std::span<const Vec2> profile, bool closed) {
   float along = 0;
   for (size_t i = 0; i < count; ++i) {
     Vec2 before = normals[i > 0 ? i - 1 : closed ? edges - 1 : 0], after = normals[i < edges ? i : edges - 1];
-    if (before.x * after.x + before.y * after.y > 0.766F) {
+    if (before.x * after.x + before.y * after.y > 0.643F) {
       const float x = before.x + after.x, y = before.y + after.y, length = std::sqrt(x * x + y * y);
       before = after = {x / length, y / length};
     }
@@ -42,7 +42,15 @@ std::vector<RingPoint> WithNormals(std::span<const Vec2> profile, bool closed) {
   return points;
 }
 
-// The surface that `edge` of the profile sweeps.
+// Takes the mean of `stretch` into the profile, so that its slopes are true.
+const std::vector<Vec2>& ToMetres(std::vector<Vec2>& profile, Vec2& stretch) {
+  const float mean = std::sqrt(std::max(stretch.x * stretch.y, 1e-12F));
+  for (Vec2& point : profile) point.x *= mean;
+  stretch = {stretch.x / mean, stretch.y / mean};
+  return profile;
+}
+
+// The surface that an edge of the profile sweeps.
 void Sweep(Patch& patch, Vec3 base, const RingPoint& from, const RingPoint& to, float length, int sides, Vec2 stretch) {
   if (from.at.x < 1e-6F && to.at.x < 1e-6F) return;
   const float widest = std::max(from.at.x, to.at.x);
@@ -70,9 +78,10 @@ void Sweep(Patch& patch, Vec3 base, const RingPoint& from, const RingPoint& to, 
 void Modeller::Lathe(const Material& material, Vec3 base, std::span<const Vec2> profile, int sides, Vec2 stretch) {
   if (profile.size() < 2) return;
   std::vector<Vec2> closed(profile.begin(), profile.end());
+  for (Vec2& point : closed) point.x = std::max(point.x, 0.0F);
   if (closed.front().x > 1e-6F) closed.insert(closed.begin(), {0, closed.front().y});
   if (closed.back().x > 1e-6F) closed.push_back({0, closed.back().y});
-  const std::vector<RingPoint> points = WithNormals(closed, false);
+  const std::vector<RingPoint> points = WithNormals(ToMetres(closed, stretch), false);
   Patch patch(*this, material);
   for (size_t i = 0; i + 1 < points.size(); ++i) {
     Sweep(patch, base, points[i], points[i + 1], points[i + 1].along - points[i].along, sides, stretch);
@@ -81,7 +90,8 @@ void Modeller::Lathe(const Material& material, Vec3 base, std::span<const Vec2> 
 
 void Modeller::Ring(const Material& material, Vec3 base, std::span<const Vec2> profile, int sides, Vec2 stretch) {
   if (profile.size() < 3) return;
-  const std::vector<RingPoint> points = WithNormals(profile, true);
+  std::vector<Vec2> loop(profile.begin(), profile.end());
+  const std::vector<RingPoint> points = WithNormals(ToMetres(loop, stretch), true);
   Patch patch(*this, material);
   for (size_t i = 0; i < points.size(); ++i) {
     const RingPoint& to = points[(i + 1) % points.size()];
@@ -110,7 +120,7 @@ void Modeller::Hoop(const Material& material, Vec3 centre, float radius, float t
 }
 
 void Modeller::Tube(const Material& material, std::span<const Vec3> path, std::span<const float> radii, int sides) {
-  if (path.size() < 2 || radii.empty()) return;
+  if (path.size() < 2 || radii.empty() || *std::min_element(radii.begin(), radii.end()) < 1e-6F) return;
   Patch patch(*this, material);
   const size_t count = path.size();
   Vec3 tangent = Normalized(path[1] - path[0]);

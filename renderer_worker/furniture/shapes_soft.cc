@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -44,7 +45,7 @@ void Modeller::Cushion(const Material& material, Vec3 low, Vec3 high, float radi
   const Vec3 centre = 0.5F * (low + high), size = high - low;
   const CushionShape shape{{std::abs(size.x) / 2, std::abs(size.y) / 2, std::abs(size.z) / 2},
                            std::min(radius, 0.49F * std::min({std::abs(size.x), std::abs(size.y), std::abs(size.z)})),
-                           std::min(crown, 0.2F * std::min({std::abs(size.x), std::abs(size.y), std::abs(size.z)}))};
+                           std::min(crown, 0.4F * std::min({std::abs(size.x), std::abs(size.y), std::abs(size.z)}))};
   if (shape.radius < 1e-5F) return;
   Patch patch(*this, material);
   for (int axis = 0; axis < 3; ++axis) {
@@ -66,6 +67,48 @@ void Modeller::Cushion(const Material& material, Vec3 low, Vec3 high, float radi
           side > 0 ? patch.Quad(index[a], index[a + 1], index[c + 1], index[c])
                    : patch.Quad(index[a], index[c], index[c + 1], index[a + 1]);
         }
+      }
+    }
+  }
+  patch.SmoothNormals();
+}
+
+void Modeller::Pillow(const Material& material, Vec3 low, Vec3 high) {
+  const Vec3 centre = 0.5F * (low + high);
+  const Vec3 half{std::abs(high.x - low.x) / 2, std::abs(high.y - low.y) / 2, std::abs(high.z - low.z) / 2};
+  const int thin = half.z <= half.x && half.z <= half.y ? 2 : half.y <= half.x ? 1 : 0;
+  const auto turn = [thin](float u, float v, float t) {
+    return thin == 2 ? Vec3{u, v, t} : thin == 1 ? Vec3{v, t, u} : Vec3{t, u, v};
+  };
+  const float hu = thin == 2   ? half.x
+                   : thin == 1 ? half.z
+                               : half.y,
+              hv = thin == 2   ? half.y
+                   : thin == 1 ? half.x
+                               : half.z;
+  const float ht = thin == 2 ? half.z : thin == 1 ? half.y : half.x;
+  if (ht < 1e-5F) return;
+  constexpr std::array kStations{-1.0F, -0.95F, -0.82F, -0.58F, -0.2F, 0.2F, 0.58F, 0.82F, 0.95F, 1.0F};
+  Patch patch(*this, material);
+  for (const float side : {-1.0F, 1.0F}) {
+    std::vector<uint32_t> index;
+    for (const float v : kStations) {
+      for (const float u : kStations) {
+        // Full in the middle, sewn at the edges, its sides pulled in a little between the corners.
+        const float full = std::sqrt(std::max(0.0F, (1 - u * u * u * u) * (1 - v * v * v * v)));
+        const float x = hu * u * (1 - 0.07F * (1 - v * v)), y = hv * v * (1 - 0.07F * (1 - u * u));
+        index.push_back(patch.Vertex(centre + turn(x, y, side * ht * full), {0, 0, 1}, {hu * u, hv * v}));
+      }
+    }
+    constexpr size_t kCount = kStations.size(), kLast = kCount - 2;
+    for (size_t j = 0; j <= kLast; ++j) {
+      for (size_t i = 0; i <= kLast; ++i) {
+        const size_t a = j * kCount + i, c = a + kCount;
+        // Corners are cut from the corner inwards: a triangle within the seam would have no outside.
+        const bool other = (i == 0 && j == kLast) || (i == kLast && j == 0);
+        const std::array<size_t, 4> q = other ? std::array{a + 1, c + 1, c, a} : std::array{a, a + 1, c + 1, c};
+        side > 0 ? patch.Quad(index[q[0]], index[q[1]], index[q[2]], index[q[3]])
+                 : patch.Quad(index[q[0]], index[q[3]], index[q[2]], index[q[1]]);
       }
     }
   }

@@ -28,7 +28,7 @@ Carcass SolidCarcass(Piece& p, float plinth, bool cornice) {
 // Doors side by side between two heights; handles meet in pairs.
 void Doors(Piece& p, const Carcass& c, float left, float right, float bottom, float top, bool mirrored) {
   const int count = std::clamp(static_cast<int>(std::lround((right - left) / 0.52F)), 1, 8);
-  const float wide = (right - left) / static_cast<float>(count), gap = std::min(0.003F, 0.02F * wide);
+  const float wide = (right - left) / static_cast<float>(count), gap = std::min(0.004F, 0.02F * wide);
   const bool framed = !p.Says("sleek") && !p.Says("minimalist") && !p.Says("modern") && !p.Says("clean");
   for (int i = 0; i < count; ++i) {
     const float from = left + wide * static_cast<float>(i) + gap, to = from + wide - 2 * gap;
@@ -55,9 +55,9 @@ void DrawerFronts(Piece& p, const Carcass& c, float bottom, float top, int colum
       if (!knobs) {
         p.Handle({x + wide / 2, y, middle}, std::min(0.18F, 0.4F * wide), false);
       } else if (wide > 0.5F) {
-        for (const float side : {0.25F, 0.75F}) p.Knob({x + side * wide, y, middle}, std::min(0.014F, 0.14F * high));
+        for (const float side : {0.25F, 0.75F}) p.Knob({x + side * wide, y, middle}, std::min(0.018F, 0.14F * high));
       } else {
-        p.Knob({x + wide / 2, y, middle}, std::min(0.014F, 0.14F * high));
+        p.Knob({x + wide / 2, y, middle}, std::min(0.018F, 0.14F * high));
       }
     }
   }
@@ -66,8 +66,8 @@ void DrawerFronts(Piece& p, const Carcass& c, float bottom, float top, int colum
 // Books that fill a shelf from `left` to `right`, some lying, with gaps now and then.
 void RowOfBooks(Piece& p, float left, float right, float back, float depth, float z, float room, int& index) {
   float x = left;
-  const float scale = std::min(1.0F, room / 0.3F);
-  while (x < right - 0.03F * scale && index < 220) {
+  const float scale = room / 0.3F, bevel = index < 60 ? 0.0025F * scale : 0;
+  while (x < right - 0.03F * scale && index < 150) {
     const float pick = p.Chance(5 * index), thick = scale * (0.022F + 0.03F * p.Chance(5 * index + 1));
     if (pick > 0.93F && right - x > 0.2F * scale) {  // a small stack
       for (int i = 0; i < 3; ++i) {
@@ -82,7 +82,7 @@ void RowOfBooks(Piece& p, float left, float right, float back, float depth, floa
       const float high = room * (0.62F + 0.26F * p.Chance(5 * index + 2)),
                   deep = depth * (0.66F + 0.24F * p.Chance(5 * index + 3));
       p.make.Box(stuff::Book(static_cast<int>(7 * p.Chance(5 * index + 4))), {x, back, z},
-                 {x + thick, back + deep, z + high}, 0.0025F * scale);
+                 {x + thick, back + deep, z + high}, bevel);
       x += thick + 0.001F;
     } else {
       break;
@@ -190,7 +190,7 @@ void MakeBookshelf(Piece& p) {
                                           {0.06F * wide, 0.35F * step},
                                           {0.03F * wide, 0.45F * step},
                                           {0.04F * wide, 0.5F * step}}},
-                     12);
+                     9);
       }
     }
   }
@@ -225,17 +225,18 @@ void MakeShelf(Piece& p) {
     p.make.Box(p.is.hard, {-p.w / 2 + post, -p.d / 2 + 0.5F * post, z},
                {p.w / 2 - post, p.d / 2 - 0.5F * post, z + board}, 0.003F);
     if (row == rows - 1) break;
-    const int things = std::clamp(static_cast<int>(p.w / (shoes ? 0.16F : 0.34F)), 1, 8);
+    const int things = std::clamp(static_cast<int>(p.w / (shoes ? 0.16F : 0.34F)), 1, 6);
     const float pitch = (p.w - 3 * post) / static_cast<float>(things);
     for (int i = 0; i < things; ++i) {
       const float x = -p.w / 2 + 1.5F * post + pitch * (static_cast<float>(i) + 0.5F), room = step - board;
       const int tint = static_cast<int>(7 * p.Chance(20 * row + i));
       if (shoes) {
         if (p.Chance(300 + 20 * row + i) < 0.25F) continue;
-        p.make.Cushion(stuff::Book(tint), {x - 0.3F * pitch, -0.36F * p.d, z + board},
-                       {x + 0.3F * pitch, 0.42F * p.d, z + board + std::min(0.05F, 0.4F * room)}, 0.02F);
-        p.make.Cushion(stuff::Book(tint), {x - 0.26F * pitch, -0.4F * p.d, z + board},
-                       {x + 0.26F * pitch, -0.08F * p.d, z + board + std::min(0.1F, 0.7F * room)}, 0.02F);
+        const float low = z + board;
+        const Vec3 toe{0.26F * pitch, std::min(0.15F, 0.4F * p.d), std::min(0.04F, 0.3F * room)},
+            heel{0.22F * pitch, std::min(0.08F, 0.2F * p.d), std::min(0.055F, 0.4F * room)};
+        p.make.Ellipsoid(stuff::Book(tint), {x, 0, low + toe.z}, toe, 9, 5);
+        p.make.Ellipsoid(stuff::Book(tint), {x, -std::min(0.07F, 0.18F * p.d), low + heel.z}, heel, 9, 5);
       } else if (wine) {
         p.make.Bar(stuff::Book(2), {x, -0.4F * p.d, z + board + 0.04F}, {x, 0.45F * p.d, z + board + 0.04F},
                    std::min(0.038F, 0.3F * room), 10);

@@ -36,6 +36,7 @@ STUFF(Lit, Shining("lit screen", 0x8FB7D6, {0.32F, 0.46F, 0.58F}))
 STUFF(Shade, Shining("lamp shade", 0xF0E4CC, {0.95F, 0.72F, 0.44F}))
 STUFF(Bulb, Shining("bulb", 0xFFF4DC, {2.6F, 2.0F, 1.3F}))
 STUFF(FlameStuff, Shining("flame", 0xFFB04A, {3.2F, 1.5F, 0.4F}))
+STUFF(Embers, Shining("embers", 0xC8642A, {0.9F, 0.3F, 0.05F}))
 STUFF(Water, See("water", 0x7FB6C4, 0.75F))
 STUFF(Soil, PlainMaterial("soil", 0x3E2E22, 0.98F))
 STUFF(Paper, PlainMaterial("paper", 0xEFE8D6, 0.9F))
@@ -52,9 +53,9 @@ const Material& Leaf(int tint) {
 
 const Material& Book(int tint) {
   static const std::array<Material, 7> kBooks{
-      PlainMaterial("book, red", 0x9B3B33, 0.7F),   PlainMaterial("book, blue", 0x35557A, 0.7F),
-      PlainMaterial("book, green", 0x4F6B4A, 0.7F), PlainMaterial("book, ochre", 0xC8963E, 0.7F),
-      PlainMaterial("book, cream", 0xE0D6BF, 0.7F), PlainMaterial("book, brown", 0x6B4732, 0.7F),
+      PlainMaterial("book, red", 0x7F4038, 0.7F),   PlainMaterial("book, blue", 0x465A70, 0.7F),
+      PlainMaterial("book, green", 0x5A6A53, 0.7F), PlainMaterial("book, ochre", 0xB08F5A, 0.7F),
+      PlainMaterial("book, cream", 0xD8CFBC, 0.7F), PlainMaterial("book, brown", 0x5F4A3A, 0.7F),
       PlainMaterial("book, slate", 0x4A4F57, 0.7F)};
   return kBooks[static_cast<size_t>(tint % 7)];
 }

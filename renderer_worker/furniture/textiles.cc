@@ -27,7 +27,7 @@ void MakeRug(Piece& p) {
   const float fringe = std::min(0.05F, 0.04F * std::max(p.w, p.d)), thick = p.h;
   const bool along_x = p.w >= p.d, plain = p.Says("plain") || p.Says("fur") || p.Says("sheepskin");
   const float x = p.w / 2 - (along_x ? fringe : 0), y = p.d / 2 - (along_x ? 0 : fringe);
-  p.make.Slab(p.is.soft, RoundedOutline({-x, -y}, {x, y}, 0.01F), 0, 0.86F * thick, 0.3F * thick);
+  p.make.Slab(p.is.soft, RoundedOutline({-x, -y}, {x, y}, 0.01F), 0, 0.86F * thick, std::min(0.004F, 0.3F * thick));
   const int threads = std::clamp(static_cast<int>((along_x ? p.d : p.w) / 0.03F), 6, 60);
   for (int i = 0; i < threads; ++i) {
     const float t = (static_cast<float>(i) + 0.5F) / static_cast<float>(threads) - 0.5F,
@@ -42,7 +42,7 @@ void MakeRug(Piece& p) {
   const float step = 0.045F * std::min(x, y) * 2;
   if (plain) {
     p.make.Slab(p.is.soft, RoundedOutline({-0.97F * x, -0.97F * y}, {0.97F * x, 0.97F * y}, 0.03F), 0.5F * thick, thick,
-                0.3F * thick);
+                std::min(0.01F, 0.3F * thick));
     return;
   }
   Border(p, p.is.accent, fringe + step, 1.3F * step, 0.5F * thick, 0.93F * thick);
@@ -73,13 +73,14 @@ void MakeRoundRug(Piece& p) {
     const Material& cloth = i % 3 == 0 ? p.is.soft : i % 3 == 1 ? p.is.accent : p.is.pale;
     const float top = p.h * (0.84F + 0.032F * static_cast<float>(i));
     p.make.Slab(cloth, EllipseOutline({}, rings[i] * p.w / 2, rings[i] * p.d / 2, i == 0 ? 48 : 40),
-                i == 0 ? 0 : 0.4F * p.h, top, i == 0 ? 0.3F * p.h : 0);
+                i == 0 ? 0 : 0.4F * p.h, top, i == 0 ? std::min(0.004F, 0.3F * p.h) : 0);
   }
 }
 
 void MakeMat(Piece& p) {
   const Material& cloth = p.is.soft;
-  p.make.Slab(cloth, RoundedOutline({-p.w / 2, -p.d / 2}, {p.w / 2, p.d / 2}, 0.04F), 0, 0.9F * p.h, 0.3F * p.h);
+  p.make.Slab(cloth, RoundedOutline({-p.w / 2, -p.d / 2}, {p.w / 2, p.d / 2}, 0.04F), 0, 0.9F * p.h,
+              std::min(0.01F, 0.3F * p.h));
   const float x = 0.44F * p.w, y = 0.44F * p.d;
   p.make.Slab(p.is.accent, RoundedOutline({-x, -y}, {x, y}, 0.03F), 0.4F * p.h, 0.95F * p.h, 0);
   const float in = 0.05F * p.smaller();
@@ -87,14 +88,9 @@ void MakeMat(Piece& p) {
 }
 
 void MakeCushion(Piece& p) {
-  if (p.h > 1.4F * p.d) {  // leans upright
-    p.make.Cushion(p.is.soft, {-p.w / 2, -p.d / 2, 0}, {p.w / 2, p.d / 2, p.h}, 0.3F * p.d, 0.2F * p.d);
-    p.make.Cushion(p.is.accent, {-0.35F * p.w, 0.1F * p.d, 0.42F * p.h}, {0.35F * p.w, 0.48F * p.d, 0.58F * p.h},
-                   0.1F * p.d, 0.02F * p.d);
-    return;
-  }
-  p.make.Cushion(p.is.soft, {-p.w / 2, -p.d / 2, 0}, {p.w / 2, p.d / 2, p.h}, 0.34F * p.h, 0.16F * p.h);
-  p.make.Ellipsoid(p.is.accent, {0, 0, 0.97F * p.h}, {0.05F * p.w, 0.05F * p.d, 0.03F * p.h}, 12, 6);
+  p.make.Pillow(p.is.soft, {-p.w / 2, -p.d / 2, 0}, {p.w / 2, p.d / 2, p.h});
+  if (p.h > 1.4F * p.d) return;
+  p.make.Ellipsoid(p.is.accent, {0, 0, 0.985F * p.h}, {0.035F * p.w, 0.035F * p.d, 0.02F * p.h}, 12, 6);
 }
 
 void MakeBlanket(Piece& p) {  // folded cloth: blankets and towels
