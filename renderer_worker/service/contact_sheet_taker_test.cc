@@ -44,7 +44,7 @@ TEST_F(ContactSheetTakerTest, PutsLayoutsAndImagesOnOneSheet) {
   const std::string image = *writer_->WritePng(Pixels{2, 2, std::vector<uint8_t>(12, 99)}, {});
   ASSERT_EQ(Options(3), absl::OkStatus());
   ASSERT_EQ(Layout("cloakroom"), absl::OkStatus());
-  ASSERT_EQ(Layout("writer_office"), absl::OkStatus());
+  ASSERT_EQ(Layout("cloakroom"), absl::OkStatus());
   ASSERT_EQ(Image(image), absl::OkStatus());
   const auto response = taker_.Finish(call_);
   ASSERT_TRUE(response.ok()) << response.status();

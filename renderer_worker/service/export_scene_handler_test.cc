@@ -20,7 +20,7 @@ class ExportSceneTest : public testing::Test {
     request_.set_job_id("job_7");
     request_.set_brief_text("A crypt.");
     request_.set_format(v1::SCENE_FORMAT_GLB);
-    *request_.mutable_solved_layout() = ReadSample("writer_office");
+    *request_.mutable_solved_layout() = ReadSample("cloakroom");
   }
   absl::StatusOr<v1::ExportSceneResponse> Export() {
     return ExportSceneHandler(furniture_, "build 7", answer_bytes_).Handle(request_, call_);

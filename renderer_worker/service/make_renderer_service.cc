@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "flair/v1/renderer_service.grpc.pb.h"
-#include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/images/image_writer.h"
 #include "renderer_worker/service/contact_sheet_taker.h"
 #include "renderer_worker/service/export_scene_handler.h"
+#include "renderer_worker/service/furnishing_choice.h"
 #include "renderer_worker/service/render_handler.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_stream_call.h"
@@ -65,8 +65,12 @@ ViewLimits LimitsOf(const config::v1::RendererWorkerConfig& config) {
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeRendererService(const config::v1::RendererWorkerConfig& config,
                                                                    runtime::WorkerContext& worker) {
-  auto furnishing = std::make_unique<ProceduralFurniture>();
-  return std::make_unique<Service>(MakeImageWriter(), std::move(furnishing), LimitsOf(config), worker);
+  absl::StatusOr<FurnishingChoice> furnishing = ChooseFurnishing(config.asset_folder_path());
+  if (!furnishing.ok()) return furnishing.status();
+  for (const v1::Diagnostic& diagnostic : furnishing->diagnostics)
+    worker.logger->warn("assets: {}", diagnostic.message());
+  worker.revision = furnishing->revision;
+  return std::make_unique<Service>(MakeImageWriter(), std::move(furnishing->source), LimitsOf(config), worker);
 }
 
 }  // namespace flair::renderer

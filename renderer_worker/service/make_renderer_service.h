@@ -12,7 +12,8 @@
 namespace flair::renderer {
 
 // The RendererService, for flair-renderer and for programs that host it themselves. `worker` must outlive it. Loads the
-// image library only when the first picture is written.
+// image library only when the first picture is written. NOT_FOUND and INVALID_ARGUMENT for a folder of assets that
+// cannot be used.
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeRendererService(const config::v1::RendererWorkerConfig& config,
                                                                    runtime::WorkerContext& worker);
 
