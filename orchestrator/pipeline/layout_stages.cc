@@ -72,6 +72,9 @@ absl::StatusOr<v1::Artifact> RunRender(const StageRun& run) {
   *request.mutable_options() = run.spec.render_options();
   // Not the job's own id: the same layout must give the same picture, whoever asks for it. The layout's id leads to it.
   request.set_job_id(layout.id());
+  // The ids that lead from the layout to its brief cover both.
+  request.set_brief_text(run.spec.brief().text());
+  request.set_brief_seed(run.spec.brief().seed());
   auto response = run.clients.Render(request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;

@@ -41,8 +41,10 @@ void CheckContent(const v1::Artifact& artifact, const Field& at) {
 void Check(const v1::Preview& preview, const Field& at) {
   at["view"].Enum(preview.view(), v1::PreviewView_IsValid(preview.view()));
   at["format"].Enum(preview.format(), v1::PreviewFormat_IsValid(preview.format()));
-  at["width_px"].InRange(preview.width_px(), {.least = 1, .most = 16384});
-  at["height_px"].InRange(preview.height_px(), {.least = 1, .most = 16384});
+  const bool is_page = preview.format() == v1::PREVIEW_FORMAT_SVG || preview.format() == v1::PREVIEW_FORMAT_PDF;
+  const double least = is_page ? 0 : 1;  // pages have no pixels
+  at["width_px"].InRange(preview.width_px(), {.least = least, .most = 16384});
+  at["height_px"].InRange(preview.height_px(), {.least = least, .most = 16384});
   if (preview.image().empty()) at["image"].Reject("is empty");
   const int matrix_size = preview.annotations().camera().camera_from_room_size();
   if (matrix_size != 0 && matrix_size != 16) {
