@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   flair::cli::AddImport(program, result);
   flair::cli::AddExport(program, result);
   flair::cli::AddBench(program, result);
+  flair::cli::AddBenchRender(program, result);
   flair::cli::AddBenchResolve(program, result);
   flair::cli::AddBenchRestarts(program, result);
   flair::cli::AddBenchTranslate(program, result);

@@ -23,6 +23,7 @@ void AddExportScene(CLI::App& exports, absl::Status& result);
 void AddContactSheet(CLI::App& program, absl::Status& result);
 void AddBench(CLI::App& program, absl::Status& result);
 // After AddBench.
+void AddBenchRender(CLI::App& program, absl::Status& result);
 void AddBenchResolve(CLI::App& program, absl::Status& result);
 void AddBenchRestarts(CLI::App& program, absl::Status& result);
 void AddBenchTranslate(CLI::App& program, absl::Status& result);

@@ -9,6 +9,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input/design_folders.h"
 #include "cli/input/files.h"
 #include "cli/input/layout_file.h"
 #include "cli/input/render_flags.h"
@@ -37,31 +38,6 @@ struct ContactSheetArguments {
   RendererChoice renderer;
 };
 
-// Folders below `root` that hold what a tile is made of, sorted.
-absl::StatusOr<std::vector<fs::path>> FindDesigns(const ContactSheetArguments& arguments) {
-  const std::string wanted = arguments.picture.empty() ? "layout.pb" : arguments.picture;
-  std::error_code error;
-  if (!fs::is_directory(arguments.folder, error))
-    return FileError(fmt::format("{}: is no folder; give one of designs", arguments.folder));
-  std::vector<fs::path> found;
-  if (fs::is_regular_file(fs::path(arguments.folder) / wanted, error)) found.emplace_back(arguments.folder);
-  fs::recursive_directory_iterator entry(arguments.folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    std::error_code ignored;
-    if (entry->is_directory(ignored) && fs::is_regular_file(entry->path() / wanted, ignored))
-      found.push_back(entry->path());
-    if (found.size() > kMostTiles) break;
-  }
-  if (error) return FileError(fmt::format("{}: cannot be listed: {}", arguments.folder, error.message()));
-  if (found.empty()) return FileError(fmt::format("{}: no folder in it holds a {}", arguments.folder, wanted));
-  if (found.size() > kMostTiles) {
-    return absl::InvalidArgumentError(
-        fmt::format("{}: holds more than {} designs; give a part of them", arguments.folder, kMostTiles));
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 // "45 of 50 constraints hold, OOB 0.00 %, OOR 0.00 %, 3 zones".
 std::string Metrics(const v1::SolvedLayout& layout) {
   int held = 0;
@@ -87,6 +63,14 @@ std::string Cut(const std::string& text, size_t most) {
   return cut;
 }
 
+// Leaves room for the metrics.
+std::string Shortened(const std::string& title) {
+  std::string cut = Cut(title, 48);
+  const bool is_whole = cut.size() == title.size();
+  while (is_whole && cut.ends_with('.')) cut.pop_back();
+  return is_whole ? cut : cut + "…";
+}
+
 class Sheet {
  public:
   Sheet(const ContactSheetArguments& arguments, RendererClient& renderer, v1::PreviewView view)
@@ -98,9 +82,9 @@ class Sheet {
     if (name == ".") name = fs::absolute(folder).lexically_normal().filename().string();
     absl::StatusOr<LayoutFile> layout = ReadLayout(folder / "layout.pb");
     if (layout.ok()) {
-      const std::string& title = layout->artifact.solved_layout().graph().room().title();
-      if (!title.empty()) name += ": " + title;
-      tile.set_remark(Metrics(layout->artifact.solved_layout()));
+      const v1::SolvedLayout& solved = layout->artifact.solved_layout();
+      const std::string& title = solved.graph().room().title();
+      tile.set_remark(title.empty() ? Metrics(solved) : Shortened(title) + ". " + Metrics(solved));
     }
     tile.set_caption(Cut(name, 200));
     const absl::Status filled = Fill(folder, layout, tile);
@@ -178,7 +162,8 @@ absl::Status MakeContactSheet(const ContactSheetArguments& arguments) {
   const absl::StatusOr<v1::PreviewView> view = ViewOfName(arguments.view);
   if (!view.ok()) return view.status();
   if (absl::Status status = MakeOptions(arguments, 1).status(); !status.ok()) return status;
-  const absl::StatusOr<std::vector<fs::path>> designs = FindDesigns(arguments);
+  const absl::StatusOr<std::vector<fs::path>> designs =
+      FindFoldersWith(arguments.folder, arguments.picture.empty() ? "layout.pb" : arguments.picture, kMostTiles);
   if (!designs.ok()) return designs.status();
   if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
   absl::StatusOr<std::unique_ptr<RendererClient>> renderer = RendererClient::Open(arguments.renderer);

@@ -18,6 +18,7 @@
 #include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
 #include "cli/progress/progress.h"
+#include "cli/session/further_views.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
@@ -39,6 +40,7 @@ struct DesignArguments {
   std::optional<int> size_px;
   std::optional<int> threads;
   std::optional<int> restarts;
+  std::vector<std::string> views;
   bool json = false;
   bool quiet = false;
 };
@@ -75,7 +77,7 @@ absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
 }
 
 std::vector<std::string> OutputNames() {
-  std::vector<std::string> names = {"plan.png", "report.md"};
+  std::vector<std::string> names = {"plan.png", "birdseye.png", "perspective.png", "report.md"};
   for (int kind = 1; kind < v1::ArtifactKind_ARRAYSIZE; ++kind) {
     const std::string stem = FileStem(static_cast<v1::ArtifactKind>(kind));
     if (stem.empty()) continue;
@@ -202,6 +204,7 @@ void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const Artifac
 }
 
 absl::Status Design(const DesignArguments& arguments) {
+  if (absl::Status status = CheckViews(arguments.views); !status.ok()) return status;
   const absl::StatusOr<v1::JobSpec> spec = MakeSpec(arguments);
   if (!spec.ok()) return spec.status();
   const absl::StatusOr<OptionalLlm> llm = ReadLlm(arguments);
@@ -224,7 +227,13 @@ absl::Status Design(const DesignArguments& arguments) {
   if (!job.ok()) return job.status();
   const absl::StatusOr<ArtifactsByKind> artifacts = Collect(**session, *job);
   if (!artifacts.ok()) return artifacts.status();
-  if (absl::Status status = WriteOutputFolder(arguments.out, MakeFiles(*job, *artifacts)); !status.ok()) return status;
+  std::vector<OutputFile> files = MakeFiles(*job, *artifacts);
+  absl::StatusOr<std::vector<OutputFile>> views =
+      DrawViews(arguments.views, artifacts->at(v1::ARTIFACT_KIND_SOLVED_LAYOUT), spec->brief(),
+                arguments.json || arguments.quiet);
+  if (!views.ok()) return views.status();
+  files.insert(files.end(), std::make_move_iterator(views->begin()), std::make_move_iterator(views->end()));
+  if (absl::Status status = WriteOutputFolder(arguments.out, files); !status.ok()) return status;
   ShowEnd(arguments, *job, *artifacts);
   return absl::OkStatus();
 }
@@ -252,6 +261,10 @@ void AddDesign(CLI::App& program, absl::Status& result) {
   command->add_option("--size", arguments->size_px, "Longer side of plan.png in pixels, 256 to 8192 (1600)")
       ->type_name("PX")
       ->check(CLI::Range(256, 8192));
+  command
+      ->add_option("--view", arguments->views, "Further pictures in DIR: birdseye, perspective, with a comma between")
+      ->type_name("A,B")
+      ->delimiter(',');
   command->add_option("--threads", arguments->threads, "Threads of the solver, 1 to 256 (all cores); changes no result")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
@@ -265,9 +278,10 @@ void AddDesign(CLI::App& program, absl::Status& result) {
   CLI::Option* json = command->add_flag("--json", arguments->json, "Events as JSON lines on standard output");
   command->add_flag("-q,--quiet", arguments->quiet, "Say nothing unless something is wrong")->excludes(json);
   command->footer(
-      "DIR gets plan.png, report.md and each stage's artifact as .pb and .json. It is written when all is done, whole\n"
-      "or not at all; files of other names in it stay. Run again after an interruption: finished stages are not "
-      "redone.\n" +
+      "DIR gets plan.png, the pictures of --view, report.md and each stage's artifact as .pb and .json. It is written\n"
+      "when all is done, whole or not at all; files of other names in it stay. Run again after an interruption: "
+      "finished\n"
+      "stages are not redone.\n" +
       std::string(kExitCodeHelp));
   command->callback([arguments, text, &result] {
     if (text->count() == 0 && arguments->brief.empty()) throw CLI::RequiredError("TEXT or --brief");

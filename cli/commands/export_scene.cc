@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair export scene and flair export sceneeval: a furnished room in three dimensions.
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "cli/commands/commands.h"
@@ -10,6 +11,9 @@
 #include "cli/progress/slow_note.h"
 #include "cli/session/renderer_client.h"
 #include "fmt/format.h"
+#include "renderer_worker/scene/scene.h"
+#include "renderer_worker/scene_state/write_scene_state.h"
+#include "renderer_worker/service/furnishing_choice.h"
 
 namespace flair::cli {
 namespace {
@@ -18,6 +22,7 @@ struct ExportSceneArguments {
   std::string layout;
   std::string out;
   std::string format = "glb";
+  std::string meshes;
   RendererChoice renderer;
 };
 
@@ -41,6 +46,32 @@ absl::Status ExportScene(const ExportSceneArguments& arguments, v1::SceneFormat 
   fmt::print(stderr, "{}: {} objects, {} KiB\n", arguments.out, layout->artifact.solved_layout().placements_size(),
              (response->scene().size() + 1023) / 1024);
   return absl::OkStatus();
+}
+
+// The models that the JSON names, made in this process.
+absl::Status WriteMeshes(const ExportSceneArguments& arguments) {
+  if (arguments.meshes.empty()) return absl::OkStatus();
+  const absl::StatusOr<LayoutFile> layout = ReadLayoutFile(arguments.layout);
+  if (!layout.ok()) return layout.status();
+  const absl::StatusOr<renderer::FurnishingChoice> furnishing =
+      renderer::ChooseFurnishing(arguments.renderer.asset_folder);
+  if (!furnishing.ok()) return furnishing.status();
+  const absl::StatusOr<renderer::Scene> scene =
+      renderer::BuildScene(layout->artifact.solved_layout(), *furnishing->source);
+  if (!scene.ok()) return scene.status();
+  const absl::StatusOr<std::vector<renderer::SceneStateFile>> files = renderer::SceneStateAssets(*scene);
+  if (!files.ok()) return files.status();
+  for (const renderer::SceneStateFile& file : *files) {
+    const absl::Status written = WriteOutputFile(std::filesystem::path(arguments.meshes) / file.path, file.bytes);
+    if (!written.ok()) return written;
+  }
+  fmt::print(stderr, "{}: {} files\n", arguments.meshes, files->size());
+  return absl::OkStatus();
+}
+
+absl::Status ExportSceneState(const ExportSceneArguments& arguments) {
+  if (absl::Status status = ExportScene(arguments, v1::SCENE_FORMAT_SCENE_STATE); !status.ok()) return status;
+  return WriteMeshes(arguments);
 }
 
 absl::Status ExportGlb(const ExportSceneArguments& arguments) {
@@ -68,9 +99,13 @@ void AddExportScene(CLI::App& exports, absl::Status& result) {
   command = exports.add_subcommand("sceneeval", "SceneState JSON, as the benchmark SceneEval reads it.");
   command->add_option("LAYOUT", state->layout, "layout.pb or layout.json")->required();
   command->add_option("-o,--out", state->out, "Where the .json goes")->required()->type_name("FILE");
+  command
+      ->add_option("--meshes", state->meshes,
+                   "Write the models that the JSON names there too, as ID/ID.glb and ID/data.json")
+      ->type_name("DIR");
   AddRendererFlags(*command, state->renderer);
   command->footer(kExitCodeHelp);
-  command->callback([state, &result] { result = ExportScene(*state, v1::SCENE_FORMAT_SCENE_STATE); });
+  command->callback([state, &result] { result = ExportSceneState(*state); });
 }
 
 }  // namespace flair::cli

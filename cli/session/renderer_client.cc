@@ -20,7 +20,8 @@ constexpr int kMessageMib = 500;
 
 absl::StatusOr<std::unique_ptr<runtime::InProcessServer>> StartRenderer(const RendererChoice& choice) {
   config::v1::RendererWorkerConfig config;
-  config.mutable_runtime()->set_log_level("error");
+  // What of a user's models cannot be used is told as they are read.
+  config.mutable_runtime()->set_log_level(choice.asset_folder.empty() ? "error" : "warning");
   config.mutable_runtime()->set_max_message_mib(kMessageMib);
   config.set_asset_folder_path(choice.asset_folder);
   if (choice.thread_count > 0) config.set_tracing_thread_count(choice.thread_count);
