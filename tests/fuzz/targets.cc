@@ -6,14 +6,16 @@
 namespace flair::fuzz {
 
 std::span<const Target> AllTargets() {
-  static constexpr std::array<Target, 8> kTargets = {{{"read_graph", ReadGraph},
-                                                      {"solve_problem", SolveProblem},
-                                                      {"edit_layout", EditLayout},
-                                                      {"read_reference_room", ReadReferenceRoom},
-                                                      {"read_scene_text", ReadSceneText},
-                                                      {"read_model_answer", ReadModelAnswer},
-                                                      {"read_reply", ReadReply},
-                                                      {"model_step", ModelStep}}};
+  static constexpr std::array<Target, 10> kTargets = {{{"read_graph", ReadGraph},
+                                                       {"solve_problem", SolveProblem},
+                                                       {"edit_layout", EditLayout},
+                                                       {"read_reference_room", ReadReferenceRoom},
+                                                       {"read_scene_text", ReadSceneText},
+                                                       {"read_model_answer", ReadModelAnswer},
+                                                       {"read_reply", ReadReply},
+                                                       {"model_step", ModelStep},
+                                                       {"read_asset", ReadAsset},
+                                                       {"read_manifest", ReadManifest}}};
   return kTargets;
 }
 

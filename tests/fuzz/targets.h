@@ -36,6 +36,12 @@ void ReadReply(std::string_view bytes);
 // "=====" with what follows to the request to repair. See model_step.cc for what must hold.
 void ModelStep(std::string_view bytes);
 
+// A 3D model that a user brings, as GLB. See read_asset.cc for what must hold.
+void ReadAsset(std::string_view bytes);
+
+// A manifest of models.
+void ReadManifest(std::string_view bytes);
+
 struct Target {
   std::string_view name;
   void (*run)(std::string_view bytes);
