@@ -59,13 +59,13 @@ Vec3 GlossOf(const World& world, const Lights& lights, const Radiosity& radiosit
 }  // namespace
 
 Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity, const Seen& seen,
-            const SampleSeeds& seeds, int column, int row, int sample_count) {
+            const SampleSeeds& seeds, int column, int row, int round_count) {
   Lit lit;
   if (seen.lit_instance == -1) return lit;
-  const PixelSamples random(seeds, column, row, sample_count);
+  const PixelSamples random(seeds, column, row, round_count);
   const LightChoice choice(lights, seen.position, seen.normal);
   float sum = 0, sum_of_squares = 0;
-  for (int i = 0; i < sample_count; ++i) {
+  for (int i = 0; i < round_count; ++i) {
     Vec3 light =
         Arriving(world, lights, radiosity, seen.position, CosineDirection(seen.normal, random.At(i, Purpose::kBounce)));
     light = light + DirectLight(world, choice, seen.position, random, i);
@@ -74,15 +74,15 @@ Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity
     sum += luminance;
     sum_of_squares += luminance * luminance;
   }
-  const float count = static_cast<float>(sample_count), mean = sum / count;
+  const float count = static_cast<float>(round_count), mean = sum / count;
   lit.irradiance = lit.irradiance * (1 / count);
   // One sample says nothing of its spread: as if it were as large as the value.
   const float spread =
-      sample_count > 1 ? std::max(0.0F, sum_of_squares / count - mean * mean) * count / (count - 1) : mean * mean;
+      round_count > 1 ? std::max(0.0F, sum_of_squares / count - mean * mean) * count / (count - 1) : mean * mean;
   lit.variance = spread / count;
   const float metal = std::max({seen.specular.x, seen.specular.y, seen.specular.z});
   if (seen.lit_instance < 0 || (seen.roughness > 0.65F && metal < 0.1F)) return lit;
-  const int gloss_count = (sample_count + 3) / 4;
+  const int gloss_count = (round_count + 1) / 2;
   for (int i = 0; i < gloss_count; ++i) {
     lit.gloss = lit.gloss + GlossOf(world, lights, radiosity, seen, random.At(i, Purpose::kGloss));
   }

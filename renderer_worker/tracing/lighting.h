@@ -14,8 +14,9 @@ struct Lit {
   Vec3 gloss;          // radiance that the surface mirrors, roughly
 };
 
-// Gathers `sample_count` samples of light for pixel (column, row).
+// Light for pixel (column, row): `round_count` times a path to another surface, one to a lamp or window, one to the
+// sun; half as often a mirrored one where the surface shines.
 Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity, const Seen& seen,
-            const SampleSeeds& seeds, int column, int row, int sample_count);
+            const SampleSeeds& seeds, int column, int row, int round_count);
 
 }  // namespace flair::renderer

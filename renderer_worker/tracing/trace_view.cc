@@ -88,13 +88,14 @@ absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_ca
   Resize(options, view);
   std::vector<Seen> seen(view.depth_m.size());
   std::vector<Lit> lit(view.depth_m.size());
+  const int rounds = (options.sample_count + 3) / 4;
   const SampleSeeds seeds(Mix(static_cast<uint32_t>(options.seed) ^ Mix(static_cast<uint32_t>(options.seed >> 32))));
   absl::Status status = ForEach(workers, options.height_px, [&](int y) {
     for (int x = 0; x < options.width_px; ++x) {
       const size_t at = static_cast<size_t>(y) * options.width_px + x;
       const Vec3 way = camera->Through(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
       seen[at] = LookFrom(**world, lights, surroundings, camera->eye, way, 1 / camera->focal_px);
-      lit[at] = LightOf(**world, lights, **radiosity, seen[at], seeds, x, y, options.sample_count);
+      lit[at] = LightOf(**world, lights, **radiosity, seen[at], seeds, x, y, rounds);
     }
     FillPlanes(**world, *camera, seen, y, view);
   });

@@ -129,7 +129,9 @@ TEST(TraceView, ChannelsHoldWhatTheySay) {
     }
     EXPECT_GT(view.depth_m[i], 0);
     EXPECT_NEAR(Length(view.normal[i]), 1, 1e-4);
-    if (view.instance[i] <= 3) EXPECT_EQ(view.albedo[i], (Vec3{0.5F, 0.3F, 0.2F}));
+    if (view.instance[i] <= 3) {
+      EXPECT_EQ(view.albedo[i], (Vec3{0.5F, 0.3F, 0.2F}));
+    }
   }
 }
 
