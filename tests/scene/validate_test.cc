@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "renderer_worker/assets/asset_furniture.h"
 #include "renderer_worker/drawing/testdata/read_layout.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/gltf/write_glb.h"
+#include "renderer_worker/gltf/write_mesh_glb.h"
 #include "tests/scene/validator.h"
 
 namespace flair::testing {
@@ -37,7 +41,47 @@ TEST(KhronosValidator, FindsNoErrorAndNoWarningInAnyRoom) {
   EXPECT_THAT(finished.out, ::testing::HasSubstr("\n0 errors, 0 warnings, 0 infos, 0 hints\n"));
 }
 
-// Or else the test above would prove nothing.
+// A model with a picture, brought by a user, for every chair.
+TEST(KhronosValidator, FindsNoErrorAndNoWarningInRoomsWithModelsOfUsers) {
+  const TestFolder assets;
+  renderer::Mesh model;
+  renderer::MeshPart& part = model.parts.emplace_back();
+  part.material = {.name = "weave", .pattern = renderer::Pattern::kFabric};
+  part.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 4.4F}, {-1, 1, 4.4F}};
+  part.normals = std::vector<renderer::Vec3>(4, renderer::Normalized({0, -2.2F, 1}));
+  part.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  part.indices = {0, 1, 2, 0, 2, 3};
+  WriteAll(assets / "chair.glb", *renderer::WriteMeshGlb(model, "chair"));
+  WriteAll(assets / "manifest.json", R"({"assets": [{"id": "my_chair", "file": "chair.glb", "name": "chair",
+      "licence": "CC0-1.0"}]})");
+  const auto library = renderer::AssetLibrary::Open(assets.path());
+  ASSERT_TRUE(library.ok()) << library.status();
+  const renderer::ProceduralFurniture furniture;
+  const renderer::AssetFurniture source(**library, furniture);
+  const TestFolder folder;
+  std::vector<fs::path> files;
+  size_t shown_count = 0;
+  for (const std::string& sample : renderer::SampleLayouts()) {
+    const v1::SolvedLayout layout = renderer::ReadSample(sample);
+    const absl::StatusOr<renderer::Scene> scene = renderer::BuildScene(layout, source);
+    ASSERT_TRUE(scene.ok()) << scene.status();
+    const auto shown =
+        std::count_if(scene->objects.begin(), scene->objects.end(), [](const renderer::SceneObject& object) {
+          return object.furnishing.asset_id == "my_chair" && object.furnishing.mesh->parts[0].material.image != nullptr;
+        });
+    shown_count += static_cast<size_t>(shown);
+    const absl::StatusOr<std::string> glb = renderer::WriteGlb(*scene, {});
+    ASSERT_TRUE(glb.ok()) << glb.status();
+    files.push_back(folder / (sample + ".glb"));
+    WriteAll(files.back(), *glb);
+  }
+  EXPECT_GT(shown_count, 0U);
+  const Finished finished = ValidateGlb(files);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_THAT(finished.out, ::testing::HasSubstr("\n0 errors, 0 warnings, 0 infos, 0 hints\n"));
+}
+
+// Or else the tests above would prove nothing.
 TEST(KhronosValidator, FindsWhatIsWrong) {
   const TestFolder folder;
   std::string glb = GlbOf("bare_hall");
