@@ -38,14 +38,17 @@ function(flair_test name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600)
 endfunction()
 
-# flair_program(NAME SOURCES main.cc ... DEPENDS lib ...): an executable in bin/ that knows its build, part of target
-# `programs`.
+# flair_program(NAME [TEST] SOURCES main.cc ... DEPENDS lib ...): an executable in bin/ that knows its build, installed and
+# part of target `programs` unless only a test runs it.
 function(flair_program name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "TEST" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${arg_SOURCES} $<TARGET_OBJECTS:flair_build_name>)
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS})
-  set_property(GLOBAL APPEND PROPERTY FLAIR_PROGRAMS ${name})
+  if(NOT arg_TEST)
+    set_property(GLOBAL APPEND PROPERTY FLAIR_PROGRAMS ${name})
+    install(TARGETS ${name} RUNTIME)
+  endif()
 endfunction()
 
 # Precompiled headers, with GCC only: clang refuses those of a target whose definitions differ. Without -fpch-preprocess
