@@ -125,6 +125,10 @@ std::string_view WhereItIs(std::string_view found, const v1::Object& object) {
 
 std::string_view ClassFromWords(std::string_view text) {
   const std::vector<std::string> words = WordsOf(text);
+  if (words.size() == kLongestPhrase) {
+    const std::string_view whole = Lookup(words[0] + " " + words[1] + " " + words[2]);
+    if (!whole.empty()) return whole;
+  }
   // "wardrobe with mirror": what comes before the first small word names the thing, unless it says nothing ("stack of
   // books") or the phrase goes on ("chest of drawers").
   for (size_t i = 1; i < words.size(); ++i) {

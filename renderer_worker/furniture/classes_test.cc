@@ -72,6 +72,7 @@ TEST(Classes, FreeNamesFindTheirClass) {
                                                        {"privacy screen", "folding_screen"},
                                                        {"weaving loom", "loom"},
                                                        {"wardrobe with mirror", "wardrobe"},
+                                                       {"vanity with sink", "basin"},
                                                        {"desklamp", "floor_lamp"},
                                                        {"jewelrybox", "box"},
                                                        {"throwpillow 2", "cushion"},

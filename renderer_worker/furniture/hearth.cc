@@ -166,7 +166,21 @@ void MakeCart(Piece& p) {
   }
 }
 
-void MakeOrganizer(Piece& p) {  // pots of pens, trays of small things, what stands on desks
+void MakeOrganizer(Piece& p) {            // pots of pens, trays of small things, what stands on desks
+  if (p.h > 1.1F * std::max(p.w, p.d)) {  // a pot with what is put upright into it
+    const float pot = 0.55F * p.h;
+    p.make.Lathe(
+        p.is.hard, {},
+        std::array<Vec2, 5>{{{0.44F, 0}, {0.5F, 0.04F * pot}, {0.48F, pot}, {0.42F, pot}, {0.42F, 0.2F * pot}}}, 22,
+        {p.w, p.d});
+    for (int i = 0; i < 4; ++i) {
+      const float turn = 1.7F * static_cast<float>(i) + p.Chance(i), x = 0.2F * p.w * std::cos(turn),
+                  y = 0.2F * p.d * std::sin(turn);
+      p.make.Bar(i == 0 ? p.is.metal : stuff::Book(i), {0.3F * x, 0.3F * y, 0.2F * pot},
+                 {x, y, p.h * (i == 0 ? 1 : 0.75F + 0.2F * p.Chance(9 + i))}, std::min(0.008F, 0.06F * p.smaller()), 6);
+    }
+    return;
+  }
   const float wall = std::min(0.006F, 0.06F * p.smaller()), low = 0.55F * p.h;
   p.make.Box(p.is.hard, {-p.w / 2, -p.d / 2, 0}, {p.w / 2, p.d / 2, 0.12F * low}, 0.002F);
   for (const float side : {-1.0F, 1.0F}) {
