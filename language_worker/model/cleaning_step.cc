@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "language_worker/handbook/cleaning/clean_constraints.h"
+#include "language_worker/model/cleaning_changes.h"
 #include "language_worker/model/prompt_text.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
@@ -18,18 +19,7 @@ namespace flair::language {
 namespace {
 
 using llm::Fault;
-using model::v1::ChangeAnswer;
 using model::v1::CleaningAnswer;
-using SentenceIndex = std::map<std::string, const v1::Sentence*, std::less<>>;
-
-SentenceIndex IndexOf(const v1::ConstraintList& list) {
-  SentenceIndex index;
-  for (const v1::Sentence& sentence : list.sentences()) {
-    if (sentence.scope() != v1::SENTENCE_SCOPE_TERTIARY) index[sentence.id()] = &sentence;
-  }
-  return index;
-}
-
 std::string SentencesText(const v1::ConstraintList& list) {
   std::string text, heading;
   for (const v1::Sentence& sentence : list.sentences()) {
@@ -42,49 +32,14 @@ std::string SentencesText(const v1::ConstraintList& list) {
   return text;
 }
 
-// What is wrong with one change by itself; empty when nothing is.
-std::string FaultOf(const ChangeAnswer& change, const SentenceIndex& sentences) {
-  const int from = change.from_size(), to = change.to_size();
-  for (const std::string& id : change.from()) {
-    if (!sentences.contains(id)) return "names a sentence that is not there";
-  }
-  for (const std::string& text : change.to()) {
-    if (text.empty()) return "has an empty sentence";
-  }
-  if (from == 0) return "names no sentence";
-  const v1::SentenceScope scope = sentences.at(change.from(0))->scope();
-  for (const std::string& id : change.from()) {
-    if (sentences.at(id)->scope() != scope) return "joins sentences about one object with others about several";
-  }
-  if (from > 1 && to > 1) return "makes several sentences of several; one in from, or one in to, would be right";
-  return "";
+v1::CleaningAction ActionOf(const Change& change) {
+  if (change.to.empty()) return v1::CLEANING_ACTION_CONTRADICTION_REMOVED;
+  if (change.from.size() > 1) return v1::CLEANING_ACTION_MERGED;
+  return change.to.size() > 1 ? v1::CLEANING_ACTION_SPLIT : v1::CLEANING_ACTION_SIMPLIFIED;
 }
 
-size_t RemovedCount(const CleaningAnswer& answer) {
-  size_t count = 0;
-  for (const ChangeAnswer& change : answer.changes()) {
-    if (change.to().empty()) count += static_cast<size_t>(change.from_size());
-  }
-  return count;
-}
-
-// The answer without its removals.
-CleaningAnswer WithoutRemovals(const CleaningAnswer& answer) {
-  CleaningAnswer kept;
-  for (const ChangeAnswer& change : answer.changes()) {
-    if (!change.to().empty()) *kept.add_changes() = change;
-  }
-  return kept;
-}
-
-v1::CleaningAction ActionOf(const ChangeAnswer& change) {
-  if (change.to().empty()) return v1::CLEANING_ACTION_CONTRADICTION_REMOVED;
-  if (change.from_size() > 1) return v1::CLEANING_ACTION_MERGED;
-  return change.to_size() > 1 ? v1::CLEANING_ACTION_SPLIT : v1::CLEANING_ACTION_SIMPLIFIED;
-}
-
-std::string ReasonOf(const ChangeAnswer& change) {
-  if (!change.reason().empty()) return change.reason();
+std::string ReasonOf(const Change& change) {
+  if (!change.reason.empty()) return change.reason;
   switch (ActionOf(change)) {
     case v1::CLEANING_ACTION_MERGED:
       return "They say the same.";
@@ -109,22 +64,21 @@ class Changer {
     }
   }
 
-  v1::ConstraintList Apply(const CleaningAnswer& answer) {
+  v1::ConstraintList Apply(const std::vector<Change>& changes) {
     std::map<std::string, std::vector<v1::Sentence>> instead;
     std::vector<v1::CleaningStep> steps;
-    for (const ChangeAnswer& change : answer.changes()) {
-      if (ChangesNothing(change)) continue;
+    for (const Change& change : changes) {
       v1::CleaningStep& step = steps.emplace_back();
       step.set_action(ActionOf(change));
       step.set_reason(ReasonOf(change));
-      for (const std::string& id : change.from()) {
+      for (const std::string& id : change.from) {
         step.add_from_ids(id);
         instead[id];  // goes
       }
-      for (const std::string& text : change.to()) {
+      for (const std::string& text : change.to) {
         const v1::Sentence made = Make(change, text);
         step.add_to_ids(made.id());
-        instead[change.from(0)].push_back(made);
+        instead[change.from.front()].push_back(made);
       }
     }
     v1::ConstraintList changed;
@@ -143,17 +97,12 @@ class Changer {
   }
 
  private:
-  // A sentence in its own place.
-  bool ChangesNothing(const ChangeAnswer& change) const {
-    return change.from_size() == 1 && change.to_size() == 1 && change.to(0) == sentences_.at(change.from(0))->text();
-  }
-
-  v1::Sentence Make(const ChangeAnswer& change, const std::string& text) {
-    v1::Sentence made = *sentences_.at(change.from(0));
+  v1::Sentence Make(const Change& change, const std::string& text) {
+    v1::Sentence made = *sentences_.at(change.from.front());
     made.set_text(words_.InWords(text));
-    made.set_id(NewId(change.from(0)));
+    made.set_id(NewId(change.from.front()));
     made.clear_made_from_ids();
-    for (const std::string& id : change.from()) {
+    for (const std::string& id : change.from) {
       const v1::Sentence& from = *sentences_.at(id);
       made.add_made_from_ids(id);
       made.set_weight(std::max(made.weight(), from.weight()));
@@ -186,31 +135,31 @@ class Changer {
 std::vector<Fault> CheckCleaning(const v1::ConstraintList& list, const CleaningAnswer& answer) {
   const SentenceIndex sentences = IndexOf(list);
   std::vector<Fault> faults;
-  std::set<std::string> changed;
-  for (int i = 0; i < answer.changes_size(); ++i) {
-    const ChangeAnswer& change = answer.changes(i);
-    std::string fault = FaultOf(change, sentences);
-    for (const std::string& id : change.from()) {
-      if (fault.empty() && changed.contains(id)) fault = fmt::format("changes {}, which another one changes", id);
-    }
-    if (fault.empty()) {
-      changed.insert(change.from().begin(), change.from().end());
-    } else {
-      faults.push_back({fmt::format("changes[{}]", i), std::move(fault)});
-    }
-  }
-  if (2 * RemovedCount(answer) > sentences.size()) {
-    faults.push_back({"changes",
-                      fmt::format("remove {} of {} sentences; only contradictions and empty words go",
-                                  RemovedCount(answer), sentences.size()),
-                      llm::FaultKind::kDoubtful});
+  const size_t removed = RemovedCount(ReadChanges(answer, sentences, &faults));
+  if (2 * removed > sentences.size()) {
+    faults.push_back(
+        {"changes",
+         fmt::format("remove {} of {} sentences; only contradictions and empty words go", removed, sentences.size()),
+         llm::FaultKind::kDoubtful});
   }
   return faults;
 }
 
 v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const CleaningAnswer& answer,
                                  const ObjectWords& words) {
-  return Changer(list, words).Apply(answer);
+  const SentenceIndex sentences = IndexOf(list);
+  std::vector<Change> changes = ReadChanges(answer, sentences, nullptr);
+  const size_t removed = RemovedCount(changes);
+  // A model that stays with throwing most of the list away is not followed in that.
+  const bool too_many = 2 * removed > sentences.size();
+  if (too_many) std::erase_if(changes, [](const Change& change) { return change.to.empty(); });
+  v1::ConstraintList cleaned = Changer(list, words).Apply(changes);
+  if (too_many) {
+    AddDiagnostic(v1::SEVERITY_WARNING, "removals_refused",
+                  fmt::format("The model would have removed {} of {} sentences; they stay.", removed, sentences.size()),
+                  cleaned);
+  }
+  return cleaned;
 }
 
 absl::StatusOr<v1::ConstraintList> AskCleaning(const v1::Room& room, const v1::ObjectList& objects,
@@ -221,24 +170,10 @@ absl::StatusOr<v1::ConstraintList> AskCleaning(const v1::Room& room, const v1::O
   if (sentences.empty()) return list;
   llm::Question question = MakeQuestion(tools, "cleaning", "cleaning", {{"sentences", SentencesText(list)}},
                                         CleaningAnswer::default_instance());
-  llm::Choices& ids = question.choices["flair.model.v1.ChangeAnswer.from"];
-  for (const v1::Sentence& sentence : list.sentences()) {
-    if (sentences.contains(sentence.id())) ids.names.push_back(sentence.id());
-  }
   question.check = llm::CheckOf<CleaningAnswer>([&](CleaningAnswer& answer) { return CheckCleaning(list, answer); });
   const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
   if (!reply.ok()) return reply.status();
-  // A model that stays with throwing most of the list away is not followed in that.
-  const CleaningAnswer& answer = reply->As<CleaningAnswer>();
-  const bool too_many = 2 * RemovedCount(answer) > sentences.size();
-  v1::ConstraintList cleaned =
-      ApplyCleaning(list, too_many ? WithoutRemovals(answer) : answer, ObjectWords(objects, room));
-  if (too_many) {
-    AddDiagnostic(v1::SEVERITY_WARNING, "removals_refused",
-                  fmt::format("The model would have removed {} of {} sentences; they stay.", RemovedCount(answer),
-                              sentences.size()),
-                  cleaned);
-  }
+  v1::ConstraintList cleaned = ApplyCleaning(list, reply->As<CleaningAnswer>(), ObjectWords(objects, room));
   AddFaults("cleaning", reply->faults, cleaned);
   if (absl::Status status = Validate(cleaned, objects); !status.ok()) return UnusableResult("cleaning", status);
   return cleaned;

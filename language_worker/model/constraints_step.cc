@@ -79,7 +79,7 @@ absl::StatusOr<v1::ConstraintList> AskConstraints(const ObjectsRequest& request,
     questions.push_back(MakeQuestion(tools, "constraints.intra", "intra", values, IntraAnswer::default_instance()));
     questions.back().choices["flair.model.v1.ObjectSentencesAnswer.object"] = GroupChoices(groups);
     if (groups.size() > 1 || groups.front().objects.size() > 1) {
-      values["room"] = RoomSizeText(request.room);
+      values["room"] = ShortRoomText(request.room);
       questions.push_back(MakeQuestion(tools, "constraints.inter", "inter", values, InterAnswer::default_instance()));
       questions.back().choices["flair.model.v1.PairAnswer.objects"] = GroupChoices(groups);
       questions.back().check = llm::CheckOf<InterAnswer>([](InterAnswer& answer) { return CheckInter(answer); });

@@ -49,16 +49,24 @@ bool Alike(const v1::Object& a, const v1::Object& b) {
          a.width_m() == b.width_m() && a.depth_m() == b.depth_m();
 }
 
-}  // namespace
-
-std::string RoomSizeText(const v1::Room& room) {
+std::string SizeText(const v1::Room& room) {
   const FloorExtent extent = ExtentOf(room);
   return fmt::format("{}, {} m x {} m ({} m2), {} m high", llm::QuoteData(room.room_type()), Rounded(extent.width_m),
                      Rounded(extent.depth_m), std::round(extent.area_m2 * 10) / 10, Rounded(room.height_m()));
 }
 
+}  // namespace
+
+std::string ShortRoomText(const v1::Room& room) {
+  const auto doors = std::count_if(room.openings().begin(), room.openings().end(),
+                                   [](const v1::Opening& opening) { return opening.kind() == v1::OPENING_KIND_DOOR; });
+  const auto windows = room.openings_size() - doors;
+  return fmt::format("{}, {} door{}, {} window{}", SizeText(room), doors, doors == 1 ? "" : "s", windows,
+                     windows == 1 ? "" : "s");
+}
+
 std::string RoomText(const v1::Room& room) {
-  std::string text = RoomSizeText(room);
+  std::string text = SizeText(room);
   for (int i = 0; i < room.walls_size(); ++i) text += "; " + WallText(room, i);
   return text;
 }

@@ -12,10 +12,10 @@
 
 namespace flair::language {
 
-// "bedroom", 4 m x 5 m (20 m2), 3 m high
-std::string RoomSizeText(const v1::Room& room);
+// "bedroom", 4 m x 5 m (20 m2), 3 m high, 1 door, 2 windows
+std::string ShortRoomText(const v1::Room& room);
 
-// The same with its walls: ...; south wall 4 m: door_1 0.9 m wide; ...
+// With its walls: "bedroom", 4 m x 5 m (20 m2), 3 m high; south wall 4 m: door_1 0.9 m wide; ...
 std::string RoomText(const v1::Room& room);
 
 // One line a zone: - sleeping: "Sleep and rest."

@@ -92,6 +92,7 @@ TEST(PromptText, ARoomOfAnyShapeIsItsWallsAndWhatIsInThem) {
     openings { id: "window_1" kind: OPENING_KIND_WINDOW wall: "wall_3" width_m: 1.257 sill_height_m: 0.9 }
     sockets { id: "socket_1" wall: "wall_3" }
     sockets { id: "socket_2" wall: "wall_3" })pb");
+  EXPECT_EQ(ShortRoomText(room), R"("bar \"\u003cb\u003e\"", 4 m x 5 m (16 m2), 2.8 m high, 1 door, 1 window)");
   EXPECT_EQ(RoomText(room),
             R"("bar \"\u003cb\u003e\"", 4 m x 5 m (16 m2), 2.8 m high; wall_1 wall 4 m: door_1 0.9 m wide; )"
             R"(wall_2 wall 3 m; wall_3 wall 4.47 m: window_1 1.26 m wide from 0.9 m up, 2 sockets; wall_4 wall 5 m)");

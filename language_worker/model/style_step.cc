@@ -152,7 +152,7 @@ absl::StatusOr<v1::StyleSheet> AskStyle(const StyleRequest& request, const Model
                                         llm::Conversation& conversation) {
   llm::Question question = MakeQuestion(tools, "style", "style",
                                         {{"brief", llm::QuoteData(request.brief.text())},
-                                         {"room", RoomSizeText(request.room)},
+                                         {"room", ShortRoomText(request.room)},
                                          {"objects", SubjectsText(request)}},
                                         StyleAnswer::default_instance());
   question.choices[kSubjectField] = SubjectChoices(request);

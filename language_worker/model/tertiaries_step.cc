@@ -203,7 +203,7 @@ absl::Status AskTertiaries(const ObjectsRequest& request, const ModelTools& tool
   const double area_m2 = ExtentOf(request.room).area_m2;
   llm::Question question = MakeQuestion(tools, "objects.tertiary", "tertiaries",
                                         {{"brief", llm::QuoteData(request.brief.text())},
-                                         {"room", RoomText(request.room)},
+                                         {"room", ShortRoomText(request.room)},
                                          {"objects", GroupsText(groups)},
                                          {"count", fmt::format("{}", AskedCount(area_m2))}},
                                         TertiariesAnswer::default_instance());

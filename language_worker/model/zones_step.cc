@@ -106,7 +106,7 @@ absl::StatusOr<v1::ZonePlan> AskZones(const v1::Brief& brief, const v1::Room& ro
                                       llm::Conversation& conversation) {
   llm::Question question = MakeQuestion(tools, "zones", "zones",
                                         {{"brief", llm::QuoteData(brief.text())},
-                                         {"room", RoomText(room)},
+                                         {"room", ShortRoomText(room)},
                                          {"zone_count", CountText(FloorArea(room))},
                                          {"wanted_zones", WantedText(brief)}},
                                         ZonesAnswer::default_instance());

@@ -106,9 +106,9 @@ class Matcher {
       const std::vector<size_t>& parts = parts_[r];
       if (parts.size() == 1 && SameWords(before_[r].text, after_[parts[0]].text)) continue;
       ChangeAnswer& change = parts.empty() ? *removals.add_changes() : *changes.add_changes();
-      change.add_from(before_[r].id);
+      change.set_from(before_[r].id);
       for (const size_t c : parts) change.add_to(after_[c].text);
-      if (parts.empty() && SaidElsewhere(r)) change.set_reason("Another one says it.");
+      if (parts.empty()) change.add_to(SaidElsewhere(r) ? "none(another one says it)" : "none");
     }
     if (2 * static_cast<size_t>(removals.changes_size()) <= before_.size()) changes.MergeFrom(removals);
     return changes;

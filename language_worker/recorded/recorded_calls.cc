@@ -192,7 +192,7 @@ class Matcher {
 
   model::v1::CallsAnswer Finish() {
     for (model::v1::SentenceCallsAnswer& entry : *answer_.mutable_sentences()) {
-      if (entry.calls().empty()) entry.add_calls("none(no call was recorded)");
+      if (entry.calls().empty()) entry.add_calls("none(not recorded)");
     }
     return std::move(answer_);
   }

@@ -25,6 +25,23 @@ std::string ToJson(const google::protobuf::Message& message) {
   return printed ? text : "{}";
 }
 
+// One line a sentence, as the prompt asks for.
+std::string ToJson(const model::v1::CallsAnswer& answer) {
+  json lines = json::array();
+  for (const model::v1::SentenceCallsAnswer& sentence : answer.sentences()) {
+    lines.push_back(fmt::format("{}: {}", sentence.id(), fmt::join(sentence.calls(), "; ")));
+  }
+  return json{{"sentences", lines}}.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string ToJson(const model::v1::CleaningAnswer& answer) {
+  json lines = json::array();
+  for (const model::v1::ChangeAnswer& change : answer.changes()) {
+    for (const std::string& text : change.to()) lines.push_back(fmt::format("{}: {}", change.from(), text));
+  }
+  return json{{"changes", lines}}.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
 // The first message of the user: the question. Repairs have another one behind it.
 std::string QuestionOf(const llm::ChatRequest& request) {
   for (const llm::Message& message : request.messages) {
@@ -56,7 +73,7 @@ std::vector<std::string> FindChoices(const json& schema, const char* field) {
 
 absl::StatusOr<std::string> RecordedRoomClient::Answer(const std::string& step, const llm::ChatRequest& request) {
   Conversion conversion;
-  const auto keep = [&](const google::protobuf::Message& answer) {
+  const auto keep = [&](const auto& answer) {
     const std::lock_guard lock(mutex_);
     conversions_[step] = std::move(conversion);
     return ToJson(answer);

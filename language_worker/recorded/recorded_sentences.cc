@@ -29,6 +29,17 @@ std::vector<std::string> NamesFor(const std::vector<std::string>& keys, const st
   return found;
 }
 
+// The entry of what looks the same, as the prompt asks for.
+model::v1::LookAnswer& LookLike(const model::v1::LookAnswer& made, model::v1::StyleAnswer& answer) {
+  for (model::v1::LookAnswer& look : *answer.mutable_looks()) {
+    if (look.material() == made.material() && look.colour() == made.colour() &&
+        look.description() == made.description()) {
+      return look;
+    }
+  }
+  return *answer.add_looks() = made;
+}
+
 model::v1::ObjectSentencesAnswer& EntryFor(const std::string& name, bool must, model::v1::IntraAnswer& answer) {
   for (model::v1::ObjectSentencesAnswer& entry : *answer.mutable_objects()) {
     if (entry.object() == name && (must ? entry.must_size() : entry.should_size()) < kMostPerObject) return entry;
@@ -144,11 +155,12 @@ model::v1::StyleAnswer RecordedAnswers::Style(const std::vector<std::string>& na
     for (const int object : look.objects) keys.push_back(NameKey(all[static_cast<size_t>(object)]->name()));
     const std::vector<std::string> of = NamesFor(keys, names);
     if (of.empty()) continue;
-    model::v1::LookAnswer& made = *answer.add_looks();
-    for (const std::string& name : of) made.add_of(name);
+    model::v1::LookAnswer made;
     made.set_material(look.material.empty() ? "mixed materials" : look.material);
     made.set_colour(ColourText(look.colour));
     if (!look.description.empty()) made.set_description(look.description);
+    model::v1::LookAnswer& entry = LookLike(made, answer);
+    for (const std::string& name : of) entry.add_of(name);
   }
   std::vector<std::pair<int, RecordedColour>> most;
   for (const auto& [colour, count] : palette) most.emplace_back(count, RecordedColour{colour.first, colour.second});

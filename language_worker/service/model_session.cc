@@ -72,7 +72,7 @@ const std::map<std::string, std::string>& GoodAnswers() {
       {"constraints.intra", kIntra},
       {"constraints.inter", kInter},
       {"cleaning", R"({"changes":[
-        {"from":["s11"],"to":["The wardrobe is away from the double bed."],"reason":null}]})"},
+        "s11: The wardrobe is away from the double bed."]})"},
   };
   return answers;
 }

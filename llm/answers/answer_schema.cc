@@ -28,6 +28,7 @@ Json ValueSchema(const FieldDescriptor& field, const FieldChoices& choices) {
   Json schema;
   switch (field.cpp_type()) {
     case FieldDescriptor::CPPTYPE_MESSAGE:
+      if (facts.line()) return {{"type", "string"}};
       return ObjectSchema(*field.message_type(), choices);
     case FieldDescriptor::CPPTYPE_BOOL:
       return {{"type", "boolean"}};

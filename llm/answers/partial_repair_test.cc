@@ -12,8 +12,8 @@
 namespace flair::llm {
 namespace {
 
-using model::v1::CleaningAnswer;
 using model::v1::FloorObjectsAnswer;
+using model::v1::InterAnswer;
 using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -90,17 +90,17 @@ TEST(PartialRepair, ElementsWithNewNamesGoToWhatIsLeftAndNamelessOnesNowhere) {
 }
 
 TEST(PartialRepair, ElementsWithoutANameGoByTheirOrder) {
-  const auto changes = [](const std::vector<std::string>& reasons) {
-    CleaningAnswer answer;
-    for (const std::string& reason : reasons) answer.add_changes()->set_reason(reason);
+  const auto pairs = [](const std::vector<std::string>& sentences) {
+    InterAnswer answer;
+    for (const std::string& sentence : sentences) answer.add_constraints()->add_must(sentence);
     return answer;
   };
   const auto merged = [&](const std::vector<std::string>& repair) {
-    CleaningAnswer answer = changes({"a", "b", "c"});
-    MergeElements(changes(repair), {}, {{"changes", {0, 2}}}, answer);
-    std::string reasons;
-    for (const auto& change : answer.changes()) reasons += change.reason();
-    return reasons;
+    InterAnswer answer = pairs({"a", "b", "c"});
+    MergeElements(pairs(repair), {}, {{"constraints", {0, 2}}}, answer);
+    std::string sentences;
+    for (const auto& pair : answer.constraints()) sentences += pair.must(0);
+    return sentences;
   };
   EXPECT_EQ(merged({"x", "y"}), "xby");
   EXPECT_EQ(merged({"x", "y", "z"}), "xbz") << "the whole answer again";

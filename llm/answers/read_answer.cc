@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "llm/answers/answer_lines.h"
 #include "llm/answers/answer_root.h"
 #include "llm/answers/extract_json.h"
 #include "llm/answers/field_facts.h"
@@ -132,7 +133,8 @@ class Reader {
   void ReadList(const json& value, const FieldDescriptor& field, const std::string& path, Message& message) {
     const model::v1::FieldFacts& facts = FactsOf(field);
     // One element alone is a list of one.
-    const json list = value.is_array() ? value : json::array({value});
+    const json list =
+        facts.line() ? ListOfLines(value, *field.message_type()) : (value.is_array() ? value : json::array({value}));
     const int most = facts.max_items() > 0 ? facts.max_items() : kMostItems;
     const int count = static_cast<int>(list.size());
     if (count < facts.min_items()) {

@@ -7,16 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "flair/model/v1/calls_answers.pb.h"
 #include "flair/model/v1/object_answers.pb.h"
 #include "flair/model/v1/room_answers.pb.h"
 
 namespace flair::llm {
 namespace {
 
+using model::v1::CallsAnswer;
 using model::v1::FloorObjectsAnswer;
 using model::v1::RoomAnswer;
 using model::v1::ZonesAnswer;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 const FieldChoices kZones = {
@@ -67,6 +70,35 @@ TEST(ReadAnswer, ARootMayBeWrappedOrBeItsOnlyList) {
     EXPECT_THAT(Sentences(ReadAnswer(text, {}, answer)), IsEmpty()) << text;
     EXPECT_EQ(answer.zones_size(), 1) << text;
   }
+}
+
+TEST(ReadAnswer, AnElementMayBeALine) {
+  const FieldChoices ids = {{"flair.model.v1.SentenceCallsAnswer.id", {{"s1", "s2"}, {}}}};
+  for (const std::string text : {R"x({"sentences":["s1: near(a, b)","s2: none(why: light)"]})x",
+                                 R"x(["- s1 = near(a, b)","[s2] none(why: light)"])x",
+                                 R"x({"sentences":[{"id":"s1","calls":["near(a, b)"]},"S2 none(why: light)"]})x",
+                                 R"x({"sentences":{"s1":"near(a, b)","s2":["none(why: light)"]}})x",
+                                 R"x({"sentences":"s1: near(a, b)\n\n\"s2\": none(why: light)"})x"}) {
+    CallsAnswer answer;
+    EXPECT_THAT(Sentences(ReadAnswer(text, ids, answer)), IsEmpty()) << text;
+    ASSERT_EQ(answer.sentences_size(), 2) << text;
+    EXPECT_EQ(answer.sentences(0).id(), "s1") << text;
+    EXPECT_THAT(answer.sentences(0).calls(), ElementsAre("near(a, b)")) << text;
+    EXPECT_EQ(answer.sentences(1).id(), "s2") << text;
+    EXPECT_THAT(answer.sentences(1).calls(), ElementsAre("none(why: light)")) << text;
+  }
+  for (const std::string text : {R"x({"sentences":[""]})x", R"x({"sentences":["near(a)"]})x", R"x({"sentences":[7]})x",
+                                 R"x({"sentences":[": - ["]})x", R"x({"sentences":[null]})x"}) {
+    CallsAnswer answer;
+    EXPECT_THAT(Sentences(ReadAnswer(text, ids, answer)), ElementsAre(HasSubstr("sentences[0]"))) << text;
+  }
+}
+
+TEST(ReadAnswer, ATextWithANotationOfItsOwnTakesAnyValueAsItsJson) {
+  CallsAnswer answer;
+  const std::string text = R"({"sentences":[{"id":"s1","calls":[{"function":"near"},["a"],null,"",1]}]})";
+  EXPECT_THAT(Sentences(ReadAnswer(text, {}, answer)), IsEmpty());
+  EXPECT_THAT(answer.sentences(0).calls(), ElementsAre(R"({"function":"near"})", R"(["a"])", "null", "", "1"));
 }
 
 struct FaultCase {

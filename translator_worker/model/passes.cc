@@ -28,15 +28,27 @@ bool Any(const v1::ObjectList& list, v1::ObjectKind kind, bool tertiary_only) {
   });
 }
 
-// Whether a pass has what the types of a family are about.
-bool HasUseFor(std::string_view family, const Pass& pass, const v1::ObjectList& objects) {
-  if (family == "surface") return Any(objects, v1::OBJECT_KIND_SURFACE, false);
-  if (family == "on_wall") return Any(objects, v1::OBJECT_KIND_WALL, false);
-  if (family == "ceiling") return Any(objects, v1::OBJECT_KIND_CEILING, false);
+// Whether a sentence of the pass has the word, in lower case or at its beginning.
+bool Says(const v1::TranslateRequest& request, const Pass& pass, std::string_view word_without_first) {
+  return std::any_of(request.constraint_list().sentences().begin(), request.constraint_list().sentences().end(),
+                     [&](const v1::Sentence& sentence) {
+                       return sentence.scope() == pass.scope &&
+                              sentence.text().find(word_without_first) != std::string::npos;
+                     });
+}
+
+// Whether a pass has what the types of a family are about, or speaks of it.
+bool HasUseFor(std::string_view family, const Pass& pass, const v1::TranslateRequest& request) {
+  const v1::ObjectList& objects = request.object_list();
+  if (family == "on_wall") return Any(objects, v1::OBJECT_KIND_WALL, false) || Says(request, pass, "wall");
+  if (family == "ceiling") return Any(objects, v1::OBJECT_KIND_CEILING, false) || Says(request, pass, "eiling");
   // Of the small things only those on the floor stand at walls, and only some of them are rugs.
   const bool small_on_floor = Any(objects, v1::OBJECT_KIND_FLOOR, true);
-  if (family == "rug") return small_on_floor;
-  return family != "wall" || pass.scope != v1::SENTENCE_SCOPE_TERTIARY || small_on_floor;
+  if (family == "rug") return small_on_floor || Says(request, pass, "rug");
+  if (family != "wall" || pass.scope == v1::SENTENCE_SCOPE_INTRA) return true;
+  // What stands at a wall by itself is told where objects are told one by one.
+  if (pass.scope == v1::SENTENCE_SCOPE_INTER) return Says(request, pass, "wall") || Says(request, pass, "corner");
+  return small_on_floor;
 }
 
 // Whether there is something for every argument that a type needs.
@@ -62,7 +74,7 @@ std::vector<const v1::ConstraintType*> TypesFor(const Pass& pass, const v1::Tran
   for (const v1::ConstraintType& type : request.catalog().types()) {
     if (type.built_in() || !CanBeCalled(type, request)) continue;
     const bool wanted = std::find(families.begin(), families.end(), type.family()) != families.end() &&
-                        HasUseFor(type.family(), pass, request.object_list());
+                        HasUseFor(type.family(), pass, request);
     if (wanted || !IsOurs(type.family())) types.push_back(&type);
   }
   return types;
