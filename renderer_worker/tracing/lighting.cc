@@ -82,7 +82,7 @@ Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity
   lit.variance = spread / count;
   const float metal = std::max({seen.specular.x, seen.specular.y, seen.specular.z});
   if (seen.lit_instance < 0 || (seen.roughness > 0.65F && metal < 0.1F)) return lit;
-  const int gloss_count = (round_count + 1) / 2;
+  const int gloss_count = (round_count + 3) / 4;
   for (int i = 0; i < gloss_count; ++i) {
     lit.gloss = lit.gloss + GlossOf(world, lights, radiosity, seen, random.At(i, Purpose::kGloss));
   }
