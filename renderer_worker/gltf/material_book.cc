@@ -23,7 +23,7 @@ double Share(float value) { return Rounded(std::clamp(value, 0.0F, 1.0F)); }
 
 Vec2 MaterialBook::UvScale(const Material& material) {
   if (material.image != nullptr) return {1, 1};
-  const Vec2 period = PeriodOf(material.pattern);
+  const Vec2 period = PeriodOf(FigureOf(material));
   if (period.x <= 0 || !(material.pattern_size_m > 0)) return {0, 0};
   return {1 / (period.x * material.pattern_size_m), 1 / (period.y * material.pattern_size_m)};
 }

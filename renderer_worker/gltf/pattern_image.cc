@@ -17,7 +17,6 @@ namespace {
 
 // A tone's number: 16 shades of 16 mixtures.
 constexpr int kLevels = 16;
-constexpr int kPatternCount = 10;
 
 struct ToneImage {
   int width_px = 0;
@@ -28,12 +27,12 @@ struct ToneImage {
 int LevelOf(float value) { return std::clamp(static_cast<int>(std::lround(value * (kLevels - 1))), 0, kLevels - 1); }
 
 // What PNG wants compressed: every row after the number of its filter, here none.
-ToneImage DrawTones(Pattern pattern) {
-  const Vec2 period = PeriodOf(pattern);
+ToneImage DrawTones(Figure figure) {
+  const Vec2 period = PeriodOf(figure);
   // Floors are looked at more closely than the wood of a chair.
   ToneImage image{256, 256, {}};
-  if (pattern == Pattern::kPlanks) image.width_px = 512;
-  if (pattern == Pattern::kWood) image.height_px = 128;
+  if (figure == Figure::kPlanks) image.width_px = 512;
+  if (figure == Figure::kWood) image.height_px = 128;
   std::string rows;
   rows.reserve(static_cast<size_t>(image.height_px) * static_cast<size_t>(image.width_px + 1));
   for (int y = 0; y < image.height_px; ++y) {
@@ -41,7 +40,7 @@ ToneImage DrawTones(Pattern pattern) {
     for (int x = 0; x < image.width_px; ++x) {
       const float u = (static_cast<float>(x) + 0.5F) / static_cast<float>(image.width_px) * period.x;
       const float v = (static_cast<float>(y) + 0.5F) / static_cast<float>(image.height_px) * period.y;
-      const Tone tone = ToneAt(pattern, u, v);
+      const Tone tone = ToneAt(figure, u, v);
       const float shade = (tone.shade - kDarkestShade) / (kLightestShade - kDarkestShade);
       rows.push_back(static_cast<char>(LevelOf(shade) * kLevels + LevelOf(tone.mix)));
     }
@@ -54,11 +53,11 @@ ToneImage DrawTones(Pattern pattern) {
   return image;
 }
 
-const ToneImage& TonesOf(Pattern pattern) {
-  static std::array<std::once_flag, kPatternCount> once;
-  static std::array<ToneImage, kPatternCount> images;
-  const auto index = static_cast<size_t>(pattern);
-  std::call_once(once[index], [&] { images[index] = DrawTones(pattern); });
+const ToneImage& TonesOf(Figure figure) {
+  static std::array<std::once_flag, kFigureCount> once;
+  static std::array<ToneImage, kFigureCount> images;
+  const auto index = static_cast<size_t>(figure);
+  std::call_once(once[index], [&] { images[index] = DrawTones(figure); });
   return images[index];
 }
 
@@ -97,7 +96,7 @@ std::string PaletteOf(const Material& material) {
 
 std::string PatternPng(const Material& material) {
   if (material.pattern == Pattern::kPlain) return {};
-  const ToneImage& tones = TonesOf(material.pattern);
+  const ToneImage& tones = TonesOf(FigureOf(material));
   std::string header;
   AppendNumber(header, static_cast<uint32_t>(tones.width_px));
   AppendNumber(header, static_cast<uint32_t>(tones.height_px));

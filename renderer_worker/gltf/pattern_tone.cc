@@ -8,6 +8,8 @@
 namespace flair::renderer::gltf {
 namespace {
 
+static_assert(static_cast<int>(Pattern::kWallpaper) == static_cast<int>(Figure::kWallpaper));
+
 // [0, 1), the same for the same cell.
 float Random(int x, int y, int salt) {
   uint32_t h = static_cast<uint32_t>(x) * 0x9E3779B1U ^ static_cast<uint32_t>(y) * 0x85EBCA77U ^
@@ -106,6 +108,32 @@ Tone Stone(float u, float v) {
   return {0.5F * broad + 0.3F * middle + 0.2F * fine, 1};
 }
 
+// Cells round scattered points, 8 by 8 before they repeat; the joint is where the two nearest are equally far.
+Tone Stones(float u, float v) {
+  const int i = static_cast<int>(u);
+  const int j = static_cast<int>(v);
+  float nearest = 1e9F, second = 1e9F, tone = 0;
+  for (int a = i - 1; a <= i + 1; ++a) {
+    for (int b = j - 1; b <= j + 1; ++b) {
+      const int cell_x = Wrapped(a, 8);
+      const int cell_y = Wrapped(b, 8);
+      const float dx = static_cast<float>(a) + 0.15F + 0.7F * Random(cell_x, cell_y, 34) - u;
+      const float dy = static_cast<float>(b) + 0.15F + 0.7F * Random(cell_x, cell_y, 35) - v;
+      const float distance = std::sqrt(dx * dx + dy * dy);
+      if (distance < nearest) {
+        second = nearest;
+        nearest = distance;
+        tone = Random(cell_x, cell_y, 36);
+      } else {
+        second = std::min(second, distance);
+      }
+    }
+  }
+  const float joint = std::clamp(1.4F - (second - nearest) / 0.07F, 0.0F, 1.0F);
+  const float grain = 0.5F * Noise(u * 4, v * 4, 32, 32, 37) + 0.5F * Noise(u * 16, v * 16, 128, 128, 38);
+  return {std::max(joint, 0.30F * grain), 0.82F + 0.26F * tone};
+}
+
 Tone Carpet(float u, float v) {
   const float tuft = Random(Wrapped(static_cast<int>(u * 2), 128), Wrapped(static_cast<int>(v * 2), 128), 41);
   return {0.55F * tuft + 0.25F * Noise(u / 8, v / 8, 8, 8, 42), 0.94F + 0.10F * tuft};
@@ -135,51 +163,59 @@ Tone Wallpaper(float u, float v) {
 
 }  // namespace
 
-Vec2 PeriodOf(Pattern pattern) {
-  switch (pattern) {
-    case Pattern::kPlain:
+Figure FigureOf(const Material& material) {
+  if (material.pattern == Pattern::kStone && material.pattern_size_m < 1) return Figure::kStones;
+  return static_cast<Figure>(material.pattern);
+}
+
+Vec2 PeriodOf(Figure figure) {
+  switch (figure) {
+    case Figure::kPlain:
       return {0, 0};
-    case Pattern::kWood:
+    case Figure::kWood:
       return {8, 4};
-    case Pattern::kPlanks:
+    case Figure::kPlanks:
       return {16, 8};
-    case Pattern::kHerringbone:
+    case Figure::kHerringbone:
+    case Figure::kStones:
       return {8, 8};
-    case Pattern::kTiles:
-    case Pattern::kStone:
+    case Figure::kTiles:
+    case Figure::kStone:
       return {4, 4};
-    case Pattern::kBricks:
+    case Figure::kBricks:
       return {4, 8 / 3.0F};
-    case Pattern::kCarpet:
-    case Pattern::kFabric:
+    case Figure::kCarpet:
+    case Figure::kFabric:
       return {64, 64};
-    case Pattern::kWallpaper:
+    case Figure::kWallpaper:
       return {1, 1};
   }
   return {0, 0};
 }
 
-Tone ToneAt(Pattern pattern, float u, float v) {
-  switch (pattern) {
-    case Pattern::kPlain:
+Tone ToneAt(Figure figure, float u, float v) {
+  switch (figure) {
+    case Figure::kPlain:
       return {};
-    case Pattern::kWood:
+    case Figure::kWood:
       return {0.6F * Grain(u, v, 8, 4, 61), 0.95F + 0.08F * Noise(u * 0.5F, v, 4, 4, 62)};
-    case Pattern::kPlanks:
+    case Figure::kPlanks:
       return Planks(u, v);
-    case Pattern::kHerringbone:
+    case Figure::kHerringbone:
       return Herringbone(u, v);
-    case Pattern::kTiles:
+    case Figure::kTiles:
       return Tiles(u, v);
-    case Pattern::kBricks:
+    case Figure::kBricks:
       return Bricks(u, v);
-    case Pattern::kStone:
+    case Figure::kStone:
       return Stone(u, v);
-    case Pattern::kCarpet:
+    case Figure::kStones:
+      return Stones(u, v);
+    case Figure::kCarpet:
       return Carpet(u, v);
-    case Pattern::kFabric:
+    case Figure::kFabric:
       return Fabric(u, v);
-    case Pattern::kWallpaper:
+    case Figure::kWallpaper:
       return Wallpaper(u, v);
   }
   return {};
