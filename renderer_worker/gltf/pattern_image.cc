@@ -24,7 +24,7 @@ struct ToneImage {
   std::string pixels;  // compressed rows, as PNG's IDAT has them
 };
 
-int LevelOf(float value) { return std::clamp(static_cast<int>(std::lround(value * (kLevels - 1))), 0, kLevels - 1); }
+int LevelOf(float value) { return std::clamp(static_cast<int>(value * (kLevels - 1) + 0.5F), 0, kLevels - 1); }
 
 // What PNG wants compressed: every row after the number of its filter, here none.
 ToneImage DrawTones(Figure figure) {
@@ -48,7 +48,7 @@ ToneImage DrawTones(Figure figure) {
   uLongf size = compressBound(rows.size());
   image.pixels.resize(size);
   compress2(reinterpret_cast<Bytef*>(image.pixels.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
-            rows.size(), 6);
+            rows.size(), 4);
   image.pixels.resize(size);
   return image;
 }

@@ -26,16 +26,16 @@ int Wrapped(int i, int period) { return ((i % period) + period) % period; }
 
 float Smooth(float t) { return t * t * (3 - 2 * t); }
 
-// Value noise in [0, 1] that repeats after period_x by period_y cells.
+// Value noise in [0, 1] that repeats after period_x by period_y cells; x and y not negative.
 float Noise(float x, float y, int period_x, int period_y, int salt) {
-  const float fx = std::floor(x);
-  const float fy = std::floor(y);
-  const int x0 = Wrapped(static_cast<int>(fx), period_x);
-  const int y0 = Wrapped(static_cast<int>(fy), period_y);
-  const int x1 = (x0 + 1) % period_x;
-  const int y1 = (y0 + 1) % period_y;
-  const float tx = Smooth(x - fx);
-  const float ty = Smooth(y - fy);
+  int x0 = static_cast<int>(x);
+  int y0 = static_cast<int>(y);
+  const float tx = Smooth(x - static_cast<float>(x0));
+  const float ty = Smooth(y - static_cast<float>(y0));
+  if (x0 >= period_x) x0 %= period_x;
+  if (y0 >= period_y) y0 %= period_y;
+  const int x1 = x0 + 1 == period_x ? 0 : x0 + 1;
+  const int y1 = y0 + 1 == period_y ? 0 : y0 + 1;
   const float low = Random(x0, y0, salt) * (1 - tx) + Random(x1, y0, salt) * tx;
   const float high = Random(x0, y1, salt) * (1 - tx) + Random(x1, y1, salt) * tx;
   return low * (1 - ty) + high * ty;
