@@ -152,7 +152,9 @@ int ClassIdOf(std::string_view class_name) {
 std::string_view ClassOf(const v1::Object& object) {
   // Names say more than categories: an office chair is a chair, a weight bench a bench.
   std::string_view found = ClassFromWords(object.name());
-  if (found.empty() && ClassIdOf(object.category()) > 0) {
+  // Unless the category is a kind of what the name says: "mushroom table", a round_table.
+  const bool refines = !found.empty() && object.category().ends_with("_" + std::string(found));
+  if ((found.empty() || refines) && ClassIdOf(object.category()) > 0) {
     found =
         kClassNames[std::lower_bound(kClassNames.begin(), kClassNames.end(), object.category()) - kClassNames.begin()];
   }

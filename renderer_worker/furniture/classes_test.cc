@@ -74,7 +74,7 @@ TEST(Classes, FreeNamesFindTheirClass) {
                                                        {"wardrobe with mirror", "wardrobe"},
                                                        {"vanity with sink", "basin"},
                                                        {"desklamp", "floor_lamp"},
-                                                       {"jewelrybox", "box"},
+                                                       {"jewelrybox", "trunk"},
                                                        {"throwpillow 2", "cushion"},
                                                        {"fiddle leaf fig", "plant"},
                                                        {"bed frame", "bed"},
@@ -95,6 +95,10 @@ TEST(Classes, TheNameWinsOverTheCategoryWhichHelpsWhenTheNameSaysNothing) {
   EXPECT_EQ(ClassOf(object), "office_chair");
   object.set_name("Old Faithful");
   EXPECT_EQ(ClassOf(object), "chair");
+  object.set_name("mushroom table");
+  object.set_category("round_table");
+  EXPECT_EQ(ClassOf(object), "round_table");
+  object.set_name("Old Faithful");
   object.set_category("");
   object.set_id("chair_3");
   EXPECT_EQ(ClassOf(object), "chair");

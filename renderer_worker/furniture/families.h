@@ -79,6 +79,7 @@ void MakeBasin(Piece& p);
 void MakeCauldron(Piece& p);
 void MakeFireplace(Piece& p);
 void MakeAquarium(Piece& p);
+void MakeLogStack(Piece& p);
 void MakeCart(Piece& p);
 void MakeOrganizer(Piece& p);
 void MakeBox(Piece& p);

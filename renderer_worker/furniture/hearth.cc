@@ -95,6 +95,32 @@ void MakeFireplace(Piece& p) {
   Fire(p, {0, -0.06F * p.d, 0.1F * p.h}, size, 60);
 }
 
+void MakeLogStack(Piece& p) {
+  const float post = std::min(0.02F, 0.05F * p.smaller()), r = std::min({0.07F, 0.16F * p.h, 0.16F * p.w});
+  for (const float side : {-1.0F, 1.0F}) {
+    for (const float y : {-0.3F, 0.3F}) {
+      p.make.Box(p.is.metal, {side * p.w / 2, y * p.d - post, 0}, {side * (p.w / 2 - post), y * p.d + post, p.h},
+                 0.003F);
+    }
+  }
+  for (const float y : {-0.3F, 0.3F}) {
+    p.make.Box(p.is.metal, {-p.w / 2, y * p.d - post, 0}, {p.w / 2, y * p.d + post, post}, 0.003F);
+  }
+  // Logs in rows, each in the hollow between two of the row below; their cut ends are pale.
+  const Material cut = BaseMaterialOf("pine").look;
+  const float pitch = 2.04F * r, rise = 0.87F * pitch;
+  const int rows = std::clamp(static_cast<int>((p.h - 2 * r - post) / rise) + 1, 1, 9);
+  const int columns = std::clamp(static_cast<int>((p.w - 2 * post) / pitch), 1, 12);
+  for (int row = 0; row < rows; ++row) {
+    for (int i = 0; i < columns - row % 2; ++i) {
+      const float x = pitch * (static_cast<float>(i) - 0.5F * static_cast<float>(columns - 1 - row % 2));
+      const float z = post + r + rise * static_cast<float>(row), half = p.d * (0.44F + 0.06F * p.Chance(20 * row + i));
+      p.make.Bar(p.is.hard, {x, -0.98F * half, z}, {x, 0.98F * half, z}, r, 9);
+      p.make.Bar(cut, {x, -half, z}, {x, half, z}, 0.86F * r, 9);
+    }
+  }
+}
+
 void MakeAquarium(Piece& p) {
   const float stand = p.h > 0.8F ? 0.52F * p.h : 0.05F * p.h, glass = std::min(0.008F, 0.03F * p.smaller()),
               level = p.h - 0.1F * (p.h - stand);

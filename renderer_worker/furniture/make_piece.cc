@@ -67,6 +67,7 @@ constexpr PieceMaker kMakers[] = {
     {"kitchen_island", MakeKitchenIsland, {.hard = "lacquer", .metal = "brass", .hard_colour = 0x5D7076}},
     {"ladder", MakeLadder, {.hard = "oak", .soft = "wool", .soft_colour = 0xD8CDB8}},
     {"laptop", MakeLaptop, {.hard = "steel"}},
+    {"log_stack", MakeLogStack, {.hard = "bark", .metal = "iron"}},
     {"loom", MakeLoom, {.hard = "oak", .soft = "wool", .soft_colour = 0xA8553F}},
     {"mannequin", MakeMannequin, {.hard = "walnut", .metal = "brass", .dominant = kSoft, .soft_colour = 0xD9CBB2}},
     {"mat", MakeMat, {.hard = "oak", .soft = "wool", .dominant = kSoft, .soft_colour = 0x8FAE9E}},

@@ -120,6 +120,7 @@ constexpr std::pair<std::string_view, std::string_view> kLookAlikes[] = {
     {"garment_rack", "rack"},
     {"kitchen_island", "table"},
     {"ladder", "rack"},
+    {"log_stack", "trunk"},
     {"loom", "workbench"},
     {"organizer", "tray"},
     {"pool", "bath"},
