@@ -63,12 +63,13 @@ window.show = async (url, cameraName, bare) => {
   renderer.render(scene, camera);
   renderer.render(scene, camera);
   return {triangles: renderer.info.render.triangles, calls: renderer.info.render.calls,
-          size: box.getSize(new THREE.Vector3()).toArray()};
+          size_m: box.getSize(new THREE.Vector3()).toArray(), png: renderer.domElement.toDataURL('image/png')};
 };
 window.ready = true;
 </script>`;
 
 const server = http.createServer((request, response) => {
+  if (request.url === '/favicon.ico') return response.writeHead(204).end();
   if (request.url === '/') return response.setHeader('content-type', 'text/html').end(page);
   const asset = request.url.startsWith('/three/') ? path.join(folder, 'node_modules', request.url)
                                                   : files[Number(request.url.slice(1))];
@@ -89,9 +90,10 @@ await tab.waitForFunction('window.ready');
 fs.mkdirSync(out, {recursive: true});
 for (const [number, file] of files.entries()) {
   for (const camera of options.cameras) {
-    const seen = await tab.evaluate(([n, c, bare]) => window.show('/' + n, c, bare), [number, camera, options.bare]);
+    const {png, ...seen} =
+        await tab.evaluate(([n, c, bare]) => window.show('/' + n, c, bare), [number, camera, options.bare]);
     const picture = path.join(out, `${path.basename(file, '.glb')}_${camera}.png`);
-    await tab.screenshot({path: picture});
+    fs.writeFileSync(picture, Buffer.from(png.split(',')[1], 'base64'));
     console.log(picture, JSON.stringify(seen));
   }
 }
