@@ -36,6 +36,8 @@ struct GoldenCase {
   v1::RenderOptions options;
 };
 
+void PrintTo(const GoldenCase& golden, std::ostream* out) { *out << golden.name; }
+
 GoldenCase CaseWith(const std::string& name, const std::string& sample, const std::vector<v1::PlanLayer>& layers,
                     v1::PaperSize paper = v1::PAPER_SIZE_A3) {
   GoldenCase golden{name, sample, {}};
