@@ -72,6 +72,55 @@ TEST_F(RenderCommand, ThePlanOfADesignIsThePlanOfItsLayout) {
   EXPECT_THAT(ReadAll(folder_ / "plan.png"), HasSubstr("A bedroom that is 3m x 4m."));
 }
 
+TEST_F(RenderCommand, ADesignMayHaveViewsBesideItsPlan) {
+  ASSERT_EQ(Flair({"design", "A bedroom that is 3m x 4m.", "--seed", "7", "--view", "birdseye", "--out",
+                   folder_ / "design", "--quiet"})
+                .exit_code,
+            0);
+  ASSERT_EQ(Render("again.png", {"--view", "birdseye"}).exit_code, 0);
+  EXPECT_TRUE(ReadAll(folder_ / "design" / "birdseye.png") == ReadAll(folder_ / "again.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "design" / "perspective.png"));
+  const Finished bad = Flair({"design", "A bedroom.", "--view", "below", "--out", folder_ / "bad"});
+  EXPECT_EQ(bad.exit_code, cli::kExitBadInput);
+  EXPECT_THAT(bad.err, HasSubstr("--view: below: is no view"));
+}
+
+TEST_F(RenderCommand, MeshesOfASceneStateLieWhereItsReadersLook) {
+  const Finished run =
+      Flair({"export", "sceneeval", Layout(), "--out", folder_ / "room.json", "--meshes", folder_ / "meshes"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(folder_ / "meshes")) {
+    const std::string id = entry.path().filename().string();
+    EXPECT_THAT(ReadAll(entry.path() / (id + ".glb")), StartsWith("glTF"));
+    EXPECT_TRUE(nlohmann::json::accept(ReadAll(entry.path() / "data.json")));
+    EXPECT_THAT(ReadAll(folder_ / "room.json"), HasSubstr(id));
+    ++count;
+  }
+  EXPECT_GT(count, 3);
+}
+
+TEST_F(RenderCommand, AManifestThatIsNoneIsRefused) {
+  fs::create_directories(folder_ / "assets");
+  WriteAll(folder_ / "assets" / "manifest.json", "{\"assets\": [");
+  const Finished run = Flair({"export", "scene", Layout(), "--assets", folder_ / "assets", "--out", folder_ / "r.glb"});
+  EXPECT_EQ(run.exit_code, cli::kExitBadInput);
+  EXPECT_THAT(run.err, HasSubstr("manifest.json"));
+  EXPECT_FALSE(fs::exists(folder_ / "r.glb"));
+}
+
+TEST_F(RenderCommand, ABrokenModelIsToldAndReplaced) {
+  fs::create_directories(folder_ / "assets");
+  WriteAll(folder_ / "assets" / "manifest.json",
+           R"({"assets": [{"id": "b", "file": "bed.glb", "name": "bed", "width_m": 1.6, "depth_m": 2, "height_m": 0.6},
+                          {"id": "c", "file": "../../bed.glb", "name": "bed"}]})");
+  WriteAll(folder_ / "assets" / "bed.glb", "glTF but no more");
+  const Finished run = Flair({"export", "scene", Layout(), "--assets", folder_ / "assets", "--out", folder_ / "r.glb"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("bed.glb"));
+  EXPECT_THAT(ReadAll(folder_ / "r.glb"), StartsWith("glTF"));
+}
+
 TEST_F(RenderCommand, ABriefThatIsNotTheLayoutsIsNotTaken) {
   fs::copy(*designs_ / "bedroom", folder_ / "mixed");
   ASSERT_EQ(Flair({"design", "A kitchen for an ogre.", "--out", folder_ / "other", "--quiet"}).exit_code, 0);
