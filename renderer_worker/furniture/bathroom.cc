@@ -149,7 +149,7 @@ void MakeToilet(Piece& p) {
 
 void MakeBasin(Piece& p) {
   const bool cabinet = p.Says("vanity") || p.Says("cabinet") || p.Says("unit") || p.w > 0.75F;
-  const float tap = std::min(0.14F, 0.16F * p.h), top = p.h - tap, thick = std::min(0.14F, 0.2F * top);
+  const float top = RestHeightOf("basin", p.h), tap = p.h - top, thick = std::min(0.14F, 0.2F * top);
   if (cabinet) {
     p.make.Box(p.is.hard, {-0.49F * p.w, -p.d / 2, 0.12F * top}, {0.49F * p.w, 0.42F * p.d, top - 0.6F * thick},
                0.004F);

@@ -78,7 +78,7 @@ void MakeBed(Piece& p) {
   const bool canopy = p.h > 1.5F || p.Says("canopy") || p.Says("four-poster") || p.Says("four poster");
   const float head = p.h, deck = std::min({0.34F, 0.4F * p.h, 0.3F * p.d}), board = std::min(0.06F, 0.06F * p.d);
   const float rail = std::min(0.035F, 0.05F * p.w), leg = std::min(0.03F, 0.06F * p.smaller());
-  const float top = std::min(canopy ? 0.62F : 0.6F, canopy ? 0.3F * p.h : std::max(0.66F * p.h, std::min(p.h, 0.5F)));
+  const float top = RestHeightOf("bed", p.h);
   const float head_top = canopy ? std::min(1.25F, 0.6F * p.h) : head;
   if (canopy) {
     Canopy(p, std::min(0.045F, 0.06F * p.smaller()));

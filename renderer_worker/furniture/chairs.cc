@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-float SeatHeight(const Piece& p) { return std::min(0.47F, 0.56F * p.h); }
+float SeatHeight(const Piece& p) { return RestHeightOf("chair", p.h); }
 
 // Legs, seat rails and an upholstered or wooden seat.
 void SeatOnLegs(Piece& p, float seat, float leg, bool padded) {
@@ -66,7 +66,8 @@ void MakeChair(Piece& p) {
 }
 
 void MakeOfficeChair(Piece& p) {
-  const float seat = std::min(0.5F, 0.5F * p.h), foot = 0.5F * p.smaller(), wheel = std::min(0.03F, 0.08F * seat);
+  const float seat = RestHeightOf("office_chair", p.h) / 1.04F, foot = 0.5F * p.smaller(),
+              wheel = std::min(0.03F, 0.08F * seat);
   for (int i = 0; i < 5; ++i) {
     const float turn = kPi / 2 + 2 * kPi / 5 * static_cast<float>(i);
     const Vec3 end{(foot - wheel) * std::cos(turn), (foot - wheel) * std::sin(turn), 2.1F * wheel};
@@ -161,7 +162,7 @@ void MakeStool(Piece& p) {
 }
 
 void MakeBench(Piece& p) {
-  const float seat = p.h > 0.65F ? 0.45F : p.h, leg = std::min(0.03F, 0.08F * p.smaller()),
+  const float seat = RestHeightOf("bench", p.h), leg = std::min(0.03F, 0.08F * p.smaller()),
               board = std::min(0.05F, 0.12F * seat);
   if (p.is.hard.name.find("stone") != std::string::npos || p.is.hard.name.find("marble") != std::string::npos) {
     for (const float side : {-1.0F, 1.0F}) {
@@ -195,7 +196,7 @@ void MakeBench(Piece& p) {
 }
 
 void MakeThrone(Piece& p) {
-  const float seat = std::min(0.5F, 0.36F * p.h), post = std::min(0.05F, 0.08F * p.w), above = p.h - seat;
+  const float seat = RestHeightOf("throne", p.h), post = std::min(0.05F, 0.08F * p.w), above = p.h - seat;
   p.make.Box(p.is.hard, {-p.w / 2, -p.d / 2, 0}, {p.w / 2, p.d / 2, 0.18F * seat}, 0.012F);
   p.make.Box(p.is.hard, {-0.45F * p.w, -0.46F * p.d, 0.17F * seat}, {0.45F * p.w, 0.44F * p.d, 0.82F * seat}, 0.01F);
   p.make.Cushion(p.is.soft, {-0.4F * p.w, -0.38F * p.d, 0.8F * seat}, {0.4F * p.w, 0.45F * p.d, seat}, 0.04F, 0.015F);

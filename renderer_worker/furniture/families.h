@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer_worker/furniture/piece.h"
+#include "renderer_worker/furniture/rest_height.h"
 
 // The makers of furniture, one function each, by family; make_piece.cc says which class takes which. Each fills its
 // box, about: the piece is stretched to it in the end.

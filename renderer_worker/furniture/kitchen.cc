@@ -119,7 +119,7 @@ void MakeKitchenIsland(Piece& p) {
 }
 
 void MakeSink(Piece& p) {
-  const float tap = p.h > 1 ? p.h - 0.9F : 0.25F * p.h, top = p.h - tap;
+  const float top = RestHeightOf("sink", p.h), tap = p.h - top;
   const Unit u = BaseUnit(p, top);
   const Vec2 low{-std::min(0.3F, 0.38F * p.w), -0.24F * p.d}, high{std::min(0.3F, 0.38F * p.w), 0.34F * p.d};
   WorktopAround(p, low, high, u.top, top);

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/furniture/rest_height.h"
 
 namespace flair::renderer {
 namespace {
@@ -162,6 +163,47 @@ TEST(MakePiece, LampsAndFiresShineAndOtherThingsDoNot) {
   for (const std::string_view name : FurnitureClasses()) {
     const MadePiece made = MakePiece(name, Sized(name, {0.4, 0.4, 0.5}), nullptr);
     EXPECT_EQ(!made.lights.empty(), shining.contains(name)) << name;
+  }
+}
+
+// Height of the mesh above the point (x, y); 0 where it has no triangle.
+float HeightAt(const Mesh& mesh, float x, float y) {
+  float highest = 0;
+  for (const MeshPart& part : mesh.parts) {
+    for (size_t i = 0; i < part.indices.size(); i += 3) {
+      const Vec3 a = part.positions[part.indices[i]], b = part.positions[part.indices[i + 1]],
+                 c = part.positions[part.indices[i + 2]];
+      const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+      if (std::abs(area) < 1e-12F) continue;
+      const float u = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / area;
+      const float v = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / area;
+      if (u >= 0 && v >= 0 && u + v <= 1) highest = std::max(highest, a.z + u * (b.z - a.z) + v * (c.z - a.z));
+    }
+  }
+  return highest;
+}
+
+TEST(MakePiece, ThingsRestOnSeatsMattressesAndTops) {
+  for (const auto& [name, size] :
+       std::initializer_list<std::pair<const char*, Extents>>{{"bed", {1.6, 2.05, 1.1}},
+                                                              {"bed", {0.9, 2, 0.5}},
+                                                              {"sofa", {2, 0.9, 0.85}},
+                                                              {"armchair", {0.85, 0.85, 1.2}},
+                                                              {"daybed", {1.9, 0.85, 0.8}},
+                                                              {"cot", {0.7, 1.3, 0.95}},
+                                                              {"chair", {0.5, 0.5, 0.9}},
+                                                              {"rocking_chair", {0.6, 0.9, 1}},
+                                                              {"office_chair", {0.6, 0.6, 1.1}},
+                                                              {"throne", {1, 0.9, 1.8}},
+                                                              {"bench", {1.2, 0.4, 0.46}},
+                                                              {"bench", {1.2, 0.5, 0.9}},
+                                                              {"vanity", {1.1, 0.5, 1.4}},
+                                                              {"desk", {1.4, 0.7, 0.75}},
+                                                              {"sink", {1, 0.6, 1.1}}}) {
+    const MadePiece made = MakePiece(name, Sized(name, size), nullptr);
+    const float highest =
+        HeightAt(made.mesh, 0.05F * static_cast<float>(size.width), 0.17F * static_cast<float>(size.depth));
+    EXPECT_NEAR(highest, RestHeightOf(name, static_cast<float>(size.height)), 0.07F) << name;
   }
 }
 

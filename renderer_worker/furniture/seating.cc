@@ -17,7 +17,7 @@ struct SofaShape {
 };
 
 SofaShape ShapeOf(const Piece& p) {
-  const float seat = std::min(0.44F, 0.55F * p.h);
+  const float seat = RestHeightOf("sofa", p.h);
   return {.arm = std::min(0.2F, 0.16F * p.w),
           .back = std::min(0.24F, 0.27F * p.d),
           .seat = seat,
@@ -96,7 +96,7 @@ void MakeArmchair(Piece& p) {
 }
 
 void MakeDaybed(Piece& p) {
-  const float seat = std::min(0.45F, 0.6F * p.h), leg = 0.4F * seat, head = std::min(0.35F, 0.3F * std::max(p.w, p.d));
+  const float seat = RestHeightOf("daybed", p.h), leg = 0.4F * seat, head = std::min(0.35F, 0.3F * std::max(p.w, p.d));
   const bool along_x = p.w >= p.d;
   p.LegsAt(p.is.hard, p.w / 2 - 0.05F * p.w, p.d / 2 - 0.05F * p.d, leg + 0.01F, std::min(0.03F, 0.05F * p.smaller()),
            0.55F);

@@ -146,7 +146,7 @@ void MakeDesk(Piece& p) {
 }
 
 void MakeVanity(Piece& p) {
-  const float top = p.h > 1 ? std::min(0.76F, 0.58F * p.h) : p.h, back = -p.d / 2;
+  const float top = RestHeightOf("vanity", p.h), back = -p.d / 2;
   Piece desk{.w = p.w, .d = p.d, .h = top, .is = p.is, .words = p.words, .seed = p.seed, .make = {}, .lights = {}};
   const float thick = TopThickness(desk), leg = LegHalf(desk, 0.022F), apron = 0.2F * top;
   p.make.Slab(p.is.hard, RoundedOutline({-p.w / 2, -p.d / 2}, {p.w / 2, p.d / 2}, 0.04F), top - thick, top, 0.006F);

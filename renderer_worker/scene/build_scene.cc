@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "renderer_worker/furniture/rest_height.h"
 #include "renderer_worker/scene/cameras.h"
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/scene/shell.h"
@@ -52,6 +53,22 @@ absl::Status PlaceObjects(const v1::SolvedLayout& layout, const FurnishingSource
   return absl::OkStatus();
 }
 
+// Things lie on the seat of a sofa or the mattress of a bed, not as high as the box that holds its back.
+void SettleOnHosts(Scene& scene) {
+  std::unordered_map<std::string, const SceneObject*> hosts;
+  for (const SceneObject& object : scene.objects) hosts[object.object->id()] = &object;
+  for (SceneObject& object : scene.objects) {
+    const auto at = hosts.find(object.object->host_id());
+    if (object.object->kind() != v1::OBJECT_KIND_SURFACE || at == hosts.end()) continue;
+    const SceneObject& host = *at->second;
+    if (!host.furnishing.asset_id.empty()) continue;
+    const double top = host.placement.z_m() + host.object->height_m();
+    const double drop =
+        host.object->height_m() - RestHeightOf(host.furnishing.class_name, static_cast<float>(host.object->height_m()));
+    if (drop > 1e-3 && object.placement.z_m() > top - 0.05) object.placement.set_z_m(object.placement.z_m() - drop);
+  }
+}
+
 std::vector<DaylightWindow> WindowsOf(const RoomShape& shape) {
   std::vector<DaylightWindow> windows;
   for (const ShapedWall& wall : shape.walls) {
@@ -74,6 +91,7 @@ absl::StatusOr<Scene> BuildScene(const v1::SolvedLayout& layout, const Furnishin
   scene.shell = BuildShell(*shape, layout.graph().style_sheet());
   scene.windows = WindowsOf(*shape);
   if (absl::Status status = PlaceObjects(layout, source, scene); !status.ok()) return status;
+  SettleOnHosts(scene);
   const Sight sight(*shape, scene.objects);
   scene.birdseye = BirdseyeCamera(*shape, sight);
   scene.perspective = PerspectiveCamera(*shape, sight);
