@@ -38,6 +38,35 @@ std::vector<float> Breakpoints(const ShapedWall& wall) {
   return points;
 }
 
+// Heights up to `top` at which some opening begins or ends. Faces end at all of them: where a corner of one lay on the
+// edge of another, rasterizers would let light through between the two.
+std::vector<float> Levels(const ShapedWall& wall, float top) {
+  std::vector<float> levels = {0, top};
+  for (const ShapedOpening& hole : wall.openings) {
+    for (float level : {hole.w0, hole.w1}) {
+      if (level > 0 && level < top) levels.push_back(level);
+    }
+  }
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+// The spans, cut at the levels within them.
+std::vector<Span> CutAt(const std::vector<float>& levels, const std::vector<Span>& spans) {
+  std::vector<Span> pieces;
+  for (const Span& span : spans) {
+    float low = span.low;
+    for (float level : levels) {
+      if (level <= low || level >= span.high) continue;
+      pieces.push_back({low, level});
+      low = level;
+    }
+    pieces.push_back({low, span.high});
+  }
+  return pieces;
+}
+
 // The floor's triangles at height z, facing up or down.
 void AddFloor(const RoomShape& shape, float z, bool up, const Material& material, MeshBuilder& builder) {
   Polygon polygon;
@@ -99,11 +128,12 @@ Mesh WallBody(const RoomShape& shape, const ShapedWall& wall, float top_m, const
   MeshBuilder builder;
   const Axes& a = wall.axes;
   const float t = shape.wall_thickness_m, bottom = -kSlabThickness_m;
-  const std::vector<float> points = Breakpoints(wall);
+  const std::vector<float> points = Breakpoints(wall), levels = Levels(wall, top_m);
   for (size_t i = 0; i + 1 < points.size(); ++i) {
     const float u0 = points[i], u1 = points[i + 1];
     const float o0 = std::max(u0, wall.outer_start), o1 = std::min(u1, wall.outer_end);
-    for (const Span& span : SolidAt(wall, (u0 + u1) / 2, top_m)) {
+    const std::vector<Span> solid = SolidAt(wall, (u0 + u1) / 2, top_m);
+    for (const Span& span : CutAt(levels, solid)) {
       builder.Quad(materials.wall, a.At(u1, 0, span.low), a.At(u0, 0, span.low), a.At(u0, 0, span.high),
                    a.At(u1, 0, span.high));
       const float low = span.low == 0 ? bottom : span.low;
@@ -115,7 +145,6 @@ Mesh WallBody(const RoomShape& shape, const ShapedWall& wall, float top_m, const
         builder.Quad(materials.section, a.At(u0, 0, top_m), a.At(o0, t, top_m), a.At(o1, t, top_m), a.At(u1, 0, top_m));
       }
     }
-    const std::vector<Span> solid = SolidAt(wall, (u0 + u1) / 2, top_m);
     if (o0 < o1 && (solid.empty() || solid[0].low > 0)) {  // the slab below a door
       builder.Quad(materials.outside, a.At(o0, t, bottom), a.At(o1, t, bottom), a.At(o1, t, 0), a.At(o0, t, 0));
     }
