@@ -21,6 +21,7 @@ bool Scene::Carries(int carrier, int object) const {
   // As below: a circle of hosts ends here.
   for (size_t steps = 0; object >= 0 && steps <= objects.size(); ++steps) {
     if (object == carrier) return true;
+    if (objects[static_cast<size_t>(object)].kind == ObjectKind::kFloor) return false;
     object = objects[static_cast<size_t>(object)].host;
   }
   return false;

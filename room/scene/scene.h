@@ -49,7 +49,7 @@ struct Scene {
   int IndexOf(std::string_view object_id) const;
   int ZoneIndexOf(std::string_view zone_id) const;
   // Whether `object` stands on `carrier` or is attached to it, directly or through others; true of an object and
-  // itself.
+  // itself. What stands on the floor is carried by nothing else, whatever is said of its host.
   bool Carries(int carrier, int object) const;
   // Underside of an object above the floor; that of a surface object follows its host's top.
   double BottomOf(int object) const;
