@@ -73,24 +73,6 @@ std::string_view NameOf(v1::OutcomeStatus status) {
   }
 }
 
-std::string_view NameOf(ShellPart::Kind kind) {
-  switch (kind) {
-    case ShellPart::Kind::kFloor:
-      return "floor";
-    case ShellPart::Kind::kCeiling:
-      return "ceiling";
-    case ShellPart::Kind::kWall:
-      return "wall";
-    case ShellPart::Kind::kDoor:
-      return "door";
-    case ShellPart::Kind::kWindow:
-      return "window";
-    case ShellPart::Kind::kSkirting:
-      return "skirting";
-  }
-  return "";
-}
-
 Value StyleOf(const v1::ObjectStyle& style) {
   Fields fields;
   fields.Text("material", style.material()).Text("description", style.description());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -23,6 +24,25 @@ struct ShellPart {
 };
 
 inline constexpr float kStubHeight_m = 0.1F;
+
+// "floor", "wall" and so on: how exports and annotations name it.
+constexpr std::string_view NameOf(ShellPart::Kind kind) {
+  switch (kind) {
+    case ShellPart::Kind::kFloor:
+      return "floor";
+    case ShellPart::Kind::kCeiling:
+      return "ceiling";
+    case ShellPart::Kind::kWall:
+      return "wall";
+    case ShellPart::Kind::kDoor:
+      return "door";
+    case ShellPart::Kind::kWindow:
+      return "window";
+    case ShellPart::Kind::kSkirting:
+      return "skirting";
+  }
+  return "";
+}
 
 // An object where it stands.
 struct SceneObject {

@@ -6,24 +6,6 @@
 namespace flair::renderer {
 namespace {
 
-std::string NameOfPart(ShellPart::Kind kind) {
-  switch (kind) {
-    case ShellPart::Kind::kFloor:
-      return "floor";
-    case ShellPart::Kind::kCeiling:
-      return "ceiling";
-    case ShellPart::Kind::kWall:
-      return "wall";
-    case ShellPart::Kind::kDoor:
-      return "door";
-    case ShellPart::Kind::kWindow:
-      return "window";
-    case ShellPart::Kind::kSkirting:
-      return "skirting";
-  }
-  return "";
-}
-
 void CountPixels(const TracedView& view, v1::ViewAnnotations& annotations) {
   for (int y = 0; y < view.height_px; ++y) {
     for (int x = 0; x < view.width_px; ++x) {
@@ -53,7 +35,7 @@ v1::ViewAnnotations AnnotationsOf(const Scene& scene, const World& world, const 
     instance.set_class_id(world.instances()[i].class_id);
     if (i >= scene.objects.size()) {
       const ShellPart& part = scene.shell[i - scene.objects.size()];
-      instance.set_class_name(NameOfPart(part.kind));
+      instance.set_class_name(std::string(NameOf(part.kind)));
       instance.set_subject_id(part.id);
       continue;
     }
