@@ -28,7 +28,7 @@ function(flair_test name)
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1> -Wno-missing-field-initializers)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1> -pthread -Wno-missing-field-initializers)
   if(FLAIR_PRECOMPILE)
     target_compile_options(${name} PRIVATE -fpch-preprocess)
     target_precompile_headers(${name} REUSE_FROM flair_test_headers)
@@ -72,7 +72,7 @@ function(flair_test_headers)
   file(CONFIGURE OUTPUT flair_test_headers.cc CONTENT "int main() { return 0; }\n")
   add_executable(flair_test_headers EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/flair_test_headers.cc)
   target_link_libraries(flair_test_headers PRIVATE flair_protos GTest::gmock absl::statusor fmt::fmt)
-  target_compile_options(flair_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(flair_test_headers PRIVATE $<$<CONFIG:Release>:-O1> -pthread) # some libraries ask for it
   flair_precompile(
     flair_test_headers <gmock/gmock.h> <gtest/gtest.h> <absl/status/statusor.h> <fmt/format.h> <functional> <memory>
     <string> <string_view> <vector> <flair/v1/layout_graph.pb.h> <flair/v1/solved_layout.pb.h>)
