@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair design: a room from a sentence.
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string_view>
 
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
@@ -14,10 +11,12 @@
 #include "cli/input/files.h"
 #include "cli/input/llm_flags.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/design_files.h"
 #include "cli/output/models_text.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
 #include "cli/progress/progress.h"
+#include "cli/session/finished_job.h"
 #include "cli/session/further_views.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
@@ -76,94 +75,6 @@ absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
   return spec;
 }
 
-std::vector<std::string> OutputNames() {
-  std::vector<std::string> names = {"plan.png", "birdseye.png", "perspective.png", "report.md"};
-  for (int kind = 1; kind < v1::ArtifactKind_ARRAYSIZE; ++kind) {
-    const std::string stem = FileStem(static_cast<v1::ArtifactKind>(kind));
-    if (stem.empty()) continue;
-    names.push_back(stem + ".pb");
-    names.push_back(stem + ".json");
-  }
-  return names;
-}
-
-// What a failed job ends the program with. A model's failures have an exit code of their own.
-absl::Status ErrorOf(const v1::Job& job) {
-  constexpr std::array<std::string_view, 7> kModelStages = {"room",        "zones",    "objects",    "style",
-                                                            "constraints", "cleaning", "translation"};
-  const auto code = static_cast<absl::StatusCode>(job.error_code());
-  const bool of_model = code == absl::StatusCode::kDataLoss || code == absl::StatusCode::kFailedPrecondition ||
-                        code == absl::StatusCode::kPermissionDenied;
-  if (of_model && std::ranges::find(kModelStages, job.stage()) != kModelStages.end()) return ModelError(job.error());
-  return absl::Status(code, job.error());
-}
-
-// The model and what may be asked of it; nothing when the handbook designs, or services elsewhere do.
-absl::StatusOr<OptionalLlm> ReadLlm(const DesignArguments& arguments) {
-  if (!arguments.orchestrator.empty()) {
-    const std::string given = arguments.llm.Given();
-    if (given.empty()) return OptionalLlm();
-    return absl::InvalidArgumentError(
-        fmt::format("{}: not with --orchestrator {}: its workers have their own models, in the field llm of their "
-                    "configs; limits such as --max-tokens can be given",
-                    given, arguments.orchestrator));
-  }
-  absl::StatusOr<OptionalLlm> llm = ReadLlmFlags(arguments.llm);
-  if (!llm.ok()) return llm.status();
-  if (const OptionalLlm& found = *llm; found.has_value()) {
-    if (absl::Status status = CheckLimits(arguments.model, *found); !status.ok()) return status;
-  }
-  return llm;
-}
-
-// Waits for the job; OK when it succeeded.
-absl::Status Finish(Session& session, const std::string& id, Progress& progress) {
-  if (absl::Status status = session.Watch(id, [&](const v1::JobEvent& event) { progress.See(event); }); !status.ok()) {
-    return status;
-  }
-  const absl::StatusOr<v1::Job> job = session.GetJob(id);
-  if (!job.ok()) return job.status();
-  switch (job->state()) {
-    case v1::JOB_STATE_SUCCEEDED:
-      return absl::OkStatus();
-    case v1::JOB_STATE_CANCELLED:
-      return absl::CancelledError(fmt::format("job {} was cancelled", id));
-    case v1::JOB_STATE_FAILED:
-      return ErrorOf(*job);
-    default:
-      return absl::InternalError(fmt::format("job {} has not ended; see: flair jobs show {}", id, id));
-  }
-}
-
-absl::StatusOr<ArtifactsByKind> Collect(Session& session, const v1::Job& job) {
-  ArtifactsByKind artifacts;
-  for (const v1::ArtifactRef& ref : job.artifacts()) {
-    absl::StatusOr<v1::Artifact> artifact = session.GetArtifact(ref.id());
-    if (!artifact.ok()) return artifact.status();
-    if (absl::Status status = CheckArtifactId(*artifact, "artifact " + ref.id()); !status.ok()) return status;
-    artifacts[ref.kind()] = *std::move(artifact);
-  }
-  for (const v1::ArtifactKind kind : {v1::ARTIFACT_KIND_SOLVED_LAYOUT, v1::ARTIFACT_KIND_PREVIEW}) {
-    if (!artifacts.contains(kind)) {
-      return absl::InternalError(fmt::format("job {} succeeded without a {}", job.id(), KindName(kind)));
-    }
-  }
-  return artifacts;
-}
-
-std::vector<OutputFile> MakeFiles(const v1::Job& job, const ArtifactsByKind& artifacts) {
-  std::vector<OutputFile> files;
-  for (const auto& [kind, artifact] : artifacts) {
-    if (kind == v1::ARTIFACT_KIND_PREVIEW) files.push_back({"plan.png", artifact.preview().image()});
-    const std::string stem = FileStem(kind);
-    if (stem.empty()) continue;
-    files.push_back({stem + ".pb", ArtifactBytes(artifact)});
-    files.push_back({stem + ".json", ToJson(artifact)});
-  }
-  files.push_back({"report.md", WriteReport(job, artifacts)});
-  return files;
-}
-
 void ShowUsage(const v1::ModelUsage& usage) {
   if (usage.call_count() == 0) return;
   fmt::print(stderr, "{:<12} {} calls, {}\n", "models", usage.call_count(), orchestrator::SummarizeUsage(usage));
@@ -207,9 +118,9 @@ absl::Status Design(const DesignArguments& arguments) {
   if (absl::Status status = CheckViews(arguments.views); !status.ok()) return status;
   const absl::StatusOr<v1::JobSpec> spec = MakeSpec(arguments);
   if (!spec.ok()) return spec.status();
-  const absl::StatusOr<OptionalLlm> llm = ReadLlm(arguments);
+  const absl::StatusOr<OptionalLlm> llm = ReadDesignModel(arguments.llm, arguments.model, arguments.orchestrator);
   if (!llm.ok()) return llm.status();
-  if (absl::Status status = CheckOutputFolder(arguments.out, OutputNames()); !status.ok()) return status;
+  if (absl::Status status = CheckOutputFolder(arguments.out, DesignFileNames()); !status.ok()) return status;
   absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments.orchestrator, *llm);
   if (!session.ok()) return session.status();
   const absl::StatusOr<v1::Job> created = (*session)->CreateJob(*spec);
@@ -217,7 +128,7 @@ absl::Status Design(const DesignArguments& arguments) {
   absl::Status finished;
   {
     const std::unique_ptr<Progress> progress = MakeProgress(ChooseProgressForm(arguments.json, arguments.quiet));
-    finished = Finish(**session, created->id(), *progress);
+    finished = WaitForJob(**session, created->id(), *progress);
   }
   if (!finished.ok()) {
     if (!arguments.json && !arguments.quiet) ShowSpent(**session, created->id());
@@ -225,9 +136,9 @@ absl::Status Design(const DesignArguments& arguments) {
   }
   const absl::StatusOr<v1::Job> job = (*session)->GetJob(created->id());
   if (!job.ok()) return job.status();
-  const absl::StatusOr<ArtifactsByKind> artifacts = Collect(**session, *job);
+  const absl::StatusOr<ArtifactsByKind> artifacts = CollectArtifacts(**session, *job);
   if (!artifacts.ok()) return artifacts.status();
-  std::vector<OutputFile> files = MakeFiles(*job, *artifacts);
+  std::vector<OutputFile> files = MakeDesignFiles(*job, *artifacts);
   absl::StatusOr<std::vector<OutputFile>> views =
       DrawViews(arguments.views, artifacts->at(v1::ARTIFACT_KIND_SOLVED_LAYOUT), spec->brief(),
                 arguments.json || arguments.quiet);

@@ -193,6 +193,22 @@ absl::Status CheckLimits(const ModelFlags& flags, const LlmConfig& config) {
                   *flags.usd, config.model(), config.model()));
 }
 
+absl::StatusOr<std::optional<LlmConfig>> ReadDesignModel(const LlmFlags& flags, const ModelFlags& limits,
+                                                         const std::string& orchestrator) {
+  if (!orchestrator.empty()) {
+    const std::string given = flags.Given();
+    if (given.empty()) return std::optional<LlmConfig>();
+    return absl::InvalidArgumentError(
+        fmt::format("{}: not with --orchestrator {}: its workers have their own models, in the field llm of their "
+                    "configs; limits such as --max-tokens can be given",
+                    given, orchestrator));
+  }
+  absl::StatusOr<std::optional<LlmConfig>> llm = ReadLlmFlags(flags);
+  if (!llm.ok() || !llm->has_value()) return llm;
+  if (absl::Status status = CheckLimits(limits, **llm); !status.ok()) return status;
+  return llm;
+}
+
 v1::ModelOptions MakeModelOptions(const ModelFlags& flags) {
   v1::ModelOptions options;
   if (flags.calls) options.mutable_budget()->set_call_count(*flags.calls);

@@ -50,6 +50,11 @@ absl::StatusOr<std::optional<config::v1::LlmConfig>> ReadLlmFlags(const LlmFlags
 // INVALID_ARGUMENT when `config` has no price for its model, so that a limit in US dollars would never be reached.
 absl::Status CheckLimits(const ModelFlags& flags, const config::v1::LlmConfig& config);
 
+// The model of a design and what may be asked of it: ReadLlmFlags and CheckLimits; nothing when the services of
+// `orchestrator` design, which have their own. INVALID_ARGUMENT for flags that then have no meaning.
+absl::StatusOr<std::optional<config::v1::LlmConfig>> ReadDesignModel(const LlmFlags& flags, const ModelFlags& limits,
+                                                                     const std::string& orchestrator);
+
 v1::ModelOptions MakeModelOptions(const ModelFlags& flags);
 
 }  // namespace flair::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/session/finished_job.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "cli/exit_code.h"
+#include "cli/input/files.h"
+#include "cli/output/artifact_text.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+
+absl::Status ErrorOf(const v1::Job& job) {
+  constexpr std::array<std::string_view, 7> kModelStages = {"room",        "zones",    "objects",    "style",
+                                                            "constraints", "cleaning", "translation"};
+  const auto code = static_cast<absl::StatusCode>(job.error_code());
+  const bool of_model = code == absl::StatusCode::kDataLoss || code == absl::StatusCode::kFailedPrecondition ||
+                        code == absl::StatusCode::kPermissionDenied;
+  if (of_model && std::ranges::find(kModelStages, job.stage()) != kModelStages.end()) return ModelError(job.error());
+  return absl::Status(code, job.error());
+}
+
+absl::Status WaitForJob(Session& session, const std::string& id, Progress& progress) {
+  if (absl::Status status = session.Watch(id, [&](const v1::JobEvent& event) { progress.See(event); }); !status.ok()) {
+    return status;
+  }
+  const absl::StatusOr<v1::Job> job = session.GetJob(id);
+  if (!job.ok()) return job.status();
+  switch (job->state()) {
+    case v1::JOB_STATE_SUCCEEDED:
+      return absl::OkStatus();
+    case v1::JOB_STATE_CANCELLED:
+      return absl::CancelledError(fmt::format("job {} was cancelled", id));
+    case v1::JOB_STATE_FAILED:
+      return ErrorOf(*job);
+    default:
+      return absl::InternalError(fmt::format("job {} has not ended; see: flair jobs show {}", id, id));
+  }
+}
+
+absl::StatusOr<ArtifactsByKind> CollectArtifacts(Session& session, const v1::Job& job) {
+  ArtifactsByKind artifacts;
+  for (const v1::ArtifactRef& ref : job.artifacts()) {
+    absl::StatusOr<v1::Artifact> artifact = session.GetArtifact(ref.id());
+    if (!artifact.ok()) return artifact.status();
+    if (absl::Status status = CheckArtifactId(*artifact, "artifact " + ref.id()); !status.ok()) return status;
+    artifacts[ref.kind()] = *std::move(artifact);
+  }
+  for (const v1::ArtifactKind kind : {v1::ARTIFACT_KIND_SOLVED_LAYOUT, v1::ARTIFACT_KIND_PREVIEW}) {
+    if (!artifacts.contains(kind)) {
+      return absl::InternalError(fmt::format("job {} succeeded without a {}", job.id(), KindName(kind)));
+    }
+  }
+  return artifacts;
+}
+
+}  // namespace flair::cli
