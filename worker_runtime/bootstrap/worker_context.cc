@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "spdlog/pattern_formatter.h"
+#include "worker_runtime/files/sha256.h"
 
 namespace flair::runtime {
 namespace {
@@ -35,6 +36,15 @@ std::shared_ptr<spdlog::logger> MakeLogger(const std::string& program, const std
   logger->set_level(Level(level));
   logger->flush_on(spdlog::level::info);
   return logger;
+}
+
+std::string ConfigurationDigest(const WorkerContext& worker) {
+  return worker.revision.empty() ? "" : Sha256Hex(worker.revision);
+}
+
+void SignProducer(const WorkerContext& worker, v1::Producer& producer) {
+  producer.set_build(worker.build);
+  producer.set_configuration_digest(ConfigurationDigest(worker));
 }
 
 WorkerResources::WorkerResources(const std::string& program, const config::v1::RuntimeConfig& config, Clock& clock,

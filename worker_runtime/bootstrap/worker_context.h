@@ -5,6 +5,7 @@
 #include <string>
 
 #include "flair/config/v1/runtime_config.pb.h"
+#include "flair/v1/provenance.pb.h"
 #include "spdlog/logger.h"
 #include "worker_runtime/clock/clock.h"
 #include "worker_runtime/executor/bounded_executor.h"
@@ -23,9 +24,15 @@ struct WorkerContext {
   // Names the data that the service answers from, beyond the program itself; set by the service while it is made. Two
   // servers whose answers may differ must differ here or in their build.
   std::string revision = "";
-  // What the program was built from (BuildName); ServeUnary writes it into every answer that names its producer.
+  // What the program was built from (BuildName).
   std::string build = "";
 };
+
+// SHA-256 of the worker's revision, see Producer.configuration_digest; empty when it has none.
+std::string ConfigurationDigest(const WorkerContext& worker);
+
+// Fills in what every answer of the worker says of its producer: build and configuration.
+void SignProducer(const WorkerContext& worker, v1::Producer& producer);
 
 // Owns what a WorkerContext refers to. Stop the server and destroy the service before it.
 class WorkerResources {

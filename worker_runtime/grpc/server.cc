@@ -33,6 +33,7 @@ class WorkerInfo final : public v1::WorkerService::CallbackService {
     worker_.set_program(options.program);
     worker_.set_revision(BuildId() + "/" + options.revision);
     worker_.set_build(options.build);
+    worker_.set_configuration_digest(options.configuration_digest);
   }
   grpc::ServerUnaryReactor* GetWorker(grpc::CallbackServerContext* context, const v1::GetWorkerRequest*,
                                       v1::GetWorkerResponse* response) override {

@@ -25,6 +25,7 @@ struct ServerOptions {
   std::string program;
   std::string revision;
   std::string build;
+  std::string configuration_digest;
   // "HOST:PORT" or "unix:PATH"; port 0 takes a free one. Empty: no port, in-process channels only.
   std::string listen_address;
   // Largest message in MiB; 32 when 0.

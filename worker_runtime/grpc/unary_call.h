@@ -43,7 +43,7 @@ std::string RequestIdOf(const Request& request) {
 // Answers a unary call of the callback API with a plain handler. `handler` is an object with
 //   absl::StatusOr<Response> Handle(const Request&, CallContext&)
 // or a callable of that form; it is called from several threads at once and must outlive the server. An answer that
-// names its producer gets the worker's build. Use:
+// names its producer gets the worker's build and configuration. Use:
 //   grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
 //                                   v1::SolveResponse* response) override {
 //     return runtime::ServeUnary(worker_, "Solve", context, request, response, solve_handler_);
@@ -64,7 +64,7 @@ grpc::ServerUnaryReactor* ServeUnary(WorkerContext& worker, std::string_view met
                       if (!answer.ok()) return answer.status();
                       *response = *std::move(answer);
                       if constexpr (requires { response->mutable_producer(); }) {
-                        if (response->has_producer()) response->mutable_producer()->set_build(worker.build);
+                        if (response->has_producer()) SignProducer(worker, *response->mutable_producer());
                       }
                       return absl::OkStatus();
                     });
