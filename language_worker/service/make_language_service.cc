@@ -79,6 +79,7 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config:
   auto handbook = ReadHandbook(config);
   if (!handbook.ok()) return handbook.status();
   worker.revision = (*handbook)->version();
+  worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
   return std::make_unique<Service<HandbookHandlers>>(worker, *std::move(handbook));
 }
 
@@ -89,6 +90,8 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config:
   if (!handbook.ok()) return handbook.status();
   auto prompts = llm::PromptLibrary::Load(DefaultPromptsFolder(), config.llm().prompts_path(), LanguagePrompts());
   if (!prompts.ok()) return prompts.status();
+  // A recording answers the same every time.
+  if (!config.llm().replay_path().empty()) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
   worker.revision = fmt::format("{}, {}, prompts {}", (*handbook)->version(), model->identity(), prompts->version());
   return std::make_unique<Service<ModelHandlers>>(worker, *std::move(handbook), std::move(model), *std::move(prompts));
 }

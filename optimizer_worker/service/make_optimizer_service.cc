@@ -72,6 +72,8 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeOptimizerService(const config
     }
     peers.push_back(*std::move(peer));
   }
+  worker.capabilities = {v1::CAPABILITY_DETERMINISTIC, v1::CAPABILITY_EVALUATE, v1::CAPABILITY_RESOLVE,
+                         v1::CAPABILITY_SOLVE_RESTARTS, v1::CAPABILITY_VARIANTS};
   return std::make_unique<Service>(worker, std::move(peers));
 }
 

@@ -5,6 +5,8 @@
 
 #include "flair/v1/provenance.pb.h"
 #include "fmt/format.h"
+#include "optimizer_worker/constraints/library.h"
+#include "optimizer_worker/constraints/registry.h"
 #include "worker_runtime/bootstrap/build_id.h"
 
 namespace flair::optimizer {
@@ -12,9 +14,9 @@ namespace flair::optimizer {
 // Who made a layout, without the build, which the runtime adds to every answer.
 inline v1::Producer OptimizerProducer() {
   v1::Producer producer;
-  producer.set_program("flair-optimizer");
+  producer.set_program(Library().program);
   producer.set_method("slsqp");
-  producer.set_version("1");
+  producer.set_version(Library().version);
   return producer;
 }
 

@@ -136,6 +136,7 @@ absl::StatusOr<std::unique_ptr<OrchestratorService>> MakeOrchestratorService(
     const config::v1::OrchestratorConfig& config, runtime::WorkerContext& context, const StageChannels& channels) {
   absl::StatusOr<std::unique_ptr<JobStore>> store = JobStore::Open(config.store_path());
   if (!store.ok()) return store.status();
+  context.capabilities = {v1::CAPABILITY_DETERMINISTIC};
   return std::make_unique<Service>(config, context, channels, *std::move(store));
 }
 

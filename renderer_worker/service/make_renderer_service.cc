@@ -70,6 +70,8 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeRendererService(const config:
   for (const v1::Diagnostic& diagnostic : furnishing->diagnostics)
     worker.logger->warn("assets: {}", diagnostic.message());
   worker.revision = furnishing->revision;
+  worker.capabilities = {v1::CAPABILITY_DETERMINISTIC, v1::CAPABILITY_VIEWS, v1::CAPABILITY_EXPORT_SCENE,
+                         v1::CAPABILITY_CONTACT_SHEET};
   return std::make_unique<Service>(MakeImageWriter(), std::move(furnishing->source), LimitsOf(config), worker);
 }
 

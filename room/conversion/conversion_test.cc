@@ -56,6 +56,23 @@ TEST(SceneConversion, PlacementsKeepPosesAndPutThingsOnTheirHosts) {
   EXPECT_TRUE(poses->placed[0] && poses->placed[1]);
 }
 
+TEST(SceneConversion, AGraphOfASceneIsTheSceneAgain) {
+  const absl::StatusOr<SceneText> text = ParseScene(
+      "4x5 room; door south 0.5 0.9; zone sleeping; bed 1.6x2 at 1,1,90 primary zone sleeping height 0.5; "
+      "rug 2x1 at 1,1,0 rug tertiary height 0.01; lamp 0.2x0.3 at 1,1,0 surface tertiary on bed height 0.4; "
+      "art 0.6x0.04 at 2,0.02,0 wall tertiary height 0.5 elevation 1.2");
+  ASSERT_TRUE(text.ok()) << text.status();
+  v1::LayoutGraph graph = GraphFromScene(text->scene);
+  graph.mutable_room()->set_room_type("bedroom");
+  const absl::StatusOr<Scene> again = SceneFromProto(graph);
+  ASSERT_TRUE(again.ok()) << again.status();
+  v1::LayoutGraph second = GraphFromScene(*again);
+  second.mutable_room()->set_room_type("bedroom");
+  EXPECT_EQ(second.DebugString(), graph.DebugString());
+  EXPECT_EQ(again->objects[2].host, 0);
+  EXPECT_EQ(again->objects[0].zone, 0);
+}
+
 TEST(SceneConversion, WhatIsNotPlacedStaysSo) {
   const SceneText bedroom = Bedroom();
   const PlacementList placements = PlacementsFromPoses(bedroom.scene, bedroom.layout, {false, true});

@@ -50,6 +50,47 @@ Object ObjectFromProto(const v1::Object& message, const Scene& scene) {
           .host = -1};
 }
 
+v1::ObjectRole RoleToProto(ObjectRole role) {
+  switch (role) {
+    case ObjectRole::kPrimary:
+      return v1::OBJECT_ROLE_PRIMARY;
+    case ObjectRole::kSecondary:
+      return v1::OBJECT_ROLE_SECONDARY;
+    case ObjectRole::kTertiary:
+      return v1::OBJECT_ROLE_TERTIARY;
+  }
+  return v1::OBJECT_ROLE_UNSPECIFIED;
+}
+
+v1::ObjectKind KindToProto(ObjectKind kind) {
+  switch (kind) {
+    case ObjectKind::kFloor:
+      return v1::OBJECT_KIND_FLOOR;
+    case ObjectKind::kWall:
+      return v1::OBJECT_KIND_WALL;
+    case ObjectKind::kCeiling:
+      return v1::OBJECT_KIND_CEILING;
+    case ObjectKind::kSurface:
+      return v1::OBJECT_KIND_SURFACE;
+  }
+  return v1::OBJECT_KIND_UNSPECIFIED;
+}
+
+void ObjectToProto(const Object& object, const Scene& scene, v1::Object& message) {
+  message.set_id(object.id);
+  message.set_name(object.name);
+  message.set_role(RoleToProto(object.role));
+  message.set_kind(KindToProto(object.kind));
+  if (object.zone >= 0) message.set_zone_id(scene.zones[static_cast<size_t>(object.zone)].id);
+  message.set_width_m(object.footprint.width_m);
+  message.set_depth_m(object.footprint.depth_m);
+  message.set_height_m(object.height_m);
+  message.set_elevation_m(object.elevation_m);
+  message.set_walk_over(object.walk_over);
+  message.set_category(object.category);
+  if (object.host >= 0) message.set_host_id(scene.objects[static_cast<size_t>(object.host)].id);
+}
+
 absl::Status BadPlacement(int index, const std::string& problem) {
   return absl::InvalidArgumentError(fmt::format("placements[{}]{}", index, problem));
 }
@@ -71,6 +112,18 @@ absl::StatusOr<Scene> SceneFromProto(const v1::LayoutGraph& graph) {
     if (!host.empty()) scene.objects[static_cast<size_t>(i)].host = scene.IndexOf(host);
   }
   return scene;
+}
+
+v1::LayoutGraph GraphFromScene(const Scene& scene) {
+  v1::LayoutGraph graph;
+  *graph.mutable_room() = RoomToProto(scene.room);
+  for (const Zone& zone : scene.zones) {
+    v1::Zone& message = *graph.mutable_zone_plan()->add_zones();
+    message.set_id(zone.id);
+    message.set_name(zone.name);
+  }
+  for (const Object& object : scene.objects) ObjectToProto(object, scene, *graph.mutable_object_list()->add_objects());
+  return graph;
 }
 
 absl::StatusOr<PartialLayout> PosesFromPlacements(const Scene& scene, const PlacementList& placements) {

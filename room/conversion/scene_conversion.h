@@ -16,6 +16,10 @@ using PlacementList = google::protobuf::RepeatedPtrField<v1::Placement>;
 // Validates the whole graph first; INVALID_ARGUMENT names the field.
 absl::StatusOr<Scene> SceneFromProto(const v1::LayoutGraph& graph);
 
+// A graph with the scene's room, zones and objects. What a Scene value does not carry is empty: the room's type, texts,
+// edges.
+v1::LayoutGraph GraphFromScene(const Scene& scene);
+
 // A layout of which some objects may not be placed.
 struct PartialLayout {
   // One per object of the scene; that of an object that is not placed is 0, 0, 0.

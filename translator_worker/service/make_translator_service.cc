@@ -59,6 +59,8 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeTranslatorService(const confi
   if (!source.ok()) return source.status();
   absl::StatusOr<std::unique_ptr<ModelTranslator>> model = MakeModel(config, worker);
   if (!model.ok()) return model.status();
+  // A recording answers the same every time.
+  if (*model != nullptr && !config.llm().replay_path().empty()) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
   return MakeTranslatorService(*std::move(source), *std::move(model), worker);
 }
 
@@ -66,6 +68,7 @@ std::unique_ptr<grpc::Service> MakeTranslatorService(std::unique_ptr<CatalogSour
                                                      std::unique_ptr<const ModelTranslator> model,
                                                      runtime::WorkerContext& worker) {
   worker.revision = fmt::format("grammar {}", kGrammarVersion);
+  if (model == nullptr) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
   if (model != nullptr) worker.revision = fmt::format("{}, {} {}", worker.revision, model->model(), model->version());
   return std::make_unique<Service>(std::move(source), std::move(model), worker);
 }
