@@ -27,6 +27,7 @@ v1::Brief Wanted() {
   brief.set_text("A bedroom.");
   brief.set_seed(3);
   brief.mutable_zone_plan()->add_zones()->set_id("sleeping");
+  brief.mutable_zone_plan()->mutable_zones(0)->set_name("sleeping");
   return brief;
 }
 

@@ -37,7 +37,7 @@ absl::Status Problems::ToStatus() const {
   if (problems_.empty()) return absl::OkStatus();
   std::string text;
   for (size_t i = 0; i < std::min(problems_.size(), kReportedProblems); ++i) {
-    text += (i > 0 ? "; " : "") + problems_[i];
+    text += fmt::format("{}{}: {}", i > 0 ? "; " : "", problems_[i].path, problems_[i].text);
   }
   if (problems_.size() > kReportedProblems) text += fmt::format("; and {} more", problems_.size() - kReportedProblems);
   return absl::InvalidArgumentError(text);

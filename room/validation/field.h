@@ -15,16 +15,23 @@ namespace flair::validation {
 // Ids and names that references may point to.
 using NameSet = std::set<std::string, std::less<>>;
 
+// What is wrong with one field.
+struct Problem {
+  std::string path;  // "layout_graph.edges[3].weight"
+  std::string text;  // "0 is outside (0, 100]"
+};
+
 // What is wrong with a message, in the order found.
 class Problems {
  public:
-  void Add(std::string problem) { problems_.push_back(std::move(problem)); }
+  void Add(Problem problem) { problems_.push_back(std::move(problem)); }
   bool empty() const { return problems_.empty(); }
+  const std::vector<Problem>& list() const { return problems_; }
   // OK, or INVALID_ARGUMENT with the first five problems and the number of further ones.
   absl::Status ToStatus() const;
 
  private:
-  std::vector<std::string> problems_;
+  std::vector<Problem> problems_;
 };
 
 // A range of numbers; its ends belong to it unless said to be open.
@@ -44,13 +51,15 @@ class Field {
   Field(Problems& problems, std::string path) : problems_(&problems), path_(std::move(path)) {}
 
   Field operator[](int index) const { return Field(*problems_, fmt::format("{}[{}]", path_, index)); }
-  Field operator[](std::string_view name) const { return Field(*problems_, fmt::format("{}.{}", path_, name)); }
+  Field operator[](std::string_view name) const {
+    return Field(*problems_, fmt::format("{}{}{}", path_, path_.empty() ? "" : ".", name));
+  }
   const std::string& path() const { return path_; }
 
   // Reports "path: text" and returns false.
   template <typename... Args>
   bool Reject(fmt::format_string<Args...> format, Args&&... args) const {
-    problems_->Add(path_ + ": " + fmt::format(format, std::forward<Args>(args)...));
+    problems_->Add({path_, fmt::format(format, std::forward<Args>(args)...)});
     return false;
   }
 

@@ -16,7 +16,7 @@ void CheckArgument(const v1::Argument& argument, const Field& at) {
     case v1::ArgumentValue::kTexts:
       if (!value["texts"].Count(argument.value().texts().items_size(), 1, 1000, "items")) break;
       for (int i = 0; i < argument.value().texts().items_size(); ++i) {
-        value["texts"][i].Text(argument.value().texts().items(i), 1, 200);
+        value["texts"]["items"][i].Text(argument.value().texts().items(i), 1, 200);
       }
       break;
     case v1::ArgumentValue::kNumber:

@@ -26,6 +26,13 @@ absl::Status Run(const Message& message, const Known& known, std::string_view pa
   return problems.ToStatus();
 }
 
+template <typename Message>
+std::vector<validation::Problem> Find(const Message& message) {
+  Problems problems;
+  Check(message, Field(problems, ""));
+  return problems.list();
+}
+
 }  // namespace
 
 absl::Status Validate(const v1::Brief& brief, std::string_view path) { return Run(brief, path); }
@@ -40,6 +47,10 @@ absl::Status Validate(const v1::JobSpec& spec, std::string_view path) { return R
 absl::Status Validate(const v1::Preview& preview, std::string_view path) { return Run(preview, path); }
 absl::Status Validate(const v1::Report& report, std::string_view path) { return Run(report, path); }
 absl::Status Validate(const v1::Artifact& artifact, std::string_view path) { return Run(artifact, path); }
+
+std::vector<validation::Problem> FindProblems(const v1::Artifact& artifact) { return Find(artifact); }
+std::vector<validation::Problem> FindProblems(const v1::Brief& brief) { return Find(brief); }
+std::vector<validation::Problem> FindProblems(const v1::Room& room) { return Find(room); }
 
 absl::Status Validate(const v1::ObjectList& list, std::string_view path) { return Run(list, Known{}, path); }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "flair/v1/artifact.pb.h"
@@ -16,6 +17,7 @@
 #include "flair/v1/orchestrator_service.pb.h"
 #include "flair/v1/renderer_service.pb.h"
 #include "flair/v1/translator_service.pb.h"
+#include "room/validation/field.h"
 
 namespace flair {
 
@@ -33,6 +35,11 @@ absl::Status Validate(const v1::Preview& preview, std::string_view path = "previ
 absl::Status Validate(const v1::Report& report, std::string_view path = "report");
 // Form and content; not whether the id is the digest of its bytes.
 absl::Status Validate(const v1::Artifact& artifact, std::string_view path = "artifact");
+
+// The same field by field, for those who say more than the path: all problems, paths from the message's own fields on.
+std::vector<validation::Problem> FindProblems(const v1::Artifact& artifact);
+std::vector<validation::Problem> FindProblems(const v1::Brief& brief);
+std::vector<validation::Problem> FindProblems(const v1::Room& room);
 
 // Parts that refer to others; without the others (first form) those references are not followed.
 absl::Status Validate(const v1::ObjectList& list, std::string_view path = "object_list");

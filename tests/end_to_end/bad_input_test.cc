@@ -166,7 +166,7 @@ TEST_F(BadInput, ARoomFileWithABadWindow) {
     "openings": [{"id": "window_1", "kind": "OPENING_KIND_WINDOW", "wall": "south", "offset_m": 1, "width_m": 7.2,
                   "sill_height_m": 1, "head_height_m": 2}]})");
   const Finished run = Flair({"design", "A bedroom.", "--out", folder_ / "out", "--room", folder_ / "room.json"});
-  ExpectRefused(run, cli::kExitBadInput, "brief.room.openings[0].width_m: 7.2 does not fit wall \"south\"");
+  ExpectRefused(run, cli::kExitBadInput, "room.json:4: openings[0].width_m: 7.2 does not fit wall \"south\"");
 }
 
 }  // namespace

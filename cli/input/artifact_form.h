@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace flair::cli {
+
+enum class ArtifactForm { kBinary, kJson, kProtobufText };
+
+// How a message is written, by the ending of its file's name (.json; .textproto, .txtpb, .pbtxt) or else by its bytes.
+// What begins as Flair's binary artifacts do is one, whatever its name.
+ArtifactForm FormOf(const std::filesystem::path& path, std::string_view bytes);
+
+// What the bytes are when they are some well-known other kind of file: "a PNG picture", "a program"; empty otherwise.
+std::string ForeignKind(std::string_view bytes);
+
+// The id with which a binary artifact begins; empty when it begins otherwise.
+std::string_view LeadingId(std::string_view bytes);
+
+// Bytes before the rest of a binary artifact that begins with an id.
+inline constexpr size_t kLeadingIdBytes = 66;
+
+}  // namespace flair::cli

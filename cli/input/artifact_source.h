@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Artifacts as people name them: FILE, DIGEST or JOB/STAGE. For every command that reads one.
+//   SourceFlags flags;
+//   AddSourceFlags(*command, flags);
+//   absl::StatusOr<v1::Artifact> layout = OpenArtifact(arguments.layout, flags);
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "CLI/CLI.hpp"
+#include "absl/status/statusor.h"
+#include "cli/input/artifact_file.h"
+#include "cli/input/artifact_shelf.h"
+
+namespace flair::cli {
+
+// Where what is no file is looked up.
+struct SourceFlags {
+  std::string store;         // the one of `flair jobs` when empty
+  std::string orchestrator;  // HOST:PORT, instead of a store
+};
+
+// Adds --store and --orchestrator.
+void AddSourceFlags(CLI::App& command, SourceFlags& flags);
+
+// For the help of an argument that names an artifact.
+inline constexpr char kSourceHelp[] =
+    "an artifact: a file (.pb, .json or .textproto), the first 6 or more digits of its id, or JOB/STAGE";
+
+// INVALID_ARGUMENT for an address that is none.
+absl::StatusOr<std::unique_ptr<ArtifactShelf>> OpenShelf(const SourceFlags& flags);
+
+// What was found: an artifact with what is wrong with it, or a job.
+struct FoundSource {
+  ArtifactFile file;
+  std::string path;  // of the file; empty for one of the shelf
+  bool is_job = false;
+  v1::Job job;
+};
+
+// A file that is there goes first; else digits of an id, of which only one artifact may begin so; else the job, or its
+// artifact of that stage (named as in `flair jobs artifacts`, JobEvent.stage, or as its file: "solve" or "layout").
+// NOT_FOUND and INVALID_ARGUMENT say what there is instead; otherwise as ReadArtifactFile.
+absl::StatusOr<FoundSource> FindSource(const std::string& source, ArtifactShelf& shelf);
+
+// The artifact, whole and good; INVALID_ARGUMENT for a job without stage.
+absl::StatusOr<v1::Artifact> OpenArtifact(const std::string& source, const SourceFlags& flags);
+
+// The stage that makes artifacts of a kind, such as "solve"; empty for none.
+std::string StageOf(v1::ArtifactKind kind);
+
+}  // namespace flair::cli

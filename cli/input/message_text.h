@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Messages that people write or change: as JSON or as protobuf text, with the place of every fault.
+#pragma once
+
+#include <google/protobuf/message.h>
+
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "room/validation/field.h"
+
+namespace flair::cli {
+
+enum class TextForm { kJson, kProtobufText };
+
+// Fills `message` from the text. INVALID_ARGUMENT as "NAME:LINE: FIELD: is ...; expected ..." or, where the text is not
+// well formed, "NAME:LINE: what is wrong there".
+absl::Status ParseMessageText(TextForm form, const std::string& name, const std::string& text,
+                              google::protobuf::Message& message);
+
+// Where in the text a message's problems are, first things first, a line each: "NAME:LINE: FIELD: is ..."; at most ten
+// and the number of further ones. INVALID_ARGUMENT; OK when there are none.
+absl::Status LocateProblems(TextForm form, const std::string& name, const std::string& text,
+                            const google::protobuf::Message& message, const std::vector<validation::Problem>& problems);
+
+// The same of what has no lines: "NAME: FIELD: is ...".
+absl::Status ListProblems(const std::string& name, const std::vector<validation::Problem>& problems);
+
+}  // namespace flair::cli
