@@ -156,7 +156,7 @@ absl::StatusOr<v1::SolveResponse> FakeStages::Solve(const v1::SolveRequest& requ
       edge_outcomes { edge_id: "e1" status: OUTCOME_STATUS_SATISFIED }
     })pb");
   *response.mutable_solved_layout()->mutable_graph() = request.layout_graph();
-  response.mutable_solved_layout()->set_total_cost(static_cast<double>(request.options().seed()));
+  response.mutable_solved_layout()->set_total_cost(static_cast<double>(request.options().seed() + seed_added_));
   *response.mutable_producer() = Fake("solve");
   return response;
 }

@@ -21,7 +21,10 @@ class FakeStages final : public StageClients {
 
   int calls(const std::string& rpc) const;
   int all_calls() const;
-  void set_revision(std::string revision) { revision_ = std::move(revision); }
+  // A solver that answers otherwise, though it seems the same.
+  void set_seed_added(int64_t added) { seed_added_ = added; }
+  // Nothing: workers that do not say which they are.
+  void set_revision(std::optional<std::string> revision) { revision_ = std::move(revision); }
 
   absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest&, Call&) override;
   absl::StatusOr<v1::PlanZonesResponse> PlanZones(const v1::PlanZonesRequest&, Call&) override;
@@ -35,13 +38,14 @@ class FakeStages final : public StageClients {
   absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest&, Call&) override;
   absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest&, Call&) override;
   absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest&, Call&) override;
-  absl::StatusOr<std::string> Revision(v1::ArtifactKind, Call&) override { return revision_; }
+  absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind, Call&) override { return revision_; }
 
  private:
   absl::Status Begin(std::string_view rpc, Call& call);
 
   const Hook hook_;
-  std::string revision_;
+  std::optional<std::string> revision_ = "1";
+  int64_t seed_added_ = 0;
   mutable std::mutex mutex_;
   std::map<std::string, int, std::less<>> calls_;
 };

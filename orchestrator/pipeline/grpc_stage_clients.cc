@@ -8,10 +8,22 @@
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
+#include "worker_runtime/files/sha256.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/grpc/protocol.h"
 
 namespace flair::orchestrator {
 namespace {
+
+// All that decides its answers. A revision alone does not do: two servers may call theirs "1".
+std::optional<std::string> KeyOf(const v1::GetWorkerResponse& worker) {
+  if (worker.revision().empty()) return std::nullopt;
+  v1::GetWorkerResponse key;
+  key.set_program(worker.program());
+  key.set_revision(worker.revision());
+  key.set_configuration_digest(worker.configuration_digest());
+  return runtime::CanonicalBytes(key);
+}
 
 // A stub with what its error messages need.
 template <typename Service>
@@ -21,6 +33,7 @@ struct Stage {
   Stage(const char* stage_name, const StageChannel& channel)
       : name(stage_name),
         address(channel.address),
+        setting(channel.setting),
         stub(Service::NewStub(channel.channel)),
         worker_stub(v1::WorkerService::NewStub(channel.channel)) {}
 
@@ -30,23 +43,36 @@ struct Stage {
     return Explain(runtime::UnaryRequest(static_cast<Interface&>(*stub), method, request, call));
   }
 
-  absl::StatusOr<std::string> Revision(runtime::CallContext& call) const {
-    auto answer = Explain(runtime::UnaryRequest(*worker_stub, &v1::WorkerService::StubInterface::GetWorker,
-                                                v1::GetWorkerRequest(), call));
-    if (absl::IsUnimplemented(answer.status())) return "";
-    if (!answer.ok()) return answer.status();
-    return answer->revision();
+  absl::StatusOr<std::optional<std::string>> Revision(runtime::CallContext& call) const {
+    const absl::StatusOr<v1::GetWorkerResponse> worker =
+        runtime::UnaryRequest(*worker_stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call);
+    if (absl::IsUnimplemented(worker.status())) return std::nullopt;
+    if (!worker.ok()) return Explain(worker).status();
+    if (const std::string fault = runtime::ProtocolFault(*worker); !fault.empty()) {
+      return absl::UnimplementedError(
+          fmt::format("{} worker at {}: {}; start a version of it that does or fix {}", name, address, fault, setting));
+    }
+    return KeyOf(*worker);
   }
 
   template <typename Response>
   absl::StatusOr<Response> Explain(absl::StatusOr<Response> answer) const {
-    if (!absl::IsUnavailable(answer.status())) return answer;
-    return absl::UnavailableError(fmt::format("{0} worker at {1} is not reachable: {2}; start it or fix stages.{0}",
-                                              name, address, std::string(answer.status().message())));
+    const std::string message(answer.status().message());
+    if (absl::IsUnavailable(answer.status())) {
+      return absl::UnavailableError(
+          fmt::format("{} worker at {} is not reachable: {}; start it or fix {}", name, address, message, setting));
+    }
+    if (absl::IsUnimplemented(answer.status())) {
+      return absl::UnimplementedError(fmt::format(
+          "{} worker at {}: the server there does not serve this call of {}{}; start one that does or fix {}", name,
+          address, Service::service_full_name(), message.empty() ? "" : ": " + message, setting));
+    }
+    return answer;
   }
 
   std::string name;
   std::string address;
+  std::string setting;
   std::unique_ptr<typename Service::Stub> stub;
   std::unique_ptr<v1::WorkerService::Stub> worker_stub;
 };
@@ -100,7 +126,7 @@ class GrpcStageClients final : public StageClients {
   absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest& request, Call& call) override {
     return renderer_.Ask(&Renderer::Render, request, call);
   }
-  absl::StatusOr<std::string> Revision(v1::ArtifactKind kind, Call& call) override {
+  absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind kind, Call& call) override {
     switch (kind) {
       case v1::ARTIFACT_KIND_BRIEF:
       case v1::ARTIFACT_KIND_REPORT:

@@ -35,8 +35,10 @@ Request BeginWithObjects(const StageRun& run, std::string_view stage) {
 
 }  // namespace
 
-absl::StatusOr<std::string> LanguageOptions(const StageRun& run) {
-  return runtime::CanonicalBytes(DecidingOptions(run.spec.model_options()));
+std::string AskedBrief(const v1::JobSpec& spec) { return runtime::CanonicalBytes(spec.brief()); }
+
+std::string AskedOfModels(const v1::JobSpec& spec) {
+  return runtime::CanonicalBytes(DecidingOptions(spec.model_options()));
 }
 
 absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run) {

@@ -37,10 +37,10 @@ absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run) {
 }
 
 // With the seed that is used; without the number of threads, which changes no result.
-absl::StatusOr<std::string> SolverOptions(const StageRun& run) {
-  v1::SolveOptions options = run.spec.solve_options();
+std::string AskedOfSolver(const v1::JobSpec& spec) {
+  v1::SolveOptions options = spec.solve_options();
   options.clear_thread_count();
-  if (!options.has_seed()) options.set_seed(run.spec.brief().seed());
+  if (!options.has_seed()) options.set_seed(spec.brief().seed());
   return runtime::CanonicalBytes(options);
 }
 
@@ -60,9 +60,7 @@ absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run) {
   return artifact;
 }
 
-absl::StatusOr<std::string> RendererOptions(const StageRun& run) {
-  return runtime::CanonicalBytes(run.spec.render_options());
-}
+std::string AskedOfRenderer(const v1::JobSpec& spec) { return runtime::CanonicalBytes(spec.render_options()); }
 
 absl::StatusOr<v1::Artifact> RunRender(const StageRun& run) {
   const v1::Artifact& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT);

@@ -182,6 +182,33 @@ TEST_F(PipelineTest, DoesNotUseResultsOfAnotherRevision) {
   EXPECT_EQ(stages.calls("Solve"), 2);
 }
 
+TEST_F(PipelineTest, UsesResultsOfWorkersThatDoNotSayWhichTheyAreForTheirJobOnly) {
+  FakeStages broken([](std::string_view rpc, runtime::CallContext&) {
+    return rpc == "Render" ? absl::InternalError("power cut") : absl::OkStatus();
+  });
+  broken.set_revision(std::nullopt);
+  const v1::Job job = NewJob("j1");
+  ASSERT_FALSE(Run(broken, job).status.ok());
+  FakeStages stages;
+  stages.set_revision(std::nullopt);
+  ASSERT_TRUE(Run(stages, job).status.ok());
+  EXPECT_EQ(stages.calls("Solve"), 0);
+  ASSERT_TRUE(Run(stages, NewJob("j2")).status.ok());
+  EXPECT_EQ(stages.calls("Solve"), 1);
+  EXPECT_EQ(stages.calls("Render"), 2);
+}
+
+TEST_F(PipelineTest, ReportsWhatTheSolverSaidWhenItCannotEvaluate) {
+  FakeStages stages([](std::string_view rpc, runtime::CallContext&) {
+    return rpc == "Evaluate" ? absl::UnimplementedError("") : absl::OkStatus();
+  });
+  const PipelineResult result = Run(stages, NewJob("j1"));
+  ASSERT_TRUE(result.status.ok()) << result.status;
+  const v1::Report report = store_->files().Get(Ids("j1", true).back())->report();
+  EXPECT_EQ(report.constraints().satisfied_count(), 1);
+  EXPECT_FALSE(report.has_metrics());
+}
+
 TEST_F(PipelineTest, GoesOnAfterTheLastStoredArtifactWithoutTellingTwice) {
   FakeStages broken([](std::string_view rpc, runtime::CallContext&) {
     return rpc == "Solve" ? absl::InternalError("power cut") : absl::OkStatus();
@@ -322,7 +349,7 @@ class EmptyRoomStages final : public StageClients {
   NEVER(Evaluate)
   NEVER(Render)
 #undef NEVER
-  absl::StatusOr<std::string> Revision(v1::ArtifactKind, Call&) override { return ""; }
+  absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind, Call&) override { return ""; }
 };
 
 TEST_F(PipelineTest, RefusesAnAnswerThatIsNotValidAndSaysWhose) {

@@ -4,6 +4,22 @@
 namespace flair::orchestrator {
 namespace {
 
+// What the optimizer finds in its layout, looking at it as at anybody's; what it said when it solved, when that is all
+// it can tell.
+absl::StatusOr<v1::EvaluateResponse> Evaluate(const StageRun& run, const v1::SolvedLayout& layout) {
+  v1::EvaluateRequest request;
+  request.set_request_id(RequestId(run, "report"));
+  *request.mutable_layout_graph() = layout.graph();
+  *request.mutable_placements() = layout.placements();
+  *request.mutable_options() = run.spec.solve_options();
+  absl::StatusOr<v1::EvaluateResponse> response = run.clients.Evaluate(request, run.call);
+  if (!absl::IsUnimplemented(response.status())) return response;
+  v1::EvaluateResponse said;
+  *said.mutable_edge_outcomes() = layout.edge_outcomes();
+  if (layout.has_metrics()) *said.mutable_metrics() = layout.metrics();
+  return said;
+}
+
 // Counts outcomes of edges, and sentences without an edge.
 v1::ConstraintSummary Summarize(const v1::SolvedLayout& layout, const v1::EvaluateResponse& evaluation) {
   v1::ConstraintSummary summary;
@@ -38,12 +54,7 @@ absl::StatusOr<std::string> ReportOptions(const StageRun& run) { return run.job_
 
 absl::StatusOr<v1::Artifact> RunReport(const StageRun& run) {
   const v1::SolvedLayout& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT).solved_layout();
-  v1::EvaluateRequest request;
-  request.set_request_id(RequestId(run, "report"));
-  *request.mutable_layout_graph() = layout.graph();
-  *request.mutable_placements() = layout.placements();
-  *request.mutable_options() = run.spec.solve_options();
-  auto response = run.clients.Evaluate(request, run.call);
+  const absl::StatusOr<v1::EvaluateResponse> response = Evaluate(run, layout);
   if (!response.ok()) return response.status();
 
   v1::Artifact artifact;
@@ -53,7 +64,7 @@ absl::StatusOr<v1::Artifact> RunReport(const StageRun& run) {
   artifact.mutable_producer()->set_build(run.build);
   v1::Report& report = *artifact.mutable_report();
   report.set_job_id(run.job_id);
-  *report.mutable_metrics() = response->metrics();
+  if (response->has_metrics()) *report.mutable_metrics() = response->metrics();
   *report.mutable_constraints() = Summarize(layout, *response);
   report.mutable_stage_timings()->Assign(run.timings.begin(), run.timings.end());
   if (run.model_usage.call_count() > 0) *report.mutable_model_usage() = run.model_usage;

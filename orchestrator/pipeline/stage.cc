@@ -10,44 +10,58 @@ namespace flair::orchestrator {
 std::span<const Stage> Stages() {
   using namespace v1;  // Eleven kinds in one table.
   static const std::vector<Stage> stages = {
-      {"brief", ARTIFACT_KIND_BRIEF, {}, nullptr, RunBrief},
-      {"room", ARTIFACT_KIND_ROOM, {ARTIFACT_KIND_BRIEF}, LanguageOptions, RunRoom},
-      {"zones", ARTIFACT_KIND_ZONE_PLAN, {ARTIFACT_KIND_BRIEF, ARTIFACT_KIND_ROOM}, LanguageOptions, RunZones},
+      {"brief", ARTIFACT_KIND_BRIEF, {}, AskedBrief, nullptr, RunBrief},
+      {"room", ARTIFACT_KIND_ROOM, {ARTIFACT_KIND_BRIEF}, AskedOfModels, nullptr, RunRoom},
+      {"zones", ARTIFACT_KIND_ZONE_PLAN, {ARTIFACT_KIND_BRIEF, ARTIFACT_KIND_ROOM}, AskedOfModels, nullptr, RunZones},
       {"objects",
        ARTIFACT_KIND_OBJECT_LIST,
        {ARTIFACT_KIND_BRIEF, ARTIFACT_KIND_ROOM, ARTIFACT_KIND_ZONE_PLAN},
-       LanguageOptions,
+       AskedOfModels,
+       nullptr,
        RunObjects},
       {"style",
        ARTIFACT_KIND_STYLE_SHEET,
        {ARTIFACT_KIND_BRIEF, ARTIFACT_KIND_ROOM, ARTIFACT_KIND_ZONE_PLAN, ARTIFACT_KIND_OBJECT_LIST},
-       LanguageOptions,
+       AskedOfModels,
+       nullptr,
        RunStyle},
       {"constraints",
        ARTIFACT_KIND_RAW_CONSTRAINT_LIST,
        {ARTIFACT_KIND_BRIEF, ARTIFACT_KIND_ROOM, ARTIFACT_KIND_ZONE_PLAN, ARTIFACT_KIND_OBJECT_LIST},
-       LanguageOptions,
+       AskedOfModels,
+       nullptr,
        RunConstraints},
       {"cleaning",
        ARTIFACT_KIND_CONSTRAINT_LIST,
        {ARTIFACT_KIND_ROOM, ARTIFACT_KIND_OBJECT_LIST, ARTIFACT_KIND_RAW_CONSTRAINT_LIST},
-       LanguageOptions,
+       AskedOfModels,
+       nullptr,
        RunCleaning},
       {"translation",
        ARTIFACT_KIND_LAYOUT_GRAPH,
        {ARTIFACT_KIND_ROOM, ARTIFACT_KIND_ZONE_PLAN, ARTIFACT_KIND_OBJECT_LIST, ARTIFACT_KIND_STYLE_SHEET,
         ARTIFACT_KIND_CONSTRAINT_LIST},
+       AskedOfModels,
        TranslationOptions,
        RunTranslation},
-      {"solve", ARTIFACT_KIND_SOLVED_LAYOUT, {ARTIFACT_KIND_LAYOUT_GRAPH}, SolverOptions, RunSolve},
-      {"render", ARTIFACT_KIND_PREVIEW, {ARTIFACT_KIND_SOLVED_LAYOUT}, RendererOptions, RunRender},
+      {"solve", ARTIFACT_KIND_SOLVED_LAYOUT, {ARTIFACT_KIND_LAYOUT_GRAPH}, AskedOfSolver, nullptr, RunSolve},
+      {"render", ARTIFACT_KIND_PREVIEW, {ARTIFACT_KIND_SOLVED_LAYOUT}, AskedOfRenderer, nullptr, RunRender},
       {"report",
        ARTIFACT_KIND_REPORT,
        {ARTIFACT_KIND_RAW_CONSTRAINT_LIST, ARTIFACT_KIND_SOLVED_LAYOUT, ARTIFACT_KIND_PREVIEW},
+       nullptr,
        ReportOptions,
        RunReport},
   };
   return stages;
+}
+
+int StageIndex(std::string_view name) {
+  const std::span<const Stage> stages = Stages();
+  for (size_t i = 0; i < stages.size(); ++i) {
+    if (stages[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
 }
 
 const v1::Artifact& Input(const StageRun& run, v1::ArtifactKind kind) {

@@ -22,7 +22,7 @@ struct StageRun {
   const v1::JobSpec& spec;
   // By kind, see Input(); a stage sees only its own inputs.
   std::span<const v1::Artifact* const> inputs;
-  // What the stage's `options` function returned.
+  // What the stage's `options` or `asked` function returned.
   std::string options;
   // What this program was built from; for the artifacts that it makes itself.
   const std::string& build;
@@ -42,7 +42,9 @@ struct Stage {
   v1::ArtifactKind output;
   // What it is made from, in the order of Artifact.made_from_ids.
   std::vector<v1::ArtifactKind> inputs;
-  // Canonical bytes of the options that decide the result, "" when it takes none; null when it never takes any.
+  // Canonical bytes of the part of a job's spec that decides the result; null when none does.
+  std::string (*asked)(const v1::JobSpec&);
+  // Canonical bytes of all options that decide the result; null when they are what is asked.
   absl::StatusOr<std::string> (*options)(const StageRun&);
   // The artifact with content and producer.
   absl::StatusOr<v1::Artifact> (*run)(const StageRun&);
@@ -58,9 +60,17 @@ const v1::Artifact& Input(const StageRun& run, v1::ArtifactKind kind);
 // Key of the stage's request, the same whenever the stage is run again for the same job.
 std::string RequestId(const StageRun& run, std::string_view stage);
 
+// Its place in Stages(); -1 when there is no stage of that name.
+int StageIndex(std::string_view name);
+
+// What specs ask of the stages that take something from them.
+std::string AskedBrief(const v1::JobSpec& spec);
+std::string AskedOfModels(const v1::JobSpec& spec);
+std::string AskedOfSolver(const v1::JobSpec& spec);
+std::string AskedOfRenderer(const v1::JobSpec& spec);
+
 // The stages' functions, one file each for the worker they ask.
 absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run);
-absl::StatusOr<std::string> LanguageOptions(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunRoom(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunZones(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunObjects(const StageRun& run);
@@ -69,9 +79,7 @@ absl::StatusOr<v1::Artifact> RunConstraints(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunCleaning(const StageRun& run);
 absl::StatusOr<std::string> TranslationOptions(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run);
-absl::StatusOr<std::string> SolverOptions(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run);
-absl::StatusOr<std::string> RendererOptions(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunRender(const StageRun& run);
 absl::StatusOr<std::string> ReportOptions(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunReport(const StageRun& run);

@@ -30,7 +30,7 @@ absl::StatusOr<StageChannels> ConnectStages(const config::v1::OrchestratorConfig
       return absl::InvalidArgumentError(
           fmt::format("stages.{}: {}", stage.field, std::string(channel.status().message())));
     }
-    stage.channel = {*std::move(channel), stage.address};
+    stage.channel = {*std::move(channel), stage.address, fmt::format("stages.{}", stage.field)};
   }
   return channels;
 }

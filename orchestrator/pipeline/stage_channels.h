@@ -11,11 +11,12 @@
 
 namespace flair::orchestrator {
 
-// A channel to one stage and the address that error messages name.
+// A channel to one stage, and its address and where that is set, which error messages name.
 struct StageChannel {
   // Shared with gRPC, whose stubs keep channels alive so.
   std::shared_ptr<grpc::Channel> channel;
   std::string address = "this process";
+  std::string setting = "its address";  // such as "stages.optimizer"
 };
 
 struct StageChannels {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "absl/status/statusor.h"
@@ -35,10 +36,10 @@ class StageClients {
   virtual absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest& request, Call& call) = 0;
   virtual absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest& request, Call& call) = 0;
 
-  // Revision of the worker that a kind of artifact comes from (see WorkerService); empty for what we make ourselves and
-  // for workers that do not tell. Part of the key for re-use, so that a new version of a worker does not get the
-  // results of the old one.
-  virtual absl::StatusOr<std::string> Revision(v1::ArtifactKind kind, Call& call) = 0;
+  // Tells the worker that a kind of artifact comes from apart from all that may answer otherwise (see WorkerService);
+  // empty for what we make ourselves, nothing for workers that do not tell. Part of the key for re-use, so that no
+  // worker gets the results of another one or of its own older version. UNIMPLEMENTED for a worker of another protocol.
+  virtual absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind kind, Call& call) = 0;
 };
 
 }  // namespace flair::orchestrator

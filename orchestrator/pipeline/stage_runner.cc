@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "google/protobuf/util/time_util.h"
+#include "orchestrator/pipeline/replay.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "room/validation/validate.h"
@@ -53,12 +54,17 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
                                                      std::span<const v1::StageTiming> timings,
                                                      const v1::ModelUsage& model_usage) const {
   const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
+  if (job_.spec().has_replay() && stage_index < FirstStageOf(job_.spec().replay())) {
+    return TakeFromEarlierJob(stage_index);
+  }
   runtime::CallContext no_deadline;
   StageRun run{job_.id(), job_.spec(), inputs, "", options_.build, timings, model_usage, clients_, no_deadline};
   if (stage.options != nullptr) {
     absl::StatusOr<std::string> options = Retry<std::string>(stage.options, run);
     if (!options.ok()) return options.status();
     run.options = *std::move(options);
+  } else if (stage.asked != nullptr) {
+    run.options = stage.asked(job_.spec());
   }
   absl::StatusOr<std::string> key = KeyOf(stage, run);
   if (!key.ok()) return key.status();
@@ -73,13 +79,28 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
 }
 
 absl::StatusOr<std::string> StageRunner::KeyOf(const Stage& stage, const StageRun& run) const {
-  const absl::StatusOr<std::string> revision = Retry<std::string>(
+  using Revision = std::optional<std::string>;
+  const absl::StatusOr<Revision> revision = Retry<Revision>(
       [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
   if (!revision.ok()) return revision.status();
-  // The first stage has no artifacts to be made from: what it is made from is the brief itself.
-  const std::string own_input =
-      run.inputs.empty() ? runtime::Sha256Hex(runtime::CanonicalBytes(run.spec.brief())) : OptionsDigest(run);
-  return ResultKey(stage.name, *revision, own_input, InputIds(run));
+  // A replay uses nothing again but what it made itself before it was interrupted. The same holds for what a worker
+  // made that does not say which it is.
+  const bool of_this_job_only = run.spec.has_replay() || !revision->has_value();
+  return ResultKey(stage.name, revision->value_or(""), OptionsDigest(run), InputIds(run),
+                   of_this_job_only ? run.job_id : "");
+}
+
+// What the replayed job had. Without it there is nothing to go on from.
+absl::StatusOr<StageRunner::Output> StageRunner::TakeFromEarlierJob(int stage_index) const {
+  const v1::Replay& replay = job_.spec().replay();
+  const absl::StatusOr<v1::ArtifactRef> ref = ArtifactToTake(replay, stage_index, store_.artifacts());
+  if (!ref.ok()) return ref.status();
+  absl::StatusOr<Output> taken = Reuse(stage_index, *ref);
+  if (taken.ok()) return taken;
+  return absl::Status(taken.status().code(),
+                      fmt::format("{}; it was to be taken from job {}: run that again from \"{}\" or an earlier stage",
+                                  std::string(taken.status().message()), replay.job_id(),
+                                  Stages()[static_cast<size_t>(stage_index)].name));
 }
 
 absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, const StageRun& run,
@@ -91,7 +112,8 @@ absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, c
   const absl::Duration start = clock_.Elapsed();
   absl::StatusOr<v1::Artifact> artifact = Make(stage, run);
   if (!artifact.ok()) return artifact.status();
-  artifact->set_options_digest(OptionsDigest(run));
+  // The first stage is made from what it is asked; that is its content.
+  if (!run.inputs.empty()) artifact->set_options_digest(OptionsDigest(run));
   const std::vector<std::string> input_ids = InputIds(run);
   artifact->mutable_made_from_ids()->Assign(input_ids.begin(), input_ids.end());
   artifact->set_id(ComputeArtifactId(*artifact));
@@ -139,7 +161,6 @@ absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, const StageRu
     return absl::DeadlineExceededError(fmt::format("stage \"{}\" did not end within {} (stage_deadline_seconds)",
                                                    stage.name, absl::FormatDuration(options_.stage_deadline)));
   }
-  if (!artifact.ok()) return artifact;
   return artifact;
 }
 

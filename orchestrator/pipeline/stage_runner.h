@@ -40,6 +40,7 @@ class StageRunner {
   absl::StatusOr<std::string> KeyOf(const Stage& stage, const StageRun& run) const;
   absl::StatusOr<Output> MakeAndStore(int stage_index, const StageRun& run, const std::string& key) const;
   absl::StatusOr<Output> Reuse(int stage_index, const v1::ArtifactRef& ref) const;
+  absl::StatusOr<Output> TakeFromEarlierJob(int stage_index) const;
   absl::Status Record(int stage_index, v1::JobEvent event, const std::string& result_key) const;
   v1::JobEvent Event(v1::JobEventKind kind, const Stage& stage) const;
 

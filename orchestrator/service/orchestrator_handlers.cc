@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "orchestrator/pipeline/replay.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/sha256.h"
 
@@ -48,9 +49,11 @@ absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::
     const absl::StatusOr<std::string> known = store_.jobs().FindByRequest(request.request_id());
     if (!known.ok()) return known.status();
     if (known->empty()) {
-      if (absl::Status status = CheckQueue(1); !status.ok()) return status;
+      absl::Status status = CheckReplay(request.spec(), store_);
+      if (status.ok()) status = CheckQueue(1);
+      if (!status.ok()) return status;
       *response.mutable_job() = NewJob(request.spec(), "");
-      absl::Status status = store_.jobs().Insert(response.job(), request.request_id());
+      status = store_.jobs().Insert(response.job(), request.request_id());
       if (status.ok()) status = transaction->Commit();
       if (!status.ok()) return status;
     } else {
@@ -119,9 +122,11 @@ absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const 
     if (known->has_value()) {
       batch_id = (*known)->id;
     } else {
-      if (absl::Status status = CheckQueue(request.specs_size()); !status.ok()) return status;
+      absl::Status status = CheckQueue(request.specs_size());
+      for (int i = 0; status.ok() && i < request.specs_size(); ++i) status = CheckReplay(request.specs(i), store_);
+      if (!status.ok()) return status;
       batch_id = ids_.Next();
-      absl::Status status = store_.batches().Insert(batch_id, request.request_id(), digest);
+      status = store_.batches().Insert(batch_id, request.request_id(), digest);
       for (int i = 0; status.ok() && i < request.specs_size(); ++i) {
         const v1::Job job = NewJob(request.specs(i), batch_id);
         job_ids.push_back(job.id());

@@ -25,7 +25,7 @@ bool IsArtifactId(std::string_view id) {
 }
 
 std::string ResultKey(std::string_view stage, std::string_view revision, std::string_view options_digest,
-                      const std::vector<std::string>& input_ids) {
+                      const std::vector<std::string>& input_ids, std::string_view job_id) {
   std::string text;
   const auto append = [&text](std::string_view part) {
     text += std::to_string(part.size());
@@ -36,6 +36,7 @@ std::string ResultKey(std::string_view stage, std::string_view revision, std::st
   append(revision);
   append(options_digest);
   for (const std::string& id : input_ids) append(id);
+  if (!job_id.empty()) append(job_id);
   return runtime::Sha256Hex(text);
 }
 

@@ -18,8 +18,9 @@ v1::ArtifactKind KindOf(const v1::Artifact& artifact);
 // True for 64 characters 0-9 and a-f: an id that can be a file name.
 bool IsArtifactId(std::string_view id);
 
-// Key of the index for re-use: the stage, what makes it (see StageClients::Revision), its options and its inputs.
+// Key of the index for re-use: the stage, what makes it (see StageClients::Revision), its options and its inputs. With
+// `job_id`, a key that no other job finds.
 std::string ResultKey(std::string_view stage, std::string_view revision, std::string_view options_digest,
-                      const std::vector<std::string>& input_ids);
+                      const std::vector<std::string>& input_ids, std::string_view job_id = "");
 
 }  // namespace flair::orchestrator
