@@ -10,6 +10,7 @@
 #include "cli/input/brief_file.h"
 #include "cli/input/files.h"
 #include "cli/input/llm_flags.h"
+#include "cli/input/stage_flags.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/design_files.h"
 #include "cli/output/models_text.h"
@@ -32,6 +33,7 @@ struct DesignArguments {
   std::string out;
   std::optional<int64_t> seed;
   std::string orchestrator;
+  StageFlags stages;
   std::string brief;
   std::string room;
   LlmFlags llm;
@@ -116,12 +118,14 @@ void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const Artifac
 
 absl::Status Design(const DesignArguments& arguments) {
   if (absl::Status status = CheckViews(arguments.views); !status.ok()) return status;
+  absl::Status stages = CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm);
+  if (!stages.ok()) return stages;
   const absl::StatusOr<v1::JobSpec> spec = MakeSpec(arguments);
   if (!spec.ok()) return spec.status();
   const absl::StatusOr<OptionalLlm> llm = ReadDesignModel(arguments.llm, arguments.model, arguments.orchestrator);
   if (!llm.ok()) return llm.status();
   if (absl::Status status = CheckOutputFolder(arguments.out, DesignFileNames()); !status.ok()) return status;
-  absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments.orchestrator, *llm);
+  absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments.orchestrator, *llm, arguments.stages);
   if (!session.ok()) return session.status();
   const absl::StatusOr<v1::Job> created = (*session)->CreateJob(*spec);
   if (!created.ok()) return created.status();
@@ -140,8 +144,8 @@ absl::Status Design(const DesignArguments& arguments) {
   if (!artifacts.ok()) return artifacts.status();
   std::vector<OutputFile> files = MakeDesignFiles(*job, *artifacts);
   absl::StatusOr<std::vector<OutputFile>> views =
-      DrawViews(arguments.views, artifacts->at(v1::ARTIFACT_KIND_SOLVED_LAYOUT), spec->brief(),
-                arguments.json || arguments.quiet);
+      DrawViews(arguments.views, {.address = arguments.stages.renderer()},
+                artifacts->at(v1::ARTIFACT_KIND_SOLVED_LAYOUT), spec->brief(), arguments.json || arguments.quiet);
   if (!views.ok()) return views.status();
   files.insert(files.end(), std::make_move_iterator(views->begin()), std::make_move_iterator(views->end()));
   if (absl::Status status = WriteOutputFolder(arguments.out, files); !status.ok()) return status;
@@ -184,6 +188,7 @@ void AddDesign(CLI::App& program, absl::Status& result) {
       ->check(CLI::Range(1, 10000));
   command->add_option("--orchestrator", arguments->orchestrator, "Use the services of this one instead of own ones")
       ->type_name("HOST:PORT");
+  AddStageFlags(*command, arguments->stages);
   AddLlmFlags(*command, arguments->llm);
   AddModelFlags(*command, arguments->model);
   CLI::Option* json = command->add_flag("--json", arguments->json, "Events as JSON lines on standard output");

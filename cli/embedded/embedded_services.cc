@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "cli/embedded/remote_stage.h"
 #include "cli/exit_code.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
@@ -39,19 +40,34 @@ Config WithLlm(const OptionalLlm& llm) {
   return config;
 }
 
-// Starts one worker in this process.
-template <typename Service, typename Config, typename Make>
-absl::Status StartWorker(const std::string& program, Config config, const Make& make,
-                         std::unique_ptr<runtime::InProcessServer>& server, orchestrator::StageChannel& channel) {
+// One stage: where its server goes, the channel to it, and the address of another server that runs it, if any.
+struct StagePlace {
+  const StageName& name;
+  std::unique_ptr<runtime::InProcessServer>& server;
+  orchestrator::StageChannel& channel;
+  const std::string& address;
+};
+
+absl::Status Connect(const StagePlace& place) {
+  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = ConnectToStage(place.name, place.address);
+  if (!channel.ok()) return channel.status();
+  place.channel = {.channel = *std::move(channel), .address = place.address, .setting = place.name.flag};
+  return absl::OkStatus();
+}
+
+// Starts one worker in this process, unless it is elsewhere.
+template <typename Config, typename Make>
+absl::Status StartWorker(const std::string& program, Config config, const Make& make, const StagePlace& place) {
+  if (!place.address.empty()) return Connect(place);
   config.mutable_runtime()->MergeFrom(QuietRuntime());
-  auto started = runtime::InProcessServer::Start(program, config.runtime(), Service::service_full_name(),
+  auto started = runtime::InProcessServer::Start(program, config.runtime(), place.name.service,
                                                  [&](runtime::WorkerContext& context) {
                                                    context.build = runtime::BuildName();
                                                    return make(config, context);
                                                  });
   if (!started.ok()) return started.status();
-  server = *std::move(started);
-  channel.channel = server->channel();
+  place.server = *std::move(started);
+  place.channel.channel = place.server->channel();
   return absl::OkStatus();
 }
 
@@ -63,16 +79,18 @@ std::string Variable(const char* name) {
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::Start(const std::string& store_path,
-                                                                          const OptionalLlm& llm) {
-  absl::StatusOr<std::unique_ptr<EmbeddedServices>> services = StartStages(llm);
+                                                                          const OptionalLlm& llm,
+                                                                          const RemoteStages& remote) {
+  absl::StatusOr<std::unique_ptr<EmbeddedServices>> services = StartStages(llm, remote);
   if (!services.ok()) return services.status();
   if (absl::Status status = (*services)->StartOrchestrator(store_path); !status.ok()) return status;
   return services;
 }
 
-absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::StartStages(const OptionalLlm& llm) {
+absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::StartStages(const OptionalLlm& llm,
+                                                                                const RemoteStages& remote) {
   std::unique_ptr<EmbeddedServices> services(new EmbeddedServices());
-  if (absl::Status status = services->StartWorkers(llm); !status.ok()) return status;
+  if (absl::Status status = services->StartWorkers(llm, remote); !status.ok()) return status;
   return services;
 }
 
@@ -80,26 +98,28 @@ EmbeddedServices::~EmbeddedServices() {
   if (service_ != nullptr) service_->Stop();
 }
 
-absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm) {
-  absl::Status status = StartWorker<v1::LanguageService>(
-      "flair-language", WithLlm<config::v1::LanguageWorkerConfig>(llm),
-      [](const auto& config, auto& context) { return language::MakeLanguageService(config, context); }, language_,
-      stages_.language);
+absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const RemoteStages& remote) {
+  absl::Status status =
+      StartWorker("flair-language", WithLlm<config::v1::LanguageWorkerConfig>(llm),
+                  [](const auto& config, auto& context) { return language::MakeLanguageService(config, context); },
+                  {kLanguageStage, language_, stages_.language, remote.language()});
   if (!status.ok()) return status;
-  status = StartWorker<v1::OptimizerService>(
-      "flair-optimizer", config::v1::OptimizerWorkerConfig(),
-      [](const auto& config, auto& context) { return optimizer::MakeOptimizerService(config, context); }, optimizer_,
-      stages_.optimizer);
+  status =
+      StartWorker("flair-optimizer", config::v1::OptimizerWorkerConfig(),
+                  [](const auto& config, auto& context) { return optimizer::MakeOptimizerService(config, context); },
+                  {kOptimizerStage, optimizer_, stages_.optimizer, remote.optimizer()});
   if (!status.ok()) return status;
-  status = StartWorker<v1::TranslatorService>(
-      "flair-translator", WithLlm<config::v1::TranslatorWorkerConfig>(llm),
-      [](const auto& config, auto& context) { return translator::MakeTranslatorService(config, context); }, translator_,
-      stages_.translator);
+  // Jobs bring the catalogue of their optimizer with each request; this is for requests that bring none.
+  auto translator = WithLlm<config::v1::TranslatorWorkerConfig>(llm);
+  translator.set_optimizer_address(remote.optimizer());
+  status =
+      StartWorker("flair-translator", translator,
+                  [](const auto& config, auto& context) { return translator::MakeTranslatorService(config, context); },
+                  {kTranslatorStage, translator_, stages_.translator, remote.translator()});
   if (!status.ok()) return status;
-  return StartWorker<v1::RendererService>(
-      "flair-renderer", config::v1::RendererWorkerConfig(),
-      [](const auto& config, auto& context) { return renderer::MakeRendererService(config, context); }, renderer_,
-      stages_.renderer);
+  return StartWorker("flair-renderer", config::v1::RendererWorkerConfig(),
+                     [](const auto& config, auto& context) { return renderer::MakeRendererService(config, context); },
+                     {kRendererStage, renderer_, stages_.renderer, remote.renderer()});
 }
 
 absl::Status EmbeddedServices::StartOrchestrator(const std::string& store_path) {

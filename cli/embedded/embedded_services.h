@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All five services in this process, over channels that need no port.
+// All five services in this process, over channels that need no port; of the four stages those that nobody else runs.
 #pragma once
 
 #include <memory>
@@ -9,21 +9,28 @@
 
 #include "absl/status/statusor.h"
 #include "flair/config/v1/llm_config.pb.h"
+#include "flair/config/v1/orchestrator_config.pb.h"
 #include "orchestrator/service/make_orchestrator_service.h"
 #include "worker_runtime/grpc/in_process_server.h"
 
 namespace flair::cli {
+
+// Where stages are that are not to run in this process; empty addresses: they run here.
+using RemoteStages = config::v1::StageAddresses;
 
 // The model that designs and translates; none: the handbook and the grammar do.
 using OptionalLlm = std::optional<config::v1::LlmConfig>;
 
 class EmbeddedServices {
  public:
-  // `store_path` is made when missing. FAILED_PRECONDITION when it cannot be used; for a model as llm::MakeLlmClient.
+  // `store_path` is made when missing. FAILED_PRECONDITION when it cannot be used; for a model as llm::MakeLlmClient;
+  // for `remote` stages as ConnectToStage. The translator here takes its catalogue from the optimizer that is used.
   static absl::StatusOr<std::unique_ptr<EmbeddedServices>> Start(const std::string& store_path,
-                                                                 const OptionalLlm& llm = std::nullopt);
+                                                                 const OptionalLlm& llm = std::nullopt,
+                                                                 const RemoteStages& remote = {});
   // The four stages without an orchestrator and its store; orchestrator() must not be called.
-  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> StartStages(const OptionalLlm& llm = std::nullopt);
+  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> StartStages(const OptionalLlm& llm = std::nullopt,
+                                                                       const RemoteStages& remote = {});
   // Interrupts running jobs, which go on when the store is opened again.
   ~EmbeddedServices();
 
@@ -32,10 +39,10 @@ class EmbeddedServices {
 
  private:
   EmbeddedServices() = default;
-  absl::Status StartWorkers(const OptionalLlm& llm);
+  absl::Status StartWorkers(const OptionalLlm& llm, const RemoteStages& remote);
   absl::Status StartOrchestrator(const std::string& store_path);
 
-  // Made in this order, destroyed in reverse.
+  // Made in this order, destroyed in reverse; null for a stage that is elsewhere.
   std::unique_ptr<runtime::InProcessServer> language_;
   std::unique_ptr<runtime::InProcessServer> optimizer_;
   std::unique_ptr<runtime::InProcessServer> translator_;

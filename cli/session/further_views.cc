@@ -8,7 +8,6 @@
 #include "cli/input/layout_file.h"
 #include "cli/input/render_flags.h"
 #include "cli/progress/slow_note.h"
-#include "cli/session/renderer_client.h"
 
 namespace flair::cli {
 
@@ -19,8 +18,8 @@ absl::Status CheckViews(const std::vector<std::string>& names) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<std::vector<OutputFile>> DrawViews(const std::vector<std::string>& names, const v1::Artifact& layout,
-                                                  const v1::Brief& brief, bool quiet) {
+absl::StatusOr<std::vector<OutputFile>> DrawViews(const std::vector<std::string>& names, const RendererChoice& choice,
+                                                  const v1::Artifact& layout, const v1::Brief& brief, bool quiet) {
   std::vector<OutputFile> files;
   const LayoutFile from{.artifact = layout, .brief = brief};
   std::unique_ptr<RendererClient> renderer;
@@ -29,7 +28,7 @@ absl::StatusOr<std::vector<OutputFile>> DrawViews(const std::vector<std::string>
     if (!view.ok()) return view.status();
     if (*view == v1::PREVIEW_VIEW_PLAN) continue;
     if (renderer == nullptr) {
-      absl::StatusOr<std::unique_ptr<RendererClient>> opened = RendererClient::Open({});
+      absl::StatusOr<std::unique_ptr<RendererClient>> opened = RendererClient::Open(choice);
       if (!opened.ok()) return opened.status();
       renderer = *std::move(opened);
     }

@@ -4,10 +4,9 @@
 #include <utility>
 
 #include "absl/time/clock.h"
-#include "fmt/format.h"
+#include "cli/embedded/remote_stage.h"
 #include "renderer_worker/service/make_renderer_service.h"
 #include "worker_runtime/bootstrap/build_name.h"
-#include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/status.h"
 
@@ -53,8 +52,7 @@ absl::StatusOr<std::unique_ptr<RendererClient>> RendererClient::Open(const Rende
     client->server_ = *std::move(server);
     channel = client->server_->channel();
   } else {
-    absl::StatusOr<std::shared_ptr<grpc::Channel>> made =
-        runtime::MakeChannel(choice.address, v1::RendererService::service_full_name(), kMessageMib);
+    absl::StatusOr<std::shared_ptr<grpc::Channel>> made = ConnectToStage(kRendererStage, choice.address, kMessageMib);
     if (!made.ok()) return made.status();
     channel = *std::move(made);
   }
@@ -62,18 +60,15 @@ absl::StatusOr<std::unique_ptr<RendererClient>> RendererClient::Open(const Rende
   return client;
 }
 
-absl::Status RendererClient::InWords(const absl::Status& status) const {
-  if (address_.empty() || !absl::IsUnavailable(status)) return status;
-  return absl::UnavailableError(
-      fmt::format("{}: no {} answers there: {}; is the program running, and is this its port?", address_,
-                  v1::RendererService::service_full_name(), std::string(status.message())));
+absl::Status RendererClient::Explain(const absl::Status& status) const {
+  return address_.empty() ? status : InWords(kRendererStage, address_, status);
 }
 
 absl::StatusOr<v1::RenderResponse> RendererClient::Render(const v1::RenderRequest& request) {
   runtime::CallContext call;
   absl::StatusOr<v1::RenderResponse> response =
       runtime::UnaryRequest(*stub_, &v1::RendererService::StubInterface::Render, request, call, absl::Now() + kWithin);
-  if (!response.ok()) return InWords(response.status());
+  if (!response.ok()) return Explain(response.status());
   return response;
 }
 
@@ -81,7 +76,7 @@ absl::StatusOr<v1::ExportSceneResponse> RendererClient::ExportScene(const v1::Ex
   runtime::CallContext call;
   absl::StatusOr<v1::ExportSceneResponse> response = runtime::UnaryRequest(
       *stub_, &v1::RendererService::StubInterface::ExportScene, request, call, absl::Now() + kWithin);
-  if (!response.ok()) return InWords(response.status());
+  if (!response.ok()) return Explain(response.status());
   return response;
 }
 
@@ -106,7 +101,7 @@ bool ContactSheetCall::Add(v1::ContactSheetTile tile) {
 absl::StatusOr<v1::ComposeContactSheetResponse> ContactSheetCall::Finish() {
   writer_->WritesDone();
   const grpc::Status status = writer_->Finish();
-  if (!status.ok()) return client_.InWords(runtime::FromGrpcStatus(status));
+  if (!status.ok()) return client_.Explain(runtime::FromGrpcStatus(status));
   return std::move(response_);
 }
 

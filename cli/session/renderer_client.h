@@ -36,7 +36,7 @@ class RendererClient {
  private:
   friend class ContactSheetCall;
   explicit RendererClient(std::string address) : address_(std::move(address)) {}
-  absl::Status InWords(const absl::Status& status) const;
+  absl::Status Explain(const absl::Status& status) const;
 
   const std::string address_;
   std::unique_ptr<runtime::InProcessServer> server_;

@@ -30,9 +30,11 @@ Session::Session(std::unique_ptr<EmbeddedServices> services, std::shared_ptr<grp
                  std::string address)
     : services_(std::move(services)), stub_(v1::OrchestratorService::NewStub(channel)), address_(std::move(address)) {}
 
-absl::StatusOr<std::unique_ptr<Session>> Session::Open(const std::string& address, const OptionalLlm& llm) {
+absl::StatusOr<std::unique_ptr<Session>> Session::Open(const std::string& address, const OptionalLlm& llm,
+                                                       const RemoteStages& remote) {
   if (address.empty()) {
-    absl::StatusOr<std::unique_ptr<EmbeddedServices>> services = EmbeddedServices::Start(DefaultStorePath(), llm);
+    absl::StatusOr<std::unique_ptr<EmbeddedServices>> services =
+        EmbeddedServices::Start(DefaultStorePath(), llm, remote);
     if (!services.ok()) return services.status();
     std::shared_ptr<grpc::Channel> channel = (*services)->orchestrator();
     return std::unique_ptr<Session>(new Session(*std::move(services), std::move(channel), "this process"));

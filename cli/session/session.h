@@ -15,9 +15,11 @@ namespace flair::cli {
 
 class Session {
  public:
-  // To the orchestrator at `address`; to one in this process, whose stages ask `llm`, when it is empty.
+  // To the orchestrator at `address`; when it is empty, to one in this process, with the `remote` stages and own ones,
+  // which ask `llm`.
   static absl::StatusOr<std::unique_ptr<Session>> Open(const std::string& address,
-                                                       const OptionalLlm& llm = std::nullopt);
+                                                       const OptionalLlm& llm = std::nullopt,
+                                                       const RemoteStages& remote = {});
 
   absl::StatusOr<v1::Job> CreateJob(const v1::JobSpec& spec);
   absl::StatusOr<v1::Job> GetJob(const std::string& id);
