@@ -10,6 +10,7 @@ absl::Status Worker::Start() {
   auto server = Server::Start({.program = resources_.program(),
                                .revision = context().revision,
                                .build = context().build,
+                               .capabilities = context().capabilities,
                                .configuration_digest = ConfigurationDigest(context()),
                                .listen_address = listen,
                                .max_message_mib = config_.max_message_mib()},

@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "flair/config/v1/runtime_config.pb.h"
 #include "flair/v1/provenance.pb.h"
+#include "flair/v1/worker_service.pb.h"
 #include "spdlog/logger.h"
 #include "worker_runtime/clock/clock.h"
 #include "worker_runtime/executor/bounded_executor.h"
@@ -26,6 +28,8 @@ struct WorkerContext {
   std::string revision = "";
   // What the program was built from (BuildName).
   std::string build = "";
+  // What the service promises beyond what every server of its stage must; set by the service while it is made.
+  std::vector<v1::Capability> capabilities = {};
 };
 
 // SHA-256 of the worker's revision, see Producer.configuration_digest; empty when it has none.

@@ -34,6 +34,7 @@ class InProcessServer {
     auto server = Server::Start({.program = program,
                                  .revision = result->resources_.context().revision,
                                  .build = result->resources_.context().build,
+                                 .capabilities = result->resources_.context().capabilities,
                                  .configuration_digest = ConfigurationDigest(result->resources_.context()),
                                  .listen_address = "",
                                  .max_message_mib = config.max_message_mib()},

@@ -13,6 +13,7 @@
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/protocol.h"
 
 namespace flair::runtime {
 namespace {
@@ -33,6 +34,8 @@ class WorkerInfo final : public v1::WorkerService::CallbackService {
     worker_.set_program(options.program);
     worker_.set_revision(BuildId() + "/" + options.revision);
     worker_.set_build(options.build);
+    worker_.add_protocols(kProtocol);
+    for (const v1::Capability capability : options.capabilities) worker_.add_capabilities(capability);
     worker_.set_configuration_digest(options.configuration_digest);
   }
   grpc::ServerUnaryReactor* GetWorker(grpc::CallbackServerContext* context, const v1::GetWorkerRequest*,

@@ -11,6 +11,7 @@
 
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "flair/v1/worker_service.pb.h"
 
 namespace flair::runtime {
 
@@ -21,10 +22,12 @@ struct NamedService {
 };
 
 struct ServerOptions {
-  // Name of the program, the data it answers from and what it was built from: what WorkerService answers.
+  // Name of the program, the data it answers from, what it was built from and what it promises: what WorkerService
+  // answers.
   std::string program;
   std::string revision;
   std::string build;
+  std::vector<v1::Capability> capabilities;
   std::string configuration_digest;
   // "HOST:PORT" or "unix:PATH"; port 0 takes a free one. Empty: no port, in-process channels only.
   std::string listen_address;
