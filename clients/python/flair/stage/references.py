@@ -87,7 +87,7 @@ def _room(room: v1.Room, prefix: str) -> Iterator[str]:
         yield f"{prefix}floor: runs clockwise; must be counter-clockwise"
     for name, values in (("x_m", [x for x, _ in corners]), ("y_m", [y for _, y in corners])):
         if abs(min(values)) > _TOLERANCE_M or not 1 <= max(values) - min(values) <= 100:
-            yield f"{prefix}floor: {name} is in [{min(values):.6g}, {max(values):.6g}]; must begin at 0 and end in [1, 100]"
+            yield f"{prefix}floor: {name} is in [{min(values):.6g}, {max(values):.6g}]; must be in [0, 1 to 100]"
     if len(room.walls) != len(corners):
         yield f"{prefix}walls: has {len(room.walls)} walls for a floor of {len(corners)} edges; one per edge"
         return

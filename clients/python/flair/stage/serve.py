@@ -38,11 +38,11 @@ class Stage:
 
 
 def digest_of(paths: list[Path]) -> str:
-    """SHA-256 in hex of the names and the content of files, in whatever order they are given."""
+    """SHA-256 in hex of files, each with its name and that of its folder, in whatever order they are given."""
     digest = hashlib.sha256()
     for path in sorted(paths):
         content = path.read_bytes()
-        digest.update(f"{path.name} {len(content)}\n".encode() + content)
+        digest.update(f"{path.parent.name}/{path.name} {len(content)}\n".encode() + content)
     return digest.hexdigest()
 
 
