@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair-optimizer: serves flair.v1.OptimizerService.
+// flair-optimizer, or how the library of its constraints is called: serves flair.v1.OptimizerService.
 #include "flair/config/v1/optimizer_worker_config.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
+#include "optimizer_worker/constraints/library.h"
+#include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/service/make_optimizer_service.h"
 #include "worker_runtime/bootstrap/build_name.h"
 #include "worker_runtime/bootstrap/run.h"
@@ -21,6 +23,8 @@ absl::Status Assemble(const config::v1::OptimizerWorkerConfig& config, runtime::
 
 int main(int argc, char** argv) {
   return flair::runtime::Run<flair::config::v1::OptimizerWorkerConfig>(
-      argc, argv, {"flair-optimizer", "Serves flair.v1.OptimizerService: places objects.", flair::runtime::BuildName()},
+      argc, argv,
+      {flair::optimizer::Library().program, "Serves flair.v1.OptimizerService: places objects.",
+       flair::runtime::BuildName()},
       flair::Assemble);
 }

@@ -5,29 +5,21 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/call_text.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/library.h"
 
 namespace flair::optimizer {
 
-// Every type's facts, from its own file.
-#define CONSTRAINT(family, Type, file) ConstraintFacts Type##Facts();
-#include "optimizer_worker/constraints/constraint_list.inc"
-#undef CONSTRAINT
-
 namespace {
 
-std::vector<ConstraintFacts> CollectFacts() {
-  std::vector<ConstraintFacts> all = {
-#define CONSTRAINT(family, Type, file) Type##Facts(),
-#include "optimizer_worker/constraints/constraint_list.inc"
-#undef CONSTRAINT
-  };
-  std::sort(all.begin(), all.end(), [](const ConstraintFacts& a, const ConstraintFacts& b) { return a.name < b.name; });
-  return all;
+ConstraintLibrary SortedLibrary() {
+  ConstraintLibrary library = LibraryOfProgram();
+  std::sort(library.types.begin(), library.types.end(),
+            [](const ConstraintFacts& a, const ConstraintFacts& b) { return a.name < b.name; });
+  return library;
 }
 
 v1::ConstraintType ToProto(const ConstraintFacts& facts) {
@@ -49,10 +41,12 @@ v1::ConstraintType ToProto(const ConstraintFacts& facts) {
 
 }  // namespace
 
-std::span<const ConstraintFacts> AllConstraints() {
-  static const std::vector<ConstraintFacts> all = CollectFacts();
-  return all;
+const ConstraintLibrary& Library() {
+  static const ConstraintLibrary library = SortedLibrary();
+  return library;
 }
+
+std::span<const ConstraintFacts> AllConstraints() { return Library().types; }
 
 const ConstraintFacts* FindConstraint(std::string_view name) {
   for (const ConstraintFacts& facts : AllConstraints()) {
@@ -87,7 +81,7 @@ std::vector<int> NamedObjects(const v1::ConstraintEdge& edge, const Scene& scene
 const v1::ConstraintCatalog& MakeCatalog() {
   static const v1::ConstraintCatalog catalog = [] {
     v1::ConstraintCatalog built;
-    built.set_library("flair-optimizer 1");
+    built.set_library(Library().program + " " + Library().version);
     for (const ConstraintFacts& facts : AllConstraints()) *built.add_types() = ToProto(facts);
     return built;
   }();

@@ -17,6 +17,7 @@
 namespace flair::optimizer {
 
 struct ConstraintFacts;
+struct ConstraintLibrary;
 
 // What a call is bound to. The scene must outlive the Bind call only; costs copy what they need.
 struct BindContext {
@@ -36,7 +37,10 @@ absl::StatusOr<std::unique_ptr<Cost>> Bind(const v1::ConstraintEdge& edge, const
 // the call is not valid.
 std::vector<int> NamedObjects(const v1::ConstraintEdge& edge, const Scene& scene);
 
-// All types, sorted by name.
+// What the program has, see library.h; the types sorted by name. Stays valid.
+const ConstraintLibrary& Library();
+
+// Its types.
 std::span<const ConstraintFacts> AllConstraints();
 
 // By name or alias; null when there is none.

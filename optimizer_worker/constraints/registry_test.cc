@@ -98,14 +98,6 @@ TEST(Registry, RecordedNamesAreAliases) {
   }
 }
 
-TEST(Registry, NamesAndAliasesAreUnique) {
-  std::set<std::string> names;
-  for (const ConstraintFacts& facts : AllConstraints()) {
-    EXPECT_TRUE(names.insert(facts.name).second) << facts.name;
-    for (const std::string& alias : facts.aliases) EXPECT_TRUE(names.insert(alias).second) << alias;
-  }
-}
-
 TEST(Registry, TheCatalogueIsSortedAndItsExamplesNameTheParametersOfTheirType) {
   const v1::ConstraintCatalog& catalog = MakeCatalog();
   ASSERT_EQ(static_cast<size_t>(catalog.types_size()), AllConstraints().size());

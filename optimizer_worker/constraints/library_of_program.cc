@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nothing else may be in this file, or programs could not replace it; see library.h.
+#include "optimizer_worker/constraints/library.h"
+
+namespace flair::optimizer {
+
+ConstraintLibrary LibraryOfProgram() { return OurLibrary(); }
+
+}  // namespace flair::optimizer
