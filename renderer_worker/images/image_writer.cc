@@ -64,6 +64,8 @@ absl::StatusOr<std::string> Encode(EncoderRequest request, const ImageMetadata& 
 
 class ModuleImageWriter final : public ImageWriter {
  public:
+  void Prepare() override { LoadImageModule().IgnoreError(); }
+
   absl::StatusOr<std::string> Write(v1::PreviewFormat format, const Pixels& pixels, const ImageMetadata& metadata,
                                     double dots_per_inch) override {
     const char* name = FileNameOf(format);

@@ -34,6 +34,9 @@ struct ImagePlane {
 class ImageWriter {
  public:
   virtual ~ImageWriter() = default;
+  // What the first picture would wait for, such as loading an encoder, so that it can be done beside other work. Need
+  // not be called; what goes wrong is said by the first picture.
+  virtual void Prepare() {}
   // `format` is PNG, JPEG or TIFF. `dots_per_inch` is written when above 0.
   virtual absl::StatusOr<std::string> Write(v1::PreviewFormat format, const Pixels& pixels,
                                             const ImageMetadata& metadata, double dots_per_inch = 0) = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "renderer_worker/drawing/draw_plan.h"
+#include "renderer_worker/images/prepare_beside.h"
 #include "renderer_worker/service/origin.h"
 
 namespace flair::renderer {
@@ -30,6 +31,7 @@ double DotsPerInch(const DrawnPlan& plan) {
 
 absl::Status FillWithPixels(const v1::RenderRequest& request, ImageWriter& writer, runtime::CallContext& call,
                             v1::Preview& preview) {
+  const PrepareBeside prepare(writer);
   absl::StatusOr<DrawnPlan> plan = DrawPlan(request.solved_layout(), request.options());
   if (!plan.ok()) return plan.status();
   if (absl::Status status = call.CheckAlive(); !status.ok()) return status;

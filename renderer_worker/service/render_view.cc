@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer_worker/images/prepare_beside.h"
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/service/exr_planes.h"
 #include "renderer_worker/service/origin.h"
@@ -51,12 +52,12 @@ SceneCamera CameraOf(const v1::RenderOptions& options, const Scene& scene) {
 }
 
 absl::StatusOr<std::string> Encode(const v1::RenderOptions& options, const TracedView& view,
-                                   const ImageMetadata& metadata, ImageWriter& writer) {
+                                   const ImageMetadata& metadata, int thread_count, ImageWriter& writer) {
   if (options.format() == v1::PREVIEW_FORMAT_EXR)
     return writer.WriteExr(view.width_px, view.height_px, ExrPlanes(view), metadata);
   const v1::PreviewFormat format =
       options.format() == v1::PREVIEW_FORMAT_UNSPECIFIED ? v1::PREVIEW_FORMAT_PNG : options.format();
-  return writer.Write(format, ToneMapped(view), metadata);
+  return writer.Write(format, ToneMapped(view, thread_count), metadata);
 }
 
 }  // namespace
@@ -66,6 +67,7 @@ absl::StatusOr<v1::RenderResponse> RenderView(const v1::RenderRequest& request, 
                                               runtime::CallContext& call) {
   const v1::RenderOptions& options = request.options();
   if (absl::Status status = CheckSize(options, limits.answer_bytes); !status.ok()) return status;
+  const PrepareBeside prepare(writer);
   const absl::StatusOr<Scene> scene = BuildScene(request.solved_layout(), furnishing);
   if (!scene.ok()) return scene.status();
   const TraceOptions trace{
@@ -84,7 +86,7 @@ absl::StatusOr<v1::RenderResponse> RenderView(const v1::RenderRequest& request, 
                                       fmt::format("flair-renderer {} {}", method, kViewVersion));
   metadata.emplace_back("flair:samples", fmt::format("{}", trace.sample_count));
   metadata.emplace_back("flair:view_seed", fmt::format("{}", trace.seed));
-  absl::StatusOr<std::string> file = Encode(options, *view, metadata, writer);
+  absl::StatusOr<std::string> file = Encode(options, *view, metadata, limits.thread_count, writer);
   if (!file.ok()) return file.status();
   v1::RenderResponse response;
   v1::Preview& preview = *response.mutable_preview();

@@ -2,24 +2,38 @@
 #include "renderer_worker/tracing/annotations.h"
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 namespace flair::renderer {
 namespace {
 
+// What an instance takes of the picture.
+struct Extent {
+  int64_t count = 0;
+  int left = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::max(), right = 0, bottom = 0;
+};
+
 void CountPixels(const TracedView& view, v1::ViewAnnotations& annotations) {
+  std::vector<Extent> extents(annotations.instances_size());
   for (int y = 0; y < view.height_px; ++y) {
     for (int x = 0; x < view.width_px; ++x) {
       const int id = view.instance[static_cast<size_t>(y) * view.width_px + x];
       if (id <= 0) continue;
-      v1::Instance& instance = *annotations.mutable_instances(id - 1);
-      v1::PixelBox& box = *instance.mutable_pixel_box();
-      const bool first = instance.visible_pixel_count() == 0;
-      instance.set_visible_pixel_count(instance.visible_pixel_count() + 1);
-      box.set_left(first ? x : std::min(box.left(), x));
-      box.set_top(first ? y : std::min(box.top(), y));
-      box.set_right(first ? x + 1 : std::max(box.right(), x + 1));
-      box.set_bottom(first ? y + 1 : std::max(box.bottom(), y + 1));
+      Extent& e = extents[id - 1];
+      ++e.count;
+      e = {e.count, std::min(e.left, x), std::min(e.top, y), std::max(e.right, x + 1), std::max(e.bottom, y + 1)};
     }
+  }
+  for (size_t i = 0; i < extents.size(); ++i) {
+    if (extents[i].count == 0) continue;
+    v1::Instance& instance = *annotations.mutable_instances(static_cast<int>(i));
+    instance.set_visible_pixel_count(extents[i].count);
+    v1::PixelBox& box = *instance.mutable_pixel_box();
+    box.set_left(extents[i].left);
+    box.set_top(extents[i].top);
+    box.set_right(extents[i].right);
+    box.set_bottom(extents[i].bottom);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "renderer_worker/tracing/compose.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace flair::renderer {
@@ -130,14 +131,18 @@ Vec3 Composer::Radiance(const Seen& seen, const Lit& lit) const {
 Vec3 Composer::Pixel(int x, int y) const {
   const Seen& here = e_.seen[At(x, y)];
   if (!OnEdge(x, y)) return Radiance(here, e_.lit[At(x, y)]);
-  Vec3 sum;
+  std::array<Vec3, kEdgeLooks> ways;
   for (int i = 0; i < kEdgeLooks; ++i) {
     const uint32_t number = static_cast<uint32_t>(i);
     const float column =
         static_cast<float>(x) + static_cast<float>((number * 3242174889U + 0x40000000U) >> 8) * 0x1p-24F;
     const float row = static_cast<float>(y) + (static_cast<float>(i) + 0.5F) / kEdgeLooks;
-    const Seen seen = LookFrom(e_.world, e_.lights, e_.surroundings, e_.camera.eye, e_.camera.Through(column, row),
-                               1 / e_.camera.focal_px);
+    ways[i] = e_.camera.Through(column, row);
+  }
+  std::array<Seen, kEdgeLooks> looks;
+  LookFrom(e_.world, e_.lights, e_.surroundings, e_.camera.eye, ways, 1 / e_.camera.focal_px, looks);
+  Vec3 sum;
+  for (const Seen& seen : looks) {
     const Vec3 radiance = Radiance(seen, LitLike(seen, x, y));
     // Highlights are bounded before the mean, or they would leave steps along edges.
     const float most = std::max({radiance.x, radiance.y, radiance.z});

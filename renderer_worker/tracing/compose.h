@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -17,8 +18,8 @@ struct Exposed {
   const Radiosity& radiosity;
   const Surroundings& surroundings;
   const PinholeCamera& camera;
-  const std::vector<Seen>& seen;
-  const std::vector<Lit>& lit;
+  std::span<const Seen> seen;
+  std::span<const Lit> lit;
 };
 
 // Light times surfaces, edges looked at several times, exposed by how much light falls on what is seen.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer_worker/tracing/plane.h"
+
 namespace flair::renderer {
 namespace {
 
@@ -24,10 +26,11 @@ class Planes {
   Planes(int plane_count, size_t size) : stride_((size + 1023) / 1024 * 1024 + 80), values_(plane_count * stride_) {}
   float* operator[](int plane) { return &values_[plane * stride_]; }
   const float* operator[](int plane) const { return &values_[plane * stride_]; }
+  void Clear() { std::fill(values_.begin(), values_.end(), 0.0F); }
 
  private:
   size_t stride_;
-  std::vector<float> values_;
+  Plane<float> values_;
 };
 
 // What a pixel's neighbours are judged by: position, normal (0 where nothing is lit), how far off the plane a neighbour
@@ -40,28 +43,29 @@ enum Light { kRed, kGreen, kBlue, kGlossRed, kGlossGreen, kGlossBlue, kVariance,
 // Sums over a row's neighbours: kRed to kVariance as above.
 enum Sum { kWeight = kVariance + 1, kGlossWeight, kTolerance, kSumCount };
 
-// Pixels brighter than all their neighbours of one instance (light or gloss) come down to the brightest of them.
-void TameSparks(const Planes& guides, int width, int height, const std::vector<Lit>& lit, int y,
-                std::vector<Lit>& tamed) {
-  const float* instance = guides[kInstance];
+// Pixels that are brighter than all their neighbours of one instance come down to the brightest of them. Gloss stays as
+// it is: where few rays find a window, most of its light would be lost so.
+void TameSparks(std::span<const Seen> seen, std::span<const Lit> lit, int width, int height, int y, Planes& to) {
   for (int x = 0; x < width; ++x) {
     const size_t here = static_cast<size_t>(y) * width + x;
-    float light = 0, gloss = 0;
+    float brightest = 0;
     bool alone = true;
     for (int b = std::max(0, y - 1); b <= std::min(height - 1, y + 1); ++b) {
       for (int a = std::max(0, x - 1); a <= std::min(width - 1, x + 1); ++a) {
         const size_t there = static_cast<size_t>(b) * width + a;
-        if (there == here || instance[there] != instance[here]) continue;
+        if (there == here || seen[there].lit_instance != seen[here].lit_instance) continue;
         alone = false;
-        light = std::max(light, Luminance(lit[there].irradiance));
-        gloss = std::max(gloss, Luminance(lit[there].gloss));
+        brightest = std::max(brightest, Luminance(lit[there].irradiance));
       }
     }
-    tamed[here] = lit[here];
-    if (alone) continue;
-    const float own_light = Luminance(lit[here].irradiance), own_gloss = Luminance(lit[here].gloss);
-    if (own_light > light) tamed[here].irradiance = lit[here].irradiance * (light / own_light);
-    if (own_gloss > gloss) tamed[here].gloss = lit[here].gloss * (gloss / own_gloss);
+    Vec3 e = lit[here].irradiance;
+    const float own = Luminance(e);
+    if (!alone && own > brightest) e = e * (brightest / own);
+    const Vec3 g = lit[here].gloss;
+    to[kRed][here] = e.x, to[kGreen][here] = e.y, to[kBlue][here] = e.z;
+    to[kGlossRed][here] = g.x, to[kGlossGreen][here] = g.y, to[kGlossBlue][here] = g.z;
+    to[kVariance][here] = lit[here].variance;
+    to[kLuminance][here] = Luminance(e);
   }
 }
 
@@ -149,6 +153,7 @@ FLAIR_WIDE_VECTORS void AddNeighbours(const Planes& g, const Planes& from, size_
 
 void SmoothRow(const Planes& guides, const Planes& from, int width, int height, int y, int step, Planes& to) {
   Planes sums(kSumCount, width);
+  sums.Clear();
   Tolerances(guides, from, width, height, y, step, sums);
   const size_t row = static_cast<size_t>(y) * width;
   for (int block = 0; block < width; block += kBlock) {
@@ -173,49 +178,42 @@ void SmoothRow(const Planes& guides, const Planes& from, int width, int height, 
   }
 }
 
-Planes GuidesOf(const std::vector<Seen>& seen, float pixel_rad) {
-  Planes g(kGuideCount, seen.size());
-  for (size_t i = 0; i < seen.size(); ++i) {
+void FillGuides(std::span<const Seen> seen, float pixel_rad, size_t begin, size_t end, Planes& g) {
+  for (size_t i = begin; i < end; ++i) {
     const Seen& s = seen[i];
+    const bool lit = s.lit_instance != -1;
+    const Vec3 position = lit ? s.position : Vec3{}, normal = lit ? s.normal : Vec3{};
+    g[kX][i] = position.x, g[kY][i] = position.y, g[kZ][i] = position.z;
+    g[kNormalX][i] = normal.x, g[kNormalY][i] = normal.y, g[kNormalZ][i] = normal.z;
+    g[kReach][i] = lit ? 1 / std::max(1e-4F, s.distance * pixel_rad * 1.5F) : 0;
     g[kInstance][i] = static_cast<float>(s.lit_instance);
-    if (s.lit_instance == -1) continue;
-    g[kX][i] = s.position.x, g[kY][i] = s.position.y, g[kZ][i] = s.position.z;
-    g[kNormalX][i] = s.normal.x, g[kNormalY][i] = s.normal.y, g[kNormalZ][i] = s.normal.z;
-    g[kReach][i] = 1 / std::max(1e-4F, s.distance * pixel_rad * 1.5F);
   }
-  return g;
 }
 
 }  // namespace
 
-absl::Status SmoothLight(int width, int height, float pixel_rad, const std::vector<Seen>& seen, const Workers& workers,
-                         std::vector<Lit>& lit) {
-  const Planes guides = GuidesOf(seen, pixel_rad);
-  {
-    std::vector<Lit> tamed(lit.size());
-    absl::Status status = ForEach(workers, height, [&](int y) { TameSparks(guides, width, height, lit, y, tamed); });
-    if (!status.ok()) return status;
-    lit.swap(tamed);
-  }
-  Planes from(kLightCount, lit.size()), to(kLightCount, lit.size());
-  for (size_t i = 0; i < lit.size(); ++i) {
-    const Vec3 e = lit[i].irradiance, g = lit[i].gloss;
-    from[kRed][i] = e.x, from[kGreen][i] = e.y, from[kBlue][i] = e.z;
-    from[kGlossRed][i] = g.x, from[kGlossGreen][i] = g.y, from[kGlossBlue][i] = g.z;
-    from[kVariance][i] = lit[i].variance;
-    from[kLuminance][i] = Luminance(e);
-  }
+absl::Status SmoothLight(int width, int height, float pixel_rad, std::span<const Seen> seen, const Workers& workers,
+                         std::span<Lit> lit) {
+  Planes guides(kGuideCount, lit.size()), from(kLightCount, lit.size()), to(kLightCount, lit.size());
+  absl::Status prepared = ForEach(workers, height, [&](int y) {
+    const size_t row = static_cast<size_t>(y) * width;
+    FillGuides(seen, pixel_rad, row, row + width, guides);
+    TameSparks(seen, lit, width, height, y, from);
+  });
+  if (!prepared.ok()) return prepared;
   for (int round = 0; round < kRounds; ++round) {
     absl::Status status =
         ForEach(workers, height, [&](int y) { SmoothRow(guides, from, width, height, y, 1 << round, to); });
     if (!status.ok()) return status;
     std::swap(from, to);
   }
-  for (size_t i = 0; i < lit.size(); ++i) {
-    lit[i].irradiance = {from[kRed][i], from[kGreen][i], from[kBlue][i]};
-    lit[i].gloss = {from[kGlossRed][i], from[kGlossGreen][i], from[kGlossBlue][i]};
-  }
-  return absl::OkStatus();
+  return ForEach(workers, height, [&](int y) {
+    const size_t row = static_cast<size_t>(y) * width;
+    for (size_t i = row; i < row + width; ++i) {
+      lit[i].irradiance = {from[kRed][i], from[kGreen][i], from[kBlue][i]};
+      lit[i].gloss = {from[kGlossRed][i], from[kGlossGreen][i], from[kGlossBlue][i]};
+    }
+  });
 }
 
 }  // namespace flair::renderer

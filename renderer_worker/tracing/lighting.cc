@@ -40,7 +40,7 @@ Vec3 GlossOf(const World& world, const Lights& lights, const Radiosity& radiosit
   const Vec3 direction = seen.direction + facet * (2 * cosine);
   if (cosine <= 0 || Dot(direction, seen.normal) <= 0) return {};
   // Rough surfaces shadow themselves at grazing angles.
-  const float grazing = std::pow(1 - cosine, 5.0F) * (1 - seen.roughness) * (1 - seen.roughness);
+  const float grazing = FifthPower(1 - cosine) * (1 - seen.roughness) * (1 - seen.roughness);
   const Vec3 share = seen.specular * (1 - grazing) + Vec3{1, 1, 1} * grazing;
   const Hit hit = world.Feel(seen.position, direction);
   Vec3 arriving;
@@ -56,6 +56,30 @@ Vec3 GlossOf(const World& world, const Lights& lights, const Radiosity& radiosit
   return most > kMostGloss ? gloss * (kMostGloss / most) : gloss;
 }
 
+// A mean of samples and how sure it is.
+class Gathered {
+ public:
+  void Add(Vec3 light) {
+    sum_ = sum_ + light;
+    const float luminance = Luminance(light);
+    luminance_ += luminance;
+    squares_ += luminance * luminance;
+    count_ += 1;
+  }
+  Vec3 Mean() const { return sum_ * (1 / count_); }
+  // Of the mean's luminance. One sample says nothing of its spread: as if it were as large as the value.
+  float Variance() const {
+    const float mean = luminance_ / count_;
+    const float spread =
+        count_ > 1 ? std::max(0.0F, squares_ / count_ - mean * mean) * count_ / (count_ - 1) : mean * mean;
+    return spread / count_;
+  }
+
+ private:
+  Vec3 sum_;
+  float luminance_ = 0, squares_ = 0, count_ = 0;
+};
+
 }  // namespace
 
 Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity, const Seen& seen,
@@ -64,22 +88,17 @@ Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity
   if (seen.lit_instance == -1) return lit;
   const PixelSamples random(seeds, column, row, round_count);
   const LightChoice choice(lights, seen.position, seen.normal);
-  float sum = 0, sum_of_squares = 0;
-  for (int i = 0; i < round_count; ++i) {
-    Vec3 light =
-        Arriving(world, lights, radiosity, seen.position, CosineDirection(seen.normal, random.At(i, Purpose::kBounce)));
-    light = light + DirectLight(world, choice, seen.position, random, i);
-    lit.irradiance = lit.irradiance + light;
-    const float luminance = Luminance(light);
-    sum += luminance;
-    sum_of_squares += luminance * luminance;
+  Gathered direct, bounced;
+  for (int i = 0; i < round_count; ++i) direct.Add(DirectLight(world, choice, seen.position, random, i));
+  // Where the sky is open, these rays bring its light; within a room only that of other surfaces, which varies little.
+  const int bounce_count = lights.open_sky ? round_count : (round_count + 1) / 2;
+  const PixelSamples random_bounces(seeds, column, row, bounce_count);
+  for (int i = 0; i < bounce_count; ++i) {
+    const Vec3 direction = CosineDirection(seen.normal, random_bounces.At(i, Purpose::kBounce));
+    bounced.Add(Arriving(world, lights, radiosity, seen.position, direction));
   }
-  const float count = static_cast<float>(round_count), mean = sum / count;
-  lit.irradiance = lit.irradiance * (1 / count);
-  // One sample says nothing of its spread: as if it were as large as the value.
-  const float spread =
-      round_count > 1 ? std::max(0.0F, sum_of_squares / count - mean * mean) * count / (count - 1) : mean * mean;
-  lit.variance = spread / count;
+  lit.irradiance = direct.Mean() + bounced.Mean();
+  lit.variance = direct.Variance() + bounced.Variance();
   const float metal = std::max({seen.specular.x, seen.specular.y, seen.specular.z});
   if (seen.lit_instance < 0 || (seen.roughness > 0.65F && metal < 0.1F)) return lit;
   const int gloss_count = (round_count + 3) / 4;

@@ -2,6 +2,7 @@
 #include "renderer_worker/tracing/look.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "renderer_worker/tracing/patterns/pattern.h"
@@ -12,7 +13,7 @@ namespace {
 constexpr int kMostLayers = 8;  // panes and mirrors one behind the other
 
 Vec3 Schlick(Vec3 straight, float cosine) {
-  const float grazing = std::pow(std::clamp(1 - cosine, 0.0F, 1.0F), 5.0F);
+  const float grazing = FifthPower(std::clamp(1 - cosine, 0.0F, 1.0F));
   return straight * (1 - grazing) + Vec3{1, 1, 1} * grazing;
 }
 
@@ -43,15 +44,16 @@ void SeeBeyond(const Lights& lights, const Surroundings& around, Vec3 from, Vec3
   seen.background = seen.instance < 0;
 }
 
-}  // namespace
+constexpr float kNearest_m = 0.01F;
 
-Seen LookFrom(const World& world, const Lights& lights, const Surroundings& around, Vec3 eye, Vec3 direction,
-              float pixel_rad) {
+// On from the first thing that was met.
+Seen LookOn(const World& world, const Lights& lights, const Surroundings& around, Vec3 eye, Vec3 direction,
+            float pixel_rad, Hit hit) {
   Seen seen;
   Vec3 from = eye, since = eye;  // `since`: where the way was last bent
   float travelled = 0;
   for (int layer = 0; layer < kMostLayers; ++layer) {
-    const Hit hit = world.Look(from, direction, layer == 0 ? 0.01F : 1e-4F);
+    if (layer > 0) hit = world.Look(from, direction, 1e-4F);
     seen.direction = direction;
     if (hit.instance < 0) {
       SeeBeyond(lights, around, since, direction, seen);
@@ -93,6 +95,22 @@ Seen LookFrom(const World& world, const Lights& lights, const Surroundings& arou
     return seen;
   }
   return seen;
+}
+
+}  // namespace
+
+Seen LookFrom(const World& world, const Lights& lights, const Surroundings& around, Vec3 eye, Vec3 direction,
+              float pixel_rad) {
+  return LookOn(world, lights, around, eye, direction, pixel_rad, world.Look(eye, direction, kNearest_m));
+}
+
+void LookFrom(const World& world, const Lights& lights, const Surroundings& around, Vec3 eye,
+              std::span<const Vec3> directions, float pixel_rad, std::span<Seen> seen) {
+  std::array<Hit, kMostRaysTogether> hits;
+  world.Look(eye, directions, kNearest_m, hits);
+  for (size_t i = 0; i < directions.size(); ++i) {
+    seen[i] = LookOn(world, lights, around, eye, directions[i], pixel_rad, hits[i]);
+  }
 }
 
 }  // namespace flair::renderer

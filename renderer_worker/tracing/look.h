@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "renderer_worker/tracing/frame.h"
 #include "renderer_worker/tracing/lights.h"
 
@@ -16,6 +18,9 @@ struct Surroundings {
 // Looks from `eye` in `direction` (unit). `pixel_rad` is the angle of a pixel, which patterns are filtered by.
 Seen LookFrom(const World& world, const Lights& lights, const Surroundings& surroundings, Vec3 eye, Vec3 direction,
               float pixel_rad);
+// The same in up to kMostRaysTogether neighbouring directions.
+void LookFrom(const World& world, const Lights& lights, const Surroundings& surroundings, Vec3 eye,
+              std::span<const Vec3> directions, float pixel_rad, std::span<Seen> seen);
 
 // Whether it sends back images rather than gloss.
 inline bool IsMirror(const Material& material) { return material.metallic > 0.7F && material.roughness < 0.16F; }

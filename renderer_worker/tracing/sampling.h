@@ -82,7 +82,7 @@ class PixelSamples {
                static_cast<uint32_t>(sample_count)) {}
 
   // Both in [0, 1).
-  Vec2 At(int sample, Purpose purpose) const {
+  [[gnu::always_inline]] Vec2 At(int sample, Purpose purpose) const {
     const SampleSeeds::Triple& seed = seeds_->seeds[static_cast<size_t>(purpose)];
     const uint32_t index =
         ReverseBits(ScrambleReversed(ReverseBits(first_ + static_cast<uint32_t>(sample)), seed.order));
@@ -117,6 +117,8 @@ inline Vec2 DiscPoint(Vec2 sample) {
   const float radius = std::sqrt(sample.x), angle = 2 * std::numbers::pi_v<float> * sample.y;
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
+
+inline float FifthPower(float x) { return x * x * (x * x) * x; }
 
 inline float Luminance(Vec3 c) { return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z; }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer_worker/tracing/parallel.h"
 #include "renderer_worker/tracing/sampling.h"
 #include "renderer_worker/tracing/trace_view.h"
 
@@ -45,16 +46,21 @@ const std::array<uint8_t, 4097>& SrgbTable() {
 
 }  // namespace
 
-Pixels ToneMapped(const TracedView& view) {
+Pixels ToneMapped(const TracedView& view, int thread_count) {
   Pixels pixels{view.width_px, view.height_px, {}};
-  pixels.rgb.reserve(3 * view.colour.size());
+  pixels.rgb.resize(3 * view.colour.size());
   const auto& table = SrgbTable();
-  for (const Vec3& colour : view.colour) {
-    const Vec3 c = Filmic(colour);
-    for (const float v : {c.x, c.y, c.z}) {
-      pixels.rgb.push_back(table[std::lround(4096 * std::sqrt(std::clamp(v, 0.0F, 1.0F)))]);
+  const absl::Status status = ForEach({thread_count, {}}, view.height_px, [&](int y) {
+    const size_t row = static_cast<size_t>(y) * view.width_px;
+    for (size_t i = row; i < row + view.width_px; ++i) {
+      const Vec3 c = Filmic(view.colour[i]);
+      uint8_t* rgb = &pixels.rgb[3 * i];
+      for (const float v : {c.x, c.y, c.z}) {
+        *rgb++ = table[std::lround(4096 * std::sqrt(std::clamp(v, 0.0F, 1.0F)))];
+      }
     }
-  }
+  });
+  status.IgnoreError();  // nobody is asked whether to go on
   return pixels;
 }
 

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
 
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/tracing/annotations.h"
 #include "renderer_worker/tracing/compose.h"
 #include "renderer_worker/tracing/denoise.h"
+#include "renderer_worker/tracing/plane.h"
 #include "renderer_worker/tracing/radiosity.h"
 
 namespace flair::renderer {
@@ -36,8 +38,7 @@ absl::Status CheckOptions(const TraceOptions& options) {
 }
 
 // The planes that say what is seen.
-void FillPlanes(const World& world, const PinholeCamera& camera, const std::vector<Seen>& seen, int y,
-                TracedView& view) {
+void FillPlanes(const World& world, const PinholeCamera& camera, std::span<const Seen> seen, int y, TracedView& view) {
   for (int x = 0; x < camera.width_px; ++x) {
     const size_t at = static_cast<size_t>(y) * camera.width_px + x;
     const Seen& s = seen[at];
@@ -86,16 +87,23 @@ absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_ca
   if (!cut.ceiling) surroundings.backdrop = (*world)->MeanColourOf(kWallClass) * 0.8F;
   TracedView view;
   Resize(options, view);
-  std::vector<Seen> seen(view.depth_m.size());
-  std::vector<Lit> lit(view.depth_m.size());
+  Plane<Seen> seen(view.depth_m.size());
+  Plane<Lit> lit(view.depth_m.size());
   const int rounds = (options.sample_count + 3) / 4;
   const SampleSeeds seeds(Mix(static_cast<uint32_t>(options.seed) ^ Mix(static_cast<uint32_t>(options.seed >> 32))));
   absl::Status status = ForEach(workers, options.height_px, [&](int y) {
+    const size_t row = static_cast<size_t>(y) * options.width_px;
+    for (int x = 0; x < options.width_px; x += kMostRaysTogether) {
+      std::array<Vec3, kMostRaysTogether> ways;
+      const int count = std::min(kMostRaysTogether, options.width_px - x);
+      for (int i = 0; i < count; ++i) {
+        ways[i] = camera->Through(static_cast<float>(x + i) + 0.5F, static_cast<float>(y) + 0.5F);
+      }
+      LookFrom(**world, lights, surroundings, camera->eye, std::span(ways).first(count), 1 / camera->focal_px,
+               std::span(seen).subspan(row + x, count));
+    }
     for (int x = 0; x < options.width_px; ++x) {
-      const size_t at = static_cast<size_t>(y) * options.width_px + x;
-      const Vec3 way = camera->Through(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-      seen[at] = LookFrom(**world, lights, surroundings, camera->eye, way, 1 / camera->focal_px);
-      lit[at] = LightOf(**world, lights, **radiosity, seen[at], seeds, x, y, rounds);
+      lit[row + x] = LightOf(**world, lights, **radiosity, seen[row + x], seeds, x, y, rounds);
     }
     FillPlanes(**world, *camera, seen, y, view);
   });

@@ -49,7 +49,7 @@ struct TracedView {
 // for; else what check_alive said.
 absl::StatusOr<TracedView> TraceView(const Scene& scene, const SceneCamera& camera, const TraceOptions& options);
 
-// The picture for the screen: filmic curve, sRGB, 8 bits.
-Pixels ToneMapped(const TracedView& view);
+// The picture for the screen: filmic curve, sRGB, 8 bits. The threads change nothing of it.
+Pixels ToneMapped(const TracedView& view, int thread_count = 1);
 
 }  // namespace flair::renderer

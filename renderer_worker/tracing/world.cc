@@ -121,8 +121,9 @@ struct World::Rays {
   RTCScene MakeMesh(const Mesh& mesh, bool only_shading);
   void AttachFlat(const WorldInstance& instance, int index);
   void AttachInstance(RTCScene scene, RTCScene mesh, const WorldInstance& instance, unsigned id);
+  Hit HitOf(const std::vector<WorldInstance>& instances, unsigned geometry, unsigned instance, unsigned triangle) const;
   Hit Nearest(RTCScene scene, const std::vector<WorldInstance>& instances, Vec3 from, Vec3 direction, float least,
-              unsigned flags) const;
+              RTCIntersectContextFlags flags) const;
 };
 
 // Null when there is no memory. In room frame R when `placed`.
@@ -246,6 +247,7 @@ absl::StatusOr<std::unique_ptr<World>> World::Make(const Scene& scene, const Cut
   rays.seen = rtcNewScene(rays.device);
   rays.shading = rtcNewScene(rays.device);
   world->AttachAll();
+
   rtcCommitScene(rays.seen);
   rtcCommitScene(rays.shading);
   if (const RTCError error = rtcGetDeviceError(rays.device); error != RTC_ERROR_NONE) {
@@ -255,11 +257,24 @@ absl::StatusOr<std::unique_ptr<World>> World::Make(const Scene& scene, const Cut
   return world;
 }
 
+Hit World::Rays::HitOf(const std::vector<WorldInstance>& instances, unsigned geometry, unsigned instance,
+                       unsigned triangle) const {
+  Hit hit;
+  hit.triangle = static_cast<int>(triangle);
+  if (flat) {
+    std::tie(hit.instance, hit.part) = parts[geometry];
+  } else {
+    hit.instance = static_cast<int>(instance);
+    hit.part = static_cast<int>(geometry);
+  }
+  return hit;
+}
+
 Hit World::Rays::Nearest(RTCScene scene, const std::vector<WorldInstance>& instances, Vec3 from, Vec3 direction,
-                         float least, unsigned flags) const {
+                         float least, RTCIntersectContextFlags flags) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = static_cast<RTCIntersectContextFlags>(flags);
+  context.flags = flags;
   RTCRayHit query;
   query.ray.org_x = from.x, query.ray.org_y = from.y, query.ray.org_z = from.z;
   query.ray.dir_x = direction.x, query.ray.dir_y = direction.y, query.ray.dir_z = direction.z;
@@ -272,20 +287,13 @@ Hit World::Rays::Nearest(RTCScene scene, const std::vector<WorldInstance>& insta
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene, &context, &query);
-  Hit hit;
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  Hit hit = HitOf(instances, query.hit.geomID, query.hit.instID[0], query.hit.primID);
   hit.distance = query.ray.tfar;
-  hit.triangle = static_cast<int>(query.hit.primID);
   hit.u = query.hit.u;
   hit.v = query.hit.v;
   hit.across = {query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z};
-  if (flat) {
-    std::tie(hit.instance, hit.part) = parts[query.hit.geomID];
-  } else {
-    hit.instance = static_cast<int>(query.hit.instID[0]);
-    hit.part = static_cast<int>(query.hit.geomID);
-    hit.across = instances[hit.instance].TurnToRoom(hit.across);
-  }
+  if (!flat) hit.across = instances[hit.instance].TurnToRoom(hit.across);
   return hit;
 }
 
@@ -295,6 +303,38 @@ Hit World::Look(Vec3 from, Vec3 direction, float least) const {
 
 Hit World::Feel(Vec3 from, Vec3 direction) const {
   return rays_->Nearest(rays_->shading, instances_, from, direction, 0, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+}
+
+void World::Look(Vec3 from, std::span<const Vec3> directions, float least, std::span<Hit> hits) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  alignas(32) std::array<int, kMostRaysTogether> valid{};
+  RTCRayHit8 query;
+  const size_t last = directions.size() - 1;
+  for (size_t i = 0; i < kMostRaysTogether; ++i) {
+    const Vec3 direction = directions[std::min(i, last)];
+    valid[i] = i <= last ? -1 : 0;
+    query.ray.org_x[i] = from.x, query.ray.org_y[i] = from.y, query.ray.org_z[i] = from.z;
+    query.ray.dir_x[i] = direction.x, query.ray.dir_y[i] = direction.y, query.ray.dir_z[i] = direction.z;
+    query.ray.tnear[i] = least;
+    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    query.ray.time[i] = 0;
+    query.ray.mask[i] = ~0U;
+    query.ray.id[i] = query.ray.flags[i] = 0;
+    query.hit.geomID[i] = query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect8(valid.data(), rays_->seen, &context, &query);
+  for (size_t i = 0; i <= last; ++i) {
+    hits[i] = {};
+    if (query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    Hit& hit = hits[i] = rays_->HitOf(instances_, query.hit.geomID[i], query.hit.instID[0][i], query.hit.primID[i]);
+    hit.distance = query.ray.tfar[i];
+    hit.u = query.hit.u[i];
+    hit.v = query.hit.v[i];
+    hit.across = {query.hit.Ng_x[i], query.hit.Ng_y[i], query.hit.Ng_z[i]};
+    if (!rays_->flat) hit.across = instances_[hit.instance].TurnToRoom(hit.across);
+  }
 }
 
 bool World::Shaded(Vec3 from, Vec3 direction, float distance) const {

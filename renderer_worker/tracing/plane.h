@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/mman.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+namespace flair::renderer {
+
+// Values for the pixels of a picture; none before they are written, so that the threads which fill rows are the first
+// to touch their memory. In large pages where the system has them.
+template <typename T>
+class Plane {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+ public:
+  // Throws std::bad_alloc.
+  explicit Plane(size_t size) : size_(size) {
+    constexpr size_t kLine = 64, kLargePage = size_t{1} << 21;
+    const size_t alignment = size * sizeof(T) < 2 * kLargePage ? kLine : kLargePage;
+    const size_t bytes = (size * sizeof(T) / alignment + 1) * alignment;
+    values_.reset(static_cast<T*>(std::aligned_alloc(alignment, bytes)));
+    if (values_ == nullptr) throw std::bad_alloc();
+    // A wish: small pages are as good, but slower.
+    if (alignment == kLargePage) madvise(values_.get(), bytes, MADV_HUGEPAGE);
+  }
+  size_t size() const { return size_; }
+  T* data() { return values_.get(); }
+  const T* data() const { return values_.get(); }
+  T* begin() { return data(); }
+  T* end() { return data() + size_; }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size_; }
+  T& operator[](size_t at) { return values_.get()[at]; }
+  const T& operator[](size_t at) const { return values_.get()[at]; }
+
+ private:
+  struct Free {
+    void operator()(T* values) const { std::free(values); }
+  };
+  size_t size_;
+  std::unique_ptr<T, Free> values_;
+};
+
+}  // namespace flair::renderer
