@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cli/input/artifact_file.h"
 #include "cli/input/files.h"
 #include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"

@@ -10,6 +10,7 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/design_folders.h"
+#include "cli/input/artifact_file.h"
 #include "cli/input/files.h"
 #include "cli/input/layout_file.h"
 #include "cli/input/render_flags.h"
@@ -101,7 +102,6 @@ class Sheet {
     absl::StatusOr<v1::Artifact> artifact = ReadArtifact(path);
     if (!artifact.ok()) return artifact.status();
     if (!artifact->has_solved_layout()) return absl::InvalidArgumentError(path.string() + ": not a layout");
-    if (absl::Status status = CheckArtifactId(*artifact, path); !status.ok()) return status;
     return LayoutFile{.artifact = *std::move(artifact), .brief = {}};
   }
 

@@ -8,7 +8,7 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/brief_file.h"
-#include "cli/input/files.h"
+#include "cli/input/room_file.h"
 #include "cli/input/llm_flags.h"
 #include "cli/input/stage_flags.h"
 #include "cli/output/artifact_text.h"

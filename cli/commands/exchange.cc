@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/input/artifact_file.h"
 #include "cli/input/files.h"
 #include "cli/output/layout_artifact.h"
 #include "cli/output/output_folder.h"

@@ -1,99 +1,151 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair inspect: any artifact, readable.
+// flair inspect: any artifact, readable; from and into all its forms.
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
-#include "cli/input/files.h"
+#include "cli/input/artifact_source.h"
+#include "cli/inspect/field.h"
+#include "cli/inspect/inspection.h"
+#include "cli/inspect/provenance.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/layout_remarks.h"
 #include "cli/output/models_text.h"
+#include "cli/output/output_folder.h"
+#include "cli/output/printable.h"
 #include "fmt/format.h"
-#include "orchestrator/pipeline/summary.h"
-#include "orchestrator/store/artifact_id.h"
-#include "room/validation/validate.h"
 
 namespace flair::cli {
 namespace {
 
 struct InspectArguments {
-  std::string file;
+  std::string source;
+  std::string format;
+  std::string field;
+  std::string out;
   bool json = false;
-  bool text = false;
   bool calls = false;
+  bool provenance = false;
+  bool all = false;
+  SourceFlags from;
 };
 
-// The file beside `path` that holds the artifact of that id; empty when none does.
-std::string NeighbourWithId(const std::filesystem::path& path, const std::string& id) {
-  std::error_code error;
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  std::string found;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (entry.path().extension() != ".pb") continue;
-    const absl::StatusOr<v1::Artifact> artifact = ReadArtifact(entry.path());
-    const std::string name = entry.path().filename().string();
-    if (artifact.ok() && artifact->id() == id && (found.empty() || name < found)) found = name;
-  }
-  return found;
+// What is asked for and in which form; "binary" for a file only.
+std::string FormatOf(const InspectArguments& arguments) {
+  if (arguments.json) return "json";
+  if (!arguments.format.empty()) return arguments.format;
+  const std::string ending = std::filesystem::path(arguments.out).extension().string();
+  if (ending == ".json") return "json";
+  if (ending == ".textproto" || ending == ".txtpb" || ending == ".pbtxt") return "textproto";
+  if (ending == ".pb" && arguments.field.empty() && !arguments.calls && !arguments.provenance) return "binary";
+  return "text";
 }
 
-void ShowSummary(const v1::Artifact& artifact, const std::filesystem::path& path, bool whole) {
-  const v1::ArtifactKind kind = orchestrator::KindOf(artifact);
-  fmt::print("{:<11}{}: {}\n", "what", KindName(kind), orchestrator::Summarize(artifact));
-  fmt::print("{:<11}{} ({})\n", "id", artifact.id(), whole ? "matches its bytes" : "does NOT match its bytes: corrupt");
-  const v1::Producer& producer = artifact.producer();
-  if (!producer.program().empty()) {
-    fmt::print("{:<11}{}, {}, version {}{}\n", "made by", producer.program(), producer.method(), producer.version(),
-               producer.build().empty() ? "" : ", build " + producer.build());
+absl::Status CheckFormat(const std::string& format) {
+  if (format.empty() || format == "text" || format == "json" || format == "textproto") return absl::OkStatus();
+  return absl::InvalidArgumentError(fmt::format("--format: \"{}\"; one of text, json, textproto", format));
+}
+
+// What stays good of an artifact that is not whole or not good: nothing that others would take for good.
+absl::StatusOr<std::string> Binary(const ArtifactFile& file) {
+  if (!file.whole.ok()) return file.whole;
+  if (!file.good.ok()) return file.good;
+  return ArtifactBytes(file.artifact);
+}
+
+absl::StatusOr<std::string> Render(const InspectArguments& arguments, const std::string& format,
+                                   const FoundSource& found, ArtifactFinder& finder) {
+  const v1::Artifact& artifact = found.file.artifact;
+  const ContentStyle style = {.most_rows = arguments.all ? SIZE_MAX : ContentStyle().most_rows};
+  if (!arguments.field.empty()) {
+    const absl::StatusOr<FieldView> view = FindField(artifact, arguments.field);
+    if (!view.ok()) return view.status();
+    return FieldText(*view, format == "json" ? FieldFormat::kJson : FieldFormat::kText);
   }
-  if (!artifact.options_digest().empty()) fmt::print("{:<11}{}\n", "options", artifact.options_digest());
-  for (int i = 0; i < artifact.made_from_ids_size(); ++i) {
-    const std::string neighbour = NeighbourWithId(path, artifact.made_from_ids(i));
-    fmt::print("{:<11}{}{}\n", i == 0 ? "made from" : "", artifact.made_from_ids(i),
-               neighbour.empty() ? "" : "  " + neighbour);
+  if (arguments.provenance) {
+    const std::vector<ProvenanceStep> steps = FindProvenance(artifact, finder);
+    return format == "json" ? ProvenanceJson(steps) : Printable(ProvenanceText(steps, finder.SearchedPlaces()));
   }
-  if (const std::string models = orchestrator::SummarizeModels(artifact); !models.empty()) {
-    fmt::print("{:<11}{}\n{}", "model", models, ModelCallLines(artifact));
+  if (arguments.calls) {
+    return artifact.model_calls().empty() ? "No model was asked for it.\n" : ModelCallTexts(artifact);
   }
-  if (artifact.has_solved_layout()) fmt::print("{}", LayoutRemarks(artifact.solved_layout()));
-  if (const absl::Status status = Validate(artifact); !status.ok()) {
-    fmt::print("{:<11}{}\n", "remark", std::string(status.message()));
-  }
-  fmt::print("{:<11}flair inspect {} --json | --text{}\n", "more", path.string(),
-             artifact.model_calls().empty() ? "" : " | --calls");
+  if (format == "binary") return Binary(found.file);
+  if (format == "json") return ToJson(artifact);
+  if (format == "textproto") return ToText(artifact);
+  return Printable(InspectionText(arguments.source, found.file, finder, style));
+}
+
+absl::Status Give(const InspectArguments& arguments, const std::string& text) {
+  if (!arguments.out.empty()) return WriteOutputFile(arguments.out, text);
+  // Bytes for a program may pass; a terminal is spared them.
+  fmt::print("{}", ::isatty(STDOUT_FILENO) != 0 ? Printable(text) : text);
+  std::fflush(stdout);
+  return absl::OkStatus();
 }
 
 absl::Status Inspect(const InspectArguments& arguments) {
-  const absl::StatusOr<v1::Artifact> artifact = ReadArtifact(arguments.file);
-  if (!artifact.ok()) return artifact.status();
-  const absl::Status whole = CheckArtifactId(*artifact, arguments.file);
-  if (arguments.json) {
-    fmt::print("{}", ToJson(*artifact));
-  } else if (arguments.text) {
-    fmt::print("{}", ToText(*artifact));
-  } else if (arguments.calls) {
-    fmt::print("{}", artifact->model_calls().empty() ? "No model was asked for it.\n" : ModelCallTexts(*artifact));
-  } else {
-    ShowSummary(*artifact, arguments.file, whole.ok());
+  if (absl::Status status = CheckFormat(arguments.format); !status.ok()) return status;
+  const std::string format = FormatOf(arguments);
+  if (!arguments.out.empty()) {
+    if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
   }
-  std::fflush(stdout);
-  return whole;
+  const absl::StatusOr<std::unique_ptr<ArtifactShelf>> shelf = OpenShelf(arguments.from);
+  if (!shelf.ok()) return shelf.status();
+  const absl::StatusOr<FoundSource> found = FindSource(arguments.source, **shelf);
+  if (!found.ok()) return found.status();
+  if (found->is_job) {
+    if (!arguments.field.empty() || arguments.provenance || arguments.calls || format == "binary") {
+      return absl::InvalidArgumentError(
+          fmt::format("{0}: a job; say which of its artifacts, such as {0}/solve", arguments.source));
+    }
+    return Give(arguments, format == "json"        ? ToJson(found->job)
+                           : format == "textproto" ? ToText(found->job)
+                                                   : Printable(JobText(found->job, **shelf)));
+  }
+  ArtifactFinder finder(found->path, **shelf);
+  const absl::StatusOr<std::string> text = Render(arguments, format, *found, finder);
+  if (!text.ok()) return text.status();
+  if (absl::Status status = Give(arguments, *text); !status.ok()) return status;
+  return found->file.whole.ok() ? found->file.good : found->file.whole;
 }
 
 }  // namespace
 
 void AddInspect(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<InspectArguments>();
-  CLI::App* command = program.add_subcommand("inspect", "Show an artifact, who made it and what it was made from.");
-  command->add_option("FILE", arguments->file, "An artifact, .pb or .json")->required();
-  CLI::Option* json = command->add_flag("--json", arguments->json, "All of it as JSON");
-  CLI::Option* text = command->add_flag("--text", arguments->text, "All of it as protobuf text")->excludes(json);
-  command->add_flag("--calls", arguments->calls, "What a language model was asked for it, and its answers")
-      ->excludes(json)
-      ->excludes(text);
-  command->footer("Checks that the id is the digest of the bytes; ends with 5 when it is not.");
+  CLI::App* command = program.add_subcommand("inspect", "Show an artifact or job: what it is, who made it from what.");
+  command
+      ->add_option("ARTIFACT", arguments->source,
+                   std::string(kSourceHelp) + ", or a JOB alone: its state and artifacts")
+      ->required();
+  CLI::Option* format =
+      command->add_option("--format", arguments->format, "text, a summary (the default); json or textproto, all of it")
+          ->type_name("FORMAT");
+  command->add_flag("--json", arguments->json, "As --format json")->excludes(format);
+  CLI::Option* field =
+      command
+          ->add_option("--field", arguments->field,
+                       "Only this part, such as solved_layout.placements[3].theta_rad or placements[desk]")
+          ->type_name("PATH");
+  CLI::Option* calls =
+      command->add_flag("--calls", arguments->calls, "What a language model was asked for it, and its answers")
+          ->excludes(field);
+  command->add_flag("--provenance", arguments->provenance, "Everything it goes back to, from the brief on")
+      ->excludes(field)
+      ->excludes(calls);
+  command->add_flag("--all", arguments->all, "All rows of long tables");
+  command
+      ->add_option("-o,--out", arguments->out,
+                   "Write it there; .pb, .json and .textproto say the form: this turns one into the other")
+      ->type_name("FILE");
+  AddSourceFlags(*command, arguments->from);
+  command->footer(
+      "JSON and textproto may be changed by hand; give the file to any command that reads artifacts. It is checked,\n"
+      "faults are told with file and line, and it gets an id of its own, made from the one it was.\n"
+      "Ends with 5 when the id is not the digest of the bytes, with 2 when the content is not valid.");
   command->callback([arguments, &result] { result = Inspect(*arguments); });
 }
 

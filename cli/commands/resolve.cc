@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/commands/commands.h"
-#include "cli/input/files.h"
+#include "cli/input/artifact_file.h"
 #include "cli/input/text_message.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/layout_remarks.h"

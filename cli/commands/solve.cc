@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/commands/commands.h"
-#include "cli/input/files.h"
+#include "cli/input/artifact_file.h"
 #include "cli/input/solve_flags.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/layout_remarks.h"
@@ -34,8 +34,7 @@ struct SolveArguments {
 // What all layouts of one solve have in common.
 v1::Artifact MakeArtifact(const v1::Artifact& graph, const v1::SolveRequest& request, const v1::Producer& producer) {
   v1::Artifact artifact;
-  // An edited graph has no valid id any more; the layout then names the id that its bytes have.
-  artifact.add_made_from_ids(orchestrator::ComputeArtifactId(graph));
+  artifact.add_made_from_ids(graph.id());
   *artifact.mutable_producer() = producer;
   // The number of threads changes no result, so it is none of what the layout was made with.
   v1::SolveOptions options = request.options();

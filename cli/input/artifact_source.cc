@@ -94,9 +94,9 @@ absl::StatusOr<FoundSource> FindInJob(const std::string& source, ArtifactShelf& 
   if (kind != v1::ARTIFACT_KIND_UNSPECIFIED) {
     return absl::NotFoundError(fmt::format("{}: the job has no artifact of that stage; {}", source, has));
   }
-  return absl::InvalidArgumentError(fmt::format(
-      "{}: \"{}\" is no stage{} {}", source, source.substr(slash + 1),
-      DidYouMean(source.substr(slash + 1), stages).empty() ? ";" : DidYouMean(source.substr(slash + 1), stages), has));
+  const std::string stage = source.substr(slash + 1);
+  return absl::InvalidArgumentError(
+      fmt::format("{}: \"{}\" is no stage{}; {}", source, stage, DidYouMean(stage, stages), has));
 }
 
 }  // namespace
@@ -149,13 +149,6 @@ absl::StatusOr<v1::Artifact> OpenArtifact(const std::string& source, const Sourc
   if (!found->file.whole.ok()) return found->file.whole;
   if (!found->file.good.ok()) return found->file.good;
   return std::move(found->file.artifact);
-}
-
-std::string StageOf(v1::ArtifactKind kind) {
-  for (const orchestrator::Stage& stage : orchestrator::Stages()) {
-    if (stage.output == kind) return std::string(stage.name);
-  }
-  return "";
 }
 
 }  // namespace flair::cli

@@ -47,7 +47,4 @@ absl::StatusOr<FoundSource> FindSource(const std::string& source, ArtifactShelf&
 // The artifact, whole and good; INVALID_ARGUMENT for a job without stage.
 absl::StatusOr<v1::Artifact> OpenArtifact(const std::string& source, const SourceFlags& flags);
 
-// The stage that makes artifacts of a kind, such as "solve"; empty for none.
-std::string StageOf(v1::ArtifactKind kind);
-
 }  // namespace flair::cli

@@ -5,8 +5,6 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "cli/input/artifact_file.h"
-#include "cli/input/room_file.h"
 
 namespace flair::cli {
 

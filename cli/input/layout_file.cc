@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "cli/input/files.h"
+#include "cli/input/artifact_file.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 
@@ -22,7 +22,7 @@ std::map<std::string, v1::Artifact> Beside(const std::filesystem::path& folder) 
     const std::filesystem::path path = folder / (stem + ".pb");
     if (stem.empty() || !std::filesystem::is_regular_file(path, error)) continue;
     absl::StatusOr<v1::Artifact> artifact = ReadArtifact(path);
-    if (artifact.ok() && CheckArtifactId(*artifact, path).ok()) artifacts[artifact->id()] = *std::move(artifact);
+    if (artifact.ok()) artifacts[artifact->id()] = *std::move(artifact);
   }
   return artifacts;
 }
@@ -50,7 +50,6 @@ absl::StatusOr<LayoutFile> ReadLayoutFile(const std::filesystem::path& path) {
   if (!artifact->has_solved_layout()) {
     return absl::InvalidArgumentError(fmt::format("{}: not a layout; give the layout.pb of a design", path.string()));
   }
-  if (absl::Status status = CheckArtifactId(*artifact, path); !status.ok()) return status;
   LayoutFile file{.artifact = *std::move(artifact), .brief = {}};
   file.brief = BriefOf(file.artifact, path.parent_path());
   return file;

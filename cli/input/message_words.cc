@@ -47,16 +47,14 @@ std::string DidYouMean(std::string_view name, const std::vector<std::string>& na
     const size_t distance = Distance(name, candidate);
     if (distance < least) least = distance, nearest = &candidate;
   }
-  return nearest == nullptr ? "" : fmt::format("; did you mean {}?", *nearest);
+  return nearest == nullptr ? "" : fmt::format(" (did you mean {}?)", *nearest);
 }
 
 std::string NoSuchField(const Descriptor& type, std::string_view name) {
   std::vector<std::string> names;
   for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
-  std::string meant = DidYouMean(name, names);
-  if (meant.empty()) meant = ";";
-  return fmt::format("{} has no field \"{}\"{} it has {}", type.name(), name.substr(0, kLongestName), meant,
-                     ListNames(names));
+  return fmt::format("{} has no field \"{}\"{}; it has {}", type.name(), name.substr(0, kLongestName),
+                     DidYouMean(name, names), ListNames(names));
 }
 
 std::string Expected(const FieldDescriptor& field) {

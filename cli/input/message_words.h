@@ -10,13 +10,13 @@
 
 namespace flair::cli {
 
-// "LayoutGraph has no field "edge"; did you mean edges? It has room, zone_plan, ...".
+// "LayoutGraph has no field "edge" (did you mean edges?); it has room, zone_plan, ...".
 std::string NoSuchField(const google::protobuf::Descriptor& type, std::string_view name);
 
 // The names in a row, with " and 12 more" after the first `most`.
 std::string ListNames(const std::vector<std::string>& names, size_t most = 20);
 
-// "; did you mean desk_1?" when one of the names is a slip of the pen away; else empty.
+// " (did you mean desk_1?)" when one of the names is a slip of the pen away; else empty.
 std::string DidYouMean(std::string_view name, const std::vector<std::string>& names);
 
 // What a field takes: "a number", "text", "one of KIND_A, KIND_B", "an object {...}".

@@ -6,6 +6,8 @@
 #include <google/protobuf/text_format.h>
 #include <google/protobuf/util/json_util.h>
 
+#include "orchestrator/pipeline/stage.h"
+
 namespace flair::cli {
 namespace {
 
@@ -69,6 +71,13 @@ std::string FileStem(v1::ArtifactKind kind) {
     default:
       return "";
   }
+}
+
+std::string StageOf(v1::ArtifactKind kind) {
+  for (const orchestrator::Stage& stage : orchestrator::Stages()) {
+    if (stage.output == kind) return std::string(stage.name);
+  }
+  return "";
 }
 
 std::string KindName(v1::ArtifactKind kind) {

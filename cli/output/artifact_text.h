@@ -19,6 +19,8 @@ std::string ToText(const google::protobuf::Message& message);
 
 // File name without extension: "zones", "layout"; empty for kinds that the output folder does not hold.
 std::string FileStem(v1::ArtifactKind kind);
+// The stage that makes artifacts of a kind, see JobEvent.stage, such as "solve"; empty for none.
+std::string StageOf(v1::ArtifactKind kind);
 // Kind for people, such as "zone plan".
 std::string KindName(v1::ArtifactKind kind);
 

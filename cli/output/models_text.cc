@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/output/artifact_text.h"
+#include "cli/output/printable.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/summary.h"
@@ -16,19 +17,6 @@ namespace {
 std::string Cell(std::string text) {
   for (char& c : text) {
     if (c == '|' || c == '\n') c = '/';
-  }
-  return text;
-}
-
-// What a stranger wrote must not steer the terminal: control characters become spaces.
-std::string Printable(std::string text) {
-  for (size_t i = 0; i < text.size(); ++i) {
-    const unsigned char c = static_cast<unsigned char>(text[i]);
-    if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7f) text[i] = ' ';
-    // U+0080 to U+009F.
-    if (c == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0) {
-      text[i] = text[i + 1] = ' ';
-    }
   }
   return text;
 }

@@ -13,7 +13,7 @@
 #include <set>
 
 #include "cli/exit_code.h"
-#include "cli/input/files.h"
+#include "cli/input/artifact_file.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -129,7 +129,7 @@ absl::Status CheckOutputFolder(const fs::path& given, const std::vector<std::str
   }
   if (fs::is_directory(folder, error)) {
     if (access(folder.c_str(), W_OK | X_OK) != 0) return Cannot("be written", folder, errno);
-    const bool is_ours = ReadArtifact(folder / "brief.pb").ok();
+    const bool is_ours = ReadArtifactFile(folder / "brief.pb").ok();
     for (const std::string& name : names) {
       if (!is_ours && fs::exists(folder / name, error)) {
         return FileError(

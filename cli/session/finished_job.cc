@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "cli/exit_code.h"
-#include "cli/input/files.h"
+#include "cli/input/artifact_file.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 

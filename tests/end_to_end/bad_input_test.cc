@@ -5,7 +5,6 @@
 #include <signal.h>
 
 #include "cli/exit_code.h"
-#include "cli/input/files.h"
 #include "tests/fixtures/programs.h"
 
 namespace flair::testing {

@@ -98,7 +98,7 @@ TEST_F(ExplainCommand, ReadsEveryFormOfAnArtifactAlike) {
   const std::string layout = Bedroom();
   const std::string text = Good({"explain", layout}).out;
   EXPECT_EQ(Good({"explain", Path("bed/layout.json")}).out, text);
-  WriteAll(Path("layout.textproto"), Good({"inspect", layout, "--text"}).out);
+  WriteAll(Path("layout.textproto"), Good({"inspect", layout, "--format", "textproto"}).out);
   EXPECT_EQ(Good({"explain", Path("layout.textproto")}).out, text);
   EXPECT_THAT(Good({"inspect", Path("layout.textproto")}).out, HasSubstr("matches its bytes"));
 }

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/input/files.h"
+#include "cli/input/artifact_file.h"
 #include "tests/end_to_end/layout_checks.h"
 #include "tests/fixtures/process.h"
 

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "cli/input/files.h"
+#include "cli/input/artifact_file.h"
 #include "tests/end_to_end/layout_checks.h"
 #include "tests/fixtures/process.h"
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/inspect/artifact_finder.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include "cli/input/artifact_file.h"
+#include "cli/input/artifact_form.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMostFiles = 1000;
+constexpr size_t kMostTexts = 50;
+constexpr uintmax_t kLargestText = 16u << 20;
+
+// The regular files of a folder with one of the endings, sorted.
+std::vector<fs::path> FilesIn(const fs::path& folder, const std::vector<std::string>& endings, size_t most) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    std::error_code unreadable;
+    const std::string ending = entry.path().extension().string();
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) continue;
+    if (entry.is_regular_file(unreadable)) files.push_back(entry.path());
+    if (files.size() == most) break;
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string StatedId(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(kLeadingIdBytes, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<size_t>(file.gcount()));
+  return std::string(LeadingId(begin));
+}
+
+fs::path FolderOf(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+}  // namespace
+
+void ArtifactFinder::ListFolder() {
+  if (std::exchange(listed_, true) || path_.empty()) return;
+  for (const fs::path& file : FilesIn(FolderOf(path_), {".pb"}, kMostFiles)) {
+    if (const std::string id = StatedId(file); !id.empty()) binary_files_.emplace(id, file.string());
+  }
+}
+
+std::string ArtifactFinder::FileBeside(const std::string& id) {
+  ListFolder();
+  const auto found = binary_files_.find(id);
+  return found == binary_files_.end() ? "" : fs::path(found->second).filename().string();
+}
+
+std::optional<ArtifactFinder::Found> ArtifactFinder::FindInTexts(const std::string& id) {
+  if (path_.empty()) return std::nullopt;
+  if (!edited_) {
+    edited_.emplace();
+    for (const fs::path& path : FilesIn(FolderOf(path_), {".json", ".textproto", ".txtpb", ".pbtxt"}, kMostTexts)) {
+      std::error_code error;
+      if (fs::file_size(path, error) > kLargestText || error) continue;
+      absl::StatusOr<ArtifactFile> file = ReadArtifactFile(path);
+      if (!file.ok() || !file->whole.ok()) continue;
+      const std::string text_id = file->artifact.id();
+      edited_->emplace(text_id, Found{std::move(file->artifact), path.filename().string()});
+    }
+  }
+  const auto found = edited_->find(id);
+  if (found == edited_->end()) return std::nullopt;
+  return found->second;
+}
+
+std::optional<ArtifactFinder::Found> ArtifactFinder::Find(const std::string& id) {
+  ListFolder();
+  if (const auto beside = binary_files_.find(id); beside != binary_files_.end()) {
+    absl::StatusOr<ArtifactFile> file = ReadArtifactFile(beside->second);
+    if (file.ok() && file->whole.ok() && file->artifact.id() == id) {
+      return Found{std::move(file->artifact), fs::path(beside->second).filename().string()};
+    }
+  }
+  absl::StatusOr<v1::Artifact> kept = shelf_.GetArtifact(id);
+  if (kept.ok() && CheckArtifactId(*kept, id).ok() && kept->id() == id) {
+    return Found{*std::move(kept), shelf_.name()};
+  }
+  return FindInTexts(id);
+}
+
+std::string ArtifactFinder::SearchedPlaces() const {
+  if (path_.empty()) return "not in " + shelf_.name();
+  return fmt::format("neither beside {} nor in {}", path_, shelf_.name());
+}
+
+}  // namespace flair::cli
