@@ -17,7 +17,7 @@ from terms import FACTORS, Standing, Terms
 
 STEPS_PER_OBJECT = 400
 MOST_STEPS = 12000
-HOT, COLD = 3.0, 1e-3
+HOT, COLD = 3.0, 1e-5
 # Between two looks at whether somebody still waits.
 STEPS_PER_LOOK = 32
 

@@ -10,7 +10,7 @@ from geometry import Polygon, Pose, area_m2, bounds, common_m2, rectangle
 from scene import Scene
 
 # What a square metre of each costs, beside 1 for a call of weight 1.
-FACTORS = {"doors_clear": 30.0, "fronts_free": 4.0, "in_bounds": 30.0, "no_overlap": 30.0, "together": 0.02}
+FACTORS = {"doors_clear": 30.0, "fronts_free": 4.0, "in_bounds": 30.0, "no_overlap": 30.0, "together": 0.004}
 
 SUMMARIES = {
     "doors_clear": "Nothing stands where a door opens or directly before it.",

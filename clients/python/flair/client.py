@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A client of flair-orchestrator."""
+
+import uuid
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import grpc
+
+from flair import v1
+from flair.errors import JobFailed, NotFound, error_of, status_of
+from flair.events import STAGES, Event, event_of
+
+# A job, or its id.
+JobOrId = v1.Job | str
+
+# How often a broken stream of events is taken up again without an event in between.
+_RECONNECTS = 5
+
+
+class Client:
+    """A connection to an orchestrator. Thread-safe; use it in a `with` block or close it.
+
+    Every call raises a FlairError: with a status, a message and, where one is at fault, a field.
+    """
+
+    def __init__(
+        self, address: str, *, timeout_s: float = 30.0, tls: bool | Path = False, max_message_mib: int = 32
+    ) -> None:
+        """Connects to "HOST:PORT" or "unix:PATH" when the first call is made.
+
+        timeout_s: that every single call may take; watch() waits as long as the job runs unless told otherwise.
+        tls: True trusts the system's certificates, a path those of a PEM file; False sends everything as it is.
+        """
+        limit = max_message_mib << 20
+        options = [("grpc.max_receive_message_length", limit), ("grpc.max_send_message_length", limit)]
+        if tls:
+            roots = tls.read_bytes() if isinstance(tls, Path) else None
+            self._channel = grpc.secure_channel(address, grpc.ssl_channel_credentials(roots), options)
+        else:
+            self._channel = grpc.insecure_channel(address, options)
+        self._stub = v1.OrchestratorServiceStub(self._channel)
+        self._timeout_s = timeout_s
+
+    def __enter__(self) -> "Client":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        self._channel.close()
+
+    def submit(
+        self,
+        brief: str | v1.Brief,
+        *,
+        seed: int | None = None,
+        solve_options: v1.SolveOptions | None = None,
+        render_options: v1.RenderOptions | None = None,
+        model_options: v1.ModelOptions | None = None,
+        request_id: str | None = None,
+    ) -> v1.Job:
+        """Queues a job and returns at once.
+
+        request_id: to be sent again when it is not known whether a first attempt arrived; the job is then the same one.
+        """
+        spec = v1.JobSpec(solve_options=solve_options, render_options=render_options, model_options=model_options)
+        spec.brief.CopyFrom(v1.Brief(text=brief) if isinstance(brief, str) else brief)
+        if seed is not None:
+            spec.brief.seed = seed
+        request = v1.CreateJobRequest(request_id=request_id or str(uuid.uuid4()), spec=spec)
+        return self._call(self._stub.CreateJob, request).job
+
+    def job(self, job: JobOrId) -> v1.Job:
+        """The job as it is now."""
+        return self._call(self._stub.GetJob, v1.GetJobRequest(job_id=_id(job))).job
+
+    def jobs(self) -> Iterator[v1.Job]:
+        """All jobs, newest first."""
+        request = v1.ListJobsRequest()
+        while True:
+            page = self._call(self._stub.ListJobs, request)
+            yield from page.jobs
+            if not page.next_page_token:
+                return
+            request.page_token = page.next_page_token
+
+    def watch(self, job: JobOrId, *, after: int = 0, timeout_s: float | None = None) -> Iterator[Event]:
+        """The job's events, stored ones first, until it ends. Takes up again where a connection broke.
+
+        after: the last event that was seen. Does not raise when the job fails; wait() does.
+        """
+        breaks = 0
+        while True:
+            request = v1.WatchJobRequest(job_id=_id(job), after_sequence=after)
+            try:
+                for response in self._stub.WatchJob(request, timeout=timeout_s):
+                    breaks, after = 0, response.event.sequence
+                    yield event_of(response.event)
+                return
+            except grpc.RpcError as error:
+                breaks += 1
+                if error.code() != grpc.StatusCode.UNAVAILABLE or breaks > _RECONNECTS or not self._is_back(after):
+                    raise error_of(error) from error
+
+    def wait(self, job: JobOrId, *, timeout_s: float | None = None) -> v1.Job:
+        """The job when it has succeeded. JobFailed when it has not; TimedOut leaves it running."""
+        for _ in self.watch(job, timeout_s=timeout_s):
+            pass
+        ended = self.job(job)
+        if ended.state == v1.JobState.JOB_STATE_CANCELLED:
+            raise JobFailed(grpc.StatusCode.CANCELLED, "the job was cancelled", ended.id, ended.stage)
+        if ended.state == v1.JobState.JOB_STATE_FAILED:
+            raise JobFailed(status_of(ended.error_code), ended.error, ended.id, ended.stage)
+        return ended
+
+    def cancel(self, job: JobOrId) -> v1.Job:
+        """Ends a job; one that has ended stays as it is."""
+        return self._call(self._stub.CancelJob, v1.CancelJobRequest(job_id=_id(job))).job
+
+    def fetch(self, job: JobOrId, stage: str) -> v1.Artifact:
+        """What a stage of a job has stored, such as "room", "solve" (the layout) or "render" (the picture)."""
+        if stage not in STAGES:
+            raise ValueError(f'stage: "{stage}" is none; one of {", ".join(STAGES)}')
+        stored = {artifact.kind: artifact.id for artifact in self.job(job).artifacts}
+        if STAGES[stage] not in stored:
+            names = ", ".join(name for name, kind in STAGES.items() if kind in stored) or "nothing"
+            raise NotFound(grpc.StatusCode.NOT_FOUND, f'job {_id(job)} has stored {names}, not "{stage}"')
+        return self.artifact(stored[STAGES[stage]])
+
+    def artifact(self, artifact_id: str) -> v1.Artifact:
+        """An artifact by its id."""
+        return self._call(self._stub.GetArtifact, v1.GetArtifactRequest(artifact_id=artifact_id)).artifact
+
+    def _is_back(self, after: int) -> bool:
+        """Waits for a server that was there before, as it may be starting again."""
+        if after == 0:
+            return False
+        try:
+            grpc.channel_ready_future(self._channel).result(timeout=self._timeout_s)
+        except grpc.FutureTimeoutError:
+            return False
+        return True
+
+    def _call(self, method: Callable[..., Any], request: Any) -> Any:
+        try:
+            return method(request, timeout=self._timeout_s)
+        except grpc.RpcError as error:
+            raise error_of(error) from error
+
+
+def _id(job: JobOrId) -> str:
+    return job if isinstance(job, str) else job.id
