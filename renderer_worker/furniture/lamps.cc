@@ -27,12 +27,10 @@ void ShadeWithBulb(Piece& p, Vec3 base, float bottom, float top, float height, f
   }
   p.Shade(base, bottom, top, height, shade);
   Bulb(p, base + Vec3{0, 0, 0.45F * height}, std::min(0.035F, 0.3F * std::min(top, height)), intensity_cd);
-  for (int i = 0; i < 3; ++i) {  // what holds the shade
-    const float turn = 2 * kPi / 3 * static_cast<float>(i);
-    p.make.Bar(p.is.metal, base + Vec3{0, 0, 0.92F * height},
-               base + Vec3{0.97F * top * std::cos(turn), 0.97F * top * std::sin(turn), 0.96F * height},
-               0.004F * std::min(1.0F, top / 0.1F), 4);
-  }
+  // A diffuser closes it: from above nobody wants to look at wires.
+  shade.name += " cover";
+  shade.emission = shade.emission * 0.8F;
+  p.make.Cylinder(shade, base + Vec3{0, 0, 0.95F * height}, 0.99F * top, 0.02F * height, 0, 28);
 }
 
 }  // namespace

@@ -89,6 +89,7 @@ double BirdseyeScore(const RoomShape& shape, const Sight& sight, const SceneCame
   const Vec3 to_eye = Normalized(camera.eye - camera.target);
   double score = 0;
   for (int i = 0; i < static_cast<int>(sight.boxes().size()); ++i) {
+    if (sight.boxes()[i].high) continue;
     const double share = sight.VisibleShare(i, camera.eye, cut, [](Vec3) { return true; });
     score += WeightOf(sight.boxes()[i]) * (share + 0.6 * Dot(sight.boxes()[i].front, to_eye));
   }
@@ -155,7 +156,7 @@ Spoiled SpoiledShares(const RoomShape& shape, const Sight& sight, const SceneCam
       const float x = (2 * (static_cast<float>(i) + 0.5F) / kRays - 1) * tangent;
       const float y = (2 * (static_cast<float>(k) + 0.5F) / kRays - 1) * tangent;
       const Vec3 direction = Normalized(view.forward + view.right * x + view.down * y);
-      const float distance = sight.FirstBox(camera.eye, direction, kClose_m, -1);
+      const float distance = sight.FirstBox(camera.eye, direction, kClose_m, -1, false);
       spoiled.close += std::pow(1 - distance / kClose_m, 1.5);
       const float to_floor =
           direction.z < 0 ? camera.eye.z / -direction.z : (shape.height_m - camera.eye.z) / direction.z;

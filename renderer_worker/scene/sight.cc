@@ -35,10 +35,10 @@ Sight::Sight(const RoomShape& shape, const std::vector<SceneObject>& objects) : 
   }
 }
 
-float Sight::FirstBox(Vec3 eye, Vec3 direction, float miss, int but) const {
+float Sight::FirstBox(Vec3 eye, Vec3 direction, float miss, int but, bool ceiling_cut) const {
   float first = miss;
   for (int i = 0; i < static_cast<int>(boxes_.size()); ++i) {
-    if (i == but) continue;
+    if (i == but || (ceiling_cut && boxes_[i].high)) continue;
     const SightBox& box = boxes_[i];
     const Vec3 from = eye - box.centre;
     const float origin[] = {Dot(from, box.right), Dot(from, box.front), from.z};

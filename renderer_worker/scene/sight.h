@@ -24,8 +24,9 @@ class Sight {
   Sight(const RoomShape& shape, const std::vector<SceneObject>& objects);
 
   const std::vector<SightBox>& boxes() const { return boxes_; }
-  // Distance to the first box on the way, `miss` when there is none up to there. Leaves out box `but`.
-  float FirstBox(Vec3 eye, Vec3 direction, float miss, int but) const;
+  // Distance to the first box on the way, `miss` when there is none up to there. Leaves out box `but`, and what hangs from
+  // the ceiling where that is cut away.
+  float FirstBox(Vec3 eye, Vec3 direction, float miss, int but, bool ceiling_cut) const;
   // The share of the box's surface points, as seen from `eye`, that nothing hides and that `inside` accepts.
   template <typename Accepts>
   double VisibleShare(int box, Vec3 eye, const CutAway& cut, const Accepts& accepts) const;
@@ -51,7 +52,7 @@ double Sight::VisibleShare(int box, Vec3 eye, const CutAway& cut, const Accepts&
         const Vec3 way = point - eye;
         const float distance = Length(way);
         if (!accepts(point) || WallBetween(eye, point, cut)) continue;
-        if (FirstBox(eye, way * (1 / distance), distance - 0.02F, box) >= distance - 0.03F) ++seen;
+        if (FirstBox(eye, way * (1 / distance), distance - 0.02F, box, cut.ceiling) >= distance - 0.03F) ++seen;
       }
     }
   }

@@ -76,6 +76,8 @@ void ApplyFinish(const Finish (&finishes)[kCount], const v1::SurfaceStyle& surfa
   }
 }
 
+constexpr float kDarkWall = 0.36F;  // below, the wall's lightest channel calls for darker ceilings and joinery
+
 // Nothing reflects more than white paint or less than soot: light must get about.
 Vec3 Reflectable(Vec3 colour) {
   const auto limit = [](float value) { return std::clamp(value, 0.012F, 0.86F); };
@@ -104,17 +106,23 @@ ShellMaterials ShellMaterialsOf(const v1::StyleSheet& style) {
   m.floor.pattern_size_m = 0.14F;
   m.wall = Plain("white paint", {0.82F, 0.80F, 0.76F}, 0.9F);
   m.ceiling = Plain("ceiling paint", {0.85F, 0.85F, 0.84F}, 0.95F);
+  bool own_ceiling = false;
   for (const v1::SurfaceStyle& surface : style.surfaces()) {
     if (surface.surface() == "floor") ApplyFinish(kFloors, surface, m.floor);
     if (surface.surface() == "walls") ApplyFinish(kWalls, surface, m.wall);
-    if (surface.surface() == "ceiling" && surface.has_colour()) m.ceiling.colour = LinearOf(surface.colour());
+    if (surface.surface() != "ceiling" || !surface.has_colour()) continue;
+    m.ceiling.colour = LinearOf(surface.colour());
+    own_ceiling = true;
   }
   m.outside = Plain("outer plaster", {0.78F, 0.77F, 0.75F}, 0.95F);
   m.section = Plain("section", {0.80F, 0.79F, 0.77F}, 0.95F);
-  // White joinery; in rooms with dark walls it is stained to go with them.
+  // A ceiling without a style is white, and takes some of the colour of dark walls: white above them would glare.
   const float light = std::max({m.wall.colour.x, m.wall.colour.y, m.wall.colour.z});
+  const float dark = 0.8F * std::clamp(1 - light / kDarkWall, 0.0F, 1.0F);
+  if (!own_ceiling) m.ceiling.colour = m.ceiling.colour * (1 - dark) + m.wall.colour * dark;
+  // White joinery; in rooms with dark walls it is stained to go with them.
   m.trim = Plain("joinery", {0.80F, 0.79F, 0.77F}, 0.5F);
-  if (light < 0.18F) m.trim.colour = m.wall.colour * 0.5F + Vec3{0.045F, 0.035F, 0.028F};
+  if (light < kDarkWall / 2) m.trim.colour = m.wall.colour * 0.5F + Vec3{0.045F, 0.035F, 0.028F};
   m.glass = Plain("glass", {0.9F, 0.95F, 0.95F}, 0.05F);
   m.glass.opacity = 0.1F;
   m.metal = Plain("brushed metal", {0.62F, 0.60F, 0.57F}, 0.35F);

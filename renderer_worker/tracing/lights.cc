@@ -10,6 +10,7 @@ namespace flair::renderer {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kLeastBesideSky = 0.006F;
 constexpr size_t kMostLights = 250;  // beyond, the least bright ones of a scene stay dark
 
 // How much a light may give a point: only steers the choice.
@@ -121,6 +122,8 @@ LightChoice::LightChoice(const Lights& lights, Vec3 position, Vec3 normal)
     if (guess_[i] > 0) guess_[i] = std::max(guess_[i], least);
     total_ += guess_[i];
   }
+  // In the open, beside sky and sun, lamps only count close by.
+  if (lights.open_sky && total_ < kLeastBesideSky) total_ = 0;
   sun_ = Luminance(lights.sun_irradiance) > 0 && Dot(normal, lights.sun_direction) + lights.sun_radius > 0 &&
          (lights.open_sky || lights.WindowThrough(position, lights.sun_direction, 2 * lights.sun_radius) >= 0);
 }
@@ -181,6 +184,7 @@ Lights LightsOf(const Scene& scene, bool open_sky) {
     lights.sun_direction = Normalized(left * 0.75F - ahead * 0.15F + Vec3{0, 0, 1.15F});
     lights.sun_irradiance = Vec3{1.0F, 0.94F, 0.85F} * 2.2F;
     lights.sun_radius = 0.09F;
+    AddLamps(scene, 0.005F, lights);
     return lights;
   }
   for (const DaylightWindow& window : scene.windows) {
