@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   flair::cli::AddCatalog(program, result);
   flair::cli::AddDoctor(program, result);
   flair::cli::AddPrompts(program, result);
+  flair::cli::AddProtocol(program, result);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

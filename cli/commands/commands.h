@@ -30,5 +30,6 @@ void AddBenchTranslate(CLI::App& program, absl::Status& result);
 void AddCatalog(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
 void AddPrompts(CLI::App& program, absl::Status& result);
+void AddProtocol(CLI::App& program, absl::Status& result);
 
 }  // namespace flair::cli
