@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
-#include "translator_worker/grammar/furniture_words.h"
+#include "translator_worker/grammar/brackets.h"
 #include "translator_worker/grammar/lexicon.h"
 #include "translator_worker/grammar/noun_phrases.h"
 #include "translator_worker/grammar/prepare_tokens.h"
@@ -26,7 +27,12 @@ class Reader {
         ++at_;
         continue;
       }
-      if (SkipBracket()) continue;
+      const Bracket bracket = ReadBracket(tokens_, at_, names_, terms_);
+      if (bracket.kind != Bracket::Kind::kPlain) {
+        if (bracket.kind == Bracket::Kind::kOpened) inlined_end_ = bracket.closing;
+        at_ = bracket.next;
+        continue;
+      }
       const SceneNames::Found name = names_.Find(tokens_, at_);
       const Phrase phrase = FindPhrase();
       const bool relation_wins =
@@ -38,6 +44,8 @@ class Reader {
         PushName(name);
       } else if (phrase.length > 0) {
         PushPhrase(phrase);
+      } else if (const Phrase form = Lexicon::Get().FindForm(tokens_[at_]); form.length > 0) {
+        PushPhrase(form);
       } else {
         PushOther();
       }
@@ -51,6 +59,7 @@ class Reader {
     if (at_ == 0 || tokens_[at_ - 1].IsMark('.')) return true;
     if (terms_.empty()) return false;
     const RawTerm& before = terms_.back();
+    if (before.term.kind == Term::Kind::kPurpose && tokens_[at_ - 1].IsWord("to")) return true;
     if (before.role == RawTerm::Role::kModal || before.term.IsWord("not"))
       return before.term.end == tokens_[at_ - 1].end;
     return before.role == RawTerm::Role::kNone && before.term.kind == Term::Kind::kMention;
@@ -63,106 +72,27 @@ class Reader {
     terms_.push_back(std::move(term));
   }
 
-  // "any side tables" is not "any side" and "tables": a name that begins within a phrase and ends after it cuts it
-  // short.
+  // "any side tables" is not "any side" and "tables", "any wall sockets" not "any wall": a name that begins within a
+  // phrase and ends after it cuts it short.
   Phrase FindPhrase() const {
     const Phrase phrase = Lexicon::Get().Find(tokens_, at_);
     for (size_t k = 1; k < phrase.length; ++k) {
       const SceneNames::Found name = names_.Find(tokens_, at_ + k);
-      if (name.length > 1 && k + name.length > phrase.length) return Lexicon::Get().Find(tokens_, at_, k);
+      const Phrase feature = Lexicon::Get().Find(tokens_, at_ + k);
+      const bool of_feature = phrase.word_class == WordClass::kPlace &&
+                              feature.word_class == WordClass::kFeature && feature.length > 1;
+      const size_t length = std::max(name.length, of_feature ? feature.length : 0);
+      if (length > 1 && k + length > phrase.length) return Lexicon::Get().Find(tokens_, at_, k);
     }
     return phrase;
-  }
-
-  // "(e.g., to place items)" explains; it says nothing of its own, unless it names the side that a word left open or
-  // the members of a zone or class.
-  bool SkipBracket() {
-    if (!tokens_[at_].IsMark('(') || at_ + 1 >= tokens_.size()) return false;
-    size_t end = at_ + 1;
-    const size_t limit = std::min(tokens_.size(), at_ + kLongestBracket);
-    while (end < limit && !tokens_[end].IsMark(')') && !tokens_[end].IsMark('.')) ++end;
-    const Token& first = tokens_[at_ + 1];
-    const bool edge = end == at_ + 3 && (tokens_[at_ + 2].IsWord("edge") || tokens_[at_ + 2].IsWord("side") ||
-                                         tokens_[at_ + 2].IsWord("each") || tokens_[at_ + 2].IsWord("width"));
-    const bool dimension = end == at_ + 2 && (first.IsWord("length") || first.IsWord("width") || first.IsWord("depth"));
-    const bool length_only =
-        dimension || (first.kind == Token::Kind::kDistance && first.distance.exact && (end == at_ + 2 || edge));
-    const bool explains = first.IsWord("eg") || first.IsWord("ie") || first.IsWord("preferably") ||
-                          first.IsWord("ideally") || first.IsWord("left") || first.IsMark(')') || length_only;
-    // "Enough space (at least 0.6 m) behind": the bracket adds to what is said.
-    const bool of_space = !dimension && SpaceSpokenOf();
-    if (first.kind == Token::Kind::kDistance && (!length_only || of_space) && end <= at_ + 4 && end < tokens_.size() &&
-        tokens_[end].IsMark(')')) {
-      inlined_end_ = end;
-      ++at_;
-      return true;
-    }
-    if (TakeNamesInBracket(end) || TakeSideInBracket(end) || explains) {
-      at_ = std::min(end + 1, tokens_.size());
-      return true;
-    }
-    return false;
-  }
-
-  // Whether this sentence has said that something is kept free, so that a bare figure is how much.
-  bool SpaceSpokenOf() const {
-    for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
-      const Term& term = terms_[i - 1].term;
-      if (term.IsWord("space") || term.IsWord("pull_out") || term.IsWord("keep_clear") || term.IsWord("accessible") ||
-          term.IsWord("away_from") || term.IsWord("clear_of")) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  // "One side (preferably the front)", "two opposite sides (e.g., front and back)".
-  bool TakeSideInBracket(size_t end) {
-    if (terms_.empty() || terms_.back().role != RawTerm::Role::kSide) return false;
-    std::string& open = terms_.back().term.lemma;
-    if (open != "side" && open != "long_one" && open != "short_one" && open != "two_any" && open != "opposite_two") {
-      return false;
-    }
-    std::vector<std::string> named;
-    for (size_t i = at_ + 1; i < end; ++i) {
-      const Phrase phrase = Lexicon::Get().Find(tokens_, i);
-      if (phrase.word_class == WordClass::kSide && phrase.length > 0) named.push_back(phrase.lemma);
-      if (phrase.length > 1) i += phrase.length - 1;
-    }
-    if (named.size() == 1) open = named[0];
-    if (named.size() == 2 && named[0] == "front" && named[1] == "back") open = "axial";
-    if (named.size() == 2 && named[0] == "left" && named[1] == "right") open = "sides";
-    return !named.empty();
-  }
-
-  // "The seating zone (sofa and armchair)": the names stand for the zone.
-  bool TakeNamesInBracket(size_t end) {
-    if (terms_.empty() || terms_.back().role != RawTerm::Role::kNone || !IsZoneOrClass(terms_.back().term))
-      return false;
-    std::vector<Reference> named;
-    for (size_t i = at_ + 1; i < end;) {
-      const SceneNames::Found name = names_.Find(tokens_, i);
-      const bool joins = tokens_[i].IsMark(',') || tokens_[i].IsMark('/') || tokens_[i].IsWord("and") ||
-                         tokens_[i].IsWord("the") || tokens_[i].IsWord("or");
-      if (name.length == 0 && !joins) return false;
-      if (name.length > 0) named.push_back(name.reference);
-      i += std::max<size_t>(name.length, 1);
-    }
-    if (named.empty()) return false;
-    terms_.back().term.mention.references = std::move(named);
-    return true;
-  }
-
-  static bool IsZoneOrClass(const Term& term) {
-    if (term.kind != Term::Kind::kMention) return false;
-    const RefKind kind = term.mention.references.back().kind;
-    return kind == RefKind::kZone || kind == RefKind::kGroup || kind == RefKind::kAbsent;
   }
 
   void PushName(const SceneNames::Found& found) {
     RawTerm raw;
     raw.term.kind = Term::Kind::kMention;
     raw.term.mention.references = {found.reference};
+    const Phrase area = Lexicon::Get().Find(tokens_, at_ + found.length);
+    raw.term.mention.references.front().area = area.length > 0 && area.word_class == WordClass::kArea;
     Push(std::move(raw), found.length);
   }
 
@@ -214,13 +144,27 @@ class Reader {
            tokens_[at_ + 1].IsWord("for") || tokens_[at_ + 1].IsWord("to") || tokens_[at_ + 1].IsWord("so");
   }
 
+  // "..., especially if the bed is tall", "... unless it is used for a lamp": what stands before holds anyhow.
+  bool IsAside(const Phrase& phrase) const {
+    if (terms_.empty()) return false;
+    static constexpr std::array<std::string_view, 5> kEven = {"especially", "particularly", "mainly", "even",
+                                                              "specifically"};
+    const bool even = at_ > 0 && std::any_of(kEven.begin(), kEven.end(),
+                                             [&](std::string_view word) { return tokens_[at_ - 1].IsWord(word); });
+    return even || (phrase.length == 1 && tokens_[at_].IsWord("unless"));
+  }
+
+  void SkipToStop() {
+    while (at_ < tokens_.size() && !tokens_[at_].IsMark('.')) ++at_;
+  }
+
   // "The front is accessible; the back need not be": only what follows the stop is conditional.
   bool DropClauseAfterStop() {
     size_t begin = terms_.size();
     while (begin > 0 && terms_[begin - 1].term.kind != Term::Kind::kStop) --begin;
     if (begin == 0) return false;
     terms_.resize(begin);
-    while (at_ < tokens_.size() && !tokens_[at_].IsMark('.')) ++at_;
+    SkipToStop();
     return true;
   }
 
@@ -231,6 +175,17 @@ class Reader {
     while (next < tokens_.size() && (tokens_[next].IsWord("the") || tokens_[next].IsWord("its"))) ++next;
     return next < tokens_.size() && Lexicon::Get().Find(tokens_, next).word_class == WordClass::kSide &&
            Lexicon::Get().Find(tokens_, next).length > 0;
+  }
+
+  // "0.9 m from the table to allow chairs to pull out": a reason, not "from the table to the chairs".
+  bool BeginsInfinitive() const {
+    static constexpr std::array<std::string_view, 20> kVerbs = {
+        "allow",    "ensure", "provide", "maintain", "give",   "leave",  "create", "enable", "facilitate", "help",
+        "let",      "make",   "keep",    "permit",   "reduce", "ease",   "offer",  "have",   "accommodate",
+        "minimize"};
+    if (!tokens_[at_].IsWord("to") || at_ + 1 >= tokens_.size()) return false;
+    return std::any_of(kVerbs.begin(), kVerbs.end(),
+                       [&](std::string_view verb) { return tokens_[at_ + 1].IsWord(verb); });
   }
 
   void PushPhrase(const Phrase& phrase) {
@@ -266,6 +221,10 @@ class Reader {
         at_ += phrase.length;
         return;
       case WordClass::kCondition:
+        if (IsAside(phrase)) {
+          SkipToStop();
+          return;
+        }
         if (DropClauseAfterStop()) return;
         analysis_.conditional = true;
         at_ += phrase.length;
@@ -292,7 +251,7 @@ class Reader {
         break;
       case WordClass::kPurpose:
         raw.term.kind = Term::Kind::kPurpose;
-        raw.term.lemma = tokens_[at_].text;
+        raw.term.lemma = BeginsInfinitive() ? "so" : tokens_[at_].text;
         break;
       case WordClass::kNot:
         push_word("not");
@@ -326,9 +285,6 @@ class Reader {
     }
     Push(std::move(raw), phrase.length);
   }
-
-  // What stands in brackets beyond this many tokens is read like the rest.
-  static constexpr size_t kLongestBracket = 40;
 
   std::vector<Token> tokens_;
   // The closing bracket of one that was opened up.

@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_join.h"
 #include "fmt/format.h"
+#include "translator_worker/grammar/furniture_words.h"
 #include "translator_worker/grammar/quote.h"
 
 namespace flair::translator {
@@ -14,10 +15,10 @@ bool Contains(const std::vector<Placed>& list, int object) {
   return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
 }
 
-// Whether the last word is, or for chairs ends with, one of the words: "desk chair", "armchair", but not "workbench".
+// Whether the last word is, or for chairs ends with, one of the words: "desk chair", "armchairs", but not "workbench".
 bool EndsWithOneOf(const std::string& name, std::initializer_list<const char*> ends) {
   const size_t space = name.find_last_of(" _");
-  const std::string last = space == std::string::npos ? name : name.substr(space + 1);
+  const std::string last = Singular(space == std::string::npos ? name : name.substr(space + 1));
   return std::any_of(ends.begin(), ends.end(), [&](const std::string& end) {
     return last == end || (end == "chair" && last.size() > 5 && last.substr(last.size() - 5) == end);
   });
@@ -50,10 +51,16 @@ bool Composer::StandsAtSubject(const Placed& chair) const {
          !IsChair(subjects_.front()) && chair.object != subjects_.front().object;
 }
 
+bool Composer::IsWalkIn(const Placed& placed) const {
+  return EndsWithOneOf(object(placed.object).name(), {"shower", "cubicle", "enclosure", "cabin", "tent", "sauna"});
+}
+
 bool Composer::HasDoors(const Placed& placed) const {
-  return EndsWithOneOf(object(placed.object).name(),
-                       {"wardrobe", "cabinet", "cupboard", "closet", "armoire", "locker", "lockers", "sideboard",
-                        "refrigerator", "fridge", "oven", "pantry", "hutch", "dresser", "drawers", "nightstand"});
+  return IsWalkIn(placed) ||
+         EndsWithOneOf(object(placed.object).name(),
+                       {"wardrobe", "cabinet", "cupboard", "closet", "armoire", "locker", "sideboard",
+                        "refrigerator", "fridge", "oven", "pantry", "hutch", "dresser", "drawer", "nightstand",
+                        "dishwasher", "washer", "dryer"});
 }
 
 bool Composer::HasFeature(const std::string& kind) const {
@@ -67,7 +74,7 @@ std::vector<Placed> Composer::Movers(const Mention* mention) {
   if (mention == nullptr) return topic_;
   // "Hang a clock on the wall", "eye level on the wall" under the heading "Clock": it is what the heading names.
   const RefKind kind = mention->references.front().kind;
-  const bool thing = kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kGroup;
+  const bool thing = kind == RefKind::kObjects || kind == RefKind::kPronoun;
   if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !subjects_.empty() && !thing) return topic_;
   std::vector<Placed> result;
   for (const Reference& reference : mention->references) {
@@ -123,6 +130,13 @@ std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<
   return result;
 }
 
+bool Composer::RefuseUnnamed(const Mention& mention) {
+  const Reference& first = mention.references.front();
+  if (first.kind != RefKind::kGroup || (first.name != "all" && first.name != "others")) return false;
+  Refuse("not_about_layout", "pieces that are not named cannot be asked for; name them");
+  return true;
+}
+
 std::vector<Placed> Composer::TargetObjects(const Mention& mention, const std::vector<Placed>& movers,
                                             bool first_of_either) {
   std::vector<Placed> result;
@@ -146,6 +160,8 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
         } else if (!earlier_topic_.empty() && Contains(topic_, movers.front().object) &&
                    !Contains(earlier_topic_, movers.front().object)) {
           meant = earlier_topic_;
+        } else if (Contains(topic_, movers.front().object) && movers.size() > 1 && reference.name == "it") {
+          meant = named_;
         }
       }
       // "Beside the chair, 0.2 m from the side": from the chair's.
@@ -197,6 +213,7 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
     }
     if (!target || !Contains(movers, index) || movers.size() > 1) result.push_back({index, reference.side});
   }
+  if (target && result.size() == 1) named_ = result;
   if (result.empty() && reference.kind == RefKind::kObjects && !objects.empty()) {
     Refuse("names_absent_object",
            fmt::format("the room has no \"{}\" but what is to be placed itself", reference.name));
@@ -221,7 +238,7 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
       if (weak_subject(index) && !reference.plural) return {index};
     }
   }
-  if (movers.empty() && reference.plural) KeepSeveralSubjects(candidates);
+  if (movers.empty() && (reference.plural || reference.each)) KeepSeveralSubjects(candidates);
   if (candidates.size() < 2 || reference.plural || reference.each) return candidates;
   // Singular with several of the name: those that the sentence is about, then those of one name, then of the same zone.
   const auto keep = [&](auto&& wanted) {

@@ -43,6 +43,9 @@ class Composer {
   // targets.
   std::vector<Target> Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either = true);
 
+  // Whether the noun phrase means pieces that are not named ("other furniture"); a remark says so.
+  bool RefuseUnnamed(const Mention& mention);
+
   // Targets that are objects, in one list.
   std::vector<Placed> TargetObjects(const Mention& mention, const std::vector<Placed>& movers,
                                     bool first_of_either = true);
@@ -64,6 +67,8 @@ class Composer {
   bool IsChair(const Placed& placed) const;
   // A chair that a sentence about one other piece alone brings in: "behind the chair" of a desk.
   bool StandsAtSubject(const Placed& chair) const;
+  // One that people walk into, with an entrance of its own: a shower, a tent.
+  bool IsWalkIn(const Placed& placed) const;
   // A wardrobe, cabinet, fridge...
   bool HasDoors(const Placed& placed) const;
   bool HasFeature(const std::string& kind) const;
@@ -129,6 +134,8 @@ class Composer {
   std::vector<Placed> topic_;
   // The topic before it: "the desk has the chair in front of it".
   std::vector<Placed> earlier_topic_;
+  // What something was related to last: "space around the bed, so the desk and the wardrobe are not close to it".
+  std::vector<Placed> named_;
   std::vector<Placed> pair_movers_;
   std::vector<Placed> pair_targets_;
   std::vector<Call> calls_;

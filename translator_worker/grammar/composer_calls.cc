@@ -44,6 +44,23 @@ bool IsSameSpace(const Call& vague, const Call& precise) {
   });
 }
 
+const std::string& TextOf(const Call& call, std::string_view name) {
+  static const std::string kNone;
+  const v1::ArgumentValue* const value = Find(call, name);
+  return value != nullptr ? value->text() : kNone;
+}
+
+// Whether `plain` only says that two are apart, without a figure, which `call` asks to be near or touching: "the
+// distance between them is minimal (0 m)".
+bool Contradicts(const Call& call, const Call& plain) {
+  if (plain.type != "away_from" || Find(plain, "min_distance_m") != nullptr) return false;
+  if (call.type != "next_to" && (call.type != "near" || Find(call, "max_distance_m") == nullptr)) return false;
+  const std::string& a = TextOf(plain, "object");
+  const std::string& b = TextOf(plain, "target");
+  return (TextOf(call, "object") == a && TextOf(call, "target") == b) ||
+         (TextOf(call, "object") == b && TextOf(call, "target") == a);
+}
+
 }  // namespace
 
 bool Composer::IsForFloorOnly(const std::string& type) const {
@@ -107,7 +124,7 @@ bool Composer::Emit(Call call) {
     return true;
   }
   // "Space around it (at least 0.3 m on all sides)": the one with the figure stays.
-  std::erase_if(calls_, [&](const Call& other) { return IsSameSpace(other, call); });
+  std::erase_if(calls_, [&](const Call& other) { return IsSameSpace(other, call) || Contradicts(call, other); });
   // "In the living area, under the sofa": the sofa says where the rug lies.
   if (call.type == "rug_under_center" || call.type == "rug_under_forward") {
     std::erase_if(calls_, [](const Call& other) { return other.type == "in_zone"; });

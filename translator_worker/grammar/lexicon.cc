@@ -93,6 +93,20 @@ WordClass ClassOf(std::string_view name) {
   return classes.at(name);
 }
 
+// The word without the ending of its form: "overlapping", "overlaps" and "overlap" share one. Empty for short words.
+std::string Stem(std::string_view word) {
+  constexpr size_t kShortest = 4;
+  for (const std::string_view ending : {"ing", "ed", "es", "s", "e"}) {
+    if (!word.ends_with(ending) || word.size() < kShortest + ending.size()) continue;
+    word.remove_suffix(ending.size());
+    const bool doubled = (ending == "ing" || ending == "ed") && word[word.size() - 1] == word[word.size() - 2];
+    if (doubled) word.remove_suffix(1);
+    if (word.ends_with('e')) word.remove_suffix(1);
+    break;
+  }
+  return word.size() < kShortest ? std::string() : std::string(word);
+}
+
 }  // namespace
 
 std::vector<std::vector<std::string>> ExpandPhrase(std::string_view phrase) {
@@ -117,6 +131,9 @@ Lexicon::Lexicon(std::string_view entries) {
     const std::string rest = line.substr(colon + 1);
     for (const std::string_view part : TopLevelParts(rest)) {
       for (Words& words : ExpandPhrase(part)) {
+        const Entry entry{words, ClassOf(head[0]), head.size() > 1 ? head[1] : ""};
+        const std::string stem = words.size() == 1 ? Stem(words.front()) : "";
+        if (!stem.empty() && entry.word_class == WordClass::kRelation) by_stem_.emplace(stem, entry);
         std::vector<Entry>& list = by_first_word_[words.front()];
         list.push_back({std::move(words), ClassOf(head[0]), head.size() > 1 ? head[1] : ""});
       }
@@ -126,6 +143,12 @@ Lexicon::Lexicon(std::string_view entries) {
     std::stable_sort(list.begin(), list.end(),
                      [](const Entry& a, const Entry& b) { return a.words.size() > b.words.size(); });
   }
+}
+
+Phrase Lexicon::FindForm(const Token& token) const {
+  if (token.kind != Token::Kind::kWord) return {};
+  const auto found = by_stem_.find(Stem(token.text));
+  return found == by_stem_.end() ? Phrase{} : Phrase{found->second.word_class, found->second.lemma, 1};
 }
 
 Phrase Lexicon::Find(const std::vector<Token>& tokens, size_t at, size_t max_length) const {

@@ -49,6 +49,10 @@ class Lexicon {
   // The longest phrase that begins at tokens[at].
   Phrase Find(const std::vector<Token>& tokens, size_t at, size_t max_length = 100) const;
 
+  // Another form of a word that the lexicon has: "encroaches", "obstructive" has none. Only for words that it has not
+  // itself. Of length 0 when there is none.
+  Phrase FindForm(const Token& token) const;
+
  private:
   struct Entry {
     std::vector<std::string> words;
@@ -59,6 +63,8 @@ class Lexicon {
 
   // By first word; longest first.
   std::map<std::string, std::vector<Entry>, std::less<>> by_first_word_;
+  // Single words without their endings, those that say what is related to what.
+  std::map<std::string, Entry, std::less<>> by_stem_;
 };
 
 // Writes out a phrase with options: "[flush] (against|on)" becomes "against", "flush against", "on", "flush on".

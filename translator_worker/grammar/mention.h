@@ -34,6 +34,8 @@ struct Reference {
   std::string side;
   bool plural = false;
   bool each = false;
+  // "The shower area": the place about the object.
+  bool area = false;
   // "first" is 1; 0 when not numbered.
   int ordinal = 0;
 };

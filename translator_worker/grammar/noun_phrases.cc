@@ -72,6 +72,13 @@ class Grouper {
           i = next - 1;
         }
         out.push_back(std::move(raw));
+      } else if (IsPartOf(i)) {
+        raw.part_of_furniture = false;
+        raw.term.mention = in_[i + 2].term.mention;
+        raw.term.mention.references.back().side = "front";
+        raw.term.end = in_[i + 2].term.end;
+        out.push_back(std::move(raw));
+        i += 2;
       } else if (IsLeftOrRightOne(i)) {
         in_[i + 1].term.mention.references.back().ordinal = raw.term.lemma == "left" ? 1 : 2;
       } else if (raw.role == Role::kSide) {
@@ -86,6 +93,12 @@ class Grouper {
   // "The wardrobe's doors", "its door": of a piece that is named or spoken of.
   static bool HasParts(const Reference& reference) {
     return reference.kind == RefKind::kObjects || (reference.kind == RefKind::kPronoun && reference.name == "it");
+  }
+
+  // "The doors of the wardrobe" are its front.
+  bool IsPartOf(size_t i) const {
+    return IsFeature(in_[i]) && in_[i].part_of_furniture && Peek(i + 2) && IsOf(in_[i + 1]) && IsThing(in_[i + 2]) &&
+           in_[i + 2].term.mention.references.back().kind == RefKind::kObjects;
   }
 
   // "The right nightstand" of two.
@@ -215,19 +228,18 @@ class Grouper {
     return word.size() < 3 || (word.back() != 's' && word.substr(word.size() - 3) != "ing");
   }
 
-  static bool SameSort(const Term& a, const Term& b) {
-    const auto sort = [](const Term& term) {
-      switch (term.mention.references.back().kind) {
-        case RefKind::kWall:
-        case RefKind::kCeiling:
-        case RefKind::kRoom:
-        case RefKind::kFloor:
-          return 1;
-        default:
-          return 0;
-      }
-    };
-    return sort(a) == sort(b);
+  // Things are listed with things and parts of the room with parts of the room; walls also stand beside features
+  // where all of them are kept away from: "away from walls, windows and doors".
+  bool SameSort(const Term& a, const Term& b) const {
+    const RefKind first = a.mention.references.back().kind;
+    const RefKind second = b.mention.references.back().kind;
+    if (after_away_ && IsShell(first) && second == RefKind::kFeature) return true;
+    if (after_away_ && first == RefKind::kFeature && IsShell(second)) return true;
+    return IsShell(first) == IsShell(second);
+  }
+
+  static bool IsShell(RefKind kind) {
+    return kind == RefKind::kWall || kind == RefKind::kCeiling || kind == RefKind::kRoom || kind == RefKind::kFloor;
   }
 
   // Joins lists; what is not joined becomes a soft break ("and") or the word "or".
@@ -247,6 +259,7 @@ class Grouper {
       if (raw.term.kind == Term::Kind::kWord) {
         relation_seen = relation_seen || raw.term.lemma != "not";
         after_between_ = raw.term.lemma == "between";
+        after_away_ = raw.term.lemma == "away_from";
       }
       if (IsMention(raw)) i = ReadList(i, relation_seen);
       out.push_back(std::move(in_[i].term));
@@ -302,6 +315,8 @@ class Grouper {
   std::vector<RawTerm> in_;
   // "between X and Y should": X and Y belong together.
   bool after_between_ = false;
+  // "away from X and Y": walls and features in one list.
+  bool after_away_ = false;
 };
 
 }  // namespace

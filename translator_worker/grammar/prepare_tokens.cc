@@ -28,6 +28,13 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
   }
 }
 
+bool SpaceBefore(const std::vector<Token>& tokens, size_t end) {
+  static constexpr std::array<std::string_view, 5> kSpaces = {"space", "room", "clearance", "gap", "distance"};
+  return std::any_of(tokens.begin(), tokens.begin() + static_cast<long>(end), [](const Token& token) {
+    return std::find(kSpaces.begin(), kSpaces.end(), token.text) != kSpaces.end();
+  });
+}
+
 // "At least one accessible side" is at least one side accessible.
 void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
   static constexpr std::array<std::string_view, 4> kAdjectives = {"accessible", "unobstructed", "unblocked",
@@ -37,6 +44,9 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
     size_t side = i + 1;
     while (side < tokens.size() && (tokens[side].IsWord("long") || tokens[side].IsWord("short"))) ++side;
     if (!adjective || side + 1 >= tokens.size() || tokens[side + 1].IsMark(':')) continue;
+    // "Space on one accessible side": which side, not that it is to be got at.
+    const bool after_space = i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at")) && SpaceBefore(tokens, i);
+    if (after_space) continue;
     const bool end = tokens[side].IsWord("front") || tokens[side].IsWord("back");
     const bool after_article = i > 0 && (tokens[i - 1].IsWord("an") || tokens[i - 1].IsWord("a"));
     if (!tokens[side].IsWord("side") && !tokens[side].IsWord("sides") && !(end && after_article)) continue;
@@ -46,11 +56,28 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
   }
 }
 
+// "There should be room to stand", "leave room behind it": space, not the room.
+void TakeRoomAsSpace(std::vector<Token>& tokens) {
+  static constexpr std::array<std::string_view, 16> kBefore = {
+      "be",   "is",     "have", "has",      "leave", "leaves",   "leaving", "allow",
+      "some", "enough", "need", "requires", "needs", "provides", "provide", "of"};
+  static constexpr std::array<std::string_view, 9> kAfter = {"for",    "to", "in", "behind",  "around",
+                                                             "beside", "on", "at", "between"};
+  const auto is_one_of = [](const auto& words, const Token& token) {
+    return std::find(words.begin(), words.end(), token.text) != words.end();
+  };
+  for (size_t i = 1; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].IsWord("room") && is_one_of(kBefore, tokens[i - 1]) && is_one_of(kAfter, tokens[i + 1]))
+      tokens[i].text = "space";
+  }
+}
+
 }  // namespace
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
   DropAdverbs(tokens);
   JoinNeitherNor(tokens);
+  TakeRoomAsSpace(tokens);
   MoveAdjectiveBehindSide(tokens);
   return tokens;
 }

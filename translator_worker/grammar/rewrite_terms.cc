@@ -91,6 +91,49 @@ void TakeFirstPlace(std::vector<Term>& terms) {
   terms = std::move(kept);
 }
 
+// "Obstruct the view or access to the window": what of it is obstructed says nothing more.
+void DropWhatIsBlocked(std::vector<Term>& terms) {
+  const auto of_it = [](const Term& term) {
+    if (term.kind == Term::Kind::kMention) {
+      const Reference& first = term.mention.references.front();
+      return first.kind == RefKind::kVague && (first.name == "comfort" || first.name == "lighting");
+    }
+    return term.IsWord("accessible") || term.IsWord("access_to") || term.IsWord("swing_open") ||
+           term.IsWord("facing") || term.IsWord("of") || term.IsWord("or") || term.IsWord("away_from") ||
+           (term.kind == Term::Kind::kSoft && term.lemma == "and") ||
+           (term.kind == Term::Kind::kPurpose && term.lemma == "to");
+  };
+  const auto thing = [](const Term& term) {
+    if (term.kind != Term::Kind::kMention) return false;
+    const RefKind kind = term.mention.references.front().kind;
+    return kind == RefKind::kFeature || kind == RefKind::kObjects;
+  };
+  for (size_t i = 0; i + 2 < terms.size(); ++i) {
+    if (!terms[i].IsWord("block")) continue;
+    size_t end = i + 1;
+    while (end < terms.size() && of_it(terms[end])) ++end;
+    if (end == i + 1 || end == terms.size() || !thing(terms[end])) continue;
+    terms.erase(terms.begin() + static_cast<long>(i) + 1, terms.begin() + static_cast<long>(end));
+  }
+}
+
+// "Close to, but not directly next to, the bed": near it.
+void DropSofteningOfNear(std::vector<Term>& terms) {
+  const auto soft = [](const Term& term) { return term.kind == Term::Kind::kSoft || term.IsWord("or"); };
+  for (size_t i = 0; i < terms.size(); ++i) {
+    if (!terms[i].IsWord("near")) continue;
+    size_t end = i + 1;
+    while (end < terms.size() && soft(terms[end])) ++end;
+    if (end == i + 1 || end + 1 >= terms.size() || !terms[end].IsWord("not")) continue;
+    ++end;
+    if (!terms[end].IsWord("next_to") && !terms[end].IsWord("against") && !terms[end].IsWord("near")) continue;
+    ++end;
+    while (end < terms.size() && soft(terms[end])) ++end;
+    if (end >= terms.size() || terms[end].kind != Term::Kind::kMention) continue;
+    terms.erase(terms.begin() + static_cast<long>(i) + 1, terms.begin() + static_cast<long>(end));
+  }
+}
+
 // "Space in front of at least 0.8 m": of the figure, not of a thing.
 void EndFrontBeforeFigure(std::vector<Term>& terms) {
   for (size_t i = 0; i + 1 < terms.size(); ++i) {
@@ -115,13 +158,20 @@ void SpreadDenial(std::vector<Term>& terms) {
   }
 }
 
-// "Facing directly towards the door".
+// "Facing directly towards the door", "blocking or obstructing".
 void DropRepeatedWords(std::vector<Term>& terms) {
   const auto repeated = [](const Term& a, const Term& b) {
     return a.kind == Term::Kind::kWord && b.kind == Term::Kind::kWord && a.lemma == b.lemma &&
            a.lemma != "side_by_side";
   };
-  terms.erase(std::unique(terms.begin(), terms.end(), repeated), terms.end());
+  std::vector<Term> kept;
+  for (size_t i = 0; i < terms.size(); ++i) {
+    const bool choice = (terms[i].IsWord("or") || (terms[i].kind == Term::Kind::kSoft && terms[i].lemma == "and")) &&
+                        !kept.empty() && i + 1 < terms.size() && repeated(kept.back(), terms[i + 1]);
+    if (choice) continue;
+    if (kept.empty() || !repeated(kept.back(), terms[i])) kept.push_back(std::move(terms[i]));
+  }
+  terms = std::move(kept);
 }
 
 bool SaysSomething(const Term& term) {
@@ -141,8 +191,11 @@ void DropLabel(std::vector<Term>& terms) {
   const auto colon = std::find_if(terms.begin(), terms.end(), is_colon);
   if (colon == terms.end() || colon == terms.begin() || colon - terms.begin() > static_cast<long>(kLongestLabel))
     return;
-  if (std::any_of(terms.begin(), colon, is_stop) || std::any_of(terms.begin(), colon, is_object)) return;
+  if (std::any_of(terms.begin(), colon, is_stop)) return;
   const auto reason = std::find_if(colon, terms.end(), is_purpose);
+  // "Proximity of sofa and table: the sofa is near the table" says it twice; "Sofa: near the table" does not.
+  const bool names = std::any_of(terms.begin(), colon, is_object);
+  if (names && (!std::any_of(terms.begin(), colon, SaysSomething) || !std::any_of(colon, reason, is_object))) return;
   if (std::any_of(colon, reason, SaysSomething)) terms.erase(terms.begin(), colon + 1);
 }
 
@@ -159,6 +212,8 @@ void MoveNotBehindSubject(std::vector<Term>& terms) {
 
 void RewriteTerms(std::vector<Term>& terms) {
   DropRepeatedWords(terms);
+  DropSofteningOfNear(terms);
+  DropWhatIsBlocked(terms);
   DropLabel(terms);
   TakeExamples(terms);
   TakeFirstPlace(terms);

@@ -163,6 +163,18 @@ class Walk {
   std::vector<const Mention*> unused_;
 };
 
+// What happens to an object stays: "overshadowed by".
+Analysis WithoutUnknown(const Analysis& analysis) {
+  Analysis known = analysis;
+  known.terms.clear();
+  for (size_t i = 0; i < analysis.terms.size(); ++i) {
+    const bool passive = i + 1 < analysis.terms.size() && analysis.terms[i].lemma.ends_with("ed") &&
+                         analysis.terms[i + 1].IsWord("next_to");
+    if (analysis.terms[i].kind != Term::Kind::kUnknown || passive) known.terms.push_back(analysis.terms[i]);
+  }
+  return known;
+}
+
 }  // namespace
 
 Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
@@ -176,10 +188,16 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
   } else {
     Walk walk(analysis, composer, sentence.text(), false);
     walk.Run();
-    if (composer.calls().empty() && composer.refusals().empty() && walk.reasons() && !walk.vague()) {
+    const auto nothing_yet = [&] { return composer.calls().empty() && composer.refusals().empty(); };
+    // A word that is not known may stand within a fact that is: "positioned snugly-ish next to the bed".
+    const Analysis known = nothing_yet() ? WithoutUnknown(analysis) : Analysis{};
+    if (nothing_yet() && known.terms.size() < analysis.terms.size()) {
+      Walk(known, composer, sentence.text(), false).Run();
+    }
+    if (nothing_yet() && walk.reasons() && !walk.vague()) {
       // "Positioned to create a nook away from the TV": all that it says stands in the reason.
-      Walk again(analysis, composer, sentence.text(), true);
-      again.Run();
+      Walk(analysis, composer, sentence.text(), true).Run();
+      if (nothing_yet()) Walk(known, composer, sentence.text(), true).Run();
     }
     walk.RefuseVague();
     if (composer.calls().empty() && composer.refusals().empty()) {

@@ -22,6 +22,7 @@ void EmitFacing(const Placed& mover, const Placed& other, bool both, Composer& c
 }
 
 void Facing(const Match& match, std::string_view tag, Composer& composer) {
+  if (composer.RefuseUnnamed(*match.b)) return;
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers, tag != "not")) {
     for (const Placed& mover : movers) {
@@ -204,7 +205,7 @@ void IntoRoom(const Match& match, std::string_view, Composer& composer) {
 
 std::vector<Rule> AngleRules() {
   return {
-      {"A? facing B", Facing},
+      {"A? facing/visible_from B", Facing},
       {"A? facing ,? in_front_of B", Facing},
       {"A? not facing/opposite B", Facing, "not"},
       {"A? facing_away B", Facing, "not"},

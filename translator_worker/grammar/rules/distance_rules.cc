@@ -83,12 +83,18 @@ bool Names(const Reference& reference, int object) {
   return has(reference.candidates) || has(reference.weak_candidates);
 }
 
+void BetweenOrAnything(const Match& match, std::string_view tag, Composer& composer);
+
 // Every pair of the list; "them" is the last pair spoken of, or the objects that the sentence is about.
 void Between(const Match& match, std::string_view tag, Composer& composer) {
   static const Distance kTouching{0, 0, true};
   const Distance* distance = tag == "touching" ? &kTouching : match.distance;
   const Mention& mention = *match.b;
   const Reference& last = mention.references.back();
+  if (last.kind == RefKind::kGroup && mention.references.size() > 1 && !mention.references.front().side.empty()) {
+    BetweenOrAnything(match, tag, composer);
+    return;
+  }
   if (last.kind == RefKind::kGroup && mention.references.size() > 1 && distance != nullptr) {
     // "At least 0.3 m between the cabinet and any other object".
     Mention one;
@@ -134,10 +140,16 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
   if (all.size() == 2) composer.SetPair({all[0]}, {all[1]});
   // "Between the table and each chair": the chairs among themselves are not meant.
   const bool among_groups = mention.references.size() > 1;
+  // "Between the shelf and both the desk and the table": from the shelf to each of the others.
+  const auto both = std::find_if(mention.references.begin() + 1, mention.references.end(),
+                                 [](const Reference& one) { return one.each && !one.plural; });
+  const size_t first_of_both = both == mention.references.end() || mention.references.size() < 3
+                                   ? mention.references.size()
+                                   : static_cast<size_t>(both - mention.references.begin());
   const auto group_of = [&](const Placed& placed) {
     size_t group = 0;
     while (group < mention.references.size() && !Names(mention.references[group], placed.object)) ++group;
-    return group;
+    return group < mention.references.size() ? std::min(group, first_of_both) : group;
   };
   for (size_t i = 0; i < all.size(); ++i) {
     for (size_t k = i + 1; k < all.size(); ++k) {
@@ -203,6 +215,13 @@ void ApartFromEachOther(const Match& match, std::string_view, Composer& composer
   }
 }
 
+// "They are not close to them" means each other, "not close to it" what was spoken of.
+void NotNearPronoun(const Match& match, std::string_view tag, Composer& composer) {
+  const Reference& pronoun = match.b->references.front();
+  const bool one = pronoun.name == "it" || !pronoun.side.empty();
+  one ? AwayFrom(match, tag, composer) : ApartFromEachOther(match, tag, composer);
+}
+
 // "A clear walkway between the sofa and the table" keeps them apart; between pieces that are not named it is a path.
 void PathBetween(const Match& match, std::string_view tag, Composer& composer) {
   if (match.a != nullptr && match.c->references.front().name == "paths") {
@@ -216,6 +235,9 @@ void PathBetween(const Match& match, std::string_view tag, Composer& composer) {
     composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
   }
 }
+
+// "Walkways of at least 0.6 m": how wide ways are, wherever they lead. Of other vague things the figure is a space's.
+void Ways(const Match& match, std::string_view tag, Composer& composer);
 
 // A bare distance belongs to the fact before it: to its pair, else it is free space in front.
 void BareDistance(const Match& match, std::string_view, Composer& composer) {
@@ -240,6 +262,14 @@ void BareDistance(const Match& match, std::string_view, Composer& composer) {
     return;
   }
   composer.Refuse("unknown_sentence", "a distance needs two objects that it is kept between");
+}
+
+void Ways(const Match& match, std::string_view tag, Composer& composer) {
+  if (match.c->references.front().name == "paths") {
+    composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
+  } else {
+    BareDistance(match, tag, composer);
+  }
 }
 
 // "No sockets nearby", "the door is at least 1 m away": from what is spoken of.
@@ -272,6 +302,7 @@ std::vector<Rule> WalkwayRules() {
       {"B.feature not near/next_to", FeatureAway}, {"B.feature not near/next_to A.object", FeatureAway},
       {"B.feature away_from", FeatureAway},        {"B.feature away_from/near D", FeatureAway},
       {"B.feature D apart", FeatureAway},          {"B.feature apart", FeatureAway},
+      {"C.vague of? ,? D space?", Ways},           {"D of? space? C.vague", Ways},
   };
 }
 
@@ -281,7 +312,7 @@ std::vector<Rule> DistanceRules() {
       {"A? not space? D? space? away_from B", AwayFrom, "not"},
       {"A? not D of/near B", AwayFrom, "not"},
       {"A.group not D to/away_from B", AwayFrom, "not"},
-      {"D apart A.object away_from B", AwayFrom},
+      {"space? of? D space? apart A.object away_from/and B", AwayFrom},
       {"not? apart A.object away_from B ,? D?", AwayFrom},
       {"A? space? D space? to B.object", AwayFrom},
       {"A? space? D space? to B.wall", AwayFrom},
@@ -312,7 +343,7 @@ std::vector<Rule> DistanceRules() {
       {"A? apart ,? D space? away_from B", AwayFrom},
       {"A? not near/next_to/against both_ways", ApartFromEachOther},
       {"A.list not near/next_to/together", ApartFromEachOther},
-      {"A? not near/next_to/against B.pronoun", ApartFromEachOther},
+      {"A? not near/next_to/against B.pronoun", NotNearPronoun},
       {"D space?", BareDistance},
       {"space D", BareDistance},
       {"away_from? D apart?", BareDistance},
@@ -326,8 +357,11 @@ std::vector<Rule> DistanceRules() {
       {"A? space? D? space? away_from B.object to C.object", FromTo},
       {"A? space? away_from B.object to C.object D", FromTo},
       {"A? space? D? space? away_from B to C.group", FromTo},
+      {"A? space? D? space? away_from B.object to_side/left_of/right_of/foot_of C.object", FromTo},
+      {"A.vague? D? space? away_from B.object to_side/left_of/right_of/foot_of C.object", FromTo},
       {"A? space? D? space? away_from B to C.group or C.wall", FromTo},
       {"A? space? D? space? away_from B.side to C.wall", FromTo},
+      {"A? space? D? space? away_from B.object edge? to C.wall", FromTo},
       {"A? space? D? space? away_from B.side to C.wall or C.group", FromTo},
       {"A? not B.feature", AwayFrom},
       {"A? not crowd B", AwayFrom},

@@ -85,9 +85,23 @@ void KeepClear(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Doors can open freely": the room's, unless a piece with doors of its own is spoken of.
+void DoorsOpen(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed>& topic = composer.topic();
+  if (!topic.empty() && composer.HasDoors(topic.front())) {
+    for (const Placed& placed : topic) composer.EmitFirst({AccessibleFront(placed, composer)});
+  } else {
+    KeepClear(match, tag, composer);
+  }
+}
+
 // "With socket access": sockets are reached from near them, doors and windows are kept free.
 void FeatureAccessible(const Match& match, std::string_view tag, Composer& composer) {
   const std::string& name = match.b->references.front().name;
+  if (name == "door" && !composer.topic().empty() && composer.IsWalkIn(composer.topic().front())) {
+    DoorsOpen(match, tag, composer);
+    return;
+  }
   if (name != "socket" || !composer.HasFeature(name) || match.b->references.size() > 1) {
     KeepClear(match, tag, composer);
     return;
@@ -124,20 +138,14 @@ void PathBetween(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
 }
 
-// "Doors can open freely": the room's, unless a piece with doors of its own is spoken of.
-void DoorsOpen(const Match& match, std::string_view tag, Composer& composer) {
-  const std::vector<Placed>& topic = composer.topic();
-  if (!topic.empty() && composer.HasDoors(topic.front())) {
-    for (const Placed& placed : topic) composer.EmitFirst({AccessibleFront(placed, composer)});
-  } else {
-    KeepClear(match, tag, composer);
-  }
-}
-
 void NotBlockEachOther(const Match& match, std::string_view, Composer& composer) {
   std::vector<Placed> all = composer.Movers(match.a);
   if (all.size() < 2) all = composer.subjects();
   for (const Placed& placed : all) composer.EmitFirst({AccessibleFront(placed, composer)});
+}
+
+void OutOfSight(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "no call hides one thing from another; say what faces what");
 }
 
 void ViewBetween(const Match&, std::string_view, Composer& composer) {
@@ -150,6 +158,9 @@ std::vector<Rule> FeatureRules() {
   return {
       {"A? not block B", NotBlock},
       {"A? not block next_to B.feature", NotBlock},
+      {"A? access_to/allow_access_to/accessible B not block", NotBlock},
+      {"A? access_to/allow_access_to/accessible B keep_clear", NotBlock},
+      {"A? not block B not block/accessible", NotBlock},
       {"A? not aligned ,? B.feature", NotBlock},
       {"not_aligned A.object? ,? B.feature", NotBlock},
       {"not B.feature not swing_open", KeepClear},
@@ -187,6 +198,7 @@ std::vector<Rule> FeatureRules() {
       {"A? not in_front_of B.feature", NotBlock},
       {"A? not in_front_of/under/behind/on/above B.feature", NotBlock},
       {"A? not against/facing/opposite B.feature", NotBlock},
+      {"A? not visible_from B", OutOfSight},
       {"A? not in_front_of/under/on/over or in_front_of/under/behind/on B.feature", NotBlock},
       {"B.feature keep_clear", KeepClear},
       {"B.feature not block", KeepClear},

@@ -19,8 +19,14 @@ void EmitSurround(const std::vector<Placed>& movers, const std::vector<Placed>& 
   composer.SetPair(movers, {centers.front()});
 }
 
-void Surround(const Match& match, std::string_view, Composer& composer) {
+// tag "plain": only "around", which several stand and one moves.
+void Surround(const Match& match, std::string_view tag, Composer& composer) {
+  if (match.a != nullptr && composer.RefuseUnnamed(*match.a)) return;
   const std::vector<Placed> movers = composer.Movers(match.a);
+  if (tag == "plain" && movers.size() < 2) {
+    composer.Refuse("unknown_sentence", "one object cannot stand around another; say beside or near it");
+    return;
+  }
   EmitSurround(movers, composer.TargetObjects(*match.b, movers), composer);
 }
 
@@ -93,7 +99,7 @@ void Touching(const Match& match, std::string_view, Composer& composer) {
 std::vector<Rule> GroupRules() {
   return {
       {"A? surround B", Surround},
-      {"A? around B.object", Surround},
+      {"A? around B.object", Surround, "plain"},
       {"A? against/on/next_to/each_side_of around B.object", Surround},
       {"A surrounded_by B", SurroundedBy},
       {"A? between B", Between},

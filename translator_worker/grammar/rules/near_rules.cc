@@ -119,6 +119,7 @@ void AccessToFeature(const Match& match, std::string_view, Composer& composer) {
 }
 
 void NextTo(const Match& match, std::string_view, Composer& composer) {
+  if (composer.RefuseUnnamed(*match.b)) return;
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers)) {
     for (const Placed& mover : movers) {

@@ -37,10 +37,27 @@ void OnSide(const Placed& mover, const Placed& host, Composer& composer) {
   }
 }
 
+// "In the shower area": in the zone of the shower.
+void InAreaOf(const std::vector<Placed>& movers, const std::vector<Placed>& hosts, Composer& composer) {
+  for (const Placed& mover : movers) {
+    for (const Placed& host : hosts) {
+      const std::string& zone = composer.object(host.object).zone_id();
+      std::vector<Call> calls;
+      if (!zone.empty()) calls.push_back(Call("in_zone").Text("object", composer.id(mover)).Text("zone", zone));
+      calls.push_back(Call("near").Text("object", composer.id(mover)).Text("target", composer.id(host)));
+      composer.EmitFirst(std::move(calls));
+    }
+  }
+}
+
 // tag: "" in the middle, "any" a corner, or that corner.
 void On(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   const std::vector<Placed> hosts = composer.TargetObjects(*match.b, movers);
+  if (match.b->references.front().area && !movers.empty() && composer.IsFloor(movers.front())) {
+    InAreaOf(movers, hosts, composer);
+    return;
+  }
   const auto several = [](const std::string& side) {
     return side == "sides" || side == "long_both" || side == "short_both" || side == "all";
   };

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/brackets.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "translator_worker/grammar/lexicon.h"
+
+namespace flair::translator {
+namespace {
+
+// What stands in brackets beyond this many tokens is read like the rest.
+constexpr size_t kLongestBracket = 40;
+// A bracket that tells how wide a space is has no more tokens than this.
+constexpr size_t kLongestFigure = 10;
+
+class BracketReader {
+ public:
+  BracketReader(const std::vector<Token>& tokens, size_t at, const SceneNames& names, std::vector<RawTerm>& terms)
+      : tokens_(tokens), at_(at), end_(at + 1), names_(names), terms_(terms) {
+    const size_t limit = std::min(tokens.size(), at + kLongestBracket);
+    while (end_ < limit && !tokens[end_].IsMark(')') && !tokens[end_].IsMark('.')) ++end_;
+  }
+
+  Bracket Read() {
+    const Token& first = tokens_[at_ + 1];
+    // "Enough space (at least 0.6 m) behind": the bracket adds to what is said.
+    const bool adds = !IsDimension() && SpaceSpokenOf();
+    const bool closed = end_ < tokens_.size() && tokens_[end_].IsMark(')');
+    if (first.kind == Token::Kind::kDistance && (!IsSize() || adds) && end_ <= at_ + 4 && closed) {
+      return {Bracket::Kind::kOpened, at_ + 1, end_};
+    }
+    if (TakeNames() || TakeSide() || (adds && closed && TakeFigure()) || Explains()) {
+      return {Bracket::Kind::kSkipped, std::min(end_ + 1, tokens_.size()), 0};
+    }
+    return {};
+  }
+
+ private:
+  bool Is(size_t i, std::string_view word) const { return i < tokens_.size() && tokens_[i].IsWord(word); }
+
+  // "(length)".
+  bool IsDimension() const {
+    return end_ == at_ + 2 && (Is(at_ + 1, "length") || Is(at_ + 1, "width") || Is(at_ + 1, "depth"));
+  }
+
+  // "(1.5m)", "(2 m side)": how long a thing is.
+  bool IsSize() const {
+    const Token& first = tokens_[at_ + 1];
+    const bool edge = end_ == at_ + 3 && (Is(at_ + 2, "edge") || Is(at_ + 2, "side") || Is(at_ + 2, "each") ||
+                                          Is(at_ + 2, "width") || Is(at_ + 2, "length"));
+    return IsDimension() ||
+           (first.kind == Token::Kind::kDistance && first.distance.exact && (end_ == at_ + 2 || edge));
+  }
+
+  bool Explains() const {
+    static constexpr std::array<std::string_view, 6> kOpenings = {"eg",   "ie",       "preferably",
+                                                                  "left", "ideally", "including"};
+    return tokens_[at_ + 1].IsMark(')') || IsSize() ||
+           std::any_of(kOpenings.begin(), kOpenings.end(), [&](std::string_view word) { return Is(at_ + 1, word); });
+  }
+
+  // Whether this sentence has said that something is kept free, so that a bare figure is how much.
+  bool SpaceSpokenOf() const {
+    for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
+      const Term& term = terms_[i - 1].term;
+      if (term.IsWord("space") || term.IsWord("pull_out") || term.IsWord("keep_clear") || term.IsWord("accessible") ||
+          term.IsWord("away_from") || term.IsWord("clear_of") || term.IsWord("around")) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // "(preferably 0.5 m minimum clearance)": the one length in it. One that says where, too, is read like the rest.
+  bool TakeFigure() {
+    const auto is_length = [](const Token& token) { return token.kind == Token::Kind::kDistance; };
+    for (size_t i = at_ + 1; i < end_; ++i) {
+      const Phrase phrase = Lexicon::Get().Find(tokens_, i);
+      const bool says_where = phrase.word_class == WordClass::kSide ||
+                              (phrase.word_class == WordClass::kRelation && phrase.lemma != "space");
+      if (phrase.length > 0 && says_where) return false;
+    }
+    const auto begin = tokens_.begin() + static_cast<long>(at_) + 1;
+    const auto end = tokens_.begin() + static_cast<long>(end_);
+    if (end_ - at_ > kLongestFigure || std::count_if(begin, end, is_length) != 1) return false;
+    const Token& length = *std::find_if(begin, end, is_length);
+    RawTerm raw;
+    raw.term.kind = Term::Kind::kDistance;
+    raw.term.distance = length.distance;
+    raw.term.begin = length.begin;
+    raw.term.end = length.end;
+    terms_.push_back(std::move(raw));
+    return true;
+  }
+
+  // The side word of this sentence that leaves open which one is meant; null when there is none. Only the last word
+  // counts, unless the bracket says what is usual: "one side is accessible for seating (typically the front)".
+  std::string* OpenSide() {
+    const auto leaves_open = [](const RawTerm& raw) {
+      const std::string& side = raw.term.lemma;
+      return raw.role == RawTerm::Role::kSide && (side == "side" || side == "long_one" || side == "short_one" ||
+                                                  side == "two_any" || side == "opposite_two");
+    };
+    const bool anywhere =
+        Is(at_ + 1, "typically") || Is(at_ + 1, "usually") || Is(at_ + 1, "preferably") || Is(at_ + 1, "ideally");
+    for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
+      if (leaves_open(terms_[i - 1])) return &terms_[i - 1].term.lemma;
+      if (!anywhere) break;
+    }
+    return nullptr;
+  }
+
+  // "One side (preferably the front)", "two opposite sides (e.g., front and back)".
+  bool TakeSide() {
+    std::string* const open = OpenSide();
+    if (open == nullptr) return false;
+    std::vector<std::string> named;
+    for (size_t i = at_ + 1; i < end_; ++i) {
+      const Phrase phrase = Lexicon::Get().Find(tokens_, i);
+      if (phrase.word_class == WordClass::kSide && phrase.length > 0) named.push_back(phrase.lemma);
+      if (phrase.length > 1) i += phrase.length - 1;
+    }
+    if (named.size() == 1) *open = named[0];
+    if (named.size() == 2 && named[0] == "front" && named[1] == "back") *open = "axial";
+    if (named.size() == 2 && named[0] == "left" && named[1] == "right") *open = "sides";
+    return !named.empty();
+  }
+
+  // "The seating zone (sofa and armchair)": the names stand for the zone.
+  bool TakeNames() {
+    if (terms_.empty() || terms_.back().role != RawTerm::Role::kNone || !IsZoneOrClass(terms_.back().term))
+      return false;
+    std::vector<Reference> named;
+    for (size_t i = at_ + 1; i < end_;) {
+      const SceneNames::Found name = names_.Find(tokens_, i);
+      const bool joins = tokens_[i].IsMark(',') || tokens_[i].IsMark('/') || Is(i, "and") || Is(i, "the") ||
+                         Is(i, "or") || Is(i, "eg") || Is(i, "like") || Is(i, "such") || Is(i, "as");
+      if (name.length == 0 && !joins) return false;
+      if (name.length > 0) named.push_back(name.reference);
+      i += std::max<size_t>(name.length, 1);
+    }
+    if (named.empty()) return false;
+    terms_.back().term.mention.references = std::move(named);
+    return true;
+  }
+
+  static bool IsZoneOrClass(const Term& term) {
+    if (term.kind != Term::Kind::kMention) return false;
+    const RefKind kind = term.mention.references.back().kind;
+    return kind == RefKind::kZone || kind == RefKind::kGroup || kind == RefKind::kAbsent;
+  }
+
+  const std::vector<Token>& tokens_;
+  const size_t at_;
+  // The closing mark, or where reading ends without one.
+  size_t end_;
+  const SceneNames& names_;
+  std::vector<RawTerm>& terms_;
+};
+
+}  // namespace
+
+Bracket ReadBracket(const std::vector<Token>& tokens, size_t at, const SceneNames& names, std::vector<RawTerm>& terms) {
+  if (!tokens[at].IsMark('(') || at + 1 >= tokens.size()) return {};
+  return BracketReader(tokens, at, names, terms).Read();
+}
+
+}  // namespace flair::translator
