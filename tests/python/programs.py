@@ -25,6 +25,7 @@ class Program:
                 self.address = line.removeprefix("listening on ").strip()
                 return self
         self.process.wait()
+        self.process.stdout.close()
         raise AssertionError(f"{self._command[0]} did not start: {self.errors()}")
 
     def __exit__(self, *_: object) -> None:
