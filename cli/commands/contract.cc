@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair contract: what a server of a stage promises, and whether it keeps it.
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands/commands.h"
+#include "cli/contract/report.h"
+#include "cli/exit_code.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+struct ContractArguments {
+  std::string stage;
+  std::string target;
+  std::string only;
+  double patience_s = 20;
+  int max_message_mib = 32;
+  bool list = false;
+  bool markdown = false;
+  bool json = false;
+};
+
+std::vector<contract::Check> ChosenChecks(const contract::Stage& stage, const std::string& only) {
+  std::vector<contract::Check> checks = contract::ChecksOf(stage);
+  std::erase_if(checks, [&only](const contract::Check& check) {
+    return !check.decisive && check.name.find(only) == std::string::npos;
+  });
+  return checks;
+}
+
+void List(const contract::Stage& stage, const ContractArguments& arguments) {
+  const std::vector<contract::Check> checks = ChosenChecks(stage, arguments.only);
+  fmt::print("{}", arguments.json       ? contract::ListJson(stage, checks)
+                   : arguments.markdown ? contract::ListMarkdown(stage, checks)
+                                        : contract::ListText(stage, checks));
+}
+
+absl::Status Test(const contract::Stage& stage, const ContractArguments& arguments) {
+  auto target = contract::Target::Connect({.address = arguments.target,
+                                           .service = stage.service,
+                                           .patience = absl::Seconds(arguments.patience_s),
+                                           .max_message_mib = arguments.max_message_mib});
+  if (!target.ok()) return absl::Status(target.status().code(), fmt::format("--target {}", target.status().message()));
+  // With --json standard output is for programs alone.
+  std::FILE* const out = arguments.json ? stderr : stdout;
+  const auto say = [out](const std::string& text) {
+    fmt::print(out, "{}", text);
+    std::fflush(out);
+  };
+  say(contract::HeadText(stage, **target));
+  const std::vector<contract::Check> checks = ChosenChecks(stage, arguments.only);
+  const std::vector<contract::Result> results = contract::RunChecks(
+      checks, **target, [&say](const contract::Result& result) { say(contract::ResultText(result)); });
+  say(contract::SummaryText(results));
+  if (arguments.json) fmt::print("{}", contract::ResultsJson(stage, **target, results));
+  const int broken = contract::BrokenCount(results);
+  if (broken == 0) return absl::OkStatus();
+  return BrokenPromises(
+      fmt::format("{} breaks {} of the {} promises that were put to it", arguments.target, broken, results.size()));
+}
+
+absl::Status Contract(const ContractArguments& arguments) {
+  const contract::Stage* const stage = contract::FindStage(arguments.stage);
+  if (arguments.list) {
+    for (const contract::Stage& each : contract::AllStages()) {
+      if (stage == nullptr || stage == &each) List(each, arguments);
+    }
+    return absl::OkStatus();
+  }
+  if (stage == nullptr) return absl::InvalidArgumentError("STAGE: missing; flair contract --help names them");
+  if (arguments.target.empty()) {
+    return absl::InvalidArgumentError(
+        "--target: missing; HOST:PORT of the server to test, or --list for what is asked");
+  }
+  return Test(*stage, arguments);
+}
+
+}  // namespace
+
+void AddContract(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<ContractArguments>();
+  CLI::App* command = program.add_subcommand(
+      "contract", "Puts every promise of a stage to a server and says which it keeps and which it breaks.");
+  std::vector<std::string> names;
+  for (const contract::Stage& stage : contract::AllStages()) names.push_back(stage.name);
+  command->add_option("STAGE", arguments->stage, "What the server is")->check(CLI::IsMember(names));
+  command->add_option("--target", arguments->target, "The server, HOST:PORT or unix:PATH")->type_name("ADDRESS");
+  command->add_option("--only", arguments->only, "Checks whose name contains this")->type_name("TEXT");
+  command->add_option("--patience", arguments->patience_s, "Seconds that a call may take before the server is silent")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command->add_option("--max-message-mib", arguments->max_message_mib, "The largest message that the server takes, MiB")
+      ->check(CLI::Range(4, 1024))
+      ->capture_default_str();
+  CLI::Option* const list = command->add_flag("--list", arguments->list, "Say what is promised, without a server");
+  CLI::Option* const json = command->add_flag("--json", arguments->json, "As JSON; progress goes to standard error");
+  command->add_flag("--markdown", arguments->markdown, "With --list: as docs/contract.md")->needs(list)->excludes(json);
+  command->footer(
+      "Optional promises are put only to servers that claim them (GetWorkerResponse.capabilities). An orchestrator is\n"
+      "given real jobs, which stay in its store.\n"
+      "Ends with 0 when all promises are kept, 8 when one is broken, 3 when nobody answers at the address.");
+  command->callback([arguments, &result] {
+    result = Contract(*arguments);
+    std::fflush(stdout);
+  });
+}
+
+}  // namespace flair::cli
