@@ -43,7 +43,8 @@ FAULTS = {
         "object_list { objects { role: 77 } }", "object_list.objects[2].role: 77 is no known value"),
     "a wall that is not there": ('room { openings { id: "w" wall: "up" } }', 'room.openings[1].wall: "up" is no wall'),
     "an opening beyond its wall": (
-        'room { openings { id: "w" wall: "south" offset_m: 3 width_m: 2 } }', "room.openings[1]: ends 5 m along"),
+        'room { openings { id: "w" wall: "south" offset_m: 3 width_m: 2 } }',
+        'room.openings[1].width_m: 2 does not fit wall "south" (4 m from 3 m); at most 1'),
     "one wall too many": ('room { walls { name: "up" } }', "room.walls: has 5 walls for a floor of 4 edges"),
     "a floor that does not begin at 0": (
         "room { floor { vertices { x_m: -9 y_m: 9 } } }", "room.floor: x_m is in [-9, 4]"),
@@ -83,6 +84,15 @@ class Checks(unittest.TestCase):
         for vertex, (x, y) in zip(clockwise.room.floor.vertices, reversed(corners)):
             vertex.x_m, vertex.y_m = x, y
         self.assertIn("room.floor: runs clockwise; must be counter-clockwise", problems_in(clockwise))
+
+    def test_placements_to_evaluate_are_those_of_objects(self) -> None:
+        request = v1.EvaluateRequest(layout_graph=graph(), placements=[v1.Placement(object_id="ghost")])
+        self.assertEqual(problems_in(request), ['placements[0].object_id: "ghost" is not an object of this message'])
+
+    def test_a_time_limit_of_nothing_is_refused(self) -> None:
+        request = v1.SolveRequest(layout_graph=graph())
+        request.options.time_limit.FromSeconds(0)
+        self.assertEqual(problems_in(request), ["options.time_limit: 0s is no time; more than 0 s"])
 
     def test_paths_begin_with_the_fields_of_the_request(self) -> None:
         request = v1.SolveRequest(layout_graph=graph())

@@ -13,7 +13,7 @@ from google.protobuf.message import Message
 from flair import v1
 
 _TOLERANCE_M = 1e-6
-_PARENTS = ("brief", "layout_graph", "graph", "solved_layout")
+_PARENTS = ("brief", "layout_graph", "graph", "solved_layout", "options")
 _PIN_MARGIN_M = 1.0
 
 
@@ -26,6 +26,11 @@ def broken_in(message: Message, path: str = "") -> Iterator[str]:
     for name in _PARENTS:
         if name in has:
             yield from broken_in(getattr(message, name), prefix + name)
+        if name in has and name.endswith("graph") and "placements" in names:
+            objects = [item.id for item in getattr(message, name).object_list.objects]
+            yield from _placements(message.placements, objects, f"{prefix}placements")
+    if "time_limit" in has and message.time_limit.ToNanoseconds() <= 0:
+        yield f"{prefix}time_limit: {message.time_limit.ToJsonString()} is no time; more than 0 s"
     if isinstance(message, v1.Room):
         yield from _room(message, prefix)
     elif "room" in has:
@@ -62,20 +67,25 @@ def _objects(message: v1.ObjectList, ids: list[str], zones: list[str] | None, at
             yield f"{at}[{index}].host_id: \"{item.host_id}\" is not another object of this message"
 
 
+def _placements(placements: Iterable[v1.Placement], objects: list[str], at: str) -> Iterator[str]:
+    for index, placement in enumerate(placements):
+        if placement.object_id not in objects:
+            yield f"{at}[{index}].object_id: \"{placement.object_id}\" is not an object of this message"
+
+
 def _graph(graph: v1.LayoutGraph, objects: list[str], prefix: str) -> Iterator[str]:
     sentences = [sentence.id for sentence in graph.constraint_list.sentences]
     for index, edge in enumerate(graph.edges):
         if edge.sentence_id and edge.sentence_id not in sentences:
             yield f"{prefix}edges[{index}].sentence_id: \"{edge.sentence_id}\" is not a sentence of this message"
+    yield from _placements(graph.pinned_placements, objects, f"{prefix}pinned_placements")
     corners = graph.room.floor.vertices
     for index, pin in enumerate(graph.pinned_placements):
-        at = f"{prefix}pinned_placements[{index}]"
-        if pin.object_id not in objects:
-            yield f"{at}.object_id: \"{pin.object_id}\" is not an object of this message"
         for name, value in (("x_m", pin.x_m), ("y_m", pin.y_m)):
             most = max((getattr(corner, name) for corner in corners), default=0) + _PIN_MARGIN_M
             if not -_PIN_MARGIN_M <= value <= most:
-                yield f"{at}.{name}: {value:.17g} is outside [{-_PIN_MARGIN_M}, {most:.17g}]"
+                at = f"{prefix}pinned_placements[{index}].{name}"
+                yield f"{at}: {value:.17g} is outside [{-_PIN_MARGIN_M}, {most:.17g}]"
 
 
 def _room(room: v1.Room, prefix: str) -> Iterator[str]:
@@ -93,19 +103,23 @@ def _room(room: v1.Room, prefix: str) -> Iterator[str]:
         return
     lengths = {wall.name: math.dist(*edge) for wall, edge in zip(room.walls, edges)}
     for index, opening in enumerate(room.openings):
-        yield from _on_wall(opening, opening.offset_m + opening.width_m, lengths, f"{prefix}openings[{index}]")
+        yield from _on_wall(opening, "width_m", lengths, f"{prefix}openings[{index}]")
         if opening.kind == v1.OpeningKind.OPENING_KIND_DOOR and not opening.HasField("leaf"):
             yield f"{prefix}openings[{index}].leaf: is not set; a door says how it opens"
         if opening.head_height_m <= opening.sill_height_m or opening.head_height_m > room.height_m:
             yield (f"{prefix}openings[{index}].head_height_m: {opening.head_height_m:.17g} is outside "
                    f"({opening.sill_height_m:.17g}, {room.height_m:.17g}]")
     for index, socket in enumerate(room.sockets):
-        yield from _on_wall(socket, socket.offset_m, lengths, f"{prefix}sockets[{index}]")
+        yield from _on_wall(socket, "offset_m", lengths, f"{prefix}sockets[{index}]")
 
 
-def _on_wall(item: Any, end_m: float, lengths: dict[str, float], at: str) -> Iterator[str]:
-    """An opening or a socket whose far end is `end_m` along its wall."""
+def _on_wall(item: Any, last: str, lengths: dict[str, float], at: str) -> Iterator[str]:
+    """An opening or a socket; `last` is the field that decides where it ends along its wall."""
     if item.wall not in lengths:
         yield f"{at}.wall: \"{item.wall}\" is no wall of this room; it has {', '.join(lengths)}"
-    elif end_m > lengths[item.wall] + _TOLERANCE_M:
-        yield f"{at}: ends {end_m:.6g} m along wall \"{item.wall}\", which is {lengths[item.wall]:.6g} m long"
+        return
+    before_m = item.offset_m if last == "width_m" else 0.0
+    most = lengths[item.wall] - before_m
+    if getattr(item, last) > most + _TOLERANCE_M:
+        yield (f"{at}.{last}: {getattr(item, last):.17g} does not fit wall \"{item.wall}\" "
+               f"({lengths[item.wall]:.6g} m from {before_m:.6g} m); at most {max(most, 0):.6g}")
