@@ -85,6 +85,21 @@ class Checks(unittest.TestCase):
             vertex.x_m, vertex.y_m = x, y
         self.assertIn("room.floor: runs clockwise; must be counter-clockwise", problems_in(clockwise))
 
+    def test_a_floor_that_crosses_itself_is_refused(self) -> None:
+        crossed = graph()
+        crossed.room.floor.vertices[1].x_m, crossed.room.floor.vertices[2].x_m = 0, 4
+        crossed.room.floor.vertices[3].x_m, crossed.room.floor.vertices[3].y_m = 4, 0
+        self.assertTrue(any("room.floor: is not simple" in line for line in problems_in(crossed)), problems_in(crossed))
+
+    def test_a_floor_with_two_edges_on_one_line_is_good(self) -> None:
+        corners = [(0, 0), (6, 0), (6, 4), (4, 4), (4, 2), (2, 2), (2, 4), (0, 4)]  # a U
+        room = graph().room
+        del room.floor.vertices[:], room.walls[4:], room.openings[:]
+        for x, y in corners:
+            room.floor.vertices.add(x_m=x, y_m=y)
+        room.walls.extend([v1.Wall(name=f"wall_{index}") for index in range(4, 8)])
+        self.assertEqual(problems_in(room), [])
+
     def test_placements_to_evaluate_are_those_of_objects(self) -> None:
         request = v1.EvaluateRequest(layout_graph=graph(), placements=[v1.Placement(object_id="ghost")])
         self.assertEqual(problems_in(request), ['placements[0].object_id: "ghost" is not an object of this message'])

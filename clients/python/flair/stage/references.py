@@ -12,6 +12,8 @@ from google.protobuf.message import Message
 
 from flair import v1
 
+Point = tuple[float, float]
+
 _TOLERANCE_M = 1e-6
 _PARENTS = ("brief", "layout_graph", "graph", "solved_layout", "options")
 _PIN_MARGIN_M = 1.0
@@ -93,6 +95,9 @@ def _room(room: v1.Room, prefix: str) -> Iterator[str]:
     if len(corners) < 3 or not all(map(math.isfinite, (value for corner in corners for value in corner))):
         return  # said already
     edges = list(zip(corners, corners[1:] + corners[:1]))
+    if not _is_simple(edges):
+        yield f"{prefix}floor: is not simple; no two edges may cross or touch but neighbours in their shared corner"
+        return
     if sum(a[0] * b[1] - a[1] * b[0] for a, b in edges) <= 0:
         yield f"{prefix}floor: runs clockwise; must be counter-clockwise"
     for name, values in (("x_m", [x for x, _ in corners]), ("y_m", [y for _, y in corners])):
@@ -111,6 +116,23 @@ def _room(room: v1.Room, prefix: str) -> Iterator[str]:
                    f"({opening.sill_height_m:.17g}, {room.height_m:.17g}]")
     for index, socket in enumerate(room.sockets):
         yield from _on_wall(socket, "offset_m", lengths, f"{prefix}sockets[{index}]")
+
+
+def _is_simple(edges: list[tuple[Point, Point]]) -> bool:
+    for i, (a, b) in enumerate(edges):
+        if math.dist(a, b) < _TOLERANCE_M:
+            return False
+        for c, d in edges[i + 2 : len(edges) - (i == 0)]:  # the neighbours touch
+            apart = any(max(a[k], b[k]) < min(c[k], d[k]) or max(c[k], d[k]) < min(a[k], b[k]) for k in (0, 1))
+            crosses = _side(a, b, c) * _side(a, b, d) <= 0 and _side(c, d, a) * _side(c, d, b) <= 0
+            if crosses and not apart:  # of two on one line only their extents say whether they touch
+                return False
+    return True
+
+
+def _side(a: Point, b: Point, p: Point) -> float:
+    """Positive when p is left of the line from a to b, negative when right."""
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 
 
 def _on_wall(item: Any, last: str, lengths: dict[str, float], at: str) -> Iterator[str]:
