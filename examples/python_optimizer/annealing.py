@@ -18,8 +18,6 @@ from terms import FACTORS, Standing, Terms
 STEPS_PER_OBJECT = 400
 MOST_STEPS = 12000
 HOT, COLD = 3.0, 1e-5
-# Between two looks at whether somebody still waits.
-STEPS_PER_LOOK = 32
 
 
 @dataclass(frozen=True)
@@ -50,12 +48,12 @@ class Annealing:
         self._at: dict[int, Standing] = {i: terms.place(i, self._poses[i]) for i in self._standing}
 
     def run(self, out_of_time: Callable[[], bool]) -> Outcome:
-        """The best poses seen. `out_of_time` is asked now and then; it may raise, to end the run without a result."""
+        """The best poses seen. `out_of_time` is asked at every step; it may raise, to end the run without a result."""
         steps = min(STEPS_PER_OBJECT * len(self._movable), MOST_STEPS)
         cost = self._cost_of(self._movable)
         best, best_poses = cost, list(self._poses)
         for step in range(steps):
-            if step % STEPS_PER_LOOK == 0 and out_of_time():
+            if out_of_time():
                 return Outcome(best, best_poses, step, True)
             heat = HOT * (COLD / HOT) ** (step / steps)
             moved = self._propose(heat)

@@ -9,18 +9,18 @@ Each thing tries the poses that its kind allows and takes the one with the least
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from flair import v1
 
 from functions import Poses
-from geometry import Pose, area_m2, bounds, common_m2, rectangle
+from geometry import Pose, apart, area_m2, bounds, common_m2, rectangle
 from scene import Scene
 
 _SPACING_M = 0.1
 _GRID = 9
 # What a square metre of overlap costs, beside 1 for a metre from where it would rather be.
-_OVERLAP_FACTOR = 100.0
+_OVERLAP_FACTOR = 1e4
 # Things whose heights meet by no more than this do not collide [m].
 _TOUCH_M = 0.01
 # Others stand on things on a surface that are no higher than this.
@@ -42,13 +42,32 @@ def _lies_flat(item: v1.Object) -> bool:
     return item.walk_over or (item.kind == _KIND.OBJECT_KIND_SURFACE and item.height_m <= _CLOTH_M)
 
 
-def attach(scene: Scene, poses: Poses) -> Poses:
-    """The poses with every None filled in."""
+def attach(scene: Scene, poses: Poses, require_caller: Callable[[], None]) -> Poses:
+    """The poses with every None filled in, hosts before their guests."""
     poses = list(poses)
     for i in sorted(range(len(poses)), key=lambda i: len(scene.hosts(i))):
         if poses[i] is None:
-            poses[i] = min(_candidates(scene, poses, i), key=lambda pose: _cost(scene, poses, i, pose))
+            require_caller()
+            poses[i] = _best(scene, poses, i)
     return poses
+
+
+def _best(scene: Scene, poses: Poses, i: int) -> Pose:
+    item, home = scene.objects[i], _home(scene, poses, i)
+    others = [rectangle(poses[k], other.width_m, other.depth_m) for k, other in enumerate(scene.objects)
+              if k != i and poses[k] is not None and collide(scene, i, k)]
+    boxes = [bounds(outline) for outline in others]
+
+    def cost(pose: Pose) -> float:
+        outline = rectangle(pose, item.width_m, item.depth_m)
+        box = bounds(outline)
+        wrong_m2 = area_m2(outline) - common_m2(scene.floor, outline)
+        wrong_m2 += sum(common_m2(other, outline) for other, at in zip(others, boxes) if not apart(at, box))
+        if item.kind == _KIND.OBJECT_KIND_WALL:
+            wrong_m2 += _off_wall_m2(scene, i, pose)
+        return _OVERLAP_FACTOR * max(wrong_m2, 0.0) + math.dist(pose.centre, home.centre)
+
+    return min(_candidates(scene, poses, i), key=cost)
 
 
 def _home(scene: Scene, poses: Poses, i: int) -> Pose:
@@ -94,18 +113,6 @@ def _grid(middle: Pose, width_m: float, depth_m: float) -> Iterator[Pose]:
         for row in range(_GRID):
             right, front = column / (_GRID - 1) - 0.5, row / (_GRID - 1) - 0.5
             yield Pose(*middle.at(right * max(width_m, 0.0), front * max(depth_m, 0.0)), middle.heading_rad)
-
-
-def _cost(scene: Scene, poses: Poses, i: int, pose: Pose) -> float:
-    item, home = scene.objects[i], _home(scene, poses, i)
-    outline = rectangle(pose, item.width_m, item.depth_m)
-    wrong_m2 = area_m2(outline) - common_m2(scene.floor, outline)
-    for k, other in enumerate(scene.objects):
-        if k != i and poses[k] is not None and collide(scene, i, k):
-            wrong_m2 += common_m2(outline, rectangle(poses[k], other.width_m, other.depth_m))
-    if item.kind == _KIND.OBJECT_KIND_WALL:
-        wrong_m2 += _off_wall_m2(scene, i, pose)
-    return _OVERLAP_FACTOR * max(wrong_m2, 0.0) + math.dist(pose.centre, home.centre)
 
 
 def _off_wall_m2(scene: Scene, i: int, pose: Pose) -> float:

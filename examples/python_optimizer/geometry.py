@@ -10,6 +10,8 @@ from dataclasses import dataclass
 
 Point = tuple[float, float]
 Polygon = list[Point]
+# Least x and y, most x and y.
+Box = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
@@ -85,10 +87,14 @@ def common_m2(polygon: Polygon, convex: Polygon) -> float:
     return max(area_m2(part), 0.0)
 
 
-def bounds(polygon: Polygon) -> tuple[float, float, float, float]:
-    """Least x and y, most x and y."""
+def bounds(polygon: Polygon) -> Box:
     xs, ys = [x for x, _ in polygon], [y for _, y in polygon]
     return (min(xs), min(ys), max(xs), max(ys))
+
+
+def apart(a: Box, b: Box) -> bool:
+    """Whether two boxes have no area in common."""
+    return a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
 
 
 def depth_m(a: Polygon, b: Polygon) -> float:

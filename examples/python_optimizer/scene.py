@@ -51,6 +51,8 @@ class Scene:
         self.graph = graph
         self.objects = list(graph.object_list.objects)
         self.index = {item.id: i for i, item in enumerate(self.objects)}
+        self._hosts = [self._hosts_of(i) for i in range(len(self.objects))]
+        self._undersides_m = [self._underside_of(i) for i in range(len(self.objects))]
         self.floor: Polygon = [(corner.x_m, corner.y_m) for corner in graph.room.floor.vertices]
         ends = self.floor[1:] + self.floor[:1]
         self.walls = [Wall(wall.name, *edge) for wall, edge in zip(graph.room.walls, zip(self.floor, ends))]
@@ -66,19 +68,25 @@ class Scene:
 
     def hosts(self, i: int) -> list[int]:
         """What it stands on or belongs to, what that stands on, and so on; a circle ends where it closes."""
+        return self._hosts[i]
+
+    def host(self, i: int) -> int | None:
+        """What it stands on or belongs to."""
+        return self._hosts[i][0] if self._hosts[i] else None
+
+    def underside_m(self, i: int) -> float:
+        """Height of its underside above the floor."""
+        return self._undersides_m[i]
+
+    def _hosts_of(self, i: int) -> list[int]:
         chain = [i]
         while (host := self.index.get(self.objects[chain[-1]].host_id)) is not None and host not in chain:
             chain.append(host)
         return chain[1:]
 
-    def host(self, i: int) -> int | None:
-        """What it stands on or belongs to."""
-        return next(iter(self.hosts(i)), None)
-
-    def underside_m(self, i: int) -> float:
-        """Height of its underside above the floor."""
+    def _underside_of(self, i: int) -> float:
         height = self.objects[i].elevation_m
-        for host in self.hosts(i):
+        for host in self._hosts[i]:
             if self.objects[i].kind != v1.ObjectKind.OBJECT_KIND_SURFACE:
                 break
             i = host

@@ -36,7 +36,7 @@ def solve(problem: Problem, options: v1.SolveOptions, require_caller: Callable[[
         outcomes.append(run.run(out_of_time))
     best = min(range(len(outcomes)), key=lambda k: (outcomes[k].cost, k))
     searched_s = time.monotonic()
-    poses = attach(scene, [pinned[i] if i not in movable else outcomes[best].poses[i] for i in range(len(pinned))])
+    poses = attach(scene, outcomes[best].poses, require_caller)
     stages = [v1.StageOutcome(stage="primary", restart_count=len(outcomes), best_restart=best, seed=options.seed,
                               evaluation_count=sum(outcome.step_count for outcome in outcomes),
                               cost=outcomes[best].cost, stopped_early=outcomes[-1].stopped),

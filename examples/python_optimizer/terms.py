@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from flair import v1
 
 from functions import Bound
-from geometry import Polygon, Pose, area_m2, bounds, common_m2, rectangle
+from geometry import Box, Polygon, Pose, apart, area_m2, bounds, common_m2, rectangle
 from scene import Scene
 
 # What a square metre of each costs, beside 1 for a call of weight 1.
@@ -36,13 +36,9 @@ class Standing:
 
     pose: Pose
     outline: Polygon
-    box: tuple[float, float, float, float]
+    box: Box
     strip: Polygon
-    strip_box: tuple[float, float, float, float]
-
-
-def apart(a: tuple[float, float, float, float], b: tuple[float, float, float, float]) -> bool:
-    return a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+    strip_box: Box
 
 
 class Terms:
