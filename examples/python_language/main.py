@@ -20,6 +20,7 @@ from flair.stage import Refusal, Stage, answers, digest_of, require, serve
 from library import BadLibrary, Described, choose, read_library
 
 HERE = Path(__file__).resolve().parent
+Context = grpc.ServicerContext
 
 
 def note(code: str, message: str) -> v1.Diagnostic:
@@ -42,7 +43,7 @@ class Language(v1.LanguageServiceServicer):
         return room
 
     @answers
-    def DescribeRoom(self, request, context):  # noqa: N802, gRPC's names
+    def DescribeRoom(self, request: v1.DescribeRoomRequest, context: Context) -> v1.DescribeRoomResponse:
         require(request, "brief")
         if request.brief.HasField("room"):
             return v1.DescribeRoomResponse(producer=self._producer, room=request.brief.room)
@@ -53,7 +54,7 @@ class Language(v1.LanguageServiceServicer):
         return response
 
     @answers
-    def PlanZones(self, request, context):  # noqa: N802
+    def PlanZones(self, request: v1.PlanZonesRequest, context: Context) -> v1.PlanZonesResponse:
         require(request, "brief", "room")
         brief, response = request.brief, v1.PlanZonesResponse(producer=self._producer)
         response.zone_plan.CopyFrom(brief.zone_plan if brief.HasField("zone_plan") else self._room(brief).zone_plan)
@@ -64,7 +65,7 @@ class Language(v1.LanguageServiceServicer):
         return response
 
     @answers
-    def ListObjects(self, request, context):  # noqa: N802
+    def ListObjects(self, request: v1.ListObjectsRequest, context: Context) -> v1.ListObjectsResponse:
         require(request, "brief", "room", "zone_plan")
         brief = request.brief
         objects = brief.object_list if brief.HasField("object_list") else self._room(brief).object_list
@@ -76,7 +77,7 @@ class Language(v1.LanguageServiceServicer):
         return v1.ListObjectsResponse(producer=self._producer, object_list=objects)
 
     @answers
-    def ChooseStyle(self, request, context):  # noqa: N802
+    def ChooseStyle(self, request: v1.ChooseStyleRequest, context: Context) -> v1.ChooseStyleResponse:
         require(request, "brief", "room", "zone_plan", "object_list")
         response = v1.ChooseStyleResponse(producer=self._producer, style_sheet=self._room(request.brief).style_sheet)
         known = ids_of(request.object_list.objects) | ids_of(request.room.openings)
@@ -84,7 +85,7 @@ class Language(v1.LanguageServiceServicer):
         return response
 
     @answers
-    def ListConstraints(self, request, context):  # noqa: N802
+    def ListConstraints(self, request: v1.ListConstraintsRequest, context: Context) -> v1.ListConstraintsResponse:
         require(request, "brief", "room", "zone_plan", "object_list")
         brief, known = request.brief, ids_of(request.object_list.objects)
         sentences = brief.constraint_list if brief.HasField("constraint_list") else self._room(brief).constraint_list
@@ -96,7 +97,7 @@ class Language(v1.LanguageServiceServicer):
         return response
 
     @answers
-    def CleanConstraints(self, request, context):  # noqa: N802
+    def CleanConstraints(self, request: v1.CleanConstraintsRequest, context: Context) -> v1.CleanConstraintsResponse:
         """Rooms of the folder are clean already."""
         require(request, "room", "object_list", "constraint_list")
         return v1.CleanConstraintsResponse(producer=self._producer, constraint_list=request.constraint_list)

@@ -56,7 +56,8 @@ class EveryFunction(unittest.TestCase):
 class Binding(unittest.TestCase):
     def reason(self, kind: str, **arguments: str) -> str:
         scene = Scene(graph_of(FUNCTIONS["next_to"].type.placed_examples[0], "next_to"))
-        edge = v1.ConstraintEdge(id="e1", type=kind, weight=1, arguments=[argument(*pair) for pair in arguments.items()])
+        given = [argument(*pair) for pair in arguments.items()]
+        edge = v1.ConstraintEdge(id="e1", type=kind, weight=1, arguments=given)
         bound = bind(edge, FUNCTIONS, scene)
         self.assertNotIsInstance(bound, Bound)
         return bound

@@ -22,6 +22,7 @@ from solving import solve
 from terms import built_in_types
 
 PROGRAM, LIBRARY = "python-optimizer", "python-optimizer 1"
+Context = grpc.ServicerContext
 FUNCTIONS = {function.type.name: function for function in (AGAINST_WALL, NEXT_TO)}
 
 
@@ -29,7 +30,9 @@ class Optimizer(v1.OptimizerServiceServicer):
     """Every answer is a function of its request alone, so that a repeat with the same request_id gets the same."""
 
     @answers
-    def ListConstraintTypes(self, request, context):  # noqa: N802, gRPC's names
+    def ListConstraintTypes(
+        self, request: v1.ListConstraintTypesRequest, context: Context
+    ) -> v1.ListConstraintTypesResponse:
         types = [function.type for function in FUNCTIONS.values()] + built_in_types()
         types.sort(key=lambda item: item.name)
         response = v1.ListConstraintTypesResponse(catalog=v1.ConstraintCatalog(library=LIBRARY, types=types))
@@ -39,7 +42,7 @@ class Optimizer(v1.OptimizerServiceServicer):
         return response
 
     @answers
-    def Solve(self, request, context):  # noqa: N802
+    def Solve(self, request: v1.SolveRequest, context: Context) -> v1.SolveResponse:
         require(request, "layout_graph")
 
         def require_caller() -> None:
@@ -52,7 +55,7 @@ class Optimizer(v1.OptimizerServiceServicer):
         return response
 
     @answers
-    def Evaluate(self, request, context):  # noqa: N802
+    def Evaluate(self, request: v1.EvaluateRequest, context: Context) -> v1.EvaluateResponse:
         require(request, "layout_graph")
         problem = Problem(request.layout_graph, request.options, FUNCTIONS)
         poses = problem.poses(request.placements)
@@ -63,11 +66,11 @@ class Optimizer(v1.OptimizerServiceServicer):
         )
 
     @answers
-    def Resolve(self, request, context):  # noqa: N802
+    def Resolve(self, request: v1.ResolveRequest, context: Context) -> v1.ResolveResponse:
         raise Refusal(grpc.StatusCode.UNIMPLEMENTED, "this optimizer solves from the start only")
 
     @answers
-    def SolveRestarts(self, request, context):  # noqa: N802
+    def SolveRestarts(self, request: v1.SolveRestartsRequest, context: Context) -> v1.SolveRestartsResponse:
         raise Refusal(grpc.StatusCode.UNIMPLEMENTED, "this optimizer does not share its restarts")
 
 

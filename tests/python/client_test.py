@@ -127,9 +127,10 @@ class Failing(WithOrchestrator):
 class Restarting(WithOrchestrator):
     def test_watching_survives_a_restart_of_the_orchestrator(self) -> None:
         path = self.folder / "socket"
-        config = "\n".join([f'runtime {{ listen_address: "unix:{path}" log_level: "error" }}', f'store_path: "{path}.d"',
-                            "stages {", *(f'{name}: "{address}"' for name, address in self.stages.items()), "}"])
-        (self.folder / "again.textproto").write_text(config)
+        addresses = " ".join(f'{name}: "{address}"' for name, address in self.stages.items())
+        (self.folder / "again.textproto").write_text(
+            f'runtime {{ listen_address: "unix:{path}" log_level: "error" }}\n'
+            f'store_path: "{path}.d"\nstages {{ {addresses} }}\n')
         command = (BIN / "flair-orchestrator", self.folder / "again.textproto")
         seen = []
         with flair.Client(f"unix:{path}") as client:
@@ -148,14 +149,14 @@ class Tls(unittest.TestCase):
     """Flair's programs leave TLS to what stands before them, so a server of gRPC's own plays that part."""
 
     class Orchestrator(v1.OrchestratorServiceServicer):
-        def GetJob(self, request, context):  # noqa: N802, gRPC's name
+        def GetJob(self, request: v1.GetJobRequest, context: grpc.ServicerContext) -> v1.GetJobResponse:
             return v1.GetJobResponse(job=v1.Job(id=request.job_id))
 
     def test_only_certificates_that_are_trusted_are_taken(self) -> None:
         folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         key, certificate = folder / "key.pem", folder / "certificate.pem"
-        subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
-                        "-keyout", key, "-out", certificate, "-subj", "/CN=localhost",
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1",
+                        "-nodes", "-keyout", key, "-out", certificate, "-subj", "/CN=localhost",
                         "-addext", "subjectAltName=DNS:localhost"], check=True, capture_output=True)
         server = grpc.server(ThreadPoolExecutor(2))
         v1.add_OrchestratorServiceServicer_to_server(self.Orchestrator(), server)

@@ -52,7 +52,7 @@ class Package(unittest.TestCase):
         self.assertEqual(said, f"Room {self.folder / 'made/flair/__init__.py'}\n")
 
     def test_the_same_sources_give_the_same_wheel(self) -> None:
-        code = "import sys; sys.path.insert(0, sys.argv[1]); import build_backend; print(build_backend.build_wheel('.'))"
+        code = "import sys; sys.path.insert(0, sys.argv[1]); import build_backend as b; print(b.build_wheel('.'))"
         wheels = []
         for name in ("first", "second"):
             (folder := self.folder / name).mkdir()

@@ -8,8 +8,6 @@ import grpc
 
 from flair.stage import health_pb2, health_pb2_grpc
 
-Status = health_pb2.HealthCheckResponse.ServingStatus
-
 
 class Health(health_pb2_grpc.HealthServicer):
     """Knows the services by full name and the whole server as "". Thread-safe."""
@@ -28,12 +26,16 @@ class Health(health_pb2_grpc.HealthServicer):
     def _status_of(self, service: str) -> int:
         return self._status if service in self._services else health_pb2.HealthCheckResponse.SERVICE_UNKNOWN
 
-    def Check(self, request, context):  # noqa: N802, gRPC's name
+    def Check(
+        self, request: health_pb2.HealthCheckRequest, context: grpc.ServicerContext
+    ) -> health_pb2.HealthCheckResponse:
         if request.service not in self._services:
             context.abort(grpc.StatusCode.NOT_FOUND, f"service: \"{request.service}\" is not served here")
         return health_pb2.HealthCheckResponse(status=self._status)
 
-    def Watch(self, request, context) -> Iterator[health_pb2.HealthCheckResponse]:  # noqa: N802
+    def Watch(
+        self, request: health_pb2.HealthCheckRequest, context: grpc.ServicerContext
+    ) -> Iterator[health_pb2.HealthCheckResponse]:
         yield health_pb2.HealthCheckResponse(status=self._status_of(request.service))
         with self._changed:
             while context.is_active() and self._status == health_pb2.HealthCheckResponse.SERVING:

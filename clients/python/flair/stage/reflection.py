@@ -35,7 +35,7 @@ class Reflection(reflection_pb2_grpc.ServerReflectionServicer):
             return _with_imports(self._pool.FindFileContainingSymbol(request.file_containing_symbol), {})
         raise KeyError(f"{kind} is not answered here; list_services, file_by_filename, file_containing_symbol are")
 
-    def ServerReflectionInfo(  # noqa: N802, gRPC's name
+    def ServerReflectionInfo(
         self, request_iterator: Iterator[reflection_pb2.ServerReflectionRequest], context: grpc.ServicerContext
     ) -> Iterator[reflection_pb2.ServerReflectionResponse]:
         for request in request_iterator:

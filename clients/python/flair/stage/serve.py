@@ -50,7 +50,7 @@ class _Worker(v1.WorkerServiceServicer):
     def __init__(self, worker: v1.GetWorkerResponse) -> None:
         self._worker = worker
 
-    def GetWorker(self, request, context):  # noqa: N802, gRPC's name
+    def GetWorker(self, request: v1.GetWorkerRequest, context: grpc.ServicerContext) -> v1.GetWorkerResponse:
         return self._worker
 
 
