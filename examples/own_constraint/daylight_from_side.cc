@@ -14,9 +14,10 @@ template <typename T>
 T DaylightFromSide::operator()(const Frames<T, 1>& frames) const {
   return LeastOf<T>(lights, frames, [this](const Light& light, const auto& f) {
     constexpr double kPlay = 0.1339745962155614;  // 1 - cos of 30 degrees
+    const double reach_m = SideLength(footprint, light.side) / 2;
     const auto middle = MiddleOf(footprint, f[0], light.side);
     return SquaredHinge(TurnToWall(f[0], light.side, light.wall) - kPlay) +
-           SquaredOutside(light.wall.Offset(middle), light.start_m, light.end_m) +
+           SquaredOutside(light.wall.Offset(middle), light.start_m - reach_m, light.end_m + reach_m) +
            SquaredOutside(light.wall.Height(middle), 0, max_distance_m);
   });
 }
@@ -25,11 +26,10 @@ ConstraintFacts DaylightFromSideFacts() {
   return {
       .name = "daylight_from_side",
       .family = "feature",
-      .summary = "Daylight falls on `object` from its left or right: one of these sides looks at a window before it.",
+      .summary = "Daylight falls on `object` from its left or right: one of these sides is before a window.",
       .doc =
-          "cost = min over windows and both sides of squared excess of 1 - cos angle over 30 degrees + squared "
-          "distance "
-          "of the side's middle outside the window's interval + squared excess of its distance over max_distance_m "
+          "cost = min over windows and both sides of squared excess of 1 - cos angle over that of 30 degrees + squared "
+          "distance between side and window along the wall + squared excess of that from the wall over max_distance_m "
           "[m2].",
       .parameters = {ObjectParameter("object", "What the light falls on."),
                      LengthParameter("max_distance_m", "Largest distance of that side from the window's wall.", 0, 20,

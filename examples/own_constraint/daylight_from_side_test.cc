@@ -26,9 +26,9 @@ TEST(DaylightFromSide, ThirtyDegreesAskewIsStillSideways) {
 }
 
 TEST(DaylightFromSide, CostGrowsWithTheSquareOfTheWayToTheWindow) {
-  // The desk's side is 0.6 m from its centre.
-  EXPECT_EQ(CostOfDesk("1.99,1.2,90"), 0);
-  EXPECT_NEAR(CostOfDesk("2.3,1.2,90"), std::pow(0.3, 2), 1e-12);
+  // The side is 0.6 m long, and 0.6 m from the desk's centre.
+  EXPECT_EQ(CostOfDesk("2.29,1.2,90"), 0);
+  EXPECT_NEAR(CostOfDesk("2.5,1.2,90"), std::pow(2.5 - 0.3 - 2, 2), 1e-12);
   EXPECT_NEAR(CostOfDesk("1.5,2.3,90"), std::pow(2.3 - 0.6 - 1.5, 2), 1e-12);
   EXPECT_NEAR(CostOfDesk("1.5,2.3,90", " max_distance_m=1"), std::pow(2.3 - 0.6 - 1, 2), 1e-12);
 }

@@ -9,11 +9,18 @@
 namespace flair::optimizer {
 namespace {
 
-v1::ParameterKind KindOf(const ConstraintFacts* facts, const std::string& name) {
-  if (facts != nullptr) {
-    for (const v1::ParameterSpec& spec : facts->parameters) {
-      if (spec.name() == name) return spec.kind();
-    }
+// Of a type that only another optimizer knows: what the text looks like.
+v1::ParameterKind KindByLooks(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == '\0') return v1::PARAMETER_KIND_NUMBER;
+  if (text == "true" || text == "false") return v1::PARAMETER_KIND_BOOLEAN;
+  return text.find(',') == std::string::npos ? v1::PARAMETER_KIND_OBJECT : v1::PARAMETER_KIND_OBJECTS;
+}
+
+v1::ParameterKind KindOf(const ConstraintFacts& facts, const std::string& name) {
+  for (const v1::ParameterSpec& spec : facts.parameters) {
+    if (spec.name() == name) return spec.kind();
   }
   return v1::PARAMETER_KIND_UNSPECIFIED;
 }
@@ -48,7 +55,8 @@ std::vector<v1::Argument> Parse(const ConstraintFacts* facts, std::string_view c
     v1::Argument& argument = arguments.emplace_back();
     argument.set_name(word.substr(0, equals));
     const std::string text = equals == std::string::npos ? "" : word.substr(equals + 1);
-    *argument.mutable_value() = ValueFromText(KindOf(facts, argument.name()), text);
+    *argument.mutable_value() =
+        ValueFromText(facts != nullptr ? KindOf(*facts, argument.name()) : KindByLooks(text), text);
   }
   return arguments;
 }
