@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "orchestrator/store/artifact_id.h"
+#include "room/validation/field.h"
 
 namespace flair::cli {
 namespace {
@@ -13,13 +14,17 @@ using std::string_view_literals::operator""sv;
 
 constexpr size_t kLookedAt = 4096;
 
-// Text that people write: no control characters but white space.
+// Text that people write: UTF-8 without control characters but white space, as far as it is looked at.
 bool IsText(std::string_view bytes) {
-  return std::none_of(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kLookedAt)),
-                      [](char c) {
-                        const auto byte = static_cast<unsigned char>(c);
-                        return (byte < 0x20 && byte != '\n' && byte != '\r' && byte != '\t') || byte == 0x7f;
-                      });
+  size_t end = std::min(bytes.size(), kLookedAt);
+  // Not in the middle of a character.
+  while (end > 0 && end < bytes.size() && (static_cast<unsigned char>(bytes[end]) & 0xC0) == 0x80) --end;
+  const std::string_view begin = bytes.substr(0, end);
+  const bool has_control = std::any_of(begin.begin(), begin.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && byte != '\n' && byte != '\r' && byte != '\t') || byte == 0x7f;
+  });
+  return !has_control && validation::CharacterCount(begin) >= 0;
 }
 
 // A comment or a field's name, then ":" or "{".

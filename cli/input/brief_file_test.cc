@@ -10,6 +10,7 @@
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"
+#include "tests/fixtures/bedroom.h"
 
 namespace flair::cli {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string FileWith(const std::string& bytes) {
-  const std::string path = fmt::format("{}/brief_{}", testing::TempDir(), getpid());
+  const std::string path = fmt::format("{}/brief_{}", ::testing::TempDir(), getpid());
   std::ofstream(path, std::ios::binary) << bytes;
   return path;
 }
@@ -47,14 +48,14 @@ TEST(ReadBrief, NamesFlagFilePlaceAndWhatIsRight) {
   for (const std::string& bytes : {"txet: \"A bedroom.\"", "{\"txet\": \"A bedroom.\"}"}) {
     const absl::Status status = ReadBrief("--brief", FileWith(bytes)).status();
     EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
-    EXPECT_THAT(std::string(status.message()), testing::AllOf(HasSubstr("--brief: "), HasSubstr("txet"),
-                                                              HasSubstr("should hold a Brief, such as: text: ")));
+    EXPECT_THAT(std::string(status.message()), ::testing::AllOf(HasSubstr("--brief: "), HasSubstr("txet"),
+                                                                HasSubstr("should hold a Brief, such as: text: ")));
   }
 }
 
 TEST(ReadBrief, RefusesAnArtifactOfAnotherKind) {
   v1::Artifact artifact;
-  artifact.mutable_room()->set_height_m(3);
+  *artifact.mutable_room() = testing::BedroomRoom();
   artifact.set_id(orchestrator::ComputeArtifactId(artifact));
   EXPECT_THAT(std::string(ReadBrief("--brief", FileWith(ArtifactBytes(artifact))).status().message()),
               HasSubstr("an artifact without a brief"));

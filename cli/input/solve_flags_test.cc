@@ -76,7 +76,7 @@ TEST(SolveFlags, ValuesThatAreNoNumbersAreNamed) {
 TEST(SolveFlags, AFileThatDoesNotParseIsToldWhere) {
   SolveFlags flags;
   flags.file = FileWith("seed: 3\nlambdas { balance: 2 }");
-  EXPECT_THAT(ErrorOf(flags), HasSubstr("line 2, column 18"));
+  EXPECT_THAT(ErrorOf(flags), HasSubstr(":2: column 18"));
 }
 
 }  // namespace

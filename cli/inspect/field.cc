@@ -122,8 +122,10 @@ class Walk {
 void CompletePath(const Message& message, std::vector<PathStep>& steps) {
   const Descriptor& type = *message.GetDescriptor();
   const google::protobuf::OneofDescriptor* content = type.FindOneofByName("content");
-  if (content == nullptr || type.FindFieldByName(steps.front().text) != nullptr) return;
+  if (content == nullptr) return;
+  const FieldDescriptor* own = type.FindFieldByName(steps.front().text);
   const FieldDescriptor* set = message.GetReflection()->GetOneofFieldDescriptor(message, content);
+  if (own != nullptr && (own == set || own->containing_oneof() != content)) return;
   if (set == nullptr || set->message_type()->FindFieldByName(steps.front().text) == nullptr) return;
   steps.insert(steps.begin(), PathStep{set->name(), false});
 }

@@ -51,6 +51,28 @@ std::string Range::Text() const {
   return fmt::format("{}{}, {}{}", open_least ? "(" : "[", least, most, open_most ? ")" : "]");
 }
 
+std::string Field::path() const {
+  std::string path = root_;
+  for (size_t i = 0; i < depth_; ++i) {
+    if (steps_[i].index >= 0) {
+      path += fmt::format("[{}]", steps_[i].index);
+    } else {
+      path += fmt::format("{}{}", path.empty() ? "" : ".", steps_[i].name);
+    }
+  }
+  return path;
+}
+
+Field Field::Inner(Step step) const {
+  Field inner(*problems_, depth_ < steps_.size() ? root_ : path());
+  if (depth_ < steps_.size()) {
+    std::copy_n(steps_.begin(), depth_, inner.steps_.begin());
+    inner.depth_ = depth_;
+  }
+  inner.steps_[inner.depth_++] = step;
+  return inner;
+}
+
 bool Field::InRange(double value, const Range& range) const {
   if (!std::isfinite(value)) return Reject("{} is no number; must be in {}", value, range.Text());
   return range.Holds(value) || Reject("{} is outside {}", value, range.Text());

@@ -2,6 +2,7 @@
 // A field under validation: knows its path and where bad values are reported, so that a check is one line.
 #pragma once
 
+#include <array>
 #include <set>
 #include <string>
 #include <string_view>
@@ -45,21 +46,20 @@ struct Range {
   std::string Text() const;  // "(0, 20]"
 };
 
-// One field. Checks report to `problems` and return whether the value is good. The problems must outlive the field.
+// One field. Checks report to `problems` and return whether the value is good. The problems and the names, which are
+// literals, must outlive the field. Its path is written down only when there is something to report.
 class Field {
  public:
-  Field(Problems& problems, std::string path) : problems_(&problems), path_(std::move(path)) {}
+  Field(Problems& problems, std::string path) : problems_(&problems), root_(std::move(path)) {}
 
-  Field operator[](int index) const { return Field(*problems_, fmt::format("{}[{}]", path_, index)); }
-  Field operator[](std::string_view name) const {
-    return Field(*problems_, fmt::format("{}{}{}", path_, path_.empty() ? "" : ".", name));
-  }
-  const std::string& path() const { return path_; }
+  Field operator[](int index) const { return Inner({.name = {}, .index = index}); }
+  Field operator[](std::string_view name) const { return Inner({.name = name, .index = -1}); }
+  std::string path() const;
 
   // Reports "path: text" and returns false.
   template <typename... Args>
   bool Reject(fmt::format_string<Args...> format, Args&&... args) const {
-    problems_->Add({path_, fmt::format(format, std::forward<Args>(args)...)});
+    problems_->Add({path(), fmt::format(format, std::forward<Args>(args)...)});
     return false;
   }
 
@@ -81,8 +81,17 @@ class Field {
   bool Enum(int value, bool is_valid) const;
 
  private:
+  // A name, or an item's index.
+  struct Step {
+    std::string_view name;
+    int index;
+  };
+  Field Inner(Step step) const;
+
   Problems* problems_;
-  std::string path_;
+  std::string root_;
+  std::array<Step, 16> steps_;
+  size_t depth_ = 0;
 };
 
 // Code points of valid UTF-8; -1 when it is not valid.

@@ -6,7 +6,7 @@
 namespace flair::fuzz {
 
 std::span<const Target> AllTargets() {
-  static constexpr std::array<Target, 10> kTargets = {{{"read_graph", ReadGraph},
+  static constexpr std::array<Target, 12> kTargets = {{{"read_graph", ReadGraph},
                                                        {"solve_problem", SolveProblem},
                                                        {"edit_layout", EditLayout},
                                                        {"read_reference_room", ReadReferenceRoom},
@@ -14,6 +14,8 @@ std::span<const Target> AllTargets() {
                                                        {"read_model_answer", ReadModelAnswer},
                                                        {"read_reply", ReadReply},
                                                        {"model_step", ModelStep},
+                                                       {"read_artifact", ReadArtifact},
+                                                       {"select_field", SelectField},
                                                        {"read_asset", ReadAsset},
                                                        {"read_manifest", ReadManifest}}};
   return kTargets;

@@ -36,6 +36,13 @@ void ReadReply(std::string_view bytes);
 // "=====" with what follows to the request to repair. See model_step.cc for what must hold.
 void ModelStep(std::string_view bytes);
 
+// An artifact's file, read as binary, JSON and text message: refused in words, or written in each of them and read
+// again.
+void ReadArtifact(std::string_view bytes);
+
+// A path to a part of an artifact.
+void SelectField(std::string_view bytes);
+
 // A 3D model that a user brings, as GLB. See read_asset.cc for what must hold.
 void ReadAsset(std::string_view bytes);
 
