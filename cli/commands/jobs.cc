@@ -38,10 +38,18 @@ std::string Shortened(const std::string& text) {
   return text.substr(0, end) + "…";
 }
 
+// "20260521T134501123456-3fa2c1 from solve"; empty when it is no replay.
+std::string ReplayText(const v1::Job& job) {
+  if (!job.spec().has_replay()) return "";
+  const v1::Replay& replay = job.spec().replay();
+  return replay.job_id() + (replay.from_stage().empty() ? "" : " from " + replay.from_stage());
+}
+
 void ShowJob(const v1::Job& job) {
   fmt::print("{:<11}{}\n{:<11}{}{}\n{:<11}{}\n{:<11}{}\n{:<11}{}\n", "job", job.id(), "state", StateName(job.state()),
              job.stage().empty() ? "" : " at " + job.stage(), "asked for", job.spec().brief().text(), "seed",
              job.spec().brief().seed(), "created", TimeText(job.create_time()));
+  if (job.spec().has_replay()) fmt::print("{:<11}{}\n", "replay of", ReplayText(job));
   if (job.has_end_time()) fmt::print("{:<11}{}\n", "ended", TimeText(job.end_time()));
   if (!job.error().empty()) fmt::print("{:<11}{}\n", "error", job.error());
   fmt::print("{:<11}{}\n", "artifacts", job.artifacts_size());
@@ -54,8 +62,9 @@ absl::Status List(Session& session, const JobsArguments& arguments) {
     if (arguments.json) {
       fmt::print("{}\n", ToJsonLine(job));
     } else {
-      fmt::print("{}  {:<9}  {}  {}\n", job.id(), StateName(job.state()), TimeText(job.create_time()),
-                 Shortened(job.spec().brief().text()));
+      fmt::print("{}  {:<9}  {}  {}{}\n", job.id(), StateName(job.state()), TimeText(job.create_time()),
+                 Shortened(job.spec().brief().text()),
+                 job.spec().has_replay() ? "  (replay of " + ReplayText(job) + ")" : "");
     }
   }
   if (jobs->empty() && !arguments.json) fmt::print(stderr, "No jobs yet. Try: flair design \"A bedroom.\" --out out\n");

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/replay/comparison.h"
+
+#include <algorithm>
+
+#include "orchestrator/pipeline/replay.h"
+#include "orchestrator/pipeline/stage.h"
+
+namespace flair::cli {
+namespace {
+
+const v1::Artifact* Find(const ArtifactsByKind& artifacts, v1::ArtifactKind kind) {
+  const auto found = artifacts.find(kind);
+  return found == artifacts.end() ? nullptr : &found->second;
+}
+
+// Without what is another one in every job.
+v1::Artifact OfAnyJob(v1::Artifact artifact) {
+  if (!artifact.has_report()) return artifact;
+  artifact.clear_id();
+  artifact.clear_options_digest();
+  v1::Report& report = *artifact.mutable_report();
+  report.clear_job_id();
+  report.clear_stage_timings();
+  report.clear_model_usage();
+  return artifact;
+}
+
+v1::Artifact ContentOf(v1::Artifact artifact) {
+  artifact.clear_id();
+  artifact.clear_made_from_ids();
+  artifact.clear_producer();
+  artifact.clear_options_digest();
+  artifact.clear_model_calls();
+  return artifact;
+}
+
+std::optional<FieldDifference> ContentDifference(const v1::Artifact& first, const v1::Artifact& second) {
+  // A layout has its graph in it, whose differences are those of an earlier stage.
+  if (first.has_solved_layout() && second.has_solved_layout()) {
+    auto found = FirstDifference(first.solved_layout(), second.solved_layout(), {"graph"});
+    if (found.has_value()) found->path = "solved_layout." + found->path;
+    return found;
+  }
+  return FirstDifference(ContentOf(first), ContentOf(second));
+}
+
+std::vector<FieldDifference> OriginDifferences(const v1::Artifact& first, const v1::Artifact& second) {
+  std::vector<FieldDifference> differences;
+  const google::protobuf::Descriptor& producer = *v1::Producer::descriptor();
+  for (int i = 0; i < producer.field_count(); ++i) {
+    v1::Producer one;
+    v1::Producer other;
+    const auto& reflection = *one.GetReflection();
+    reflection.SetString(&one, producer.field(i), reflection.GetString(first.producer(), producer.field(i)));
+    reflection.SetString(&other, producer.field(i), reflection.GetString(second.producer(), producer.field(i)));
+    auto found = FirstDifference(one, other);
+    if (!found.has_value()) continue;
+    found->path = "producer." + found->path;
+    differences.push_back(*std::move(found));
+  }
+  v1::Artifact one;
+  v1::Artifact other;
+  one.set_options_digest(first.options_digest());
+  other.set_options_digest(second.options_digest());
+  if (auto found = FirstDifference(one, other); found.has_value()) differences.push_back(*std::move(found));
+  one.Clear();
+  other.Clear();
+  *one.mutable_model_calls() = first.model_calls();
+  *other.mutable_model_calls() = second.model_calls();
+  if (auto found = FirstDifference(one, other); found.has_value()) differences.push_back(*std::move(found));
+  return differences;
+}
+
+// What is known of a stage that both jobs have run.
+void CompareArtifacts(const v1::Artifact& first, const v1::Artifact& second, StageComparison& stage) {
+  const v1::Artifact one = OfAnyJob(first);
+  const v1::Artifact other = OfAnyJob(second);
+  stage.origin = OriginDifferences(one, other);
+  stage.content = ContentDifference(one, other);
+  if (stage.content.has_value()) {
+    stage.agreement = Agreement::kDiffers;
+  } else if (one.id() != other.id() || !stage.origin.empty() || !stage.input.empty()) {
+    stage.agreement = Agreement::kSameContent;
+  } else {
+    stage.agreement = Agreement::kSameBytes;
+  }
+}
+
+}  // namespace
+
+bool StageComparison::Parts() const {
+  return !asked && (agreement == Agreement::kDiffers || agreement == Agreement::kFirstOnly ||
+                    agreement == Agreement::kReplayOnly);
+}
+
+std::vector<StageComparison> CompareStages(const v1::Job& first, const ArtifactsByKind& first_artifacts,
+                                           const v1::Job& replay, const ArtifactsByKind& replay_artifacts) {
+  const std::span<const orchestrator::Stage> stages = orchestrator::Stages();
+  const std::vector<bool> asked = orchestrator::StagesAskedToDiffer(first.spec(), replay.spec());
+  const auto begin = static_cast<size_t>(orchestrator::FirstStageOf(replay.spec().replay()));
+  std::vector<StageComparison> compared;
+  for (size_t i = 0; i < stages.size(); ++i) {
+    StageComparison& stage = compared.emplace_back();
+    stage.stage = stages[i].name;
+    stage.asked = asked[i];
+    for (size_t j = 0; j < i && stage.input.empty(); ++j) {
+      const bool is_input = std::ranges::find(stages[i].inputs, stages[j].output) != stages[i].inputs.end();
+      const v1::Artifact* one = Find(first_artifacts, stages[j].output);
+      const v1::Artifact* other = Find(replay_artifacts, stages[j].output);
+      if (is_input && one != nullptr && other != nullptr && one->id() != other->id()) stage.input = stages[j].name;
+    }
+    const v1::Artifact* one = Find(first_artifacts, stages[i].output);
+    const v1::Artifact* other = Find(replay_artifacts, stages[i].output);
+    if (one != nullptr && other != nullptr && i < begin) {
+      stage.agreement = Agreement::kTaken;
+    } else if (one != nullptr && other != nullptr) {
+      CompareArtifacts(*one, *other, stage);
+    } else if (one != nullptr || other != nullptr) {
+      stage.agreement = one != nullptr ? Agreement::kFirstOnly : Agreement::kReplayOnly;
+    }
+  }
+  return compared;
+}
+
+bool AllAgree(const std::vector<StageComparison>& stages) {
+  return std::ranges::none_of(stages, &StageComparison::Parts);
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A job and its replay, side by side: which stages gave the same again, and where they part.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/output/first_difference.h"
+#include "cli/output/report_text.h"
+#include "flair/v1/job.pb.h"
+
+namespace flair::cli {
+
+enum class Agreement {
+  kTaken,        // the earlier job's artifact; the stage was not run
+  kSameBytes,    // one id: content and origin are the same
+  kSameContent,  // the content is the same, who made it or what it was made from is not
+  kDiffers,
+  kFirstOnly,   // the replay has no artifact of the stage
+  kReplayOnly,  // the earlier job had none
+  kNeither,
+};
+
+struct StageComparison {
+  std::string_view stage;
+  Agreement agreement = Agreement::kNeither;
+  // Other options were given that reach this stage.
+  bool asked = false;
+  // Where the contents part; set when they do.
+  std::optional<FieldDifference> content;
+  // What else parts, likely causes first: fields of the producer, options, what a model was asked and answered.
+  std::vector<FieldDifference> origin;
+  // The first stage among the inputs whose artifact is another one; empty when none is.
+  std::string_view input;
+
+  // Differs without having been asked to.
+  bool Parts() const;
+};
+
+// All stages in their order. Reports are compared without what belongs to one job: its id, times and consumption.
+std::vector<StageComparison> CompareStages(const v1::Job& first, const ArtifactsByKind& first_artifacts,
+                                           const v1::Job& replay, const ArtifactsByKind& replay_artifacts);
+
+// True when no stage parts.
+bool AllAgree(const std::vector<StageComparison>& stages);
+
+}  // namespace flair::cli
