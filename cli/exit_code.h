@@ -10,11 +10,13 @@ enum ExitCode : int {
   kExitDone = 0,
   kExitFailed = 1,       // something else went wrong: a bug or a broken installation
   kExitBadInput = 2,     // the request, an argument or a file's content is not right
-  kExitUnreachable = 3,  // a service is down, full or too slow; trying again may help
+  kExitUnreachable = 3,  // a service is down, full, too slow (trying again may help), or speaks another version
   kExitFiles = 4,        // a file or folder cannot be read or written
   kExitCorrupt = 5,      // stored bytes are not what they were
   kExitModel = 6,        // the language model: it cannot be reached, refuses the key, its budget is spent, or its
                          // answers are of no use
+  kExitDiffers = 7,      // what was compared is not the same; nothing failed
+  kExitBroken = 8,       // a server breaks a promise of its stage
 };
 
 int ExitCodeOf(const absl::Status& status);
@@ -25,9 +27,17 @@ absl::Status FileError(const std::string& message);
 // ABORTED, which stands for kExitModel here.
 absl::Status ModelError(const std::string& message);
 
+// What stands for kExitDiffers, for commands that have told all about it: nothing more is said.
+absl::Status DiffersStatus();
+
+// What stands for kExitBroken.
+absl::Status BrokenPromises(const std::string& message);
+
 inline constexpr char kExitCodeHelp[] =
-    "Exit codes: 0 done, 1 failed, 2 the request or an argument is not right, 3 a service cannot be reached,\n"
+    "Exit codes: 0 done, 1 failed, 2 the request or an argument is not right, 3 a service cannot be reached\n"
+    "            or speaks another version,\n"
     "            4 a file or folder cannot be read or written, 5 an artifact is corrupt, 6 the language model failed:\n"
-    "            it cannot be reached, refuses the key, its budget is spent, or its answers are of no use.";
+    "            it cannot be reached, refuses the key, its budget is spent, or its answers are of no use,\n"
+    "            7 what was compared is not the same, 8 a server breaks a promise of its stage.";
 
 }  // namespace flair::cli

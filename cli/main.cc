@@ -21,12 +21,16 @@ int main(int argc, char** argv) {
   absl::Status result;
   flair::cli::AddDesign(program, result);
   flair::cli::AddInspect(program, result);
+  flair::cli::AddDiff(program, result);
+  flair::cli::AddGraph(program, result);
   flair::cli::AddExplain(program, result);
   flair::cli::AddJobs(program, result);
+  flair::cli::AddReplay(program, result);
   flair::cli::AddRender(program, result);
   flair::cli::AddContactSheet(program, result);
   flair::cli::AddSolve(program, result);
   flair::cli::AddResolve(program, result);
+  flair::cli::AddCompare(program, result);
   flair::cli::AddImport(program, result);
   flair::cli::AddExport(program, result);
   flair::cli::AddBench(program, result);
@@ -35,6 +39,7 @@ int main(int argc, char** argv) {
   flair::cli::AddBenchRestarts(program, result);
   flair::cli::AddBenchTranslate(program, result);
   flair::cli::AddCatalog(program, result);
+  flair::cli::AddContract(program, result);
   flair::cli::AddDoctor(program, result);
   flair::cli::AddPrompts(program, result);
   flair::cli::AddProtocol(program, result);
@@ -50,10 +55,12 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "flair: %s\n", error.what());
     return flair::cli::kExitFailed;
   }
-  if (result.ok() && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
+  const int code = flair::cli::ExitCodeOf(result);
+  const bool printed = code == flair::cli::kExitDone || code == flair::cli::kExitDiffers;
+  if (printed && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
     std::fprintf(stderr, "flair: output: cannot be written: its reader has gone, or the disk is full\n");
     return flair::cli::kExitFiles;
   }
-  if (!result.ok()) std::fprintf(stderr, "flair: %s\n", std::string(result.message()).c_str());
-  return flair::cli::ExitCodeOf(result);
+  if (!result.message().empty()) std::fprintf(stderr, "flair: %s\n", std::string(result.message()).c_str());
+  return code;
 }

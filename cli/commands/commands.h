@@ -9,8 +9,12 @@ namespace flair::cli {
 
 void AddDesign(CLI::App& program, absl::Status& result);
 void AddInspect(CLI::App& program, absl::Status& result);
+void AddDiff(CLI::App& program, absl::Status& result);
+void AddCompare(CLI::App& program, absl::Status& result);
+void AddGraph(CLI::App& program, absl::Status& result);
 void AddExplain(CLI::App& program, absl::Status& result);
 void AddJobs(CLI::App& program, absl::Status& result);
+void AddReplay(CLI::App& program, absl::Status& result);
 void AddRender(CLI::App& program, absl::Status& result);
 void AddResolve(CLI::App& program, absl::Status& result);
 void AddSolve(CLI::App& program, absl::Status& result);
@@ -28,6 +32,7 @@ void AddBenchResolve(CLI::App& program, absl::Status& result);
 void AddBenchRestarts(CLI::App& program, absl::Status& result);
 void AddBenchTranslate(CLI::App& program, absl::Status& result);
 void AddCatalog(CLI::App& program, absl::Status& result);
+void AddContract(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
 void AddPrompts(CLI::App& program, absl::Status& result);
 void AddProtocol(CLI::App& program, absl::Status& result);

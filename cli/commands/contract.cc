@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair contract: what a server of a stage promises, and whether it keeps it.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -22,27 +23,41 @@ struct ContractArguments {
   bool json = false;
 };
 
-std::vector<contract::Check> ChosenChecks(const contract::Stage& stage, const std::string& only) {
+// Those whose name contains `only`, and those without which no other makes sense.
+absl::StatusOr<std::vector<contract::Check>> ChosenChecks(const contract::Stage& stage, const std::string& only) {
   std::vector<contract::Check> checks = contract::ChecksOf(stage);
-  std::erase_if(checks, [&only](const contract::Check& check) {
-    return !check.decisive && check.name.find(only) == std::string::npos;
-  });
+  const auto is_meant = [&only](const contract::Check& check) { return check.name.find(only) != std::string::npos; };
+  if (std::ranges::none_of(checks, is_meant)) {
+    return absl::InvalidArgumentError(
+        fmt::format("--only \"{}\": no check of the {} has this in its name; flair contract {} --list names them", only,
+                    stage.name, stage.name));
+  }
+  std::erase_if(checks, [&](const contract::Check& check) { return !check.decisive && !is_meant(check); });
   return checks;
 }
 
-void List(const contract::Stage& stage, const ContractArguments& arguments) {
-  const std::vector<contract::Check> checks = ChosenChecks(stage, arguments.only);
-  fmt::print("{}", arguments.json       ? contract::ListJson(stage, checks)
-                   : arguments.markdown ? contract::ListMarkdown(stage, checks)
-                                        : contract::ListText(stage, checks));
+absl::Status List(const ContractArguments& arguments) {
+  const contract::Stage* const stage = contract::FindStage(arguments.stage);
+  const auto stages = stage != nullptr ? std::span(stage, 1) : contract::AllStages();
+  if (arguments.json) fmt::print("{}", contract::ListJson(stages));
+  if (arguments.markdown) fmt::print("{}", contract::kMarkdownHead);
+  for (const contract::Stage& each : arguments.json ? std::span<const contract::Stage>() : stages) {
+    const absl::StatusOr<std::vector<contract::Check>> checks = ChosenChecks(each, arguments.only);
+    if (!checks.ok()) return checks.status();
+    fmt::print("{}", arguments.markdown ? contract::ListMarkdown(each, *checks) : contract::ListText(each, *checks));
+  }
+  return absl::OkStatus();
 }
 
 absl::Status Test(const contract::Stage& stage, const ContractArguments& arguments) {
+  const absl::StatusOr<std::vector<contract::Check>> checks = ChosenChecks(stage, arguments.only);
+  if (!checks.ok()) return checks.status();
   auto target = contract::Target::Connect({.address = arguments.target,
                                            .service = stage.service,
                                            .patience = absl::Seconds(arguments.patience_s),
                                            .max_message_mib = arguments.max_message_mib});
-  if (!target.ok()) return absl::Status(target.status().code(), fmt::format("--target {}", target.status().message()));
+  if (!target.ok())
+    return absl::Status(target.status().code(), fmt::format("--target {}", std::string(target.status().message())));
   // With --json standard output is for programs alone.
   std::FILE* const out = arguments.json ? stderr : stdout;
   const auto say = [out](const std::string& text) {
@@ -50,9 +65,8 @@ absl::Status Test(const contract::Stage& stage, const ContractArguments& argumen
     std::fflush(out);
   };
   say(contract::HeadText(stage, **target));
-  const std::vector<contract::Check> checks = ChosenChecks(stage, arguments.only);
   const std::vector<contract::Result> results = contract::RunChecks(
-      checks, **target, [&say](const contract::Result& result) { say(contract::ResultText(result)); });
+      *checks, **target, [&say](const contract::Result& result) { say(contract::ResultText(result)); });
   say(contract::SummaryText(results));
   if (arguments.json) fmt::print("{}", contract::ResultsJson(stage, **target, results));
   const int broken = contract::BrokenCount(results);
@@ -63,12 +77,7 @@ absl::Status Test(const contract::Stage& stage, const ContractArguments& argumen
 
 absl::Status Contract(const ContractArguments& arguments) {
   const contract::Stage* const stage = contract::FindStage(arguments.stage);
-  if (arguments.list) {
-    for (const contract::Stage& each : contract::AllStages()) {
-      if (stage == nullptr || stage == &each) List(each, arguments);
-    }
-    return absl::OkStatus();
-  }
+  if (arguments.list) return List(arguments);
   if (stage == nullptr) return absl::InvalidArgumentError("STAGE: missing; flair contract --help names them");
   if (arguments.target.empty()) {
     return absl::InvalidArgumentError(

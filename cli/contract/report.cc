@@ -125,7 +125,7 @@ std::string ListMarkdown(const Stage& stage, std::span<const Check> checks) {
   // By what must be claimed, what every server promises first.
   std::map<v1::Capability, std::vector<const Check*>> by_claim;
   for (const Check& check : checks) by_claim[check.capability].push_back(&check);
-  std::string text = fmt::format("## {}\n\n`{}`\n", stage.name, stage.service);
+  std::string text = fmt::format("## {}: `{}`\n", stage.name, stage.service);
   for (auto& [capability, members] : by_claim) {
     std::ranges::stable_sort(members, {}, &Check::promise);
     text +=
@@ -134,16 +134,20 @@ std::string ListMarkdown(const Stage& stage, std::span<const Check> checks) {
             : fmt::format("\nWho claims `{}`:\n\n| of | promise |\n| --- | --- |\n", v1::Capability_Name(capability));
     for (const Check* check : members) text += fmt::format("| {} | {} |\n", PromiseName(check->promise), check->name);
   }
-  return text;
+  return text + "\n";
 }
 
-std::string ListJson(const Stage& stage, std::span<const Check> checks) {
-  Json list = Json::array();
-  for (const Check& check : checks) {
-    list.push_back({{"name", check.name}, {"promise", PromiseName(check.promise)}});
-    if (check.capability != v1::CAPABILITY_UNSPECIFIED) list.back()["claim"] = CapabilityName(check.capability);
+std::string ListJson(std::span<const Stage> stages) {
+  Json lists = Json::array();
+  for (const Stage& stage : stages) {
+    Json checks = Json::array();
+    for (const Check& check : ChecksOf(stage)) {
+      checks.push_back({{"name", check.name}, {"promise", PromiseName(check.promise)}});
+      if (check.capability != v1::CAPABILITY_UNSPECIFIED) checks.back()["claim"] = CapabilityName(check.capability);
+    }
+    lists.push_back({{"stage", stage.name}, {"service", stage.service}, {"checks", std::move(checks)}});
   }
-  return Dump({{"service", stage.service}, {"checks", std::move(list)}});
+  return Dump(lists);
 }
 
 }  // namespace flair::contract

@@ -20,9 +20,14 @@ int BrokenCount(std::span<const Result> results);
 
 std::string ResultsJson(const Stage& stage, const Target& target, std::span<const Result> results);
 
-// What the stage promises, without a server: as a table for people, and as a section of docs/contract.md.
+// What the stage promises, without a server: for people, as a section of docs/contract.md (below its head), as JSON.
 std::string ListText(const Stage& stage, std::span<const Check> checks);
+inline constexpr char kMarkdownHead[] =
+    "<!-- Made by `flair contract --list --markdown`; do not edit. -->\n"
+    "# What each stage promises\n\n"
+    "`flair contract STAGE --target HOST:PORT` puts every line to a server, in any language, and says which it keeps;\n"
+    "[replace-a-stage.md](replace-a-stage.md) tells how to put such a server in a stage's place.\n\n";
 std::string ListMarkdown(const Stage& stage, std::span<const Check> checks);
-std::string ListJson(const Stage& stage, std::span<const Check> checks);
+std::string ListJson(std::span<const Stage> stages);
 
 }  // namespace flair::contract

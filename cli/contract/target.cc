@@ -98,7 +98,7 @@ absl::StatusOr<std::unique_ptr<Target>> Target::Connect(const TargetOptions& opt
   if (!channel.ok()) return channel.status();
   std::unique_ptr<Target> target(new Target(options));
   target->channel_ = *std::move(channel);
-  const absl::StatusOr<std::string> worker = target->Start(kGetWorker, "", kConnectWithin)->Wait();
+  const absl::StatusOr<std::string> worker = target->Start(kGetWorker, "", target->ConnectWithin())->Wait();
   if (absl::IsUnavailable(worker.status()) || absl::IsDeadlineExceeded(worker.status())) {
     return absl::UnavailableError(
         fmt::format("{}: no gRPC server answers there: {}; is it running, and is this its port?", options.address,
@@ -109,12 +109,14 @@ absl::StatusOr<std::unique_ptr<Target>> Target::Connect(const TargetOptions& opt
   return target;
 }
 
+absl::Duration Target::ConnectWithin() const { return std::min(kConnectWithin, options_.patience); }
+
 bool Target::Claims(v1::Capability capability) const {
   return std::ranges::find(worker_.capabilities(), capability) != worker_.capabilities().end();
 }
 
 bool Target::IsReachable() const {
-  const absl::Status status = Start(kGetWorker, "", kConnectWithin)->Wait().status();
+  const absl::Status status = Start(kGetWorker, "", ConnectWithin())->Wait().status();
   return !absl::IsUnavailable(status) && !absl::IsDeadlineExceeded(status);
 }
 

@@ -51,7 +51,8 @@ struct TargetOptions {
 // Thread-safe.
 class Target {
  public:
-  // UNAVAILABLE when nobody answers there within ten seconds, INVALID_ARGUMENT when the address has no known form.
+  // UNAVAILABLE when nobody answers there within ten seconds or the patience, INVALID_ARGUMENT when the address has no
+  // known form.
   static absl::StatusOr<std::unique_ptr<Target>> Connect(const TargetOptions& options);
 
   const TargetOptions& options() const { return options_; }
@@ -83,6 +84,7 @@ class Target {
 
  private:
   explicit Target(TargetOptions options);
+  absl::Duration ConnectWithin() const;
 
   const TargetOptions options_;
   std::shared_ptr<grpc::Channel> channel_;
