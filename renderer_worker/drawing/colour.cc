@@ -67,6 +67,8 @@ Rgb FromOklch(const Oklch& colour) {
   return {channel(linear.red), channel(linear.green), channel(linear.blue)};
 }
 
+Rgb ZoneTint(int index) { return FromOklch({0.80, 0.075, 1.0 + 2.399963 * index}); }
+
 Rgb SoftenForPrint(const Rgb& colour) {
   Oklch soft = ToOklch(colour);
   soft.lightness = 0.64 + 0.34 * soft.lightness;

@@ -30,6 +30,9 @@ Oklch ToOklch(const Rgb& colour);
 // Chroma is reduced until the colour exists in sRGB.
 Rgb FromOklch(const Oklch& colour);
 
+// The tint of the zone at that place of the plan: neighbours in the list are far apart in hue.
+Rgb ZoneTint(int index);
+
 // A colour light enough to print lines and text on. Order by lightness and the hue survive; a black coffin becomes
 // grey.
 Rgb SoftenForPrint(const Rgb& colour);

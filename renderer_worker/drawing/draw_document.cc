@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "renderer_worker/drawing/draw_plan.h"
+#include "renderer_worker/drawing/on_surface.h"
 #include "renderer_worker/drawing/plan_sheet.h"
 #include "renderer_worker/drawing/surface.h"
 #include "renderer_worker/drawing/text.h"
@@ -26,7 +27,7 @@ struct About {
   std::string title, description, software, keywords;
 };
 
-About AboutOf(const Plan& plan, const Sheet& sheet, const DrawingMetadata& metadata) {
+About AboutOf(const std::string& title, const Sheet& sheet, const DrawingMetadata& metadata) {
   About about;
   DrawingMetadata others;
   const std::string scale = fmt::format("1:{} at {}", sheet.scale, sheet.paper);
@@ -43,7 +44,7 @@ About AboutOf(const Plan& plan, const Sheet& sheet, const DrawingMetadata& metad
       others.emplace_back(name == "Keywords" ? "" : name, value);
     }
   }
-  if (about.title.empty()) about.title = plan.title;
+  if (about.title.empty()) about.title = title;
   if (about.description.empty()) about.description = fmt::format("Furniture plan, scale {}", scale);
   if (about.software.empty()) about.software = "flair";
   if (!has_scale) others.emplace_back("flair:scale", scale);
@@ -122,31 +123,38 @@ About ValidText(About about) {
 
 }  // namespace
 
-absl::StatusOr<std::string> DrawPlanDocument(const v1::SolvedLayout& layout, const v1::RenderOptions& options,
-                                             const DrawingMetadata& metadata) {
+absl::StatusOr<std::string> DrawInDocument(const Sheet& sheet, const std::string& title,
+                                           const v1::RenderOptions& options, const DrawingMetadata& metadata,
+                                           const Drawing& draw) {
   const bool svg = options.format() == v1::PREVIEW_FORMAT_SVG;
   if (!svg && options.format() != v1::PREVIEW_FORMAT_PDF)
     return absl::InvalidArgumentError("options.format: a document is SVG or PDF");
   if (options.has_size_px()) return absl::InvalidArgumentError("options.size_px: not with SVG or PDF");
   if (options.has_dpi()) return absl::InvalidArgumentError("options.dpi: not with SVG or PDF");
-  const absl::StatusOr<PlanSheet> made = MakePlanSheet(layout, options);
-  if (!made.ok()) return made.status();
-  const About about = ValidText(AboutOf(made->plan, made->sheet, metadata));
+  const About about = ValidText(AboutOf(title, sheet, metadata));
   std::string file;
-  const SurfacePtr surface = svg ? MakeSvg(made->sheet, file) : MakePdf(made->sheet, about, file);
+  const SurfacePtr surface = svg ? MakeSvg(sheet, file) : MakePdf(sheet, about, file);
   {
     const CairoPtr cairo(cairo_create(surface.get()));
     const double units_per_mm = svg ? 1 : kPointsPerMm;
     cairo_scale(cairo.get(), units_per_mm, units_per_mm);
     cairo_set_tolerance(cairo.get(), kArcToleranceMm * units_per_mm);
     Canvas canvas(cairo.get());
-    DrawSheet(canvas, made->plan, made->sheet);
+    draw(canvas);
     cairo_show_page(cairo.get());
     if (absl::Status status = StatusOf(cairo_status(cairo.get())); !status.ok()) return status;
   }
   cairo_surface_finish(surface.get());
   if (absl::Status status = StatusOf(cairo_surface_status(surface.get())); !status.ok()) return status;
   return svg ? WithMetadata(std::move(file), about) : file;
+}
+
+absl::StatusOr<std::string> DrawPlanDocument(const v1::SolvedLayout& layout, const v1::RenderOptions& options,
+                                             const DrawingMetadata& metadata) {
+  const absl::StatusOr<PlanSheet> made = MakePlanSheet(layout, options);
+  if (!made.ok()) return made.status();
+  return DrawInDocument(made->sheet, made->plan.title, options, metadata,
+                        [&](Canvas& canvas) { DrawSheet(canvas, made->plan, made->sheet); });
 }
 
 }  // namespace flair::renderer

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer_worker/drawing/on_surface.h"
 #include "renderer_worker/drawing/plan_sheet.h"
 #include "renderer_worker/drawing/surface.h"
 
@@ -40,27 +41,6 @@ absl::StatusOr<SurfacePtr> MakeImage(int width, int height) {
   return surface;
 }
 
-// Resolution of the picture, within what the options and the memory allow.
-absl::StatusOr<double> PixelsPerMm(const Sheet& sheet, const v1::RenderOptions& options) {
-  if (!options.has_dpi()) {
-    const int size_px = options.has_size_px() ? options.size_px() : kDefaultSizePx;
-    if (size_px < 256 || size_px > 8192) {
-      return absl::InvalidArgumentError(fmt::format("options.size_px: {}; must be in [256, 8192]", size_px));
-    }
-    return size_px / std::max(sheet.size_mm.width, sheet.size_mm.height);
-  }
-  if (options.has_size_px()) return absl::InvalidArgumentError("options.dpi: not together with size_px");
-  if (options.dpi() < 36 || options.dpi() > 1200) {
-    return absl::InvalidArgumentError(fmt::format("options.dpi: {}; must be in [36, 1200]", options.dpi()));
-  }
-  const double most = std::floor(kMmPerInch * std::sqrt(kMostPixels / (sheet.size_mm.width * sheet.size_mm.height)));
-  if (options.dpi() > most) {
-    return absl::InvalidArgumentError(fmt::format(
-        "options.dpi: {} is more than a picture of {} can have; at most {:.0f}", options.dpi(), sheet.paper, most));
-  }
-  return options.dpi() / kMmPerInch;
-}
-
 // Scale and place of a room on a tile of `size_mm`, walls and outward doors included.
 Sheet TileSheet(const Plan& plan, Size size_mm) {
   constexpr double kMarginMm = 2;
@@ -91,23 +71,53 @@ absl::Status StatusOf(cairo_status_t status) {
   return status == CAIRO_STATUS_NO_MEMORY ? absl::ResourceExhaustedError(message) : absl::InternalError(message);
 }
 
+absl::StatusOr<double> PixelsPerMm(const Sheet& sheet, const v1::RenderOptions& options) {
+  if (!options.has_dpi()) {
+    const int size_px = options.has_size_px() ? options.size_px() : kDefaultSizePx;
+    if (size_px < 256 || size_px > 8192) {
+      return absl::InvalidArgumentError(fmt::format("options.size_px: {}; must be in [256, 8192]", size_px));
+    }
+    return size_px / std::max(sheet.size_mm.width, sheet.size_mm.height);
+  }
+  if (options.has_size_px()) return absl::InvalidArgumentError("options.dpi: not together with size_px");
+  if (options.dpi() < 36 || options.dpi() > 1200) {
+    return absl::InvalidArgumentError(fmt::format("options.dpi: {}; must be in [36, 1200]", options.dpi()));
+  }
+  const double most = std::floor(kMmPerInch * std::sqrt(kMostPixels / (sheet.size_mm.width * sheet.size_mm.height)));
+  if (options.dpi() > most) {
+    return absl::InvalidArgumentError(fmt::format(
+        "options.dpi: {} is more than a picture of {} can have; at most {:.0f}", options.dpi(), sheet.paper, most));
+  }
+  return options.dpi() / kMmPerInch;
+}
+
+absl::StatusOr<Pixels> DrawOnPixels(int width_px, int height_px, double px_per_mm, const Drawing& draw) {
+  const absl::StatusOr<SurfacePtr> surface = MakeImage(width_px, height_px);
+  if (!surface.ok()) return surface.status();
+  const CairoPtr cairo(cairo_create(surface->get()));
+  cairo_scale(cairo.get(), px_per_mm, px_per_mm);
+  Canvas canvas(cairo.get());
+  draw(canvas);
+  if (absl::Status status = StatusOf(cairo_status(cairo.get())); !status.ok()) return status;
+  return ReadPixels(surface->get());
+}
+
+absl::StatusOr<Pixels> DrawOnPixels(const Sheet& sheet, double px_per_mm, const Drawing& draw) {
+  return DrawOnPixels(static_cast<int>(std::lround(sheet.size_mm.width * px_per_mm)),
+                      static_cast<int>(std::lround(sheet.size_mm.height * px_per_mm)), px_per_mm, draw);
+}
+
 absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
   const absl::StatusOr<PlanSheet> made = MakePlanSheet(layout, options);
   if (!made.ok()) return made.status();
   const Sheet& sheet = made->sheet;
   const absl::StatusOr<double> px_per_mm = PixelsPerMm(sheet, options);
   if (!px_per_mm.ok()) return px_per_mm.status();
-  const absl::StatusOr<SurfacePtr> surface =
-      MakeImage(static_cast<int>(std::lround(sheet.size_mm.width * *px_per_mm)),
-                static_cast<int>(std::lround(sheet.size_mm.height * *px_per_mm)));
-  if (!surface.ok()) return surface.status();
-  const CairoPtr cairo(cairo_create(surface->get()));
-  cairo_scale(cairo.get(), *px_per_mm, *px_per_mm);
-  Canvas canvas(cairo.get());
   DrawnPlan drawn;
-  drawn.labels = DrawSheet(canvas, made->plan, sheet);
-  if (absl::Status status = StatusOf(cairo_status(cairo.get())); !status.ok()) return status;
-  drawn.pixels = ReadPixels(surface->get());
+  absl::StatusOr<Pixels> pixels =
+      DrawOnPixels(sheet, *px_per_mm, [&](Canvas& canvas) { drawn.labels = DrawSheet(canvas, made->plan, sheet); });
+  if (!pixels.ok()) return pixels.status();
+  drawn.pixels = *std::move(pixels);
   drawn.title = made->plan.title;
   drawn.scale = sheet.scale;
   drawn.paper = sheet.paper;
@@ -121,19 +131,14 @@ absl::StatusOr<Pixels> DrawPlanTile(const v1::SolvedLayout& layout, int width_px
   }
   const absl::StatusOr<Plan> plan = ReadPlan(layout, {.dimensions = false});
   if (!plan.ok()) return plan.status();
-  const absl::StatusOr<SurfacePtr> surface = MakeImage(width_px, height_px);
-  if (!surface.ok()) return surface.status();
   // As if printed 110 mm wide: line weights are millimetres.
   const double px_per_mm = std::max(width_px, height_px) / 110.0;
-  const CairoPtr cairo(cairo_create(surface->get()));
-  cairo_scale(cairo.get(), px_per_mm, px_per_mm);
-  Canvas canvas(cairo.get());
   const Sheet sheet = TileSheet(*plan, {width_px / px_per_mm, height_px / px_per_mm});
-  canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
-  canvas.Fill(Hex(0xFFFFFF));
-  DrawRoom(canvas, *plan, sheet);
-  if (absl::Status status = StatusOf(cairo_status(cairo.get())); !status.ok()) return status;
-  return ReadPixels(surface->get());
+  return DrawOnPixels(width_px, height_px, px_per_mm, [&](Canvas& canvas) {
+    canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
+    canvas.Fill(Hex(0xFFFFFF));
+    DrawRoom(canvas, *plan, sheet);
+  });
 }
 
 }  // namespace flair::renderer

@@ -104,8 +104,7 @@ absl::Status ReadZones(const v1::SolvedLayout& layout, Plan& plan) {
   const auto& zones = layout.graph().zone_plan().zones();
   for (int i = 0; i < zones.size(); ++i) {
     // Hues a golden angle apart, so that neighbours in the list never look alike.
-    PlanZone zone{
-        zones[i].name().empty() ? zones[i].id() : zones[i].name(), FromOklch({0.80, 0.075, 1.0 + 2.399963 * i}), {}};
+    PlanZone zone{zones[i].name().empty() ? zones[i].id() : zones[i].name(), ZoneTint(i), {}};
     for (int r = 0; r < layout.zone_regions_size(); ++r) {
       const v1::ZoneRegion& region = layout.zone_regions(r);
       if (region.zone_id() != zones[i].id()) continue;

@@ -17,6 +17,21 @@ constexpr int kLargestScale = 5, kSmallestScale = 1000;
 constexpr double kEndRoomMm = 10;  // text beyond the end of a dimension line
 constexpr double kTextRoomMm = 5;  // text beyond the outermost dimension line
 
+// The sheet at this scale, whichever way up it fits; none when it does not.
+std::optional<Sheet> SheetAt(const Plan& plan, v1::PaperSize paper, int scale) {
+  for (bool portrait : {false, true}) {
+    Sheet sheet = EmptySheet(paper, portrait, scale);
+    const Box needed = PaperNeeded(plan, sheet);
+    if (needed.width() > sheet.plan_mm.width() || needed.height() > sheet.plan_mm.height()) continue;
+    const Point middle = needed.centre(), target = sheet.plan_mm.centre();
+    sheet.origin_mm = {target.x - middle.x, target.y - middle.y};
+    return sheet;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Sheet EmptySheet(v1::PaperSize paper, bool portrait, int scale) {
   Sheet sheet;
   sheet.portrait = portrait;
@@ -58,20 +73,7 @@ Box PaperNeeded(const Plan& plan, const Sheet& sheet) {
   return needed;
 }
 
-// The sheet at this scale, whichever way up it fits; none when it does not.
-std::optional<Sheet> SheetAt(const Plan& plan, v1::PaperSize paper, int scale) {
-  for (bool portrait : {false, true}) {
-    Sheet sheet = EmptySheet(paper, portrait, scale);
-    const Box needed = PaperNeeded(plan, sheet);
-    if (needed.width() > sheet.plan_mm.width() || needed.height() > sheet.plan_mm.height()) continue;
-    const Point middle = needed.centre(), target = sheet.plan_mm.centre();
-    sheet.origin_mm = {target.x - middle.x, target.y - middle.y};
-    return sheet;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
+std::span<const int> CommonScales() { return kScales; }
 
 // How far doors of a wall swing out of the room, millimetres.
 double OutwardReachMm(const Plan& plan, const Sheet& sheet, int wall) {

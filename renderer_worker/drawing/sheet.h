@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "absl/status/statusor.h"
@@ -32,6 +33,15 @@ inline double WallThicknessMm(const Sheet& sheet) { return std::clamp(kWallThick
 
 // How far doors of a wall swing out of the room, millimetres of paper.
 double OutwardReachMm(const Plan& plan, const Sheet& sheet, int wall);
+
+// What walls, outward doors and dimension lines take of the paper at the sheet's scale and origin.
+Box PaperNeeded(const Plan& plan, const Sheet& sheet);
+
+// The common scales, largest first: 10 for 1:10.
+std::span<const int> CommonScales();
+
+// The paper without scale and origin. `paper` is one that is known.
+Sheet EmptySheet(v1::PaperSize paper, bool portrait, int scale);
 
 // The paper of the options at their scale, or at the largest common one at which room, outward doors and dimension
 // lines fit. INVALID_ARGUMENT when a given scale is out of [5, 1000] or too large for the paper (the message says which

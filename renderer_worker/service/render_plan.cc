@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer_worker/comparison/draw_comparison.h"
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/images/prepare_beside.h"
 #include "renderer_worker/service/origin.h"
@@ -32,7 +33,8 @@ double DotsPerInch(const DrawnPlan& plan) {
 absl::Status FillWithPixels(const v1::RenderRequest& request, ImageWriter& writer, runtime::CallContext& call,
                             v1::Preview& preview) {
   const PrepareBeside prepare(writer);
-  absl::StatusOr<DrawnPlan> plan = DrawPlan(request.solved_layout(), request.options());
+  absl::StatusOr<DrawnPlan> plan =
+      request.beside().empty() ? DrawPlan(request.solved_layout(), request.options()) : DrawComparison(request);
   if (!plan.ok()) return plan.status();
   if (absl::Status status = call.CheckAlive(); !status.ok()) return status;
   ImageMetadata metadata = MetadataOf(request, plan->title);
@@ -47,8 +49,10 @@ absl::Status FillWithPixels(const v1::RenderRequest& request, ImageWriter& write
 
 // Pages have no pixels: their width and height stay 0.
 absl::Status FillWithDocument(const v1::RenderRequest& request, v1::Preview& preview) {
-  absl::StatusOr<std::string> file = DrawPlanDocument(request.solved_layout(), request.options(),
-                                                      MetadataOf(request, TitleOf(request.solved_layout())));
+  const ImageMetadata metadata = MetadataOf(request, TitleOf(request.solved_layout()));
+  absl::StatusOr<std::string> file = request.beside().empty()
+                                         ? DrawPlanDocument(request.solved_layout(), request.options(), metadata)
+                                         : DrawComparisonDocument(request, metadata);
   if (!file.ok()) return file.status();
   preview.set_image(*std::move(file));
   return absl::OkStatus();

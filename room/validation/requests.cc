@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "fmt/format.h"
 #include "room/validation/checks.h"
 #include "room/validation/validate.h"
 
@@ -67,6 +68,31 @@ void CheckOrigin(const Request& request, Parts& parts) {
     parts.At("brief_seed")
         .InRange(static_cast<double>(request.brief_seed()),
                  {.least = 0, .most = 9007199254740992.0, .open_most = true});
+  }
+}
+
+// Words around a layout.
+template <typename Message>
+void CheckCaption(const Message& message, Parts& parts, const std::string& path = "") {
+  parts.At(path + "caption").Text(message.caption(), 0, 200);
+  parts.At(path + "remark").Text(message.remark(), 0, 400);
+}
+
+void CheckBeside(const v1::RenderRequest& request, Parts& parts) {
+  if (!parts.At("beside").Count(request.beside_size(), 0, 7, "layouts") || request.beside().empty()) return;
+  const v1::PreviewView view = request.options().view();
+  if (view != v1::PREVIEW_VIEW_UNSPECIFIED && view != v1::PREVIEW_VIEW_PLAN) {
+    parts.At("beside").Reject("is for plans; leave it out for a ray-traced view");
+  }
+  for (int i = 0; i < request.beside_size(); ++i) {
+    const v1::ComparedLayout& other = request.beside(i);
+    const std::string path = fmt::format("beside[{}].", i);
+    parts.Part(other.solved_layout(), path + "solved_layout");
+    CheckCaption(other, parts, path);
+    if (!parts.At(path + "changes").Count(other.changes_size(), 0, 1000, "changes")) return;
+    for (int j = 0; j < other.changes_size(); ++j) {
+      parts.At(fmt::format("{}changes[{}].words", path, j)).Text(other.changes(j).words(), 0, 400);
+    }
   }
 }
 
@@ -160,6 +186,8 @@ absl::Status Validate(const v1::RenderRequest& request) {
   Parts parts;
   parts.Id(request.request_id()).Part(request.solved_layout(), "solved_layout").Part(request.options(), "options");
   CheckOrigin(request, parts);
+  CheckCaption(request, parts);
+  CheckBeside(request, parts);
   return parts.Done();
 }
 

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/comparison/marks.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace flair::renderer {
+namespace {
+
+const Rgb kWhite = Hex(0xFFFFFF);
+constexpr double kLeastArrowMm = 3;
+constexpr double kLeastTurnRad = 0.087;
+
+// The outline of an object in the frame of the sheet.
+void TraceOutline(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
+  canvas.EnterFrame(sheet.ToSheet(object.centre_m), sheet.mm_per_m(), object.theta_rad, true);
+  const double w = object.width_m / 2, d = object.depth_m / 2;
+  // Long ellipses are the shadows of things with corners.
+  const bool is_round = object.symbol->outline == Outline::kEllipse && std::max(w, d) < 1.3 * std::min(w, d);
+  if (is_round) {
+    canvas.Ellipse({0, 0}, w, d);
+  } else {
+    canvas.Rectangle({-w, -d, w, d}, object.symbol->outline == Outline::kRounded ? 0.12 * std::min(w, d) : 0.01);
+  }
+  canvas.LeaveFrame();
+}
+
+void DrawNow(Canvas& canvas, const PlanObject& object, const Sheet& sheet, const Rgb& colour) {
+  TraceOutline(canvas, object, sheet);
+  canvas.Fill(colour, 0.14, true);
+  canvas.Draw({kWhite, 1.3, 0.9}, true);
+  canvas.Draw({colour, 0.7});
+}
+
+void DrawGhost(Canvas& canvas, const PlanObject& object, const Sheet& sheet, const Rgb& colour) {
+  TraceOutline(canvas, object, sheet);
+  canvas.Draw({kWhite, 1.0, 0.8}, true);
+  canvas.Draw({colour, 0.4, 1, Dash::kDashed});
+  // Where its front was, so that a turn can be seen.
+  canvas.EnterFrame(sheet.ToSheet(object.centre_m), sheet.mm_per_m(), object.theta_rad, true);
+  const double size = 1.4 / sheet.mm_per_m(), front = object.depth_m / 2;
+  const Point wedge[] = {{-size, front - size}, {size, front - size}, {0, front}};
+  canvas.Polygon(wedge);
+  canvas.Fill(colour, 0.8);
+  canvas.LeaveFrame();
+}
+
+void DrawCross(Canvas& canvas, const PlanObject& object, const Sheet& sheet, const Rgb& colour) {
+  const std::vector<Point> corners = object.Corners();
+  canvas.Line(sheet.ToSheet(corners[0]), sheet.ToSheet(corners[2]));
+  canvas.Line(sheet.ToSheet(corners[1]), sheet.ToSheet(corners[3]));
+  canvas.Draw({colour, 0.25, 0.8});
+}
+
+void DrawHead(Canvas& canvas, Point tip, Point along, const Rgb& colour) {
+  constexpr double kLengthMm = 2.6, kHalfMm = 1.05;
+  const Point side{-along.y, along.x}, back = tip - along * kLengthMm;
+  const Point head[] = {tip, back + side * kHalfMm, back - side * kHalfMm};
+  canvas.Polygon(head);
+  canvas.Draw({kWhite, 0.8, 0.9}, true);
+  canvas.Fill(colour);
+}
+
+void DrawArrow(Canvas& canvas, Point from, Point to, const Rgb& colour) {
+  const Point way = to - from;
+  const double length = std::hypot(way.x, way.y);
+  if (length < kLeastArrowMm) return;
+  const Point along = way * (1 / length);
+  canvas.Line(from, to - along * 2);
+  canvas.Draw({kWhite, 1.2, 0.9}, true);
+  canvas.Draw({colour, 0.5});
+  canvas.Ellipse(from, 0.7, 0.7);
+  canvas.Fill(colour);
+  DrawHead(canvas, to, along, colour);
+}
+
+// Part of a circle with a head, for what turned on the spot.
+void DrawTurn(Canvas& canvas, const PlanObject& before, const PlanObject& after, const Sheet& sheet,
+              const Rgb& colour) {
+  const double turn = std::remainder(after.theta_rad - before.theta_rad, 2 * std::numbers::pi);
+  if (std::abs(turn) < kLeastTurnRad) return;
+  const double radius = std::max(2.6, 0.32 * std::min(after.width_m, after.depth_m) * sheet.mm_per_m());
+  const Point centre = sheet.ToSheet(after.centre_m);
+  // In S angles grow clockwise; a heading of 0 points up the sheet.
+  const double from = -std::numbers::pi / 2 - before.theta_rad, to = from - turn;
+  canvas.Arc(centre, radius, std::min(from, to), std::max(from, to));
+  canvas.Draw({kWhite, 1.2, 0.9}, true);
+  canvas.Draw({colour, 0.5});
+  const double sense = turn > 0 ? -1 : 1;
+  DrawHead(canvas, centre + Point{std::cos(to), std::sin(to)} * radius, Point{-std::sin(to), std::cos(to)} * sense,
+           colour);
+}
+
+void DrawRemoved(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
+  const Rgb colour = ColourOf(ChangeKind::kRemoved);
+  TraceOutline(canvas, object, sheet);
+  canvas.Fill(colour, 0.07, true);
+  canvas.Draw({kWhite, 1.1, 0.8}, true);
+  canvas.Draw({colour, 0.5, 1, Dash::kDashed});
+  DrawCross(canvas, object, sheet, colour);
+}
+
+}  // namespace
+
+Rgb ColourOf(ChangeKind kind) {
+  switch (kind) {
+    case ChangeKind::kMoved:
+      return Hex(0x1F66B0);
+    case ChangeKind::kResized:
+      return Hex(0x8A3FA0);
+    case ChangeKind::kAdded:
+      return Hex(0x2E8B4F);
+    default:
+      return Hex(0xC62F26);
+  }
+}
+
+void DrawMarks(Canvas& canvas, const ComparisonPanel& panel, const Sheet& sheet) {
+  // In another room there may be no floor where it was.
+  const auto has_floor = [&panel](const std::optional<PlanObject>& object) {
+    return object.has_value() && PolygonContains(panel.plan.floor, object->centre_m);
+  };
+  for (const PlanChange& change : panel.removed) {
+    if (change.before.has_value()) DrawRemoved(canvas, *change.before, sheet);
+  }
+  for (const PlanChange& change : panel.changes) {
+    if (change.kind == ChangeKind::kRemoved) {
+      if (has_floor(change.before)) DrawRemoved(canvas, *change.before, sheet);
+    } else if (change.kind != ChangeKind::kAdded && change.after.has_value() && has_floor(change.before)) {
+      DrawGhost(canvas, *change.before, sheet, ColourOf(change.kind));
+    }
+  }
+  for (const PlanChange& change : panel.changes) {
+    if (change.after.has_value()) DrawNow(canvas, *change.after, sheet, ColourOf(change.kind));
+  }
+  for (const PlanChange& change : panel.changes) {
+    if (!change.after.has_value() || !has_floor(change.before)) continue;
+    const Point from = sheet.ToSheet(change.before->centre_m), to = sheet.ToSheet(change.after->centre_m);
+    const bool is_far = std::hypot(to.x - from.x, to.y - from.y) >= kLeastArrowMm;
+    if (is_far) DrawArrow(canvas, from, to, ColourOf(change.kind));
+    if (!is_far) DrawTurn(canvas, *change.before, *change.after, sheet, ColourOf(change.kind));
+  }
+}
+
+void DrawMarkSign(Canvas& canvas, ChangeKind kind, const Box& box) {
+  const Rgb colour = ColourOf(kind);
+  const bool has_ghost = kind == ChangeKind::kMoved || kind == ChangeKind::kResized;
+  const Box now = kind == ChangeKind::kMoved ? Box{box.x1 - 4, box.y0, box.x1, box.y1}
+                                             : Box{box.x0 + 2, box.y0, box.x1 - 2, box.y1};
+  const Box was = kind == ChangeKind::kMoved ? Box{box.x0, box.y0, box.x0 + 4, box.y1} : now.Grown(-0.9);
+  if (has_ghost) {
+    canvas.Rectangle(was);
+    canvas.Draw({colour, 0.3, 1, Dash::kDashed});
+  }
+  canvas.Rectangle(now);
+  if (kind == ChangeKind::kRemoved) {
+    canvas.Draw({colour, 0.4, 1, Dash::kDashed});
+    return;
+  }
+  canvas.Fill(colour, 0.14, true);
+  canvas.Draw({colour, 0.6});
+  if (kind == ChangeKind::kMoved) DrawArrow(canvas, was.centre(), now.centre(), colour);
+}
+
+}  // namespace flair::renderer

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "renderer_worker/comparison/comparison.h"
+#include "renderer_worker/drawing/canvas.h"
+#include "renderer_worker/drawing/sheet.h"
+
+namespace flair::renderer {
+
+Rgb ColourOf(ChangeKind kind);
+
+// Marks the panel's changes in its plan: outlines of what stands there now, dashed ones of where and how large it was,
+// arrows between them. Numbers are drawn with the names.
+void DrawMarks(Canvas& canvas, const ComparisonPanel& panel, const Sheet& sheet);
+
+// A small picture of the mark, for the legend.
+void DrawMarkSign(Canvas& canvas, ChangeKind kind, const Box& box);
+
+}  // namespace flair::renderer
