@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair compare: several optimizers on the same graphs.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "cli/commands/commands.h"
+#include "cli/compare/trial_text.h"
+#include "cli/exit_code.h"
+#include "cli/input/artifact_source.h"
+#include "cli/input/design_folders.h"
+#include "cli/input/solve_flags.h"
+#include "cli/output/output_folder.h"
+#include "cli/output/printable.h"
+#include "cli/progress/slow_note.h"
+#include "cli/session/plans_beside.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMostGraphs = 1000;
+constexpr size_t kMostOptimizers = 8;
+
+struct CompareArguments {
+  std::string graph;
+  std::vector<std::string> optimizers;
+  std::string format = "text";
+  std::string picture;
+  std::optional<int> size_px;
+  bool all = false;
+  SolveFlags solve;
+  SourceFlags source;
+  RendererChoice renderer;
+};
+
+// "own" and "embedded" are the one in this process.
+std::string AddressOf(const std::string& optimizer) {
+  return optimizer == "own" || optimizer == "embedded" ? "" : optimizer;
+}
+
+absl::StatusOr<Contest> Run(const CompareArguments& arguments, const std::string& name, const v1::LayoutGraph& graph,
+                            const v1::SolveOptions& options) {
+  v1::SolveRequest request;
+  request.set_request_id("flair-compare");
+  *request.mutable_layout_graph() = graph;
+  *request.mutable_options() = options;
+  Contest contest{.name = name, .graph = graph};
+  for (const std::string& optimizer : arguments.optimizers) {
+    const SlowNote note(fmt::format("{}: {}", name, optimizer));
+    absl::StatusOr<Trial> trial = RunTrial(request, AddressOf(optimizer));
+    if (!trial.ok()) {
+      // What ConnectToStage says has the address already.
+      const std::string message(trial.status().message());
+      return absl::Status(trial.status().code(),
+                          message.find(optimizer) == std::string::npos ? optimizer + ": " + message : message);
+    }
+    contest.trials.push_back(*std::move(trial));
+  }
+  return contest;
+}
+
+absl::Status CheckGraph(const std::string& name, const v1::Artifact& artifact) {
+  if (artifact.has_layout_graph()) return absl::OkStatus();
+  return absl::InvalidArgumentError(fmt::format(
+      "{}: not a graph; give the graph.pb of a design or of flair import flairgpt, or a folder of designs", name));
+}
+
+absl::Status DrawPicture(const CompareArguments& arguments, const Contest& contest) {
+  PlansBeside plans{.picture = arguments.picture, .size_px = arguments.size_px, .renderer = arguments.renderer};
+  for (size_t i = 0; i < contest.trials.size(); ++i) {
+    const Trial& trial = contest.trials[i];
+    plans.plans.push_back(
+        {trial.layout,
+         fmt::format("{}   {}", LetterOf(i), arguments.optimizers[i]),
+         fmt::format("{} {} · {} of {} constraints hold · OOB {:.2f} % · OOR {:.2f} % · {:.1f} s",
+                     trial.producer.program(), trial.producer.method(), trial.held_count, trial.verdicts.size(),
+                     trial.layout.metrics().oob_percent(), trial.layout.metrics().oor_percent(), trial.seconds),
+         {}});
+  }
+  return DrawPlansBeside(plans);
+}
+
+absl::Status CompareOne(const CompareArguments& arguments, const v1::SolveOptions& options) {
+  const absl::StatusOr<v1::Artifact> graph = OpenArtifact(arguments.graph, arguments.source);
+  if (!graph.ok()) return graph.status();
+  if (absl::Status status = CheckGraph(arguments.graph, *graph); !status.ok()) return status;
+  const absl::StatusOr<Contest> contest = Run(arguments, arguments.graph, graph->layout_graph(), options);
+  if (!contest.ok()) return contest.status();
+  if (!arguments.picture.empty()) {
+    if (absl::Status status = DrawPicture(arguments, *contest); !status.ok()) return status;
+  }
+  if (arguments.format == "json") {
+    fmt::print(
+        "{}\n",
+        ContestJson(*contest, arguments.optimizers).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    fmt::print("{}", Printable(ContestText(*contest, arguments.optimizers, arguments.all)));
+  }
+  return absl::OkStatus();
+}
+
+// What cannot be compared is told, and the others are compared.
+absl::Status CompareFolder(const CompareArguments& arguments, const v1::SolveOptions& options) {
+  const absl::StatusOr<std::vector<fs::path>> folders = FindFoldersWith(arguments.graph, "graph.pb", kMostGraphs);
+  if (!folders.ok()) return folders.status();
+  std::vector<Contest> contests;
+  absl::Status last;
+  for (const fs::path& folder : *folders) {
+    const std::string name =
+        folder == fs::path(arguments.graph) ? "." : folder.lexically_relative(arguments.graph).string();
+    const absl::StatusOr<v1::Artifact> graph = OpenArtifact(folder / "graph.pb", arguments.source);
+    absl::Status status = graph.ok() ? CheckGraph(folder / "graph.pb", *graph) : graph.status();
+    if (status.ok()) {
+      absl::StatusOr<Contest> contest = Run(arguments, name, graph->layout_graph(), options);
+      status = contest.status();
+      if (contest.ok()) contests.push_back(*std::move(contest));
+    }
+    if (status.ok()) continue;
+    fmt::print(stderr, "{}: {}\n", name, std::string(status.message()));
+    last = status;
+  }
+  if (contests.empty()) return last;
+  if (arguments.format == "json") {
+    nlohmann::json all = nlohmann::json::array();
+    for (const Contest& contest : contests) all.push_back(ContestJson(contest, arguments.optimizers));
+    fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    fmt::print("{}", Printable(ContestsTable(contests, arguments.optimizers)));
+  }
+  if (contests.size() == folders->size()) return absl::OkStatus();
+  return absl::Status(last.code(), fmt::format("{} of {} graphs could not be compared",
+                                               folders->size() - contests.size(), folders->size()));
+}
+
+absl::Status Compare(const CompareArguments& arguments) {
+  if (arguments.optimizers.size() < 2 || arguments.optimizers.size() > kMostOptimizers) {
+    return absl::InvalidArgumentError(
+        fmt::format("--optimizer: {}; give it for each of two to {} optimizers, such as "
+                    "--optimizer own --optimizer 127.0.0.1:50053",
+                    arguments.optimizers.size(), kMostOptimizers));
+  }
+  const absl::StatusOr<v1::SolveOptions> options = ReadSolveFlags(arguments.solve);
+  if (!options.ok()) return options.status();
+  const bool is_folder = fs::is_directory(arguments.graph);
+  if (!arguments.picture.empty()) {
+    if (is_folder) {
+      return absl::InvalidArgumentError(
+          fmt::format("--picture: {} is a folder; a picture shows one graph", arguments.graph));
+    }
+    if (absl::Status status = CheckPicture({arguments.picture, arguments.size_px, {}, {}}); !status.ok()) return status;
+  }
+  return is_folder ? CompareFolder(arguments, *options) : CompareOne(arguments, *options);
+}
+
+}  // namespace
+
+void AddCompare(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* command = program.add_subcommand("compare", "Let several optimizers solve the same graph, on one scale.");
+  command->add_option("GRAPH", arguments->graph, fmt::format("A graph: {}; or a folder of designs", kSourceHelp))
+      ->required();
+  command
+      ->add_option("--optimizer", arguments->optimizers,
+                   "HOST:PORT, or own for the one in this program; for each of two to eight")
+      ->type_name("WHICH");
+  command->add_flag("--all", arguments->all, "List also the constraints that hold with all of them");
+  command->add_option("--format", arguments->format, "text or json (text)")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"text", "json"}).description(""));
+  command->add_option("--picture", arguments->picture, "The plans side by side; png jpg tif svg pdf")
+      ->type_name("FILE");
+  command->add_option("--size", arguments->size_px, "Longer side of the picture in pixels, 256 to 8192 (2400)")
+      ->type_name("PX")
+      ->check(CLI::Range(256, 8192).description(""));
+  AddSolveFlags(*command, arguments->solve);
+  AddSourceFlags(*command, arguments->source);
+  AddRendererFlags(*command, arguments->renderer);
+  command->footer(
+      "Whoever places the objects, this program judges: costs, verdicts and measures are those of its own evaluation "
+      "of\n"
+      "the answer. Of constraints whose type it does not know it shows what the optimizer says, marked *.\n"
+      "A folder gives a line per design below it (graph.pb) and optimizer, and medians.\n" +
+      std::string(kExitCodeHelp));
+  command->callback([arguments, &result] { result = Compare(*arguments); });
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair diff: what differs between two artifacts of a kind, by meaning.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "absl/strings/str_replace.h"
+#include "cli/commands/commands.h"
+#include "cli/diff/artifact_difference.h"
+#include "cli/exit_code.h"
+#include "cli/input/artifact_source.h"
+#include "cli/input/render_flags.h"
+#include "cli/output/output_folder.h"
+#include "cli/output/printable.h"
+#include "cli/session/plans_beside.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+struct DiffArguments {
+  std::string a;
+  std::string b;
+  std::string format = "text";
+  std::string picture;
+  std::optional<int> size_px;
+  SourceFlags source;
+  RendererChoice renderer;
+};
+
+// "14 of 15 constraints hold, OOB 0.00 %, OOR 0.12 %".
+std::string MeasuresOf(const v1::SolvedLayout& layout) {
+  int held = 0;
+  for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
+    held += outcome.status() == v1::OUTCOME_STATUS_SATISFIED ? 1 : 0;
+  }
+  return fmt::format("{} of {} constraints hold, OOB {:.2f} %, OOR {:.2f} %, cost {:.2f}", held,
+                     layout.edge_outcomes_size(), layout.metrics().oob_percent(), layout.metrics().oor_percent(),
+                     layout.total_cost());
+}
+
+// The picture without its plans.
+PlansBeside PictureOf(const DiffArguments& arguments) {
+  return {.picture = arguments.picture, .size_px = arguments.size_px, .renderer = arguments.renderer, .plans = {}};
+}
+
+absl::Status DrawPicture(const DiffArguments& arguments, const v1::Artifact& a, const v1::Artifact& b,
+                         const Difference& difference) {
+  PlansBeside plans = PictureOf(arguments);
+  plans.plans.push_back({a.solved_layout(), "A   " + arguments.a, MeasuresOf(a.solved_layout()), {}});
+  plans.plans.push_back({b.solved_layout(), "B   " + arguments.b, MeasuresOf(b.solved_layout()), {}});
+  for (const ObjectFate& fate : difference.fates) {
+    v1::ObjectChange& change = plans.plans.back().changes.emplace_back();
+    change.set_before_object_id(fate.a_id);
+    change.set_after_object_id(fate.b_id);
+    change.set_words(absl::StrReplaceAll(fate.words, {{"->", "→"}}));
+  }
+  return DrawPlansBeside(plans);
+}
+
+absl::Status Diff(const DiffArguments& arguments) {
+  if (!arguments.picture.empty()) {
+    if (absl::Status status = CheckPicture(PictureOf(arguments)); !status.ok()) return status;
+  }
+  const absl::StatusOr<v1::Artifact> a = OpenArtifact(arguments.a, arguments.source);
+  if (!a.ok()) return a.status();
+  const absl::StatusOr<v1::Artifact> b = OpenArtifact(arguments.b, arguments.source);
+  if (!b.ok()) return b.status();
+  const absl::StatusOr<Difference> difference = CompareArtifacts(*a, *b);
+  if (!difference.ok()) {
+    return absl::Status(difference.status().code(), fmt::format("{} and {}: {}", arguments.a, arguments.b,
+                                                                std::string(difference.status().message())));
+  }
+  if (!arguments.picture.empty()) {
+    if (!a->has_solved_layout()) {
+      return absl::InvalidArgumentError(
+          fmt::format("--picture: {} is no layout, and only layouts can be drawn", arguments.a));
+    }
+    if (absl::Status status = DrawPicture(arguments, *a, *b, *difference); !status.ok()) return status;
+  }
+  fmt::print("{}", arguments.format == "json" ? DifferenceJson(*difference, arguments.a, arguments.b)
+                                              : Printable(DifferenceText(*difference, arguments.a, arguments.b)));
+  return difference->content_is_same ? absl::OkStatus() : DiffersStatus();
+}
+
+}  // namespace
+
+void AddDiff(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<DiffArguments>();
+  CLI::App* command = program.add_subcommand("diff", "Tell what differs between two artifacts of a kind, by meaning.");
+  command->add_option("A", arguments->a, fmt::format("Before: {}", kSourceHelp))->required();
+  command->add_option("B", arguments->b, "After: another of the same kind")->required();
+  command->add_option("--format", arguments->format, "text or json (text)")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"text", "json"}).description(""));
+  command
+      ->add_option("--picture", arguments->picture,
+                   "Layouts: both plans in one picture, the differences marked; png jpg tif svg pdf")
+      ->type_name("FILE");
+  command->add_option("--size", arguments->size_px, "Longer side of the picture in pixels, 256 to 8192 (2400)")
+      ->type_name("PX")
+      ->check(CLI::Range(256, 8192).description(""));
+  AddSourceFlags(*command, arguments->source);
+  AddRendererFlags(*command, arguments->renderer);
+  command->footer(
+      "Things are the same when they mean the same: sentences by their words, calls by what they say, objects by id "
+      "or\n"
+      "name. + added, - removed, ~ changed, < better (costs less, holds now), > worse.\n"
+      "Ends with 0 when the contents are the same, whoever made them, and with 7 when they differ. Examples:\n"
+      "  flair diff out/a/layout.pb out/b/layout.pb --picture difference.png\n"
+      "  flair diff out/a/constraints_raw.pb out/a/constraints.pb\n" +
+      std::string(kExitCodeHelp));
+  command->callback([arguments, &result] { result = Diff(*arguments); });
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair graph: the layout graph itself as a diagram.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands/commands.h"
+#include "cli/exit_code.h"
+#include "cli/graph/dot_text.h"
+#include "cli/graph/run_dot.h"
+#include "cli/input/artifact_source.h"
+#include "cli/output/output_folder.h"
+#include "cli/progress/slow_note.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+struct GraphArguments {
+  std::string graph;
+  std::string out;
+  SourceFlags source;
+};
+
+absl::StatusOr<std::string> FormatOf(const std::string& out) {
+  const std::string ending = std::filesystem::path(out).extension().string();
+  for (const char* format : {"svg", "png", "pdf", "dot"}) {
+    if (ending == std::string(".") + format) return format;
+  }
+  return absl::InvalidArgumentError(fmt::format("--out: {}: its ending says the format: svg, png, pdf, dot", out));
+}
+
+absl::StatusOr<Diagram> ReadDiagram(const GraphArguments& arguments) {
+  const absl::StatusOr<v1::Artifact> artifact = OpenArtifact(arguments.graph, arguments.source);
+  if (!artifact.ok()) return artifact.status();
+  if (artifact->has_solved_layout()) return DiagramOf(artifact->solved_layout());
+  if (artifact->has_layout_graph()) return DiagramOf(artifact->layout_graph());
+  return absl::InvalidArgumentError(
+      fmt::format("{}: neither a layout nor a graph; give the layout.pb or graph.pb of a design", arguments.graph));
+}
+
+absl::Status Graph(const GraphArguments& arguments) {
+  const absl::StatusOr<std::string> format = FormatOf(arguments.out);
+  if (!format.ok()) return format.status();
+  const absl::StatusOr<Diagram> diagram = ReadDiagram(arguments);
+  if (!diagram.ok()) return diagram.status();
+  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
+  absl::StatusOr<std::string> bytes = DotText(*diagram);
+  if (*format != "dot") {
+    const SlowNote note("drawing");
+    bytes = RunDot(*bytes, *format);
+    if (!bytes.ok()) return bytes.status();
+  }
+  if (absl::Status status = WriteOutputFile(arguments.out, *bytes); !status.ok()) return status;
+  fmt::print(stderr, "{}: {} nodes, {} links, {} groups\n", arguments.out, diagram->nodes.size(), diagram->links.size(),
+             diagram->groups.size());
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+void AddGraph(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<GraphArguments>();
+  CLI::App* command =
+      program.add_subcommand("graph", "Draw the layout graph: objects, parts of the room, and the calls between them.");
+  command->add_option("LAYOUT", arguments->graph, fmt::format("A layout, or a graph not solved yet: {}", kSourceHelp))
+      ->required();
+  command->add_option("-o,--out", arguments->out, "Where it goes; the ending says the format: svg png pdf dot")
+      ->required()
+      ->type_name("FILE");
+  AddSourceFlags(*command, arguments->source);
+  command->footer(
+      "Boxes in a colour are zones, as on the plan. Calls about one object alone are rows in it; those between two "
+      "are\n"
+      "links; those of a group have a box of their own. Green holds, red does not, dashed grey was dropped. In an "
+      "SVG,\n"
+      "the sentence behind a call shows under the pointer. Graphviz draws (apt-get install graphviz); .dot needs "
+      "none.\n" +
+      std::string(kExitCodeHelp));
+  command->callback([arguments, &result] { result = Graph(*arguments); });
+}
+
+}  // namespace flair::cli

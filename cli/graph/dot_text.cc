@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/graph/dot_text.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "fmt/format.h"
+#include "renderer_worker/drawing/colour.h"
+
+namespace flair::cli {
+namespace {
+
+using renderer::Rgb;
+
+constexpr size_t kMostLetters = 46;
+constexpr char kInk[] = "#2B2926";
+constexpr char kSoft[] = "#6B665F";
+
+// How a verdict looks: as on the plan of constraints.
+struct Look {
+  const char* colour;
+  const char* sign;
+  const char* style;
+  double width;
+};
+Look LookOf(v1::OutcomeStatus status) {
+  switch (status) {
+    case v1::OUTCOME_STATUS_SATISFIED:
+      return {"#2E8B4F", "✓", "solid", 1.3};
+    case v1::OUTCOME_STATUS_VIOLATED:
+      return {"#C62F26", "✗", "bold", 2.4};
+    case v1::OUTCOME_STATUS_DROPPED:
+      return {"#86827C", "–", "dashed", 1.1};
+    default:
+      return {"#4A4641", "·", "solid", 1.1};
+  }
+}
+
+std::string HexOf(const Rgb& colour) {
+  const auto channel = [](double value) { return static_cast<int>(std::lround(255 * value)); };
+  return fmt::format("#{:02X}{:02X}{:02X}", channel(colour.red), channel(colour.green), channel(colour.blue));
+}
+
+// For HTML-like labels; control characters are no XML.
+std::string Html(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+    }
+  }
+  return escaped;
+}
+
+// In double quotes. Backslashes are doubled, for Graphviz has escapes of its own; "&" for it reads entities.
+std::string Quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '\\' || c == '"') quoted += '\\';
+    if (c == '\n') {
+      quoted += "\\n";
+    } else if (c == '&') {
+      quoted += "&amp;";
+    } else {
+      quoted += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+    }
+  }
+  return quoted + "\"";
+}
+
+std::string Shortened(const std::string& text) {
+  std::string cut;
+  size_t letters = 0;
+  for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xC0) != 0x80 && ++letters > kMostLetters) return cut + "…";
+    cut += c;
+  }
+  return cut;
+}
+
+std::string CallLine(const DiagramCall& call) {
+  const Look look = LookOf(call.status);
+  return fmt::format("<FONT COLOR=\"{}\">{} {}</FONT>", look.colour, look.sign, Html(Shortened(call.words)));
+}
+
+std::string Tooltips(const std::vector<DiagramCall>& calls) {
+  std::string all;
+  for (const DiagramCall& call : calls) all += (all.empty() ? "" : "\n\n") + call.tooltip;
+  return all;
+}
+
+// Fill and frame of a node that stands for a part of the room.
+const char* FillOf(DiagramKind kind) {
+  switch (kind) {
+    case DiagramKind::kWall:
+      return "#D9D3C8";
+    case DiagramKind::kDoor:
+      return "#EAD9BE";
+    case DiagramKind::kWindow:
+      return "#D3E4EE";
+    case DiagramKind::kSocket:
+      return "#EFE7A8";
+    default:
+      return "#FFFFFF";
+  }
+}
+
+std::string NodeLine(const DiagramNode& node, int index) {
+  // HREF makes the cell carry a tooltip of its own.
+  std::string rows;
+  for (const DiagramCall& call : node.rows) {
+    rows += fmt::format("<TR><TD ALIGN=\"LEFT\" HREF=\" \" TITLE=\"{}\"><FONT POINT-SIZE=\"9\">{}</FONT></TD></TR>",
+                        Html(call.tooltip), CallLine(call));
+  }
+  std::string facts;
+  if (!node.facts.empty()) {
+    facts = fmt::format("<BR/><FONT POINT-SIZE=\"8\" COLOR=\"{}\">{}</FONT>", kSoft, Html(Shortened(node.facts)));
+  }
+  const bool is_object = node.kind == DiagramKind::kObject;
+  const std::string label = fmt::format(
+      "<TABLE BORDER=\"{}\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"3\" COLOR=\"{}\" BGCOLOR=\"{}\" "
+      "STYLE=\"{}\">"
+      "<TR><TD><B>{}</B>{}</TD></TR>{}{}</TABLE>",
+      is_object ? "1.2" : "1", is_object ? kInk : kSoft, FillOf(node.kind), is_object ? "ROUNDED" : "",
+      Html(Shortened(node.name)), facts, rows.empty() ? "" : "<HR/>", rows);
+  return fmt::format("n{} [label=<{}>, tooltip={}];\n", index, label, Quoted(node.name + "\n" + node.facts));
+}
+
+std::string LinkLine(const DiagramLink& link) {
+  const Look look = LookOf(WorstOf(link.calls));
+  std::string label;
+  for (const DiagramCall& call : link.calls) label += CallLine(call) + "<BR ALIGN=\"LEFT\"/>";
+  const std::string tooltip = Quoted(Tooltips(link.calls));
+  return fmt::format(
+      "  n{} -> n{} [label=<{}>, color=\"{}\", style={}, penwidth={:.1f}, tooltip={}, labeltooltip={}];\n", link.from,
+      link.to, label, look.colour, look.style, look.width, tooltip, tooltip);
+}
+
+std::string GroupNode(const DiagramGroup& group, int index) {
+  const Look look = LookOf(group.call.status);
+  return fmt::format(
+      "  g{} [shape=box, style=\"rounded,filled\", fillcolor=\"#FFFFFF\", color=\"{}\", penwidth={:.1f}, "
+      "margin=\"0.06,0.03\", label=<{}>, tooltip={}];\n",
+      index, look.colour, look.width, CallLine(group.call), Quoted(group.call.tooltip));
+}
+
+// From its first member to it, and on to the others.
+std::string GroupLinks(const DiagramGroup& group, int index) {
+  const Look look = LookOf(group.call.status);
+  std::string text;
+  for (size_t i = 0; i < group.members.size(); ++i) {
+    const std::string ends = i == 0 ? fmt::format("n{} -> g{}", group.members[i], index)
+                                    : fmt::format("g{} -> n{}", index, group.members[i]);
+    text += fmt::format("  {} [color=\"{}\", style={}, penwidth={:.1f}, arrowhead=none, tooltip={}];\n", ends,
+                        look.colour, look.style, look.width, Quoted(group.call.tooltip));
+  }
+  return text;
+}
+
+// The zone of all its members; -1 when they have several.
+int ZoneOf(const DiagramGroup& group, const Diagram& diagram) {
+  const int zone = diagram.nodes[group.members[0]].zone;
+  for (const int member : group.members) {
+    if (diagram.nodes[member].zone != zone) return -1;
+  }
+  return zone;
+}
+
+// What stands in the box of a zone, or in none for -1.
+std::string NodesOf(const Diagram& diagram, int zone) {
+  std::string text;
+  for (size_t i = 0; i < diagram.nodes.size(); ++i) {
+    if (diagram.nodes[i].zone == zone) text += "  " + NodeLine(diagram.nodes[i], static_cast<int>(i));
+  }
+  for (size_t i = 0; i < diagram.groups.size(); ++i) {
+    if (ZoneOf(diagram.groups[i], diagram) == zone) text += GroupNode(diagram.groups[i], static_cast<int>(i));
+  }
+  return text;
+}
+
+std::string LegendText(const Diagram& diagram) {
+  if (!diagram.is_solved) return "not solved";
+  std::string text;
+  for (const auto& [status, words] : {std::pair{v1::OUTCOME_STATUS_SATISFIED, "holds"},
+                                      {v1::OUTCOME_STATUS_VIOLATED, "does not hold"},
+                                      {v1::OUTCOME_STATUS_DROPPED, "dropped"}}) {
+    text += fmt::format("{}<FONT COLOR=\"{}\">{} {}</FONT>", text.empty() ? "" : "     ", LookOf(status).colour,
+                        LookOf(status).sign, words);
+  }
+  return text;
+}
+
+std::string ClusterText(const Diagram& diagram, int zone) {
+  const Rgb tint = renderer::ZoneTint(zone), white = renderer::Hex(0xFFFFFF);
+  const std::string nodes = NodesOf(diagram, zone);
+  if (nodes.empty()) return "";
+  const std::string& name = diagram.zones[zone].name.empty() ? diagram.zones[zone].id : diagram.zones[zone].name;
+  return fmt::format(
+      "  subgraph cluster_{} {{\n    label=<<B>{}</B>>; labeljust=l; fontsize=13; fontcolor=\"{}\"; "
+      "style=\"rounded,filled\"; "
+      "color=\"{}\"; fillcolor=\"{}\"; margin=14; tooltip={};\n{}  }}\n",
+      zone, Html(name), HexOf(renderer::LineColourFor(tint)), HexOf(renderer::LineColourFor(tint)),
+      HexOf(renderer::Mix(white, tint, 0.35)), Quoted(name), nodes);
+}
+
+}  // namespace
+
+std::string DotText(const Diagram& diagram) {
+  std::string text = fmt::format(
+      "digraph layout {{\n"
+      "  graph [fontname=\"DejaVu Sans\", rankdir=LR, splines=true, nodesep=0.22, ranksep=0.55, pad=0.3, "
+      "bgcolor=\"#FFFFFF\", "
+      "labelloc=t, labeljust=l, fontsize=16, fontcolor=\"{0}\", tooltip=\" \",\n"
+      "    label=<<B>{1}</B><BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"11\">{2}</FONT><BR ALIGN=\"LEFT\"/>>];\n"
+      "  node [shape=plain, fontname=\"DejaVu Sans\", fontsize=11, fontcolor=\"{0}\"];\n"
+      "  edge [fontname=\"DejaVu Sans\", fontsize=9, arrowsize=0.6];\n",
+      kInk, Html(diagram.title.empty() ? "layout graph" : diagram.title), LegendText(diagram));
+  for (size_t zone = 0; zone < diagram.zones.size(); ++zone) text += ClusterText(diagram, static_cast<int>(zone));
+  text += NodesOf(diagram, -1);
+  for (const DiagramLink& link : diagram.links) text += LinkLine(link);
+  for (size_t i = 0; i < diagram.groups.size(); ++i) {
+    text += GroupLinks(diagram.groups[i], static_cast<int>(i));
+  }
+  return text + "}\n";
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A layout graph as a diagram: nodes, links and rows, free of any drawing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flair/v1/solved_layout.pb.h"
+
+namespace flair::cli {
+
+// One constraint call as the diagram says it.
+struct DiagramCall {
+  v1::OutcomeStatus status = v1::OUTCOME_STATUS_UNSPECIFIED;  // UNSPECIFIED: not solved
+  std::string words;                                          // such as "next to", with by how much it is missed
+  std::string tooltip;                                        // the sentence, the call, the reason
+};
+
+enum class DiagramKind { kObject, kWall, kDoor, kWindow, kSocket, kRoom };
+
+struct DiagramNode {
+  std::string id;  // of the object, name of the wall, "door", "door_1", ...
+  std::string name;
+  std::string facts;  // one line: size, ids
+  DiagramKind kind = DiagramKind::kObject;
+  int zone = -1;                  // index in Diagram::zones; -1: of the whole room
+  std::vector<DiagramCall> rows;  // calls about it alone
+};
+
+// All calls between the same two nodes.
+struct DiagramLink {
+  int from = 0;
+  int to = 0;
+  std::vector<DiagramCall> calls;
+};
+
+// A call that names three nodes or more.
+struct DiagramGroup {
+  DiagramCall call;
+  std::vector<int> members;
+};
+
+struct DiagramZone {
+  std::string id;
+  std::string name;
+};
+
+struct Diagram {
+  std::string title;
+  bool is_solved = false;
+  std::vector<DiagramZone> zones;
+  std::vector<DiagramNode>
+      nodes;  // objects first; walls and openings that some call names; the room when one names none
+  std::vector<DiagramLink> links;
+  std::vector<DiagramGroup> groups;
+};
+
+// Of a solved layout, with verdicts.
+Diagram DiagramOf(const v1::SolvedLayout& layout);
+// Of a graph that nobody solved.
+Diagram DiagramOf(const v1::LayoutGraph& graph);
+
+// The worst of the verdicts: what a link of several calls looks like.
+v1::OutcomeStatus WorstOf(const std::vector<DiagramCall>& calls);
+
+}  // namespace flair::cli
