@@ -24,6 +24,13 @@ bool EndsWithOneOf(const std::string& name, std::initializer_list<const char*> e
   });
 }
 
+// "bed 1", "bed1".
+std::string WithoutNumber(std::string name) {
+  while (!name.empty() && (name.back() == ' ' || name.back() == '_' || (name.back() >= '0' && name.back() <= '9')))
+    name.pop_back();
+  return name;
+}
+
 }  // namespace
 
 Composer::Composer(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
@@ -49,6 +56,16 @@ bool Composer::IsChair(const Placed& placed) const {
 bool Composer::StandsAtSubject(const Placed& chair) const {
   return scope() == v1::SENTENCE_SCOPE_INTRA && subjects_.size() == 1 && IsChair(chair) &&
          !IsChair(subjects_.front()) && chair.object != subjects_.front().object;
+}
+
+bool Composer::IsSeat(const Placed& placed) const {
+  return EndsWithOneOf(object(placed.object).name(),
+                       {"chair", "sofa", "couch", "stool", "bench", "loveseat", "recliner", "sectional"});
+}
+
+bool Composer::IsBed(const Placed& placed) const {
+  return EndsWithOneOf(WithoutNumber(object(placed.object).name()),
+                       {"bed", "daybed", "cot", "crib", "coffin", "bathtub", "hammock", "bunk", "futon", "mattress"});
 }
 
 bool Composer::IsWalkIn(const Placed& placed) const {
@@ -233,7 +250,8 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
     return {};
   }
   const auto weak_subject = [&](int index) { return Contains(subjects_, index); };
-  if (std::none_of(candidates.begin(), candidates.end(), weak_subject)) {
+  if ((!reference.full || (scope() == v1::SENTENCE_SCOPE_INTRA && movers.empty())) &&
+      std::none_of(candidates.begin(), candidates.end(), weak_subject)) {
     for (const int index : reference.weak_candidates) {
       if (weak_subject(index) && !reference.plural) return {index};
     }
@@ -276,8 +294,7 @@ std::vector<int> Composer::Group(const std::string& name, const std::vector<Plac
     if (candidate.kind() != v1::OBJECT_KIND_FLOOR || candidate.role() == v1::OBJECT_ROLE_TERTIARY ||
         candidate.walk_over())
       continue;
-    const bool seat =
-        EndsWithOneOf(candidate.name(), {"chair", "sofa", "couch", "stool", "bench", "loveseat", "recliner"});
+    const bool seat = IsSeat({i, ""});
     const bool hot = EndsWithOneOf(candidate.name(), {"stove", "oven", "cooker", "fireplace", "hearth", "range"});
     if (name == "others" && (Contains(movers, i) || Contains(topic_, i))) continue;
     if (name == "seating" && !seat) continue;
@@ -344,6 +361,11 @@ void Composer::Refuse(std::string_view code, const std::string& message) {
   const bool known = std::any_of(refusals_.begin(), refusals_.end(),
                                  [&](const v1::Diagnostic& other) { return other.message() == remark.message(); });
   if (!known) refusals_.push_back(std::move(remark));
+}
+
+bool Composer::OnlyUnknown() const {
+  return std::all_of(refusals_.begin(), refusals_.end(),
+                     [](const v1::Diagnostic& refusal) { return refusal.code() == "unknown_sentence"; });
 }
 
 void Composer::Note(std::string_view code, const std::string& message) {

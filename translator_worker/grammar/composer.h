@@ -67,6 +67,10 @@ class Composer {
   bool IsChair(const Placed& placed) const;
   // A chair that a sentence about one other piece alone brings in: "behind the chair" of a desk.
   bool StandsAtSubject(const Placed& chair) const;
+  // What people sit on.
+  bool IsSeat(const Placed& placed) const;
+  // What people lie in: a bed, cot, coffin, bathtub.
+  bool IsBed(const Placed& placed) const;
   // One that people walk into, with an entrance of its own: a shower, a tent.
   bool IsWalkIn(const Placed& placed) const;
   // A wardrobe, cabinet, fridge...
@@ -83,6 +87,9 @@ class Composer {
   bool CompleteClearance(double least_m);
   // Says why a part of the sentence gives no call.
   void Refuse(std::string_view code, const std::string& message);
+  // Whether nothing worse was said against the sentence than that it was not understood, and taking that back.
+  bool OnlyUnknown() const;
+  void ForgetUnknown() { refusals_.clear(); }
   // Says what was decided where the sentence left it open.
   void Note(std::string_view code, const std::string& message);
 

@@ -44,6 +44,19 @@ bool IsSameSpace(const Call& vague, const Call& precise) {
   });
 }
 
+// "In front of it and at its sides": one space, when neither has a figure. Adds the sides of `more` to `call`.
+bool JoinSides(Call& call, const Call& more) {
+  if (call.type != "accessible" || more.type != "accessible" || call.arguments.size() != 2 ||
+      more.arguments.size() != 2 || call.arguments[0].value().text() != more.arguments[0].value().text()) {
+    return false;
+  }
+  auto& sides = *call.arguments[1].mutable_value()->mutable_texts()->mutable_items();
+  for (const std::string& side : more.arguments[1].value().texts().items()) {
+    if (std::find(sides.begin(), sides.end(), side) == sides.end()) *sides.Add() = side;
+  }
+  return true;
+}
+
 const std::string& TextOf(const Call& call, std::string_view name) {
   static const std::string kNone;
   const v1::ArgumentValue* const value = Find(call, name);
@@ -129,6 +142,7 @@ bool Composer::Emit(Call call) {
   if (call.type == "rug_under_center" || call.type == "rug_under_forward") {
     std::erase_if(calls_, [](const Call& other) { return other.type == "in_zone"; });
   }
+  if (!calls_.empty() && JoinSides(calls_.back(), call)) return true;
   for (Call& other : calls_) {
     if (Includes(other, call)) return true;
     if (Includes(call, other)) {

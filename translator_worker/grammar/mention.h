@@ -28,6 +28,8 @@ struct Reference {
   std::vector<int> candidates;
   // Those that fit less well ("chair": the armchair beside the desk chair); they count when the sentence is about them.
   std::vector<int> weak_candidates;
+  // The candidates bear just this name; the weaker ones then count only under a heading of theirs.
+  bool full = false;
   // Feature kind, wall name, zone id, group, topic or the absent thing's name.
   std::string name;
   // A side word of the lexicon ("front", "long_one"...), empty when no side is named.

@@ -46,7 +46,10 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
     if (!adjective || side + 1 >= tokens.size() || tokens[side + 1].IsMark(':')) continue;
     // "Space on one accessible side": which side, not that it is to be got at.
     const bool after_space = i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at")) && SpaceBefore(tokens, i);
-    if (after_space) continue;
+    if (after_space) {
+      tokens.erase(tokens.begin() + static_cast<long>(i));
+      continue;
+    }
     const bool end = tokens[side].IsWord("front") || tokens[side].IsWord("back");
     const bool after_article = i > 0 && (tokens[i - 1].IsWord("an") || tokens[i - 1].IsWord("a"));
     if (!tokens[side].IsWord("side") && !tokens[side].IsWord("sides") && !(end && after_article)) continue;

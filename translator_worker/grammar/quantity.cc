@@ -256,11 +256,20 @@ class Joiner {
     }
     const bool adjective = in_[at_].kind == Token::Kind::kNumber && Peek(next) &&
                            in_[next].kind == Token::Kind::kWord && Contains(kDimensionWords, in_[next].text) &&
-                           !pending_;
+                           !pending_ && !IsWay(next + 1);
     if (adjective) ++next;
     if (next == start) return false;
     at_ = next;
     return true;
+  }
+
+  // "A 0.8 m wide walkway": how much is kept free, not how wide a thing is.
+  bool IsWay(size_t index) const {
+    static constexpr std::array<std::string_view, 12> kWays = {"path",     "paths",   "pathway",  "pathways",
+                                                               "walkway",  "walkways", "passage",  "aisle",
+                                                               "corridor", "gap",     "clearance", "space"};
+    while (WordAt(index, "clear") || WordAt(index, "walking") || WordAt(index, "open")) ++index;
+    return Peek(index) && in_[index].kind == Token::Kind::kWord && Contains(kWays, in_[index].text);
   }
 
   Distance Bounded(double value, size_t& next) {

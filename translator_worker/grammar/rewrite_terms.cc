@@ -113,6 +113,10 @@ void DropWhatIsBlocked(std::vector<Term>& terms) {
     size_t end = i + 1;
     while (end < terms.size() && of_it(terms[end])) ++end;
     if (end == i + 1 || end == terms.size() || !thing(terms[end])) continue;
+    // A line of sight to an object is another matter.
+    const bool sight = std::any_of(terms.begin() + static_cast<long>(i), terms.begin() + static_cast<long>(end),
+                                   [](const Term& term) { return term.IsWord("facing"); });
+    if (sight && terms[end].mention.references.front().kind == RefKind::kObjects) continue;
     terms.erase(terms.begin() + static_cast<long>(i) + 1, terms.begin() + static_cast<long>(end));
   }
 }

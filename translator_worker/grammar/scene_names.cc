@@ -2,10 +2,12 @@
 #include "translator_worker/grammar/scene_names.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
 #include "absl/strings/str_join.h"
+#include "absl/strings/str_split.h"
 #include "translator_worker/grammar/furniture_words.h"
 #include "translator_worker/grammar/lexicon.h"
 
@@ -24,6 +26,27 @@ std::vector<std::string> SingularWords(const std::string& name) {
   return words;
 }
 
+// Words for one use of a room, a line each.
+bool SameUse(const std::string& a, const std::string& b) {
+  static constexpr std::array<std::string_view, 10> kUses = {
+      "work workspace workstation working office study studying desk homework writing computer",
+      "sleep sleeping bed bedroom rest resting",
+      "dining eating dinner meal dine",
+      "seating lounge lounging living sitting relaxation relaxing conversation social",
+      "storage storing closet clothing wardrobe",
+      "cooking kitchen cook stove",
+      "bath bathing shower showering washing tub",
+      "entertainment media tv television viewing",
+      "exercise workout gym fitness training",
+      "dressing changing vanity grooming"};
+  const auto has = [](std::string_view uses, const std::string& word) {
+    const std::vector<std::string> words = absl::StrSplit(std::string(uses), ' ');
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  return std::any_of(kUses.begin(), kUses.end(),
+                     [&](std::string_view uses) { return has(uses, a) && has(uses, b); });
+}
+
 // Whether one word is the other or its beginning: "prep" and "preparation", "alchemical" and "alchemy".
 bool SameStem(const std::string& a, const std::string& b) {
   const size_t shared = std::min({a.size(), b.size(), size_t{6}});
@@ -37,6 +60,9 @@ bool IsNumber(const std::string& word) {
 
 // "Reading spot": words that say nothing alone make a zone of its name.
 bool IsAreaWord(const std::vector<Token>& tokens, size_t at) {
+  if (at >= tokens.size()) return false;
+  // "In the reading space", but not "enough working space".
+  if (tokens[at].IsWord("space")) return at > 2 && tokens[at - 2].IsWord("the") && !tokens[at - 3].IsWord("of");
   return Lexicon::Get().Find(tokens, at).word_class == WordClass::kArea || tokens[at].IsWord("spot") ||
          tokens[at].IsWord("furniture") || tokens[at].IsWord("nook");
 }
@@ -123,7 +149,7 @@ SceneNames::Found SceneNames::Find(const std::vector<Token>& tokens, size_t at) 
   for (const Found& other : {FindInZone(tokens, at), FindZone(tokens, at), FindWall(tokens, at)}) {
     if (other.length > best.length) best = other;
   }
-  return best;
+  return best.length > 0 ? best : FindZoneByUse(tokens, at);
 }
 
 SceneNames::Found SceneNames::FindObject(const std::vector<Token>& tokens, size_t at) const {
@@ -217,11 +243,12 @@ SceneNames::Found SceneNames::FindObjectByWords(const std::vector<Token>& tokens
     for (const Candidate& candidate : entry->second) best = std::min(best, candidate.rank);
     for (const Candidate& candidate : entry->second) {
       if (candidate.rank == best) found.reference.candidates.push_back(candidate.object);
-      if (best > 0 && candidate.rank > best && candidate.rank < kFrontRank) {
+      if (candidate.rank > best && candidate.rank < (best == 0 ? 2 : kFrontRank)) {
         found.reference.weak_candidates.push_back(candidate.object);
       }
     }
     found.full = best == 0;
+    found.reference.full = found.full;
     std::sort(found.reference.candidates.begin(), found.reference.candidates.end());
   }
   // "the alchemical table" among several tables: the word before tells which.
@@ -254,6 +281,23 @@ SceneNames::Found SceneNames::FindZone(const std::vector<Token>& tokens, size_t 
         break;
       if (i == next && !tokens[i].IsWord("or") && !tokens[i].IsWord("and")) break;
     }
+  }
+  return {};
+}
+
+SceneNames::Found SceneNames::FindZoneByUse(const std::vector<Token>& tokens, size_t at) const {
+  if (tokens[at].kind != Token::Kind::kWord) return {};
+  // "The workspace" is a place by itself, "the eating area" needs its second word.
+  const bool area = at + 1 < tokens.size() && IsAreaWord(tokens, at + 1);
+  if (!area && !tokens[at].IsWord("workspace") && !tokens[at].IsWord("workstation")) return {};
+  for (const v1::Zone& zone : zones_.zones()) {
+    const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
+    if (words.empty() || !SameUse(tokens[at].text, words.front())) continue;
+    Found found;
+    found.reference.kind = RefKind::kZone;
+    found.reference.name = zone.id();
+    found.length = area ? 2 : 1;
+    return found;
   }
   return {};
 }

@@ -56,6 +56,8 @@ class SceneNames {
   size_t ZoneLength(const v1::Zone& zone, const std::vector<Token>& tokens, size_t at) const;
   Found FindObjectByWords(const std::vector<Token>& tokens, size_t at) const;
   Found FindZone(const std::vector<Token>& tokens, size_t at) const;
+  // "The eating area" of a zone "dining": another word for the same use.
+  Found FindZoneByUse(const std::vector<Token>& tokens, size_t at) const;
   Found FindWall(const std::vector<Token>& tokens, size_t at) const;
 
   const v1::Room& room_;

@@ -16,8 +16,27 @@ void EmitAccessible(const Placed& placed, std::vector<std::string> sides, const 
   composer.EmitFirst({std::move(call)});
 }
 
+// People get at what is longer than wide from a long side, at everything else from the front.
+std::string UsualSide(const Placed& placed, Composer& composer) {
+  constexpr double kMuchLonger = 1.25;
+  const v1::Object& object = composer.object(placed.object);
+  return composer.IsBed(placed) || object.depth_m() > kMuchLonger * object.width_m() ? "side" : "front";
+}
+
+// "One side is accessible": the usual one, unless another side of the object is named beside it.
+void ChooseOpenSides(std::vector<Placed>& placed, Composer& composer) {
+  for (Placed& one : placed) {
+    const bool alone = std::none_of(placed.begin(), placed.end(), [&](const Placed& other) {
+      return &other != &one && other.object == one.object && !other.side.empty();
+    });
+    if (one.side == "side" && alone) one.side = UsualSide(one, composer);
+    if (one.side == "two_any" && alone && UsualSide(one, composer) == "side") one.side = "sides";
+  }
+}
+
 // Adds the sides of all mentions of one object to one call.
-void EmitForSides(const std::vector<Placed>& placed, const Distance* distance, Composer& composer) {
+void EmitForSides(std::vector<Placed> placed, const Distance* distance, Composer& composer) {
+  ChooseOpenSides(placed, composer);
   std::vector<int> done;
   for (const Placed& first : placed) {
     if (std::find(done.begin(), done.end(), first.object) != done.end()) continue;
@@ -216,6 +235,14 @@ void Unreachable(const Match& match, std::string_view, Composer& composer) {
 
 }  // namespace
 
+void KeepUsableSpace(const Distance* distance, Composer& composer) {
+  for (const Placed& placed : composer.topic()) {
+    const bool pulled_out = composer.IsChair(placed) && !composer.object(placed.object).name().ends_with("armchair");
+    const std::string side = pulled_out ? "back" : composer.IsBed(placed) ? "side" : "front";
+    EmitForSides({{placed.object, side}}, distance, composer);
+  }
+}
+
 std::vector<Rule> AccessRules() {
   return {
       {"C.feature space? D? space? keep_clear? in_front keep_clear?", SpaceAt, "front"},
@@ -310,10 +337,12 @@ std::vector<Rule> AccessRules() {
       {"A? space? pull_out ,? all_sides", PullOut},
       {"A? space? pull_out ,? not block B", PullOut},
       {"A.object? space D? swing_open ,? C.feature?", SpaceAt, "named"},
-      {"A swing_open ,? not block B", SpaceAt, "named"},
+      {"A swing_open ,? not block/against/near/next_to C", SpaceAt, "named"},
       {"space for/to? pull_out", PullOut},
       {"A? space? pull_out away_from C", PullOut},
       {"clear_of B pull_out", PullOut},
+      {"D space? for A pull_out", PullOut},
+      {"D space? for A pull_out away_from C", PullOut},
       {"space for A.object", ChairSpace},
       {"space for A.object to pull_out/C.vague", ChairSpace},
       {"A? access_to/allow_access_to/accessible_from B.side", AccessToSide},

@@ -98,6 +98,16 @@ void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
     }
     return;
   }
+  // "The desk and the shelf have 0.5 m in front of them": free space of their own.
+  if (match.a != nullptr && match.distance != nullptr && match.b->references.front().name == "them") {
+    for (const Placed& mover : composer.Movers(match.a)) {
+      composer.EmitFirst({Call("accessible")
+                              .Text("object", composer.id(mover))
+                              .Texts("sides", {"front"})
+                              .Number("min_clearance_m", match.distance->Nominal())});
+    }
+    return;
+  }
   // "Keep 0.6 m in front of the wardrobe": free space, when nobody else is spoken of.
   const bool may_be_own = match.a == nullptr && match.distance != nullptr;
   for (const Target& target : composer.Targets(*match.b, may_be_own ? std::vector<Placed>{} : movers)) {

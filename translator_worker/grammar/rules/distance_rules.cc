@@ -91,7 +91,8 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
   const Distance* distance = tag == "touching" ? &kTouching : match.distance;
   const Mention& mention = *match.b;
   const Reference& last = mention.references.back();
-  if (last.kind == RefKind::kGroup && mention.references.size() > 1 && !mention.references.front().side.empty()) {
+  const std::string& side = mention.references.front().side;
+  if (last.kind == RefKind::kGroup && mention.references.size() > 1 && !side.empty() && side != "side") {
     BetweenOrAnything(match, tag, composer);
     return;
   }
@@ -342,7 +343,7 @@ std::vector<Rule> DistanceRules() {
       {"A? not? apart D space?", ApartFromEachOther},
       {"A? apart ,? D space? away_from B", AwayFrom},
       {"A? not near/next_to/against both_ways", ApartFromEachOther},
-      {"A.list not near/next_to/together", ApartFromEachOther},
+      {"A.list not near/next_to/together/side_by_side", ApartFromEachOther},
       {"A? not near/next_to/against B.pronoun", NotNearPronoun},
       {"D space?", BareDistance},
       {"space D", BareDistance},

@@ -31,6 +31,9 @@ void NotBlock(const Match& match, std::string_view tag, Composer& composer) {
             {Call("clear_of_feature").Text("object", composer.id(mover)).Text("feature", composer.last_feature)});
       }
       continue;
+    } else if (target.kind == RefKind::kZone) {
+      composer.Refuse("not_about_layout", "a whole area cannot be kept clear; name the objects that are reached");
+      continue;
     } else if (target.name == "others" || target.name == "all") {
       composer.Refuse("not_about_layout",
                       "\"access to other furniture\" names none; say which object's front stays accessible");
@@ -87,6 +90,8 @@ void KeepClear(const Match& match, std::string_view, Composer& composer) {
 
 // "Doors can open freely": the room's, unless a piece with doors of its own is spoken of.
 void DoorsOpen(const Match& match, std::string_view tag, Composer& composer) {
+  // "0.6 m from wardrobe to bed, so that doors open": the figure serves it.
+  if (composer.topic().empty() && !composer.calls().empty()) return;
   const std::vector<Placed>& topic = composer.topic();
   if (!topic.empty() && composer.HasDoors(topic.front())) {
     for (const Placed& placed : topic) composer.EmitFirst({AccessibleFront(placed, composer)});

@@ -74,6 +74,7 @@ std::vector<Rule> HangingRules() {
       {"A? hanging? centered? D? above B", Above},
       {"A? hanging? centered? above B ,? on? C.wall ,? centered?", Above},
       {"A? hanging? on C.wall ,? centered? D? above/behind/centered B", Above},
+      {"A? hanging? centered/wall_centered on? C.wall ,? above/behind B", Above},
       {"A? hanging? on C.wall around/in_front_of B", OnWallNear},
       {"A? hanging? on C.wall next_to or above B", OnWallNear},
       {"A? hanging? on C.wall near/next_to/left_of/right_of/to_side B", OnWallNear},

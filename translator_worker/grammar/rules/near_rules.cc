@@ -202,6 +202,7 @@ void OnEachSide(const Match& match, std::string_view, Composer& composer) {
 std::vector<Rule> NearRules() {
   return {
       {"B.feature near/next_to A.object", Near},
+      {"B.feature near/next_to A.object accessible/keep_clear", Near},
       {"B.feature near", Near},
       {"B.feature at_sides considered?", Near},
       {"A? near B D?", Near},

@@ -70,6 +70,13 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
       (composer.IsPrimaryFloor(movers.front()) || composer.IsSurface(hosts.front()))) {
     return;
   }
+  // "Within reach of someone lying in bed": furniture does not stand on what people sit or lie on.
+  if (!movers.empty() && !hosts.empty() && composer.IsFloor(movers.front()) && !composer.IsRug(movers.front()) &&
+      (composer.IsSeat(hosts.front()) || composer.IsBed(hosts.front())) && hosts.front().side.empty() &&
+      composer.object(movers.front().object).role() != v1::OBJECT_ROLE_TERTIARY) {
+    composer.Refuse("unknown_sentence", "furniture stands beside seats and beds, not on them");
+    return;
+  }
   if (movers.size() == 1 && !hosts.empty() && !hosts.front().side.empty()) {
     OnSide(movers.front(), hosts.front(), composer);
     return;

@@ -58,6 +58,8 @@ void Aligned(const Match& match, std::string_view tag, Composer& composer) {
     }
     for (const Placed& mover : movers) {
       for (const Placed& other : target.objects) {
+        // "Next to it, with one of its sides aligned": sides that stand next to each other are.
+        if (mover.side == "side" && !composer.calls().empty()) continue;
         if (mover.side == "front" && other.side == "front" && composer.IsChair(mover)) {
           composer.EmitFirst({Call("facing").Text("object", composer.id(mover)).Text("target", composer.id(other))});
         } else if (!mover.side.empty() && mover.side == OppositeSide(other.side)) {
