@@ -126,20 +126,6 @@ std::vector<Vec3> EyesToTry(const RoomShape& shape, Vec3 middle, float height) {
   return eyes;
 }
 
-// How far along `direction` an eye outside the room gets before it is within; 0 for an eye that is.
-float WayIn(const RoomShape& shape, Vec3 eye, Vec3 direction) {
-  if (Inside(shape, eye.x, eye.y)) return 0;
-  float first = 1e9F;
-  for (const ShapedWall& wall : shape.walls) {
-    const float rate = Dot(direction, wall.axes.outward);
-    if (rate > -1e-6F) continue;
-    const float distance = Dot(wall.axes.origin - eye, wall.axes.outward) / rate;
-    const float along = Dot(eye + direction * distance - wall.axes.origin, wall.axes.along);
-    if (distance > 0 && along >= 0 && along <= wall.length_m) first = std::min(first, distance);
-  }
-  return first;
-}
-
 struct Spoiled {
   double close = 0;    // share of the picture that something right before the eye takes
   double outside = 0;  // share that is not of the room
@@ -158,9 +144,7 @@ Spoiled SpoiledShares(const RoomShape& shape, const Sight& sight, const SceneCam
       const Vec3 direction = Normalized(view.forward + view.right * x + view.down * y);
       const float distance = sight.FirstBox(camera.eye, direction, kClose_m, -1, false);
       spoiled.close += std::pow(1 - distance / kClose_m, 1.5);
-      const float to_floor =
-          direction.z < 0 ? camera.eye.z / -direction.z : (shape.height_m - camera.eye.z) / direction.z;
-      if (WayIn(shape, camera.eye, direction) > to_floor) spoiled.outside += 1;
+      if (std::isinf(WayIn(shape, camera.eye, direction))) spoiled.outside += 1;
     }
   }
   return {spoiled.close / (kRays * kRays), spoiled.outside / (kRays * kRays)};
@@ -191,7 +175,7 @@ double PerspectiveScore(const RoomShape& shape, const Sight& sight, const SceneC
     }
   }
   const Spoiled spoiled = SpoiledShares(shape, sight, camera);
-  return score / most - 2.0 * spoiled.close - 4.0 * spoiled.outside;
+  return score / most - 2.0 * spoiled.close - 8.0 * spoiled.outside;
 }
 
 }  // namespace

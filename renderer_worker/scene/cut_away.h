@@ -15,7 +15,7 @@ enum class WallCut {
 
 // What a camera does not see, so that it sees the room.
 struct CutAway {
-  bool ceiling = false;  // and what hangs from it
+  bool ceiling = false;        // and what hangs from it
   std::vector<WallCut> walls;  // as RoomShape::walls
 };
 

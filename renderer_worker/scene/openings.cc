@@ -101,6 +101,12 @@ Mesh DoorMesh(const RoomShape& shape, const ShapedWall& wall, const ShapedOpenin
   return builder.Take();
 }
 
+std::optional<Axes> OpenLeafAxes(const RoomShape& shape, const ShapedWall& wall, const ShapedOpening& door) {
+  const v1::DoorSwing swing = door.opening->has_leaf() ? door.opening->leaf().swing() : v1::DOOR_SWING_NONE;
+  if (!door.door() || (swing != v1::DOOR_SWING_INWARD && swing != v1::DOOR_SWING_OUTWARD)) return std::nullopt;
+  return LeafAxes(wall, door, door.u0, door.u1, swing == v1::DOOR_SWING_OUTWARD ? shape.wall_thickness_m : 0);
+}
+
 Mesh WindowMesh(const RoomShape& shape, const ShapedWall& wall, const ShapedOpening& window,
                 const ShellMaterials& materials, const Material& frame) {
   MeshBuilder builder;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flair::renderer {
 namespace {
@@ -108,6 +109,21 @@ bool Inside(const RoomShape& shape, float x, float y) {
     if ((a.y > y) != (b.y > y) && x < (b.x - a.x) * (y - a.y) / (b.y - a.y) + a.x) inside = !inside;
   }
   return inside;
+}
+
+float WayIn(const RoomShape& shape, Vec3 eye, Vec3 direction) {
+  if (Inside(shape, eye.x, eye.y)) return 0;
+  float first = std::numeric_limits<float>::infinity();
+  for (const ShapedWall& wall : shape.walls) {
+    const float rate = Dot(direction, wall.axes.outward);
+    if (rate > -1e-6F) continue;
+    const float distance = Dot(wall.axes.origin - eye, wall.axes.outward) / rate;
+    const Vec3 at = eye + direction * distance;
+    const float along = Dot(at - wall.axes.origin, wall.axes.along);
+    const bool through = along >= 0 && along <= wall.length_m && at.z >= 0 && at.z <= shape.height_m;
+    if (distance > 0 && through) first = std::min(first, distance);
+  }
+  return first;
 }
 
 }  // namespace flair::renderer

@@ -44,5 +44,8 @@ absl::StatusOr<RoomShape> ShapeOf(const v1::Room& room);
 
 // Strictly inside the floor.
 bool Inside(const RoomShape& shape, float x, float y);
+// How far along `direction` (unit) an eye is from the room's inside, walls or not, between floor and ceiling; 0 for an
+// eye within, infinite where it looks past.
+float WayIn(const RoomShape& shape, Vec3 eye, Vec3 direction);
 
 }  // namespace flair::renderer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "renderer_worker/scene/room_shape.h"
@@ -18,6 +19,8 @@ Mesh WallBody(const RoomShape& shape, const ShapedWall& wall, float top_m, const
 // A door with lining, architrave, leaf and handle; a window with lining, frame, bars, glass and sill.
 Mesh DoorMesh(const RoomShape& shape, const ShapedWall& wall, const ShapedOpening& door,
               const ShellMaterials& materials, const Material& leaf);
+// Where the leaf of a door that stands ajar is: along it from the hinge, through it, up. None for others.
+std::optional<Axes> OpenLeafAxes(const RoomShape& shape, const ShapedWall& wall, const ShapedOpening& door);
 Mesh WindowMesh(const RoomShape& shape, const ShapedWall& wall, const ShapedOpening& window,
                 const ShellMaterials& materials, const Material& frame);
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "renderer_worker/scene/shell.h"
 
 namespace flair::renderer {
 namespace {
@@ -11,9 +14,44 @@ constexpr size_t kMaxBoxes = 80;
 
 float Volume(const SightBox& box) { return box.half.x * box.half.y * box.half.z; }
 
+// Where the way enters the box, `miss` when it does not up to there.
+float Enter(const SightBox& box, Vec3 eye, Vec3 direction, float miss) {
+  const Vec3 from = eye - box.centre;
+  const float origin[] = {Dot(from, box.right), Dot(from, box.front), from.z};
+  const float along[] = {Dot(direction, box.right), Dot(direction, box.front), direction.z};
+  const float half[] = {box.half.x, box.half.y, box.half.z};
+  float enter = 0, leave = miss;
+  for (int k = 0; k < 3; ++k) {
+    const float inverse = 1 / (std::abs(along[k]) > 1e-9F ? along[k] : 1e-9F);
+    const float a = (-half[k] - origin[k]) * inverse, b = (half[k] - origin[k]) * inverse;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter < leave ? enter : miss;
+}
+
+std::vector<SightBox> LeavesOf(const RoomShape& shape) {
+  std::vector<SightBox> leaves;
+  for (const ShapedWall& wall : shape.walls) {
+    for (const ShapedOpening& opening : wall.openings) {
+      const std::optional<Axes> axes = OpenLeafAxes(shape, wall, opening);
+      if (!axes.has_value()) continue;
+      SightBox leaf;
+      const float width = opening.u1 - opening.u0;
+      leaf.half = {width < 1.3F ? width / 2 : width / 4, 0.03F, (opening.w1 - opening.w0) / 2};  // wide ones have two
+      leaf.centre = axes->At(leaf.half.x, 0, leaf.half.z);
+      leaf.right = axes->along;
+      leaf.front = axes->outward;
+      leaves.push_back(leaf);
+    }
+  }
+  return leaves;
+}
+
 }  // namespace
 
-Sight::Sight(const RoomShape& shape, const std::vector<SceneObject>& objects) : shape_(shape) {
+Sight::Sight(const RoomShape& shape, const std::vector<SceneObject>& objects)
+    : shape_(shape), leaves_(LeavesOf(shape)) {
   for (const SceneObject& o : objects) {
     if (o.object->walk_over()) continue;
     const float theta = static_cast<float>(o.placement.theta_rad());
@@ -38,21 +76,9 @@ Sight::Sight(const RoomShape& shape, const std::vector<SceneObject>& objects) : 
 float Sight::FirstBox(Vec3 eye, Vec3 direction, float miss, int but, bool ceiling_cut) const {
   float first = miss;
   for (int i = 0; i < static_cast<int>(boxes_.size()); ++i) {
-    if (i == but || (ceiling_cut && boxes_[i].high)) continue;
-    const SightBox& box = boxes_[i];
-    const Vec3 from = eye - box.centre;
-    const float origin[] = {Dot(from, box.right), Dot(from, box.front), from.z};
-    const float along[] = {Dot(direction, box.right), Dot(direction, box.front), direction.z};
-    const float half[] = {box.half.x, box.half.y, box.half.z};
-    float enter = 0, leave = first;
-    for (int k = 0; k < 3; ++k) {
-      const float inverse = 1 / (std::abs(along[k]) > 1e-9F ? along[k] : 1e-9F);
-      const float a = (-half[k] - origin[k]) * inverse, b = (half[k] - origin[k]) * inverse;
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    if (enter < leave) first = enter;
+    if (i != but && !(ceiling_cut && boxes_[i].high)) first = std::min(first, Enter(boxes_[i], eye, direction, first));
   }
+  for (const SightBox& leaf : leaves_) first = std::min(first, Enter(leaf, eye, direction, first));
   return first;
 }
 

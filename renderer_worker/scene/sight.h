@@ -24,8 +24,8 @@ class Sight {
   Sight(const RoomShape& shape, const std::vector<SceneObject>& objects);
 
   const std::vector<SightBox>& boxes() const { return boxes_; }
-  // Distance to the first box on the way, `miss` when there is none up to there. Leaves out box `but`, and what hangs from
-  // the ceiling where that is cut away.
+  // Distance to the first box on the way, `miss` when there is none up to there. Leaves out box `but`, and what hangs
+  // from the ceiling where that is cut away.
   float FirstBox(Vec3 eye, Vec3 direction, float miss, int but, bool ceiling_cut) const;
   // The share of the box's surface points, as seen from `eye`, that nothing hides and that `inside` accepts.
   template <typename Accepts>
@@ -36,6 +36,7 @@ class Sight {
  private:
   const RoomShape& shape_;
   std::vector<SightBox> boxes_;
+  std::vector<SightBox> leaves_;  // of open doors: they hide, and nobody looks for them
 };
 
 template <typename Accepts>

@@ -90,8 +90,8 @@ Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity
   const LightChoice choice(lights, seen.position, seen.normal);
   Gathered direct, bounced;
   for (int i = 0; i < round_count; ++i) direct.Add(DirectLight(world, choice, seen.position, random, i));
-  // Where the sky is open, these rays bring its light; within a room only that of other surfaces, which varies little.
-  const int bounce_count = lights.open_sky ? round_count : (round_count + 1) / 2;
+  // Where the sky is open, these rays bring its light; within a room only that of other surfaces, which varies less.
+  const int bounce_count = lights.open_sky ? round_count : (3 * round_count + 3) / 4;
   const PixelSamples random_bounces(seeds, column, row, bounce_count);
   for (int i = 0; i < bounce_count; ++i) {
     const Vec3 direction = CosineDirection(seen.normal, random_bounces.At(i, Purpose::kBounce));

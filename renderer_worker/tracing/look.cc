@@ -101,13 +101,19 @@ Seen LookOn(const World& world, const Lights& lights, const Surroundings& around
 
 Seen LookFrom(const World& world, const Lights& lights, const Surroundings& around, Vec3 eye, Vec3 direction,
               float pixel_rad) {
-  return LookOn(world, lights, around, eye, direction, pixel_rad, world.Look(eye, direction, kNearest_m));
+  Seen seen;
+  LookFrom(world, lights, around, eye, {&direction, 1}, pixel_rad, {&seen, 1});
+  return seen;
 }
 
 void LookFrom(const World& world, const Lights& lights, const Surroundings& around, Vec3 eye,
               std::span<const Vec3> directions, float pixel_rad, std::span<Seen> seen) {
   std::array<Hit, kMostRaysTogether> hits;
-  world.Look(eye, directions, kNearest_m, hits);
+  std::array<float, kMostRaysTogether> nearest;
+  for (size_t i = 0; i < directions.size(); ++i) {
+    nearest[i] = around.room == nullptr ? kNearest_m : std::max(kNearest_m, WayIn(*around.room, eye, directions[i]));
+  }
+  world.Look(eye, directions, nearest, hits);
   for (size_t i = 0; i < directions.size(); ++i) {
     seen[i] = LookOn(world, lights, around, eye, directions[i], pixel_rad, hits[i]);
   }

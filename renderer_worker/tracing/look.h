@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/tracing/frame.h"
 #include "renderer_worker/tracing/lights.h"
 
@@ -12,6 +13,7 @@ namespace flair::renderer {
 struct Surroundings {
   bool open = false;  // a model on a table: the ground catches its shadow
   float ground_z = -kSlabThickness_m;
+  const RoomShape* room = nullptr;     // of an eye outside its walls: what is before them is not seen
   Vec3 backdrop{0.80F, 0.79F, 0.77F};  // where the eye meets nothing, as it shall appear
 };
 

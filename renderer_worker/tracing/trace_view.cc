@@ -84,6 +84,7 @@ absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_ca
   Surroundings surroundings;
   surroundings.open = cut.ceiling;
   // Where walls are gone before the eye, the picture goes on in the colour of those that are left.
+  if (!cut.ceiling && !Inside(*shape, camera->eye.x, camera->eye.y)) surroundings.room = &*shape;
   if (!cut.ceiling) surroundings.backdrop = (*world)->MeanColourOf(kWallClass) * 0.8F;
   TracedView view;
   Resize(options, view);

@@ -308,7 +308,7 @@ Hit World::Feel(Vec3 from, Vec3 direction) const {
   return rays_->Nearest(rays_->shading, instances_, from, direction, 0, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
 }
 
-void World::Look(Vec3 from, std::span<const Vec3> directions, float least, std::span<Hit> hits) const {
+void World::Look(Vec3 from, std::span<const Vec3> directions, std::span<const float> least, std::span<Hit> hits) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -317,10 +317,10 @@ void World::Look(Vec3 from, std::span<const Vec3> directions, float least, std::
   const size_t last = directions.size() - 1;
   for (size_t i = 0; i < kMostRaysTogether; ++i) {
     const Vec3 direction = directions[std::min(i, last)];
-    valid[i] = i <= last ? -1 : 0;
+    valid[i] = i <= last && std::isfinite(least[i]) ? -1 : 0;
     query.ray.org_x[i] = from.x, query.ray.org_y[i] = from.y, query.ray.org_z[i] = from.z;
     query.ray.dir_x[i] = direction.x, query.ray.dir_y[i] = direction.y, query.ray.dir_z[i] = direction.z;
-    query.ray.tnear[i] = least;
+    query.ray.tnear[i] = valid[i] != 0 ? least[i] : 0;
     query.ray.tfar[i] = std::numeric_limits<float>::infinity();
     query.ray.time[i] = 0;
     query.ray.mask[i] = ~0U;

@@ -60,8 +60,8 @@ class World {
   const std::vector<WorldInstance>& instances() const { return instances_; }
   // The nearest thing that the camera sees.
   Hit Look(Vec3 from, Vec3 direction, float least) const;
-  // The same for up to kMostRaysTogether neighbouring directions from one point.
-  void Look(Vec3 from, std::span<const Vec3> directions, float least, std::span<Hit> hits) const;
+  // The same for up to kMostRaysTogether neighbouring directions from one point; nothing where `least` is infinite.
+  void Look(Vec3 from, std::span<const Vec3> directions, std::span<const float> least, std::span<Hit> hits) const;
   // The nearest thing that holds up light: no glass, nothing that shines, but walls that are cut away for the camera
   // only.
   Hit Feel(Vec3 from, Vec3 direction) const;
