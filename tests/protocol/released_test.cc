@@ -7,7 +7,6 @@
 #include <regex>
 
 #include "cli/protocol/protocol.h"
-#include "fmt/format.h"
 #include "tests/fixtures/npm_folder.h"
 
 namespace flair::testing {
@@ -32,7 +31,8 @@ Finished Buf(const std::vector<std::string>& arguments) {
 
 Finished Breaking(const fs::path& protos) { return Buf({"breaking", protos, "--against", Released()}); }
 
-// A file of the package as released/ keeps it: without comments, so that these may change.
+// A file of the package as released/ keeps it: without comments, so that these may change, and without the names in
+// JSON, which follow from those of the fields.
 std::string WithoutComments(const google::protobuf::FileDescriptor& file) {
   return "// SPDX-License-Identifier: GPL-3.0-or-later\n// As released. Written by released_test, see README.md "
          "there.\n" +
