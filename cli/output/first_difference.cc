@@ -55,7 +55,8 @@ class FirstOnly final : public MessageDifferencer::Reporter {
     if (See(path)) found_->first = ValueAt(first, path, false);
   }
   void ReportModified(const Message& first, const Message& second, const FieldPath& path) override {
-    if (!See(path)) return;
+    // After the fields of a message, the message itself is reported, too.
+    if (path.back().field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE || !See(path)) return;
     found_->first = ValueAt(first, path, false);
     found_->second = ValueAt(second, path, true);
   }
@@ -78,19 +79,11 @@ class FirstOnly final : public MessageDifferencer::Reporter {
     return text;
   }
 
-  // The reporter is given the messages at the root of the comparison.
-  static std::string ValueAt(const Message& root, const FieldPath& path, bool second) {
-    const Message* message = &root;
-    for (size_t i = 0; i + 1 < path.size(); ++i) {
-      const FieldDescriptor* field = path[i].field;
-      const google::protobuf::Reflection& reflection = *message->GetReflection();
-      message = field->is_repeated()
-                    ? &reflection.GetRepeatedMessage(*message, field, second ? path[i].new_index : path[i].index)
-                    : &reflection.GetMessage(*message, field);
-    }
+  // The reporter is given the messages that the last field of the path belongs to.
+  static std::string ValueAt(const Message& message, const FieldPath& path, bool second) {
     const MessageDifferencer::SpecificField& last = path.back();
-    if (!last.field->is_repeated()) return ValueText(*message, *last.field, -1);
-    return ValueText(*message, *last.field, second ? last.new_index : last.index);
+    if (!last.field->is_repeated()) return ValueText(message, *last.field, -1);
+    return ValueText(message, *last.field, second ? last.new_index : last.index);
   }
 
   std::optional<FieldDifference> found_;

@@ -91,7 +91,7 @@ TEST_F(ComparisonTest, DifferencesThatWereAskedForAreNone) {
 TEST_F(ComparisonTest, PutsTheGraphInALayoutLast) {
   Layout().mutable_graph()->set_catalog_library("theirs");
   Layout().set_total_cost(3);
-  EXPECT_THAT(Table(), HasSubstr("solved_layout.total_cost: none -> 3, and 1 more fields"));
+  EXPECT_THAT(Table(), HasSubstr("solved_layout.total_cost: none -> 3\n"));
 }
 
 TEST_F(ComparisonTest, DoesNotCompareWhatWasTaken) {

@@ -34,9 +34,12 @@ std::string Finding(const StageComparison& stage) {
   std::string text;
   if (stage.content.has_value()) {
     text = stage.content->InWords();
-    if (stage.content->field_count > 1) text += fmt::format(", and {} more fields", stage.content->field_count - 1);
+    const int more = stage.content->field_count - 1;
+    if (more > 0) text += fmt::format(", and {} more field{}", more, more == 1 ? "" : "s");
   }
-  if (!stage.input.empty()) text += fmt::format("{}made from another {}", text.empty() ? "" : "; ", stage.input);
+  const bool made_twice = stage.agreement == Agreement::kDiffers || stage.agreement == Agreement::kSameContent;
+  if (made_twice && !stage.input.empty())
+    text += fmt::format("{}made from another {}", text.empty() ? "" : "; ", stage.input);
   if (stage.asked && stage.agreement == Agreement::kSameBytes) text = "although asked otherwise";
   return text;
 }
