@@ -24,6 +24,7 @@
 #include "worker_runtime/bootstrap/build_name.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/grpc/protocol.h"
 
 namespace flair::cli {
 namespace {
@@ -153,12 +154,16 @@ void LookAtAddress(const std::string& address, Findings& findings) {
   const auto worker = runtime::UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(),
                                             call, absl::Now() + absl::Seconds(5));
   if (worker.ok()) {
+    if (const std::string fault = runtime::ProtocolFault(*worker); !fault.empty()) {
+      return findings.Bad(address, fault,
+                          fmt::format("Start a version of it there that speaks {}.", runtime::kProtocol));
+    }
     const std::string build = worker->build().empty() ? "unknown" : worker->build();
     return findings.Good(address, fmt::format("{} answers, build {}{}", worker->program(), build,
                                               build == runtime::BuildName() ? "" : ": another one than this program"));
   }
   if (worker.status().code() == absl::StatusCode::kUnimplemented) {
-    return findings.Good(address, "a gRPC server that is not Flair's own answers");
+    return findings.Good(address, "a gRPC server that does not say what it is answers; see: flair contract --help");
   }
   findings.Bad(address, std::string(worker.status().message()), remedy);
 }

@@ -12,6 +12,7 @@ namespace flair::orchestrator {
 namespace {
 
 constexpr int kLookAnywayMs = 1000;
+constexpr int kBurstMs = 5;
 
 // Empties the queue of a non-blocking inotify file; true when one of the events came from `watch`.
 bool Drain(int file, int watch) {
@@ -51,6 +52,8 @@ void StoreMonitor::Watch() {
   while (true) {
     const int ready = ::poll(files, 2, kLookAnywayMs);
     if ((files[0].revents & POLLIN) != 0) return;
+    // A burst of writes, most of which are our own, is worth one look.
+    if (ready > 0 && ::poll(files, 1, kBurstMs) > 0) return;
     const bool owner_gone = Drain(notify_file_, owners_watch_) || ready == 0;
     if (owner_gone) callbacks_.owner_gone();
     if (ChangedElsewhere()) callbacks_.changed();

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <mutex>
+#include <optional>
+
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
@@ -43,7 +46,19 @@ struct Stage {
     return Explain(runtime::UnaryRequest(static_cast<Interface&>(*stub), method, request, call));
   }
 
-  absl::StatusOr<std::optional<std::string>> Revision(runtime::CallContext& call) const {
+  // A server of this process stays what it is; others may be replaced at any time and are asked each time.
+  absl::StatusOr<std::optional<std::string>> Revision(runtime::CallContext& call) {
+    if (address != StageChannel().address) return AskRevision(call);
+    std::lock_guard lock(mutex);
+    if (!known_revision.has_value()) {
+      absl::StatusOr<std::optional<std::string>> revision = AskRevision(call);
+      if (!revision.ok()) return revision;
+      known_revision = *std::move(revision);
+    }
+    return *known_revision;
+  }
+
+  absl::StatusOr<std::optional<std::string>> AskRevision(runtime::CallContext& call) const {
     const absl::StatusOr<v1::GetWorkerResponse> worker =
         runtime::UnaryRequest(*worker_stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call);
     if (absl::IsUnimplemented(worker.status())) return std::nullopt;
@@ -75,6 +90,8 @@ struct Stage {
   std::string setting;
   std::unique_ptr<typename Service::Stub> stub;
   std::unique_ptr<v1::WorkerService::Stub> worker_stub;
+  std::mutex mutex;
+  std::optional<std::optional<std::string>> known_revision;
 };
 
 using Language = v1::LanguageService::StubInterface;

@@ -11,12 +11,6 @@
 namespace flair::orchestrator {
 namespace {
 
-std::string StageNames() {
-  std::string names;
-  for (const Stage& stage : Stages()) names += (names.empty() ? "" : ", ") + std::string(stage.name);
-  return names;
-}
-
 const Stage& StageAt(int index) { return Stages()[static_cast<size_t>(index)]; }
 
 }  // namespace

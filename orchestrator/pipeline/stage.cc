@@ -64,6 +64,12 @@ int StageIndex(std::string_view name) {
   return -1;
 }
 
+std::string StageNames() {
+  std::string names;
+  for (const Stage& stage : Stages()) names += (names.empty() ? "" : ", ") + std::string(stage.name);
+  return names;
+}
+
 const v1::Artifact& Input(const StageRun& run, v1::ArtifactKind kind) {
   for (const v1::Artifact* artifact : run.inputs) {
     if (KindOf(*artifact) == kind) return *artifact;

@@ -63,6 +63,9 @@ std::string RequestId(const StageRun& run, std::string_view stage);
 // Its place in Stages(); -1 when there is no stage of that name.
 int StageIndex(std::string_view name);
 
+// "brief, room, zones, ...", for messages that say what there is.
+std::string StageNames();
+
 // What specs ask of the stages that take something from them.
 std::string AskedBrief(const v1::JobSpec& spec);
 std::string AskedOfModels(const v1::JobSpec& spec);

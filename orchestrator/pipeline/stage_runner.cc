@@ -116,7 +116,6 @@ absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, c
   if (!run.inputs.empty()) artifact->set_options_digest(OptionsDigest(run));
   const std::vector<std::string> input_ids = InputIds(run);
   artifact->mutable_made_from_ids()->Assign(input_ids.begin(), input_ids.end());
-  artifact->set_id(ComputeArtifactId(*artifact));
   if (absl::Status status = CheckAnswer(stage, *artifact); !status.ok()) return status;
   absl::StatusOr<v1::ArtifactRef> ref = store_.files().Put(*artifact);
   if (!ref.ok()) return ref.status();

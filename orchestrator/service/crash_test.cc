@@ -16,6 +16,7 @@ namespace flair::orchestrator {
 namespace {
 
 constexpr int kJobCount = 12;
+constexpr int kReplayCount = kJobCount / 3;  // see crash_test_child.cc
 
 // A running child; its standard output is read line by line.
 class Child {
@@ -71,14 +72,16 @@ bool RunAndKillAt(const std::string& store, int call) {
   return false;
 }
 
-// The artifacts but the report of every job, by the job's brief.
+std::string NameOf(const v1::Job& job) { return job.spec().brief().text() + (job.spec().has_replay() ? " again" : ""); }
+
+// The artifacts but the report of every job, by its name.
 std::map<std::string, std::vector<std::string>> ReadArtifacts(const std::string& path) {
   auto store = *JobStore::Open(path);
   std::map<std::string, std::vector<std::string>> artifacts;
   const std::vector<v1::Job> jobs = *store->jobs().List(1000, "", "");
   for (const v1::Job& job : jobs) {
-    std::vector<std::string>& ids = artifacts[job.spec().brief().text()];
-    EXPECT_TRUE(ids.empty()) << "two jobs for " << job.spec().brief().text();
+    std::vector<std::string>& ids = artifacts[NameOf(job)];
+    EXPECT_TRUE(ids.empty()) << "two jobs for " << NameOf(job);
     EXPECT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error();
     EXPECT_EQ(job.artifacts_size(), 11);
     for (const v1::ArtifactRef& ref : job.artifacts()) {
@@ -104,8 +107,45 @@ TEST(Crash, EveryJobEndsOnceWithTheArtifactsOfAnUndisturbedRun) {
   }
   EXPECT_GE(kills, 3);
   const auto expected = ReadArtifacts(undisturbed.path());
-  EXPECT_EQ(expected.size(), static_cast<size_t>(kJobCount));
+  EXPECT_EQ(expected.size(), static_cast<size_t>(kJobCount + kReplayCount));
   EXPECT_EQ(ReadArtifacts(disturbed.path()), expected);
+}
+
+// Of its own stages, each once: what it had before it was killed was not made twice, nor was another job's used.
+void ExpectEachStageRunOnce(JobStore& store, const v1::Job& replay) {
+  std::map<std::string, int> finished;
+  const std::vector<v1::JobEvent> events = *store.events().After(replay.id(), 0, 10000);
+  for (const v1::JobEvent& event : events) {
+    finished[event.stage()] += event.kind() == v1::JOB_EVENT_KIND_STAGE_FINISHED ? 1 : 0;
+  }
+  for (const char* stage : {"brief", "room", "zones"}) EXPECT_EQ(finished[stage], 0) << replay.id() << " " << stage;
+  for (const char* stage :
+       {"objects", "style", "constraints", "cleaning", "translation", "solve", "render", "report"}) {
+    EXPECT_EQ(finished[stage], 1) << replay.id() << " " << stage;
+  }
+}
+
+TEST(Crash, KilledReplaysGoOnFromTheirOwnArtifacts) {
+  TemporaryFolder folder;
+  ASSERT_TRUE(RunAndKillAt(folder.path(), -1));
+  const auto expected = ReadArtifacts(folder.path());
+  TemporaryFolder disturbed;
+  int kills = 0;
+  constexpr int kCallsOfTheBatch = kJobCount * 11;
+  for (int call = kCallsOfTheBatch + 2; !RunAndKillAt(disturbed.path(), call); call = 4 + kills % 7) {
+    ASSERT_LT(++kills, 100) << "no progress";
+  }
+  EXPECT_GE(kills, 2);
+  EXPECT_EQ(ReadArtifacts(disturbed.path()), expected);
+  auto store = *JobStore::Open(disturbed.path());
+  int replays = 0;
+  const std::vector<v1::Job> jobs = *store->jobs().List(1000, "", "");
+  for (const v1::Job& job : jobs) {
+    if (!job.spec().has_replay()) continue;
+    ++replays;
+    ExpectEachStageRunOnce(*store, job);
+  }
+  EXPECT_EQ(replays, kReplayCount);
 }
 
 TEST(Crash, AnotherProcessTakesOverTheJobsOfADeadOne) {
@@ -119,7 +159,7 @@ TEST(Crash, AnotherProcessTakesOverTheJobsOfADeadOne) {
   first.Wait();
   while (line != "done\n") ASSERT_TRUE(second.ReadLine(line));
   EXPECT_EQ(second.Wait(), 0);
-  EXPECT_EQ(ReadArtifacts(folder.path()).size(), static_cast<size_t>(kJobCount));
+  EXPECT_EQ(ReadArtifacts(folder.path()).size(), static_cast<size_t>(kJobCount + kReplayCount));
 }
 
 }  // namespace

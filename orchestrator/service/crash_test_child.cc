@@ -1,12 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the jobs of one batch on a store with fake workers, for crash_test.cc: crash_test_child STORE JOB_COUNT. Writes
-// a line before every call of a stage, and "done" when all jobs have ended.
+// Runs the jobs of one batch on a store with fake workers, then replays a third of them, for crash_test.cc:
+// crash_test_child STORE JOB_COUNT. Writes a line before every call of a stage, and "done" when all jobs have ended.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
+#include "orchestrator/pipeline/fake_stages.h"
 #include "orchestrator/service/embedded_for_test.h"
 #include "orchestrator/service/fake_workers.h"
+
+namespace flair::orchestrator {
+namespace {
+
+using Stub = v1::OrchestratorService::StubInterface;
+
+// Waits for all jobs of a batch and returns them, oldest first; none when something failed.
+std::vector<v1::Job> RunBatch(EmbeddedForTest& orchestrator, const v1::CreateBatchRequest& request) {
+  const auto batch = orchestrator.Ask(&Stub::CreateBatch, request);
+  if (!batch.ok()) return {};
+  v1::ListJobsRequest list;
+  list.set_page_size(1000);
+  list.set_batch_id(batch->batch().id());
+  const auto jobs = orchestrator.Ask(&Stub::ListJobs, list);
+  if (!jobs.ok()) return {};
+  for (const v1::Job& job : jobs->jobs()) orchestrator.Watch(job.id());
+  return {jobs->jobs().rbegin(), jobs->jobs().rend()};
+}
+
+}  // namespace
+}  // namespace flair::orchestrator
 
 int main(int argc, char** argv) {
   using namespace flair;
@@ -28,15 +51,15 @@ int main(int argc, char** argv) {
   request.set_request_id("batch");
   for (int i = 0; i < std::atoi(argv[2]); ++i)
     request.add_specs()->mutable_brief()->set_text("Room " + std::to_string(i));
-  using Stub = v1::OrchestratorService::StubInterface;
-  const auto batch = orchestrator.Ask(&Stub::CreateBatch, request);
-  if (!batch.ok()) return 1;
-  v1::ListJobsRequest list;
-  list.set_page_size(1000);
-  list.set_batch_id(batch->batch().id());
-  const auto jobs = orchestrator.Ask(&Stub::ListJobs, list);
-  if (!jobs.ok()) return 1;
-  for (const v1::Job& job : jobs->jobs()) orchestrator.Watch(job.id());
+  const std::vector<v1::Job> jobs = RunBatch(orchestrator, request);
+  v1::CreateBatchRequest replays;
+  replays.set_request_id("replays");
+  for (size_t i = 0; i < jobs.size(); i += 3) {
+    *replays.add_specs() = jobs[i].spec();
+    replays.mutable_specs()->rbegin()->mutable_replay()->set_job_id(jobs[i].id());
+    replays.mutable_specs()->rbegin()->mutable_replay()->set_from_stage("objects");
+  }
+  if (RunBatch(orchestrator, replays).empty()) return 1;
   std::printf("done\n");
   return 0;
 }

@@ -10,12 +10,12 @@
 namespace flair::orchestrator {
 namespace {
 
-// Answers one RPC with the function of FakeStages of the same name.
+// Answers one RPC with the function of StageClients of the same name.
 template <typename Request, typename Response>
-grpc::ServerUnaryReactor* Forward(runtime::WorkerContext& worker, FakeStages& stages, const char* rpc,
+grpc::ServerUnaryReactor* Forward(runtime::WorkerContext& worker, StageClients& stages, const char* rpc,
                                   grpc::CallbackServerContext* context, const Request* request, Response* response,
-                                  absl::StatusOr<Response> (FakeStages::*function)(const Request&,
-                                                                                   runtime::CallContext&)) {
+                                  absl::StatusOr<Response> (StageClients::*function)(const Request&,
+                                                                                     runtime::CallContext&)) {
   return runtime::StartUnary(worker, rpc, "", *context,
                              [&stages, request, response, function](runtime::CallContext& call) -> absl::Status {
                                absl::StatusOr<Response> answer = (stages.*function)(*request, call);
@@ -26,90 +26,90 @@ grpc::ServerUnaryReactor* Forward(runtime::WorkerContext& worker, FakeStages& st
 
 class FakeLanguage final : public v1::LanguageService::CallbackService {
  public:
-  FakeLanguage(runtime::WorkerContext& worker, FakeStages& stages) : worker_(worker), stages_(stages) {}
+  FakeLanguage(runtime::WorkerContext& worker, StageClients& stages) : worker_(worker), stages_(stages) {}
   grpc::ServerUnaryReactor* DescribeRoom(grpc::CallbackServerContext* context, const v1::DescribeRoomRequest* request,
                                          v1::DescribeRoomResponse* response) override {
-    return Forward(worker_, stages_, "DescribeRoom", context, request, response, &FakeStages::DescribeRoom);
+    return Forward(worker_, stages_, "DescribeRoom", context, request, response, &StageClients::DescribeRoom);
   }
   grpc::ServerUnaryReactor* PlanZones(grpc::CallbackServerContext* context, const v1::PlanZonesRequest* request,
                                       v1::PlanZonesResponse* response) override {
-    return Forward(worker_, stages_, "PlanZones", context, request, response, &FakeStages::PlanZones);
+    return Forward(worker_, stages_, "PlanZones", context, request, response, &StageClients::PlanZones);
   }
   grpc::ServerUnaryReactor* ListObjects(grpc::CallbackServerContext* context, const v1::ListObjectsRequest* request,
                                         v1::ListObjectsResponse* response) override {
-    return Forward(worker_, stages_, "ListObjects", context, request, response, &FakeStages::ListObjects);
+    return Forward(worker_, stages_, "ListObjects", context, request, response, &StageClients::ListObjects);
   }
   grpc::ServerUnaryReactor* ChooseStyle(grpc::CallbackServerContext* context, const v1::ChooseStyleRequest* request,
                                         v1::ChooseStyleResponse* response) override {
-    return Forward(worker_, stages_, "ChooseStyle", context, request, response, &FakeStages::ChooseStyle);
+    return Forward(worker_, stages_, "ChooseStyle", context, request, response, &StageClients::ChooseStyle);
   }
   grpc::ServerUnaryReactor* ListConstraints(grpc::CallbackServerContext* context,
                                             const v1::ListConstraintsRequest* request,
                                             v1::ListConstraintsResponse* response) override {
-    return Forward(worker_, stages_, "ListConstraints", context, request, response, &FakeStages::ListConstraints);
+    return Forward(worker_, stages_, "ListConstraints", context, request, response, &StageClients::ListConstraints);
   }
   grpc::ServerUnaryReactor* CleanConstraints(grpc::CallbackServerContext* context,
                                              const v1::CleanConstraintsRequest* request,
                                              v1::CleanConstraintsResponse* response) override {
-    return Forward(worker_, stages_, "CleanConstraints", context, request, response, &FakeStages::CleanConstraints);
+    return Forward(worker_, stages_, "CleanConstraints", context, request, response, &StageClients::CleanConstraints);
   }
 
  private:
   runtime::WorkerContext& worker_;
-  FakeStages& stages_;
+  StageClients& stages_;
 };
 
 class FakeTranslator final : public v1::TranslatorService::CallbackService {
  public:
-  FakeTranslator(runtime::WorkerContext& worker, FakeStages& stages) : worker_(worker), stages_(stages) {}
+  FakeTranslator(runtime::WorkerContext& worker, StageClients& stages) : worker_(worker), stages_(stages) {}
   grpc::ServerUnaryReactor* Translate(grpc::CallbackServerContext* context, const v1::TranslateRequest* request,
                                       v1::TranslateResponse* response) override {
-    return Forward(worker_, stages_, "Translate", context, request, response, &FakeStages::Translate);
+    return Forward(worker_, stages_, "Translate", context, request, response, &StageClients::Translate);
   }
 
  private:
   runtime::WorkerContext& worker_;
-  FakeStages& stages_;
+  StageClients& stages_;
 };
 
 class FakeOptimizer final : public v1::OptimizerService::CallbackService {
  public:
-  FakeOptimizer(runtime::WorkerContext& worker, FakeStages& stages) : worker_(worker), stages_(stages) {}
+  FakeOptimizer(runtime::WorkerContext& worker, StageClients& stages) : worker_(worker), stages_(stages) {}
   grpc::ServerUnaryReactor* ListConstraintTypes(grpc::CallbackServerContext* context,
                                                 const v1::ListConstraintTypesRequest* request,
                                                 v1::ListConstraintTypesResponse* response) override {
     return Forward(worker_, stages_, "ListConstraintTypes", context, request, response,
-                   &FakeStages::ListConstraintTypes);
+                   &StageClients::ListConstraintTypes);
   }
   grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
                                   v1::SolveResponse* response) override {
-    return Forward(worker_, stages_, "Solve", context, request, response, &FakeStages::Solve);
+    return Forward(worker_, stages_, "Solve", context, request, response, &StageClients::Solve);
   }
   grpc::ServerUnaryReactor* Evaluate(grpc::CallbackServerContext* context, const v1::EvaluateRequest* request,
                                      v1::EvaluateResponse* response) override {
-    return Forward(worker_, stages_, "Evaluate", context, request, response, &FakeStages::Evaluate);
+    return Forward(worker_, stages_, "Evaluate", context, request, response, &StageClients::Evaluate);
   }
 
  private:
   runtime::WorkerContext& worker_;
-  FakeStages& stages_;
+  StageClients& stages_;
 };
 
 class FakeRenderer final : public v1::RendererService::CallbackService {
  public:
-  FakeRenderer(runtime::WorkerContext& worker, FakeStages& stages) : worker_(worker), stages_(stages) {}
+  FakeRenderer(runtime::WorkerContext& worker, StageClients& stages) : worker_(worker), stages_(stages) {}
   grpc::ServerUnaryReactor* Render(grpc::CallbackServerContext* context, const v1::RenderRequest* request,
                                    v1::RenderResponse* response) override {
-    return Forward(worker_, stages_, "Render", context, request, response, &FakeStages::Render);
+    return Forward(worker_, stages_, "Render", context, request, response, &StageClients::Render);
   }
 
  private:
   runtime::WorkerContext& worker_;
-  FakeStages& stages_;
+  StageClients& stages_;
 };
 
 template <typename Service, typename Fake>
-StageChannel Start(const char* program, FakeStages& stages,
+StageChannel Start(const char* program, StageClients& stages,
                    std::vector<std::unique_ptr<runtime::InProcessServer>>& servers) {
   config::v1::RuntimeConfig config;
   config.set_log_level("error");
@@ -125,7 +125,7 @@ StageChannel Start(const char* program, FakeStages& stages,
 
 }  // namespace
 
-FakeWorkers::FakeWorkers(FakeStages& stages) {
+FakeWorkers::FakeWorkers(StageClients& stages) {
   channels_.language = Start<v1::LanguageService, FakeLanguage>("fake-language", stages, servers_);
   channels_.translator = Start<v1::TranslatorService, FakeTranslator>("fake-translator", stages, servers_);
   channels_.optimizer = Start<v1::OptimizerService, FakeOptimizer>("fake-optimizer", stages, servers_);

@@ -4,16 +4,16 @@
 #include <memory>
 #include <vector>
 
-#include "orchestrator/pipeline/fake_stages.h"
 #include "orchestrator/pipeline/stage_channels.h"
+#include "orchestrator/pipeline/stage_clients.h"
 #include "worker_runtime/grpc/in_process_server.h"
 
 namespace flair::orchestrator {
 
-// The four workers of FakeStages behind real gRPC, in this process. `stages` outlives it.
+// The four workers of stages for tests behind real gRPC, in this process. `stages` outlives it.
 class FakeWorkers {
  public:
-  explicit FakeWorkers(FakeStages& stages);
+  explicit FakeWorkers(StageClients& stages);
   const StageChannels& channels() const { return channels_; }
 
  private:

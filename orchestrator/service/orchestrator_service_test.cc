@@ -4,6 +4,7 @@
 #include <fstream>
 #include <future>
 
+#include "orchestrator/pipeline/fake_stages.h"
 #include "orchestrator/service/embedded_for_test.h"
 #include "orchestrator/service/fake_workers.h"
 #include "orchestrator/store/artifact_files.h"

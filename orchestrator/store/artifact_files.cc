@@ -3,31 +3,45 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <optional>
 
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/atomic_file.h"
-#include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
+namespace {
+
+// Nothing when there is no such file.
+std::optional<std::string> ReadFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) return std::nullopt;
+  std::string bytes(static_cast<size_t>(std::max<std::streamoff>(0, file.tellg())), '\0');
+  file.seekg(0);
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<size_t>(file.gcount()));
+  return bytes;
+}
+
+}  // namespace
 
 std::string ArtifactFiles::PathOf(const std::string& id) const {
   return fmt::format("{}/{}/{}.pb", folder_, id.substr(0, 2), id);
 }
 
 absl::StatusOr<v1::ArtifactRef> ArtifactFiles::Put(v1::Artifact& artifact) const {
-  artifact.set_id(ComputeArtifactId(artifact));
-  const std::string bytes = runtime::CanonicalBytes(artifact);
+  const std::string bytes = SealArtifact(artifact);
   v1::ArtifactRef ref;
   ref.set_id(artifact.id());
   ref.set_kind(KindOf(artifact));
   ref.set_size_bytes(static_cast<int64_t>(bytes.size()));
-  if (Get(artifact.id()).ok()) return ref;
   const std::string path = PathOf(artifact.id());
+  if (ReadFile(path) == bytes) return ref;
+  const std::string folder = std::filesystem::path(path).parent_path();
   std::error_code error;
-  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
+  if (!std::filesystem::exists(folder, error)) std::filesystem::create_directories(folder, error);
   if (error) return absl::UnavailableError(fmt::format("{}: cannot make its folder: {}", path, error.message()));
   if (absl::Status status = runtime::WriteFileAtomically(path, bytes); !status.ok()) return status;
   return ref;
@@ -39,16 +53,12 @@ absl::StatusOr<v1::Artifact> ArtifactFiles::Get(const std::string& id) const {
         fmt::format("artifact_id: \"{}\" is not an id; expected 64 characters 0-9 and a-f", id.substr(0, 80)));
   }
   const std::string path = PathOf(id);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return absl::NotFoundError(fmt::format("artifact {}: not in this store", id));
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::optional<std::string> bytes = ReadFile(path);
+  if (!bytes.has_value()) return absl::NotFoundError(fmt::format("artifact {}: not in this store", id));
   v1::Artifact artifact;
-  if (!artifact.ParseFromString(bytes)) {
-    return absl::DataLossError(fmt::format("{}: damaged: its {} bytes are not an artifact", path, bytes.size()));
-  }
-  const std::string found = ComputeArtifactId(artifact);
-  if (found != id || artifact.id() != id) {
-    return absl::DataLossError(fmt::format("{}: damaged: its content has the id {}", path, found));
+  if (!AreBytesOf(*bytes, id) || !artifact.ParseFromString(*bytes)) {
+    return absl::DataLossError(
+        fmt::format("{}: damaged: its {} bytes are not those of the artifact with that id", path, bytes->size()));
   }
   return artifact;
 }

@@ -6,6 +6,29 @@
 #include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
+namespace {
+
+// The id comes first in an artifact's bytes, as field 1: a tag, its length, its characters. What it is the digest of
+// are the bytes after it.
+constexpr size_t kIdLength = 64;
+constexpr char kIdField[] = {(v1::Artifact::kIdFieldNumber << 3) | 2, kIdLength};
+static_assert(v1::Artifact::kIdFieldNumber == 1);
+
+std::string IdField(std::string_view id) { return std::string(kIdField, sizeof kIdField).append(id); }
+
+}  // namespace
+
+std::string SealArtifact(v1::Artifact& artifact) {
+  artifact.clear_id();
+  const std::string content = runtime::CanonicalBytes(artifact);
+  artifact.set_id(runtime::Sha256Hex(content));
+  return IdField(artifact.id()) + content;
+}
+
+bool AreBytesOf(std::string_view bytes, std::string_view id) {
+  const std::string field = IdField(id);
+  return bytes.starts_with(field) && runtime::Sha256Hex(bytes.substr(field.size())) == id;
+}
 
 std::string ComputeArtifactId(v1::Artifact artifact) {
   artifact.clear_id();

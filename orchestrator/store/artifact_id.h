@@ -12,6 +12,12 @@ namespace flair::orchestrator {
 // The id that belongs to the artifact's content and origin: SHA-256 of its canonical bytes with `id` empty.
 std::string ComputeArtifactId(v1::Artifact artifact);
 
+// Gives the artifact its id and returns its canonical bytes: ComputeArtifactId without doing anything twice.
+std::string SealArtifact(v1::Artifact& artifact);
+
+// True when these are the canonical bytes of the artifact with that id.
+bool AreBytesOf(std::string_view bytes, std::string_view id);
+
 // Which content it has; UNSPECIFIED when it has none.
 v1::ArtifactKind KindOf(const v1::Artifact& artifact);
 

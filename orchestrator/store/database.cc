@@ -171,14 +171,18 @@ absl::Status Database::Execute(const std::string& sql) {
   return code == SQLITE_OK ? absl::OkStatus() : ToStatus(connection_, code);
 }
 
+absl::Status Database::SetFlushedAtOnce(bool at_once) {
+  if (at_once == flushed_at_once_) return absl::OkStatus();
+  absl::Status status = Execute(at_once ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
+  if (status.ok()) flushed_at_once_ = at_once;
+  return status;
+}
+
 absl::StatusOr<Transaction> Transaction::Begin(Database& database, Durability durability) {
   std::unique_lock<std::recursive_mutex> lock = database.lock();
-  const bool full = durability == Durability::kPowerLoss;
-  if (absl::Status status = database.Execute(full ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
-      !status.ok()) {
-    return status;
-  }
-  if (absl::Status status = database.Execute("BEGIN IMMEDIATE"); !status.ok()) return status;
+  absl::Status status = database.SetFlushedAtOnce(durability == Durability::kPowerLoss);
+  if (status.ok()) status = database.Prepare("BEGIN IMMEDIATE").Run();
+  if (!status.ok()) return status;
   return Transaction(database, std::move(lock));
 }
 
@@ -190,7 +194,7 @@ Transaction::~Transaction() {
 }
 
 absl::Status Transaction::Commit() {
-  absl::Status status = database_->Execute("COMMIT");
+  absl::Status status = database_->Prepare("COMMIT").Run();
   if (!status.ok()) return status;
   database_ = nullptr;
   lock_.unlock();

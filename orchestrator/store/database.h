@@ -71,11 +71,14 @@ class Database {
 
  private:
   friend class Transaction;
+  // How much the transactions after it survive; cheap when nothing changes.
+  absl::Status SetFlushedAtOnce(bool at_once);
   explicit Database(sqlite3* connection) : connection_(connection) {}
   absl::Status Configure();
   absl::Status Migrate();
 
   sqlite3* connection_;
+  bool flushed_at_once_ = false;
   std::recursive_mutex mutex_;
   std::map<std::string, sqlite3_stmt*, std::less<>> statements_;
 };

@@ -99,6 +99,23 @@ TEST_F(Models, ARecordedDesignReplaysByteForByteWithoutANetwork) {
   ExpectSame("recorded", "alone");
 }
 
+TEST_F(Models, AJobRunsAgainFromRecordedAnswersAndNotWithoutAModel) {
+  std::string id;
+  {
+    ScriptedServer server(DesignScript());
+    const Finished run = Good("recorded", {"--llm", Config(server), "--record", Path("answers"), "--json"});
+    id = json::parse(run.out.substr(run.out.rfind('\n', run.out.size() - 2) + 1))["job_id"];
+  }
+  const Environment home = {{"FLAIR_HOME", Path("home_recorded")}};
+  const Finished again = RunProgram("flair", {"replay", id, "--replay", Path("answers")}, home);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("11 stages agree\n"));
+  const Finished handbook = RunProgram("flair", {"replay", id}, home);
+  EXPECT_EQ(handbook.exit_code, 7);
+  EXPECT_THAT(handbook.err, HasSubstr("was made by scripted-1; without --model, --llm or --replay it is made without"));
+  EXPECT_THAT(handbook.out, HasSubstr("producer.method: \"scripted-1\" -> \"handbook\"\n"));
+}
+
 TEST_F(Models, FiveProgramsThatReplayGiveTheSameBytesAsOne) {
   {
     ScriptedServer server(DesignScript());

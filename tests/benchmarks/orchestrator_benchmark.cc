@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the orchestrator itself costs a job: stages that answer at once with the artifacts of a real room, so that all
+// that is left is the store, the hashes, the events and the calls. Real time depends on the disk, which $TMPDIR
+// chooses.
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "optimizer_worker/constraints/registry.h"
+#include "orchestrator/pipeline/pipeline.h"
+#include "orchestrator/service/embedded_for_test.h"
+#include "orchestrator/service/fake_workers.h"
+#include "orchestrator/store/temporary_folder.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// Answers as the workers of one furnished room.
+class RecordedStages final : public StageClients {
+ public:
+  explicit RecordedStages(const std::string& folder) {
+    v1::Artifact artifact;
+    artifact.ParseFromString(Read(folder + "/layout.pb"));
+    layout_ = artifact.solved_layout();
+    graph_ = layout_.graph();
+    picture_ = Read(folder + "/plan.png");
+    *catalog_.mutable_catalog() = optimizer::MakeCatalog();
+  }
+
+  absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest&, Call&) override {
+    v1::DescribeRoomResponse response;
+    *response.mutable_room() = graph_.room();
+    return response;
+  }
+  absl::StatusOr<v1::PlanZonesResponse> PlanZones(const v1::PlanZonesRequest&, Call&) override {
+    v1::PlanZonesResponse response;
+    *response.mutable_zone_plan() = graph_.zone_plan();
+    return response;
+  }
+  absl::StatusOr<v1::ListObjectsResponse> ListObjects(const v1::ListObjectsRequest&, Call&) override {
+    v1::ListObjectsResponse response;
+    *response.mutable_object_list() = graph_.object_list();
+    return response;
+  }
+  absl::StatusOr<v1::ChooseStyleResponse> ChooseStyle(const v1::ChooseStyleRequest&, Call&) override {
+    v1::ChooseStyleResponse response;
+    *response.mutable_style_sheet() = graph_.style_sheet();
+    return response;
+  }
+  absl::StatusOr<v1::ListConstraintsResponse> ListConstraints(const v1::ListConstraintsRequest&, Call&) override {
+    v1::ListConstraintsResponse response;
+    *response.mutable_constraint_list() = graph_.constraint_list();
+    return response;
+  }
+  absl::StatusOr<v1::CleanConstraintsResponse> CleanConstraints(const v1::CleanConstraintsRequest&, Call&) override {
+    v1::CleanConstraintsResponse response;
+    *response.mutable_constraint_list() = graph_.constraint_list();
+    return response;
+  }
+  absl::StatusOr<v1::TranslateResponse> Translate(const v1::TranslateRequest&, Call&) override {
+    v1::TranslateResponse response;
+    *response.mutable_layout_graph() = graph_;
+    return response;
+  }
+  absl::StatusOr<v1::ListConstraintTypesResponse> ListConstraintTypes(const v1::ListConstraintTypesRequest&,
+                                                                      Call&) override {
+    return catalog_;
+  }
+  absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest&, Call&) override {
+    v1::SolveResponse response;
+    *response.mutable_solved_layout() = layout_;
+    return response;
+  }
+  absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest&, Call&) override {
+    v1::EvaluateResponse response;
+    *response.mutable_edge_outcomes() = layout_.edge_outcomes();
+    *response.mutable_metrics() = layout_.metrics();
+    return response;
+  }
+  absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest&, Call&) override {
+    v1::RenderResponse response;
+    v1::Preview& preview = *response.mutable_preview();
+    preview.set_view(v1::PREVIEW_VIEW_PLAN);
+    preview.set_format(v1::PREVIEW_FORMAT_PNG);
+    preview.set_width_px(1600);
+    preview.set_height_px(1200);
+    preview.set_image(picture_);
+    return response;
+  }
+  absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind, Call&) override { return "1"; }
+
+ private:
+  static std::string Read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  v1::SolvedLayout layout_;
+  v1::LayoutGraph graph_;
+  std::string picture_;
+  v1::ListConstraintTypesResponse catalog_;
+};
+
+v1::JobSpec SpecOf(int64_t number) {
+  v1::JobSpec spec;
+  spec.mutable_brief()->set_text("Room " + std::to_string(number));
+  return spec;
+}
+
+std::string DesignFolder() {
+  const char* folder = std::getenv("FLAIR_BENCH_DESIGN");
+  return folder == nullptr ? "out" : folder;
+}
+
+// The pipeline on its store, without gRPC and without waiting for a turn: the orchestrator's own work.
+void BM_JobInThePipeline(benchmark::State& state) {
+  TemporaryFolder folder;
+  RecordedStages stages(DesignFolder());
+  auto store = *JobStore::Open(folder.path());
+  const Pipeline pipeline(*store, stages, runtime::SystemClock(), {});
+  runtime::Cancellation cancellation;
+  int64_t number = 0;
+  for (auto _ : state) {
+    v1::Job job;
+    job.set_id(std::to_string(number));
+    *job.mutable_spec() = SpecOf(number++);
+    absl::Status status = store->jobs().Insert(job, "r" + job.id());
+    if (status.ok()) status = store->jobs().Claim(job.id(), store->owner()).status();
+    if (status.ok()) status = pipeline.Run(job, cancellation).status;
+    job.set_state(v1::JOB_STATE_SUCCEEDED);
+    if (status.ok()) status = store->jobs().End(job);
+    if (!status.ok()) state.SkipWithError(status.ToString().c_str());
+  }
+}
+BENCHMARK(BM_JobInThePipeline)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(300);
+
+// The whole of it in one process: a client that watches, the orchestrator, and the workers' side of every call.
+void BM_JobOverGrpc(benchmark::State& state) {
+  TemporaryFolder folder;
+  RecordedStages stages(DesignFolder());
+  FakeWorkers workers(stages);
+  config::v1::OrchestratorConfig config;
+  config.set_store_path(folder.path());
+  config.mutable_runtime()->set_log_level("error");
+  EmbeddedForTest orchestrator(config, workers.channels());
+  int64_t number = 0;
+  for (auto _ : state) {
+    const auto job = orchestrator.CreateJob(std::to_string(number), SpecOf(number));
+    ++number;
+    if (orchestrator.Watch(job->id()).back().state() != v1::JOB_STATE_SUCCEEDED) state.SkipWithError("the job failed");
+  }
+}
+BENCHMARK(BM_JobOverGrpc)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(300);
+
+}  // namespace
+}  // namespace flair::orchestrator
