@@ -2,6 +2,8 @@
 #include "cli/explain/call_words.h"
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -114,6 +116,20 @@ std::string Filled(std::string_view slot, const ConstraintFacts& facts, const Ar
   return std::string(bar == std::string_view::npos ? name : slot.substr(bar + 1));
 }
 
+// A text with what stands between `open` and `close` replaced.
+std::string WithSlots(std::string_view text, char open, char close,
+                      const std::function<std::string(std::string_view)>& value) {
+  std::string words;
+  for (size_t start = text.find(open); start != std::string_view::npos; start = text.find(open)) {
+    const size_t end = text.find(close, start + 1);
+    if (end == std::string_view::npos) break;
+    words += text.substr(0, start);
+    words += value(text.substr(start + 1, end - start - 1));
+    text.remove_prefix(end + 1);
+  }
+  return words + std::string(text);
+}
+
 struct ReadCall {
   const ConstraintFacts& facts;
   Arguments arguments;
@@ -131,17 +147,15 @@ std::optional<ReadCall> Read(const v1::ConstraintEdge& edge, const Scene& scene)
 
 std::string CallInWords(const v1::ConstraintEdge& edge, const Scene& scene) {
   const std::optional<ReadCall> call = Read(edge, scene);
-  const auto found = call ? Templates().find(call->facts.name) : Templates().end();
-  if (found == Templates().end()) return fmt::format("meets {}", edge.type());
-  std::string words;
-  std::string_view rest = found->second;
-  for (size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
-    const size_t close = rest.find('}', open);
-    words += rest.substr(0, open);
-    words += Filled(rest.substr(open + 1, close - open - 1), call->facts, call->arguments, scene);
-    rest.remove_prefix(close + 1);
-  }
-  return words + std::string(rest);
+  if (!call) return fmt::format("meets {}", edge.type());
+  const auto value = [&](std::string_view slot) { return Filled(slot, call->facts, call->arguments, scene); };
+  const auto found = Templates().find(call->facts.name);
+  if (found != Templates().end()) return WithSlots(found->second, '{', '}', value);
+  // A type without words of its own: "Daylight falls on `object`." becomes "is so that daylight falls on the desk".
+  std::string words = WithSlots(call->facts.summary, '`', '`', value);
+  if (words.ends_with('.')) words.pop_back();
+  if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
+  return "is so that " + words;
 }
 
 std::vector<int> SubjectsOf(const v1::ConstraintEdge& edge, const Scene& scene) {

@@ -48,13 +48,12 @@ std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished
   for (const auto find : {FindPlaceExplainer, FindPairExplainer, FindTertiaryExplainer}) {
     const Explainer explainer = find(facts->name);
     if (explainer == nullptr) continue;
-    const std::optional<Shortfall> shortfall = explainer(scope);
-    // Several small misses may add up to what none of them is.
-    if (shortfall) return shortfall;
-    return Worst(
-        {{fmt::format("what is asked of {} is missed by {:.2f} m", AllNamed(edge, where.scene), missed), missed, "m"}});
+    if (std::optional<Shortfall> shortfall = explainer(scope)) return shortfall;
   }
-  return std::nullopt;
+  if (facts->built_in) return std::nullopt;
+  // Several small misses may add up to what none of them is; and a new type has no words of its own.
+  return Worst(
+      {{fmt::format("what is asked of {} is missed by {:.2f} m", AllNamed(edge, where.scene), missed), missed, "m"}});
 }
 
 }  // namespace flair::optimizer

@@ -31,8 +31,9 @@ struct Furnished {
   const LinkedPairs* linked = nullptr;
 };
 
-// For a call that binds and whose objects all have poses. nullopt when its cost is 0, when no measure of it is off by
-// more than 1 mm or 0.1 degrees, and for types without words. Pure; safe to call from several threads.
+// For a call that binds and whose objects all have poses; in general terms for a type without words of its own. nullopt
+// when its cost is 0, when no measure of it is off by more than 1 mm or 0.1 degrees, and for whole-room terms. Pure;
+// safe to call from several threads.
 std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished& where);
 
 // "the desk"; "dining chair 2" when the scene has several of that name.
