@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
-#include "cli/exit_code.h"
 #include "cli/input/artifact_source.h"
 #include "cli/inspect/field.h"
 #include "cli/inspect/inspection.h"

@@ -8,6 +8,7 @@
 
 #include "absl/strings/ascii.h"
 #include "cli/embedded/embedded_services.h"
+#include "cli/input/message_text.h"
 #include "cli/input/message_words.h"
 #include "cli/output/artifact_text.h"
 #include "cli/session/orchestrator_shelf.h"
@@ -42,9 +43,7 @@ absl::StatusOr<FoundSource> FromShelf(const std::string& source, const std::stri
   FoundSource found;
   found.file.stated_id = artifact->id();
   found.file.whole = CheckArtifactId(*artifact, source);
-  const absl::Status good = Validate(*artifact, KindName(orchestrator::KindOf(*artifact)));
-  if (!good.ok())
-    found.file.good = absl::InvalidArgumentError(fmt::format("{}: {}", source, std::string(good.message())));
+  found.file.good = ListProblems(source, FindProblems(*artifact));
   found.file.artifact = *std::move(artifact);
   return found;
 }

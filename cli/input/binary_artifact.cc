@@ -8,7 +8,6 @@
 
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "cli/input/artifact_form.h"
 #include "fmt/format.h"
@@ -47,23 +46,24 @@ std::optional<size_t> MissingBytes(const std::string& bytes) {
 }
 
 // "layout_graph.edges[3], field 17" of the first part that this program does not know; empty when it knows all.
-std::string FindUnknown(const Message& message, const std::string& path) {
+std::string FindUnknown(const Message& message) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
   if (const auto& unknown = reflection.GetUnknownFields(message); !unknown.empty()) {
-    return fmt::format("{}field {}", path.empty() ? "" : path + ", ", unknown.field(0).number());
+    return fmt::format("field {}", unknown.field(0).number());
   }
-  std::vector<const FieldDescriptor*> fields;
-  reflection.ListFields(message, &fields);
-  for (const FieldDescriptor* field : fields) {
+  const google::protobuf::Descriptor& type = *message.GetDescriptor();
+  for (int k = 0; k < type.field_count(); ++k) {
+    const FieldDescriptor* field = type.field(k);
     if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) continue;
-    const std::string here = path.empty() ? field->name() : path + "." + field->name();
-    if (!field->is_repeated()) {
-      if (std::string found = FindUnknown(reflection.GetMessage(message, field), here); !found.empty()) return found;
-      continue;
-    }
-    for (int i = 0; i < reflection.FieldSize(message, field); ++i) {
-      const Message& item = reflection.GetRepeatedMessage(message, field, i);
-      if (std::string found = FindUnknown(item, ""); !found.empty()) return fmt::format("{}[{}], {}", here, i, found);
+    const bool is_list = field->is_repeated();
+    const int size = is_list ? reflection.FieldSize(message, field) : reflection.HasField(message, field) ? 1 : 0;
+    for (int i = 0; i < size; ++i) {
+      const Message& part =
+          is_list ? reflection.GetRepeatedMessage(message, field, i) : reflection.GetMessage(message, field);
+      const std::string found = FindUnknown(part);
+      if (found.empty()) continue;
+      const std::string here = is_list ? fmt::format("{}[{}]", field->name(), i) : field->name();
+      return fmt::format("{}{}{}", here, found.starts_with("field ") ? ", " : ".", found);
     }
   }
   return "";
@@ -102,7 +102,7 @@ absl::StatusOr<v1::Artifact> ParseBinaryArtifact(const std::string& name, const 
     return NoArtifact(name,
                       kind.empty() ? fmt::format("its {} bytes cannot be parsed", bytes.size()) : "it is " + kind);
   }
-  const std::string unknown = FindUnknown(artifact, "");
+  const std::string unknown = FindUnknown(artifact);
   if (!unknown.empty() && BytesHaveTheirId(bytes)) return Newer(name, artifact, unknown);
   if (begins_well && (!unknown.empty() || artifact.content_case() == v1::Artifact::CONTENT_NOT_SET)) {
     return Corrupt(name, bytes);

@@ -48,11 +48,6 @@ class SyntaxCheck : public nlohmann::json_sax<nlohmann::json> {
   std::string problem;
 };
 
-int LineAt(const std::string& text, size_t offset) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
-  return static_cast<int>(std::count(text.begin(), end, '\n')) + 1;
-}
-
 // What protobuf complains about: "(layout_graph.edges[0].weight): invalid value "x" for type TYPE_DOUBLE",
 // "(layout_graph) edge: Cannot find field.".
 struct Complaint {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/input/json_place.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -112,6 +113,11 @@ size_t FindJsonField(std::string_view json, const std::vector<PathStep>& path) {
     place = *inner;
   }
   return place < json.size() ? place : 0;
+}
+
+int LineAt(std::string_view text, size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  return static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
 }
 
 }  // namespace flair::cli

@@ -12,4 +12,7 @@ namespace flair::cli {
 // names may be those of the .proto files or in camel case. Looks once through what lies before; 0 for what is no JSON.
 size_t FindJsonField(std::string_view json, const std::vector<PathStep>& path);
 
+// The line of a byte, from 1 on.
+int LineAt(std::string_view text, size_t offset);
+
 }  // namespace flair::cli

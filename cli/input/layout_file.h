@@ -16,8 +16,8 @@ struct LayoutFile {
   std::optional<v1::Brief> brief;
 };
 
-// As ReadArtifact; INVALID_ARGUMENT when it holds no layout. A brief that lies beside it is only taken when the ids lead
-// to it.
+// As ReadArtifact; INVALID_ARGUMENT when it holds no layout. A brief that lies beside it is only taken when the ids
+// lead to it.
 absl::StatusOr<LayoutFile> ReadLayoutFile(const std::filesystem::path& path);
 
 // Writes where a picture or scene comes from into a RenderRequest or ExportSceneRequest, as the pipeline does: the same

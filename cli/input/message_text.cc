@@ -79,10 +79,7 @@ LineFinder FindInProtobufText(const std::string& text, const Message& message) {
 }
 
 LineFinder FindInJson(const std::string& text) {
-  return [&text](const std::vector<PathStep>& path) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(FindJsonField(text, path));
-    return static_cast<int>(std::count(text.begin(), end, '\n')) + 1;
-  };
+  return [&text](const std::vector<PathStep>& path) { return LineAt(text, FindJsonField(text, path)); };
 }
 
 absl::Status Join(const std::vector<std::string>& lines, size_t more) {

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr size_t kMostFiles = 1000;
 constexpr size_t kMostTexts = 50;
-constexpr uintmax_t kLargestText = 16u << 20;
+// Looking for a parent should take no longer than reading the artifact itself.
+constexpr uintmax_t kMostTextBytes = 2u << 20;
 
 // The regular files of a folder with one of the endings, sorted.
 std::vector<fs::path> FilesIn(const fs::path& folder, const std::vector<std::string>& endings, size_t most) {
@@ -67,9 +68,12 @@ std::optional<ArtifactFinder::Found> ArtifactFinder::FindInTexts(const std::stri
   if (path_.empty()) return std::nullopt;
   if (!edited_) {
     edited_.emplace();
+    uintmax_t read = 0;
     for (const fs::path& path : FilesIn(FolderOf(path_), {".json", ".textproto", ".txtpb", ".pbtxt"}, kMostTexts)) {
       std::error_code error;
-      if (fs::file_size(path, error) > kLargestText || error) continue;
+      const uintmax_t size = fs::file_size(path, error);
+      if (error || size > kMostTextBytes - read) continue;
+      read += size;
       absl::StatusOr<ArtifactFile> file = ReadArtifactFile(path);
       if (!file.ok() || !file->whole.ok()) continue;
       const std::string text_id = file->artifact.id();

@@ -12,7 +12,7 @@ namespace flair::cli {
 
 // Finds what an artifact was made from: in the folder of its file, then on a shelf. Only what has the id of its bytes
 // counts. Of a folder's .pb files the first bytes are read; its JSON and protobuf text files, which may be edited ones,
-// only when everything else fails.
+// only when everything else fails, and no more than two megabytes of them.
 class ArtifactFinder {
  public:
   // `path` of the artifact's file, empty when it has none; `shelf` must outlive the finder.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/input/message_words.h"
 #include "cli/inspect/call_text.h"
 #include "cli/inspect/columns.h"
 #include "cli/inspect/content_text.h"
@@ -156,7 +157,7 @@ std::string LayoutText(const v1::SolvedLayout& layout, const ContentStyle& style
     std::vector<std::string> costs;
     for (const v1::RunnerUp& other : layout.runner_ups()) costs.push_back(fmt::format("{:.4f}", other.cost()));
     text +=
-        fmt::format("{:<11}{} others nearly as good, of cost {}\n", "runner-ups", costs.size(), fmt::join(costs, ", "));
+        fmt::format("{:<11}{} others nearly as good, of cost {}\n", "runner-ups", costs.size(), ListNames(costs, 8));
   }
   text += PosesText(layout, style) + OffendersText(layout, style) + DroppedText(layout, style);
   if (!layout.contradictions().empty()) {

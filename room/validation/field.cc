@@ -57,7 +57,7 @@ std::string Field::path() const {
     if (steps_[i].index >= 0) {
       path += fmt::format("[{}]", steps_[i].index);
     } else {
-      path += fmt::format("{}{}", path.empty() ? "" : ".", steps_[i].name);
+      path += fmt::format("{}{}", path.empty() ? "" : ".", std::string_view(steps_[i].name, steps_[i].name_size));
     }
   }
   return path;

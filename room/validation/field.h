@@ -52,8 +52,10 @@ class Field {
  public:
   Field(Problems& problems, std::string path) : problems_(&problems), root_(std::move(path)) {}
 
-  Field operator[](int index) const { return Inner({.name = {}, .index = index}); }
-  Field operator[](std::string_view name) const { return Inner({.name = name, .index = -1}); }
+  Field operator[](int index) const { return Inner({.name = nullptr, .name_size = 0, .index = index}); }
+  Field operator[](std::string_view name) const {
+    return Inner({.name = name.data(), .name_size = name.size(), .index = -1});
+  }
   std::string path() const;
 
   // Reports "path: text" and returns false.
@@ -81,9 +83,10 @@ class Field {
   bool Enum(int value, bool is_valid) const;
 
  private:
-  // A name, or an item's index.
+  // A name, or an item's index. Takes no work to make: most fields are good and their steps never looked at.
   struct Step {
-    std::string_view name;
+    const char* name;
+    size_t name_size;
     int index;
   };
   Field Inner(Step step) const;

@@ -31,12 +31,13 @@ void CheckPlacements(const google::protobuf::RepeatedPtrField<v1::Placement>& pl
   NameSet seen;
   for (int i = 0; i < placements.size(); ++i) {
     const v1::Placement& placement = placements[i];
-    at[i]["object_id"].NewId(placement.object_id(), seen);
-    if (known.objects != nullptr) at[i]["object_id"].Refers(placement.object_id(), *known.objects, "an object");
-    at[i]["x_m"].InRange(placement.x_m(), kCoordinate);
-    at[i]["y_m"].InRange(placement.y_m(), kCoordinate);
-    at[i]["z_m"].InRange(placement.z_m(), kCoordinate);
-    at[i]["theta_rad"].InRange(placement.theta_rad(), kHeading);
+    const Field here = at[i];
+    here["object_id"].NewId(placement.object_id(), seen);
+    if (known.objects != nullptr) here["object_id"].Refers(placement.object_id(), *known.objects, "an object");
+    here["x_m"].InRange(placement.x_m(), kCoordinate);
+    here["y_m"].InRange(placement.y_m(), kCoordinate);
+    here["z_m"].InRange(placement.z_m(), kCoordinate);
+    here["theta_rad"].InRange(placement.theta_rad(), kHeading);
   }
 }
 
@@ -44,10 +45,11 @@ void CheckEdgeOutcomes(const google::protobuf::RepeatedPtrField<v1::EdgeOutcome>
                        const Field& at) {
   for (int i = 0; i < outcomes.size(); ++i) {
     const v1::EdgeOutcome& outcome = outcomes[i];
-    if (known.edges != nullptr) at[i]["edge_id"].Refers(outcome.edge_id(), *known.edges, "an edge");
-    at[i]["cost"].InRange(outcome.cost(), kCost);
-    at[i]["weighted_cost"].InRange(outcome.weighted_cost(), kCost);
-    at[i]["status"].Enum(outcome.status(), v1::OutcomeStatus_IsValid(outcome.status()));
+    const Field here = at[i];
+    if (known.edges != nullptr) here["edge_id"].Refers(outcome.edge_id(), *known.edges, "an edge");
+    here["cost"].InRange(outcome.cost(), kCost);
+    here["weighted_cost"].InRange(outcome.weighted_cost(), kCost);
+    here["status"].Enum(outcome.status(), v1::OutcomeStatus_IsValid(outcome.status()));
   }
 }
 

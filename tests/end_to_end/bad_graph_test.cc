@@ -171,11 +171,17 @@ TEST_F(GraphFile, CutOffOrNestedWithoutEndIsNoArtifact) {
   const std::string good = cli::GraphArtifactBytes(Bedroom(), "test", "");
   std::string nested;
   for (int i = 0; i < 100000; ++i) nested += "{\"layoutGraph\":";
-  for (const std::string& bytes : {good.substr(0, 1), good.substr(0, good.size() / 2), good.substr(0, good.size() - 1),
-                                   nested, std::string(1000, '\0'), std::string()}) {
+  const std::tuple<std::string, int, const char*> files[] = {
+      {good.substr(0, 1), cli::kExitCorrupt, "not a Flair artifact"},
+      {good.substr(0, good.size() / 2), cli::kExitCorrupt, "corrupt: cut off"},
+      {good.substr(0, good.size() - 1), cli::kExitCorrupt, "corrupt: cut off after"},
+      {nested, cli::kExitBadInput, ":1: "},
+      {std::string(1000, '\0'), cli::kExitCorrupt, "not a Flair artifact"},
+      {"", cli::kExitCorrupt, "the file is empty"}};
+  for (const auto& [bytes, code, words] : files) {
     const Finished run = Solve(bytes);
-    EXPECT_EQ(run.exit_code, cli::kExitCorrupt) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("not a Flair artifact"));
+    EXPECT_EQ(run.exit_code, code) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(words));
     EXPECT_FALSE(Written());
   }
 }

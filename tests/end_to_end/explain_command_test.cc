@@ -119,7 +119,7 @@ TEST_F(ExplainCommand, SaysWhatIsWrongAndWhatWouldBeRight) {
   WriteAll(Path("bent.pb"), bytes);
   fails({"explain", Path("bent.pb")}, 5, "bent.pb");
   WriteAll(Path("words.textproto"), "solved_layout { graph { nonsense: 1 } }");
-  fails({"explain", Path("words.textproto")}, 5, "words.textproto");
+  fails({"explain", Path("words.textproto")}, 2, "words.textproto:1: column 33: ");
 }
 
 }  // namespace

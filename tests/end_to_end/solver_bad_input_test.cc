@@ -124,7 +124,7 @@ TEST_F(SolverBadInput, Solve) {
     ExpectRefused(arguments, exit_code, message);
   };
   refused({"@nothing.pb"}, cli::kExitBadInput, "@nothing.pb: no such file");
-  refused({"@text.json"}, cli::kExitCorrupt, "@text.json: not a Flair artifact");
+  refused({"@text.json"}, cli::kExitBadInput, "@text.json:2: syntax error");
   refused({"@hall.json"}, cli::kExitBadInput,
           "@hall.json: a recorded FlairGPT problem, no artifact; first: flair import");
   refused({"@layout.pb"}, cli::kExitBadInput, "@layout.pb: not a graph");
@@ -138,7 +138,7 @@ TEST_F(SolverBadInput, Solve) {
   refused({"@graph.pb", "--out", "@new.pb", "--lambda", "zone=nan"}, cli::kExitBadInput,
           "--lambda: zone=nan: should be");
   refused({"@graph.pb", "--out", "@new.pb", "--options", "@options.txt"}, cli::kExitBadInput,
-          "--options: @options.txt: line 2, column 9: ");
+          "--options: @options.txt:2: column 9: ");
   refused({"@graph.pb", "--out", "@new.pb", "--options", "@nothing.txt"}, cli::kExitBadInput,
           "--options: @nothing.txt: no such file");
   refused({"@graph.pb", "--out", "@new.pb", "--optimizer", "127.0.0.1:1"}, cli::kExitUnreachable,
@@ -162,7 +162,7 @@ TEST_F(SolverBadInput, Resolve) {
   edit("edge hug object=floor_0", "no constraint type \"hug\"");
   ExpectRefused({"resolve", "@layout.pb", "--out", "@new.pb"}, cli::kExitBadInput, "no edits; give --edit");
   ExpectRefused({"resolve", "@layout.pb", "--edits", "@edits.txt", "--out", "@new.pb"}, cli::kExitBadInput,
-                "--edits: @edits.txt: line 1, column 12: ");
+                "--edits: @edits.txt:1: column 12: ");
   ExpectRefused({"resolve", "@graph.pb", "--edit", "pin floor_0", "--out", "@new.pb"}, cli::kExitBadInput,
                 "@graph.pb: not a layout");
   ExpectRefused({"resolve", "@nothing.pb", "--edit", "pin floor_0", "--out", "@new.pb"}, cli::kExitBadInput,
@@ -177,7 +177,7 @@ TEST_F(SolverBadInput, Export) {
   };
   refused("@graph.pb", "@new.json", cli::kExitBadInput, "@graph.pb: not a layout");
   refused("@nothing.pb", "@new.json", cli::kExitBadInput, "@nothing.pb: no such file");
-  refused("@text.json", "@new.json", cli::kExitCorrupt, "@text.json: not a Flair artifact");
+  refused("@text.json", "@new.json", cli::kExitBadInput, "@text.json:2: syntax error");
   refused("@layout.pb", "/proc/flair/new.json", cli::kExitFiles, "/proc");
 }
 

@@ -57,7 +57,7 @@ void SelectField(std::string_view bytes) {
   const absl::StatusOr<cli::FieldView> view = cli::FindField(graph, std::string(bytes));
   if (!view.ok()) {
     Require(absl::IsInvalidArgument(view.status()), "a wrong path is INVALID_ARGUMENT");
-    Require(std::string(view.status().message()).starts_with("--field "), "a refusal names what was given");
+    Require(std::string(view.status().message()).starts_with("--field"), "a refusal names what was given");
     return;
   }
   Require(view->parent != nullptr && view->field != nullptr, "a path leads to a field");

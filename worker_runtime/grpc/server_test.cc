@@ -12,6 +12,7 @@
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/files/sha256.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/in_process_server.h"
@@ -207,6 +208,34 @@ TEST(Server, SaysWhichProgramAndRevisionItIs) {
   const auto answer = UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call);
   EXPECT_EQ(answer->program(), "flair-test");
   EXPECT_THAT(answer->revision(), ::testing::MatchesRegex("[0-9a-f]+/handbook 3"));
+}
+
+// A server whose answers come from the data of that revision; what it signs with and what it says of itself.
+std::pair<v1::Producer, v1::GetWorkerResponse> SignedWith(const std::string& revision) {
+  auto server = InProcessServer::Start("flair-test", SmallConfig(), v1::OptimizerService::service_full_name(),
+                                       [&](WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
+                                         context.revision = revision;
+                                         context.build = "1-gabc";
+                                         return std::make_unique<TestService>(context, [](const auto&, CallContext&) {
+                                           v1::SolveResponse response;
+                                           response.mutable_producer()->set_method("slsqp");
+                                           return response;
+                                         });
+                                       });
+  CallContext call;
+  const auto stub = v1::WorkerService::NewStub((*server)->channel());
+  return {Solve((*server)->channel(), call)->producer(),
+          *UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call)};
+}
+
+TEST(Server, AnswersAreSignedWithBuildAndConfiguration) {
+  const auto [producer, worker] = SignedWith("handbook 3");
+  EXPECT_EQ(producer.method(), "slsqp");
+  EXPECT_EQ(producer.build(), "1-gabc");
+  EXPECT_EQ(producer.configuration_digest(), Sha256Hex("handbook 3"));
+  EXPECT_EQ(worker.configuration_digest(), producer.configuration_digest());
+  EXPECT_NE(SignedWith("handbook 4").first.configuration_digest(), producer.configuration_digest());
+  EXPECT_EQ(SignedWith("").first.configuration_digest(), "");
 }
 
 TEST_F(ListeningServer, RefusesAPortThatIsTaken) {
