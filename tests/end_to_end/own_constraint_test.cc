@@ -2,13 +2,17 @@
 // docs/add-a-constraint.md as a stranger follows it: what it shows is in the example's files, and its commands work.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <cstdlib>
 #include <set>
 #include <sstream>
 
-#include "fmt/format.h"
+#include "cli/explain/call_words.h"
 #include "nlohmann/json.hpp"
+#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/explain/explain.h"
+#include "room/text_format/scene_text.h"
 #include "tests/fixtures/programs.h"
 #include "tests/fixtures/scripted_model.h"
 
@@ -55,6 +59,18 @@ TEST(AddAConstraint, EveryBlockOfThePageIsInAFileOfTheExample) {
     languages.insert(block.language);
   }
   EXPECT_THAT(languages, ::testing::IsSupersetOf({"cpp", "cmake", "json", "sh", "textproto"}));
+}
+
+// This test has the example's library.
+TEST(AddAConstraint, ATypeWithoutWordsIsToldByItsSummaryAndByHowMuchItIsMissed) {
+  const absl::StatusOr<SceneText> text = ParseScene("4x3 room; window south 1 1; desk 1.2x0.6 at 1.5,1.2,0");
+  ASSERT_TRUE(text.ok()) << text.status();
+  const v1::ConstraintEdge edge = optimizer::EdgeFromText("daylight_from_side", "object=desk");
+  EXPECT_EQ(cli::CallInWords(edge, text->scene),
+            "is so that daylight falls on the desk from its left or right: one of these sides is before a window");
+  const auto shortfall = optimizer::Explain(edge, {text->scene, text->layout, text->zone_centers});
+  ASSERT_TRUE(shortfall.has_value());
+  EXPECT_EQ(shortfall->sentence, "what is asked of the desk is missed by 0.87 m");
 }
 
 class OwnConstraint : public ::testing::Test {
@@ -124,6 +140,18 @@ TEST_F(OwnConstraint, AModelLearnsItFromTheCatalogueAndCallsIt) {
   EXPECT_THAT(asked[0].body, HasSubstr("daylight_from_side"));
   EXPECT_THAT(asked[0].body, HasSubstr("Daylight falls on"));
   EXPECT_EQ(OutcomeOf(Read("bedroom/layout.pb"), "daylight_from_side")["status"], "OUTCOME_STATUS_SATISFIED");
+}
+
+TEST_F(OwnConstraint, AnOptimizerWithoutItTakesNoHelpFromOneThatHasIt) {
+  ServerProgram driver("flair-optimizer",
+                       "runtime { listen_address: \"127.0.0.1:0\" log_level: \"warning\" }\npeer_addresses: \"" +
+                           optimizer_.address() + "\"\n",
+                       folder_.path());
+  const Finished design = Flair({"design", "A bedroom that is 3m x 4m.", "--restarts", "96", "--optimizer",
+                                 driver.address(), "--out", folder_ / "bedroom", "--quiet"});
+  EXPECT_EQ(design.exit_code, 0) << design.err;
+  driver.process().Signal(SIGTERM);
+  EXPECT_THAT(driver.process().Wait().err, HasSubstr("it is flair-optimizer-example slsqp 1, build "));
 }
 
 }  // namespace
