@@ -16,7 +16,8 @@ from programs import SOURCE, Program, example, flair
 class Contract(unittest.TestCase):
     def keeps(self, stage: str, server: Program) -> None:
         with tempfile.TemporaryDirectory() as home, server:
-            result = flair("contract", stage, "--target", server.address, home=Path(home))
+            # Other tests run beside this one: slow is not broken.
+            result = flair("contract", stage, "--target", server.address, "--patience", "120", home=Path(home))
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             self.assertNotIn("Traceback", server.errors())
 
