@@ -7,6 +7,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/compare/trial_text.h"
+#include "cli/embedded/remote_stage.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_source.h"
 #include "cli/input/design_folders.h"
@@ -48,7 +49,7 @@ absl::StatusOr<Contest> Run(const CompareArguments& arguments, const std::string
   request.set_request_id("flair-compare");
   *request.mutable_layout_graph() = graph;
   *request.mutable_options() = options;
-  Contest contest{.name = name, .graph = graph};
+  Contest contest{.name = name, .graph = graph, .seed = options.seed()};
   for (const std::string& optimizer : arguments.optimizers) {
     const SlowNote note(fmt::format("{}: {}", name, optimizer));
     absl::StatusOr<Trial> trial = RunTrial(request, AddressOf(optimizer));
@@ -145,6 +146,11 @@ absl::Status Compare(const CompareArguments& arguments) {
   }
   const absl::StatusOr<v1::SolveOptions> options = ReadSolveFlags(arguments.solve);
   if (!options.ok()) return options.status();
+  // All must be there before the first begins to work.
+  for (const std::string& optimizer : arguments.optimizers) {
+    if (AddressOf(optimizer).empty()) continue;
+    if (absl::Status status = ConnectToStage(kOptimizerStage, optimizer).status(); !status.ok()) return status;
+  }
   const bool is_folder = fs::is_directory(arguments.graph);
   if (!arguments.picture.empty()) {
     if (is_folder) {

@@ -22,7 +22,7 @@ struct Trial {
   // With our verdicts, costs and measures in place of its own; edges of types that we do not know keep its.
   v1::SolvedLayout layout;
   v1::Producer producer;
-  std::vector<Verdict> verdicts;  // one per edge of the graph
+  std::vector<Verdict> verdicts = {};  // one per edge of the graph
   int held_count = 0;
   int claimed_count = 0;  // edges that it says hold
   int unknown_count = 0;  // edges whose type we do not know

@@ -55,9 +55,6 @@ std::string FigureLines(const Contest& contest, const TextTable& table) {
     for (const v1::StageOutcome& stage : trial.layout.stage_outcomes()) restarts += stage.restart_count();
     return fmt::format("{}", restarts);
   });
-  row("seed", [](const Trial& trial) {
-    return trial.layout.stage_outcomes().empty() ? "-" : fmt::format("{}", trial.layout.stage_outcomes(0).seed());
-  });
   return text;
 }
 
@@ -89,8 +86,8 @@ std::string VerdictLines(const Contest& contest, const TextTable& table, bool al
 std::string LetterOf(size_t optimizer) { return std::string(1, static_cast<char>('A' + optimizer)); }
 
 std::string ContestText(const Contest& contest, const std::vector<std::string>& optimizers, bool all) {
-  std::string text = fmt::format("{}: {} objects, {} constraints\n", contest.name,
-                                 contest.graph.object_list().objects_size(), contest.graph.edges_size());
+  std::string text = fmt::format("{}: {} objects, {} constraints, seed {}\n", contest.name,
+                                 contest.graph.object_list().objects_size(), contest.graph.edges_size(), contest.seed);
   for (size_t i = 0; i < optimizers.size(); ++i) {
     const v1::Producer& producer = contest.trials[i].producer;
     text += fmt::format("  {}  {}: {} {} {}\n", LetterOf(i), optimizers[i], producer.program(), producer.method(),
@@ -134,7 +131,7 @@ std::string ContestsTable(const std::vector<Contest>& contests, const std::vecto
 }
 
 nlohmann::json ContestJson(const Contest& contest, const std::vector<std::string>& optimizers) {
-  nlohmann::json json = {{"graph", contest.name}, {"optimizers", nlohmann::json::array()}};
+  nlohmann::json json = {{"graph", contest.name}, {"seed", contest.seed}, {"optimizers", nlohmann::json::array()}};
   for (size_t i = 0; i < optimizers.size(); ++i) {
     const Trial& trial = contest.trials[i];
     nlohmann::json one = {{"optimizer", optimizers[i]},          {"program", trial.producer.program()},

@@ -14,7 +14,8 @@ namespace flair::cli {
 struct Contest {
   std::string name;  // of the graph
   v1::LayoutGraph graph;
-  std::vector<Trial> trials;  // one per optimizer, in their order
+  int64_t seed = 0;                // that all were given
+  std::vector<Trial> trials = {};  // one per optimizer, in their order
 };
 
 // Figures and verdicts side by side. With `all`, also the constraints that hold with every optimizer.

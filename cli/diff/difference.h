@@ -23,9 +23,9 @@ struct Change {
 // Things of one sort.
 struct Section {
   std::string title;  // such as "objects"
-  std::vector<Change> changes;
+  std::vector<Change> changes = {};
   int same_count = 0;
-  std::string note;  // about the whole; may be empty
+  std::string note = {};  // about the whole; may be empty
 };
 
 // What became of an object: ids in A and B (empty where it is not), and whether and how that shows on a plan.
@@ -39,8 +39,8 @@ struct Difference {
   v1::ArtifactKind kind = v1::ARTIFACT_KIND_UNSPECIFIED;
   bool content_is_same = false;  // byte for byte
   bool origin_is_same = false;   // producer, options and ids of what it was made from
-  std::vector<Section> sections;
-  std::vector<ObjectFate> fates;  // layouts: of the objects that are not where and what they were, in A's order
+  std::vector<Section> sections = {};
+  std::vector<ObjectFate> fates = {};  // layouts: of the objects that are not where and what they were, in A's order
 
   bool IsEmpty() const;
 };

@@ -14,7 +14,7 @@ namespace flair::cli {
 struct DiagramCall {
   v1::OutcomeStatus status = v1::OUTCOME_STATUS_UNSPECIFIED;  // UNSPECIFIED: not solved
   std::string words;                                          // such as "next to", with by how much it is missed
-  std::string tooltip;                                        // the sentence, the call, the reason
+  std::string tooltip = {};                                   // the sentence, the call, the reason
 };
 
 enum class DiagramKind { kObject, kWall, kDoor, kWindow, kSocket, kRoom };
@@ -24,8 +24,8 @@ struct DiagramNode {
   std::string name;
   std::string facts;  // one line: size, ids
   DiagramKind kind = DiagramKind::kObject;
-  int zone = -1;                  // index in Diagram::zones; -1: of the whole room
-  std::vector<DiagramCall> rows;  // calls about it alone
+  int zone = -1;                       // index in Diagram::zones; -1: of the whole room
+  std::vector<DiagramCall> rows = {};  // calls about it alone
 };
 
 // All calls between the same two nodes.

@@ -20,8 +20,8 @@ struct PlanChange {
   int number = 0;  // on the sheet, from 1
   std::string name;
   std::string words;
-  std::optional<PlanObject> before;
-  std::optional<PlanObject> after;
+  std::optional<PlanObject> before = {};
+  std::optional<PlanObject> after = {};
 };
 
 // One plan of the sheet.
@@ -35,7 +35,7 @@ struct ComparisonPanel {
 
 struct Comparison {
   std::string title;
-  std::vector<ComparisonPanel> panels;
+  std::vector<ComparisonPanel> panels = {};
   int change_count = 0;
 };
 
