@@ -24,9 +24,9 @@ class Program:
             if line.startswith("listening on "):
                 self.address = line.removeprefix("listening on ").strip()
                 return self
-        self.process.wait()
-        self.process.stdout.close()
-        raise AssertionError(f"{self._command[0]} did not start: {self.errors()}")
+        reason = self.errors()
+        self.__exit__()
+        raise AssertionError(f"{self._command[0]} did not start: {reason}")
 
     def __exit__(self, *_: object) -> None:
         self.process.terminate()
