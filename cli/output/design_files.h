@@ -10,6 +10,9 @@
 
 namespace flair::cli {
 
+// The file of a job's picture: "plan.png", "birdseye.exr".
+std::string PictureName(const v1::Preview& preview);
+
 // Every file that it may hold.
 std::vector<std::string> DesignFileNames();
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/output/design_files.h"
 #include "cli/output/models_text.h"
 #include "fmt/format.h"
 
@@ -28,7 +29,7 @@ double Seconds(const google::protobuf::Duration& duration) {
   return static_cast<double>(duration.seconds()) + 1e-9 * duration.nanos();
 }
 
-std::string Heading(const v1::Room& room, const v1::Brief& brief) {
+std::string Heading(const v1::Room& room, const v1::Brief& brief, const v1::Preview& preview) {
   const std::string title = room.title().empty() ? brief.text() : room.title();
   double width = 0, depth = 0;
   for (const v1::Point2& p : room.floor().vertices()) {
@@ -36,8 +37,8 @@ std::string Heading(const v1::Room& room, const v1::Brief& brief) {
     depth = std::max(depth, p.y_m());
   }
   return fmt::format(
-      "# {}\n\nAsked for: \"{}\" (seed {}).\n\nA {} of {:.4g} m x {:.4g} m, {:.4g} m high.\n\n![plan](plan.png)\n",
-      title, Cell(brief.text()), brief.seed(), room.room_type(), width, depth, room.height_m());
+      "# {}\n\nAsked for: \"{}\" (seed {}).\n\nA {} of {:.4g} m x {:.4g} m, {:.4g} m high.\n\n![plan]({})\n", title,
+      Cell(brief.text()), brief.seed(), room.room_type(), width, depth, room.height_m(), PictureName(preview));
 }
 
 std::string Verdict(const v1::Report& report, const v1::SolvedLayout& layout) {
@@ -178,7 +179,8 @@ std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   const v1::StyleSheet& style = Get(artifacts, v1::ARTIFACT_KIND_STYLE_SHEET).style_sheet();
   const v1::ConstraintList& constraints = Get(artifacts, v1::ARTIFACT_KIND_CONSTRAINT_LIST).constraint_list();
   const v1::Report& report = Get(artifacts, v1::ARTIFACT_KIND_REPORT).report();
-  std::string text = Heading(layout.graph().room(), Get(artifacts, v1::ARTIFACT_KIND_BRIEF).brief());
+  std::string text = Heading(layout.graph().room(), Get(artifacts, v1::ARTIFACT_KIND_BRIEF).brief(),
+                             Get(artifacts, v1::ARTIFACT_KIND_PREVIEW).preview());
   if (!style.summary().empty()) text += fmt::format("\nStyle: {}. {}\n", style.name(), style.summary());
   text += LeftOutText(layout.graph().object_list());
   text += Verdict(report, layout);

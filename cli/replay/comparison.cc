@@ -45,7 +45,8 @@ std::optional<FieldDifference> ContentDifference(const v1::Artifact& first, cons
   return FirstDifference(ContentOf(first), ContentOf(second));
 }
 
-std::vector<FieldDifference> OriginDifferences(const v1::Artifact& first, const v1::Artifact& second) {
+// Other options that were asked for are no cause to tell of.
+std::vector<FieldDifference> OriginDifferences(const v1::Artifact& first, const v1::Artifact& second, bool asked) {
   std::vector<FieldDifference> differences;
   const google::protobuf::Descriptor& producer = *v1::Producer::descriptor();
   for (int i = 0; i < producer.field_count(); ++i) {
@@ -62,7 +63,7 @@ std::vector<FieldDifference> OriginDifferences(const v1::Artifact& first, const 
   v1::Artifact one;
   v1::Artifact other;
   one.set_options_digest(first.options_digest());
-  other.set_options_digest(second.options_digest());
+  other.set_options_digest(asked ? first.options_digest() : second.options_digest());
   if (auto found = FirstDifference(one, other); found.has_value()) differences.push_back(*std::move(found));
   one.Clear();
   other.Clear();
@@ -76,7 +77,7 @@ std::vector<FieldDifference> OriginDifferences(const v1::Artifact& first, const 
 void CompareArtifacts(const v1::Artifact& first, const v1::Artifact& second, StageComparison& stage) {
   const v1::Artifact one = OfAnyJob(first);
   const v1::Artifact other = OfAnyJob(second);
-  stage.origin = OriginDifferences(one, other);
+  stage.origin = OriginDifferences(one, other, stage.asked);
   stage.content = ContentDifference(one, other);
   if (stage.content.has_value()) {
     stage.agreement = Agreement::kDiffers;

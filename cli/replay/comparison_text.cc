@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "absl/strings/str_join.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 
@@ -58,8 +59,6 @@ std::string LikelyCause(const StageComparison& stage) {
   return "; by the same program, build and configuration: it does not repeat itself";
 }
 
-std::string Counted(size_t count) { return fmt::format("{} stage{}", count, count == 1 ? "" : "s"); }
-
 nlohmann::json ToJson(const FieldDifference& difference) {
   return {{"path", difference.path},
           {"first", difference.first},
@@ -86,22 +85,22 @@ std::string ComparisonTable(const std::vector<StageComparison>& stages) {
 
 std::string ComparisonSummary(const std::vector<StageComparison>& stages) {
   const auto count = [&](Agreement agreement) {
-    return static_cast<size_t>(std::ranges::count(stages, agreement, &StageComparison::agreement));
+    return static_cast<int>(std::ranges::count(stages, agreement, &StageComparison::agreement));
   };
-  const size_t asked = static_cast<size_t>(std::ranges::count_if(
+  const auto asked = static_cast<int>(std::ranges::count_if(
       stages, [](const StageComparison& s) { return s.asked && s.agreement == Agreement::kDiffers; }));
-  std::string summary =
-      fmt::format("{} agree{}", Counted(count(Agreement::kSameBytes)), count(Agreement::kSameBytes) == 1 ? "s" : "");
-  if (const size_t same = count(Agreement::kSameContent); same > 0) {
-    summary += fmt::format(", {} in content", same);
+  const auto parted = static_cast<int>(std::ranges::count_if(stages, &StageComparison::Parts));
+  const int same = count(Agreement::kSameBytes);
+  std::vector<std::string> parts;
+  if (same > 0) parts.push_back(fmt::format("{} stage{} agree{}", same, same == 1 ? "" : "s", same == 1 ? "s" : ""));
+  if (const int n = count(Agreement::kSameContent); n > 0) parts.push_back(fmt::format("{} in content", n));
+  if (const int n = count(Agreement::kTaken); n > 0) parts.push_back(fmt::format("{} taken", n));
+  if (asked > 0) parts.push_back(fmt::format("{} differ{} as asked", asked, asked == 1 ? "s" : ""));
+  if (const StageComparison* part = FirstToPart(stages); part != nullptr) {
+    parts.push_back(
+        fmt::format("{} differ{}, first \"{}\"{}", parted, parted == 1 ? "s" : "", part->stage, LikelyCause(*part)));
   }
-  if (const size_t taken = count(Agreement::kTaken); taken > 0) summary += fmt::format(", {} taken", taken);
-  if (asked > 0) summary += fmt::format(", {} differ{} as asked", asked, asked == 1 ? "s" : "");
-  const StageComparison* part = FirstToPart(stages);
-  if (part == nullptr) return summary;
-  const size_t parted = static_cast<size_t>(std::ranges::count_if(stages, &StageComparison::Parts));
-  return fmt::format("{}, {} differ{}, first \"{}\"{}", summary, parted, parted == 1 ? "s" : "", part->stage,
-                     LikelyCause(*part));
+  return absl::StrJoin(parts, ", ");
 }
 
 std::string ComparisonJson(const std::vector<StageComparison>& stages, const std::string& first_id,
