@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the Python package `flair` in a folder: the code beside this script and what protoc makes of the protos.
 
-    python3 clients/python/generate.py /tmp/flair_python && export PYTHONPATH=/tmp/flair_python
+    python3 clients/python/generate.py FOLDER && export PYTHONPATH=FOLDER
 
 Needs protoc, grpc_python_plugin and the protos of gRPC's own services (Debian: protobuf-compiler,
 protobuf-compiler-grpc, grpc-proto). Uses the standard library only: pip runs it where nothing else is installed.
