@@ -43,19 +43,21 @@ void TraceBow(Canvas& canvas, const Bow& bow) {
   canvas.CurveTo(bow.from * (1 / 3.0) + bow.bend * (2 / 3.0), bow.to * (1 / 3.0) + bow.bend * (2 / 3.0), bow.to);
 }
 
+// What holds is a faint net behind what does not: only that is cut free of what lies below it.
 void DrawEdge(Canvas& canvas, const PlanEdge& edge, const std::vector<Bow>& bows, Point first) {
   const Stroke stroke = VerdictStroke(edge.status);
+  const bool violated = edge.status == v1::OUTCOME_STATUS_VIOLATED;
   for (const Bow& bow : bows) {
     TraceBow(canvas, bow);
-    canvas.Draw({kWhite, stroke.width_mm + 0.5, 0.75}, true);
+    if (violated) canvas.Draw({kWhite, stroke.width_mm + 0.5, 0.75}, true);
     canvas.Draw(stroke);
-    canvas.Ellipse(bow.to, 0.6, 0.6);
-    canvas.Fill(stroke.colour);
+    canvas.Ellipse(bow.to, violated ? 0.6 : 0.45, violated ? 0.6 : 0.45);
+    canvas.Fill(stroke.colour, stroke.alpha);
   }
   // About one thing alone: a ring.
   canvas.Ellipse(first, bows.empty() ? 1.6 : 0.9, bows.empty() ? 1.6 : 0.9);
-  canvas.Draw({kWhite, stroke.width_mm + 0.5, 0.75}, true);
-  canvas.Draw({stroke.colour, stroke.width_mm});
+  if (violated) canvas.Draw({kWhite, stroke.width_mm + 0.5, 0.75}, true);
+  canvas.Draw({stroke.colour, stroke.width_mm, stroke.alpha});
 }
 
 }  // namespace
@@ -63,11 +65,11 @@ void DrawEdge(Canvas& canvas, const PlanEdge& edge, const std::vector<Bow>& bows
 Stroke VerdictStroke(v1::OutcomeStatus status) {
   switch (status) {
     case v1::OUTCOME_STATUS_SATISFIED:
-      return {Hex(0x2E8B4F), 0.3};
+      return {Hex(0x74B48B), 0.25};
     case v1::OUTCOME_STATUS_VIOLATED:
-      return {Hex(0xC62F26), 0.5};
+      return {Hex(0xC62F26), 0.55};
     default:
-      return {Hex(0x86827C), 0.3, 1, Dash::kDashed};
+      return {Hex(0xA19D97), 0.25, 1, Dash::kDashed};
   }
 }
 

@@ -159,7 +159,7 @@ TEST(Sheet, RoomsFromOneAndAHalfMetresToAHundredFitSomeScale) {
       EXPECT_GE(drawn->scale, before);
       before = drawn->scale;
     }
-    EXPECT_GE(before, 500);
+    EXPECT_GE(before, 400);
   }
   v1::SolvedLayout huge = EmptyRoom();
   huge.mutable_graph()->mutable_room()->mutable_floor()->mutable_vertices(1)->set_x_m(9000);

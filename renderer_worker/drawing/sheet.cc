@@ -12,7 +12,8 @@
 namespace flair::renderer {
 namespace {
 
-constexpr int kScales[] = {10, 20, 25, 50, 75, 100, 200, 250, 500, 1000};
+// Those of architects' triangular rules: the steps between them leave no more than a quarter of the paper empty.
+constexpr int kScales[] = {10, 20, 25, 30, 40, 50, 75, 100, 125, 200, 250, 300, 400, 500, 1000};
 constexpr int kLargestScale = 5, kSmallestScale = 1000;
 constexpr double kEndRoomMm = 10;  // text beyond the end of a dimension line
 constexpr double kTextRoomMm = 5;  // text beyond the outermost dimension line

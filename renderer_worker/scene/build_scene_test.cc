@@ -111,6 +111,16 @@ TEST(BuildScene, ThePerspectiveEyeStandsAtEyeHeightAndInNoPiece) {
   }
 }
 
+TEST(RoomShape, TheWayInEndsAtTheInsideOfTheWall) {
+  const v1::SolvedLayout layout = EmptyRoom(4, 3);
+  const RoomShape shape = *ShapeOf(layout.graph().room());
+  EXPECT_EQ(WayIn(shape, {1, 1, 1}, {0, 1, 0}), 0);
+  EXPECT_NEAR(WayIn(shape, {1, -2, 1}, {0, 1, 0}), 2, 1e-5);
+  EXPECT_NEAR(WayIn(shape, {5, -1, 1}, Normalized(Vec3{-1, 1, 0})), std::sqrt(2), 1e-5);
+  EXPECT_TRUE(std::isinf(WayIn(shape, {1, -2, 1}, {1, 0, 0})));
+  EXPECT_TRUE(std::isinf(WayIn(shape, {1, -2, 1}, Normalized(Vec3{0, 1, 2}))));  // over the ceiling
+}
+
 TEST(BuildScene, NamesWhatCannotBeShown) {
   v1::SolvedLayout layout = EmptyRoom(3, 3);
   AddObject(layout, "desk", std::numeric_limits<double>::quiet_NaN(), 1, 0);

@@ -9,7 +9,7 @@
 namespace flair::renderer {
 
 // Raise whenever equal requests would give another picture.
-inline constexpr char kPlanVersion[] = "2";
+inline constexpr char kPlanVersion[] = "3";
 
 // Draws PLAN of a valid request into PNG, JPEG, TIFF, SVG or PDF; the last two without any image library.
 absl::StatusOr<v1::RenderResponse> RenderPlan(const v1::RenderRequest& request, ImageWriter& writer,

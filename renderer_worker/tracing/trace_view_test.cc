@@ -182,6 +182,36 @@ TEST(TraceView, ALampLightsWhatIsNearIt) {
   EXPECT_GT(near, 1.3 * far);
 }
 
+TEST(TraceView, WhatHangsFromACeilingIsSeenFromWithinOnly) {
+  v1::SolvedLayout layout = EmptyRoom(4, 4);
+  AddObject(layout, "pendant", 2, 2, 0);
+  layout.mutable_graph()->mutable_object_list()->mutable_objects(0)->set_kind(v1::OBJECT_KIND_CEILING);
+  layout.mutable_placements(0)->set_z_m(2);
+  const Scene scene = *BuildScene(layout, BoxFurniture());
+  const auto seen = [&](const SceneCamera& camera) {
+    return Traced(scene, camera, Small()).annotations.instances(0).visible_pixel_count();
+  };
+  EXPECT_EQ(seen(scene.birdseye), 0);
+  EXPECT_GT(seen({"test", {0.3F, 0.3F, 1.5F}, {2, 2, 2}, 1.2F}), 100);
+}
+
+TEST(TraceView, AnEyeOutsideSeesOnlyWhatIsWithin) {
+  const v1::SolvedLayout layout = EmptyRoom(4, 4);
+  const Scene scene = *BuildScene(layout, BoxFurniture());
+  // South of the room and close to its corner: without its wall, the end of the western one would show.
+  const TracedView view = Traced(scene, {"test", {0.4F, -0.8F, 1.5F}, {2, 3, 1.4F}, 1.2F}, Small());
+  int within = 0;
+  for (int y = 0; y < view.height_px; ++y) {
+    for (int x = 0; x < view.width_px; ++x) {
+      if (view.instance[static_cast<size_t>(y) * view.width_px + x] == 0) continue;
+      const Vec3 at = PointOf(view, x, y);
+      EXPECT_TRUE(at.x > -0.01F && at.y > -0.01F) << at.x << " " << at.y;
+      ++within;
+    }
+  }
+  EXPECT_GT(within, view.width_px * view.height_px / 2);
+}
+
 TEST(TraceView, StopsWhenNobodyWaits) {
   v1::SolvedLayout layout = EmptyRoom(20, 20);
   for (int i = 0; i < 5000; ++i) AddObject(layout, "box_" + std::to_string(i), 1 + i % 70 * 0.25, 1 + i / 70 * 0.25, i);
