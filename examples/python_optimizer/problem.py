@@ -28,10 +28,10 @@ class Problem:
         self.terms = Terms(self.scene, list(self.calls.values()), width)
 
     def poses(self, placements: Iterable[v1.Placement]) -> Poses:
+        """The poses of placements that were checked, by object; None for objects that have no placement."""
         poses: Poses = [None] * len(self.scene.objects)
         for item in placements:
-            if item.object_id in self.scene.index:
-                poses[self.scene.index[item.object_id]] = Pose(item.x_m, item.y_m, item.theta_rad)
+            poses[self.scene.index[item.object_id]] = Pose(item.x_m, item.y_m, item.theta_rad)
         return poses
 
     def edge_outcomes(self, poses: Poses) -> list[v1.EdgeOutcome]:
