@@ -117,14 +117,17 @@ void AddCallerChecks(const Sample& sample, Checks& checks) {
                       .run = [sample, run](Target& target) { return run(sample, target); },
                       .capability = capability});
   };
-  add(
-      "The same request gets the same answer again", Promise::kRepetition,
-      [](const Sample& of, Target& target) { return AnswersAreEqual(of, target, false); },
-      v1::CAPABILITY_DETERMINISTIC);
   add("Several callers at once are all answered", Promise::kCallers, ManyAtOnceAreAnswered);
-  add(
-      "Several callers at once get the same answer", Promise::kCallers,
-      [](const Sample& of, Target& target) { return AnswersAreEqual(of, target, true); }, v1::CAPABILITY_DETERMINISTIC);
+  if (sample.core) {
+    add(
+        "The same request gets the same answer again", Promise::kRepetition,
+        [](const Sample& of, Target& target) { return AnswersAreEqual(of, target, false); },
+        v1::CAPABILITY_DETERMINISTIC);
+    add(
+        "Several callers at once get the same answer", Promise::kCallers,
+        [](const Sample& of, Target& target) { return AnswersAreEqual(of, target, true); },
+        v1::CAPABILITY_DETERMINISTIC);
+  }
   add("Work whose deadline has passed ends, and the server goes on", Promise::kCallers, DeadlinesAreObeyed);
   add("Work that is cancelled ends, and the server goes on", Promise::kCallers, CancelsAreObeyed);
 }

@@ -23,7 +23,8 @@ struct Sample {
   std::shared_ptr<const google::protobuf::Message> request;
   // What is wrong with the answer's bytes; empty when nothing is.
   std::function<std::string(const std::string& bytes)> fault;
-  // The part of good bytes that must be equal for equal requests.
+  // The part of good bytes that must be equal for equal requests of a server that claims DETERMINISTIC; unset when the
+  // answer changes by itself.
   std::function<std::string(const std::string& bytes)> core;
   // Requests that keep a server busy for long, to be given up.
   std::vector<std::shared_ptr<const google::protobuf::Message>> long_requests;

@@ -254,7 +254,6 @@ Sample OrchestratorSample() {
                 if (!answer.ParseFromString(bytes)) return std::string("bytes that are no ListJobsResponse");
                 return answer.jobs_size() <= 50 ? "" : fmt::format("a page of {} jobs", answer.jobs_size());
               },
-          .core = [](const std::string& bytes) { return bytes; },
           .long_requests = {request}};
 }
 

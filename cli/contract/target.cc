@@ -40,53 +40,57 @@ std::string ToBytes(const grpc::ByteBuffer& buffer) {
 
 }  // namespace
 
-// Shared with gRPC until the call has ended.
-struct Call::State {
-  grpc::ClientContext context;
-  std::string path;
-  std::unique_ptr<grpc::GenericStub> stub;
-  grpc::ByteBuffer request;
-  grpc::ByteBuffer response;
+// What gRPC tells of the end of a call. Its thread may hold this a moment longer than the call, and nothing else: a
+// channel that it let go of last would have to end within itself.
+struct Call::End {
   std::mutex mutex;
   std::condition_variable changed;
-  bool ended = false;
+  bool reached = false;
   grpc::Status status;
+};
+
+struct Call::Parts {
+  Parts(const std::shared_ptr<grpc::Channel>& channel, const std::string& rpc_path, const std::string& bytes)
+      : stub(channel), path(rpc_path), request(ToBuffer(bytes)) {}
+
+  grpc::GenericStub stub;
+  const std::string path;
+  grpc::ClientContext context;
+  grpc::ByteBuffer request;
+  grpc::ByteBuffer response;
 };
 
 Call::Call(const std::shared_ptr<grpc::Channel>& channel, const std::string& path, const std::string& request,
            absl::Time deadline)
-    : state_(std::make_shared<State>()) {
-  state_->context.set_deadline(absl::ToChronoTime(deadline));
-  state_->path = path;
-  state_->stub = std::make_unique<grpc::GenericStub>(channel);
-  state_->request = ToBuffer(request);
-  state_->stub->UnaryCall(&state_->context, state_->path, grpc::StubOptions(), &state_->request, &state_->response,
-                          [state = state_](grpc::Status status) {
-                            std::lock_guard lock(state->mutex);
-                            state->status = std::move(status);
-                            state->ended = true;
-                            state->changed.notify_all();
-                          });
+    : end_(std::make_shared<End>()), parts_(std::make_unique<Parts>(channel, path, request)) {
+  parts_->context.set_deadline(absl::ToChronoTime(deadline));
+  parts_->stub.UnaryCall(&parts_->context, parts_->path, grpc::StubOptions(), &parts_->request, &parts_->response,
+                         [end = end_](grpc::Status status) {
+                           std::lock_guard lock(end->mutex);
+                           end->status = std::move(status);
+                           end->reached = true;
+                           end->changed.notify_all();
+                         });
 }
 
 Call::~Call() {
-  state_->context.TryCancel();
-  std::unique_lock lock(state_->mutex);
-  state_->changed.wait(lock, [this] { return state_->ended; });
+  parts_->context.TryCancel();
+  std::unique_lock lock(end_->mutex);
+  end_->changed.wait(lock, [this] { return end_->reached; });
 }
 
-void Call::Cancel() { state_->context.TryCancel(); }
+void Call::Cancel() { parts_->context.TryCancel(); }
 
 absl::StatusOr<std::string> Call::Wait() {
-  std::unique_lock lock(state_->mutex);
-  state_->changed.wait(lock, [this] { return state_->ended; });
-  if (!state_->status.ok()) return runtime::FromGrpcStatus(state_->status);
-  return ToBytes(state_->response);
+  std::unique_lock lock(end_->mutex);
+  end_->changed.wait(lock, [this] { return end_->reached; });
+  if (!end_->status.ok()) return runtime::FromGrpcStatus(end_->status);
+  return ToBytes(parts_->response);
 }
 
 bool Call::WaitFor(absl::Duration duration) {
-  std::unique_lock lock(state_->mutex);
-  return state_->changed.wait_for(lock, absl::ToChronoMilliseconds(duration), [this] { return state_->ended; });
+  std::unique_lock lock(end_->mutex);
+  return end_->changed.wait_for(lock, absl::ToChronoMilliseconds(duration), [this] { return end_->reached; });
 }
 
 Target::Target(TargetOptions options)

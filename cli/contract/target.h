@@ -33,8 +33,11 @@ class Call {
   bool WaitFor(absl::Duration duration);
 
  private:
-  struct State;
-  std::shared_ptr<State> state_;
+  struct End;
+  struct Parts;
+  // Shared with gRPC's thread.
+  std::shared_ptr<End> end_;
+  std::unique_ptr<Parts> parts_;
 };
 
 struct TargetOptions {
