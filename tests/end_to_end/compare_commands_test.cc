@@ -54,6 +54,7 @@ TEST_F(CompareCommands, DiffTellsAMoveAndDrawsIt) {
   const json told = json::parse(Flair({"diff", Layout(), Moved(), "--format", "json"}).out);
   EXPECT_FALSE(told["content_is_same"]);
   for (const json& section : told["sections"]) {
+    if (section["title"] == "made by") continue;  // by hand
     EXPECT_EQ(section["changes"].size(), section["title"] == "places" ? 1u : 0u) << section.dump(1);
   }
 }
