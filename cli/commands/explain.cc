@@ -6,7 +6,7 @@
 #include "cli/commands/commands.h"
 #include "cli/explain/note_json.h"
 #include "cli/explain/note_text.h"
-#include "cli/input/artifact_file.h"
+#include "cli/input/artifact_source.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"
@@ -16,13 +16,14 @@ namespace {
 
 struct ExplainArguments {
   std::string file;
+  SourceFlags source;
   std::string object;
   bool json = false;
   bool all = false;
 };
 
-absl::StatusOr<v1::Artifact> ReadLayout(const std::string& file) {
-  absl::StatusOr<v1::Artifact> artifact = ReadArtifact(file);
+absl::StatusOr<v1::Artifact> ReadLayout(const std::string& file, const SourceFlags& source) {
+  absl::StatusOr<v1::Artifact> artifact = OpenArtifact(file, source);
   if (!artifact.ok()) return artifact.status();
   if (artifact->has_solved_layout()) return artifact;
   const char* const advice = artifact->has_layout_graph() ? "; first: flair solve" : "";
@@ -31,7 +32,7 @@ absl::StatusOr<v1::Artifact> ReadLayout(const std::string& file) {
 }
 
 absl::Status Explain(const ExplainArguments& arguments) {
-  const absl::StatusOr<v1::Artifact> artifact = ReadLayout(arguments.file);
+  const absl::StatusOr<v1::Artifact> artifact = ReadLayout(arguments.file, arguments.source);
   if (!artifact.ok()) return artifact.status();
   const absl::StatusOr<LayoutNote> note = MakeLayoutNote(artifact->solved_layout());
   if (!note.ok()) {
@@ -53,7 +54,11 @@ absl::Status Explain(const ExplainArguments& arguments) {
 void AddExplain(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<ExplainArguments>();
   CLI::App* command = program.add_subcommand("explain", "Why everything in a layout stands where it stands, in words.");
-  command->add_option("LAYOUT", arguments->file, "A solved layout, .pb, .json or .textproto")->required();
+  command
+      ->add_option("LAYOUT", arguments->file,
+                   "A solved layout: a file (.pb, .json or .textproto), digits of its id, or JOB/solve")
+      ->required();
+  AddSourceFlags(*command, arguments->source);
   command->add_option("--object", arguments->object,
                       "Only this one, by id or name such as \"dining chair 2\", in full");
   command->add_flag("--all", arguments->all,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/commands/commands.h"
-#include "cli/input/artifact_file.h"
+#include "cli/input/artifact_source.h"
 #include "cli/input/text_message.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/layout_remarks.h"
@@ -24,6 +24,7 @@ namespace {
 
 struct ResolveArguments {
   std::string layout;
+  SourceFlags source;
   std::string out;
   std::vector<std::string> edits;
   std::string edits_file;
@@ -69,7 +70,7 @@ std::string Moved(const v1::ResolveResponse& response) {
 }
 
 absl::Status Resolve(const ResolveArguments& arguments) {
-  const absl::StatusOr<v1::Artifact> before = ReadArtifact(arguments.layout);
+  const absl::StatusOr<v1::Artifact> before = OpenArtifact(arguments.layout, arguments.source);
   if (!before.ok()) return before.status();
   if (!before->has_solved_layout()) {
     return absl::InvalidArgumentError(
@@ -100,7 +101,9 @@ absl::Status Resolve(const ResolveArguments& arguments) {
 void AddResolve(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<ResolveArguments>();
   CLI::App* command = program.add_subcommand("resolve", "Change a layout and solve again what the change affects.");
-  command->add_option("LAYOUT", arguments->layout, "layout.pb or layout.json")->required();
+  command->add_option("LAYOUT", arguments->layout, "layout.pb or layout.json, digits of its id, or JOB/solve")
+      ->required();
+  AddSourceFlags(*command, arguments->source);
   command->add_option("-o,--out", arguments->out, "Where the layout (.pb) goes")->required()->type_name("FILE");
   command->add_option("--edit", arguments->edits, "A change, see below; may be given often")->type_name("TEXT");
   command->add_option("--edits", arguments->edits_file, "Changes as protobuf text: edits { ... }, after all --edit")

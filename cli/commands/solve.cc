@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/commands/commands.h"
-#include "cli/input/artifact_file.h"
+#include "cli/input/artifact_source.h"
 #include "cli/input/solve_flags.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/layout_remarks.h"
@@ -25,6 +25,7 @@ namespace {
 
 struct SolveArguments {
   std::string graph;
+  SourceFlags source;
   std::string out;
   std::string optimizer;
   SolveFlags flags;
@@ -75,7 +76,7 @@ std::vector<v1::SolvedLayout> LayoutsOf(const v1::SolveResponse& response, const
 }
 
 absl::Status Solve(const SolveArguments& arguments) {
-  const absl::StatusOr<v1::Artifact> graph = ReadArtifact(arguments.graph);
+  const absl::StatusOr<v1::Artifact> graph = OpenArtifact(arguments.graph, arguments.source);
   if (!graph.ok()) return graph.status();
   if (!graph->has_layout_graph()) {
     return absl::InvalidArgumentError(
@@ -130,7 +131,11 @@ absl::Status Solve(const SolveArguments& arguments) {
 void AddSolve(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = program.add_subcommand("solve", "Place the objects of a graph again.");
-  command->add_option("GRAPH", arguments->graph, "graph.pb or graph.json of a design; may be edited")->required();
+  command
+      ->add_option("GRAPH", arguments->graph,
+                   "graph.pb or graph.json of a design, digits of its id, or JOB/translation; may be edited")
+      ->required();
+  AddSourceFlags(*command, arguments->source);
   command->add_option("-o,--out", arguments->out, "Where the layout (.pb) goes; variants beside it, as FILE-2, FILE-3")
       ->type_name("FILE");
   command->add_flag("--stats", arguments->stats, "Print stages, terms, missed constraints and measures");

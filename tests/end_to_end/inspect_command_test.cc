@@ -67,6 +67,11 @@ TEST_F(InspectCommand, AFileItsIdAndItsJobAreTheSameArtifact) {
             layout["solved_layout"]["placements"][0].value("theta_rad", 0.0) == 0
                 ? "0\n"
                 : layout["solved_layout"]["placements"][0]["theta_rad"].dump() + "\n");
+  EXPECT_EQ(Good({"explain", job + "/solve"}), Good({"explain", Path("out/layout.pb")}));
+  Good({"solve", job + "/translation", "--out", Path("a.pb")});
+  Good({"solve", Path("out/graph.pb"), "--out", Path("b.pb")});
+  EXPECT_TRUE(ReadAll(Path("a.pb")) == ReadAll(Path("b.pb")));
+  Good({"resolve", id, "--edit", "pin wardrobe", "--out", Path("pinned.pb")});
   Good({"inspect", job + "/render", "--field", "preview.image", "--out", Path("again.png")});
   EXPECT_TRUE(ReadAll(Path("again.png")) == ReadAll(Path("out/plan.png")));
   ExpectRefused({"inspect", job + "/slove"}, cli::kExitBadInput,
