@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How well the grammar reads what real models wrote, against labels made by hand. Ten rooms were looked at while the
 // grammar was written; 24 further ones were labelled, measured and then looked at four at a time (docs/benchmarks.md
-// has the figures of before they were looked at); 22 invented ones too. Of four held-out rooms one, 63_living_dining, was opened later and is
-// now a development room; nobody has looked at the sentences of the other three. FLAIR_SHOW_MISSES=1 prints what is
-// wrong in all but the three; their sum is printed only with FLAIR_SHOW_HELD_OUT=1: who sees it at each run develops by
-// it. A sentence is correct when every part of it gets all calls of one accepted reading and
-// nothing else is made, or nothing at all where nothing is to be made.
+// has the figures of before they were looked at), 13 more later, 22 invented ones too. Of four held-out rooms one,
+// 63_living_dining, was opened later and is now a development room; nobody has looked at the sentences of the other
+// three. FLAIR_SHOW_MISSES=1 prints what is wrong in all but the three; their sum is printed only with
+// FLAIR_SHOW_HELD_OUT=1: who sees it at each run develops by it. A sentence is correct when every part of it gets all
+// calls of one accepted reading and nothing else is made, or nothing at all where nothing is to be made.
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
@@ -101,10 +101,19 @@ TEST(Accuracy, OfSentencesThatTheGrammarWasWrittenWith) {
 
 TEST(Accuracy, OfFurtherSentencesThatWereMeasuredAndThenLookedAt) {
   const Measured measured = Measure("further_rooms.jsonl", false);
-  EXPECT_GE(measured.correct_share(), 0.96);
+  EXPECT_GE(measured.correct_share(), 0.97);
   EXPECT_GE(measured.score.recall(), 0.97);
   EXPECT_GE(measured.score.precision(), 0.975);
   EXPECT_GE(measured.score.refusal_share(), 0.9);
+  EXPECT_EQ(measured.score.silent, 0);
+}
+
+// Seven rooms' lists, and the unsimplified ones of six others, labelled and measured before they were looked at.
+TEST(Accuracy, OfListsOfThirteenMoreRooms) {
+  const Measured measured = Measure("further_rooms_2.jsonl", false);
+  EXPECT_GE(measured.correct_share(), 0.955);
+  EXPECT_GE(measured.score.recall(), 0.96);
+  EXPECT_GE(measured.score.precision(), 0.955);
   EXPECT_EQ(measured.score.silent, 0);
 }
 
@@ -112,14 +121,14 @@ TEST(Accuracy, OfFurtherSentencesThatWereMeasuredAndThenLookedAt) {
 TEST(Accuracy, OfInventedSentencesThatWereMeasuredAndThenLookedAt) {
   for (const char* file : {"invented_rooms.jsonl", "invented_rooms_2.jsonl", "invented_rooms_3.jsonl"}) {
     const Measured measured = Measure(file, false);
-    EXPECT_GE(measured.correct_share(), 0.915) << file;
+    EXPECT_GE(measured.correct_share(), 0.93) << file;
     EXPECT_EQ(measured.score.silent, 0) << file;
   }
 }
 
 TEST(Accuracy, OfSentencesOfHeldOutRooms) {
   const Measured measured = Measure("labelled_rooms.jsonl", true);
-  EXPECT_GE(measured.correct_share(), 0.85);
+  EXPECT_GE(measured.correct_share(), 0.88);
   EXPECT_GE(measured.score.recall(), 0.84);
   EXPECT_GE(measured.score.precision(), 0.89);
   EXPECT_GE(measured.score.refusal_share(), 0.84);

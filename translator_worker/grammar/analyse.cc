@@ -79,8 +79,8 @@ class Reader {
     for (size_t k = 1; k < phrase.length; ++k) {
       const SceneNames::Found name = names_.Find(tokens_, at_ + k);
       const Phrase feature = Lexicon::Get().Find(tokens_, at_ + k);
-      const bool of_feature = phrase.word_class == WordClass::kPlace &&
-                              feature.word_class == WordClass::kFeature && feature.length > 1;
+      const bool of_feature =
+          phrase.word_class == WordClass::kPlace && feature.word_class == WordClass::kFeature && feature.length > 1;
       const size_t length = std::max(name.length, of_feature ? feature.length : 0);
       if (length > 1 && k + length > phrase.length) return Lexicon::Get().Find(tokens_, at_, k);
     }
@@ -177,17 +177,6 @@ class Reader {
            Lexicon::Get().Find(tokens_, next).length > 0;
   }
 
-  // "0.9 m from the table to allow chairs to pull out": a reason, not "from the table to the chairs".
-  bool BeginsInfinitive() const {
-    static constexpr std::array<std::string_view, 20> kVerbs = {
-        "allow",    "ensure", "provide", "maintain", "give",   "leave",  "create", "enable", "facilitate", "help",
-        "let",      "make",   "keep",    "permit",   "reduce", "ease",   "offer",  "have",   "accommodate",
-        "minimize"};
-    if (!tokens_[at_].IsWord("to") || at_ + 1 >= tokens_.size()) return false;
-    return std::any_of(kVerbs.begin(), kVerbs.end(),
-                       [&](std::string_view verb) { return tokens_[at_ + 1].IsWord(verb); });
-  }
-
   void PushPhrase(const Phrase& phrase) {
     RawTerm raw;
     Reference reference;
@@ -251,7 +240,7 @@ class Reader {
         break;
       case WordClass::kPurpose:
         raw.term.kind = Term::Kind::kPurpose;
-        raw.term.lemma = BeginsInfinitive() ? "so" : tokens_[at_].text;
+        raw.term.lemma = BeginsReason(tokens_, at_) ? "so" : tokens_[at_].text;
         break;
       case WordClass::kNot:
         push_word("not");

@@ -52,12 +52,11 @@ class BracketReader {
     const Token& first = tokens_[at_ + 1];
     const bool edge = end_ == at_ + 3 && (Is(at_ + 2, "edge") || Is(at_ + 2, "side") || Is(at_ + 2, "each") ||
                                           Is(at_ + 2, "width") || Is(at_ + 2, "length"));
-    return IsDimension() ||
-           (first.kind == Token::Kind::kDistance && first.distance.exact && (end_ == at_ + 2 || edge));
+    return IsDimension() || (first.kind == Token::Kind::kDistance && first.distance.exact && (end_ == at_ + 2 || edge));
   }
 
   bool Explains() const {
-    static constexpr std::array<std::string_view, 6> kOpenings = {"eg",   "ie",       "preferably",
+    static constexpr std::array<std::string_view, 6> kOpenings = {"eg",   "ie",      "preferably",
                                                                   "left", "ideally", "including"};
     return tokens_[at_ + 1].IsMark(')') || IsSize() ||
            std::any_of(kOpenings.begin(), kOpenings.end(), [&](std::string_view word) { return Is(at_ + 1, word); });

@@ -21,9 +21,9 @@ struct Bracket {
   size_t closing = 0;
 };
 
-// Reads the bracket at tokens[at], if there is one. "(e.g., to place items)" explains; it says nothing of its own, unless
-// it names the side that a word left open ("one side (typically the front)"), the members of a zone or class ("the
-// seating area (sofa and armchair)") or how wide a space is ("(preferably 0.5 m)"), which go into `terms`.
+// Reads the bracket at tokens[at], if there is one. "(e.g., to place items)" explains; it says nothing of its own,
+// unless it names the side that a word left open ("one side (typically the front)"), the members of a zone or class
+// ("the seating area (sofa and armchair)") or how wide a space is ("(preferably 0.5 m)"), which go into `terms`.
 Bracket ReadBracket(const std::vector<Token>& tokens, size_t at, const SceneNames& names, std::vector<RawTerm>& terms);
 
 }  // namespace flair::translator

@@ -69,6 +69,8 @@ class Composer {
   bool StandsAtSubject(const Placed& chair) const;
   // What people sit on.
   bool IsSeat(const Placed& placed) const;
+  // What other things are kept away from for its heat.
+  bool IsHot(const Placed& placed) const;
   // What people lie in: a bed, cot, coffin, bathtub.
   bool IsBed(const Placed& placed) const;
   // One that people walk into, with an entrance of its own: a shower, a tent.

@@ -45,7 +45,8 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
     while (side < tokens.size() && (tokens[side].IsWord("long") || tokens[side].IsWord("short"))) ++side;
     if (!adjective || side + 1 >= tokens.size() || tokens[side + 1].IsMark(':')) continue;
     // "Space on one accessible side": which side, not that it is to be got at.
-    const bool after_space = i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at")) && SpaceBefore(tokens, i);
+    const bool after_space =
+        i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at")) && SpaceBefore(tokens, i);
     if (after_space) {
       tokens.erase(tokens.begin() + static_cast<long>(i));
       continue;
@@ -64,7 +65,7 @@ void TakeRoomAsSpace(std::vector<Token>& tokens) {
   static constexpr std::array<std::string_view, 16> kBefore = {
       "be",   "is",     "have", "has",      "leave", "leaves",   "leaving", "allow",
       "some", "enough", "need", "requires", "needs", "provides", "provide", "of"};
-  static constexpr std::array<std::string_view, 9> kAfter = {"for",    "to", "in", "behind",  "around",
+  static constexpr std::array<std::string_view, 9> kAfter = {"for",    "to", "in", "behind", "around",
                                                              "beside", "on", "at", "between"};
   const auto is_one_of = [](const auto& words, const Token& token) {
     return std::find(words.begin(), words.end(), token.text) != words.end();
@@ -76,6 +77,14 @@ void TakeRoomAsSpace(std::vector<Token>& tokens) {
 }
 
 }  // namespace
+
+bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
+  static constexpr std::array<std::string_view, 20> kVerbs = {
+      "allow", "ensure", "provide", "maintain", "give",   "leave", "create", "enable", "facilitate",  "help",
+      "let",   "make",   "keep",    "permit",   "reduce", "ease",  "offer",  "have",   "accommodate", "minimize"};
+  if (!tokens[at].IsWord("to") || at + 1 >= tokens.size()) return false;
+  return std::any_of(kVerbs.begin(), kVerbs.end(), [&](std::string_view verb) { return tokens[at + 1].IsWord(verb); });
+}
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
   DropAdverbs(tokens);

@@ -11,4 +11,8 @@ namespace flair::translator {
 // X nor Y" becomes "neither X and Y", "one accessible side" becomes "one side accessible". Linear in the tokens.
 std::vector<Token> PrepareTokens(std::vector<Token> tokens);
 
+// Whether tokens[at] is the "to" of a reason: "0.9 m from the table to allow chairs to pull out" is not "from the table
+// to the chairs".
+bool BeginsReason(const std::vector<Token>& tokens, size_t at);
+
 }  // namespace flair::translator

@@ -2,12 +2,9 @@
 #include "translator_worker/grammar/scene_names.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
 
 #include "absl/strings/str_join.h"
-#include "absl/strings/str_split.h"
 #include "translator_worker/grammar/furniture_words.h"
 #include "translator_worker/grammar/lexicon.h"
 
@@ -26,45 +23,9 @@ std::vector<std::string> SingularWords(const std::string& name) {
   return words;
 }
 
-// Words for one use of a room, a line each.
-bool SameUse(const std::string& a, const std::string& b) {
-  static constexpr std::array<std::string_view, 10> kUses = {
-      "work workspace workstation working office study studying desk homework writing computer",
-      "sleep sleeping bed bedroom rest resting",
-      "dining eating dinner meal dine",
-      "seating lounge lounging living sitting relaxation relaxing conversation social",
-      "storage storing closet clothing wardrobe",
-      "cooking kitchen cook stove",
-      "bath bathing shower showering washing tub",
-      "entertainment media tv television viewing",
-      "exercise workout gym fitness training",
-      "dressing changing vanity grooming"};
-  const auto has = [](std::string_view uses, const std::string& word) {
-    const std::vector<std::string> words = absl::StrSplit(std::string(uses), ' ');
-    return std::find(words.begin(), words.end(), word) != words.end();
-  };
-  return std::any_of(kUses.begin(), kUses.end(),
-                     [&](std::string_view uses) { return has(uses, a) && has(uses, b); });
-}
-
-// Whether one word is the other or its beginning: "prep" and "preparation", "alchemical" and "alchemy".
-bool SameStem(const std::string& a, const std::string& b) {
-  const size_t shared = std::min({a.size(), b.size(), size_t{6}});
-  return a == b || (shared >= 4 && a.compare(0, shared, b, 0, shared) == 0);
-}
-
 bool IsNumber(const std::string& word) {
   return !word.empty() && word.size() < 4 &&
          std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-// "Reading spot": words that say nothing alone make a zone of its name.
-bool IsAreaWord(const std::vector<Token>& tokens, size_t at) {
-  if (at >= tokens.size()) return false;
-  // "In the reading space", but not "enough working space".
-  if (tokens[at].IsWord("space")) return at > 2 && tokens[at - 2].IsWord("the") && !tokens[at - 3].IsWord("of");
-  return Lexicon::Get().Find(tokens, at).word_class == WordClass::kArea || tokens[at].IsWord("spot") ||
-         tokens[at].IsWord("furniture") || tokens[at].IsWord("nook");
 }
 
 int NumberOf(const std::string& word) { return IsNumber(word) ? std::atoi(word.c_str()) : 0; }
@@ -75,14 +36,12 @@ std::vector<std::string> WithoutNumber(std::vector<std::string> words) {
   return words;
 }
 
-double WallLength(const v1::Room& room, int wall) {
-  const auto& vertices = room.floor().vertices();
-  const auto& a = vertices[wall];
-  const auto& b = vertices[(wall + 1) % vertices.size()];
-  return std::hypot(b.x_m() - a.x_m(), b.y_m() - a.y_m());
-}
-
 }  // namespace
+
+bool SameStem(const std::string& a, const std::string& b) {
+  const size_t shared = std::min({a.size(), b.size(), size_t{6}});
+  return a == b || (shared >= 4 && a.compare(0, shared, b, 0, shared) == 0);
+}
 
 std::vector<std::string> NameWords(const std::string& name) {
   std::vector<std::string> words;
@@ -174,25 +133,6 @@ void SceneNames::TakeNumber(const std::vector<Token>& tokens, size_t at, Found& 
   ++found.length;
 }
 
-size_t SceneNames::ZoneLength(const v1::Zone& zone, const std::vector<Token>& tokens, size_t at) const {
-  const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
-  if (words.empty() || at >= tokens.size()) return 0;
-  // "The bathing area" of "Shower/Bath".
-  const bool one_of =
-      words.size() > 1 && tokens[at].kind == Token::Kind::kWord && IsAreaWord(tokens, at + 1) &&
-      std::any_of(words.begin(), words.end(), [&](const std::string& word) { return SameStem(tokens[at].text, word); });
-  if (one_of) return 1;
-  size_t next = at;
-  for (const std::string& word : words) {
-    // "Shower/Bath", "Cooking and Eating".
-    if (next > at && next < tokens.size() && (tokens[next].IsMark('/') || tokens[next].IsWord("and"))) ++next;
-    if (next >= tokens.size() || tokens[next].kind != Token::Kind::kWord || !SameStem(tokens[next].text, word))
-      return 0;
-    ++next;
-  }
-  return next - at;
-}
-
 // "The warm bench", "the reading area's chair": of several of the name those of the zone.
 SceneNames::Found SceneNames::FindInZone(const std::vector<Token>& tokens, size_t at) const {
   for (const v1::Zone& zone : zones_.zones()) {
@@ -261,76 +201,6 @@ SceneNames::Found SceneNames::FindObjectByWords(const std::vector<Token>& tokens
     if (!fitting.empty()) found.reference.candidates = fitting;
   }
   return found;
-}
-
-SceneNames::Found SceneNames::FindZone(const std::vector<Token>& tokens, size_t at) const {
-  for (const v1::Zone& zone : zones_.zones()) {
-    const size_t words = ZoneLength(zone, tokens, at);
-    if (words == 0) continue;
-    const size_t next = at + words;
-    // "the seating area", "the workstation and relaxation areas".
-    for (size_t i = next; i < std::min(tokens.size(), next + 5); ++i) {
-      if (IsAreaWord(tokens, i)) {
-        Found found;
-        found.reference.kind = RefKind::kZone;
-        found.reference.name = zone.id();
-        found.length = i == next ? words + 1 : words;
-        return found;
-      }
-      if (i > next && !tokens[i].IsWord("or") && !tokens[i].IsWord("and") && tokens[i - 1].kind != Token::Kind::kWord)
-        break;
-      if (i == next && !tokens[i].IsWord("or") && !tokens[i].IsWord("and")) break;
-    }
-  }
-  return {};
-}
-
-SceneNames::Found SceneNames::FindZoneByUse(const std::vector<Token>& tokens, size_t at) const {
-  if (tokens[at].kind != Token::Kind::kWord) return {};
-  // "The workspace" is a place by itself, "the eating area" needs its second word.
-  const bool area = at + 1 < tokens.size() && IsAreaWord(tokens, at + 1);
-  if (!area && !tokens[at].IsWord("workspace") && !tokens[at].IsWord("workstation")) return {};
-  for (const v1::Zone& zone : zones_.zones()) {
-    const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
-    if (words.empty() || !SameUse(tokens[at].text, words.front())) continue;
-    Found found;
-    found.reference.kind = RefKind::kZone;
-    found.reference.name = zone.id();
-    found.length = area ? 2 : 1;
-    return found;
-  }
-  return {};
-}
-
-SceneNames::Found SceneNames::FindWall(const std::vector<Token>& tokens, size_t at) const {
-  const auto make = [](const std::string& wall, size_t length) {
-    Found found;
-    found.reference.kind = RefKind::kWall;
-    found.reference.name = wall;
-    found.length = length;
-    return found;
-  };
-  const auto word = [&](size_t offset, std::string_view text) {
-    return at + offset < tokens.size() && tokens[at + offset].IsWord(text);
-  };
-  for (const v1::Wall& wall : room_.walls()) {
-    const std::vector<std::string> words = NameWords(wall.name());
-    bool same = !words.empty() && at + words.size() <= tokens.size();
-    for (size_t i = 0; same && i < words.size(); ++i) same = tokens[at + i].text == words[i];
-    if (!same) continue;
-    if (words.front() == "wall") return make(wall.name(), words.size());
-    if (word(words.size(), "wall")) return make(wall.name(), words.size() + 1);
-  }
-  if ((word(0, "longest") || word(0, "shortest")) && word(1, "wall") && room_.walls_size() > 0 &&
-      room_.walls_size() == room_.floor().vertices_size()) {
-    int best = 0;
-    for (int i = 1; i < room_.walls_size(); ++i) {
-      const double longer = WallLength(room_, i) - WallLength(room_, best);
-      if (word(0, "longest") ? longer > 1e-9 : longer < -1e-9) best = i;
-    }
-    return make(room_.walls(best).name(), 2);
-  }
-  return {};
 }
 
 int SceneNames::MainObject(const std::string& zone_id) const {

@@ -71,6 +71,9 @@ class SceneNames {
   std::vector<int> numbers_;
 };
 
+// Whether one word is the other or its beginning: "prep" and "preparation", "alchemical" and "alchemy".
+bool SameStem(const std::string& a, const std::string& b);
+
 // The lower-case words of a name; underscores and hyphens separate.
 std::vector<std::string> NameWords(const std::string& name);
 

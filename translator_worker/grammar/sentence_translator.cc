@@ -9,7 +9,7 @@
 #include "translator_worker/grammar/composer.h"
 #include "translator_worker/grammar/quote.h"
 #include "translator_worker/grammar/rule_book.h"
-#include "translator_worker/grammar/rules/contact.h"
+#include "translator_worker/grammar/rules/space.h"
 #include "translator_worker/grammar/term.h"
 
 namespace flair::translator {
@@ -66,7 +66,8 @@ class Walk {
                 (space && term.kind == Term::Kind::kPurpose) || term.kind == Term::Kind::kDistance;
       if (term.kind == Term::Kind::kDistance && distance != nullptr) return false;
       if (term.kind == Term::Kind::kDistance) distance = &term.distance;
-      if (term.IsWord("not") || term.IsWord("between") || term.IsWord("away_from") || term.IsWord("around")) return false;
+      if (term.IsWord("not") || term.IsWord("between") || term.IsWord("away_from") || term.IsWord("around"))
+        return false;
       if (term.kind == Term::Kind::kMention && !IsOwn(term.mention.references.front())) return false;
     }
     if (!space || !purpose || composer_.scope() != v1::SENTENCE_SCOPE_INTRA || !composer_.OnlyUnknown()) return false;
@@ -137,11 +138,11 @@ class Walk {
   // What is spoken of, a part of it, or a vague thing that it has space for.
   bool IsOwn(const Reference& reference) const {
     if (reference.kind == RefKind::kObjects) {
-      return !composer_.topic().empty() &&
-             std::find(reference.candidates.begin(), reference.candidates.end(), composer_.topic().front().object) !=
-                 reference.candidates.end();
+      return !composer_.topic().empty() && std::find(reference.candidates.begin(), reference.candidates.end(),
+                                                     composer_.topic().front().object) != reference.candidates.end();
     }
-    const bool comfort = reference.kind == RefKind::kVague && (reference.name == "comfort" || reference.name == "paths");
+    const bool comfort =
+        reference.kind == RefKind::kVague && (reference.name == "comfort" || reference.name == "paths");
     return reference.kind == RefKind::kPronoun || comfort ||
            (reference.kind == RefKind::kFeature && reference.name == "door");
   }

@@ -10,7 +10,7 @@
 namespace flair::translator {
 
 // What decides the grammar's answers beyond the build: raised whenever equal sentences would give other calls.
-inline constexpr char kGrammarVersion[] = "2";
+inline constexpr char kGrammarVersion[] = "3";
 
 // Answers TranslatorService.Translate with a model, or with the grammar when there is none.
 class TranslateHandler {

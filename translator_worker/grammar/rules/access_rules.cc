@@ -1,57 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Free space at an object's sides: accessible, clearance in front, room to pull a chair out.
+// Free space at an object's sides: accessible, clearance in front.
 #include <algorithm>
 
 #include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/rules/space.h"
 #include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
-
-void EmitAccessible(const Placed& placed, std::vector<std::string> sides, const Distance* distance,
-                    Composer& composer) {
-  Call call = Call("accessible").Text("object", composer.id(placed)).Texts("sides", sides);
-  if (distance != nullptr) call.Number("min_clearance_m", distance->Nominal());
-  composer.EmitFirst({std::move(call)});
-}
-
-// People get at what is longer than wide from a long side, at everything else from the front.
-std::string UsualSide(const Placed& placed, Composer& composer) {
-  constexpr double kMuchLonger = 1.25;
-  const v1::Object& object = composer.object(placed.object);
-  return composer.IsBed(placed) || object.depth_m() > kMuchLonger * object.width_m() ? "side" : "front";
-}
-
-// "One side is accessible": the usual one, unless another side of the object is named beside it.
-void ChooseOpenSides(std::vector<Placed>& placed, Composer& composer) {
-  for (Placed& one : placed) {
-    const bool alone = std::none_of(placed.begin(), placed.end(), [&](const Placed& other) {
-      return &other != &one && other.object == one.object && !other.side.empty();
-    });
-    if (one.side == "side" && alone) one.side = UsualSide(one, composer);
-    if (one.side == "two_any" && alone && UsualSide(one, composer) == "side") one.side = "sides";
-  }
-}
-
-// Adds the sides of all mentions of one object to one call.
-void EmitForSides(std::vector<Placed> placed, const Distance* distance, Composer& composer) {
-  ChooseOpenSides(placed, composer);
-  std::vector<int> done;
-  for (const Placed& first : placed) {
-    if (std::find(done.begin(), done.end(), first.object) != done.end()) continue;
-    done.push_back(first.object);
-    std::vector<std::string> sides;
-    for (const Placed& other : placed) {
-      if (other.object != first.object) continue;
-      for (const std::string& side : SidesOf(composer, other)) {
-        if (std::find(sides.begin(), sides.end(), side) == sides.end()) sides.push_back(side);
-      }
-    }
-    if (sides.empty()) sides = {"front"};
-    EmitAccessible(first, sides, distance, composer);
-  }
-}
 
 void Accessible(const Match& match, std::string_view, Composer& composer) {
   if (match.a != nullptr && match.a->references.front().name == "all") {
@@ -73,12 +30,12 @@ void Accessible(const Match& match, std::string_view, Composer& composer) {
     }
     movers = sided;
   }
-  EmitForSides(movers, match.distance, composer);
+  KeepSpace(movers, match.distance, composer);
 }
 
 // "Easy access from the front".
 void AccessToSide(const Match& match, std::string_view, Composer& composer) {
-  EmitForSides(composer.TargetObjects(*match.b, {}), match.distance, composer);
+  KeepSpace(composer.TargetObjects(*match.b, {}), match.distance, composer);
 }
 
 // "Access to the bed from both sides".
@@ -87,12 +44,12 @@ void AccessFromSide(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& other : composer.TargetObjects(*match.b, {})) {
     for (const Reference& reference : match.c->references) sided.push_back({other.object, reference.side});
   }
-  EmitForSides(sided, match.distance, composer);
+  KeepSpace(sided, match.distance, composer);
 }
 
 // "All sides where chairs stand are accessible", "the front is clear of obstacles".
 void OfMovers(const Match& match, std::string_view, Composer& composer) {
-  EmitForSides(composer.Movers(match.a), match.distance, composer);
+  KeepSpace(composer.Movers(match.a), match.distance, composer);
 }
 
 // "X is accessible from Y": from one of Y's sides that is Y's own matter, else X is near Y.
@@ -160,7 +117,7 @@ void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
     }
     placed.push_back(owner);
   }
-  EmitForSides(placed, match.distance, composer);
+  KeepSpace(placed, match.distance, composer);
 }
 
 // "A clear path around the bed" is space; other vague things around it are not.
@@ -176,47 +133,17 @@ void MovementAround(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_about_layout", "ways cannot be asked for; say which sides are kept free");
 }
 
-// A chair is pulled out backwards; room for "the chair" of a desk is in front of the desk.
-void PullOut(const Match& match, std::string_view, Composer& composer) {
-  const Mention* const chairs = match.a != nullptr ? match.a : match.b;
-  std::vector<Placed> movers = composer.Movers(chairs);
-  const std::vector<Placed>& subjects = composer.subjects();
-  if (!subjects.empty() && !composer.IsChair(subjects.front())) {
-    // Several chairs stand all round a table, one in front of a desk.
-    const bool all_round = chairs != nullptr && chairs->references.front().plural;
-    for (const Placed& subject : subjects) {
-      if (all_round) EmitAccessible(subject, {"front", "back", "left", "right"}, match.distance, composer);
-    }
-    if (all_round) return;
-    movers = subjects;
-  }
-  for (const Placed& mover : movers) {
-    EmitAccessible(mover, {composer.IsChair(mover) ? "back" : "front"}, match.distance, composer);
-  }
-}
-
-// "Space for a chair" at a desk is in front of it.
-void ChairSpace(const Match& match, std::string_view tag, Composer& composer) {
-  const std::vector<Placed> movers = composer.Movers(match.a);
-  const std::vector<Placed>& subjects = composer.subjects();
-  if (!movers.empty() && composer.IsChair(movers.front()) && !subjects.empty()) {
-    PullOut(match, tag, composer);
-  } else {
-    composer.Refuse("unknown_sentence", "say where the space is: in front of it, behind it or around it");
-  }
-}
-
 // "Avoid placing objects too close to the sides of the bed."
 void NothingNear(const Match& match, std::string_view, Composer& composer) {
   for (Placed owner : composer.TargetObjects(*match.b, {})) {
     if (owner.side.empty()) owner.side = "all";
-    EmitForSides({owner}, match.distance, composer);
+    KeepSpace({owner}, match.distance, composer);
   }
 }
 
 void NothingInFront(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& owner : composer.TargetObjects(*match.b, {})) {
-    EmitForSides({{owner.object, "front"}}, match.distance, composer);
+    KeepSpace({{owner.object, "front"}}, match.distance, composer);
   }
 }
 
@@ -227,21 +154,13 @@ void Unreachable(const Match& match, std::string_view, Composer& composer) {
     if (reference.kind != RefKind::kVague && !reference.side.empty()) sides.references.push_back(reference);
   }
   if (!sides.references.empty()) {
-    EmitForSides(composer.Movers(&sides), match.distance, composer);
+    KeepSpace(composer.Movers(&sides), match.distance, composer);
     return;
   }
   composer.Refuse("not_about_layout", "access is kept at the front, back, left and right, not from above");
 }
 
 }  // namespace
-
-void KeepUsableSpace(const Distance* distance, Composer& composer) {
-  for (const Placed& placed : composer.topic()) {
-    const bool pulled_out = composer.IsChair(placed) && !composer.object(placed.object).name().ends_with("armchair");
-    const std::string side = pulled_out ? "back" : composer.IsBed(placed) ? "side" : "front";
-    EmitForSides({{placed.object, side}}, distance, composer);
-  }
-}
 
 std::vector<Rule> AccessRules() {
   return {
@@ -330,21 +249,8 @@ std::vector<Rule> AccessRules() {
       {"A.side D space?", SpaceAt, "named"},
       {"D space? on/next_to/along B.side", SpaceAt, "named"},
       {"A.side space D?", SpaceAt, "named"},
-      {"A? space? D? space? pull_out ,? D? space?", PullOut},
-      {"A? space for? A pull_out", PullOut},
-      {"A? space for? A pull_out ,? at_sides/all_sides/around", PullOut},
-      {"A? space? D? space? ,? at_sides for/to? A? pull_out", PullOut},
-      {"A? space? pull_out ,? all_sides", PullOut},
-      {"A? space? pull_out ,? not block B", PullOut},
       {"A.object? space D? swing_open ,? C.feature?", SpaceAt, "named"},
-      {"A swing_open ,? not block/against/near/next_to C", SpaceAt, "named"},
-      {"space for/to? pull_out", PullOut},
-      {"A? space? pull_out away_from C", PullOut},
-      {"clear_of B pull_out", PullOut},
-      {"D space? for A pull_out", PullOut},
-      {"D space? for A pull_out away_from C", PullOut},
-      {"space for A.object", ChairSpace},
-      {"space for A.object to pull_out/C.vague", ChairSpace},
+      {"A? swing_open ,? not block/against/near/next_to C.object", SpaceAt, "named"},
       {"A? access_to/allow_access_to/accessible_from B.side", AccessToSide},
       {"nearest B D apart?", SpaceAt, "around"},
       {"D space? around B.side", SpaceAt, "named"},

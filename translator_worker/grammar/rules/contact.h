@@ -20,7 +20,4 @@ void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets
 // At least or at most so far apart, or both; 0 m is contact. Null means a good distance apart.
 void KeepDistance(const Placed& mover, const Placed& other, const Distance* distance, Composer& composer);
 
-// Free space where people use what is spoken of: behind chairs, at a side of beds, in front of everything else.
-void KeepUsableSpace(const Distance* distance, Composer& composer);
-
 }  // namespace flair::translator

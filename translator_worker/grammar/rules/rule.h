@@ -29,6 +29,7 @@ std::vector<Rule> GroupRules();
 std::vector<Rule> HangingRules();
 std::vector<Rule> NearRules();
 std::vector<Rule> PathRules();
+std::vector<Rule> PullOutRules();
 std::vector<Rule> RoomRules();
 std::vector<Rule> SurfaceRules();
 std::vector<Rule> WalkwayRules();

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of Composer that finds what noun phrases refer to.
+#include <algorithm>
+
+#include "absl/strings/str_join.h"
+#include "fmt/format.h"
+#include "translator_worker/grammar/composer.h"
+
+namespace flair::translator {
+namespace {
+
+bool Contains(const std::vector<Placed>& list, int object) {
+  return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
+}
+
+}  // namespace
+
+std::vector<Placed> Composer::Movers(const Mention* mention) {
+  if (mention == nullptr) return topic_;
+  // "Hang a clock on the wall", "eye level on the wall" under the heading "Clock": it is what the heading names.
+  const RefKind kind = mention->references.front().kind;
+  const bool thing = kind == RefKind::kObjects || kind == RefKind::kPronoun;
+  if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !subjects_.empty() && !thing) return topic_;
+  std::vector<Placed> result;
+  for (const Reference& reference : mention->references) {
+    for (const Placed& placed : Resolve(reference, {}, false)) result.push_back(PieceFor(placed));
+    if (mention->either && !result.empty() && reference.kind == RefKind::kObjects) break;
+  }
+  return result;
+}
+
+Placed Composer::PieceFor(const Placed& placed) const {
+  const bool part = ChosenLater(placed.object) && !topic_.empty() && !Contains(subjects_, placed.object);
+  return part ? Placed{topic_.front().object, placed.side} : placed;
+}
+
+bool Composer::ChosenLater(int index) const {
+  return scope() != v1::SENTENCE_SCOPE_TERTIARY && object(index).role() == v1::OBJECT_ROLE_TERTIARY &&
+         object(index).kind() != v1::OBJECT_KIND_FLOOR;
+}
+
+std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either) {
+  std::vector<Target> result;
+  for (const Reference& reference : mention.references) {
+    Target target;
+    target.kind = reference.kind;
+    target.name = reference.name;
+    switch (reference.kind) {
+      case RefKind::kWall:
+        wall_named = true;
+        break;
+      case RefKind::kCeiling:
+      case RefKind::kRoom:
+      case RefKind::kFloor:
+        break;
+      case RefKind::kFeature:
+        if (!HasFeature(reference.name)) {
+          Refuse("names_absent_feature", fmt::format("the room has no {}", reference.name));
+          continue;
+        }
+        last_feature = reference.name;
+        break;
+      case RefKind::kZone:
+        // A zone as seen from its main object is a place.
+        if (const int main = names_.MainObject(reference.name); main >= 0 && Contains(movers, main)) break;
+        [[fallthrough]];
+      default:
+        target.objects = Resolve(reference, movers, true);
+        if (target.objects.empty()) continue;
+        if (reference.kind != RefKind::kZone) target.kind = RefKind::kObjects;
+    }
+    result.push_back(std::move(target));
+    if (mention.either && first_of_either) break;
+  }
+  return result;
+}
+
+bool Composer::RefuseUnnamed(const Mention& mention) {
+  const Reference& first = mention.references.front();
+  if (first.kind != RefKind::kGroup || (first.name != "all" && first.name != "others")) return false;
+  Refuse("not_about_layout", "pieces that are not named cannot be asked for; name them");
+  return true;
+}
+
+std::vector<Placed> Composer::TargetObjects(const Mention& mention, const std::vector<Placed>& movers,
+                                            bool first_of_either) {
+  std::vector<Placed> result;
+  for (const Target& target : Targets(mention, movers, first_of_either)) {
+    if (target.objects.empty()) Refuse("unknown_sentence", "this relation needs an object, not a part of the room");
+    result.insert(result.end(), target.objects.begin(), target.objects.end());
+  }
+  return result;
+}
+
+std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vector<Placed>& movers, bool target) {
+  std::vector<int> objects;
+  switch (reference.kind) {
+    case RefKind::kPronoun: {
+      // As a target "it" is the partner of the last fact unless that is what moves now.
+      const bool bare_side = reference.name.empty();
+      std::vector<Placed> meant = topic_;
+      if (target && !bare_side && !movers.empty()) {
+        if (!pair_targets_.empty() && !Contains(pair_targets_, movers.front().object)) {
+          meant = pair_targets_;
+        } else if (!earlier_topic_.empty() && Contains(topic_, movers.front().object) &&
+                   !Contains(earlier_topic_, movers.front().object)) {
+          meant = earlier_topic_;
+        } else if (Contains(topic_, movers.front().object) && movers.size() > 1 && reference.name == "it") {
+          meant = named_;
+        }
+      }
+      // "Beside the chair, 0.2 m from the side": from the chair's.
+      if (target && bare_side && !movers.empty() && !pair_targets_.empty() &&
+          Contains(pair_movers_, movers.front().object)) {
+        meant = pair_targets_;
+      }
+      // "All three pieces" at the beginning of a sentence about several.
+      if (meant.empty() && reference.name == "them" && scope() == v1::SENTENCE_SCOPE_INTER) meant = Primaries();
+      for (Placed& placed : meant) placed.side = reference.side.empty() && !target ? placed.side : reference.side;
+      if (meant.empty()) Refuse("unknown_sentence", "nothing says what is spoken of; name the object");
+      return meant;
+    }
+    case RefKind::kObjects:
+      objects = Choose(reference, movers);
+      break;
+    case RefKind::kGroup:
+      objects = Group(reference.name, movers);
+      // "The seating" under the heading "Dining chairs" is these chairs.
+      if (reference.name == "seating" && !target) KeepSubjects(objects);
+      // "the seating" is that of the zone when it has some.
+      if (reference.name == "seating" && !reference.each && !movers.empty()) KeepZone(objects, movers.front());
+      break;
+    case RefKind::kZone: {
+      const int main = names_.MainObject(reference.name);
+      if (main >= 0) objects.push_back(main);
+      break;
+    }
+    case RefKind::kAbsent:
+      Refuse("names_absent_object",
+             fmt::format("the room has no \"{}\"; its objects are those of the object list", reference.name));
+      return {};
+    case RefKind::kVague:
+      Refuse("not_about_layout",
+             fmt::format("{} cannot be said by a layout call; name the objects and distances that serve it",
+                         reference.name));
+      return {};
+    default:
+      Refuse("unknown_sentence", "a part of the room cannot be moved; name an object");
+      return {};
+  }
+  std::vector<Placed> result;
+  for (const int index : objects) {
+    const bool too_early = target && !movers.empty() && ChosenLater(index) && !ChosenLater(movers.front().object) &&
+                           reference.kind == RefKind::kObjects;
+    if (too_early) {
+      Refuse("names_absent_object", fmt::format("\"{}\" is chosen later and cannot place furniture", reference.name));
+      continue;
+    }
+    if (!target || !Contains(movers, index) || movers.size() > 1) result.push_back({index, reference.side});
+  }
+  if (target && result.size() == 1) named_ = result;
+  if (result.empty() && reference.kind == RefKind::kObjects && !objects.empty()) {
+    Refuse("names_absent_object",
+           fmt::format("the room has no \"{}\" but what is to be placed itself", reference.name));
+  }
+  if (result.empty() && reference.kind != RefKind::kObjects) {
+    Refuse("names_absent_object", fmt::format("nothing in the room is meant by \"{}\"", reference.name));
+  }
+  return result;
+}
+
+std::vector<int> Composer::Choose(const Reference& reference, const std::vector<Placed>& movers) {
+  std::vector<int> candidates = reference.candidates;
+  if (reference.ordinal > 0) {
+    if (reference.ordinal <= static_cast<int>(candidates.size())) return {candidates[reference.ordinal - 1]};
+    Refuse("names_absent_object",
+           fmt::format("there is no {}. {}; there are {}", reference.ordinal, reference.name, candidates.size()));
+    return {};
+  }
+  const auto weak_subject = [&](int index) { return Contains(subjects_, index); };
+  if ((!reference.full || (scope() == v1::SENTENCE_SCOPE_INTRA && movers.empty())) &&
+      std::none_of(candidates.begin(), candidates.end(), weak_subject)) {
+    for (const int index : reference.weak_candidates) {
+      if (weak_subject(index) && !reference.plural) return {index};
+    }
+  }
+  if (movers.empty() && (reference.plural || reference.each)) KeepSeveralSubjects(candidates);
+  if (candidates.size() < 2 || reference.plural || reference.each) return candidates;
+  // Singular with several of the name: those that the sentence is about, then those of one name, then of the same zone.
+  const auto keep = [&](auto&& wanted) {
+    std::vector<int> kept;
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept), wanted);
+    if (!kept.empty()) candidates = kept;
+  };
+  keep([&](int index) { return !Contains(movers, index); });
+  keep([&](int index) { return Contains(subjects_, index); });
+  const auto one_name = [&] {
+    return std::all_of(candidates.begin(), candidates.end(),
+                       [&](int i) { return object(i).name() == object(candidates[0]).name(); });
+  };
+  if (candidates.size() == 1) return candidates;
+  if (subjects_.empty()) keep([&](int index) { return object(index).role() == v1::OBJECT_ROLE_PRIMARY; });
+  const std::vector<Placed>& speaker = movers.empty() ? topic_ : movers;
+  if (!speaker.empty()) {
+    const std::string& zone = object(speaker.front().object).zone_id();
+    const std::string& host = object(speaker.front().object).host_id();
+    keep([&](int index) { return object(index).id() == host; });
+    if (candidates.size() > 1) keep([&](int index) { return object(index).zone_id() == zone; });
+  }
+  keep([&](int index) { return object(index).role() != v1::OBJECT_ROLE_TERTIARY; });
+  if (one_name()) return candidates;
+  std::vector<std::string> ids;
+  for (const int index : candidates) ids.push_back(object(index).id());
+  Refuse("ambiguous_object", fmt::format("\"{}\" may be {}; say which", reference.name, absl::StrJoin(ids, ", ")));
+  return {};
+}
+
+std::vector<int> Composer::Group(const std::string& name, const std::vector<Placed>& movers) const {
+  std::vector<int> result;
+  for (int i = 0; i < request_.object_list().objects_size(); ++i) {
+    const v1::Object& candidate = object(i);
+    if (candidate.kind() != v1::OBJECT_KIND_FLOOR || candidate.role() == v1::OBJECT_ROLE_TERTIARY ||
+        candidate.walk_over())
+      continue;
+    const bool seat = IsSeat({i, ""});
+    const bool hot = IsHot({i, ""});
+    if (name == "others" && (Contains(movers, i) || Contains(topic_, i))) continue;
+    if (name == "seating" && !seat) continue;
+    if (name == "heat" && !hot) continue;
+    result.push_back(i);
+  }
+  return result;
+}
+
+std::vector<Placed> Composer::Primaries() const {
+  constexpr size_t kMost = 6;
+  std::vector<Placed> result;
+  for (int i = 0; i < request_.object_list().objects_size(); ++i) {
+    if (object(i).role() == v1::OBJECT_ROLE_PRIMARY && object(i).kind() == v1::OBJECT_KIND_FLOOR)
+      result.push_back({i, ""});
+  }
+  if (result.size() > kMost) result.clear();
+  return result;
+}
+
+void Composer::KeepSubjects(std::vector<int>& objects) const {
+  std::vector<int> kept;
+  for (const int index : objects) {
+    if (Contains(subjects_, index)) kept.push_back(index);
+  }
+  if (!kept.empty()) objects = kept;
+}
+
+void Composer::KeepSeveralSubjects(std::vector<int>& objects) const {
+  std::vector<int> kept = objects;
+  KeepSubjects(kept);
+  if (kept.size() > 1) objects = kept;
+}
+
+void Composer::KeepZone(std::vector<int>& objects, const Placed& mover) const {
+  std::vector<int> same;
+  for (const int index : objects) {
+    if (object(index).zone_id() == object(mover.object).zone_id()) same.push_back(index);
+  }
+  if (!same.empty()) objects = same;
+}
+
+}  // namespace flair::translator

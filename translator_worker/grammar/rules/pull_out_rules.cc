@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Room to pull chairs out.
+#include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/rules/space.h"
+
+namespace flair::translator {
+namespace {
+
+// A chair is pulled out backwards; room for "the chair" of a desk is in front of the desk.
+void PullOut(const Match& match, std::string_view, Composer& composer) {
+  const Mention* const chairs = match.a != nullptr ? match.a : match.b;
+  std::vector<Placed> movers = composer.Movers(chairs);
+  const std::vector<Placed>& subjects = composer.subjects();
+  if (!subjects.empty() && !composer.IsChair(subjects.front())) {
+    // Several chairs stand all round a table, one in front of a desk.
+    const bool all_round = chairs != nullptr && chairs->references.front().plural;
+    for (const Placed& subject : subjects) {
+      if (all_round) KeepSpaceAt(subject, {"front", "back", "left", "right"}, match.distance, composer);
+    }
+    if (all_round) return;
+    movers = subjects;
+  }
+  for (const Placed& mover : movers) {
+    KeepSpaceAt(mover, {composer.IsChair(mover) ? "back" : "front"}, match.distance, composer);
+  }
+}
+
+// "Space for a chair" at a desk is in front of it.
+void ChairSpace(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed>& subjects = composer.subjects();
+  if (!movers.empty() && composer.IsChair(movers.front()) && !subjects.empty()) {
+    PullOut(match, tag, composer);
+  } else {
+    composer.Refuse("unknown_sentence", "say where the space is: in front of it, behind it or around it");
+  }
+}
+
+}  // namespace
+
+std::vector<Rule> PullOutRules() {
+  return {
+      {"A? space? D? space? pull_out ,? D? space?", PullOut},
+      {"A? space for? A pull_out", PullOut},
+      {"A? space for? A pull_out ,? at_sides/all_sides/around", PullOut},
+      {"A? space? D? space? ,? at_sides for/to? A? pull_out", PullOut},
+      {"A? space? pull_out ,? all_sides", PullOut},
+      {"A? space? pull_out ,? not block B", PullOut},
+      {"space for/to? pull_out", PullOut},
+      {"A? space? pull_out away_from C", PullOut},
+      {"clear_of B pull_out", PullOut},
+      {"D space? for A pull_out", PullOut},
+      {"D space? for A pull_out away_from C", PullOut},
+      {"space for A.object", ChairSpace},
+      {"space for A.object to pull_out/C.vague", ChairSpace},
+  };
+}
+
+}  // namespace flair::translator

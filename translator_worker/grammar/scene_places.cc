@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of SceneNames that finds zones and walls.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "absl/strings/str_split.h"
+#include "translator_worker/grammar/lexicon.h"
+#include "translator_worker/grammar/scene_names.h"
+
+namespace flair::translator {
+namespace {
+
+// Words for one use of a room, a line each.
+bool SameUse(const std::string& a, const std::string& b) {
+  static constexpr std::array<std::string_view, 10> kUses = {
+      "work workspace workstation working office study studying desk homework writing computer",
+      "sleep sleeping bed bedroom rest resting",
+      "dining eating dinner meal dine",
+      "seating lounge lounging living sitting relaxation relaxing conversation social",
+      "storage storing closet clothing wardrobe",
+      "cooking kitchen cook stove",
+      "bath bathing shower showering washing tub",
+      "entertainment media tv television viewing",
+      "exercise workout gym fitness training",
+      "dressing changing vanity grooming"};
+  const auto has = [](std::string_view uses, const std::string& word) {
+    const std::vector<std::string> words = absl::StrSplit(std::string(uses), ' ');
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  return std::any_of(kUses.begin(), kUses.end(), [&](std::string_view uses) { return has(uses, a) && has(uses, b); });
+}
+
+// "Reading spot": words that say nothing alone make a zone of its name.
+bool IsAreaWord(const std::vector<Token>& tokens, size_t at) {
+  if (at >= tokens.size()) return false;
+  // "In the reading space", but not "enough working space".
+  if (tokens[at].IsWord("space")) return at > 2 && tokens[at - 2].IsWord("the") && !tokens[at - 3].IsWord("of");
+  return Lexicon::Get().Find(tokens, at).word_class == WordClass::kArea || tokens[at].IsWord("spot") ||
+         tokens[at].IsWord("furniture") || tokens[at].IsWord("nook");
+}
+
+double WallLength(const v1::Room& room, int wall) {
+  const auto& vertices = room.floor().vertices();
+  const auto& a = vertices[wall];
+  const auto& b = vertices[(wall + 1) % vertices.size()];
+  return std::hypot(b.x_m() - a.x_m(), b.y_m() - a.y_m());
+}
+
+}  // namespace
+
+size_t SceneNames::ZoneLength(const v1::Zone& zone, const std::vector<Token>& tokens, size_t at) const {
+  const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
+  if (words.empty() || at >= tokens.size()) return 0;
+  // "The bathing area" of "Shower/Bath".
+  const bool one_of =
+      words.size() > 1 && tokens[at].kind == Token::Kind::kWord && IsAreaWord(tokens, at + 1) &&
+      std::any_of(words.begin(), words.end(), [&](const std::string& word) { return SameStem(tokens[at].text, word); });
+  if (one_of) return 1;
+  size_t next = at;
+  for (const std::string& word : words) {
+    // "Shower/Bath", "Cooking and Eating".
+    if (next > at && next < tokens.size() && (tokens[next].IsMark('/') || tokens[next].IsWord("and"))) ++next;
+    if (next >= tokens.size() || tokens[next].kind != Token::Kind::kWord || !SameStem(tokens[next].text, word))
+      return 0;
+    ++next;
+  }
+  return next - at;
+}
+
+SceneNames::Found SceneNames::FindZone(const std::vector<Token>& tokens, size_t at) const {
+  for (const v1::Zone& zone : zones_.zones()) {
+    const size_t words = ZoneLength(zone, tokens, at);
+    if (words == 0) continue;
+    const size_t next = at + words;
+    // "the seating area", "the workstation and relaxation areas".
+    for (size_t i = next; i < std::min(tokens.size(), next + 5); ++i) {
+      if (IsAreaWord(tokens, i)) {
+        Found found;
+        found.reference.kind = RefKind::kZone;
+        found.reference.name = zone.id();
+        found.length = i == next ? words + 1 : words;
+        return found;
+      }
+      if (i > next && !tokens[i].IsWord("or") && !tokens[i].IsWord("and") && tokens[i - 1].kind != Token::Kind::kWord)
+        break;
+      if (i == next && !tokens[i].IsWord("or") && !tokens[i].IsWord("and")) break;
+    }
+  }
+  return {};
+}
+
+SceneNames::Found SceneNames::FindZoneByUse(const std::vector<Token>& tokens, size_t at) const {
+  if (tokens[at].kind != Token::Kind::kWord) return {};
+  // "The workspace" is a place by itself, "the eating area" needs its second word.
+  const bool area = at + 1 < tokens.size() && IsAreaWord(tokens, at + 1);
+  if (!area && !tokens[at].IsWord("workspace") && !tokens[at].IsWord("workstation")) return {};
+  for (const v1::Zone& zone : zones_.zones()) {
+    const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
+    if (words.empty() || !SameUse(tokens[at].text, words.front())) continue;
+    Found found;
+    found.reference.kind = RefKind::kZone;
+    found.reference.name = zone.id();
+    found.length = area ? 2 : 1;
+    return found;
+  }
+  return {};
+}
+
+SceneNames::Found SceneNames::FindWall(const std::vector<Token>& tokens, size_t at) const {
+  const auto make = [](const std::string& wall, size_t length) {
+    Found found;
+    found.reference.kind = RefKind::kWall;
+    found.reference.name = wall;
+    found.length = length;
+    return found;
+  };
+  const auto word = [&](size_t offset, std::string_view text) {
+    return at + offset < tokens.size() && tokens[at + offset].IsWord(text);
+  };
+  for (const v1::Wall& wall : room_.walls()) {
+    const std::vector<std::string> words = NameWords(wall.name());
+    bool same = !words.empty() && at + words.size() <= tokens.size();
+    for (size_t i = 0; same && i < words.size(); ++i) same = tokens[at + i].text == words[i];
+    if (!same) continue;
+    if (words.front() == "wall") return make(wall.name(), words.size());
+    if (word(words.size(), "wall")) return make(wall.name(), words.size() + 1);
+  }
+  if ((word(0, "longest") || word(0, "shortest")) && word(1, "wall") && room_.walls_size() > 0 &&
+      room_.walls_size() == room_.floor().vertices_size()) {
+    int best = 0;
+    for (int i = 1; i < room_.walls_size(); ++i) {
+      const double longer = WallLength(room_, i) - WallLength(room_, best);
+      if (word(0, "longest") ? longer > 1e-9 : longer < -1e-9) best = i;
+    }
+    return make(room_.walls(best).name(), 2);
+  }
+  return {};
+}
+
+}  // namespace flair::translator
