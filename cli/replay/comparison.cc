@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "absl/strings/ascii.h"
 #include "orchestrator/pipeline/replay.h"
 #include "orchestrator/pipeline/stage.h"
 
@@ -14,8 +15,29 @@ const v1::Artifact* Find(const ArtifactsByKind& artifacts, v1::ArtifactKind kind
   return found == artifacts.end() ? nullptr : &found->second;
 }
 
+// A PNG without the chunks that draw nothing, which name the layout's id among other things; their types begin with a
+// small letter. Other pictures, and what is no whole PNG, are as they are.
+std::string WithoutNotes(const std::string& picture) {
+  constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+  constexpr size_t kAroundData = 12;  // length and type before it, checksum after it
+  if (!picture.starts_with(kSignature)) return picture;
+  std::string drawn(kSignature);
+  for (size_t at = kSignature.size(); at < picture.size();) {
+    if (picture.size() - at < kAroundData) return picture;
+    size_t length = 0;
+    for (size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(picture[at + i]);
+    if (length > picture.size() - at - kAroundData) return picture;
+    if (absl::ascii_isupper(static_cast<unsigned char>(picture[at + 4]))) {
+      drawn.append(picture, at, length + kAroundData);
+    }
+    at += length + kAroundData;
+  }
+  return drawn;
+}
+
 // Without what is another one in every job.
 v1::Artifact OfAnyJob(v1::Artifact artifact) {
+  if (artifact.has_preview()) artifact.mutable_preview()->set_image(WithoutNotes(artifact.preview().image()));
   if (!artifact.has_report()) return artifact;
   artifact.clear_id();
   artifact.clear_options_digest();

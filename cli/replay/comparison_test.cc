@@ -123,6 +123,26 @@ TEST_F(ComparisonTest, ComparesReportsByWhatEveryJobMayHave) {
   EXPECT_THAT(Table(), HasSubstr("report.metrics.oob_percent: 1 -> 2\n"));
 }
 
+TEST_F(ComparisonTest, ComparesPicturesByWhatIsDrawn) {
+  const auto chunk = [](const std::string& type, const std::string& content) {
+    return std::string(3, '\0') + static_cast<char>(content.size()) + type + content + "sum.";
+  };
+  const std::string begin = std::string("\x89PNG\r\n\x1a\n") + chunk("IHDR", "size");
+  const auto set = [&](ArtifactsByKind& artifacts, const std::string& note, const std::string& drawing) {
+    v1::Preview& preview = *artifacts[v1::ARTIFACT_KIND_PREVIEW].mutable_preview();
+    preview.set_image(begin + chunk("tEXt", note) + chunk("IDAT", drawing) + chunk("IEND", ""));
+  };
+  set(first_, "made from layout 1", "bed");
+  set(again_, "made from layout no. 2", "bed");
+  Rename(v1::ARTIFACT_KIND_PREVIEW);
+  EXPECT_THAT(Table(), HasSubstr("render       same content\n"));
+  set(again_, "made from layout 1", "bad");
+  EXPECT_THAT(Table(), HasSubstr("render       differs           preview.image: "));
+  // A chunk that says that it is longer than the file.
+  again_[v1::ARTIFACT_KIND_PREVIEW].mutable_preview()->mutable_image()->at(8) = '\x7f';
+  EXPECT_THAT(Table(), HasSubstr("render       differs"));
+}
+
 TEST_F(ComparisonTest, TellsProgramsTheSame) {
   Layout().mutable_placements(0)->set_x_m(1.24);
   const std::string json = ComparisonJson(Compare(), "first", "again");
