@@ -39,14 +39,18 @@ std::string MakerLines(const v1::Artifact& artifact) {
 }
 
 std::string OriginLines(const v1::Artifact& artifact, ArtifactFinder& finder) {
+  if (artifact.made_from_ids().empty()) return "";
+  const std::vector<ProvenanceStep> steps = FindProvenance(artifact, finder);
   std::string text;
   for (int i = 0; i < artifact.made_from_ids_size(); ++i) {
     const std::string& id = artifact.made_from_ids(i);
-    const std::string beside = finder.FileBeside(id);
-    text += fmt::format("{:<11}{}{}\n", i == 0 ? "made from" : "", id, beside.empty() ? "" : "  " + beside);
+    std::string name = finder.FileBeside(id);
+    for (const ProvenanceStep& step : steps) {
+      if (name.empty() && step.id == id) name = step.name.empty() ? "not found" : step.name;
+    }
+    text += fmt::format("{:<11}{}  {}\n", i == 0 ? "made from" : "", id, name);
   }
-  if (artifact.made_from_ids().empty()) return text;
-  return text + fmt::format("{:<11}{}\n", "the way", ProvenanceLine(FindProvenance(artifact, finder)));
+  return text + fmt::format("{:<11}{}\n", "the way", ProvenanceLine(steps));
 }
 
 std::string ProblemLines(const absl::Status& good) {
