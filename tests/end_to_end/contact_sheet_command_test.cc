@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "tests/fixtures/programs.h"
+#include "tests/fixtures/designed_bedroom.h"
 
 namespace flair::testing {
 namespace {
@@ -14,24 +14,12 @@ using ::testing::StartsWith;
 
 namespace fs = std::filesystem;
 
-class ContactSheetCommand : public ::testing::Test {
+class ContactSheetCommand : public DesignedBedroom {
  protected:
-  static void SetUpTestSuite() {
-    designs_ = new TestFolder();
-    const Finished run = RunProgram(
-        "flair", {"design", "A bedroom that is 3m x 4m.", "--seed", "7", "--out", *designs_ / "bedroom", "--quiet"},
-        {{"FLAIR_HOME", *designs_ / "home"}});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-  }
-  static void TearDownTestSuite() {
-    delete designs_;
-    designs_ = nullptr;
-  }
   ContactSheetCommand() {
     for (const char* name : {"a", "b/c", "b/d"}) {
       fs::create_directories(folder_ / "batch" / name);
-      for (const char* file : {"layout.pb", "plan.png"})
-        fs::copy(*designs_ / "bedroom" / file, folder_ / "batch" / name / file);
+      for (const char* file : {"layout.pb", "plan.png"}) fs::copy(Design() / file, folder_ / "batch" / name / file);
     }
   }
   Finished Sheet(const std::vector<std::string>& more = {}) const {
@@ -39,12 +27,7 @@ class ContactSheetCommand : public ::testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return RunProgram("flair", arguments, {{"FLAIR_HOME", folder_ / "home"}});
   }
-
-  static TestFolder* designs_;
-  TestFolder folder_;
 };
-
-TestFolder* ContactSheetCommand::designs_ = nullptr;
 
 TEST_F(ContactSheetCommand, ShowsTheDesignsOfAFolderAtAnyDepth) {
   const Finished run = Sheet({"--title", "Bedrooms"});

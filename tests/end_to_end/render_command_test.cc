@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_code.h"
-#include "tests/fixtures/programs.h"
+#include "tests/fixtures/designed_bedroom.h"
 
 namespace flair::testing {
 namespace {
@@ -18,21 +18,9 @@ using ::testing::StartsWith;
 
 namespace fs = std::filesystem;
 
-// One design for all tests of this file.
-class RenderCommand : public ::testing::Test {
+class RenderCommand : public DesignedBedroom {
  protected:
-  static void SetUpTestSuite() {
-    designs_ = new TestFolder();
-    const Finished run = RunProgram(
-        "flair", {"design", "A bedroom that is 3m x 4m.", "--seed", "7", "--out", *designs_ / "bedroom", "--quiet"},
-        {{"FLAIR_HOME", *designs_ / "home"}});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-  }
-  static void TearDownTestSuite() {
-    delete designs_;
-    designs_ = nullptr;
-  }
-  static fs::path Layout() { return *designs_ / "bedroom" / "layout.pb"; }
+  static fs::path Layout() { return Design() / "layout.pb"; }
   Finished Flair(std::vector<std::string> arguments) const {
     return RunProgram("flair", arguments, {{"FLAIR_HOME", folder_ / "home"}});
   }
@@ -45,12 +33,7 @@ class RenderCommand : public ::testing::Test {
     for (const auto& entry : fs::directory_iterator(folder_.path()))
       EXPECT_EQ(entry.path().filename().string().find(".flair-"), std::string::npos) << entry.path();
   }
-
-  static TestFolder* designs_;
-  TestFolder folder_;
 };
-
-TestFolder* RenderCommand::designs_ = nullptr;
 
 TEST_F(RenderCommand, TheEndingOfTheFileDecidesItsFormat) {
   const std::pair<std::string, std::string> kStarts[] = {{"plan.png", "\x89PNG"},
@@ -68,7 +51,7 @@ TEST_F(RenderCommand, TheEndingOfTheFileDecidesItsFormat) {
 
 TEST_F(RenderCommand, ThePlanOfADesignIsThePlanOfItsLayout) {
   ASSERT_EQ(Render("plan.png").exit_code, 0);
-  EXPECT_TRUE(ReadAll(folder_ / "plan.png") == ReadAll(*designs_ / "bedroom" / "plan.png"));
+  EXPECT_TRUE(ReadAll(folder_ / "plan.png") == ReadAll(Design() / "plan.png"));
   EXPECT_THAT(ReadAll(folder_ / "plan.png"), HasSubstr("A bedroom that is 3m x 4m."));
 }
 
@@ -122,7 +105,7 @@ TEST_F(RenderCommand, ABrokenModelIsToldAndReplaced) {
 }
 
 TEST_F(RenderCommand, ABriefThatIsNotTheLayoutsIsNotTaken) {
-  fs::copy(*designs_ / "bedroom", folder_ / "mixed");
+  fs::copy(Design(), folder_ / "mixed");
   ASSERT_EQ(Flair({"design", "A kitchen for an ogre.", "--out", folder_ / "other", "--quiet"}).exit_code, 0);
   fs::copy(folder_ / "other" / "brief.pb", folder_ / "mixed" / "brief.pb", fs::copy_options::overwrite_existing);
   const Finished run = Flair({"render", folder_ / "mixed" / "layout.pb", "--out", folder_ / "plan.svg"});
@@ -246,7 +229,7 @@ TEST_P(BadPictureInput, IsRefusedAndLeavesNothing) {
     std::string text = argument;
     for (const auto& [word, path] : {std::pair<std::string, fs::path>{"LAYOUT", Layout()},
                                      {"OUT", folder_ / "out"},
-                                     {"BRIEF", *designs_ / "bedroom" / "brief.pb"},
+                                     {"BRIEF", Design() / "brief.pb"},
                                      {"FOLDER", folder_.path()}}) {
       if (text.starts_with(word)) text = path.string() + text.substr(word.size());
     }
