@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/graph/dot_text.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "absl/strings/str_replace.h"
 #include "fmt/format.h"
 #include "renderer_worker/drawing/colour.h"
 
@@ -42,28 +43,11 @@ std::string HexOf(const Rgb& colour) {
   return fmt::format("#{:02X}{:02X}{:02X}", channel(colour.red), channel(colour.green), channel(colour.blue));
 }
 
-// For HTML-like labels; control characters are no XML.
+// For HTML-like labels; other control characters are no XML.
 std::string Html(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
-    }
-  }
-  return escaped;
+  std::string plain = text;
+  std::ranges::replace_if(plain, [](unsigned char c) { return (c < 0x20 && c != '\n') || c == 0x7F; }, ' ');
+  return absl::StrReplaceAll(plain, {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}, {"\n", "&#10;"}});
 }
 
 // In double quotes. Backslashes are doubled, for Graphviz has escapes of its own; "&" for it reads entities.
@@ -120,11 +104,12 @@ const char* FillOf(DiagramKind kind) {
 }
 
 std::string NodeLine(const DiagramNode& node, int index) {
-  // HREF makes the cell carry a tooltip of its own.
+  // A target makes the cell carry a tooltip of its own, though it is no link.
   std::string rows;
   for (const DiagramCall& call : node.rows) {
-    rows += fmt::format("<TR><TD ALIGN=\"LEFT\" HREF=\" \" TITLE=\"{}\"><FONT POINT-SIZE=\"9\">{}</FONT></TD></TR>",
-                        Html(call.tooltip), CallLine(call));
+    rows +=
+        fmt::format("<TR><TD ALIGN=\"LEFT\" TARGET=\"_self\" TITLE=\"{}\"><FONT POINT-SIZE=\"9\">{}</FONT></TD></TR>",
+                    Html(call.tooltip), CallLine(call));
   }
   std::string facts;
   if (!node.facts.empty()) {

@@ -95,6 +95,19 @@ TEST(DotText, NamesOfAnyScriptAndAnySignAreEscaped) {
   EXPECT_THAT(*svg, AllOf(HasSubstr("寝台"), HasSubstr("سرير"), HasSubstr("</svg>")));
 }
 
+TEST(DotText, TheSentenceBehindACallIsItsTooltipInRowsAndOnLinks) {
+  v1::LayoutGraph graph = Graph();
+  for (const int edge : {0, 1}) {
+    v1::Sentence& sentence = *graph.mutable_constraint_list()->add_sentences() = testing::BedroomSentence();
+    sentence.set_id("s" + std::to_string(edge));
+    sentence.set_text(edge == 0 ? "It leans on a wall." : "Both are close.");
+    graph.mutable_edges(edge)->set_sentence_id(sentence.id());
+  }
+  const absl::StatusOr<std::string> svg = RunDot(DotText(DiagramOf(graph)), "svg");
+  ASSERT_TRUE(svg.ok()) << svg.status();
+  EXPECT_THAT(*svg, AllOf(HasSubstr("xlink:title=\"It leans on a wall."), HasSubstr("xlink:title=\"Both are close.")));
+}
+
 TEST(RunDot, TheSameTextGivesTheSameBytes) {
   const std::string dot = DotText(DiagramOf(Graph()));
   for (const char* format : {"svg", "png", "pdf"}) {
