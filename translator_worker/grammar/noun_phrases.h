@@ -22,6 +22,10 @@ struct RawTerm {
   bool negative = false;
 };
 
+// Whether the term is a noun phrase, and one of doors, windows or sockets.
+bool IsMention(const RawTerm& raw);
+bool IsFeature(const RawTerm& raw);
+
 // Puts noun phrases together: "the bed's headboard", "both long sides of the bed", "the bed, the wardrobe and the
 // desk", "the wardrobe doors", "the second nightstand". A bare side ("its back") refers to what was spoken of.
 std::vector<Term> GroupNounPhrases(std::vector<RawTerm> raw);

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/noun_lists.h"
+
+#include <utility>
+
+namespace flair::translator {
+namespace {
+
+using Role = RawTerm::Role;
+
+class ListJoiner {
+ public:
+  explicit ListJoiner(std::vector<RawTerm> in) : in_(std::move(in)) {}
+
+  std::vector<Term> Run() {
+    std::vector<Term> out;
+    bool relation_seen = false;
+    for (size_t i = 0; i < in_.size(); ++i) {
+      RawTerm& raw = in_[i];
+      if (raw.role == Role::kModal) continue;
+      if (raw.role == Role::kAnd || raw.role == Role::kOr) {
+        raw.term.kind = raw.role == Role::kAnd ? Term::Kind::kSoft : Term::Kind::kWord;
+        raw.term.lemma = raw.role == Role::kAnd ? "and" : "or";
+        out.push_back(std::move(raw.term));
+        continue;
+      }
+      if (raw.term.kind == Term::Kind::kStop) relation_seen = false;
+      if (raw.term.kind == Term::Kind::kWord) {
+        relation_seen = relation_seen || raw.term.lemma != "not";
+        after_between_ = raw.term.lemma == "between";
+        after_away_ = raw.term.lemma == "away_from";
+      }
+      if (IsMention(raw)) i = ReadList(i, relation_seen);
+      out.push_back(std::move(in_[i].term));
+    }
+    return out;
+  }
+
+ private:
+  const RawTerm* Peek(size_t index) const { return index < in_.size() ? &in_[index] : nullptr; }
+
+  // Things are listed with things and parts of the room with parts of the room; walls also stand beside features
+  // where all of them are kept away from: "away from walls, windows and doors".
+  bool SameSort(const Term& a, const Term& b) const {
+    const RefKind first = a.mention.references.back().kind;
+    const RefKind second = b.mention.references.back().kind;
+    if (after_away_ && IsShell(first) && second == RefKind::kFeature) return true;
+    if (after_away_ && first == RefKind::kFeature && IsShell(second)) return true;
+    return IsShell(first) == IsShell(second);
+  }
+
+  static bool IsShell(RefKind kind) {
+    return kind == RefKind::kWall || kind == RefKind::kCeiling || kind == RefKind::kRoom || kind == RefKind::kFloor;
+  }
+
+  // Merges the list that begins at i into its last member; returns the index of that member.
+  size_t ReadList(size_t i, bool relation_seen) {
+    while (true) {
+      size_t next = i + 1;
+      bool joined = false;
+      bool either = in_[i].term.mention.either;
+      while (Peek(next) && (in_[next].role == Role::kAnd || in_[next].role == Role::kOr ||
+                            (in_[next].role == Role::kNone && in_[next].term.kind == Term::Kind::kSoft &&
+                             in_[next].term.lemma == ","))) {
+        if (in_[next].role == Role::kOr) either = true;
+        joined = joined || in_[next].role == Role::kAnd || in_[next].role == Role::kOr || ListGoesOn(next);
+        ++next;
+      }
+      if (!joined || !Peek(next) || !IsMention(in_[next]) || !SameSort(in_[i].term, in_[next].term)) return i;
+      // "... near the desk and the armchair should face the sofa": a new clause, not a list.
+      if (relation_seen && !after_between_ && Peek(next + 1) && in_[next + 1].role == Role::kModal) return i;
+      Mention merged = std::move(in_[i].term.mention);
+      for (Reference reference : in_[next].term.mention.references) {
+        const Reference& before = merged.references.back();
+        // "the wardrobe's doors or drawers": both are the wardrobe's.
+        if (reference.kind == RefKind::kPronoun && reference.name.empty() && before.kind == RefKind::kObjects) {
+          const std::string side = reference.side;
+          reference = before;
+          reference.side = side;
+        }
+        merged.references.push_back(std::move(reference));
+      }
+      merged.either = either;
+      in_[next].term.mention = std::move(merged);
+      in_[next].term.begin = in_[i].term.begin;
+      i = next;
+    }
+  }
+
+  // "the bed, wardrobe, and desk": after the comma come only list members up to an "and" or "or".
+  bool ListGoesOn(size_t comma) const {
+    // "Doors, windows.": features need no "and".
+    if (comma > 0 && Peek(comma + 1) && IsFeature(in_[comma - 1]) && IsFeature(in_[comma + 1])) return true;
+    for (size_t i = comma + 1, seen = 0; Peek(i) && seen < 12; ++i, ++seen) {
+      if (in_[i].role == Role::kAnd || in_[i].role == Role::kOr) return i > comma + 1;
+      if (!IsMention(in_[i]) && !(in_[i].term.kind == Term::Kind::kSoft && in_[i].term.lemma == ",")) return false;
+    }
+    return false;
+  }
+
+  std::vector<RawTerm> in_;
+  // "between X and Y should": X and Y belong together.
+  bool after_between_ = false;
+  // "away from X and Y": walls and features in one list.
+  bool after_away_ = false;
+};
+
+}  // namespace
+
+std::vector<Term> JoinLists(std::vector<RawTerm> raw) { return ListJoiner(std::move(raw)).Run(); }
+
+}  // namespace flair::translator
