@@ -46,6 +46,13 @@ v1::LayoutGraph BedroomGraph() {
   return graph;
 }
 
+v1::SolveRequest BedroomSolve() {
+  v1::SolveRequest request;
+  *request.mutable_layout_graph() = BedroomGraph();
+  request.mutable_options()->set_seed(5);
+  return request;
+}
+
 v1::SolvedLayout BedroomLayout() {
   v1::SolvedLayout layout;
   *layout.mutable_graph() = BedroomGraph();

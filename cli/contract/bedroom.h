@@ -7,6 +7,7 @@
 
 #include "flair/v1/brief.pb.h"
 #include "flair/v1/layout_graph.pb.h"
+#include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 
 namespace flair::contract {
@@ -17,6 +18,10 @@ v1::Brief BedroomBrief();
 // 4 m x 5 m with a door in the south; a bed (primary) and a nightstand in the zone "sleeping"; one sentence about each,
 // "s1" and "s2"; no edges.
 v1::LayoutGraph BedroomGraph();
+
+// Solve of the bedroom with seed 5, and how reports call it.
+v1::SolveRequest BedroomSolve();
+inline constexpr char kBedroomSolve[] = "Solve of a small bedroom";
 
 // The bedroom with the bed in the middle, for renderers.
 v1::SolvedLayout BedroomLayout();

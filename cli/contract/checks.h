@@ -35,6 +35,7 @@ void AddServerChecks(const Sample& sample, Checks& checks);
 void AddCallerChecks(const Sample& sample, Checks& checks);
 
 void AddSolveChecks(Checks& checks);
+void AddUnitChecks(Checks& checks);
 void AddSolveRefusals(Checks& checks);
 void AddCatalogueChecks(Checks& checks);
 void AddEvaluateChecks(Checks& checks);

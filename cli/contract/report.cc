@@ -33,8 +33,10 @@ std::vector<std::string> Claims(const v1::GetWorkerResponse& worker) {
   return names;
 }
 
-// A server's words on one line of a terminal.
+// A server's words on one line of a terminal, and not more than can be read.
 std::string OneLine(std::string text) {
+  constexpr size_t kShown = 400;
+  if (text.size() > kShown) text = text.substr(0, kShown) + "...";
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   }
@@ -94,7 +96,7 @@ std::string ResultsJson(const Stage& stage, const Target& target, std::span<cons
     if (finding.verdict == Verdict::kSkipped) check["reason"] = finding.reason;
     if (finding.verdict == Verdict::kBroken) {
       check["sent"] = finding.sent;
-      check["got"] = finding.got;
+      check["got"] = OneLine(finding.got);
       check["right"] = finding.right;
     }
     checks.push_back(std::move(check));

@@ -10,13 +10,6 @@
 namespace flair::contract {
 namespace {
 
-v1::SolveRequest Bedroom() {
-  v1::SolveRequest request;
-  *request.mutable_layout_graph() = BedroomGraph();
-  request.mutable_options()->set_seed(5);
-  return request;
-}
-
 const v1::Placement* PlacementOf(const v1::SolvedLayout& layout, const std::string& object_id) {
   const auto found = std::ranges::find(layout.placements(), object_id, &v1::Placement::object_id);
   return found == layout.placements().end() ? nullptr : &*found;
@@ -48,7 +41,7 @@ std::string MoveFault(const v1::SolvedLayout& before, const v1::ResolveResponse&
 
 Finding MovesWhatItSays(Target& target) {
   const std::string sent = "Resolve with the bed moved to (2, 2)";
-  return Given<v1::SolveResponse>(target, "Solve of a small bedroom", Bedroom(), [&](const v1::SolveResponse& solved) {
+  return Given<v1::SolveResponse>(target, kBedroomSolve, BedroomSolve(), [&](const v1::SolveResponse& solved) {
     v1::ResolveRequest request;
     request.set_request_id(target.NewRequestId());
     *request.mutable_solved_layout() = solved.solved_layout();
@@ -65,7 +58,7 @@ Finding MovesWhatItSays(Target& target) {
 }
 
 Finding RefusesEditsOfGhosts(Target& target) {
-  return Given<v1::SolveResponse>(target, "Solve of a small bedroom", Bedroom(), [&](const v1::SolveResponse& solved) {
+  return Given<v1::SolveResponse>(target, kBedroomSolve, BedroomSolve(), [&](const v1::SolveResponse& solved) {
     v1::ResolveRequest request;
     *request.mutable_solved_layout() = solved.solved_layout();
     request.add_edits()->set_pin_object_id("ghost");
@@ -75,7 +68,7 @@ Finding RefusesEditsOfGhosts(Target& target) {
 
 Finding VariantsAreComplete(Target& target) {
   constexpr int kWanted = 3;
-  v1::SolveRequest request = Bedroom();
+  v1::SolveRequest request = BedroomSolve();
   request.mutable_options()->set_variant_count(kWanted);
   const std::string sent = fmt::format("Solve of a small bedroom with options.variant_count {}", kWanted);
   const std::string right =

@@ -6,9 +6,7 @@
 
 #include "cli/contract/ask.h"
 #include "cli/contract/bedroom.h"
-#include "evaluation/metrics/layout_metrics.h"
 #include "flair/v1/optimizer_service.pb.h"
-#include "room/conversion/scene_conversion.h"
 #include "room/validation/validate.h"
 
 namespace flair::contract {
@@ -17,16 +15,9 @@ namespace {
 constexpr int kManyObjects = 60;
 constexpr int kFarTooManyObjects = 240;
 
-v1::SolveRequest Bedroom() {
-  v1::SolveRequest request;
-  *request.mutable_layout_graph() = BedroomGraph();
-  request.mutable_options()->set_seed(5);
-  return request;
-}
-
 // The bedroom with so many beds: hard, and never good.
 v1::SolveRequest Crowd(int object_count) {
-  v1::SolveRequest request = Bedroom();
+  v1::SolveRequest request = BedroomSolve();
   v1::ObjectList& list = *request.mutable_layout_graph()->mutable_object_list();
   for (int i = 0; list.objects_size() < object_count; ++i) {
     v1::Object& object = *list.add_objects();
@@ -52,96 +43,35 @@ std::string LayoutFault(const v1::SolveRequest& request, const v1::SolvedLayout&
 constexpr char kRightLayout[] = "a valid layout in which every object is placed once";
 
 Finding PlacesEveryObject(Target& target) {
-  const v1::SolveRequest request = Bedroom();
-  return Given<v1::SolveResponse>(target, "Solve of a small bedroom", request, [&](const v1::SolveResponse& answer) {
+  const v1::SolveRequest request = BedroomSolve();
+  return Given<v1::SolveResponse>(target, kBedroomSolve, request, [&](const v1::SolveResponse& answer) {
     const std::string fault = LayoutFault(request, answer.solved_layout());
-    return fault.empty() ? Kept() : Broken("Solve of a small bedroom", fault, kRightLayout);
+    return fault.empty() ? Kept() : Broken(kBedroomSolve, fault, kRightLayout);
   });
 }
 
 Finding NamesItsProducer(Target& target) {
-  return Given<v1::SolveResponse>(target, "Solve of a small bedroom", Bedroom(), [](const v1::SolveResponse& answer) {
+  return Given<v1::SolveResponse>(target, kBedroomSolve, BedroomSolve(), [](const v1::SolveResponse& answer) {
     if (!answer.producer().program().empty() && !answer.producer().method().empty()) return Kept();
-    return Broken("Solve of a small bedroom", fmt::format("producer: {{ {} }}", answer.producer().ShortDebugString()),
+    return Broken(kBedroomSolve, fmt::format("producer: {{ {} }}", answer.producer().ShortDebugString()),
                   "a producer whose program and method are set, as artifacts say where they come from");
   });
 }
 
 Finding GivesTheProblemBack(Target& target) {
-  const v1::SolveRequest request = Bedroom();
-  return Given<v1::SolveResponse>(target, "Solve of a small bedroom", request, [&](const v1::SolveResponse& answer) {
+  const v1::SolveRequest request = BedroomSolve();
+  return Given<v1::SolveResponse>(target, kBedroomSolve, request, [&](const v1::SolveResponse& answer) {
     google::protobuf::util::MessageDifferencer differencer;
     std::string difference;
     differencer.ReportDifferencesToString(&difference);
     if (differencer.Compare(request.layout_graph(), answer.solved_layout().graph())) return Kept();
-    return Broken("Solve of a small bedroom", "solved_layout.graph differs: " + difference.substr(0, 200),
+    return Broken(kBedroomSolve, "solved_layout.graph differs: " + difference.substr(0, 200),
                   "the graph that was sent, unchanged");
   });
 }
 
-Finding StandsOnTheFloor(Target& target) {
-  return Given<v1::SolveResponse>(target, "Solve of a small bedroom", Bedroom(), [](const v1::SolveResponse& answer) {
-    for (const v1::Placement& placement : answer.solved_layout().placements()) {
-      if (placement.z_m() == 0) continue;
-      return Broken("Solve of a small bedroom", fmt::format("\"{}\" at z_m {}", placement.object_id(), placement.z_m()),
-                    "0 for what stands on the floor: z_m is the height of the underside");
-    }
-    return Kept();
-  });
-}
-
-bool NamesObject(const v1::SolvedLayout& layout, const std::string& object_id) {
-  return std::ranges::any_of(layout.diagnostics(), [&](const v1::Diagnostic& diagnostic) {
-    return diagnostic.subject_id() == object_id || diagnostic.message().find(object_id) != std::string::npos;
-  });
-}
-
-// Share of the room's area, percent, that the layout's objects cover outside of it.
-absl::StatusOr<double> OutsidePercent(const v1::LayoutGraph& graph, const v1::SolvedLayout& layout) {
-  const absl::StatusOr<Scene> scene = SceneFromProto(graph);
-  if (!scene.ok()) return scene.status();
-  const absl::StatusOr<PartialLayout> poses = PosesFromPlacements(*scene, layout.placements());
-  if (!poses.ok()) return poses.status();
-  return evaluation::MeasureLayout(
-             {*scene, poses->layout, std::vector<char>(poses->placed.begin(), poses->placed.end())})
-      .oob_percent();
-}
-
-// A bench that fits a corridor in one direction only. A server that measures otherwise puts it through the walls.
-Finding FitsACorridor(Target& target, const char* room, const std::string& sent, const std::string& right) {
-  constexpr double kOutsidePercent = 1;
-  v1::SolveRequest request;
-  *request.mutable_layout_graph() =
-      GraphFromText(fmt::format("{}; zone hall; bench 2.4x0.5 at 1,1,0 primary zone hall height 0.5", room));
-  return Given<v1::SolveResponse>(target, sent, request, [&](const v1::SolveResponse& answer) {
-    const absl::StatusOr<double> outside = OutsidePercent(request.layout_graph(), answer.solved_layout());
-    if (!outside.ok()) return Broken(sent, std::string(outside.status().message()), right);
-    if (*outside <= kOutsidePercent) return Kept();
-    if (NamesObject(answer.solved_layout(), "bench"))
-      return Skipped("a diagnostic says that the bench has no good place");
-    const std::string placement = answer.solved_layout().placements_size() == 0
-                                      ? "no placement"
-                                      : answer.solved_layout().placements(0).ShortDebugString();
-    return Broken(sent, fmt::format("{{ {} }}, which is outside the room by {:.1f} % of its area", placement, *outside),
-                  right);
-  });
-}
-
-Finding FitsAStraightCorridor(Target& target) {
-  return FitsACorridor(target, "1.2x4 room",
-                       "Solve of a corridor of 1.2 m (x) by 4 m (y) with a bench 2.4 m wide and 0.5 m deep",
-                       "theta_rad near pi/2 or 3 pi/2: at 0 an object faces north, with its width along x");
-}
-
-Finding FitsASlantingCorridor(Target& target) {
-  return FitsACorridor(
-      target, "room 0.6,0 4.0641,2 3.4641,3.0392 0,1.0392",
-      "Solve of a corridor 1.2 m wide that runs 30 degrees counter-clockwise from the x axis, with a bench 2.4 m wide",
-      "theta_rad near pi/6 or 7 pi/6 (headings turn counter-clockwise), or a diagnostic that names the bench");
-}
-
 Finding KeepsPins(Target& target) {
-  v1::SolveRequest request = Bedroom();
+  v1::SolveRequest request = BedroomSolve();
   v1::Placement& pin = *request.mutable_layout_graph()->add_pinned_placements();
   pin.set_object_id("bed");
   pin.set_x_m(2.25);
@@ -178,7 +108,7 @@ Finding DropsEdges(Target& target, const v1::SolveRequest& request, const std::s
 }
 
 Finding DropsUnknownTypes(Target& target) {
-  v1::SolveRequest request = Bedroom();
+  v1::SolveRequest request = BedroomSolve();
   for (const char* id : {"e7", "e2"}) {
     *request.mutable_layout_graph()->add_edges() = EdgeOn("surely_no_such_type", "object", "bed");
     request.mutable_layout_graph()->mutable_edges()->rbegin()->set_id(id);
@@ -202,7 +132,7 @@ Finding DropsBadCalls(Target& target, const std::string& what, void (*spoil)(v1:
   const auto type = TypeOfOneObject(target);
   if (!type.ok()) return Broken("ListConstraintTypes", StatusText(type.status()), "a catalogue");
   if (type->first.empty()) return Skipped("no type of its catalogue takes an object first");
-  v1::SolveRequest request = Bedroom();
+  v1::SolveRequest request = BedroomSolve();
   v1::ConstraintEdge& edge = *request.mutable_layout_graph()->add_edges();
   edge = EdgeOn(type->first, type->second, "bed");
   spoil(edge);
@@ -243,13 +173,13 @@ Finding ObeysATimeLimit(Target& target) {
 }
 
 Finding ThreadsChangeNothing(Target& target) {
-  v1::SolveRequest request = Bedroom();
+  v1::SolveRequest request = BedroomSolve();
   std::vector<std::string> layouts;
   for (const int threads : {1, 4}) {
     request.set_request_id(target.NewRequestId());
     request.mutable_options()->set_thread_count(threads);
     const auto answer = target.Ask<v1::SolveResponse>(request);
-    if (!answer.ok()) return Broken("Solve of a small bedroom", StatusText(answer.status()), "an answer");
+    if (!answer.ok()) return Broken(kBedroomSolve, StatusText(answer.status()), "an answer");
     layouts.push_back(answer->solved_layout().SerializeAsString());
   }
   if (layouts[0] == layouts[1]) return Kept();
@@ -260,13 +190,13 @@ Finding ThreadsChangeNothing(Target& target) {
 }  // namespace
 
 Sample SolveSample() {
-  const v1::SolveRequest bedroom = Bedroom();
+  const v1::SolveRequest bedroom = BedroomSolve();
   v1::SolveRequest crowd = Crowd(kFarTooManyObjects);
   crowd.mutable_options()->set_max_restart_count(1);
-  v1::SolveRequest restarts = Bedroom();
+  v1::SolveRequest restarts = BedroomSolve();
   restarts.mutable_options()->set_thread_count(1);
   restarts.mutable_options()->set_max_restart_count(10000);
-  return {.what = "Solve of a small bedroom",
+  return {.what = kBedroomSolve,
           .request = std::make_shared<v1::SolveRequest>(bedroom),
           .fault =
               [bedroom](const std::string& bytes) {
@@ -295,11 +225,6 @@ void AddSolveChecks(Checks& checks) {
   checks.push_back({"An edge with an argument that its type does not have is dropped with a reason", Promise::kMessages,
                     DropsUnknownParameters});
   checks.push_back({"A time limit gives the best layout so far, which says so", Promise::kMessages, ObeysATimeLimit});
-  checks.push_back({"What stands on the floor has its underside at 0 m", Promise::kUnits, StandsOnTheFloor});
-  checks.push_back({"Headings are radians and 0 faces north: a bench fits a straight corridor", Promise::kUnits,
-                    FitsAStraightCorridor});
-  checks.push_back(
-      {"Headings turn counter-clockwise: a bench fits a slanting corridor", Promise::kUnits, FitsASlantingCorridor});
   checks.push_back(
       {"Threads do not change a layout", Promise::kRepetition, ThreadsChangeNothing, v1::CAPABILITY_DETERMINISTIC});
 }

@@ -62,8 +62,8 @@ std::vector<Check> ChecksOf(const Stage& stage) {
   if (name == "language") return Assemble(LanguageSample(), {AddLanguageChecks});
   if (name == "translator") return Assemble(TranslateSample(), {AddTranslatorChecks});
   if (name == "optimizer") {
-    return Assemble(SolveSample(), {AddSolveChecks, AddSolveRefusals, AddCatalogueChecks, AddEvaluateChecks,
-                                    AddResolveChecks, AddRestartChecks});
+    return Assemble(SolveSample(), {AddSolveChecks, AddUnitChecks, AddSolveRefusals, AddCatalogueChecks,
+                                    AddEvaluateChecks, AddResolveChecks, AddRestartChecks});
   }
   if (name == "renderer") return Assemble(RenderSample(), {AddRenderChecks, AddViewChecks, AddContactSheetChecks});
   return Assemble(OrchestratorSample(), {AddOrchestratorChecks});
