@@ -80,6 +80,10 @@ TEST(HostileText, AlwaysEndsInACallOrADiagnostic) {
                                           Repeat("one accessible long ", 100000),
                                           Repeat("one of the 2m sides ", 100000),
                                           Repeat("label: ", 100000),
+                                          Repeat("not block view window ", 100000),
+                                          Repeat("near but not next to the bed ", 100000),
+                                          Repeat("space on one accessible side ", 100000),
+                                          Repeat("one side (typically ", 100000),
                                           Repeat("bed 1 ", 100000),
                                           "bed 99999999999999999999 near desk 0",
                                           "The bed is 1e999 m from the desk",
@@ -120,7 +124,8 @@ TEST(HostileText, OfShuffledWordsAndBytesNeverCrashes) {
 TEST(HostileText, TakesTimeInProportionToItsLength) {
   for (const char* unit : {"the bed, ", "at least one long side of the ", "minimum distance from ", "( \"bed\" ",
                            "zqx ", "(0.5m minimum) ", "things such as the bed and ", "near or behind the bed ",
-                           "one accessible long ", "one of the 2m sides "}) {
+                           "one accessible long ", "one of the 2m sides ", "not block view window ",
+                           "near but not next to the bed ", "space on one accessible side ", "one side (typically "}) {
     const auto seconds = [&](size_t bytes) {
       const std::string text = Repeat(unit, bytes);
       const std::clock_t begin = std::clock();

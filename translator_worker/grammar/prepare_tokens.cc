@@ -30,7 +30,9 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
 
 bool SpaceBefore(const std::vector<Token>& tokens, size_t end) {
   static constexpr std::array<std::string_view, 5> kSpaces = {"space", "room", "clearance", "gap", "distance"};
-  return std::any_of(tokens.begin(), tokens.begin() + static_cast<long>(end), [](const Token& token) {
+  constexpr size_t kFar = 12;
+  const auto last = tokens.begin() + static_cast<long>(end);
+  return std::any_of(last - static_cast<long>(std::min(end, kFar)), last, [](const Token& token) {
     return std::find(kSpaces.begin(), kSpaces.end(), token.text) != kSpaces.end();
   });
 }

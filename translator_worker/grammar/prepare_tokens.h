@@ -8,7 +8,8 @@
 namespace flair::translator {
 
 // Makes some ways of saying a thing one, before phrases are looked up: adverbs that place nothing are dropped, "neither
-// X nor Y" becomes "neither X and Y", "one accessible side" becomes "one side accessible". Linear in the tokens.
+// X nor Y" becomes "neither X and Y", "one accessible side" becomes "one side accessible", "there is room to sit" is
+// space. Linear in the tokens.
 std::vector<Token> PrepareTokens(std::vector<Token> tokens);
 
 // Whether tokens[at] is the "to" of a reason: "0.9 m from the table to allow chairs to pull out" is not "from the table

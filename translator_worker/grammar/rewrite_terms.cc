@@ -108,24 +108,28 @@ void DropWhatIsBlocked(std::vector<Term>& terms) {
     const RefKind kind = term.mention.references.front().kind;
     return kind == RefKind::kFeature || kind == RefKind::kObjects;
   };
-  for (size_t i = 0; i + 2 < terms.size(); ++i) {
-    if (!terms[i].IsWord("block")) continue;
+  std::vector<Term> kept;
+  for (size_t i = 0; i < terms.size(); ++i) {
+    kept.push_back(std::move(terms[i]));
+    if (!kept.back().IsWord("block")) continue;
     size_t end = i + 1;
-    while (end < terms.size() && of_it(terms[end])) ++end;
-    if (end == i + 1 || end == terms.size() || !thing(terms[end])) continue;
     // A line of sight to an object is another matter.
-    const bool sight = std::any_of(terms.begin() + static_cast<long>(i), terms.begin() + static_cast<long>(end),
-                                   [](const Term& term) { return term.IsWord("facing"); });
-    if (sight && terms[end].mention.references.front().kind == RefKind::kObjects) continue;
-    terms.erase(terms.begin() + static_cast<long>(i) + 1, terms.begin() + static_cast<long>(end));
+    bool sight = false;
+    while (end < terms.size() && of_it(terms[end])) sight = terms[end++].IsWord("facing") || sight;
+    const bool object =
+        end < terms.size() && thing(terms[end]) && terms[end].mention.references.front().kind == RefKind::kObjects;
+    if (end < terms.size() && thing(terms[end]) && !(sight && object)) i = end - 1;
   }
+  terms = std::move(kept);
 }
 
 // "Close to, but not directly next to, the bed": near it.
 void DropSofteningOfNear(std::vector<Term>& terms) {
   const auto soft = [](const Term& term) { return term.kind == Term::Kind::kSoft || term.IsWord("or"); };
+  std::vector<Term> kept;
   for (size_t i = 0; i < terms.size(); ++i) {
-    if (!terms[i].IsWord("near")) continue;
+    kept.push_back(std::move(terms[i]));
+    if (!kept.back().IsWord("near")) continue;
     size_t end = i + 1;
     while (end < terms.size() && soft(terms[end])) ++end;
     if (end == i + 1 || end + 1 >= terms.size() || !terms[end].IsWord("not")) continue;
@@ -133,9 +137,9 @@ void DropSofteningOfNear(std::vector<Term>& terms) {
     if (!terms[end].IsWord("next_to") && !terms[end].IsWord("against") && !terms[end].IsWord("near")) continue;
     ++end;
     while (end < terms.size() && soft(terms[end])) ++end;
-    if (end >= terms.size() || terms[end].kind != Term::Kind::kMention) continue;
-    terms.erase(terms.begin() + static_cast<long>(i) + 1, terms.begin() + static_cast<long>(end));
+    if (end < terms.size() && terms[end].kind == Term::Kind::kMention) i = end - 1;
   }
+  terms = std::move(kept);
 }
 
 // "Space in front of at least 0.8 m": of the figure, not of a thing.
