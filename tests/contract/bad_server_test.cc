@@ -85,6 +85,12 @@ TEST_F(BadServer, WhatIsNotClaimedIsSkippedAndSaidSo) {
   EXPECT_THAT(finding.reason, HasSubstr("DETERMINISTIC"));
 }
 
+TEST_F(BadServer, AServerThatSaysNothingOfItselfClaimsNothing) {
+  const SpoiltOptimizer server(Good(), {.worker = std::nullopt});
+  EXPECT_EQ(Put("The server speaks flair.v1", server.address()).verdict, Verdict::kKept);
+  EXPECT_EQ(Put("Every placed example comes to its verdict", server.address()).verdict, Verdict::kSkipped);
+}
+
 TEST_F(BadServer, NaNIsFound) {
   ExpectFound(kPlacesAll,
               {.spoil_solve = [](auto& answer) { First(answer).set_x_m(std::numeric_limits<double>::quiet_NaN()); }},

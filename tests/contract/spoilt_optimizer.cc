@@ -64,7 +64,7 @@ class Worker final : public v1::WorkerService::Service {
  public:
   explicit Worker(const Fault& fault) : fault_(fault) {}
   grpc::Status GetWorker(grpc::ServerContext*, const v1::GetWorkerRequest*, v1::GetWorkerResponse* response) override {
-    *response = fault_.worker;
+    *response = *fault_.worker;
     return grpc::Status::OK;
   }
 
@@ -108,7 +108,7 @@ SpoiltOptimizer::SpoiltOptimizer(const std::string& good, Fault fault)
     : services_(std::make_unique<Services>(good, std::move(fault))) {
   grpc::ServerBuilder builder;
   builder.RegisterService(&services_->optimizer);
-  builder.RegisterService(&services_->worker);
+  if (services_->fault.worker) builder.RegisterService(&services_->worker);
   server_ = Listen(builder, address_);
 }
 

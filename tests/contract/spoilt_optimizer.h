@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "flair/v1/optimizer_service.pb.h"
@@ -24,7 +25,8 @@ struct Fault {
   std::function<void(const v1::SolveRequest&)> on_solve = {};
   std::function<void(v1::ListConstraintTypesResponse&)> spoil_catalogue = {};
   std::function<void(v1::EvaluateResponse&)> spoil_evaluate = {};
-  v1::GetWorkerResponse worker = {};
+  // What it says of itself; nothing to have no WorkerService.
+  std::optional<v1::GetWorkerResponse> worker = v1::GetWorkerResponse();
 };
 
 class SpoiltOptimizer {
