@@ -86,6 +86,8 @@ absl::StatusOr<std::string> Begin(Session& session, const v1::JobSpec& spec, boo
     return interrupted;
   }
   const absl::StatusOr<v1::Job> created = session.CreateJob(spec);
+  // The earlier job did not come so far: what was asked is not right, no file is at fault.
+  if (absl::IsFailedPrecondition(created.status())) return absl::InvalidArgumentError(created.status().message());
   if (!created.ok()) return created.status();
   return created->id();
 }

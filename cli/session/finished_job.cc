@@ -9,6 +9,8 @@
 #include "cli/input/artifact_file.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
+#include "orchestrator/pipeline/replay.h"
+#include "orchestrator/pipeline/stage.h"
 
 namespace flair::cli {
 
@@ -16,9 +18,13 @@ absl::Status ErrorOf(const v1::Job& job) {
   constexpr std::array<std::string_view, 7> kModelStages = {"room",        "zones",    "objects",    "style",
                                                             "constraints", "cleaning", "translation"};
   const auto code = static_cast<absl::StatusCode>(job.error_code());
+  // Artifacts that are taken from an earlier job are no model's answers.
+  const bool taken = job.spec().has_replay() &&
+                     orchestrator::StageIndex(job.stage()) < orchestrator::FirstStageOf(job.spec().replay());
   const bool of_model = code == absl::StatusCode::kDataLoss || code == absl::StatusCode::kFailedPrecondition ||
                         code == absl::StatusCode::kPermissionDenied;
-  if (of_model && std::ranges::find(kModelStages, job.stage()) != kModelStages.end()) return ModelError(job.error());
+  if (of_model && !taken && std::ranges::find(kModelStages, job.stage()) != kModelStages.end())
+    return ModelError(job.error());
   return absl::Status(code, job.error());
 }
 

@@ -143,6 +143,22 @@ TEST_F(ReplayCommand, AnotherBuildThatDoesTheSameIsCalledOut) {
                              HasSubstr("producer.build: \"" + BuildOfFlair() + "\" -> \"another-build\"\n")));
 }
 
+TEST_F(ReplayCommand, SaysWhichArtifactIsDamagedOrGone) {
+  const std::string job = Design();
+  const std::string objects = json::parse(ReadAll(folder_ / "out" / "objects.json"))["id"];
+  const std::filesystem::path file =
+      std::filesystem::path(folder_ / "home") / "artifacts" / objects.substr(0, 2) / (objects + ".pb");
+  ASSERT_TRUE(std::filesystem::exists(file));
+  WriteAll(file, "damaged");
+  const Finished damaged = Replay(job, {"--from", "solve"});
+  EXPECT_EQ(damaged.exit_code, 5) << damaged.err;
+  EXPECT_THAT(damaged.err, HasSubstr(objects));
+  std::filesystem::remove(file);
+  const Finished gone = Replay(job, {"--from", "solve"});
+  EXPECT_EQ(gone.exit_code, 2) << gone.err;
+  EXPECT_THAT(gone.err, HasSubstr("artifact " + objects + ": not in this store"));
+}
+
 TEST_F(ReplayCommand, RefusesWhatMakesNoSense) {
   const std::string job = Design();
   const struct {
