@@ -91,7 +91,7 @@ Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity
   Gathered direct, bounced;
   for (int i = 0; i < round_count; ++i) direct.Add(DirectLight(world, choice, seen.position, random, i));
   // Where the sky is open, these rays bring its light; within a room only that of other surfaces, which varies less.
-  const int bounce_count = lights.open_sky ? round_count : (3 * round_count + 3) / 4;
+  const int bounce_count = lights.open_sky ? round_count : (round_count + 1) / 2;
   const PixelSamples random_bounces(seeds, column, row, bounce_count);
   for (int i = 0; i < bounce_count; ++i) {
     const Vec3 direction = CosineDirection(seen.normal, random_bounces.At(i, Purpose::kBounce));

@@ -14,8 +14,8 @@ struct Lit {
   Vec3 gloss;          // radiance that the surface mirrors, roughly
 };
 
-// Light for pixel (column, row): `round_count` times a path to another surface, one to a lamp or window, one to the
-// sun; half as often a mirrored one where the surface shines.
+// Light for pixel (column, row): `round_count` times a path to a lamp or window and one to the sun, as often one to
+// another surface (half as often within a room), and a quarter as often a mirrored one where the surface shines.
 Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity, const Seen& seen,
             const SampleSeeds& seeds, int column, int row, int round_count);
 

@@ -10,8 +10,8 @@ namespace flair::renderer {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kLeastBesideSky = 0.006F;
-constexpr size_t kMostLights = 250;  // beyond, the least bright ones of a scene stay dark
+constexpr float kLeastBesideSky = 0.05F;  // irradiance over pi; the sky's is about 1
+constexpr size_t kMostLights = 250;       // beyond, the least bright ones of a scene stay dark
 
 // How much a light may give a point: only steers the choice.
 float GuessOf(const RectLight& rect, Vec3 position, Vec3 normal) {
@@ -28,9 +28,11 @@ float GuessOf(const RectLight& rect, Vec3 position, Vec3 normal) {
 
 float GuessOf(const BallLight& ball, Vec3 position, Vec3 normal) {
   const Vec3 way = ball.centre - position;
+  const float left = ball.LeftAt(Dot(way, way));
+  if (left <= 0) return 0;
   const float distance2 = Dot(way, way) + ball.radius_m * ball.radius_m;
   const float above = Dot(normal, way) + ball.radius_m;
-  return above <= 0 ? 0 : Luminance(ball.intensity) * (above / std::sqrt(distance2)) / distance2 / kPi;
+  return above <= 0 ? 0 : left * Luminance(ball.intensity) * (above / std::sqrt(distance2)) / distance2 / kPi;
 }
 
 LightSample TowardsRect(const Lights& lights, const RectLight& rect, Vec3 position, Vec3 normal, Vec2 place) {
@@ -62,7 +64,7 @@ LightSample TowardsBall(const BallLight& ball, Vec3 position, Vec3 normal, Vec2 
   const float cosine = Dot(normal, sample.direction);
   if (cosine <= 0) return sample;
   const float distance2 = std::max(distance * distance, 4 * ball.radius_m * ball.radius_m);
-  sample.irradiance = ball.intensity * (cosine / (kPi * distance2));
+  sample.irradiance = ball.intensity * (ball.LeftAt(distance * distance) * cosine / (kPi * distance2));
   return sample;
 }
 
@@ -122,8 +124,6 @@ LightChoice::LightChoice(const Lights& lights, Vec3 position, Vec3 normal)
     if (guess_[i] > 0) guess_[i] = std::max(guess_[i], least);
     total_ += guess_[i];
   }
-  // In the open, beside sky and sun, lamps only count close by.
-  if (lights.open_sky && total_ < kLeastBesideSky) total_ = 0;
   sun_ = Luminance(lights.sun_irradiance) > 0 && Dot(normal, lights.sun_direction) + lights.sun_radius > 0 &&
          (lights.open_sky || lights.WindowThrough(position, lights.sun_direction, 2 * lights.sun_radius) >= 0);
 }
@@ -185,6 +185,9 @@ Lights LightsOf(const Scene& scene, bool open_sky) {
     lights.sun_irradiance = Vec3{1.0F, 0.94F, 0.85F} * 2.2F;
     lights.sun_radius = 0.09F;
     AddLamps(scene, 0.005F, lights);
+    for (BallLight& ball : lights.balls) {
+      ball.reach_m = std::sqrt(Luminance(ball.intensity) / (kPi * kLeastBesideSky));
+    }
     return lights;
   }
   for (const DaylightWindow& window : scene.windows) {

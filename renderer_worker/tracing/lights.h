@@ -24,6 +24,14 @@ struct BallLight {
   Vec3 centre;
   Vec3 intensity;  // radiance times square metres
   float radius_m = 0.05F;
+  // Beside the open sky its light fades to none at this distance, which few points then need to ask for; 0: it never
+  // does.
+  float reach_m = 0;
+  float LeftAt(float distance2) const {
+    if (reach_m <= 0) return 1;
+    const float near = 1 - distance2 / (reach_m * reach_m);
+    return near > 0 ? near * near : 0;
+  }
 };
 
 // Everything that sends light. Radiance is relative: the sky overhead is about 1.

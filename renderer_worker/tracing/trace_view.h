@@ -16,8 +16,9 @@ namespace flair::renderer {
 struct TraceOptions {
   int width_px = 1024;   // [16, 8192]; width times height at most kMaxTracedPixels
   int height_px = 1024;  // the same
-  // Paths of light per pixel, [1, 4096]: a quarter each, rounded up, of light that other surfaces send back, of light
-  // straight from windows and lamps, and of sunlight; the rest mirrored where a surface shines.
+  // Paths of light per pixel, [1, 4096]: a quarter each, rounded up, of light that other surfaces send back (within a
+  // room half of that), of light straight from windows and lamps, and of sunlight; the rest mirrored where a surface
+  // shines.
   int sample_count = 16;
   int64_t seed = 0;
   int thread_count = 1;  // [1, 256]; changes who computes what, never the result
