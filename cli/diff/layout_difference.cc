@@ -62,7 +62,8 @@ void CompareSize(const v1::SolvedLayout& a, const v1::SolvedLayout& b, const Pai
   if (!words.empty()) difference.fates.push_back({of_a.id(), of_b.id(), words});
 }
 
-// Rooms whose floors share less than half of both are two rooms: where things stand in them compares to nothing.
+// Rooms whose floors share less than three quarters of both are two rooms: where things stand in them compares to
+// nothing.
 bool ArePlacesComparable(const v1::Room& a, const v1::Room& b) {
   const auto extent = [](const v1::Room& room) {
     double width = 0, depth = 0;
@@ -75,7 +76,7 @@ bool ArePlacesComparable(const v1::Room& a, const v1::Room& b) {
   const auto [width_a, depth_a] = extent(a);
   const auto [width_b, depth_b] = extent(b);
   const double shared = std::min(width_a, width_b) * std::min(depth_a, depth_b);
-  return 2 * shared >= width_a * depth_a + width_b * depth_b - shared;
+  return shared >= 0.75 * (width_a * depth_a + width_b * depth_b - shared);
 }
 
 void ComparePlaces(const v1::SolvedLayout& a, const v1::SolvedLayout& b, Difference& difference) {

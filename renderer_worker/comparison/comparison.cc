@@ -32,6 +32,14 @@ ChangeKind KindOf(const v1::Object* before, const v1::Object* after) {
   return is_resized ? ChangeKind::kResized : ChangeKind::kMoved;
 }
 
+// Whether a place in the one room means anything in the other: their extents share three quarters of both.
+bool IsSameRoom(const Plan& a, const Plan& b) {
+  const double shared =
+      std::min(a.bounds_m.width(), b.bounds_m.width()) * std::min(a.bounds_m.height(), b.bounds_m.height());
+  const auto area = [](const Box& box) { return box.width() * box.height(); };
+  return shared >= 0.75 * (area(a.bounds_m) + area(b.bounds_m) - shared);
+}
+
 absl::StatusOr<PlanLayers> LayersOfComparison(const v1::RenderOptions& options) {
   absl::StatusOr<PlanLayers> layers = LayersOf(options);
   if (layers.ok()) layers->dimensions = false;
@@ -83,6 +91,7 @@ absl::StatusOr<Comparison> ReadComparison(const v1::RenderRequest& request) {
       if (!change.ok()) return change.status();
       change->number = ++comparison.change_count;
       if (change->kind == ChangeKind::kRemoved) comparison.panels.front().removed.push_back(*change);
+      if (!IsSameRoom(comparison.panels.front().plan, panel.plan)) change->before.reset();
       panel.changes.push_back(*std::move(change));
     }
     comparison.panels.push_back(std::move(panel));

@@ -14,7 +14,8 @@ namespace flair::renderer {
 
 enum class ChangeKind { kMoved, kResized, kAdded, kRemoved };
 
-// An object that is not what or where it was, with what is drawn of it: nothing when its layer is not.
+// An object that is not what or where it was, with what is drawn of it: nothing when its layer is not, nor where it was
+// in a room of another size.
 struct PlanChange {
   ChangeKind kind = ChangeKind::kMoved;
   int number = 0;  // on the sheet, from 1
