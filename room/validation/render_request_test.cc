@@ -6,6 +6,7 @@
 #include <string>
 
 #include "room/validation/validate.h"
+#include "tests/fixtures/bedroom.h"
 
 namespace flair {
 namespace {
@@ -22,7 +23,7 @@ v1::RenderOptions Options(const std::string& text) {
   return options;
 }
 
-class RenderOptionsCase : public testing::TestWithParam<Case> {};
+class RenderOptionsCase : public ::testing::TestWithParam<Case> {};
 
 TEST_P(RenderOptionsCase, IsAsItShouldBe) {
   EXPECT_EQ(std::string(Validate(Options(GetParam().options)).message()), GetParam().error);
@@ -83,7 +84,7 @@ const Case kCases[] = {
      "options.camera.field_of_view_rad: 3 is outside [0.1, 2.6]"},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, RenderOptionsCase, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(All, RenderOptionsCase, ::testing::ValuesIn(kCases),
                          [](const auto& info) { return info.param.name; });
 
 v1::ComposeContactSheetRequest Sheet(const std::string& text) {
@@ -108,6 +109,21 @@ TEST(ContactSheet, SaysWhatIsWrongWithOptionsAndTiles) {
             "options.format: PREVIEW_FORMAT_SVG; a contact sheet is PNG, JPEG or TIFF");
   EXPECT_EQ(WhyNot("tile { caption: 'a' }", 1),
             "tile.picture: is not set; solved_layout or image, or a remark that says why there is none");
+}
+
+TEST(LayoutsBeside, AreForPlansFewAndNamedByTheirPlace) {
+  v1::RenderRequest request;
+  *request.mutable_solved_layout()->mutable_graph() = testing::BedroomGraph();
+  *request.add_beside()->mutable_solved_layout() = request.solved_layout();
+  EXPECT_TRUE(Validate(request).ok()) << Validate(request);
+  request.mutable_beside(0)->mutable_solved_layout()->mutable_graph()->mutable_room()->set_height_m(0);
+  EXPECT_THAT(std::string(Validate(request).message()),
+              ::testing::StartsWith("beside[0].solved_layout.graph.room.height_m: 0 is outside [2, 12]"));
+  *request.mutable_beside(0)->mutable_solved_layout() = request.solved_layout();
+  request.mutable_options()->set_view(v1::PREVIEW_VIEW_BIRDSEYE);
+  EXPECT_EQ(Validate(request).message(), "beside: is for plans; leave it out for a ray-traced view");
+  while (request.beside_size() < 8) request.add_beside();
+  EXPECT_EQ(std::string(Validate(request).message()).find("beside[1]"), std::string::npos) << "too many are not read";
 }
 
 }  // namespace
