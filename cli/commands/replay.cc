@@ -92,17 +92,6 @@ absl::StatusOr<std::string> Begin(Session& session, const v1::JobSpec& spec, boo
   return created->id();
 }
 
-// Those that there are; all, for a job that succeeded.
-absl::StatusOr<ArtifactsByKind> StoredArtifacts(Session& session, const v1::Job& job) {
-  ArtifactsByKind artifacts;
-  for (const v1::ArtifactRef& ref : job.artifacts()) {
-    absl::StatusOr<v1::Artifact> artifact = session.GetArtifact(ref.id());
-    if (!artifact.ok()) return artifact.status();
-    artifacts[ref.kind()] = *std::move(artifact);
-  }
-  return artifacts;
-}
-
 // A model's work is not repeated by the handbook; said before, as the difference is then no riddle.
 void RemarkOnModel(const ReplayArguments& arguments, bool has_model, const ArtifactsByKind& earlier,
                    const v1::Replay& replay) {

@@ -46,7 +46,7 @@ absl::Status WaitForJob(Session& session, const std::string& id, Progress& progr
   }
 }
 
-absl::StatusOr<ArtifactsByKind> CollectArtifacts(Session& session, const v1::Job& job) {
+absl::StatusOr<ArtifactsByKind> StoredArtifacts(Session& session, const v1::Job& job) {
   ArtifactsByKind artifacts;
   for (const v1::ArtifactRef& ref : job.artifacts()) {
     absl::StatusOr<v1::Artifact> artifact = session.GetArtifact(ref.id());
@@ -54,8 +54,14 @@ absl::StatusOr<ArtifactsByKind> CollectArtifacts(Session& session, const v1::Job
     if (absl::Status status = CheckArtifactId(*artifact, "artifact " + ref.id()); !status.ok()) return status;
     artifacts[ref.kind()] = *std::move(artifact);
   }
+  return artifacts;
+}
+
+absl::StatusOr<ArtifactsByKind> CollectArtifacts(Session& session, const v1::Job& job) {
+  absl::StatusOr<ArtifactsByKind> artifacts = StoredArtifacts(session, job);
+  if (!artifacts.ok()) return artifacts;
   for (const v1::ArtifactKind kind : {v1::ARTIFACT_KIND_SOLVED_LAYOUT, v1::ARTIFACT_KIND_PREVIEW}) {
-    if (!artifacts.contains(kind)) {
+    if (!artifacts->contains(kind)) {
       return absl::InternalError(fmt::format("job {} succeeded without a {}", job.id(), KindName(kind)));
     }
   }

@@ -15,7 +15,10 @@ absl::Status ErrorOf(const v1::Job& job);
 // Shows `progress` what happens until the job ends; OK when it succeeded.
 absl::Status WaitForJob(Session& session, const std::string& id, Progress& progress);
 
-// All artifacts of a job that succeeded. DATA_LOSS when one is not what it was.
+// The artifacts that a job has stored so far. DATA_LOSS when one is not what it was.
+absl::StatusOr<ArtifactsByKind> StoredArtifacts(Session& session, const v1::Job& job);
+
+// The same of a job that succeeded, with a layout and a picture.
 absl::StatusOr<ArtifactsByKind> CollectArtifacts(Session& session, const v1::Job& job);
 
 }  // namespace flair::cli
