@@ -3,38 +3,15 @@
 
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "renderer_worker/scene/cut_away.h"
 #include "renderer_worker/scene/scene.h"
+#include "renderer_worker/tracing/ray_trees.h"
+#include "renderer_worker/tracing/world_instance.h"
 
 namespace flair::renderer {
-
-// A mesh where it stands: turned about z, then moved.
-struct WorldInstance {
-  int instance_id = 0;
-  int class_id = 0;
-  const Mesh* mesh = nullptr;
-  int mesh_index = 0;
-  float cosine = 1, sine = 0;
-  Vec3 origin;
-  bool seen = true;    // by the camera
-  bool shades = true;  // holds up light
-  Vec3 ToRoom(Vec3 p) const { return TurnToRoom(p) + origin; }
-  Vec3 TurnToRoom(Vec3 v) const { return {v.x * cosine - v.y * sine, v.x * sine + v.y * cosine, v.z}; }
-};
-
-// Where a ray met a surface.
-struct Hit {
-  float distance = 0;
-  int instance = -1;  // index in World::instances; -1 when nothing was met
-  int part = 0;
-  int triangle = 0;
-  float u = 0, v = 0;
-  Vec3 across;  // right-angled to the triangle in room frame R, any length, either side
-};
 
 // The surface at a hit.
 struct Surface {
@@ -46,26 +23,28 @@ struct Surface {
   Vec3 mean_colour;  // of the material's pattern
 };
 
-inline constexpr int kMostRaysTogether = 8;
+// Of all meshes together, each counted once.
+inline constexpr int64_t kMaxTriangles = 20'000'000;
 
 // Triangles in space for rays. Thread-safe once made.
 class World {
  public:
   // Meshes are borrowed from the scene. RESOURCE_EXHAUSTED beyond kMaxTriangles, INVALID_ARGUMENT for broken meshes.
   static absl::StatusOr<std::unique_ptr<World>> Make(const Scene& scene, const CutAway& cut);
-  ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   const std::vector<WorldInstance>& instances() const { return instances_; }
   // The nearest thing that the camera sees.
-  Hit Look(Vec3 from, Vec3 direction, float least) const;
+  Hit Look(Vec3 from, Vec3 direction, float least) const { return trees_->NearestSeen(from, direction, least); }
   // The same for up to kMostRaysTogether neighbouring directions from one point; nothing where `least` is infinite.
-  void Look(Vec3 from, std::span<const Vec3> directions, std::span<const float> least, std::span<Hit> hits) const;
+  void Look(Vec3 from, std::span<const Vec3> directions, std::span<const float> least, std::span<Hit> hits) const {
+    trees_->NearestSeen(from, directions, least, hits);
+  }
   // The nearest thing that holds up light: no glass, nothing that shines, but walls that are cut away for the camera
   // only.
-  Hit Feel(Vec3 from, Vec3 direction) const;
-  bool Shaded(Vec3 from, Vec3 direction, float distance) const;
+  Hit Feel(Vec3 from, Vec3 direction) const { return trees_->NearestShading(from, direction); }
+  bool Shaded(Vec3 from, Vec3 direction, float distance) const { return trees_->Shaded(from, direction, distance); }
   Surface SurfaceAt(const Hit& hit, Vec3 from, Vec3 direction) const;
   const Material& MaterialAt(const Hit& hit) const { return instances_[hit.instance].mesh->parts[hit.part].material; }
   Vec3 MeanColourAt(const Hit& hit) const { return mean_colours_[instances_[hit.instance].mesh_index][hit.part]; }
@@ -78,22 +57,12 @@ class World {
   }
 
  private:
-  struct Rays;
-  World();
+  World() = default;
   absl::Status MakeMeanColours();
-  void AttachAll();
+
   std::vector<WorldInstance> instances_;
   std::vector<std::vector<Vec3>> mean_colours_;  // by mesh and part
-  std::unique_ptr<Rays> rays_;
+  std::unique_ptr<RayTrees> trees_;
 };
-
-inline constexpr int64_t kMaxTriangles = 20'000'000;
-// Up to so many triangles, counted once for every object that has them, rays search one tree of all of them, which is
-// faster; beyond, equal meshes share a tree each.
-inline constexpr int64_t kMaxFlatTriangles = 600'000;
-
-// Ids of the parts of a room, beside those of furniture classes.
-inline constexpr int kFloorClass = 1001, kCeilingClass = 1002, kWallClass = 1003, kDoorClass = 1004,
-                     kWindowClass = 1005, kSkirtingClass = 1006;
 
 }  // namespace flair::renderer
