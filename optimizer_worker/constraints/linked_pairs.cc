@@ -15,7 +15,8 @@ constexpr unsigned kAll = 0xF;
 constexpr unsigned kFront = Bit(Side::kFront);
 constexpr unsigned kBeside = Bit(Side::kLeft) | Bit(Side::kRight);
 
-unsigned SetOf(const std::optional<Side>& side) { return side.has_value() ? Bit(*side) : kAll; }
+// Beside without a side may be at the back as well, but nobody says "beside" of what stands before the front.
+unsigned BesideAt(const std::optional<Side>& side) { return side.has_value() ? Bit(*side) : kAll & ~kFront; }
 
 }  // namespace
 
@@ -43,8 +44,8 @@ void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
   const std::string& type = facts->name;
   if (type == "on_wall_above") ++above_[a.Object("target")];
   if (type == "next_to") {
-    Place(a.Object("object"), a.Object("target"), SetOf(a.MaybeSide("object_side")));
-    Place(a.Object("target"), a.Object("object"), SetOf(a.MaybeSide("target_side")));
+    Place(a.Object("object"), a.Object("target"), BesideAt(a.MaybeSide("object_side")));
+    Place(a.Object("target"), a.Object("object"), BesideAt(a.MaybeSide("target_side")));
   } else if (type == "in_front_of") {
     Place(a.Object("object"), a.Object("target"), kAll);
     Place(a.Object("target"), a.Object("object"), kFront);

@@ -19,7 +19,7 @@ class LinkedPairs {
  public:
   LinkedPairs() = default;
   // Links what next_to, facing, in_front_of, surround, between, row, perpendicular and on calls put together, at the
-  // sides that the calls name.
+  // sides that the calls name; beside without a side is anywhere but before a front.
   template <typename Edges>
   LinkedPairs(const Scene& scene, const Edges& edges) {
     for (const v1::ConstraintEdge& edge : edges) AddEdge(scene, edge);

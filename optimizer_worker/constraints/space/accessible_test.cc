@@ -49,6 +49,16 @@ TEST(Accessible, AThingBelongsOnlyWhereItsCallPutsIt) {
             0);
 }
 
+TEST(Accessible, BesideWithoutASideIsAnywhereButBeforeTheFront) {
+  const auto text = ParseScene("5x5 room; sink 1x0.6 at 2,0.3,0; cooker 0.6x0.6 at 2.8,0.3,0");
+  ASSERT_TRUE(text.ok());
+  const std::vector<v1::ConstraintEdge> edges = {EdgeFromText("next_to", "object=cooker target=sink")};
+  const LinkedPairs linked(text->scene, edges);
+  for (const Side side : {Side::kLeft, Side::kRight, Side::kBack}) EXPECT_TRUE(linked.BelongsAt(0, 1, side));
+  EXPECT_FALSE(linked.BelongsAt(0, 1, Side::kFront));
+  EXPECT_FALSE(linked.BelongsAt(1, 0, Side::kFront));
+}
+
 TEST(Accessible, TheStripMustBeInsideTheRoom) {
   EXPECT_NEAR(CostAt("5x5 room; bed 1.6x2 at 2,3.5,0", "accessible", "object=bed"), 2 * 0.01, 1e-12);
 }
