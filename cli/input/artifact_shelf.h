@@ -23,7 +23,7 @@ class ArtifactShelf {
   virtual absl::StatusOr<std::vector<std::string>> FindIds(const std::string& prefix) = 0;
   // NOT_FOUND when there is no such job.
   virtual absl::StatusOr<v1::Job> GetJob(const std::string& id) = 0;
-  // For messages: "the store /home/me/.local/share/flair".
+  // For messages: "the store " and its folder, or "the orchestrator at " and its address.
   virtual std::string name() const = 0;
 };
 
