@@ -5,7 +5,7 @@
 
 #include "cli/bench/statistics.h"
 #include "cli/diff/content_difference.h"
-#include "cli/inspect/call_text.h"
+#include "cli/output/call_text.h"
 #include "cli/output/text_table.h"
 #include "fmt/format.h"
 

@@ -6,7 +6,7 @@
 #include "cli/diff/compare_things.h"
 #include "cli/diff/content_difference.h"
 #include "cli/diff/pairing.h"
-#include "cli/inspect/call_text.h"
+#include "cli/output/call_text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {

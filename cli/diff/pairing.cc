@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "cli/inspect/call_text.h"
+#include "cli/output/call_text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {

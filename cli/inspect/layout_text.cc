@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cli/input/message_words.h"
-#include "cli/inspect/call_text.h"
 #include "cli/inspect/columns.h"
 #include "cli/inspect/content_text.h"
+#include "cli/output/call_text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "orchestrator/pipeline/summary.h"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "absl/strings/str_join.h"
+#include "cli/output/call_text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -29,22 +30,6 @@ std::string KindText(v1::ParameterKind kind) {
   return text;
 }
 
-std::string ValueText(const v1::ArgumentValue& value) {
-  switch (value.value_case()) {
-    case v1::ArgumentValue::kText:
-      return value.text();
-    case v1::ArgumentValue::kTexts:
-      return absl::StrJoin(value.texts().items(), ",");
-    case v1::ArgumentValue::kNumber:
-      return fmt::format("{:g}", value.number());
-    case v1::ArgumentValue::kFlag:
-      return value.flag() ? "true" : "false";
-    case v1::ArgumentValue::VALUE_NOT_SET:
-      break;
-  }
-  return "";
-}
-
 std::string RangeText(const v1::ParameterSpec& parameter) {
   if (!parameter.has_min_number() && !parameter.has_max_number()) return "";
   return fmt::format("[{}, {}]{}", parameter.has_min_number() ? fmt::format("{:g}", parameter.min_number()) : "-inf",
@@ -55,14 +40,6 @@ std::string RangeText(const v1::ParameterSpec& parameter) {
 std::string DefaultText(const v1::ParameterSpec& parameter) {
   if (parameter.required()) return "required";
   return parameter.has_default_value() ? ValueText(parameter.default_value()) : "-";
-}
-
-std::string CallText(const v1::ConstraintType& type, const v1::CallExample& example) {
-  std::string text;
-  for (const v1::Argument& argument : example.arguments()) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", argument.name(), ValueText(argument.value()));
-  }
-  return fmt::format("{}({})", type.name(), text);
 }
 
 std::string TypeMarkdown(const v1::ConstraintType& type) {
@@ -76,7 +53,7 @@ std::string TypeMarkdown(const v1::ConstraintType& type) {
                         DefaultText(parameter), RangeText(parameter), parameter.doc());
   }
   for (const v1::CallExample& example : type.examples()) {
-    text += fmt::format("\n> {}  \n> `{}`\n", example.sentence(), CallText(type, example));
+    text += fmt::format("\n> {}  \n> `{}`\n", example.sentence(), CallText(type.name(), example.arguments()));
   }
   return text + "\n";
 }
@@ -106,7 +83,7 @@ std::string TypeText(const v1::ConstraintType& type) {
                         DefaultText(parameter), RangeText(parameter), parameter.doc());
   }
   for (const v1::CallExample& example : type.examples()) {
-    text += fmt::format("\n  \"{}\"\n  {}\n", example.sentence(), CallText(type, example));
+    text += fmt::format("\n  \"{}\"\n  {}\n", example.sentence(), CallText(type.name(), example.arguments()));
   }
   return text;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/inspect/call_text.h"
+#include "cli/output/call_text.h"
 
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 
 namespace flair::cli {
-namespace {
 
 std::string ValueText(const v1::ArgumentValue& value) {
   switch (value.value_case()) {
@@ -23,15 +22,17 @@ std::string ValueText(const v1::ArgumentValue& value) {
   return "?";
 }
 
-}  // namespace
+std::string CallText(const std::string& type, const google::protobuf::RepeatedPtrField<v1::Argument>& arguments) {
+  std::string text;
+  for (const v1::Argument& argument : arguments) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", argument.name(), ValueText(argument.value()));
+  }
+  return fmt::format("{}({})", type, text);
+}
 
 std::string CallText(const v1::ConstraintEdge& edge) {
-  std::string arguments;
-  for (const v1::Argument& argument : edge.arguments()) {
-    arguments += fmt::format("{}{}={}", arguments.empty() ? "" : ", ", argument.name(), ValueText(argument.value()));
-  }
   const std::string weight = edge.weight() == 1 ? "" : fmt::format(" x {:g}", edge.weight());
-  return fmt::format("{}({}){}", edge.type(), arguments, weight);
+  return CallText(edge.type(), edge.arguments()) + weight;
 }
 
 }  // namespace flair::cli
