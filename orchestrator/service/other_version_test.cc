@@ -1,42 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Jobs whose stages are servers of another version, or of something else, behind real sockets.
 #include <gmock/gmock.h>
-#include <grpcpp/security/server_credentials.h>
-#include <grpcpp/server_builder.h>
 
-#include "flair/v1/worker_service.grpc.pb.h"
 #include "orchestrator/service/embedded_for_test.h"
 #include "orchestrator/service/fake_workers.h"
 #include "orchestrator/store/temporary_folder.h"
+#include "tests/fixtures/worker_speaker.h"
 
 namespace flair::orchestrator {
 namespace {
 
 using ::testing::HasSubstr;
-
-// Says what it speaks, and serves no stage.
-class Speaker final : public v1::WorkerService::Service {
- public:
-  explicit Speaker(std::vector<std::string> protocols) : protocols_(std::move(protocols)) {
-    grpc::ServerBuilder builder;
-    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port_);
-    builder.RegisterService(this);
-    server_ = builder.BuildAndStart();
-  }
-  std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
-
-  grpc::Status GetWorker(grpc::ServerContext*, const v1::GetWorkerRequest*, v1::GetWorkerResponse* response) override {
-    response->set_program("their-program");
-    response->set_revision("1");
-    response->mutable_protocols()->Assign(protocols_.begin(), protocols_.end());
-    return grpc::Status::OK;
-  }
-
- private:
-  const std::vector<std::string> protocols_;
-  int port_ = 0;
-  std::unique_ptr<grpc::Server> server_;
-};
 
 // How a job ends whose language stage is at that address.
 v1::Job EndOf(const std::string& address) {
@@ -57,7 +31,7 @@ v1::Job EndOf(const std::string& address) {
 }
 
 TEST(OtherVersion, EndsTheJobWithASentence) {
-  const Speaker speaker({"flair.v2", "flair.v3"});
+  const flair::testing::WorkerSpeaker speaker("their-program", {"flair.v2", "flair.v3"});
   const v1::Job job = EndOf(speaker.address());
   EXPECT_EQ(job.state(), v1::JOB_STATE_FAILED);
   EXPECT_EQ(job.stage(), "room");
@@ -68,7 +42,8 @@ TEST(OtherVersion, EndsTheJobWithASentence) {
 }
 
 TEST(OtherVersion, WordsOfOthersAreCutShortAndPrintable) {
-  const Speaker speaker({std::string(100000, 'x') + "\x1b[2J", "\x1b[2J", "c", "d", "e"});
+  const flair::testing::WorkerSpeaker speaker("their-program",
+                                              {std::string(100000, 'x') + "\x1b[2J", "\x1b[2J", "c", "d", "e"});
   const std::string error = EndOf(speaker.address()).error();
   EXPECT_LT(error.size(), 400u);
   EXPECT_THAT(error, HasSubstr(", ?[2J, c, d, ..., this program flair.v1"));
@@ -77,7 +52,7 @@ TEST(OtherVersion, WordsOfOthersAreCutShortAndPrintable) {
 TEST(OtherVersion, AServerOfSomethingElseEndsTheJobWithASentence) {
   for (const std::vector<std::string>& protocols :
        {std::vector<std::string>{}, std::vector<std::string>{"flair.v2", "flair.v1"}}) {
-    const Speaker speaker(protocols);
+    const flair::testing::WorkerSpeaker speaker("their-program", protocols);
     const v1::Job job = EndOf(speaker.address());
     EXPECT_EQ(job.error_code(), static_cast<int>(absl::StatusCode::kUnimplemented));
     EXPECT_THAT(job.error(), HasSubstr("language worker at " + speaker.address() +

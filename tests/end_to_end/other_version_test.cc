@@ -1,40 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Real programs that meet a server of another version of the protocol.
 #include <gmock/gmock.h>
-#include <grpcpp/security/server_credentials.h>
-#include <grpcpp/server_builder.h>
 #include <gtest/gtest.h>
 
-#include "flair/v1/worker_service.grpc.pb.h"
 #include "tests/fixtures/programs.h"
+#include "tests/fixtures/worker_speaker.h"
 
 namespace flair::testing {
 namespace {
 
 using ::testing::HasSubstr;
 
-class VersionTwo final : public v1::WorkerService::Service {
- public:
-  VersionTwo() {
-    grpc::ServerBuilder builder;
-    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port_);
-    builder.RegisterService(this);
-    server_ = builder.BuildAndStart();
-  }
-  std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
-  grpc::Status GetWorker(grpc::ServerContext*, const v1::GetWorkerRequest*, v1::GetWorkerResponse* response) override {
-    response->set_program("their-optimizer");
-    response->add_protocols("flair.v2");
-    return grpc::Status::OK;
-  }
-
- private:
-  int port_ = 0;
-  std::unique_ptr<grpc::Server> server_;
-};
-
 TEST(OtherVersion, DoctorTellsIt) {
-  const VersionTwo server;
+  const WorkerSpeaker server("their-optimizer", {"flair.v2"});
   const TestFolder folder;
   const Finished run = RunProgram("flair", {"doctor", server.address()}, {{"FLAIR_HOME", folder / "home"}});
   EXPECT_EQ(run.exit_code, 1);
@@ -43,7 +21,7 @@ TEST(OtherVersion, DoctorTellsIt) {
 }
 
 TEST(OtherVersion, ADesignEndsWithASentence) {
-  const VersionTwo server;
+  const WorkerSpeaker server("their-optimizer", {"flair.v2"});
   const TestFolder folder;
   std::string stages;
   for (const char* stage : {"language", "translator", "optimizer", "renderer"}) {
