@@ -93,7 +93,8 @@ std::string ComparisonSummary(const std::vector<StageComparison>& stages) {
   const int same = count(Agreement::kSameBytes);
   std::vector<std::string> parts;
   if (same > 0) parts.push_back(fmt::format("{} stage{} agree{}", same, same == 1 ? "" : "s", same == 1 ? "s" : ""));
-  if (const int n = count(Agreement::kSameContent); n > 0) parts.push_back(fmt::format("{} in content", n));
+  if (const int n = count(Agreement::kSameContent); n > 0)
+    parts.push_back(fmt::format("{} agree{} in content only", n, n == 1 ? "s" : ""));
   if (const int n = count(Agreement::kTaken); n > 0) parts.push_back(fmt::format("{} taken", n));
   if (asked > 0) parts.push_back(fmt::format("{} differ{} as asked", asked, asked == 1 ? "s" : ""));
   if (const StageComparison* part = FirstToPart(stages); part != nullptr) {
