@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "flair/v1/artifact.pb.h"
+
+namespace flair::orchestrator {
+
+// Artifacts by their ids. An artifact is whole or not there; putting one twice is harmless. Several processes, on
+// several machines where the form allows, may use one store. Thread-safe.
+class ArtifactStore {
+ public:
+  virtual ~ArtifactStore() = default;
+
+  // Gives the artifact its id, stores it unless a good copy is there already, and names it. Survives the end of any
+  // process. RESOURCE_EXHAUSTED when there is no room, UNAVAILABLE when the store cannot be reached.
+  virtual absl::StatusOr<v1::ArtifactRef> Put(v1::Artifact& artifact) = 0;
+
+  // NOT_FOUND when there is none, DATA_LOSS when what is stored does not have that id, INVALID_ARGUMENT when `id` is no
+  // id, UNAVAILABLE when the store cannot be reached.
+  virtual absl::StatusOr<v1::Artifact> Get(const std::string& id) = 0;
+
+  // Returns when these survive a loss of power too, as far as the store's machines go. Those that are gone are left out:
+  // who needs them finds out by Get.
+  virtual absl::Status Flush(std::span<const v1::ArtifactRef> artifacts) = 0;
+};
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/time/time.h"
+#include "flair/v1/job.pb.h"
+#include "worker_runtime/executor/cancellation.h"
+
+namespace flair::orchestrator {
+
+// What a stage did, and what is to be remembered of it.
+struct StageRecord {
+  // With job_id, kind, stage, and what belongs to the kind; the queue gives it its sequence.
+  v1::JobEvent event;
+  // Under which the event's artifact is found again by any job (WorkQueue::FindResult); empty: under none.
+  std::string result_key;
+};
+
+// How a job ended.
+struct JobEnd {
+  v1::JobState state = v1::JOB_STATE_SUCCEEDED;
+  // The stage that ended it; empty when none did.
+  std::string stage;
+  // Of failed jobs.
+  absl::Status error;
+  v1::FailureKind failure_kind = v1::FAILURE_KIND_UNSPECIFIED;
+  absl::Time time;
+};
+
+// The right to run a job, which one run has at a time: WorkQueue::Take gives it, the queue keeps it alive, and what is
+// written under a lease that was lost is refused, so that two runs never mix. Destroyed without End or Return, the job
+// waits again at once. The queue outlives it. Record may be called from several threads at once; what is refused with
+// ABORTED was not written: another run has the job.
+class Lease {
+ public:
+  virtual ~Lease() = default;
+
+  // As it was when taken: with the artifacts of earlier runs, attempt_count counting this one.
+  virtual const v1::Job& job() const = 0;
+
+  // What happened in earlier runs.
+  virtual const std::vector<v1::JobEvent>& history() const = 0;
+
+  // Stores the event and all that it stands for, or nothing: the job's stage, its artifact, the result.
+  virtual absl::Status Record(StageRecord record) = 0;
+
+  // Ends the job, once. What was ended is safe against loss of power where the queue's form can be.
+  virtual absl::Status End(const JobEnd& end) = 0;
+
+  // Lets the job wait again, at least for `delay`. With a reason, remembers that as an event (WAITING).
+  virtual absl::Status Return(absl::Duration delay, const std::string& reason) = 0;
+
+  // Cancelled by the queue when somebody wants the job to end, or when the lease is lost; and by whoever stops the run.
+  virtual runtime::Cancellation& cancellation() = 0;
+
+  // Somebody wants the job to end.
+  virtual bool cancel_requested() = 0;
+
+  // Another run may have the job.
+  virtual bool lost() = 0;
+};
+
+}  // namespace flair::orchestrator
