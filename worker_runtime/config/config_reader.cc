@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -48,20 +49,28 @@ class LocatedChecker final : public ConfigChecker {
   }
 
  private:
+  // "tokens[2]" is "tokens" and 2.
+  static std::pair<std::string, int> NameAndIndex(std::string_view part) {
+    const size_t bracket = part.find('[');
+    if (bracket == std::string_view::npos) return {std::string(part), 0};
+    return {std::string(part.substr(0, bracket)), std::atoi(std::string(part.substr(bracket + 1)).c_str())};
+  }
+
   int LineOf(std::string_view path) const {
     const google::protobuf::Descriptor* message = &descriptor_;
     TextFormat::ParseInfoTree* tree = &tree_;
     int line = -1;
     while (message != nullptr && tree != nullptr && !path.empty()) {
       const size_t dot = path.find('.');
-      const FieldDescriptor* field = message->FindFieldByName(std::string(path.substr(0, dot)));
+      const auto [name, index] = NameAndIndex(path.substr(0, dot));
+      const FieldDescriptor* field = message->FindFieldByName(name);
       path = dot == std::string_view::npos ? "" : path.substr(dot + 1);
       if (field == nullptr) break;
-      const int found = tree->GetLocation(field, field->is_repeated() ? 0 : -1).line;
+      const int found = tree->GetLocation(field, field->is_repeated() ? index : -1).line;
       if (found >= 0) line = found;
       if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) break;
       message = field->message_type();
-      tree = tree->GetTreeForNested(field, field->is_repeated() ? 0 : -1);
+      tree = tree->GetTreeForNested(field, field->is_repeated() ? index : -1);
     }
     return line;
   }

@@ -19,8 +19,8 @@ class ConfigChecker {
  public:
   virtual ~ConfigChecker() = default;
 
-  // Remembers that the field at `path` (such as "runtime.queue_limit") is bad; `problem` says the value and what would
-  // be right.
+  // Remembers that the field at `path` (such as "runtime.queue_limit" or "tokens[2].name") is bad; `problem` says the
+  // value and what would be right.
   virtual void Report(std::string_view path, std::string_view problem) = 0;
 
   // Reports unless low <= value <= high.
