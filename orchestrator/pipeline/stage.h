@@ -12,7 +12,6 @@
 #include "flair/v1/job.pb.h"
 #include "flair/v1/model_call.pb.h"
 #include "orchestrator/pipeline/stage_clients.h"
-#include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::orchestrator {
 
@@ -31,7 +30,7 @@ struct StageRun {
   // What models consumed in them.
   const v1::ModelUsage& model_usage;
   StageClients& clients;
-  runtime::CallContext& call;
+  StageClients::Call& call;
 };
 
 // One step of the way from a brief to a report: a pure function of its inputs and options, made by one RPC, so that it

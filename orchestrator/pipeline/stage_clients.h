@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
@@ -14,12 +16,40 @@
 
 namespace flair::orchestrator {
 
+// One call of a stage: on the way there who may wait how long for it, on the way back who answered. One thread at a
+// time makes calls under it.
+class StageCall final : public runtime::CallContext {
+ public:
+  using CallContext::CallContext;
+
+  // Who answered: its Revision(), part of the key under which the answer is kept, since workers of several revisions
+  // may serve a stage.
+  struct Answerer {
+    std::optional<std::string> revision;
+    std::function<void()> report_bad_answer;
+  };
+
+  // Nothing when it is not known.
+  const std::optional<Answerer>& answerer() const { return answerer_; }
+
+  // Says that the answer was no good although it came as one, so that its worker is called less.
+  void ReportBadAnswer() const {
+    if (answerer_.has_value()) answerer_->report_bad_answer();
+  }
+
+  // For the clients.
+  void SetAnswerer(Answerer answerer) { answerer_ = std::move(answerer); }
+
+ private:
+  std::optional<Answerer> answerer_;
+};
+
 // What the pipeline asks of the stages, one function per RPC. Each waits for the answer, at most until the deadline of
 // `call`, and stops when `call` is cancelled. Knows nothing of gRPC. Thread-safe.
 class StageClients {
  public:
   virtual ~StageClients() = default;
-  using Call = runtime::CallContext;
+  using Call = StageCall;
 
   virtual absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest& request, Call& call) = 0;
   virtual absl::StatusOr<v1::PlanZonesResponse> PlanZones(const v1::PlanZonesRequest& request, Call& call) = 0;
@@ -38,7 +68,8 @@ class StageClients {
 
   // Tells the worker that a kind of artifact comes from apart from all that may answer otherwise (see WorkerService);
   // empty for what we make ourselves, nothing for workers that do not tell. Part of the key for re-use, so that no
-  // worker gets the results of another one or of its own older version. UNIMPLEMENTED for a worker of another protocol.
+  // worker gets the results of another one or of its own older version. Where workers of several revisions serve the
+  // stage, one of these. UNIMPLEMENTED for a worker of another protocol.
   virtual absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind kind, Call& call) = 0;
 };
 

@@ -57,7 +57,7 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
   if (job_.spec().has_replay() && stage_index < FirstStageOf(job_.spec().replay())) {
     return TakeFromEarlierJob(stage_index);
   }
-  runtime::CallContext no_deadline;
+  StageClients::Call no_deadline;
   StageRun run{job_.id(), job_.spec(), inputs, "", options_.build, timings, model_usage, clients_, no_deadline};
   if (stage.options != nullptr) {
     absl::StatusOr<std::string> options = Retry<std::string>(stage.options, run);
@@ -66,27 +66,25 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
   } else if (stage.asked != nullptr) {
     run.options = stage.asked(job_.spec());
   }
-  absl::StatusOr<std::string> key = KeyOf(stage, run);
-  if (!key.ok()) return key.status();
-  auto known = store_.artifacts().FindResult(*key);
+  const absl::StatusOr<Revision> revision = Retry<Revision>(
+      [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
+  if (!revision.ok()) return revision.status();
+  const std::string key = KeyOf(stage, run, *revision);
+  auto known = store_.artifacts().FindResult(key);
   if (!known.ok()) return known.status();
   if (known->has_value()) {
     absl::StatusOr<Output> reused = Reuse(stage_index, **known);
     // A file that is gone or damaged is made again.
     if (reused.ok() || (!absl::IsNotFound(reused.status()) && !absl::IsDataLoss(reused.status()))) return reused;
   }
-  return MakeAndStore(stage_index, run, *key);
+  return MakeAndStore(stage_index, run, *revision);
 }
 
-absl::StatusOr<std::string> StageRunner::KeyOf(const Stage& stage, const StageRun& run) const {
-  using Revision = std::optional<std::string>;
-  const absl::StatusOr<Revision> revision = Retry<Revision>(
-      [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
-  if (!revision.ok()) return revision.status();
+std::string StageRunner::KeyOf(const Stage& stage, const StageRun& run, const Revision& revision) const {
   // A replay uses nothing again but what it made itself before it was interrupted. The same holds for what a worker
   // made that does not say which it is.
-  const bool of_this_job_only = run.spec.has_replay() || !revision->has_value();
-  return ResultKey(stage.name, revision->value_or(""), OptionsDigest(run), InputIds(run),
+  const bool of_this_job_only = run.spec.has_replay() || !revision.has_value();
+  return ResultKey(stage.name, revision.value_or(""), OptionsDigest(run), InputIds(run),
                    of_this_job_only ? run.job_id : "");
 }
 
@@ -104,19 +102,18 @@ absl::StatusOr<StageRunner::Output> StageRunner::TakeFromEarlierJob(int stage_in
 }
 
 absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, const StageRun& run,
-                                                              const std::string& key) const {
+                                                              Revision revision) const {
   const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
   if (absl::Status status = Record(stage_index, Event(v1::JOB_EVENT_KIND_STAGE_STARTED, stage), ""); !status.ok()) {
     return status;
   }
   const absl::Duration start = clock_.Elapsed();
-  absl::StatusOr<v1::Artifact> artifact = Make(stage, run);
+  absl::StatusOr<v1::Artifact> artifact = Make(stage, run, revision);
   if (!artifact.ok()) return artifact.status();
   // The first stage is made from what it is asked; that is its content.
   if (!run.inputs.empty()) artifact->set_options_digest(OptionsDigest(run));
   const std::vector<std::string> input_ids = InputIds(run);
   artifact->mutable_made_from_ids()->Assign(input_ids.begin(), input_ids.end());
-  if (absl::Status status = CheckAnswer(stage, *artifact); !status.ok()) return status;
   absl::StatusOr<v1::ArtifactRef> ref = store_.files().Put(*artifact);
   if (!ref.ok()) return ref.status();
   v1::JobEvent event = Event(v1::JOB_EVENT_KIND_STAGE_FINISHED, stage);
@@ -126,7 +123,7 @@ absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, c
   }
   *event.mutable_artifact() = *ref;
   *event.mutable_duration() = ToProto(clock_.Elapsed() - start);
-  if (absl::Status status = Record(stage_index, event, key); !status.ok()) return status;
+  if (absl::Status status = Record(stage_index, event, KeyOf(stage, run, revision)); !status.ok()) return status;
   Output output{*std::move(artifact), {}};
   output.timing.set_stage(std::string(stage.name));
   *output.timing.mutable_duration() = event.duration();
@@ -140,7 +137,7 @@ absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Res
                                           const StageRun& run) const {
   const absl::Time last_attempt = clock_.Now() + options_.stage_deadline;
   for (int attempt = 0;; ++attempt) {
-    runtime::CallContext call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
+    StageClients::Call call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
     runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
     StageRun current{run.job_id,  run.spec,        run.inputs,  run.options, run.build,
                      run.timings, run.model_usage, run.clients, call};
@@ -154,8 +151,19 @@ absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Res
   }
 }
 
-absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, const StageRun& run) const {
-  absl::StatusOr<v1::Artifact> artifact = Retry<v1::Artifact>(stage.run, run);
+// Sets `revision` to that of the worker that answered, which need not be the one that was thought of before.
+absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, const StageRun& run, Revision& revision) const {
+  const auto make = [&](const StageRun& current) -> absl::StatusOr<v1::Artifact> {
+    absl::StatusOr<v1::Artifact> made = stage.run(current);
+    if (!made.ok()) return made;
+    if (absl::Status status = CheckAnswer(stage, *made); !status.ok()) {
+      current.call.ReportBadAnswer();
+      return status;
+    }
+    if (current.call.answerer().has_value()) revision = current.call.answerer()->revision;
+    return made;
+  };
+  absl::StatusOr<v1::Artifact> artifact = Retry<v1::Artifact>(make, run);
   if (absl::IsDeadlineExceeded(artifact.status())) {
     return absl::DeadlineExceededError(fmt::format("stage \"{}\" did not end within {} (stage_deadline_seconds)",
                                                    stage.name, absl::FormatDuration(options_.stage_deadline)));

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,12 +34,14 @@ class StageRunner {
                              std::span<const v1::StageTiming> timings, const v1::ModelUsage& model_usage) const;
 
  private:
+  using Revision = std::optional<std::string>;
+
   template <typename Result>
   absl::StatusOr<Result> Retry(const std::function<absl::StatusOr<Result>(const StageRun&)>& function,
                                const StageRun& run) const;
-  absl::StatusOr<v1::Artifact> Make(const Stage& stage, const StageRun& run) const;
-  absl::StatusOr<std::string> KeyOf(const Stage& stage, const StageRun& run) const;
-  absl::StatusOr<Output> MakeAndStore(int stage_index, const StageRun& run, const std::string& key) const;
+  absl::StatusOr<v1::Artifact> Make(const Stage& stage, const StageRun& run, Revision& revision) const;
+  std::string KeyOf(const Stage& stage, const StageRun& run, const Revision& revision) const;
+  absl::StatusOr<Output> MakeAndStore(int stage_index, const StageRun& run, Revision revision) const;
   absl::StatusOr<Output> Reuse(int stage_index, const v1::ArtifactRef& ref) const;
   absl::StatusOr<Output> TakeFromEarlierJob(int stage_index) const;
   absl::Status Record(int stage_index, v1::JobEvent event, const std::string& result_key) const;

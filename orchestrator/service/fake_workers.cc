@@ -15,13 +15,15 @@ template <typename Request, typename Response>
 grpc::ServerUnaryReactor* Forward(runtime::WorkerContext& worker, StageClients& stages, const char* rpc,
                                   grpc::CallbackServerContext* context, const Request* request, Response* response,
                                   absl::StatusOr<Response> (StageClients::*function)(const Request&,
-                                                                                     runtime::CallContext&)) {
-  return runtime::StartUnary(worker, rpc, "", *context,
-                             [&stages, request, response, function](runtime::CallContext& call) -> absl::Status {
-                               absl::StatusOr<Response> answer = (stages.*function)(*request, call);
-                               if (answer.ok()) *response = *std::move(answer);
-                               return answer.status();
-                             });
+                                                                                     StageClients::Call&)) {
+  return runtime::StartUnary(
+      worker, rpc, {}, *context, [&stages, request, response, function](runtime::CallContext& call) -> absl::Status {
+        StageClients::Call stage_call(call.request_id(), call.deadline(), runtime::SystemClock());
+        runtime::OnCancel guard(call.cancellation(), [&] { stage_call.cancellation().Cancel(); });
+        absl::StatusOr<Response> answer = (stages.*function)(*request, stage_call);
+        if (answer.ok()) *response = *std::move(answer);
+        return answer.status();
+      });
 }
 
 class FakeLanguage final : public v1::LanguageService::CallbackService {
