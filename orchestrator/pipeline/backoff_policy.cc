@@ -10,11 +10,6 @@
 namespace flair::orchestrator {
 namespace {
 
-// gRPC uses RESOURCE_EXHAUSTED for messages over the limit, too; those never get smaller.
-bool IsMessageTooLarge(const absl::Status& status) {
-  return std::string(status.message()).find("message larger than max") != std::string::npos;
-}
-
 // FNV-1a, to [0, 1).
 double Fraction(const std::string& key, int attempt) {
   uint64_t hash = 14695981039346656037u + static_cast<uint64_t>(attempt);
@@ -24,10 +19,15 @@ double Fraction(const std::string& key, int attempt) {
 
 }  // namespace
 
+bool IsMessageTooLarge(const absl::Status& status) {
+  return absl::IsResourceExhausted(status) &&
+         std::string(status.message()).find("message larger than max") != std::string::npos;
+}
+
 std::optional<absl::Duration> BackoffPolicy::DelayAfter(const absl::Status& failure, int attempt,
                                                         const std::string& key) const {
   const bool down = failure.code() == absl::StatusCode::kUnavailable;
-  const bool full = failure.code() == absl::StatusCode::kResourceExhausted && !IsMessageTooLarge(failure);
+  const bool full = absl::IsResourceExhausted(failure) && !IsMessageTooLarge(failure);
   if (!down && !full) return std::nullopt;
   if (down && attempt + 1 >= unavailable_attempt_limit) return std::nullopt;
   const absl::Duration grown = first_delay * std::pow(growth, std::min(attempt, 30));

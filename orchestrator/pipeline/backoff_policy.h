@@ -25,6 +25,9 @@ struct BackoffPolicy {
   std::optional<absl::Duration> DelayAfter(const absl::Status& failure, int attempt, const std::string& key) const;
 };
 
+// RESOURCE_EXHAUSTED as gRPC says it of messages over the limit; those never get smaller.
+bool IsMessageTooLarge(const absl::Status& status);
+
 // Waits; returns early when the call is cancelled. A function so that tests need not wait.
 using Waiter = std::function<void(absl::Duration, runtime::CallContext&)>;
 void WaitUnlessCancelled(absl::Duration duration, runtime::CallContext& call);
