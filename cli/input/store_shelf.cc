@@ -48,7 +48,7 @@ class StoreShelf final : public ArtifactShelf {
 
  private:
   const std::string folder_;
-  const orchestrator::ArtifactFiles files_;
+  orchestrator::ArtifactFiles files_;
   std::unique_ptr<orchestrator::Database> database_;
 };
 

@@ -24,8 +24,8 @@ class ArtifactStore {
   // id, UNAVAILABLE when the store cannot be reached.
   virtual absl::StatusOr<v1::Artifact> Get(const std::string& id) = 0;
 
-  // Returns when these survive a loss of power too, as far as the store's machines go. Those that are gone are left out:
-  // who needs them finds out by Get.
+  // Returns when these survive a loss of power too, as far as the store's machines go. Those that are gone are left
+  // out: who needs them finds out by Get.
   virtual absl::Status Flush(std::span<const v1::ArtifactRef> artifacts) = 0;
 };
 

@@ -2,28 +2,44 @@
 #include "orchestrator/batch/job_runner.h"
 
 #include <fmt/format.h>
-#include <google/protobuf/util/time_util.h>
 
 #include <algorithm>
+
+#include "orchestrator/batch/failure.h"
 
 namespace flair::orchestrator {
 namespace {
 
-bool HasEnded(v1::JobState state) {
-  return state == v1::JOB_STATE_SUCCEEDED || state == v1::JOB_STATE_FAILED || state == v1::JOB_STATE_CANCELLED;
+// A job whose runs end again and again without a failure takes its process with it.
+constexpr int kLostRunLimit = 20;
+constexpr std::chrono::seconds kRepeatDelay(1);
+
+// Runs that ended in a failure that may pass, since the job was made or last retried.
+int FailedRuns(const Lease& lease) {
+  int failed = 0;
+  for (const v1::JobEvent& event : lease.history()) {
+    if (event.kind() == v1::JOB_EVENT_KIND_RETRIED) failed = 0;
+    if (event.kind() == v1::JOB_EVENT_KIND_WAITING) ++failed;
+  }
+  return failed;
+}
+
+// Runs that ended with their process, as far as the counts tell.
+int LostRuns(const Lease& lease) {
+  int ended = 0;
+  for (const v1::JobEvent& event : lease.history()) {
+    ended += event.kind() == v1::JOB_EVENT_KIND_WAITING || event.kind() == v1::JOB_EVENT_KIND_ENDED ? 1 : 0;
+  }
+  return lease.job().attempt_count() - 1 - ended;
 }
 
 }  // namespace
 
-JobRunner::JobRunner(JobStore& store, const Pipeline& pipeline, const runtime::Clock& clock, spdlog::logger& logger,
-                     const PipelineOptions& pipeline_options, JobRunnerOptions options)
-    : store_(store),
-      pipeline_(pipeline),
-      clock_(clock),
-      logger_(logger),
-      pipeline_options_(pipeline_options),
-      options_(options) {
-  for (int i = 0; i < std::max(1, options.running_job_limit); ++i) threads_.emplace_back([this] { Work(); });
+JobRunner::JobRunner(WorkQueue& queue, const Pipeline& pipeline, const runtime::Clock& clock, spdlog::logger& logger,
+                     JobRunnerOptions options)
+    : queue_(queue), pipeline_(pipeline), clock_(clock), logger_(logger), options_(options) {
+  filter_.any = !options_.requested_jobs_only;
+  for (int i = 0; i < options.running_job_limit; ++i) threads_.emplace_back([this] { Work(); });
 }
 
 JobRunner::~JobRunner() { Stop(); }
@@ -34,10 +50,11 @@ void JobRunner::Wake() {
   wake_.notify_all();
 }
 
-void JobRunner::Request(const std::vector<std::string>& job_ids) {
+void JobRunner::Request(const std::vector<std::string>& job_ids, const std::string& batch_id) {
   {
     std::lock_guard lock(mutex_);
-    if (options_.requested_jobs_only) requested_.insert(job_ids.begin(), job_ids.end());
+    filter_.job_ids.insert(job_ids.begin(), job_ids.end());
+    if (!batch_id.empty()) filter_.batch_ids.insert(batch_id);
   }
   Wake();
 }
@@ -47,11 +64,26 @@ void JobRunner::Stop() {
   {
     std::lock_guard lock(mutex_);
     stopping_ = true;
-    for (auto& [id, job] : running_) job->cancellation.Cancel();
+    for (auto& [id, lease] : running_) lease->cancellation().Cancel();
     threads.swap(threads_);
     wake_.notify_all();
   }
   for (std::thread& thread : threads) thread.join();
+}
+
+JobRunnerCounts JobRunner::counts() {
+  std::lock_guard lock(mutex_);
+  return counts_;
+}
+
+bool JobRunner::stopping() {
+  std::lock_guard lock(mutex_);
+  return stopping_;
+}
+
+bool JobRunner::WaitBeforeRepeat() {
+  std::unique_lock lock(mutex_);
+  return !wake_.wait_for(lock, kRepeatDelay, [&] { return stopping_; });
 }
 
 void JobRunner::Work() {
@@ -59,127 +91,102 @@ void JobRunner::Work() {
   while (!stopping_) {
     const int64_t seen = generation_;
     lock.unlock();
-    const absl::StatusOr<std::optional<std::string>> claimed = ClaimNext();
-    if (!claimed.ok()) logger_.error("cannot take a job from the store: {}", std::string(claimed.status().message()));
-    const bool has_job = claimed.ok() && claimed->has_value();
-    if (has_job) RunJob(**claimed);
-    lock.lock();
-    if (!has_job) wake_.wait(lock, [&] { return stopping_ || generation_ != seen; });
-  }
-}
-
-absl::StatusOr<std::optional<std::string>> JobRunner::ClaimNext() {
-  return options_.requested_jobs_only ? ClaimRequested() : store_.jobs().ClaimOldest(store_.owner());
-}
-
-// The oldest that waits; those that have ended are forgotten, those that run elsewhere are kept in mind.
-absl::StatusOr<std::optional<std::string>> JobRunner::ClaimRequested() {
-  std::set<std::string> requested;
-  {
-    std::lock_guard lock(mutex_);
-    requested = requested_;
-  }
-  const auto forget = [this](const std::string& id) {
-    std::lock_guard lock(mutex_);
-    requested_.erase(id);
-  };
-  for (const std::string& id : requested) {
-    const absl::StatusOr<bool> claimed = store_.jobs().Claim(id, store_.owner());
-    if (!claimed.ok()) return claimed.status();
-    const absl::StatusOr<v1::Job> job = store_.jobs().Get(id);
-    if (*claimed || !job.ok() || HasEnded(job->state())) forget(id);
-    if (*claimed) return id;
-  }
-  return std::nullopt;
-}
-
-void JobRunner::RunJob(const std::string& job_id) {
-  const auto running = std::make_shared<RunningJob>();
-  {
-    std::lock_guard lock(mutex_);
-    running_[job_id] = running;
-    if (stopping_) running->cancellation.Cancel();
-  }
-  HonourCancelRequests();
-  absl::StatusOr<v1::Job> job = store_.jobs().Get(job_id);
-  PipelineResult result{job.status(), ""};
-  if (job.ok()) result = pipeline_.Run(*job, running->cancellation);
-
-  absl::StatusOr<bool> cancel_requested = store_.jobs().CancelRequested(job_id);
-  bool interrupted;
-  {
-    std::lock_guard lock(mutex_);
-    running_.erase(job_id);
-    interrupted = stopping_ && !result.status.ok();
-  }
-  // Interrupted jobs go back to the queue when the process lets go of its owner lock: Release below or, after a crash,
-  // whoever finds the lock free.
-  absl::Status stored;
-  if (cancel_requested.ok() && *cancel_requested && !result.status.ok() && job.ok()) {
-    stored = EndJob(*job, v1::JOB_STATE_CANCELLED, {absl::OkStatus(), result.stage});
-  } else if (interrupted) {
-    stored = store_.jobs().ReleaseOne(job_id);
-  } else if (job.ok()) {
-    stored = EndJob(*job, result.status.ok() ? v1::JOB_STATE_SUCCEEDED : v1::JOB_STATE_FAILED, result);
-  } else {
-    stored = job.status();
-  }
-  if (!stored.ok()) logger_.error("job {}: cannot store how it ended: {}", job_id, std::string(stored.message()));
-}
-
-absl::Status JobRunner::EndJob(v1::Job job, v1::JobState state, const PipelineResult& result) {
-  job.set_state(state);
-  job.set_stage(result.stage);
-  job.set_error(std::string(result.status.message()));
-  job.set_error_code(static_cast<int>(result.status.code()));
-  *job.mutable_end_time() = google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(clock_.Now()));
-  v1::JobEvent event;
-  event.set_job_id(job.id());
-  event.set_kind(v1::JOB_EVENT_KIND_ENDED);
-  event.set_message(job.error());
-  event.set_state(state);
-  auto transaction = Transaction::Begin(store_.database(), Transaction::Durability::kPowerLoss);
-  if (!transaction.ok()) return transaction.status();
-  absl::Status status = store_.jobs().End(job);
-  if (status.ok()) status = store_.events().Append(event);
-  if (status.ok()) status = transaction->Commit();
-  if (!status.ok()) return status;
-  pipeline_options_.notify(job.id());
-  logger_.info("job {} {}{}{}", job.id(), v1::JobState_Name(state), job.error().empty() ? "" : ": ", job.error());
-  return absl::OkStatus();
-}
-
-absl::Status JobRunner::Cancel(const std::string& job_id) {
-  absl::StatusOr<v1::Job> job = absl::UnknownError("");
-  {
-    auto transaction = Transaction::Begin(store_.database(), Transaction::Durability::kPowerLoss);
-    if (!transaction.ok()) return transaction.status();
-    job = store_.jobs().Get(job_id);
-    if (!job.ok()) return job.status();
-    if (HasEnded(job->state())) return absl::OkStatus();
-    if (absl::Status status = store_.jobs().RequestCancel(job_id); !status.ok()) return status;
-    // A waiting job is taken by us, so that nobody else starts it between here and its end.
-    if (job->state() == v1::JOB_STATE_QUEUED) {
-      const absl::StatusOr<bool> claimed = store_.jobs().Claim(job_id, store_.owner());
-      if (!claimed.ok()) return claimed.status();
+    absl::StatusOr<std::unique_ptr<Lease>> lease = TakeNext();
+    if (lease.ok() && *lease != nullptr) RunJob(**lease);
+    const bool idle = !lease.ok() || *lease == nullptr;
+    if (!lease.ok()) {
+      logger_.error("cannot take a job from the queue: {}", std::string(lease.status().message()));
+      (void)WaitBeforeRepeat();
     }
-    if (absl::Status status = transaction->Commit(); !status.ok()) return status;
+    // The lease ends before the thread sleeps.
+    if (lease.ok()) lease->reset();
+    lock.lock();
+    if (idle && lease.ok()) wake_.wait(lock, [&] { return stopping_ || generation_ != seen; });
   }
-  if (job->state() == v1::JOB_STATE_QUEUED) return EndJob(*job, v1::JOB_STATE_CANCELLED, {absl::OkStatus(), ""});
-  HonourCancelRequests();
-  return absl::OkStatus();
 }
 
-void JobRunner::HonourCancelRequests() {
-  std::map<std::string, std::shared_ptr<RunningJob>> running;
+absl::StatusOr<std::unique_ptr<Lease>> JobRunner::TakeNext() {
+  TakeFilter filter;
   {
     std::lock_guard lock(mutex_);
-    running = running_;
+    filter = filter_;
   }
-  for (auto& [id, job] : running) {
-    const absl::StatusOr<bool> requested = store_.jobs().CancelRequested(id);
-    if (requested.ok() && *requested) job->cancellation.Cancel();
+  return queue_.Take(filter);
+}
+
+void JobRunner::RunJob(Lease& lease) {
+  {
+    std::lock_guard lock(mutex_);
+    running_[lease.job().id()] = &lease;
+    ++counts_.running_count;
+    if (stopping_) lease.cancellation().Cancel();
   }
+  const int lost = LostRuns(lease);
+  if (lost >= kLostRunLimit) {
+    const absl::Status error = absl::InternalError(
+        fmt::format("{} runs of the job ended with the process that ran it; it is not begun again", lost));
+    End(lease, {v1::JOB_STATE_FAILED, lease.job().stage(), error, v1::FAILURE_KIND_WORKER, clock_.Now()});
+  } else {
+    Settle(lease, pipeline_.Run(lease));
+  }
+  std::lock_guard lock(mutex_);
+  running_.erase(lease.job().id());
+  --counts_.running_count;
+}
+
+void JobRunner::Settle(Lease& lease, const PipelineResult& result) {
+  if (result.status.ok()) {
+    End(lease, {v1::JOB_STATE_SUCCEEDED, result.stage, {}, v1::FAILURE_KIND_UNSPECIFIED, clock_.Now()});
+  } else if (lease.lost()) {
+    logger_.info("job {}: another run has it, this one ends", lease.job().id());
+  } else if (lease.cancel_requested()) {
+    End(lease, {v1::JOB_STATE_CANCELLED, result.stage, {}, v1::FAILURE_KIND_UNSPECIFIED, clock_.Now()});
+  } else if (stopping()) {
+    // Given back by the lease's end; after a crash, the queue finds out.
+    logger_.info("job {}: interrupted, waits for another run", lease.job().id());
+  } else {
+    Fail(lease, result);
+  }
+}
+
+void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
+  const v1::FailureKind kind = KindOfFailure(result.status, result.stage);
+  const int failed = FailedRuns(lease);
+  const bool again = !lease.job().batch_id().empty() && MayPass(result.status, kind);
+  if (!again || failed + 1 >= options_.attempt_limit) {
+    return End(lease, {v1::JOB_STATE_FAILED, result.stage, result.status, kind, clock_.Now()});
+  }
+  const std::string reason = fmt::format("run {} of {} failed at stage \"{}\": {}", failed + 1, options_.attempt_limit,
+                                         result.stage, std::string(result.status.message()));
+  const absl::Duration delay = DelayAfterFailure(failed, lease.job().id());
+  absl::Status returned = lease.Return(delay, reason);
+  while (!returned.ok() && !lease.lost() && WaitBeforeRepeat()) returned = lease.Return(delay, reason);
+  if (!returned.ok()) {
+    logger_.error("job {}: cannot be given back: {}", lease.job().id(), std::string(returned.message()));
+    return;
+  }
+  logger_.warn("job {} waits for another run: {}", lease.job().id(), reason);
+  std::lock_guard lock(mutex_);
+  ++counts_.retried_count;
+}
+
+// Until it is stored: a full disk or a queue that cannot be reached does not lose the end of a job.
+void JobRunner::End(Lease& lease, const JobEnd& end) {
+  absl::Status stored = lease.End(end);
+  while (!stored.ok() && !lease.lost()) {
+    logger_.error("job {}: cannot store how it ended, tries again: {}", lease.job().id(),
+                  std::string(stored.message()));
+    if (!WaitBeforeRepeat()) return;
+    stored = lease.End(end);
+  }
+  if (lease.lost()) return;
+  logger_.info("job {} {}{}{}", lease.job().id(), v1::JobState_Name(end.state), end.error.ok() ? "" : ": ",
+               std::string(end.error.message()));
+  std::lock_guard lock(mutex_);
+  if (end.state == v1::JOB_STATE_SUCCEEDED) ++counts_.succeeded_count;
+  if (end.state == v1::JOB_STATE_FAILED) ++counts_.failed_count;
+  if (end.state == v1::JOB_STATE_CANCELLED) ++counts_.cancelled_count;
+  filter_.job_ids.erase(lease.job().id());
 }
 
 }  // namespace flair::orchestrator

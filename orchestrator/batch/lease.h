@@ -15,7 +15,8 @@ namespace flair::orchestrator {
 struct StageRecord {
   // With job_id, kind, stage, and what belongs to the kind; the queue gives it its sequence.
   v1::JobEvent event;
-  // The stage's place in the job's artifacts, which are kept in that order; a stage's new artifact replaces its old one.
+  // The stage's place in the job's artifacts, which are kept in that order; a stage's new artifact replaces its old
+  // one.
   int stage_index = 0;
   // Under which the event's artifact is found again by any job (WorkQueue::FindResult); empty: under none.
   std::string result_key;

@@ -19,14 +19,14 @@
 
 namespace flair::orchestrator {
 
-// Which jobs or batches to list. Newest first.
+// Which jobs or batches to list: the newest first.
 struct ListFilter {
   int limit = 50;
   // Only ids below this one; all when empty.
   std::string before;
   // Only those of this owner; all when unset.
   std::optional<std::string> owner;
-  // Of jobs only. The oldest first when a batch is named, by their place in it.
+  // Of jobs only: those of one batch, those in one state.
   std::string batch_id;
   v1::JobState state = v1::JOB_STATE_UNSPECIFIED;
 };
@@ -46,18 +46,20 @@ struct BatchEnd {
 };
 
 // Jobs that wait, run and have ended; batches of them; and what stages made before. All of it outlives processes, and
-// any number of processes may use one queue: each job is run by one of them at a time and ends once. A job whose process
-// dies waits again. Two forms: SqliteWorkQueue (a folder; the processes of one machine) and JetStreamWorkQueue (NATS
-// servers; any machine); tests/contract puts the same promises to both. Thread-safe. Every method may wait for the
-// store. UNAVAILABLE: the store cannot be reached now; RESOURCE_EXHAUSTED: it is full.
+// any number of processes may use one queue: each job is run by one of them at a time and ends once. A job whose
+// process dies waits again. Two forms: SqliteWorkQueue (a folder; the processes of one machine) and JetStreamWorkQueue
+// (NATS servers; any machine); tests/contract puts the same promises to both. Thread-safe. Every method may wait for
+// the store. UNAVAILABLE: the store cannot be reached now; RESOURCE_EXHAUSTED: it is full.
 class WorkQueue {
  public:
-  // Called from any thread, possibly often and for nothing; must be quick, and call nothing of the queue.
+  // Called from any thread, possibly often and for nothing; must be quick, and not call the queue.
   struct Listener {
     // There may be a job to take.
     std::function<void()> work = [] {};
-    // Something happened to the job; to any, when empty. Of a batch too, when one of its jobs ended.
+    // Something happened to the job; to any, when empty.
     std::function<void(const std::string& job_id)> changed = [](const std::string&) {};
+    // A job of the batch ended, or the batch itself was changed; any, when empty.
+    std::function<void(const std::string& batch_id)> batch_changed = [](const std::string&) {};
   };
 
   virtual ~WorkQueue() = default;
@@ -111,6 +113,10 @@ class WorkQueue {
   // With counts. NOT_FOUND when unknown.
   virtual absl::StatusOr<v1::Batch> GetBatch(const std::string& batch_id) = 0;
   virtual absl::StatusOr<std::vector<v1::Batch>> ListBatches(const ListFilter& filter) = 0;
+
+  // Whether the batch is closed and no job of it waits or runs; asked for after every end, so cheap for any size.
+  // NOT_FOUND when unknown.
+  virtual absl::StatusOr<bool> BatchHasEnded(const std::string& batch_id) = 0;
 
   // Ends of a batch's jobs after a sequence number, in order, at most `limit`. Of a job that was retried, the latest.
   virtual absl::StatusOr<std::vector<BatchEnd>> EndsAfter(const std::string& batch_id, int64_t sequence, int limit) = 0;

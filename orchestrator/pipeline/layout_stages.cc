@@ -5,6 +5,46 @@
 #include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
+namespace {
+
+absl::StatusOr<v1::Artifact> Draw(const StageRun& run, std::string_view stage, const v1::RenderOptions& options) {
+  const v1::Artifact& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT);
+  v1::RenderRequest request;
+  request.set_request_id(RequestId(run, stage));
+  *request.mutable_solved_layout() = layout.solved_layout();
+  *request.mutable_options() = options;
+  // Not the job's own id: the same layout must give the same picture, whoever asks for it. The layout's id leads to it.
+  request.set_job_id(layout.id());
+  // The ids that lead from the layout to its brief cover both.
+  request.set_brief_text(run.spec.brief().text());
+  request.set_brief_seed(run.spec.brief().seed());
+  auto response = run.clients.Render(request, run.call);
+  if (!response.ok()) return response.status();
+  v1::Artifact artifact;
+  *artifact.mutable_preview() = std::move(*response->mutable_preview());
+  *artifact.mutable_producer() = response->producer();
+  return artifact;
+}
+
+constexpr const char* kViewNames[] = {"view_1", "view_2", "view_3", "view_4"};
+
+// The functions of a stage have no memory; so each view has functions of its own.
+template <int kNumber>
+Stage MakeViewStage() {
+  Stage stage;
+  stage.name = kViewNames[kNumber];
+  stage.output = v1::ARTIFACT_KIND_PREVIEW;
+  stage.inputs = {v1::ARTIFACT_KIND_SOLVED_LAYOUT};
+  stage.wanted = [](const v1::JobSpec& spec) { return kNumber < spec.further_views_size(); };
+  stage.asked = [](const v1::JobSpec& spec) {
+    return kNumber < spec.further_views_size() ? runtime::CanonicalBytes(spec.further_views(kNumber)) : "";
+  };
+  stage.options = nullptr;
+  stage.run = [](const StageRun& run) { return Draw(run, kViewNames[kNumber], run.spec.further_views(kNumber)); };
+  return stage;
+}
+
+}  // namespace
 
 // The catalogue decides what can be translated to, so it counts as the options: another optimizer, another graph. They
 // are kept as the request that they are sent in.
@@ -62,23 +102,12 @@ absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run) {
 
 std::string AskedOfRenderer(const v1::JobSpec& spec) { return runtime::CanonicalBytes(spec.render_options()); }
 
-absl::StatusOr<v1::Artifact> RunRender(const StageRun& run) {
-  const v1::Artifact& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT);
-  v1::RenderRequest request;
-  request.set_request_id(RequestId(run, "render"));
-  *request.mutable_solved_layout() = layout.solved_layout();
-  *request.mutable_options() = run.spec.render_options();
-  // Not the job's own id: the same layout must give the same picture, whoever asks for it. The layout's id leads to it.
-  request.set_job_id(layout.id());
-  // The ids that lead from the layout to its brief cover both.
-  request.set_brief_text(run.spec.brief().text());
-  request.set_brief_seed(run.spec.brief().seed());
-  auto response = run.clients.Render(request, run.call);
-  if (!response.ok()) return response.status();
-  v1::Artifact artifact;
-  *artifact.mutable_preview() = std::move(*response->mutable_preview());
-  *artifact.mutable_producer() = response->producer();
-  return artifact;
+absl::StatusOr<v1::Artifact> RunRender(const StageRun& run) { return Draw(run, "render", run.spec.render_options()); }
+
+Stage FurtherViewStage(int number) {
+  static_assert(kFurtherViewLimit == 4);
+  constexpr Stage (*stages[])() = {MakeViewStage<0>, MakeViewStage<1>, MakeViewStage<2>, MakeViewStage<3>};
+  return stages[number]();
 }
 
 }  // namespace flair::orchestrator

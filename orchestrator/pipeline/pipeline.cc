@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/pipeline/pipeline.h"
 
+#include <algorithm>
 #include <future>
 #include <optional>
 
+#include "orchestrator/batch/failure.h"
 #include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage_runner.h"
 
@@ -15,13 +17,15 @@ using Output = StageRunner::Output;
 // What the stages of one job have made so far, by stage index.
 class Progress {
  public:
-  Progress() : outputs_(Stages().size()) {}
+  explicit Progress(const v1::JobSpec& spec) : spec_(spec), outputs_(Stages().size()) {}
 
-  // Stages that are not done and whose inputs are.
+  // Stages that are wanted and not done and whose inputs are.
   std::vector<int> Ready() const {
     std::vector<int> ready;
     for (int i = 0; i < static_cast<int>(outputs_.size()); ++i) {
-      if (!outputs_[i].has_value() && InputsOf(i).size() == Stages()[i].inputs.size()) ready.push_back(i);
+      const Stage& stage = Stages()[i];
+      const bool wanted = stage.wanted == nullptr || stage.wanted(spec_);
+      if (wanted && !outputs_[i].has_value() && InputsOf(i).size() == stage.inputs.size()) ready.push_back(i);
     }
     return ready;
   }
@@ -29,9 +33,9 @@ class Progress {
   std::vector<const v1::Artifact*> InputsOf(int stage_index) const {
     std::vector<const v1::Artifact*> inputs;
     for (const v1::ArtifactKind kind : Stages()[stage_index].inputs) {
-      for (size_t i = 0; i < outputs_.size(); ++i) {
-        if (Stages()[i].output == kind && outputs_[i].has_value()) inputs.push_back(&outputs_[i]->artifact);
-      }
+      // The first stage that makes the kind: further views are nobody's input.
+      const size_t i = std::ranges::find(Stages(), kind, &Stage::output) - Stages().begin();
+      if (outputs_[i].has_value()) inputs.push_back(&outputs_[i]->artifact);
     }
     return inputs;
   }
@@ -53,18 +57,27 @@ class Progress {
     return usage;
   }
 
+  std::vector<v1::ArtifactRef> Artifacts() const {
+    std::vector<v1::ArtifactRef> artifacts;
+    for (const std::optional<Output>& output : outputs_) {
+      if (output.has_value()) artifacts.emplace_back().set_id(output->artifact.id());
+    }
+    return artifacts;
+  }
+
   void Set(int stage_index, Output output) { outputs_[stage_index] = std::move(output); }
 
  private:
+  const v1::JobSpec& spec_;
   std::vector<std::optional<Output>> outputs_;
 };
 
 }  // namespace
 
-PipelineResult Pipeline::Run(const v1::Job& job, runtime::Cancellation& cancellation) const {
-  StageRunner runner(store_, clients_, clock_, options_, job, cancellation);
-  if (absl::Status status = runner.ReadHistory(); !status.ok()) return {status, ""};
-  Progress progress;
+PipelineResult Pipeline::Run(Lease& lease) const {
+  const v1::Job& job = lease.job();
+  StageRunner runner(queue_, artifacts_, clients_, clock_, options_, lease);
+  Progress progress(job.spec());
   for (std::vector<int> ready = progress.Ready(); !ready.empty(); ready = progress.Ready()) {
     const std::vector<v1::StageTiming> timings = progress.Timings();
     const v1::ModelUsage usage = progress.ModelUsage();
@@ -82,7 +95,7 @@ PipelineResult Pipeline::Run(const v1::Job& job, runtime::Cancellation& cancella
       progress.Set(ready[i], *std::move(outputs[i]));
     }
   }
-  return {absl::OkStatus(), std::string(Stages().back().name)};
+  return {OfStore(artifacts_.Flush(progress.Artifacts())), "report"};
 }
 
 }  // namespace flair::orchestrator

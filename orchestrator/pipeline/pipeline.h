@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/time/time.h"
 #include "flair/v1/job.pb.h"
+#include "orchestrator/batch/artifact_store.h"
+#include "orchestrator/batch/work_queue.h"
 #include "orchestrator/pipeline/backoff_policy.h"
 #include "orchestrator/pipeline/stage_clients.h"
-#include "orchestrator/store/job_store.h"
 #include "worker_runtime/clock/clock.h"
-#include "worker_runtime/executor/cancellation.h"
 
 namespace flair::orchestrator {
 
@@ -23,8 +22,6 @@ struct PipelineOptions {
   // What this program was built from, for the artifacts that it makes itself.
   std::string build;
   Waiter wait = WaitUnlessCancelled;
-  // Called after each stored event with the job's id.
-  std::function<void(const std::string&)> notify = [](const std::string&) {};
 };
 
 // Where a run of a job ended. Which stage failed, when one did.
@@ -39,14 +36,17 @@ struct PipelineResult {
 // arguments outlive it.
 class Pipeline {
  public:
-  Pipeline(JobStore& store, StageClients& clients, const runtime::Clock& clock, PipelineOptions options)
-      : store_(store), clients_(clients), clock_(clock), options_(std::move(options)) {}
+  Pipeline(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, const runtime::Clock& clock,
+           PipelineOptions options)
+      : queue_(queue), artifacts_(artifacts), clients_(clients), clock_(clock), options_(std::move(options)) {}
 
-  // Does not end the job in the store. `cancellation` stops the running calls.
-  PipelineResult Run(const v1::Job& job, runtime::Cancellation& cancellation) const;
+  // Runs the job of the lease, which it neither ends nor returns; its cancellation stops the running calls. When all is
+  // well, its artifacts are flushed. ABORTED when the lease was lost.
+  PipelineResult Run(Lease& lease) const;
 
  private:
-  JobStore& store_;
+  WorkQueue& queue_;
+  ArtifactStore& artifacts_;
   StageClients& clients_;
   const runtime::Clock& clock_;
   const PipelineOptions options_;

@@ -7,20 +7,20 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/job.pb.h"
-#include "orchestrator/store/job_store.h"
+#include "orchestrator/batch/work_queue.h"
 
 namespace flair::orchestrator {
 
 // Index of the first stage that a replay runs. The stage must be known (CheckReplay).
 int FirstStageOf(const v1::Replay& replay);
 
-// Says whether a job can replay what it names: NOT_FOUND when there is no such job, INVALID_ARGUMENT for a stage that
-// there is not and for another brief than that job's where its brief is taken, FAILED_PRECONDITION when that job did
-// not come so far. OK when the spec replays nothing.
-absl::Status CheckReplay(const v1::JobSpec& spec, JobStore& store);
+// Says whether a job can replay `earlier`, the job that it names: INVALID_ARGUMENT for a stage that there is not and
+// for another brief than that job's where its brief is taken, FAILED_PRECONDITION when that job did not come so far.
+absl::Status CheckReplay(const v1::JobSpec& spec, const v1::Job& earlier);
 
 // Names the earlier job's artifact of a stage. FAILED_PRECONDITION when it has none.
-absl::StatusOr<v1::ArtifactRef> ArtifactToTake(const v1::Replay& replay, int stage_index, ArtifactTable& artifacts);
+absl::StatusOr<v1::ArtifactRef> ArtifactToTake(const v1::Replay& replay, int stage_index, WorkQueue& queue);
+absl::StatusOr<v1::ArtifactRef> ArtifactToTake(const v1::Replay& replay, int stage_index, const v1::Job& earlier);
 
 // For each stage whether the specs ask for another result of it, of itself or because one of its inputs is another.
 std::vector<bool> StagesAskedToDiffer(const v1::JobSpec& first, const v1::JobSpec& second);

@@ -8,7 +8,7 @@
 namespace flair::orchestrator {
 
 std::span<const Stage> Stages() {
-  using namespace v1;  // Eleven kinds in one table.
+  using namespace v1;  // Their kinds in one table.
   static const std::vector<Stage> stages = {
       {"brief", ARTIFACT_KIND_BRIEF, {}, AskedBrief, nullptr, RunBrief},
       {"room", ARTIFACT_KIND_ROOM, {ARTIFACT_KIND_BRIEF}, AskedOfModels, nullptr, RunRoom},
@@ -52,6 +52,10 @@ std::span<const Stage> Stages() {
        nullptr,
        ReportOptions,
        RunReport},
+      FurtherViewStage(0),
+      FurtherViewStage(1),
+      FurtherViewStage(2),
+      FurtherViewStage(3),
   };
   return stages;
 }

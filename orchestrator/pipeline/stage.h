@@ -47,6 +47,8 @@ struct Stage {
   absl::StatusOr<std::string> (*options)(const StageRun&);
   // The artifact with content and producer.
   absl::StatusOr<v1::Artifact> (*run)(const StageRun&);
+  // Whether a job has the stage; null when every job has.
+  bool (*wanted)(const v1::JobSpec&) = nullptr;
 };
 
 // The stages in order; a stage's inputs are outputs of stages before it. Stages of which none needs another run at the
@@ -64,6 +66,9 @@ int StageIndex(std::string_view name);
 
 // "brief, room, zones, ...", for messages that say what there is.
 std::string StageNames();
+
+// Most pictures that a job may ask for beside its preview, each a stage "view_1", "view_2", ...
+inline constexpr int kFurtherViewLimit = 4;
 
 // What specs ask of the stages that take something from them.
 std::string AskedBrief(const v1::JobSpec& spec);
@@ -85,5 +90,8 @@ absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunRender(const StageRun& run);
 absl::StatusOr<std::string> ReportOptions(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunReport(const StageRun& run);
+
+// A stage that draws a further view; `number` counts from 0.
+Stage FurtherViewStage(int number);
 
 }  // namespace flair::orchestrator

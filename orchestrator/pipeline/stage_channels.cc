@@ -25,7 +25,7 @@ absl::StatusOr<StageChannels> ConnectStages(const config::v1::OrchestratorConfig
       {"renderer", config.stages().renderer(), v1::RendererService::service_full_name(), channels.renderer},
   };
   for (const auto& stage : stages) {
-    auto channel = runtime::MakeChannel(stage.address, stage.service, config.runtime().max_message_mib());
+    auto channel = runtime::MakeChannel(stage.address, stage.service, runtime::ChannelOptionsOf(config.runtime()));
     if (!channel.ok()) {
       return absl::InvalidArgumentError(
           fmt::format("stages.{}: {}", stage.field, std::string(channel.status().message())));

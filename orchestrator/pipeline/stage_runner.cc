@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "google/protobuf/util/time_util.h"
+#include "orchestrator/batch/failure.h"
 #include "orchestrator/pipeline/replay.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
@@ -39,15 +40,21 @@ std::vector<std::string> InputIds(const StageRun& run) {
 
 }  // namespace
 
-absl::Status StageRunner::ReadHistory() {
-  auto events = store_.events().After(job_.id(), 0, 1000);
-  if (!events.ok()) return events.status();
-  for (v1::JobEvent& event : *events) {
+StageRunner::StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, const runtime::Clock& clock,
+                         const PipelineOptions& options, Lease& lease)
+    : queue_(queue),
+      artifacts_(artifacts),
+      clients_(clients),
+      clock_(clock),
+      options_(options),
+      lease_(lease),
+      job_(lease.job()),
+      cancellation_(lease.cancellation()) {
+  for (const v1::JobEvent& event : lease.history()) {
     const bool ended =
         event.kind() == v1::JOB_EVENT_KIND_STAGE_FINISHED || event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED;
-    if (ended) history_[event.stage()] = std::move(event);
+    if (ended) history_[event.stage()] = event;
   }
-  return absl::OkStatus();
 }
 
 absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<const v1::Artifact* const> inputs,
@@ -70,8 +77,8 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
       [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
   if (!revision.ok()) return revision.status();
   const std::string key = KeyOf(stage, run, *revision);
-  auto known = store_.artifacts().FindResult(key);
-  if (!known.ok()) return known.status();
+  auto known = queue_.FindResult(key);
+  if (!known.ok()) return OfStore(known.status());
   if (known->has_value()) {
     absl::StatusOr<Output> reused = Reuse(stage_index, **known);
     // A file that is gone or damaged is made again.
@@ -91,7 +98,7 @@ std::string StageRunner::KeyOf(const Stage& stage, const StageRun& run, const Re
 // What the replayed job had. Without it there is nothing to go on from.
 absl::StatusOr<StageRunner::Output> StageRunner::TakeFromEarlierJob(int stage_index) const {
   const v1::Replay& replay = job_.spec().replay();
-  const absl::StatusOr<v1::ArtifactRef> ref = ArtifactToTake(replay, stage_index, store_.artifacts());
+  const absl::StatusOr<v1::ArtifactRef> ref = ArtifactToTake(replay, stage_index, queue_);
   if (!ref.ok()) return ref.status();
   absl::StatusOr<Output> taken = Reuse(stage_index, *ref);
   if (taken.ok()) return taken;
@@ -114,8 +121,8 @@ absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, c
   if (!run.inputs.empty()) artifact->set_options_digest(OptionsDigest(run));
   const std::vector<std::string> input_ids = InputIds(run);
   artifact->mutable_made_from_ids()->Assign(input_ids.begin(), input_ids.end());
-  absl::StatusOr<v1::ArtifactRef> ref = store_.files().Put(*artifact);
-  if (!ref.ok()) return ref.status();
+  absl::StatusOr<v1::ArtifactRef> ref = artifacts_.Put(*artifact);
+  if (!ref.ok()) return OfStore(ref.status());
   v1::JobEvent event = Event(v1::JOB_EVENT_KIND_STAGE_FINISHED, stage);
   event.set_message(Summarize(*artifact));
   if (const std::string models = SummarizeModels(*artifact); !models.empty()) {
@@ -174,8 +181,8 @@ absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, const StageRu
 absl::StatusOr<StageRunner::Output> StageRunner::Reuse(int stage_index, const v1::ArtifactRef& ref) const {
   const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
   const absl::Duration start = clock_.Elapsed();
-  absl::StatusOr<v1::Artifact> artifact = store_.files().Get(ref.id());
-  if (!artifact.ok()) return artifact.status();
+  absl::StatusOr<v1::Artifact> artifact = artifacts_.Get(ref.id());
+  if (!artifact.ok()) return OfStore(artifact.status());
   Output output{*std::move(artifact), {}};
   output.timing.set_stage(std::string(stage.name));
   const auto before = history_.find(stage.name);
@@ -194,19 +201,8 @@ absl::StatusOr<StageRunner::Output> StageRunner::Reuse(int stage_index, const v1
   return output;
 }
 
-// Stores an event with what it stands for, all or nothing.
-absl::Status StageRunner::Record(int stage_index, v1::JobEvent event, const std::string& result_key) const {
-  auto transaction = Transaction::Begin(store_.database());
-  if (!transaction.ok()) return transaction.status();
-  absl::Status status = store_.events().Append(event);
-  if (status.ok()) status = store_.jobs().SetStage(job_.id(), event.stage());
-  if (status.ok() && event.has_artifact()) {
-    status = store_.artifacts().Attach(job_.id(), stage_index, event.artifact());
-  }
-  if (status.ok() && !result_key.empty()) status = store_.artifacts().SetResult(result_key, event.artifact());
-  if (status.ok()) status = transaction->Commit();
-  if (status.ok()) options_.notify(job_.id());
-  return status;
+absl::Status StageRunner::Record(int stage_index, const v1::JobEvent& event, const std::string& result_key) const {
+  return OfStore(lease_.Record({event, stage_index, result_key}));
 }
 
 v1::JobEvent StageRunner::Event(v1::JobEventKind kind, const Stage& stage) const {

@@ -19,12 +19,8 @@ namespace flair::orchestrator {
 // several threads at once, for different stages. The arguments outlive it.
 class StageRunner {
  public:
-  StageRunner(JobStore& store, StageClients& clients, const runtime::Clock& clock, const PipelineOptions& options,
-              const v1::Job& job, runtime::Cancellation& cancellation)
-      : store_(store), clients_(clients), clock_(clock), options_(options), job_(job), cancellation_(cancellation) {}
-
-  // Reads what the job did before it was interrupted, so that it is not told twice.
-  absl::Status ReadHistory();
+  StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, const runtime::Clock& clock,
+              const PipelineOptions& options, Lease& lease);
 
   struct Output {
     v1::Artifact artifact;
@@ -44,16 +40,18 @@ class StageRunner {
   absl::StatusOr<Output> MakeAndStore(int stage_index, const StageRun& run, Revision revision) const;
   absl::StatusOr<Output> Reuse(int stage_index, const v1::ArtifactRef& ref) const;
   absl::StatusOr<Output> TakeFromEarlierJob(int stage_index) const;
-  absl::Status Record(int stage_index, v1::JobEvent event, const std::string& result_key) const;
+  absl::Status Record(int stage_index, const v1::JobEvent& event, const std::string& result_key) const;
   v1::JobEvent Event(v1::JobEventKind kind, const Stage& stage) const;
 
-  JobStore& store_;
+  WorkQueue& queue_;
+  ArtifactStore& artifacts_;
   StageClients& clients_;
   const runtime::Clock& clock_;
   const PipelineOptions& options_;
+  Lease& lease_;
   const v1::Job& job_;
   runtime::Cancellation& cancellation_;
-  // The last event with which each stage ended.
+  // The last event with which each stage ended in an earlier run, so that it is not told twice.
   std::map<std::string, v1::JobEvent, std::less<>> history_;
 };
 

@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/service/make_orchestrator_service.h"
 
+#include <fmt/format.h>
+#include <google/protobuf/util/time_util.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <random>
 #include <thread>
 
+#include "orchestrator/access/access_control.h"
 #include "orchestrator/batch/event_hub.h"
 #include "orchestrator/batch/job_runner.h"
-#include "orchestrator/batch/store_monitor.h"
 #include "orchestrator/pipeline/grpc_stage_clients.h"
 #include "orchestrator/pipeline/pipeline.h"
+#include "orchestrator/service/open_stores.h"
 #include "orchestrator/service/orchestrator_handlers.h"
-#include "orchestrator/service/watch_job.h"
-#include "orchestrator/store/job_store.h"
+#include "orchestrator/service/status_reporter.h"
+#include "orchestrator/service/watches.h"
 #include "worker_runtime/grpc/unary_call.h"
 
 namespace flair::orchestrator {
 namespace {
+
+google::protobuf::Timestamp ToProto(absl::Time time) {
+  return google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(time));
+}
 
 int RunningJobLimit(const config::v1::OrchestratorConfig& config) {
   if (config.running_job_limit() > 0) return config.running_job_limit();
@@ -23,127 +33,191 @@ int RunningJobLimit(const config::v1::OrchestratorConfig& config) {
 }
 
 int QueuedJobLimit(const config::v1::OrchestratorConfig& config) {
-  return config.queued_job_limit() > 0 ? config.queued_job_limit() : 10000;
+  return config.queued_job_limit() > 0 ? config.queued_job_limit() : 1000000;
 }
 
-PipelineOptions MakePipelineOptions(const config::v1::OrchestratorConfig& config, const std::string& build,
-                                    EventHub& hub) {
+PipelineOptions MakePipelineOptions(const config::v1::OrchestratorConfig& config, const std::string& build) {
   PipelineOptions options;
   options.build = build;
   if (config.has_stage_deadline_seconds()) options.stage_deadline = absl::Seconds(config.stage_deadline_seconds());
-  options.notify = [&hub](const std::string& job_id) { hub.Notify(job_id); };
   return options;
 }
+
+JobRunnerOptions MakeRunnerOptions(const config::v1::OrchestratorConfig& config) {
+  JobRunnerOptions options;
+  options.running_job_limit = config.takes_no_jobs() ? 0 : RunningJobLimit(config);
+  options.requested_jobs_only = config.requested_jobs_only();
+  if (config.attempt_limit() > 0) options.attempt_limit = config.attempt_limit();
+  return options;
+}
+
+// What of the status never changes.
+v1::OrchestratorStatus Introduce(const config::v1::OrchestratorConfig& config, const runtime::WorkerContext& worker) {
+  char host[256] = "";
+  ::gethostname(host, sizeof host - 1);
+  std::random_device random;
+  v1::OrchestratorStatus status;
+  status.set_id(fmt::format("{}-{}-{:06x}", host, ::getpid(), random() & 0xffffffu));
+  status.set_host(host);
+  status.set_build(worker.build);
+  status.set_running_limit(MakeRunnerOptions(config).running_job_limit);
+  *status.mutable_start_time() = ToProto(worker.clock.Now());
+  return status;
+}
+
+struct Stores {
+  std::unique_ptr<WorkQueue> queue;
+  std::unique_ptr<ArtifactStore> artifacts;
+  std::unique_ptr<AccessControl> access;
+};
 
 class Service final : public OrchestratorService {
  public:
   Service(const config::v1::OrchestratorConfig& config, runtime::WorkerContext& worker, const StageChannels& channels,
-          std::unique_ptr<JobStore> store)
+          Stores stores)
       : worker_(worker),
-        store_(std::move(store)),
+        stores_(std::move(stores)),
         clients_(MakeGrpcStageClients(channels)),
-        pipeline_options_(MakePipelineOptions(config, worker.build, hub_)),
-        pipeline_(*store_, *clients_, worker.clock, pipeline_options_),
-        runner_(*store_, pipeline_, worker.clock, *worker.logger, pipeline_options_,
-                {RunningJobLimit(config), config.requested_jobs_only()}),
-        handlers_(*store_, runner_, worker.clock, QueuedJobLimit(config)),
-        watches_(*store_, hub_, worker),
-        monitor_(*store_, {[this] { OnChange(); }, [this] { OnOwnerGone(); }}) {}
+        introduction_(Introduce(config, worker)),
+        pipeline_(*stores_.queue, *stores_.artifacts, *clients_, worker.clock,
+                  MakePipelineOptions(config, worker.build)),
+        runner_(*stores_.queue, pipeline_, worker.clock, *worker.logger, MakeRunnerOptions(config)),
+        handlers_(*stores_.queue, *stores_.artifacts, runner_, worker.clock, QueuedJobLimit(config),
+                  [this] { return Status(); }),
+        watches_(hub_, worker) {
+    stores_.queue->Listen({[this] { runner_.Wake(); }, [this](const std::string& id) { hub_.Notify(id); },
+                           [this](const std::string& id) { hub_.Notify(id); }});
+    // Who runs only what it is asked for is no part of a cluster.
+    if (config.has_queue() || !config.requested_jobs_only()) {
+      reporter_ = std::make_unique<StatusReporter>(*stores_.queue, [this] { return Status(); }, *worker.logger);
+    }
+  }
+
+  ~Service() override {
+    Stop();
+    stores_.queue->Listen({});
+  }
 
   void Stop() override {
     watches_.Stop();
     runner_.Stop();
   }
 
-  grpc::ServerUnaryReactor* CreateJob(grpc::CallbackServerContext* context, const v1::CreateJobRequest* request,
-                                      v1::CreateJobResponse* response) override {
-    return Serve("CreateJob", *context, *request, *response, &OrchestratorHandlers::CreateJob);
+#define FLAIR_SERVE(Rpc)                                                                               \
+  grpc::ServerUnaryReactor* Rpc(grpc::CallbackServerContext* context, const v1::Rpc##Request* request, \
+                                v1::Rpc##Response* response) override {                                \
+    return Serve(#Rpc, *context, *request, *response, &OrchestratorHandlers::Rpc);                     \
   }
-  grpc::ServerUnaryReactor* GetJob(grpc::CallbackServerContext* context, const v1::GetJobRequest* request,
-                                   v1::GetJobResponse* response) override {
-    return Serve("GetJob", *context, *request, *response, &OrchestratorHandlers::GetJob);
-  }
-  grpc::ServerUnaryReactor* ListJobs(grpc::CallbackServerContext* context, const v1::ListJobsRequest* request,
-                                     v1::ListJobsResponse* response) override {
-    return Serve("ListJobs", *context, *request, *response, &OrchestratorHandlers::ListJobs);
-  }
-  grpc::ServerUnaryReactor* CancelJob(grpc::CallbackServerContext* context, const v1::CancelJobRequest* request,
-                                      v1::CancelJobResponse* response) override {
-    return Serve("CancelJob", *context, *request, *response, &OrchestratorHandlers::CancelJob);
-  }
-  grpc::ServerUnaryReactor* CreateBatch(grpc::CallbackServerContext* context, const v1::CreateBatchRequest* request,
-                                        v1::CreateBatchResponse* response) override {
-    return Serve("CreateBatch", *context, *request, *response, &OrchestratorHandlers::CreateBatch);
-  }
-  grpc::ServerUnaryReactor* GetBatch(grpc::CallbackServerContext* context, const v1::GetBatchRequest* request,
-                                     v1::GetBatchResponse* response) override {
-    return Serve("GetBatch", *context, *request, *response, &OrchestratorHandlers::GetBatch);
-  }
-  grpc::ServerUnaryReactor* GetArtifact(grpc::CallbackServerContext* context, const v1::GetArtifactRequest* request,
-                                        v1::GetArtifactResponse* response) override {
-    return Serve("GetArtifact", *context, *request, *response, &OrchestratorHandlers::GetArtifact);
+  FLAIR_SERVE(CreateJob)
+  FLAIR_SERVE(GetJob)
+  FLAIR_SERVE(ListJobs)
+  FLAIR_SERVE(CancelJob)
+  FLAIR_SERVE(GetArtifact)
+  FLAIR_SERVE(GetCluster)
+  FLAIR_SERVE(CreateBatch)
+  FLAIR_SERVE(AddToBatch)
+  FLAIR_SERVE(GetBatch)
+  FLAIR_SERVE(ListBatches)
+  FLAIR_SERVE(PauseBatch)
+  FLAIR_SERVE(ResumeBatch)
+  FLAIR_SERVE(CancelBatch)
+  FLAIR_SERVE(RetryBatch)
+#undef FLAIR_SERVE
+
+  grpc::ServerWriteReactor<v1::WatchJobResponse>* WatchJob(grpc::CallbackServerContext* context,
+                                                           const v1::WatchJobRequest* request) override {
+    const std::string id = request->job_id();
+    const auto admit = [this, id, caller = Admit(*context)]() -> absl::Status {
+      if (!caller.ok()) return caller.status();
+      if (absl::Status status = handlers_.VisibleJob(id, *caller).status(); !status.ok()) return status;
+      runner_.Request({id});
+      return absl::OkStatus();
+    };
+    return watches_.Start(JobSource(*stores_.queue, id, admit), request->after_sequence());
   }
 
-  grpc::ServerWriteReactor<v1::WatchJobResponse>* WatchJob(grpc::CallbackServerContext*,
-                                                           const v1::WatchJobRequest* request) override {
-    runner_.Request({request->job_id()});
-    return watches_.Start(*request);
+  grpc::ServerWriteReactor<v1::WatchBatchResponse>* WatchBatch(grpc::CallbackServerContext* context,
+                                                               const v1::WatchBatchRequest* request) override {
+    const std::string id = request->batch_id();
+    const auto admit = [this, id, caller = Admit(*context)]() -> absl::Status {
+      if (!caller.ok()) return caller.status();
+      if (absl::Status status = handlers_.VisibleBatch(id, *caller).status(); !status.ok()) return status;
+      runner_.Request({}, id);
+      return absl::OkStatus();
+    };
+    return watches_.Start(BatchSource(*stores_.queue, id, admit), request->after_sequence());
   }
 
  private:
+  absl::StatusOr<Caller> Admit(const grpc::CallbackServerContext& context) {
+    const auto found = context.client_metadata().find("authorization");
+    if (found == context.client_metadata().end()) return stores_.access->Admit(std::nullopt);
+    return stores_.access->Admit(std::string_view(found->second.data(), found->second.size()));
+  }
+
   template <typename Request, typename Response>
   grpc::ServerUnaryReactor* Serve(const char* rpc, grpc::CallbackServerContext& context, const Request& request,
                                   Response& response,
                                   absl::StatusOr<Response> (OrchestratorHandlers::*handle)(const Request&,
-                                                                                           runtime::CallContext&)) {
-    return runtime::StartUnary(worker_, rpc, runtime::internal::RequestIdOf(request), context,
-                               [this, &request, &response, handle](runtime::CallContext& call) -> absl::Status {
-                                 absl::StatusOr<Response> answer = (handlers_.*handle)(request, call);
-                                 if (!answer.ok()) return answer.status();
-                                 response = *std::move(answer);
-                                 return absl::OkStatus();
-                               });
+                                                                                           const Caller&)) {
+    return runtime::StartUnary(
+        worker_, rpc, runtime::internal::RequestIdOf(request), context,
+        [this, caller = Admit(context), &request, &response, handle](runtime::CallContext&) -> absl::Status {
+          if (!caller.ok()) return caller.status();
+          absl::StatusOr<Response> answer = (handlers_.*handle)(request, *caller);
+          if (!answer.ok()) return answer.status();
+          response = *std::move(answer);
+          return absl::OkStatus();
+        });
   }
 
-  void OnChange() {
-    runner_.HonourCancelRequests();
-    runner_.Wake();
-    hub_.NotifyAll();
-  }
-
-  void OnOwnerGone() {
-    const absl::Status status = store_->ReleaseDeadOwners();
-    if (!status.ok()) worker_.logger->error("cannot look for jobs to resume: {}", std::string(status.message()));
-    runner_.Wake();
+  v1::OrchestratorStatus Status() {
+    const JobRunnerCounts counts = runner_.counts();
+    v1::OrchestratorStatus status = introduction_;
+    *status.mutable_report_time() = ToProto(worker_.clock.Now());
+    status.set_running_count(counts.running_count);
+    status.set_succeeded_count(counts.succeeded_count);
+    status.set_failed_count(counts.failed_count);
+    status.set_retried_count(counts.retried_count);
+    return status;
   }
 
   // Destroyed from the last to the first: nothing is told of what has gone.
   runtime::WorkerContext& worker_;
-  std::unique_ptr<JobStore> store_;
+  Stores stores_;
   std::unique_ptr<StageClients> clients_;
+  const v1::OrchestratorStatus introduction_;
   EventHub hub_;
-  const PipelineOptions pipeline_options_;
   const Pipeline pipeline_;
   JobRunner runner_;
   OrchestratorHandlers handlers_;
-  JobWatches watches_;
-  StoreMonitor monitor_;
+  Watches watches_;
+  std::unique_ptr<StatusReporter> reporter_;
 };
 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<OrchestratorService>> MakeOrchestratorService(
     const config::v1::OrchestratorConfig& config, runtime::WorkerContext& context, const StageChannels& channels) {
-  absl::StatusOr<std::unique_ptr<JobStore>> store = JobStore::Open(config.store_path());
-  if (!store.ok()) return store.status();
+  absl::StatusOr<std::unique_ptr<AccessControl>> access =
+      AccessControl::Open(config.tokens_path(), context.clock, context.logger);
+  if (!access.ok()) return access.status();
+  absl::StatusOr<std::unique_ptr<WorkQueue>> queue = OpenWorkQueue(config, context.clock);
+  if (!queue.ok()) return queue.status();
+  absl::StatusOr<std::unique_ptr<ArtifactStore>> artifacts = OpenArtifactStore(config, context.clock);
+  if (!artifacts.ok()) return artifacts.status();
   context.capabilities = {v1::CAPABILITY_DETERMINISTIC};
-  return std::make_unique<Service>(config, context, channels, *std::move(store));
+  return std::make_unique<Service>(config, context, channels,
+                                   Stores{*std::move(queue), *std::move(artifacts), *std::move(access)});
 }
 
 void CheckOrchestratorConfig(const config::v1::OrchestratorConfig& config, runtime::ConfigChecker& checker) {
-  if (config.store_path().empty()) checker.Report("store_path", "missing; expected a folder");
+  if (config.store_path().empty() && !config.has_queue()) {
+    checker.Report("store_path", "missing; expected a folder, or a queue");
+  }
+  checker.Range("attempt_limit", config.attempt_limit(), 0, 100);
   checker.Range("running_job_limit", config.running_job_limit(), 0, 256);
-  checker.Range("queued_job_limit", config.queued_job_limit(), 0, 1000000);
+  checker.Range("queued_job_limit", config.queued_job_limit(), 0, 10000000);
   if (config.has_stage_deadline_seconds()) {
     checker.Range("stage_deadline_seconds", config.stage_deadline_seconds(), 0.001, 86400);
   }

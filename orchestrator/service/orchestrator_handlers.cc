@@ -7,157 +7,137 @@
 #include <vector>
 
 #include "orchestrator/pipeline/replay.h"
+#include "orchestrator/service/paging.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
-namespace {
 
-std::string DigestOf(const v1::CreateBatchRequest& request) {
-  std::string digests;
-  for (const v1::JobSpec& spec : request.specs()) digests += runtime::Sha256Hex(runtime::CanonicalBytes(spec));
-  return runtime::Sha256Hex(digests);
-}
-
-}  // namespace
-
-v1::Job OrchestratorHandlers::NewJob(const v1::JobSpec& spec, const std::string& batch_id) {
+v1::Job OrchestratorHandlers::NewJob(const v1::JobSpec& spec) const {
   v1::Job job;
-  job.set_id(ids_.Next());
   *job.mutable_spec() = spec;
   job.set_state(v1::JOB_STATE_QUEUED);
-  job.set_batch_id(batch_id);
   *job.mutable_create_time() =
       google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(clock_.Now()));
   return job;
 }
 
-absl::Status OrchestratorHandlers::CheckQueue(int64_t job_count) {
-  const absl::StatusOr<int64_t> queued = store_.jobs().CountQueued();
-  if (!queued.ok()) return queued.status();
-  if (*queued + job_count <= queued_job_limit_) return absl::OkStatus();
-  return absl::ResourceExhaustedError(fmt::format(
-      "{} jobs wait, {} more would be over the limit of {}; try again later", *queued, job_count, queued_job_limit_));
+absl::Status OrchestratorHandlers::CheckSpec(const v1::JobSpec& spec, const Caller& caller) {
+  if (!spec.has_replay()) return absl::OkStatus();
+  const absl::StatusOr<v1::Job> earlier = VisibleJob(spec.replay().job_id(), caller);
+  if (!earlier.ok()) {
+    return absl::Status(earlier.status().code(),
+                        fmt::format("spec.replay.{}", std::string(earlier.status().message())));
+  }
+  return CheckReplay(spec, *earlier);
 }
 
-absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::CreateJobRequest& request, Call&) {
-  if (absl::Status status = Validate(request); !status.ok()) return status;
-  v1::CreateJobResponse response;
-  {
-    auto transaction = Transaction::Begin(store_.database(), Transaction::Durability::kPowerLoss);
-    if (!transaction.ok()) return transaction.status();
-    const absl::StatusOr<std::string> known = store_.jobs().FindByRequest(request.request_id());
-    if (!known.ok()) return known.status();
-    if (known->empty()) {
-      absl::Status status = CheckReplay(request.spec(), store_);
-      if (status.ok()) status = CheckQueue(1);
-      if (!status.ok()) return status;
-      *response.mutable_job() = NewJob(request.spec(), "");
-      status = store_.jobs().Insert(response.job(), request.request_id());
-      if (status.ok()) status = transaction->Commit();
-      if (!status.ok()) return status;
-    } else {
-      absl::StatusOr<v1::Job> job = store_.jobs().Get(*known);
-      if (!job.ok()) return job.status();
-      if (runtime::CanonicalBytes(job->spec()) != runtime::CanonicalBytes(request.spec())) {
-        return absl::AlreadyExistsError(fmt::format("request_id: \"{}\" made job {} with another spec; use a new id",
-                                                    request.request_id(), job->id()));
-      }
-      *response.mutable_job() = *std::move(job);
-    }
+absl::Status OrchestratorHandlers::CheckRoom(int64_t job_count, const Caller& caller) {
+  const absl::StatusOr<int64_t> queued = queue_.CountQueued();
+  if (!queued.ok()) return queued.status();
+  if (*queued + job_count > queued_job_limit_) {
+    return absl::ResourceExhaustedError(fmt::format(
+        "{} jobs wait, {} more would be over the limit of {}; try again later", *queued, job_count, queued_job_limit_));
   }
-  runner_.Request({response.job().id()});
+  if (caller.open_job_limit == 0) return absl::OkStatus();
+  const absl::StatusOr<int64_t> open = queue_.CountOpen(caller.name);
+  return open.ok() ? caller.CheckOpenJobs(*open, job_count) : open.status();
+}
+
+absl::StatusOr<v1::Job> OrchestratorHandlers::VisibleJob(const std::string& id, const Caller& caller) {
+  absl::StatusOr<v1::Job> job = queue_.GetJob(id);
+  if (!job.ok() || caller.MaySee(job->owner())) return job;
+  return absl::NotFoundError(fmt::format("job_id: no job \"{}\" in this store", id.substr(0, 80)));
+}
+
+absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::CreateJobRequest& request,
+                                                                      const Caller& caller) {
+  absl::Status status = Validate(request);
+  if (status.ok()) status = CheckSpec(request.spec(), caller);
+  if (status.ok()) status = CheckRoom(1, caller);
+  if (!status.ok()) return status;
+  v1::Job job = NewJob(request.spec());
+  job.set_id(ids_.Next());
+  job.set_owner(caller.name);
+  absl::StatusOr<v1::Job> made = queue_.CreateJob(job, caller.RequestKey(request.request_id()));
+  if (!made.ok()) return made.status();
+  if (runtime::CanonicalBytes(made->spec()) != runtime::CanonicalBytes(request.spec())) {
+    return absl::AlreadyExistsError(fmt::format("request_id: \"{}\" made job {} with another spec; use a new id",
+                                                request.request_id(), made->id()));
+  }
+  runner_.Request({made->id()});
+  v1::CreateJobResponse response;
+  *response.mutable_job() = *std::move(made);
   return response;
 }
 
-absl::StatusOr<v1::GetJobResponse> OrchestratorHandlers::GetJob(const v1::GetJobRequest& request, Call&) {
-  absl::StatusOr<v1::Job> job = store_.jobs().Get(request.job_id());
+absl::StatusOr<v1::GetJobResponse> OrchestratorHandlers::GetJob(const v1::GetJobRequest& request,
+                                                                const Caller& caller) {
+  absl::StatusOr<v1::Job> job = VisibleJob(request.job_id(), caller);
   if (!job.ok()) return job.status();
   v1::GetJobResponse response;
   *response.mutable_job() = *std::move(job);
   return response;
 }
 
-absl::StatusOr<v1::ListJobsResponse> OrchestratorHandlers::ListJobs(const v1::ListJobsRequest& request, Call&) {
-  if (request.page_size() < 0 || request.page_size() > 1000) {
-    return absl::InvalidArgumentError(fmt::format("page_size: {} is out of range [0, 1000]", request.page_size()));
-  }
-  const int limit = request.page_size() == 0 ? 50 : request.page_size();
-  // One more than asked for tells whether there is another page.
-  absl::StatusOr<std::vector<v1::Job>> jobs = store_.jobs().List(limit + 1, request.page_token(), request.batch_id());
+absl::StatusOr<v1::ListJobsResponse> OrchestratorHandlers::ListJobs(const v1::ListJobsRequest& request,
+                                                                    const Caller& caller) {
+  const absl::StatusOr<int> limit = PageLimit(request.page_size());
+  if (!limit.ok()) return limit.status();
+  ListFilter filter;
+  filter.limit = *limit + 1;
+  filter.before = request.page_token();
+  filter.owner = caller.OwnerFilter();
+  filter.batch_id = request.batch_id();
+  filter.state = request.state();
+  absl::StatusOr<std::vector<v1::Job>> jobs = queue_.ListJobs(filter);
   if (!jobs.ok()) return jobs.status();
-  v1::ListJobsResponse response;
-  if (static_cast<int>(jobs->size()) > limit) {
-    jobs->resize(static_cast<size_t>(limit));
-    response.set_next_page_token(jobs->back().id());
-  }
-  response.mutable_jobs()->Assign(jobs->begin(), jobs->end());
-  return response;
+  return PageOf<v1::ListJobsResponse>(*std::move(jobs), *limit,
+                                      [](v1::ListJobsResponse& page) { return page.mutable_jobs(); });
 }
 
-absl::StatusOr<v1::CancelJobResponse> OrchestratorHandlers::CancelJob(const v1::CancelJobRequest& request, Call&) {
-  if (absl::Status status = runner_.Cancel(request.job_id()); !status.ok()) return status;
-  absl::StatusOr<v1::Job> job = store_.jobs().Get(request.job_id());
+absl::StatusOr<v1::CancelJobResponse> OrchestratorHandlers::CancelJob(const v1::CancelJobRequest& request,
+                                                                      const Caller& caller) {
+  absl::StatusOr<v1::Job> job = VisibleJob(request.job_id(), caller);
+  if (!job.ok()) return job.status();
+  if (absl::Status status = queue_.Cancel(request.job_id(), clock_.Now()); !status.ok()) return status;
+  job = queue_.GetJob(request.job_id());
   if (!job.ok()) return job.status();
   v1::CancelJobResponse response;
   *response.mutable_job() = *std::move(job);
   return response;
 }
 
-absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const v1::CreateBatchRequest& request,
-                                                                          Call&) {
-  if (absl::Status status = Validate(request); !status.ok()) return status;
-  const std::string digest = DigestOf(request);
-  std::string batch_id;
-  std::vector<std::string> job_ids;
-  {
-    auto transaction = Transaction::Begin(store_.database(), Transaction::Durability::kPowerLoss);
-    if (!transaction.ok()) return transaction.status();
-    const auto known = store_.batches().FindByRequest(request.request_id());
-    if (!known.ok()) return known.status();
-    if (known->has_value() && (*known)->specs_digest != digest) {
-      return absl::AlreadyExistsError(fmt::format("request_id: \"{}\" made batch {} of other specs; use a new id",
-                                                  request.request_id(), (*known)->id));
-    }
-    if (known->has_value()) {
-      batch_id = (*known)->id;
-    } else {
-      absl::Status status = CheckQueue(request.specs_size());
-      for (int i = 0; status.ok() && i < request.specs_size(); ++i) status = CheckReplay(request.specs(i), store_);
-      if (!status.ok()) return status;
-      batch_id = ids_.Next();
-      status = store_.batches().Insert(batch_id, request.request_id(), digest);
-      for (int i = 0; status.ok() && i < request.specs_size(); ++i) {
-        const v1::Job job = NewJob(request.specs(i), batch_id);
-        job_ids.push_back(job.id());
-        status = store_.jobs().Insert(job, "");
-      }
-      if (status.ok()) status = transaction->Commit();
-      if (!status.ok()) return status;
+absl::StatusOr<v1::GetArtifactResponse> OrchestratorHandlers::GetArtifact(const v1::GetArtifactRequest& request,
+                                                                          const Caller& caller) {
+  if (!caller.sees_all) {
+    const absl::StatusOr<bool> owns = queue_.OwnsArtifact(caller.name, request.artifact_id());
+    if (!owns.ok()) return owns.status();
+    if (!*owns) {
+      return absl::NotFoundError(fmt::format("artifact {}: not in this store", request.artifact_id().substr(0, 80)));
     }
   }
-  runner_.Request(job_ids);
-  absl::StatusOr<v1::Batch> batch = store_.batches().Get(batch_id);
-  if (!batch.ok()) return batch.status();
-  v1::CreateBatchResponse response;
-  *response.mutable_batch() = *std::move(batch);
-  return response;
-}
-
-absl::StatusOr<v1::GetBatchResponse> OrchestratorHandlers::GetBatch(const v1::GetBatchRequest& request, Call&) {
-  absl::StatusOr<v1::Batch> batch = store_.batches().Get(request.batch_id());
-  if (!batch.ok()) return batch.status();
-  v1::GetBatchResponse response;
-  *response.mutable_batch() = *std::move(batch);
-  return response;
-}
-
-absl::StatusOr<v1::GetArtifactResponse> OrchestratorHandlers::GetArtifact(const v1::GetArtifactRequest& request,
-                                                                          Call&) {
-  absl::StatusOr<v1::Artifact> artifact = store_.files().Get(request.artifact_id());
+  absl::StatusOr<v1::Artifact> artifact = artifacts_.Get(request.artifact_id());
   if (!artifact.ok()) return artifact.status();
   v1::GetArtifactResponse response;
   *response.mutable_artifact() = *std::move(artifact);
+  return response;
+}
+
+absl::StatusOr<v1::GetClusterResponse> OrchestratorHandlers::GetCluster(const v1::GetClusterRequest&,
+                                                                        const Caller& caller) {
+  if (absl::Status status = caller.CheckOperator("GetCluster"); !status.ok()) return status;
+  const absl::StatusOr<int64_t> queued = queue_.CountQueued();
+  if (!queued.ok()) return queued.status();
+  const absl::StatusOr<std::vector<v1::OrchestratorStatus>> others = queue_.Orchestrators();
+  if (!others.ok()) return others.status();
+  v1::GetClusterResponse response;
+  response.set_queued_count(*queued);
+  v1::OrchestratorStatus& own = *response.add_orchestrators();
+  own = status_();
+  for (const v1::OrchestratorStatus& other : *others) {
+    if (other.id() != own.id()) *response.add_orchestrators() = other;
+  }
   return response;
 }
 

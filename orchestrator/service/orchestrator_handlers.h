@@ -6,38 +6,65 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/orchestrator_service.pb.h"
+#include "orchestrator/access/caller.h"
+#include "orchestrator/batch/artifact_store.h"
 #include "orchestrator/batch/job_id.h"
 #include "orchestrator/batch/job_runner.h"
-#include "orchestrator/store/job_store.h"
+#include "orchestrator/batch/work_queue.h"
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/clock/clock.h"
 
 namespace flair::orchestrator {
 
-// Answers the RPCs of OrchestratorService but WatchJob, as its comments say. Knows nothing of gRPC. Thread-safe. The
-// arguments outlive it.
+// Answers the unary RPCs of OrchestratorService, as their comments say; `caller` is who asks. Knows nothing of gRPC.
+// Thread-safe. The arguments outlive it.
 class OrchestratorHandlers {
  public:
-  OrchestratorHandlers(JobStore& store, JobRunner& runner, const runtime::Clock& clock, int queued_job_limit)
-      : store_(store), runner_(runner), clock_(clock), queued_job_limit_(queued_job_limit), ids_(clock) {}
+  // `status` says how this process does.
+  OrchestratorHandlers(WorkQueue& queue, ArtifactStore& artifacts, JobRunner& runner, const runtime::Clock& clock,
+                       int queued_job_limit, std::function<v1::OrchestratorStatus()> status)
+      : queue_(queue),
+        artifacts_(artifacts),
+        runner_(runner),
+        clock_(clock),
+        queued_job_limit_(queued_job_limit),
+        status_(std::move(status)),
+        ids_(clock) {}
 
-  using Call = runtime::CallContext;
-  absl::StatusOr<v1::CreateJobResponse> CreateJob(const v1::CreateJobRequest& request, Call& call);
-  absl::StatusOr<v1::GetJobResponse> GetJob(const v1::GetJobRequest& request, Call& call);
-  absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request, Call& call);
-  absl::StatusOr<v1::CancelJobResponse> CancelJob(const v1::CancelJobRequest& request, Call& call);
-  absl::StatusOr<v1::CreateBatchResponse> CreateBatch(const v1::CreateBatchRequest& request, Call& call);
-  absl::StatusOr<v1::GetBatchResponse> GetBatch(const v1::GetBatchRequest& request, Call& call);
-  absl::StatusOr<v1::GetArtifactResponse> GetArtifact(const v1::GetArtifactRequest& request, Call& call);
+  absl::StatusOr<v1::CreateJobResponse> CreateJob(const v1::CreateJobRequest& request, const Caller& caller);
+  absl::StatusOr<v1::GetJobResponse> GetJob(const v1::GetJobRequest& request, const Caller& caller);
+  absl::StatusOr<v1::ListJobsResponse> ListJobs(const v1::ListJobsRequest& request, const Caller& caller);
+  absl::StatusOr<v1::CancelJobResponse> CancelJob(const v1::CancelJobRequest& request, const Caller& caller);
+  absl::StatusOr<v1::GetArtifactResponse> GetArtifact(const v1::GetArtifactRequest& request, const Caller& caller);
+  absl::StatusOr<v1::GetClusterResponse> GetCluster(const v1::GetClusterRequest& request, const Caller& caller);
+
+  absl::StatusOr<v1::CreateBatchResponse> CreateBatch(const v1::CreateBatchRequest& request, const Caller& caller);
+  absl::StatusOr<v1::AddToBatchResponse> AddToBatch(const v1::AddToBatchRequest& request, const Caller& caller);
+  absl::StatusOr<v1::GetBatchResponse> GetBatch(const v1::GetBatchRequest& request, const Caller& caller);
+  absl::StatusOr<v1::ListBatchesResponse> ListBatches(const v1::ListBatchesRequest& request, const Caller& caller);
+  absl::StatusOr<v1::PauseBatchResponse> PauseBatch(const v1::PauseBatchRequest& request, const Caller& caller);
+  absl::StatusOr<v1::ResumeBatchResponse> ResumeBatch(const v1::ResumeBatchRequest& request, const Caller& caller);
+  absl::StatusOr<v1::CancelBatchResponse> CancelBatch(const v1::CancelBatchRequest& request, const Caller& caller);
+  absl::StatusOr<v1::RetryBatchResponse> RetryBatch(const v1::RetryBatchRequest& request, const Caller& caller);
+
+  // What the caller may see of a job or a batch; NOT_FOUND for what is another's.
+  absl::StatusOr<v1::Job> VisibleJob(const std::string& id, const Caller& caller);
+  absl::StatusOr<v1::Batch> VisibleBatch(const std::string& id, const Caller& caller);
 
  private:
-  v1::Job NewJob(const v1::JobSpec& spec, const std::string& batch_id);
-  absl::Status CheckQueue(int64_t job_count);
+  v1::Job NewJob(const v1::JobSpec& spec) const;
+  absl::Status CheckSpec(const v1::JobSpec& spec, const Caller& caller);
+  absl::Status CheckRoom(int64_t job_count, const Caller& caller);
+  absl::StatusOr<v1::Batch> Add(const v1::Batch& batch, int64_t first_index,
+                                const google::protobuf::RepeatedPtrField<v1::JobSpec>& specs, bool last,
+                                const Caller& caller);
 
-  JobStore& store_;
+  WorkQueue& queue_;
+  ArtifactStore& artifacts_;
   JobRunner& runner_;
   const runtime::Clock& clock_;
   const int queued_job_limit_;
+  const std::function<v1::OrchestratorStatus()> status_;
   JobIdSource ids_;
 };
 

@@ -2,11 +2,15 @@
 #include "orchestrator/store/artifact_files.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <vector>
 
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/atomic_file.h"
@@ -27,11 +31,22 @@ std::optional<std::string> ReadFile(const std::string& path) {
 
 }  // namespace
 
+absl::StatusOr<std::unique_ptr<ArtifactStore>> ArtifactFiles::Open(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || ::access(folder.c_str(), W_OK) != 0) {
+    return absl::UnavailableError(fmt::format("the folder for artifacts, {}, cannot be {}: {}", folder,
+                                              error ? "made" : "written to",
+                                              error ? error.message() : std::strerror(errno)));
+  }
+  return std::make_unique<ArtifactFiles>(folder);
+}
+
 std::string ArtifactFiles::PathOf(const std::string& id) const {
   return fmt::format("{}/{}/{}.pb", folder_, id.substr(0, 2), id);
 }
 
-absl::StatusOr<v1::ArtifactRef> ArtifactFiles::Put(v1::Artifact& artifact) const {
+absl::StatusOr<v1::ArtifactRef> ArtifactFiles::Put(v1::Artifact& artifact) {
   const std::string bytes = SealArtifact(artifact);
   v1::ArtifactRef ref;
   ref.set_id(artifact.id());
@@ -43,11 +58,20 @@ absl::StatusOr<v1::ArtifactRef> ArtifactFiles::Put(v1::Artifact& artifact) const
   std::error_code error;
   if (!std::filesystem::exists(folder, error)) std::filesystem::create_directories(folder, error);
   if (error) return absl::UnavailableError(fmt::format("{}: cannot make its folder: {}", path, error.message()));
-  if (absl::Status status = runtime::WriteFileAtomically(path, bytes); !status.ok()) return status;
+  const absl::Status status = runtime::WriteFileAtomically(path, bytes, runtime::Durability::kProcessCrash);
+  if (!status.ok()) return status;
   return ref;
 }
 
-absl::StatusOr<v1::Artifact> ArtifactFiles::Get(const std::string& id) const {
+absl::Status ArtifactFiles::Flush(std::span<const v1::ArtifactRef> artifacts) {
+  std::vector<std::string> paths;
+  for (const v1::ArtifactRef& artifact : artifacts) {
+    if (IsArtifactId(artifact.id())) paths.push_back(PathOf(artifact.id()));
+  }
+  return runtime::FlushFiles(paths);
+}
+
+absl::StatusOr<v1::Artifact> ArtifactFiles::Get(const std::string& id) {
   if (!IsArtifactId(id)) {
     return absl::InvalidArgumentError(
         fmt::format("artifact_id: \"{}\" is not an id; expected 64 characters 0-9 and a-f", id.substr(0, 80)));

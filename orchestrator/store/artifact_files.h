@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
+#include "orchestrator/batch/artifact_store.h"
 
 namespace flair::orchestrator {
 
-// Artifacts as files, FOLDER/ab/abcdef….pb, named by their ids. A file is whole or not there: it is written beside its
-// place, flushed to the disk and renamed. Several processes may share a folder. Thread-safe.
-class ArtifactFiles {
+// Artifacts as files, FOLDER/ab/abcdef….pb, named by their ids. A file is whole or not there as far as processes see:
+// it is written beside its place and renamed. Only Flush waits for the disk; a loss of power before may leave a damaged
+// file, which Get notices. Several processes may share a folder.
+class ArtifactFiles final : public ArtifactStore {
  public:
   explicit ArtifactFiles(std::string folder) : folder_(std::move(folder)) {}
 
-  // Gives the artifact its id, stores it unless a good copy is there already, and names it.
-  absl::StatusOr<v1::ArtifactRef> Put(v1::Artifact& artifact) const;
+  // Makes the folder. UNAVAILABLE when that is not possible or it cannot be written to.
+  static absl::StatusOr<std::unique_ptr<ArtifactStore>> Open(const std::string& folder);
 
-  // NOT_FOUND when there is no such file, DATA_LOSS when its content does not have that id, INVALID_ARGUMENT when `id`
-  // is no id.
-  absl::StatusOr<v1::Artifact> Get(const std::string& id) const;
+  absl::StatusOr<v1::ArtifactRef> Put(v1::Artifact& artifact) override;
+  absl::StatusOr<v1::Artifact> Get(const std::string& id) override;
+  absl::Status Flush(std::span<const v1::ArtifactRef> artifacts) override;
 
   std::string PathOf(const std::string& id) const;
 

@@ -75,6 +75,16 @@ Statement& Statement::BindNull() {
   return *this;
 }
 
+Statement& Statement::BindAt(int parameter, int64_t value) {
+  next_parameter_ = parameter;
+  return Bind(value);
+}
+
+Statement& Statement::BindAt(int parameter, std::string_view text) {
+  next_parameter_ = parameter;
+  return Bind(text);
+}
+
 absl::StatusOr<bool> Statement::Step() {
   if (statement_ == nullptr) return Error();
   if (code_ != SQLITE_OK && code_ != SQLITE_ROW) return Error();
@@ -129,8 +139,7 @@ absl::Status Database::Configure() {
 
 // Each step of the schema's history runs once per file; a new one is added at the end, old ones never change.
 absl::Status Database::Migrate() {
-  const std::string_view migrations[] = {kSchemaSql};
-  constexpr int64_t kVersion = std::size(migrations);
+  constexpr int64_t kVersion = std::size(kMigrations);
   absl::StatusOr<Transaction> transaction = Transaction::Begin(*this);
   if (!transaction.ok()) return transaction.status();
   int64_t version = 0;
@@ -146,7 +155,7 @@ absl::Status Database::Migrate() {
   }
   if (version == kVersion) return absl::OkStatus();
   for (int64_t i = version; i < kVersion; ++i) {
-    if (absl::Status status = Execute(std::string(migrations[i])); !status.ok()) return status;
+    if (absl::Status status = Execute(std::string(kMigrations[i])); !status.ok()) return status;
   }
   if (absl::Status status = Execute(fmt::format("PRAGMA user_version = {}", kVersion)); !status.ok()) return status;
   return transaction->Commit();

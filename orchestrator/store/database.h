@@ -29,6 +29,9 @@ class Statement {
   Statement& Bind(std::string_view text);
   Statement& BindBytes(std::string_view bytes);
   Statement& BindNull();
+  // For statements with numbered parameters ("?1").
+  Statement& BindAt(int parameter, int64_t value);
+  Statement& BindAt(int parameter, std::string_view text);
 
   // True when there is a row to read, false after the last.
   absl::StatusOr<bool> Step();
@@ -60,8 +63,8 @@ class Database {
 
   [[nodiscard]] std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
 
-  // A prepared statement, kept for the next time. `sql` must be a literal. A statement that cannot be prepared is an
-  // error at its first Step.
+  // A prepared statement, kept for the next time: `sql` must be one of few texts. A statement that cannot be prepared
+  // is an error at its first Step.
   Statement Prepare(std::string_view sql);
 
   // Rows changed by the last statement.

@@ -11,7 +11,7 @@ namespace flair::orchestrator {
 absl::StatusOr<std::unique_ptr<JobStore>> JobStore::Open(const std::string& path) {
   if (path.empty()) return absl::InvalidArgumentError("store_path: missing; expected a folder for jobs and artifacts");
   std::error_code error;
-  std::filesystem::create_directories(path + "/artifacts", error);
+  std::filesystem::create_directories(path, error);
   if (error) {
     return absl::UnavailableError(fmt::format("store_path: cannot make the folder {}: {}", path, error.message()));
   }
@@ -28,11 +28,11 @@ JobStore::JobStore(std::string path, std::unique_ptr<Database> database, OwnerLo
     : path_(std::move(path)),
       owner_(std::move(owner)),
       database_(std::move(database)),
-      files_(path_ + "/artifacts"),
       jobs_(*database_),
       events_(*database_),
       artifacts_(*database_),
-      batches_(*database_) {}
+      batches_(*database_),
+      statuses_(*database_) {}
 
 absl::Status JobStore::ReleaseDeadOwners() {
   absl::StatusOr<std::vector<std::string>> owners = jobs_.Owners();

@@ -6,18 +6,18 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/artifact_table.h"
 #include "orchestrator/store/batch_table.h"
 #include "orchestrator/store/database.h"
 #include "orchestrator/store/event_table.h"
 #include "orchestrator/store/job_table.h"
 #include "orchestrator/store/owner_lock.h"
+#include "orchestrator/store/status_table.h"
 
 namespace flair::orchestrator {
 
-// Everything that outlives a process, in one folder: jobs.db, artifacts/, owners/. Several processes may have it open.
-// Thread-safe.
+// The tables of a store's folder, jobs.db, and this process's claim to be alive, owners/. Several processes may have it
+// open. Thread-safe.
 class JobStore {
  public:
   // Opens the folder, makes it when missing, and gives back the jobs of processes that died. INVALID_ARGUMENT for an
@@ -32,7 +32,7 @@ class JobStore {
   EventTable& events() { return events_; }
   ArtifactTable& artifacts() { return artifacts_; }
   BatchTable& batches() { return batches_; }
-  const ArtifactFiles& files() const { return files_; }
+  StatusTable& statuses() { return statuses_; }
 
   // Makes RUNNING jobs whose process has died QUEUED again.
   absl::Status ReleaseDeadOwners();
@@ -45,11 +45,11 @@ class JobStore {
   const std::string path_;
   OwnerLock owner_;
   std::unique_ptr<Database> database_;
-  ArtifactFiles files_;
   JobTable jobs_;
   EventTable events_;
   ArtifactTable artifacts_;
   BatchTable batches_;
+  StatusTable statuses_;
 };
 
 }  // namespace flair::orchestrator

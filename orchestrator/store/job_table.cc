@@ -13,14 +13,24 @@ namespace {
 using google::protobuf::util::TimeUtil;
 
 // The columns that Read reads, in its order.
-#define JOB_COLUMNS "id, spec, state, stage, error, error_code, create_time_us, end_time_us, batch_id"
+#define JOB_COLUMNS                                                                                               \
+  "id, spec, state, stage, error, error_code, create_time_us, end_time_us, batch_id, batch_index, failure_kind, " \
+  "attempt_count, caller"
+
+// Of the run that holds the job.
+#define IF_HELD " WHERE id = ? AND state = 2 AND owner = ? AND attempt_count = ?"
+
+Statement& BindHold(Statement& statement, const JobHold& hold) {
+  return statement.Bind(hold.job_id).Bind(hold.owner).Bind(hold.attempt);
+}
 
 }  // namespace
 
 absl::Status JobTable::Insert(const v1::Job& job, const std::string& request_id) {
   const auto lock = database_.lock();
   Statement insert = database_.Prepare(
-      "INSERT INTO jobs (id, request_id, spec, state, create_time_us, batch_id) VALUES (?, ?, ?, ?, ?, ?)");
+      "INSERT INTO jobs (id, request_id, spec, state, create_time_us, batch_id, batch_index, caller) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
   insert.Bind(job.id());
   if (request_id.empty()) {
     insert.BindNull();
@@ -31,6 +41,8 @@ absl::Status JobTable::Insert(const v1::Job& job, const std::string& request_id)
       .Bind(v1::JOB_STATE_QUEUED)
       .Bind(TimeUtil::TimestampToMicroseconds(job.create_time()))
       .Bind(job.batch_id())
+      .Bind(job.batch_index())
+      .Bind(job.owner())
       .Run();
 }
 
@@ -46,20 +58,21 @@ absl::StatusOr<v1::Job> JobTable::Get(const std::string& id) {
 absl::StatusOr<std::string> JobTable::FindByRequest(const std::string& request_id) {
   const auto lock = database_.lock();
   Statement select = database_.Prepare("SELECT id FROM jobs WHERE request_id = ?");
-  absl::StatusOr<bool> row = select.Bind(request_id).Step();
-  if (!row.ok()) return row.status();
-  return *row ? select.Text(0) : "";
+  return First(select.Bind(request_id));
 }
 
-absl::StatusOr<std::vector<v1::Job>> JobTable::List(int limit, const std::string& before, const std::string& batch_id) {
+absl::StatusOr<std::vector<v1::Job>> JobTable::List(const ListFilter& filter) {
   const auto lock = database_.lock();
-  Statement select = database_.Prepare(
-      batch_id.empty()
-          ? "SELECT " JOB_COLUMNS " FROM jobs WHERE ?1 = '' OR id < ?1 ORDER BY id DESC LIMIT ?2"
-          : "SELECT " JOB_COLUMNS
-            " FROM jobs WHERE (?1 = '' OR id < ?1) AND batch_id != '' AND batch_id = ?3 ORDER BY id DESC LIMIT ?2");
-  select.Bind(before).Bind(limit);
-  if (!batch_id.empty()) select.Bind(batch_id);
+  // Conditions that are not asked for are left out, so that each form of the question finds its index.
+  std::string sql = "SELECT " JOB_COLUMNS " FROM jobs WHERE (?1 = '' OR id < ?1)";
+  if (!filter.batch_id.empty()) sql += " AND batch_id != '' AND batch_id = ?3";
+  if (filter.state != v1::JOB_STATE_UNSPECIFIED) sql += " AND state = ?4";
+  if (filter.owner.has_value()) sql += filter.owner->empty() ? " AND caller = ''" : " AND caller != '' AND caller = ?5";
+  Statement select = database_.Prepare(sql + " ORDER BY id DESC LIMIT ?2");
+  select.BindAt(1, filter.before).BindAt(2, filter.limit);
+  if (!filter.batch_id.empty()) select.BindAt(3, filter.batch_id);
+  if (filter.state != v1::JOB_STATE_UNSPECIFIED) select.BindAt(4, filter.state);
+  if (filter.owner.has_value() && !filter.owner->empty()) select.BindAt(5, *filter.owner);
   std::vector<v1::Job> jobs;
   while (true) {
     absl::StatusOr<bool> row = select.Step();
@@ -71,32 +84,67 @@ absl::StatusOr<std::vector<v1::Job>> JobTable::List(int limit, const std::string
   }
 }
 
+absl::StatusOr<std::vector<std::string>> JobTable::IdsOf(const std::string& batch_id, v1::JobState state, int limit) {
+  const auto lock = database_.lock();
+  Statement select = database_.Prepare(
+      "SELECT id FROM jobs WHERE batch_id != '' AND batch_id = ? AND state = ? ORDER BY failure_kind, id LIMIT ?");
+  select.Bind(batch_id).Bind(state).Bind(limit);
+  std::vector<std::string> ids;
+  while (true) {
+    absl::StatusOr<bool> row = select.Step();
+    if (!row.ok()) return row.status();
+    if (!*row) return ids;
+    ids.push_back(select.Text(0));
+  }
+}
+
 absl::StatusOr<int64_t> JobTable::CountQueued() {
   const auto lock = database_.lock();
   Statement count = database_.Prepare("SELECT count(*) FROM jobs WHERE state = 1");
-  absl::StatusOr<bool> row = count.Step();
-  if (!row.ok()) return row.status();
-  return count.Int(0);
+  return Number(count);
 }
 
-absl::StatusOr<std::optional<std::string>> JobTable::ClaimOldest(const std::string& owner) {
+absl::StatusOr<int64_t> JobTable::CountOpen(const std::string& caller) {
   const auto lock = database_.lock();
-  Statement update = database_.Prepare(
-      "UPDATE jobs SET state = 2, owner = ? WHERE id = (SELECT id FROM jobs WHERE state = 1 ORDER BY id LIMIT 1) "
-      "RETURNING id");
-  absl::StatusOr<bool> row = update.Bind(owner).Step();
-  if (!row.ok()) return row.status();
-  if (!*row) return std::nullopt;
-  std::string id = update.Text(0);
-  if (absl::Status status = update.Run(); !status.ok()) return status;
-  return id;
+  Statement count =
+      database_.Prepare("SELECT count(*) FROM jobs WHERE state IN (1, 2) AND caller != '' AND caller = ?");
+  return Number(count.Bind(caller));
+}
+
+absl::StatusOr<bool> JobTable::OwnsArtifact(const std::string& caller, const std::string& artifact_id) {
+  const auto lock = database_.lock();
+  Statement select = database_.Prepare(
+      "SELECT 1 FROM job_artifacts JOIN jobs ON jobs.id = job_id WHERE artifact_id = ? AND caller = ? LIMIT 1");
+  return select.Bind(artifact_id).Bind(caller).Step();
+}
+
+absl::StatusOr<std::string> JobTable::OldestWaiting(const std::string& batch_id, absl::Time now) {
+  const auto lock = database_.lock();
+  Statement select = database_.Prepare(
+      "SELECT id FROM jobs WHERE state = 1 AND batch_id = ? AND not_before_us <= ? ORDER BY id LIMIT 1");
+  return First(select.Bind(batch_id).Bind(absl::ToUnixMicros(now)));
+}
+
+absl::StatusOr<std::string> JobTable::NextBatchWaiting(const std::string& after) {
+  const auto lock = database_.lock();
+  Statement select =
+      database_.Prepare("SELECT batch_id FROM jobs WHERE state = 1 AND batch_id > ? ORDER BY batch_id LIMIT 1");
+  return First(select.Bind(after));
+}
+
+absl::StatusOr<bool> JobTable::AnyDelayPassed(absl::Time now) {
+  const auto lock = database_.lock();
+  Statement select =
+      database_.Prepare("SELECT 1 FROM jobs WHERE state = 1 AND not_before_us > 0 AND not_before_us <= ? LIMIT 1");
+  return select.Bind(absl::ToUnixMicros(now)).Step();
 }
 
 absl::StatusOr<bool> JobTable::Claim(const std::string& id, const std::string& owner) {
   const auto lock = database_.lock();
-  Statement update = database_.Prepare("UPDATE jobs SET state = 2, owner = ? WHERE id = ? AND state = 1");
-  if (absl::Status status = update.Bind(owner).Bind(id).Run(); !status.ok()) return status;
-  return database_.changes() == 1;
+  Statement update = database_.Prepare(
+      "UPDATE jobs SET state = 2, owner = ?, attempt_count = attempt_count + 1, not_before_us = 0 "
+      "WHERE id = ? AND state = 1");
+  return ChangesOne(update.Bind(owner).Bind(id));
 }
 
 absl::StatusOr<std::vector<std::string>> JobTable::Owners() {
@@ -116,33 +164,53 @@ absl::Status JobTable::Release(const std::string& owner) {
   return database_.Prepare("UPDATE jobs SET state = 1, owner = '' WHERE state = 2 AND owner = ?").Bind(owner).Run();
 }
 
-absl::Status JobTable::ReleaseOne(const std::string& id) {
+absl::StatusOr<bool> JobTable::SetStage(const JobHold& hold, const std::string& stage) {
   const auto lock = database_.lock();
-  return database_.Prepare("UPDATE jobs SET state = 1, owner = '' WHERE state = 2 AND id = ?").Bind(id).Run();
+  Statement update = database_.Prepare("UPDATE jobs SET stage = ?" IF_HELD);
+  return ChangesOne(BindHold(update.Bind(stage), hold));
 }
 
-absl::Status JobTable::SetStage(const std::string& id, const std::string& stage) {
+absl::StatusOr<bool> JobTable::Requeue(const JobHold& hold, absl::Time not_before) {
   const auto lock = database_.lock();
-  return database_.Prepare("UPDATE jobs SET stage = ? WHERE id = ?").Bind(stage).Bind(id).Run();
+  Statement update = database_.Prepare("UPDATE jobs SET state = 1, owner = '', not_before_us = ?" IF_HELD);
+  const int64_t not_before_us = not_before == absl::InfinitePast() ? 0 : absl::ToUnixMicros(not_before);
+  return ChangesOne(BindHold(update.Bind(not_before_us), hold));
 }
 
-absl::Status JobTable::End(const v1::Job& job) {
+absl::StatusOr<bool> JobTable::End(const JobHold& hold, const v1::Job& job) {
   const auto lock = database_.lock();
-  return database_
-      .Prepare(
-          "UPDATE jobs SET state = ?, stage = ?, error = ?, error_code = ?, end_time_us = ?, owner = '' WHERE id = ?")
-      .Bind(job.state())
-      .Bind(job.stage())
-      .Bind(job.error())
-      .Bind(job.error_code())
-      .Bind(TimeUtil::TimestampToMicroseconds(job.end_time()))
-      .Bind(job.id())
-      .Run();
+  Statement update = database_.Prepare(
+      "UPDATE jobs SET state = ?, stage = ?, error = ?, error_code = ?, failure_kind = ?, end_time_us = ?, owner = "
+      "''" IF_HELD);
+  update.Bind(job.state()).Bind(job.stage()).Bind(job.error()).Bind(job.error_code()).Bind(job.failure_kind());
+  return ChangesOne(BindHold(update.Bind(TimeUtil::TimestampToMicroseconds(job.end_time())), hold));
+}
+
+absl::StatusOr<bool> JobTable::CancelWaiting(const std::string& id, absl::Time time) {
+  const auto lock = database_.lock();
+  Statement update =
+      database_.Prepare("UPDATE jobs SET state = 5, cancel_requested = 1, end_time_us = ? WHERE id = ? AND state = 1");
+  return ChangesOne(update.Bind(absl::ToUnixMicros(time)).Bind(id));
+}
+
+absl::StatusOr<bool> JobTable::Retry(const std::string& id) {
+  const auto lock = database_.lock();
+  Statement update = database_.Prepare(
+      "UPDATE jobs SET state = 1, error = '', error_code = 0, failure_kind = 0, end_time_us = 0, not_before_us = 0, "
+      "cancel_requested = 0 WHERE id = ? AND state = 4");
+  return ChangesOne(update.Bind(id));
 }
 
 absl::Status JobTable::RequestCancel(const std::string& id) {
   const auto lock = database_.lock();
   return database_.Prepare("UPDATE jobs SET cancel_requested = 1 WHERE id = ?").Bind(id).Run();
+}
+
+absl::Status JobTable::RequestCancelOfBatch(const std::string& batch_id) {
+  const auto lock = database_.lock();
+  return database_.Prepare("UPDATE jobs SET cancel_requested = 1 WHERE batch_id != '' AND batch_id = ? AND state = 2")
+      .Bind(batch_id)
+      .Run();
 }
 
 absl::StatusOr<bool> JobTable::CancelRequested(const std::string& id) {
@@ -166,10 +234,31 @@ absl::StatusOr<v1::Job> JobTable::Read(Statement& row) {
   *job.mutable_create_time() = TimeUtil::MicrosecondsToTimestamp(row.Int(6));
   if (row.Int(7) != 0) *job.mutable_end_time() = TimeUtil::MicrosecondsToTimestamp(row.Int(7));
   job.set_batch_id(row.Text(8));
+  job.set_batch_index(row.Int(9));
+  job.set_failure_kind(static_cast<v1::FailureKind>(row.Int(10)));
+  job.set_attempt_count(static_cast<int>(row.Int(11)));
+  job.set_owner(row.Text(12));
   absl::StatusOr<std::vector<v1::ArtifactRef>> artifacts = ArtifactTable(database_).OfJob(job.id());
   if (!artifacts.ok()) return artifacts.status();
   job.mutable_artifacts()->Assign(artifacts->begin(), artifacts->end());
   return job;
+}
+
+absl::StatusOr<std::string> JobTable::First(Statement& select) {
+  absl::StatusOr<bool> row = select.Step();
+  if (!row.ok()) return row.status();
+  return *row ? select.Text(0) : "";
+}
+
+absl::StatusOr<int64_t> JobTable::Number(Statement& select) {
+  absl::StatusOr<bool> row = select.Step();
+  if (!row.ok()) return row.status();
+  return select.Int(0);
+}
+
+absl::StatusOr<bool> JobTable::ChangesOne(Statement& update) {
+  if (absl::Status status = update.Run(); !status.ok()) return status;
+  return database_.changes() == 1;
 }
 
 }  // namespace flair::orchestrator

@@ -9,9 +9,18 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/job.pb.h"
+#include "orchestrator/batch/work_queue.h"
 #include "orchestrator/store/database.h"
 
 namespace flair::orchestrator {
+
+// One run of a job: who runs it, and the how manyth run it is. What is written for a run that has been superseded does
+// not match any more.
+struct JobHold {
+  std::string job_id;
+  std::string owner;
+  int attempt = 0;
+};
 
 // Queries about jobs. Each call is one step for other processes; to join several, hold a Transaction. A Job read here
 // has its artifacts too. Thread-safe.
@@ -28,16 +37,24 @@ class JobTable {
   // Id of the job that a request made; empty when none.
   absl::StatusOr<std::string> FindByRequest(const std::string& request_id);
 
-  // Jobs with ids below `before` (all when empty), newest first; of one batch when `batch_id` is set.
-  absl::StatusOr<std::vector<v1::Job>> List(int limit, const std::string& before, const std::string& batch_id);
+  absl::StatusOr<std::vector<v1::Job>> List(const ListFilter& filter);
 
-  // Jobs QUEUED.
+  // Ids of at most `limit` jobs of a batch in a state.
+  absl::StatusOr<std::vector<std::string>> IdsOf(const std::string& batch_id, v1::JobState state, int limit);
+
   absl::StatusOr<int64_t> CountQueued();
+  // QUEUED and RUNNING ones of one caller.
+  absl::StatusOr<int64_t> CountOpen(const std::string& caller);
+  absl::StatusOr<bool> OwnsArtifact(const std::string& caller, const std::string& artifact_id);
 
-  // Makes the oldest QUEUED job RUNNING by `owner`; nothing when none waits.
-  absl::StatusOr<std::optional<std::string>> ClaimOldest(const std::string& owner);
+  // The oldest QUEUED job of a batch ("": of none) that may run by `now`; empty when none.
+  absl::StatusOr<std::string> OldestWaiting(const std::string& batch_id, absl::Time now);
+  // The least id above `after` of a batch with QUEUED jobs; empty when none.
+  absl::StatusOr<std::string> NextBatchWaiting(const std::string& after);
+  // Whether a job waited for a time that has come by `now`.
+  absl::StatusOr<bool> AnyDelayPassed(absl::Time now);
 
-  // The same for one job; false when it is not QUEUED.
+  // Makes a QUEUED job RUNNING by `owner` in a new run; false when it is not QUEUED.
   absl::StatusOr<bool> Claim(const std::string& id, const std::string& owner);
 
   // Owners of RUNNING jobs.
@@ -46,20 +63,29 @@ class JobTable {
   // Makes the RUNNING jobs of a dead owner QUEUED again.
   absl::Status Release(const std::string& owner);
 
-  // Makes one RUNNING job QUEUED again.
-  absl::Status ReleaseOne(const std::string& id);
+  // For the run that holds a RUNNING job; false, and nothing done, when another one does or none: its stage; QUEUED
+  // again, not before some time; ended with job.state(), stage, error, failure_kind and end_time.
+  absl::StatusOr<bool> SetStage(const JobHold& hold, const std::string& stage);
+  absl::StatusOr<bool> Requeue(const JobHold& hold, absl::Time not_before);
+  absl::StatusOr<bool> End(const JobHold& hold, const v1::Job& job);
 
-  absl::Status SetStage(const std::string& id, const std::string& stage);
+  // Ends a QUEUED job as CANCELLED; false when it is not QUEUED.
+  absl::StatusOr<bool> CancelWaiting(const std::string& id, absl::Time time);
 
-  // Ends a job with job.state(), error and end_time.
-  absl::Status End(const v1::Job& job);
+  // Makes a FAILED job QUEUED again; false when it is not FAILED.
+  absl::StatusOr<bool> Retry(const std::string& id);
 
-  // Remembers that somebody wants the job to end.
+  // Remembers that somebody wants the job to end; of a batch, all its RUNNING ones.
   absl::Status RequestCancel(const std::string& id);
+  absl::Status RequestCancelOfBatch(const std::string& batch_id);
   absl::StatusOr<bool> CancelRequested(const std::string& id);
 
  private:
   absl::StatusOr<v1::Job> Read(Statement& row);
+  // Text of the first column of the first row; empty when there is none.
+  absl::StatusOr<std::string> First(Statement& select);
+  absl::StatusOr<int64_t> Number(Statement& select);
+  absl::StatusOr<bool> ChangesOne(Statement& update);
 
   Database& database_;
 };

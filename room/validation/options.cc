@@ -68,6 +68,8 @@ void Check(const v1::JobSpec& spec, const Field& at) {
   Check(spec.solve_options(), at["solve_options"]);
   Check(spec.render_options(), at["render_options"]);
   Check(spec.model_options(), at["model_options"]);
+  if (!at["further_views"].Count(spec.further_views_size(), 0, 4, "views")) return;
+  for (int i = 0; i < spec.further_views_size(); ++i) Check(spec.further_views(i), at["further_views"][i]);
 }
 
 }  // namespace flair::validation

@@ -215,7 +215,17 @@ absl::Status Validate(const v1::CreateJobRequest& request) {
 absl::Status Validate(const v1::CreateBatchRequest& request) {
   Parts parts;
   parts.Id(request.request_id(), 1);
-  if (!parts.At("specs").Count(request.specs_size(), 1, 10000, "jobs")) return parts.Done();
+  parts.At("label").Text(request.label(), 0, 200);
+  const int least = request.open() ? 0 : 1;
+  if (!parts.At("specs").Count(request.specs_size(), least, 10000, "jobs")) return parts.Done();
+  for (int i = 0; i < request.specs_size(); ++i) Check(request.specs(i), parts.At("specs")[i]);
+  return parts.Done();
+}
+
+absl::Status Validate(const v1::AddToBatchRequest& request) {
+  Parts parts;
+  parts.At("first_index").InRange(static_cast<double>(request.first_index()), {.least = 0, .most = 1e8});
+  if (!parts.At("specs").Count(request.specs_size(), 0, 1000, "jobs")) return parts.Done();
   for (int i = 0; i < request.specs_size(); ++i) Check(request.specs(i), parts.At("specs")[i]);
   return parts.Done();
 }

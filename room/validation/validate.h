@@ -68,5 +68,6 @@ absl::Status Validate(const v1::ExportSceneRequest& request);
 absl::Status Validate(const v1::ComposeContactSheetRequest& request, int index);
 absl::Status Validate(const v1::CreateJobRequest& request);
 absl::Status Validate(const v1::CreateBatchRequest& request);
+absl::Status Validate(const v1::AddToBatchRequest& request);
 
 }  // namespace flair

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <thread>
 
@@ -16,7 +17,7 @@ class StoreMonitor {
   struct Callbacks {
     // Another process changed the store.
     std::function<void()> changed;
-    // An owner may have died.
+    // An owner may have died, or the store was not looked at for a second.
     std::function<void()> owner_gone;
   };
 

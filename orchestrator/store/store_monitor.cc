@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/batch/store_monitor.h"
+#include "orchestrator/store/store_monitor.h"
 
 #include <poll.h>
 #include <sys/eventfd.h>

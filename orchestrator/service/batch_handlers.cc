@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The RPCs of batches.
+#include <fmt/format.h>
+#include <google/protobuf/util/time_util.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "orchestrator/service/orchestrator_handlers.h"
+#include "orchestrator/service/paging.h"
+#include "room/validation/validate.h"
+#include "worker_runtime/files/sha256.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// Jobs given to the queue at once, or looked at for a retry.
+constexpr int kPage = 1000;
+
+// Tells a repeat of a request from another one.
+std::string DigestOf(const v1::CreateBatchRequest& request) {
+  std::string digests = request.open() ? "open" : "";
+  for (const v1::JobSpec& spec : request.specs()) digests += runtime::Sha256Hex(runtime::CanonicalBytes(spec));
+  return runtime::Sha256Hex(digests);
+}
+
+bool IsAskedFor(const v1::Job& job, const v1::RetryBatchRequest& request) {
+  return job.batch_id() == request.batch_id() && job.state() == v1::JOB_STATE_FAILED &&
+         (request.kinds().empty() || std::ranges::find(request.kinds(), job.failure_kind()) != request.kinds().end());
+}
+
+template <typename Response>
+absl::StatusOr<Response> Answer(absl::StatusOr<v1::Batch> batch) {
+  if (!batch.ok()) return batch.status();
+  Response response;
+  *response.mutable_batch() = *std::move(batch);
+  return response;
+}
+
+}  // namespace
+
+absl::StatusOr<v1::Batch> OrchestratorHandlers::VisibleBatch(const std::string& id, const Caller& caller) {
+  absl::StatusOr<v1::Batch> batch = queue_.GetBatch(id);
+  if (!batch.ok() || caller.MaySee(batch->owner())) return batch;
+  return absl::NotFoundError(fmt::format("batch_id: no batch \"{}\" in this store", id.substr(0, 80)));
+}
+
+absl::StatusOr<v1::Batch> OrchestratorHandlers::Add(const v1::Batch& batch, int64_t first_index,
+                                                    const google::protobuf::RepeatedPtrField<v1::JobSpec>& specs,
+                                                    bool last, const Caller& caller) {
+  for (const v1::JobSpec& spec : specs) {
+    if (absl::Status status = CheckSpec(spec, caller); !status.ok()) return status;
+  }
+  // Those that are there already need no room.
+  const int64_t added = std::max<int64_t>(0, first_index + specs.size() - batch.job_count());
+  if (absl::Status status = added > 0 ? CheckRoom(added, caller) : absl::OkStatus(); !status.ok()) return status;
+  std::vector<v1::Job> jobs;
+  jobs.reserve(static_cast<size_t>(specs.size()));
+  for (int i = 0; i < specs.size(); ++i) {
+    v1::Job& job = jobs.emplace_back(NewJob(specs[i]));
+    job.set_id(BatchJobId(batch.id(), first_index + i));
+    job.set_batch_id(batch.id());
+    job.set_batch_index(first_index + i);
+    job.set_owner(batch.owner());
+  }
+  absl::StatusOr<v1::Batch> grown = batch;
+  for (size_t at = 0; grown.ok() && (at == 0 || at < jobs.size()); at += kPage) {
+    const std::span<const v1::Job> rest = std::span(jobs).subspan(at);
+    grown = queue_.AddJobs(batch.id(), rest.first(std::min<size_t>(kPage, rest.size())), last && rest.size() <= kPage);
+  }
+  if (grown.ok()) runner_.Request({}, batch.id());
+  return grown;
+}
+
+absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const v1::CreateBatchRequest& request,
+                                                                          const Caller& caller) {
+  if (absl::Status status = Validate(request); !status.ok()) return status;
+  store::v1::BatchRecord record;
+  record.set_request_id(caller.RequestKey(request.request_id()));
+  record.set_specs_digest(DigestOf(request));
+  v1::Batch& batch = *record.mutable_batch();
+  batch.set_id(ids_.Next());
+  // Until its jobs are there; a repeat of the request adds those that a crash kept out.
+  batch.set_open(true);
+  batch.set_state(v1::BATCH_STATE_ACTIVE);
+  batch.set_label(request.label());
+  batch.set_owner(caller.name);
+  *batch.mutable_create_time() =
+      google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(clock_.Now()));
+  absl::Status status = CheckRoom(request.specs_size(), caller);
+  for (int i = 0; status.ok() && i < request.specs_size(); ++i) status = CheckSpec(request.specs(i), caller);
+  if (!status.ok()) return status;
+  const absl::StatusOr<store::v1::BatchRecord> made = queue_.CreateBatch(record);
+  if (!made.ok()) return made.status();
+  if (made->specs_digest() != record.specs_digest()) {
+    return absl::AlreadyExistsError(fmt::format("request_id: \"{}\" made batch {} of other specs; use a new id",
+                                                request.request_id(), made->batch().id()));
+  }
+  if (made->batch().open()) {
+    status = Add(made->batch(), 0, request.specs(), !request.open(), caller).status();
+    if (!status.ok()) return status;
+  }
+  runner_.Request({}, made->batch().id());
+  return Answer<v1::CreateBatchResponse>(queue_.GetBatch(made->batch().id()));
+}
+
+absl::StatusOr<v1::AddToBatchResponse> OrchestratorHandlers::AddToBatch(const v1::AddToBatchRequest& request,
+                                                                        const Caller& caller) {
+  if (absl::Status status = Validate(request); !status.ok()) return status;
+  const absl::StatusOr<v1::Batch> batch = VisibleBatch(request.batch_id(), caller);
+  if (!batch.ok()) return batch.status();
+  return Answer<v1::AddToBatchResponse>(Add(*batch, request.first_index(), request.specs(), request.last(), caller));
+}
+
+absl::StatusOr<v1::GetBatchResponse> OrchestratorHandlers::GetBatch(const v1::GetBatchRequest& request,
+                                                                    const Caller& caller) {
+  return Answer<v1::GetBatchResponse>(VisibleBatch(request.batch_id(), caller));
+}
+
+absl::StatusOr<v1::ListBatchesResponse> OrchestratorHandlers::ListBatches(const v1::ListBatchesRequest& request,
+                                                                          const Caller& caller) {
+  const absl::StatusOr<int> limit = PageLimit(request.page_size());
+  if (!limit.ok()) return limit.status();
+  ListFilter filter;
+  filter.limit = *limit + 1;
+  filter.before = request.page_token();
+  filter.owner = caller.OwnerFilter();
+  absl::StatusOr<std::vector<v1::Batch>> batches = queue_.ListBatches(filter);
+  if (!batches.ok()) return batches.status();
+  return PageOf<v1::ListBatchesResponse>(*std::move(batches), *limit,
+                                         [](v1::ListBatchesResponse& page) { return page.mutable_batches(); });
+}
+
+absl::StatusOr<v1::PauseBatchResponse> OrchestratorHandlers::PauseBatch(const v1::PauseBatchRequest& request,
+                                                                        const Caller& caller) {
+  absl::Status status = VisibleBatch(request.batch_id(), caller).status();
+  if (status.ok()) status = queue_.SetBatchState(request.batch_id(), v1::BATCH_STATE_PAUSED);
+  if (!status.ok()) return status;
+  return Answer<v1::PauseBatchResponse>(queue_.GetBatch(request.batch_id()));
+}
+
+absl::StatusOr<v1::ResumeBatchResponse> OrchestratorHandlers::ResumeBatch(const v1::ResumeBatchRequest& request,
+                                                                          const Caller& caller) {
+  absl::Status status = VisibleBatch(request.batch_id(), caller).status();
+  if (status.ok()) status = queue_.SetBatchState(request.batch_id(), v1::BATCH_STATE_ACTIVE);
+  if (!status.ok()) return status;
+  runner_.Request({}, request.batch_id());
+  return Answer<v1::ResumeBatchResponse>(queue_.GetBatch(request.batch_id()));
+}
+
+absl::StatusOr<v1::CancelBatchResponse> OrchestratorHandlers::CancelBatch(const v1::CancelBatchRequest& request,
+                                                                          const Caller& caller) {
+  absl::Status status = VisibleBatch(request.batch_id(), caller).status();
+  if (status.ok()) status = queue_.CancelBatch(request.batch_id(), clock_.Now());
+  if (!status.ok()) return status;
+  return Answer<v1::CancelBatchResponse>(queue_.GetBatch(request.batch_id()));
+}
+
+absl::StatusOr<v1::RetryBatchResponse> OrchestratorHandlers::RetryBatch(const v1::RetryBatchRequest& request,
+                                                                        const Caller& caller) {
+  const absl::StatusOr<v1::Batch> batch = VisibleBatch(request.batch_id(), caller);
+  if (!batch.ok()) return batch.status();
+  if (batch->state() == v1::BATCH_STATE_CANCELLED) {
+    return absl::FailedPreconditionError(fmt::format("batch_id: {} is cancelled; make another batch", batch->id()));
+  }
+  if (request.job_ids_size() > kPage) {
+    return absl::InvalidArgumentError(
+        fmt::format("job_ids: {} jobs are too many; at most {}", request.job_ids_size(), kPage));
+  }
+  v1::RetryBatchResponse response;
+  const auto retry = [&](const v1::Job& job) -> absl::Status {
+    if (!IsAskedFor(job, request)) return absl::OkStatus();
+    const absl::StatusOr<bool> retried = queue_.Retry(job.id());
+    if (retried.ok() && *retried) response.set_retried_count(response.retried_count() + 1);
+    return retried.status();
+  };
+  for (const std::string& id : request.job_ids()) {
+    const absl::StatusOr<v1::Job> job = VisibleJob(id, caller);
+    if (!job.ok()) return job.status();
+    if (absl::Status status = retry(*job); !status.ok()) return status;
+  }
+  ListFilter filter;
+  filter.limit = kPage;
+  filter.batch_id = batch->id();
+  filter.state = v1::JOB_STATE_FAILED;
+  for (bool more = request.job_ids().empty(); more;) {
+    const absl::StatusOr<std::vector<v1::Job>> jobs = queue_.ListJobs(filter);
+    if (!jobs.ok()) return jobs.status();
+    for (const v1::Job& job : *jobs) {
+      if (absl::Status status = retry(job); !status.ok()) return status;
+    }
+    more = jobs->size() == kPage;
+    if (more) filter.before = jobs->back().id();
+  }
+  runner_.Request({}, batch->id());
+  absl::StatusOr<v1::Batch> now = queue_.GetBatch(batch->id());
+  if (!now.ok()) return now.status();
+  *response.mutable_batch() = *std::move(now);
+  return response;
+}
+
+}  // namespace flair::orchestrator

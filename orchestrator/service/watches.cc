@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/service/watches.h"
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <utility>
+
+#include "worker_runtime/grpc/status.h"
+
+namespace flair::orchestrator {
+namespace {
+
+absl::Status Stopping() { return absl::UnavailableError("the orchestrator is stopping; watch again when it is back"); }
+
+}  // namespace
+
+// A stream of any kind.
+class WatchStream {
+ public:
+  virtual ~WatchStream() = default;
+  virtual void End(const absl::Status& status) = 0;
+};
+
+// Shared by gRPC (until OnDone), by Watches and by calls of the hub that are under way.
+template <typename Response>
+class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
+                              public WatchStream,
+                              public std::enable_shared_from_this<Stream<Response>> {
+ public:
+  Stream(Watches& owner, WatchSource<Response> source, int64_t after_sequence)
+      : owner_(owner), source_(std::move(source)), sequence_(after_sequence) {}
+
+  // Looks whether it may, and begins; on a thread that may wait for the queue.
+  void Begin() {
+    {
+      // Once the stream has ended, the queue and the hub may be gone: neither is used without a look, under the lock.
+      std::lock_guard lock(mutex_);
+      if (ended_) return;
+      if (const absl::Status admitted = source_.admit(); !admitted.ok()) return EndLocked(admitted);
+      std::weak_ptr<Stream> self = this->weak_from_this();
+      subscription_ = owner_.hub_.Subscribe(source_.id, [self] {
+        if (const auto stream = self.lock()) stream->Pump();
+      });
+    }
+    Pump();
+  }
+
+  // Writes what comes next if there is something and nothing is being written.
+  void Pump() {
+    std::lock_guard lock(mutex_);
+    if (writing_ || ended_) return;
+    if (pending_.empty()) {
+      absl::StatusOr<std::vector<Response>> next = source_.next(sequence_);
+      if (!next.ok()) return EndLocked(next.status());
+      pending_.assign(std::make_move_iterator(next->begin()), std::make_move_iterator(next->end()));
+    }
+    if (pending_.empty()) {
+      const absl::StatusOr<bool> over = source_.has_ended(sequence_);
+      if (!over.ok() || *over) EndLocked(over.status());
+      return;
+    }
+    response_ = std::move(pending_.front());
+    pending_.pop_front();
+    sequence_ = source_.sequence_of(response_);
+    writing_ = true;
+    this->StartWrite(&response_);
+  }
+
+  void End(const absl::Status& status) override {
+    std::lock_guard lock(mutex_);
+    EndLocked(status);
+  }
+
+ private:
+  void OnWriteDone(bool ok) override {
+    {
+      std::lock_guard lock(mutex_);
+      writing_ = false;
+      if (!ok) return EndLocked(absl::CancelledError("the watcher has gone"));
+    }
+    // gRPC's thread does not wait for the queue.
+    const std::shared_ptr<Stream> self = this->shared_from_this();
+    if (!owner_.worker_.executor.TrySubmit([self] { self->Pump(); })) Pump();
+  }
+  void OnCancel() override { End(absl::CancelledError("the watcher has gone")); }
+  void OnDone() override {
+    if (subscription_ != 0) owner_.hub_.Unsubscribe(subscription_);
+    owner_.Remove(this->shared_from_this());
+  }
+
+  void EndLocked(const absl::Status& status) {
+    if (ended_) return;
+    ended_ = true;
+    owner_.worker_.logger->info("{} id={} {}", source_.rpc, source_.id, absl::StatusCodeToString(status.code()));
+    this->Finish(runtime::ToGrpcStatus(status));
+  }
+
+  Watches& owner_;
+  const WatchSource<Response> source_;
+  int subscription_ = 0;
+  std::mutex mutex_;
+  int64_t sequence_;
+  std::deque<Response> pending_;
+  Response response_;
+  bool writing_ = false;
+  bool ended_ = false;
+};
+
+template <typename Response>
+grpc::ServerWriteReactor<Response>* Watches::Start(WatchSource<Response> source, int64_t after_sequence) {
+  auto stream = std::make_shared<Stream<Response>>(*this, std::move(source), after_sequence);
+  bool stopped;
+  {
+    std::lock_guard lock(mutex_);
+    streams_.insert(stream);
+    stopped = stopped_;
+  }
+  if (stopped) {
+    stream->End(Stopping());
+  } else if (!worker_.executor.TrySubmit([stream] { stream->Begin(); })) {
+    stream->End(absl::ResourceExhaustedError("the queue of calls is full; try again later"));
+  }
+  return stream.get();
+}
+
+template grpc::ServerWriteReactor<v1::WatchJobResponse>* Watches::Start(WatchSource<v1::WatchJobResponse>, int64_t);
+template grpc::ServerWriteReactor<v1::WatchBatchResponse>* Watches::Start(WatchSource<v1::WatchBatchResponse>, int64_t);
+
+void Watches::Remove(const std::shared_ptr<WatchStream>& stream) {
+  std::lock_guard lock(mutex_);
+  streams_.erase(stream);
+}
+
+void Watches::Stop() {
+  std::set<std::shared_ptr<WatchStream>> streams;
+  {
+    std::lock_guard lock(mutex_);
+    stopped_ = true;
+    streams = streams_;
+  }
+  for (const auto& stream : streams) stream->End(Stopping());
+}
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/store/sqlite_lease.h"
+
+#include <fmt/format.h>
+#include <google/protobuf/util/time_util.h>
+
+#include <utility>
+
+namespace flair::orchestrator {
+
+SqliteLease::SqliteLease(SqliteWorkQueue& queue, v1::Job job, std::vector<v1::JobEvent> history,
+                         std::shared_ptr<runtime::Cancellation> cancellation)
+    : queue_(queue),
+      store_(*queue.store_),
+      job_(std::move(job)),
+      history_(std::move(history)),
+      cancellation_(std::move(cancellation)),
+      hold_{job_.id(), store_.owner(), job_.attempt_count()} {}
+
+SqliteLease::~SqliteLease() {
+  if (!done_ && !lost_) (void)Return(absl::ZeroDuration(), "");
+  queue_.Forget(job_.id());
+}
+
+absl::Status SqliteLease::CheckHeld(const absl::StatusOr<bool>& changed) {
+  if (!changed.ok()) return changed.status();
+  if (*changed) return absl::OkStatus();
+  lost_ = true;
+  return absl::AbortedError(fmt::format("job {}: another run has it", job_.id()));
+}
+
+absl::Status SqliteLease::Record(StageRecord record) {
+  {
+    auto transaction = Transaction::Begin(store_.database());
+    if (!transaction.ok()) return transaction.status();
+    absl::Status status = CheckHeld(store_.jobs().SetStage(hold_, record.event.stage()));
+    if (status.ok()) status = store_.events().Append(record.event);
+    if (status.ok() && record.event.has_artifact()) {
+      status = store_.artifacts().Attach(job_.id(), record.stage_index, record.event.artifact());
+    }
+    if (status.ok() && !record.result_key.empty()) {
+      status = store_.artifacts().SetResult(record.result_key, record.event.artifact());
+    }
+    if (status.ok()) status = transaction->Commit();
+    if (!status.ok()) return status;
+  }
+  queue_.Tell(job_.id());
+  return absl::OkStatus();
+}
+
+absl::Status SqliteLease::End(const JobEnd& end) {
+  v1::Job job = job_;
+  job.set_state(end.state);
+  job.set_stage(end.stage);
+  job.set_error(std::string(end.error.message()));
+  job.set_error_code(static_cast<int>(end.error.code()));
+  job.set_failure_kind(end.failure_kind);
+  *job.mutable_end_time() = google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(end.time));
+  {
+    auto transaction = Transaction::Begin(store_.database(), Transaction::Durability::kPowerLoss);
+    if (!transaction.ok()) return transaction.status();
+    absl::Status status = CheckHeld(store_.jobs().End(hold_, job));
+    if (status.ok()) status = queue_.AppendEnded(job);
+    if (status.ok()) status = transaction->Commit();
+    if (!status.ok()) return status;
+  }
+  done_ = true;
+  queue_.Tell(job_.id());
+  if (!job_.batch_id().empty()) queue_.TellOfBatch(job_.batch_id());
+  return absl::OkStatus();
+}
+
+absl::Status SqliteLease::Return(absl::Duration delay, const std::string& reason) {
+  {
+    auto transaction = Transaction::Begin(store_.database());
+    if (!transaction.ok()) return transaction.status();
+    const absl::Time not_before = delay > absl::ZeroDuration() ? queue_.clock_.Now() + delay : absl::InfinitePast();
+    absl::Status status = CheckHeld(store_.jobs().Requeue(hold_, not_before));
+    if (status.ok() && !reason.empty()) {
+      v1::JobEvent event;
+      event.set_job_id(job_.id());
+      event.set_kind(v1::JOB_EVENT_KIND_WAITING);
+      event.set_message(reason);
+      event.set_state(v1::JOB_STATE_QUEUED);
+      status = store_.events().Append(event);
+    }
+    if (status.ok()) status = transaction->Commit();
+    if (!status.ok()) return status;
+  }
+  done_ = true;
+  queue_.Tell(job_.id());
+  queue_.TellOfWork();
+  return absl::OkStatus();
+}
+
+bool SqliteLease::cancel_requested() {
+  const absl::StatusOr<bool> requested = store_.jobs().CancelRequested(job_.id());
+  return requested.ok() && *requested;
+}
+
+}  // namespace flair::orchestrator
