@@ -4,7 +4,7 @@
 
 # What decides results. A commit that changes none of it leaves the name alone.
 set(code . ":(exclude)*.md" ":(exclude)*_test.cc" ":(exclude)docs" ":(exclude)tests" ":(exclude)**/testdata"
-    ":(exclude)compose.yaml" ":(exclude)Containerfile" ":(exclude)orchestrator/compose")
+    ":(exclude)compose.yaml" ":(exclude)Containerfile" ":(exclude).dockerignore" ":(exclude)deploy")
 
 # git(RESULT ARGUMENTS...): what it prints, empty when it fails. Takes no locks: somebody may be committing.
 function(git result)
