@@ -65,6 +65,11 @@ class Reader {
     return before.role == RawTerm::Role::kNone && before.term.kind == Term::Kind::kMention;
   }
 
+  bool NounFollows(size_t at) const {
+    if (at >= tokens_.size()) return false;
+    return names_.Find(tokens_, at).length > 0 || Lexicon::Get().Find(tokens_, at).word_class == WordClass::kFeature;
+  }
+
   void Push(RawTerm term, size_t length) {
     term.term.begin = tokens_[at_].begin;
     term.term.end = tokens_[at_ + length - 1].end;
@@ -223,6 +228,7 @@ class Reader {
         break;
       case WordClass::kQuantity:
         raw.role = RawTerm::Role::kEach;
+        raw.negative = tokens_[at_].IsWord("none") || tokens_[at_].IsWord("neither_one");
         break;
       case WordClass::kOrdinal:
         raw.role = RawTerm::Role::kOrdinal;
@@ -266,6 +272,11 @@ class Reader {
         push_reference(RefKind::kGroup);
         break;
       case WordClass::kPronoun:
+        // "The two beds": how many, not whatever was spoken of.
+        if (phrase.length > 1 && NounFollows(at_ + phrase.length)) {
+          raw.role = RawTerm::Role::kEach;
+          break;
+        }
         push_reference(RefKind::kPronoun);
         break;
       case WordClass::kVague:

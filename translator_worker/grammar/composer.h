@@ -87,6 +87,8 @@ class Composer {
   void CompleteSide(const std::string& side);
   // "Space around the bed, at least 0.6 m": the figure of the fact before; false when that is none about free space.
   bool CompleteClearance(double least_m);
+  // Whether the sentence has asked for so much free space at the object, with a figure.
+  bool KeepsSpace(const Placed& placed) const;
   // Says why a part of the sentence gives no call.
   void Refuse(std::string_view code, const std::string& message);
   // Whether nothing worse was said against the sentence than that it was not understood, and taking that back.
@@ -119,6 +121,8 @@ class Composer {
   std::vector<int> Choose(const Reference& reference, const std::vector<Placed>& movers);
   // The primary objects, when there are few enough to be spoken of together.
   std::vector<Placed> Primaries() const;
+  // "One chair on the left of the table and the other on the right": on the table's right.
+  bool IsLikePairMover(const Placed& mover) const;
   // Those that the heading names, when there are any.
   void KeepSubjects(std::vector<int>& objects) const;
   // "The chairs" under a heading of chairs are these.
@@ -132,6 +136,8 @@ class Composer {
   bool IsForFloorOnly(const std::string& type) const;
   // Whether a type would place furniture, or the rug as if it were furniture, in a sentence about a rug.
   bool IsBesideTheRug(const std::string& type) const;
+  // Whether the call tells a place of a small thing or rug less closely than another one does, which it now has.
+  bool IsPlacedCloser(const Call& call) const;
   std::vector<int> Group(const std::string& name, const std::vector<Placed>& movers) const;
   v1::Diagnostic Remark(v1::Severity severity, std::string_view code, const std::string& message) const;
 

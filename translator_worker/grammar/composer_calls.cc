@@ -63,6 +63,11 @@ const std::string& TextOf(const Call& call, std::string_view name) {
   return value != nullptr ? value->text() : kNone;
 }
 
+// A part of the room instead of a place at some piece.
+bool TellsOnlyWhereabouts(const Call& call) {
+  return call.type == "on_wall_in_zone" || call.type == "ceiling_center" || call.type == "in_zone";
+}
+
 // Whether `plain` only says that two are apart, without a figure, which `call` asks to be near or touching: "the
 // distance between them is minimal (0 m)".
 bool Contradicts(const Call& call, const Call& plain) {
@@ -109,6 +114,20 @@ bool Composer::CompleteClearance(double least_m) {
   return true;
 }
 
+bool Composer::KeepsSpace(const Placed& placed) const {
+  return std::any_of(calls_.begin(), calls_.end(), [&](const Call& call) {
+    return call.type == "accessible" && Find(call, "min_clearance_m") != nullptr &&
+           TextOf(call, "object") == id(placed);
+  });
+}
+
+bool Composer::IsPlacedCloser(const Call& call) const {
+  if (scope() != v1::SENTENCE_SCOPE_TERTIARY || !TellsOnlyWhereabouts(call)) return false;
+  return std::any_of(calls_.begin(), calls_.end(), [&](const Call& other) {
+    return !TellsOnlyWhereabouts(other) && TextOf(other, "object") == TextOf(call, "object");
+  });
+}
+
 bool Composer::Emit(Call call) {
   const v1::ConstraintType* type = catalog_.Find(call.type);
   if (type == nullptr) return false;
@@ -141,6 +160,13 @@ bool Composer::Emit(Call call) {
   // "In the living area, under the sofa": the sofa says where the rug lies.
   if (call.type == "rug_under_center" || call.type == "rug_under_forward") {
     std::erase_if(calls_, [](const Call& other) { return other.type == "in_zone"; });
+  }
+  // "On the wall in the study area, above the desk": the desk says it all, whichever comes first.
+  if (IsPlacedCloser(call)) return true;
+  if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !TellsOnlyWhereabouts(call)) {
+    std::erase_if(calls_, [&](const Call& other) {
+      return TellsOnlyWhereabouts(other) && TextOf(other, "object") == TextOf(call, "object");
+    });
   }
   if (!calls_.empty() && JoinSides(calls_.back(), call)) return true;
   for (Call& other : calls_) {

@@ -111,7 +111,7 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
       }
       // "Beside the chair, 0.2 m from the side": from the chair's.
       if (target && bare_side && !movers.empty() && !pair_targets_.empty() &&
-          Contains(pair_movers_, movers.front().object)) {
+          (Contains(pair_movers_, movers.front().object) || IsLikePairMover(movers.front()))) {
         meant = pair_targets_;
       }
       // "All three pieces" at the beginning of a sentence about several.
@@ -167,6 +167,11 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
     Refuse("names_absent_object", fmt::format("nothing in the room is meant by \"{}\"", reference.name));
   }
   return result;
+}
+
+bool Composer::IsLikePairMover(const Placed& mover) const {
+  return !pair_movers_.empty() && !Contains(pair_targets_, mover.object) &&
+         object(pair_movers_.front().object).name() == object(mover.object).name();
 }
 
 std::vector<int> Composer::Choose(const Reference& reference, const std::vector<Placed>& movers) {
@@ -225,6 +230,7 @@ std::vector<int> Composer::Group(const std::string& name, const std::vector<Plac
     const bool seat = IsSeat({i, ""});
     const bool hot = IsHot({i, ""});
     if (name == "others" && (Contains(movers, i) || Contains(topic_, i))) continue;
+    if (name == "primary" && candidate.role() != v1::OBJECT_ROLE_PRIMARY) continue;
     if (name == "seating" && !seat) continue;
     if (name == "heat" && !hot) continue;
     result.push_back(i);

@@ -12,6 +12,7 @@ relation against: connected with | (installed|mounted|fixed|positioned|placed|se
 relation along: along | alongside | lined up along | runs along | running along
 relation not_aligned: (avoid|not) aligning
 relation aligned: (line|lines|lining) up with | aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
+relation further: [be|is|are] (further|farther) [away] than
 relation not_further: (no|not) [be] (further|farther) [away] from
 relation not_closer: (no|not) [be] (closer|nearer) to
 relation near: [within] [easy|convenient|quick|comfortable] reach from | exposed to | relative to | placement relative to | not (be|placed|located|positioned) [placed|located|positioned] [too|very] far [away] from | close at hand | at hand | within [easy|close|arm 's|arms|convenient|comfortable] reach | [within] [an|a] (arm 's|arms) length (of|from) | close enough (to|for) | near enough (to|for) | in conjunction with | together with | combined with | near | (closest|nearest) to | nearby | close (to|by) | close | closely | near to | [in|within] [close|easy|immediate] proximity (to|of|with)
@@ -22,14 +23,14 @@ relation near: [within] [easy|convenient|quick|comfortable] reach from | exposed
 relation nearby: have nearby access to
 relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | adjacent | alongside of | side by side with
   | by | at
-relation to_side: (to|on|at) the other side of | (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
+relation to_side: (at|on|by|near|to) (one|either|the far|the other|each) end of | (to|on|at) the other side of | (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
 relation side_by_side: [stand|placed|arranged|positioned] side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
   | form (a|one) row | lined up
 relation together: (cramped|crammed|crowded|squeezed|packed|pushed) together | in (close|immediate) proximity | close together | (grouped|placed|kept) together
-relation each_side_of: (stand|stands|standing|sit|sits|sitting) on (each|either|both|opposite) (side|sides) of | on (each|either|both) (side|sides) of | at (each|either) side of | on opposite sides of
+relation each_side_of: (one|two) per side of | per side of | (stand|stands|standing|sit|sits|sitting) on (each|either|both|opposite) (side|sides) of | on (each|either|both) (side|sides) of | at (each|either) side of | on opposite sides of
   | flanking | flank | flanks | one on each side of | on both sides of | at both sides of | to (each|either) side of
-relation left_of: (should|must|can|may|to) be left of | (to|on|at) [the] left [side] of | left of | immediately left of
-relation right_of: (to|on|at) [the] right [side] of | right of | immediately right of
+relation left_of: (should|must|can|may|to) be left of | (to|on|at) [the] left [hand] [side] of | left of | immediately left of
+relation right_of: (to|on|at) [the] right [hand] [side] of | right of | immediately right of
 relation foot_of: (at|by|near|against|below|beyond|beneath) the foot [end] of | at the end of
 relation head_of: (at|by|near) the head [end] of
 relation behind: behind | in back of | at the back of | at the rear of | to the rear of
@@ -46,11 +47,11 @@ relation on: [a] part of | [the] top of | [standing|sitting|resting|placed|perch
   | on one of the shelves (of|inside|in|on) | on a shelf of | on the (top|surface) of | on the (upper|lower|top|middle|bottom) (shelf|shelves) of
   | on the (upper|lower|top|middle|bottom) | laid on | lies on | lie on | rests on | rest on | within | displayed on | inside of
 relation under: under | underneath | beneath | below | extending (under|beneath) | extends (under|beneath) | spread under
-relation partly_under: (partially|partly|half) (under|underneath|beneath) | lies (partially|partly|half) (under|underneath|beneath)
+relation partly_under: [extends|extend|extending|reaching|reaches|coming|out] from (under|beneath|underneath) [the] [front] [legs|half|part|edge] [of] | (under|beneath|underneath) the front (legs|half|part|edge) of | (partially|partly|half) (under|underneath|beneath) | lies (partially|partly|half) (under|underneath|beneath)
   | extends partly under | [tucked] under the front [half|part] of | (extending|reaches|reaching) (out|forward) from under | forward under
 relation under_center: centered (under|underneath|beneath) | (centred|centrally|central|centered) (under|beneath|underneath) | [lies] centred under
 relation above: above | over | [directly|hangs|hung|suspended|hanging|centred|centered] (above|over) | over the top of
-relation facing: [to|and] (allow|allowing|have|having|provide) [a|an|the] [clear|good|direct|unobstructed] (view|line of sight) (of|to|from) | for [comfortable|easy] viewing (of|from) | comfortable viewing from | towards | toward | face | faces | facing | faced (towards|toward|to) | facing (towards|toward|to) | oriented (towards|toward|to) | turned (towards|toward|to)
+relation facing: [be] [able to] (see|watch|sees) | (look|looks|looking) straight at | [within|in] sight of | (face|facing|faces) onto | [to|and] (allow|allowing|have|having|provide) [a|an|the] [clear|good|direct|unobstructed] (view|line of sight) (of|to|from) | for [comfortable|easy] viewing (of|from) | comfortable viewing from | towards | toward | face | faces | facing | faced (towards|toward|to) | facing (towards|toward|to) | oriented (towards|toward|to) | turned (towards|toward|to)
   | looks (at|towards|toward|onto|out|on) [of] | look (at|towards|toward|onto|out) [of] | looking (at|towards|toward|onto|out) [of] | [be] angled (towards|toward)
   | pointed (towards|toward|at) | pointing (towards|toward|at) | [a|an] [clear|good|direct|unobstructed|direct] (view|visibility|line of sight) (of|to|from|onto)
   | in [the] view of | in [direct] [line of] sight of | for view of | overlooking | orient (towards|toward|to) | turn (towards|toward|to) | [clear] line of sight (from|to)
@@ -66,6 +67,7 @@ relation not_angle: at [a|an] (45|30|60) [degree|degrees] angle (to|with) | at a
 relation crowd: crowded by | crowd | crowds | crowding
 relation away_from: from (the|its) (center|centre|middle|centerline|centreline) to [any|the] | (distinct|isolated|detached|secluded) from | far enough [away] from | [slightly|well] off [of] | stand apart from | removed from | remote from | away from | far from | far away from | [a|at a] [safe|reasonable|good|fair|some|comfortable|certain|suitable|sufficient|adequate|short|proper] distance (from|to) | apart from | separate from | from the [outer|front|back|near|nearest|closest] (edge|edges) of
   | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | at a (distance|remove) from | at a [safe|good|reasonable] distance | gap from | spaced from | distanced from | a gap from
+relation no_gap: (no|zero|without [a|any]) (gap|gaps|space|spacing) [in between]
 relation apart: (separated|spaced|divided) by | [set|placed|kept] apart by | (some|enough|adequate|sufficient|clear) separation | separate | separated | distinct | apart | [spaced|set] apart [from each other] | in (different|separate|distinct) (areas|parts|corners|sections) [of the room] | separating | separates | (on|at) opposite ends of the room | (on|at) (opposite|different|other) (sides|ends|walls) of the room | on different (sides|walls) | away from each other | from each other | from one another | away
 relation not_prevent: (not|never|nor) (prevent|stop|keep|hamper) | without (preventing|stopping)
 relation block: (block|blocks|blocking|obstruct|obstructs|obstructing|hinder|hindering|restrict|limit|limiting|reduce|reducing) [the] [natural] (light|sunlight|daylight|airflow|view|ventilation) [coming|entering|flowing] (from|through|of|in from|to) | bumped into | struck | knocked [over|into] | (overlap|overlaps|overlapping|conflict|conflicts|conflicting) with | hamper | hampers | hampering | hampered | hindered | impeded | obscured | restricted | inhibit | inhibits | inhibiting | disturb | disturbs | disrupt | disrupts | bump into | bumps into | bumping into | crash into | knock into | (block|obstruct|hinder|impede|hamper|restrict) [the] (path|way|route) (to|of) | get in the way | (block|obstruct) or limit [access (to|of)] | limit access (to|of) | limits access (to|of) | obstruct [the] (front|side) access (to|of) | block [the] (front|side) access (to|of) | (block|blocks|blocking|obstruct|obstructing|restrict) [direct|easy|the] access (to or from|to and from|to|of) | restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
@@ -94,13 +96,14 @@ relation space: [of] [clear|open|free|adequate|sufficient|enough] (walking|circu
 relation space: [clear] (walking|circulation|walkway|movement) room | space to walk | (ample|adequate|sufficient|more) room
   | [enough|ample|adequate|sufficient|clear|more] (space|room) to (move|walk|navigate|maneuver|manoeuvre|circulate|get)
 relation space: (leave|leaves|leaving|allow|allows|allowing|provide|provides|providing|maintain|extra|some|more|walking) room | legroom | leg room | [of] (clear|free|open|unobstructed|empty) floor (space|area) | (clearance|clear|free|buffer) (zone|area)
+relation space: (be able to|able to) (pass|walk|get past|squeeze|step) | [of] [clear|free|open|unobstructed|empty] floor
 relation minimal: minimal | kept minimal
 relation considered: (in|into) (consideration|mind|account)
-relation same_wall: (against|on|along) the same wall as
+relation same_wall: (against|on|along) the same (wall|side of the room) as
 relation of: of | reach of
-relation pushed_under: (pushed|push|slide|slid|stored|tuck) (under|underneath|beneath)
+relation pushed_under: (pushed|push|slide|slides|slid|stored|tuck|rolled|roll) (under|underneath|beneath)
 relation tucked_under: (tucked|tucks|fits|fit|stands|stowed) (under|underneath|beneath)
-relation under_when_unused: when (not|un) (in use|used|needed|required|occupied|being used) | when unused
+relation under_when_unused: when [it|they] (is|are) not (in use|used|needed|required|occupied|being used) | when (not|un) (in use|used|needed|required|occupied|being used) | when unused
 relation centered: (centered|centred) on top of | [be] (centered|centred|center|centre) | [placed|located|positioned] (centrally|central) | central | centrally | in the middle | in a central (location|position|place|spot) | in the (center|centre)
   | at [its|the] (center|centre) | center (of|on|in) | centre (of|on|in) | [in|at|on|near|towards] the (center|centre|middle) (of|in|on) | middle of | [in|at] (center|centre|middle) of
   | centred (in|on|within|at) | centered (in|on|within|at) | centrally (in|on|within|located|positioned|placed|hung) [in|on|within] | in the middle of | on the (center|centre) line of | central [location] (in|within|to)
@@ -124,7 +127,7 @@ relation freestanding: freestanding | free standing
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
 relation on_wall_of: on the (wall|walls) of
-filler: align | come | comes | at least | level with | people | someone | anyone | (the|a) (user|users|person|occupant|occupants) | being | (front|top) loading | at a [viewing|walking] (depth|width|radius|distance) of | [to|for] a depth of | [at|with] a spacing of | at (a|the) distance of | [with] one on each side | in (a|such a) (way|manner) (that|so that) [it|they] | such that (it|they) | allowed | given | considered | created | observed | (unobstructed|accessible|open|clear) (area|location|spot) | (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | [in|at] [a|the|an|any] (position|positions|location|locations|spot|spots|place|places|area|areas|way|ways|manner|placement|placements|orientation) (where|that|which) [it|they] [will|would|could|might|can]
+filler: end up | ends up | locating | situating | (guests|guest|visitors|visitor|customers|customer|clients|client|staff|occupants|occupant|children|child|kids|kid|adults|parents|family members|players|readers|viewers|viewer|engineer|somebody|everyone) | align | come | comes | at least | level with | people | someone | anyone | (the|a) (user|users|person|occupant|occupants) | being | (front|top) loading | at a [viewing|walking] (depth|width|radius|distance) of | [to|for] a depth of | [at|with] a spacing of | at (a|the) distance of | [with] one on each side | in (a|such a) (way|manner) (that|so that) [it|they] | such that (it|they) | allowed | given | considered | created | observed | (unobstructed|accessible|open|clear) (area|location|spot) | (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | [in|at] [a|the|an|any] (position|positions|location|locations|spot|spots|place|places|area|areas|way|ways|manner|placement|placements|orientation) (where|that|which) [it|they] [will|would|could|might|can]
   | where (it|they) [will|would|could|might|can] | [at a|in a|at the] location | the | a | an | its own | own | this | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
   | place | places | placed | placing | placement | put | puts | set | sets | position | positions | positioned | positioning | locate | located | location | situate | situated | stand | stands | standing | sit | sits | sitting | keep | keeps | kept | keeping
   | leave | leaves | leaving | left free | ensure | ensures | ensuring | make sure | making sure | maintain | maintains | maintaining | provide | provides | providing | require | requires | requiring | need | needs | needed | allow | allows | arrange | arranged
@@ -149,6 +152,7 @@ side front: front [side|edge|face|end|part] | front and center | foot [end] | fo
 side back: back [side|edge|end|part] | rear [side|edge] | headboard | head [end|side] | backrest | backs | back sides | headrest
 side left: left [hand] [side|edge|end] | left hand side
 side right: right [hand] [side|edge|end] | right hand side
+side axial: both faces | both of its faces | front and (back|rear) [sides] | (back|rear) and front [sides]
 side sides: arms | armrests | [both|the|two|either|each] sides | both [of its] sides | left and right [sides] | left and right side | (each|either) side | (left and right|right and left) sides | both ends | ends | lateral sides
 side opposite_two: [on|at] [at least] two opposite sides
 side side: side | [the] (arm|armrest) | [at least] one side | [at least] one of [its|the] sides | (left or right|right or left) [side] | a side | any side | at least one of its sides | one [free|open] side | one end
@@ -168,13 +172,14 @@ place ceiling: ceiling | ceilings
 place room: [whole|entire|main] (room|bedroom|living room|dining room|kitchen|office|study|bathroom|studio|space|workshop|workroom|hall|library|gym|nursery) | floor plan | room 's space | center of attention | layout
 place floor: floor | ground
 area area: area | zone | region | section | space | nook | spot | area 's | zones | areas | arrangement | group | station | location
-group all: nothing | [all|each|every|any|no] [of the] (object|objects|item|items|piece|pieces|furniture|equipment) [of] [furniture|equipment] | (pieces|piece|items) of furniture | furniture pieces | furniture | all furniture | furnishings | each piece | anything | everything | large furniture
+group all: nothing | [all|each|every|any|no] [of the] (object|objects|item|items|piece|pieces|furniture|equipment) [of] [furniture|equipment] | (pieces|piece|items|item) of furniture | whatever [is|stands] (opposite|across from|in front of|next to|beside|behind) it | whatever [is|stands] (there|opposite|behind|beside|in front) | furniture pieces | furniture | all furniture | furnishings | each piece | anything | everything | large furniture
 group others: [any|all|every|the|each] other (large|big|tall|major|main|nearby) (object|objects|furniture|items|pieces) | [any|all|every|the|each] other (object|objects|furniture|furnishings|item|items|piece|pieces) [of furniture] | (other|surrounding|adjacent|nearby|neighbouring) (furniture|objects|items|pieces) [pieces] | anything else | everything else | the rest of the furniture
+group primary: [the|these|all] (primary|main|major|key) (objects|object|pieces|piece|items|furniture|furniture pieces)
 group seating: (seating|seats|seat) [furniture|arrangement|pieces]
 group heat: heat source | heat sources | sources of heat
 pronoun it: it | itself | this piece | this object | its
 pronoun them: all (three|four) (pieces|objects|items) [of furniture] | the (three|four) (pieces|objects|items) [of furniture] | them | they | their | themselves | these two | the two | both of them | the three | all three [pieces of furniture] | these objects
-quantity each: any of the | each | every | each of the | every one of the | all | all the | both | both of the | all of the | any | each one of the | either | neither of the | two | three | four | five | six | eight | both the | all four | all six | the two | the four | the three | the six | pair of | a pair of
+quantity each: neither_one | either of [the] | none of the |any of the | each | every | each of the | every one of the | all | all the | both | both of the | all of the | any | each one of the | either | two | three | four | five | six | eight | both the | all four | all six | the two | the four | the three | the six | pair of | a pair of
 ordinal 1: first | one
 ordinal 2: second | the other
 ordinal 3: third
@@ -192,7 +197,7 @@ vague paths: [main|clear|walking|foot|high|traffic|frequently used] (path|paths|
 vague lighting: [a] [good] [source|sources] of light | light source | light sources | well lit | [overhead|natural|ambient|good|task|proper] lighting | light | natural or artificial | glare | sunlight | direct sunlight | illumination | well lit area | lamp light | overhead lighting
 vague comfort: comfort | relaxation feel | ambience | ambiance | cozy | cosy | aesthetics | atmosphere | style | balance | visual balance | minimalist | view
 vague services: ventilation | ventilation system | drainage | plumbing | water supply | gas | water | airflow | air flow | air circulation | ventilated | gas outlets | gas outlet | water source | moisture | humidity | temperature | radiator | radiators | vent | vents | air vent | flammable materials | materials
-vague height: top | eye level | height | heights | at eye level | level surface | [at] [a] (comfortable|suitable|appropriate) height | top side | surface | reachable height | from above | tabletop
+vague height: lid | lids | top | eye level | height | heights | at eye level | level surface | [at] [a] (comfortable|suitable|appropriate) height | top side | surface | reachable height | from above | tabletop
 side front: drawers | drawer | (chair|entry|entrance|use|user 's|accessible front|door|drawer|working|user|sitting|seating|opening|access|viewing|operating) side
 vague lighting: [window] reflections | [window] glare | reflection | illuminate | illuminates | brightness
 vague comfort: [out of] sight | sound | noise | decor | functionality | privacy | crowding | efficient use | appealing | quiet | conversation | interaction

@@ -36,6 +36,8 @@ struct Reference {
   std::string side;
   bool plural = false;
   bool each = false;
+  // "Its bed": the one that belongs to what is spoken of.
+  bool own = false;
   // "The shower area": the place about the object.
   bool area = false;
   // "first" is 1; 0 when not numbered.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "translator_worker/grammar/noun_lists.h"
 
+#include <string>
 #include <utility>
 
 namespace flair::translator {
@@ -25,6 +26,7 @@ class ListJoiner {
         continue;
       }
       if (raw.term.kind == Term::Kind::kStop) relation_seen = false;
+      if (IsMention(raw) && subject_.empty()) subject_ = raw.term.mention.references.back().name;
       if (raw.term.kind == Term::Kind::kWord) {
         relation_seen = relation_seen || raw.term.lemma != "not";
         after_between_ = raw.term.lemma == "between";
@@ -69,6 +71,7 @@ class ListJoiner {
       if (!joined || !Peek(next) || !IsMention(in_[next]) || !SameSort(in_[i].term, in_[next].term)) return i;
       // "... near the desk and the armchair should face the sofa": a new clause, not a list.
       if (relation_seen && !after_between_ && Peek(next + 1) && in_[next + 1].role == Role::kModal) return i;
+      if (relation_seen && BeginsFact(next)) return i;
       Mention merged = std::move(in_[i].term.mention);
       for (Reference reference : in_[next].term.mention.references) {
         const Reference& before = merged.references.back();
@@ -87,6 +90,16 @@ class ListJoiner {
     }
   }
 
+  // "Chair 1 to the left of the table and chair 2 to its right": another of what was spoken of first, and a relation.
+  bool BeginsFact(size_t next) const {
+    const Reference& reference = in_[next].term.mention.references.back();
+    if (reference.kind != RefKind::kObjects || reference.name != subject_ || after_between_ || !Peek(next + 2))
+      return false;
+    const Term& relation = in_[next + 1].term;
+    return in_[next + 1].role == Role::kNone && relation.kind == Term::Kind::kWord && !relation.IsWord("not") &&
+           !relation.IsWord("of") && (IsMention(in_[next + 2]) || in_[next + 2].role == Role::kSide);
+  }
+
   // "the bed, wardrobe, and desk": after the comma come only list members up to an "and" or "or".
   bool ListGoesOn(size_t comma) const {
     // "Doors, windows.": features need no "and".
@@ -99,6 +112,8 @@ class ListJoiner {
   }
 
   std::vector<RawTerm> in_;
+  // The name that the sentence speaks of first.
+  std::string subject_;
   // "between X and Y should": X and Y belong together.
   bool after_between_ = false;
   // "away from X and Y": walls and features in one list.

@@ -55,6 +55,12 @@ class Grouper {
         size_t next = i + (possessive ? 2 : 1);
         if (Peek(next) && in_[next].role == Role::kEach && Peek(next + 1) && in_[next + 1].role == Role::kSide) ++next;
         Reference& reference = raw.term.mention.references.back();
+        // "Between each nightstand and its bed": whose it is follows from what the fact relates.
+        if (!possessive && IsPossessivePronoun(raw) && Peek(next) && IsMention(in_[next]) &&
+            in_[next].term.mention.references.back().kind == RefKind::kObjects) {
+          in_[next].term.mention.references.back().own = true;
+          continue;
+        }
         if (Peek(next) && in_[next].role == Role::kSide &&
             (possessive || reference.kind != RefKind::kPronoun || reference.name == "it" || reference.name == "them")) {
           reference.side = in_[next].term.lemma;
@@ -84,6 +90,13 @@ class Grouper {
       }
     }
     in_ = std::move(out);
+  }
+
+  static bool IsPossessivePronoun(const RawTerm& raw) {
+    const Reference& reference = raw.term.mention.references.back();
+    const size_t length = raw.term.end - raw.term.begin;
+    return reference.kind == RefKind::kPronoun &&
+           ((reference.name == "it" && length == 3) || (reference.name == "them" && length == 5));
   }
 
   // "The wardrobe's doors", "its door": of a piece that is named or spoken of.
@@ -170,16 +183,24 @@ class Grouper {
   void AttachQuantities() {
     std::vector<RawTerm> out;
     bool each = false;
+    bool none = false;
+    bool other = false;
+    Term other_term;
     int ordinal = 0;
     for (RawTerm& raw : in_) {
       if (raw.role == Role::kEach) {
         each = true;
+        none = none || raw.negative;
         continue;
       }
       if (raw.role == Role::kOrdinal) {
         ordinal = raw.ordinal;
+        other = raw.term.end - raw.term.begin > 6;
+        if (other) other_term = raw.term;
         continue;
       }
+      if (other && !IsMention(raw)) NameTheOther(other_term, out);
+      other = false;
       // "Water splash and sockets": what follows a vague thing belongs to it.
       if (raw.role == Role::kNone && raw.term.kind == Term::Kind::kUnknown && !out.empty() && IsVague(out.back())) {
         out.back().term.end = raw.term.end;
@@ -199,7 +220,8 @@ class Grouper {
         each = false;
         ordinal = 0;
       }
-      const bool negative = raw.negative;
+      const bool negative = raw.negative || (none && IsMention(raw));
+      if (negative) none = false;
       out.push_back(std::move(raw));
       if (negative) {
         RawTerm denial;
@@ -209,6 +231,21 @@ class Grouper {
       }
     }
     in_ = std::move(out);
+  }
+
+  // "One chair on the left and the other on the right": the second of them.
+  static void NameTheOther(const Term& term, std::vector<RawTerm>& out) {
+    for (size_t i = out.size(); i > 0; --i) {
+      if (!IsThing(out[i - 1])) continue;
+      const Reference& reference = out[i - 1].term.mention.references.back();
+      if (reference.ordinal != 1 || reference.candidates.size() < 2) continue;
+      RawTerm named = out[i - 1];
+      named.term.begin = term.begin;
+      named.term.end = term.end;
+      named.term.mention.references.back().ordinal = 2;
+      out.push_back(std::move(named));
+      return;
+    }
   }
 
   // "Each long side".

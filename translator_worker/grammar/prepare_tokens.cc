@@ -19,12 +19,23 @@ void DropAdverbs(std::vector<Token>& tokens) {
   });
 }
 
-// "Neither X nor Y" denies a list.
+// "Neither X nor Y" denies a list, "neither chair" and "neither of the chairs" deny something of each.
 void JoinNeitherNor(std::vector<Token>& tokens) {
-  bool neither = false;
-  for (Token& token : tokens) {
-    neither = (neither || token.IsWord("neither")) && !token.IsMark('.');
-    if (neither && token.IsWord("nor")) token.text = "and";
+  for (size_t i = 0; i < tokens.size(); ++i) {
+    if (!tokens[i].IsWord("neither")) continue;
+    bool list = false;
+    size_t end = i + 1;
+    for (; end < tokens.size() && !tokens[end].IsMark('.'); ++end) {
+      if (!tokens[end].IsWord("nor")) continue;
+      tokens[end].text = "and";
+      list = true;
+    }
+    if (list) continue;
+    tokens[i].text = "neither_one";
+    while (i + 1 < end && (tokens[i + 1].IsWord("of") || tokens[i + 1].IsWord("the"))) {
+      tokens.erase(tokens.begin() + static_cast<long>(i) + 1);
+      --end;
+    }
   }
 }
 

@@ -40,9 +40,12 @@ struct NumberWord {
   double value;
 };
 inline constexpr std::array kNumberWords = {
-    NumberWord{"zero", 0}, NumberWord{"half", 0.5}, NumberWord{"a", 1},     NumberWord{"an", 1},
-    NumberWord{"one", 1},  NumberWord{"two", 2},    NumberWord{"three", 3}, NumberWord{"four", 4},
-    NumberWord{"five", 5}, NumberWord{"six", 6},    NumberWord{"eight", 8}, NumberWord{"ten", 10},
+    NumberWord{"zero", 0},     NumberWord{"half", 0.5},  NumberWord{"a", 1},        NumberWord{"an", 1},
+    NumberWord{"one", 1},      NumberWord{"two", 2},     NumberWord{"three", 3},    NumberWord{"four", 4},
+    NumberWord{"five", 5},     NumberWord{"six", 6},     NumberWord{"eight", 8},    NumberWord{"ten", 10},
+    NumberWord{"seven", 7},    NumberWord{"nine", 9},    NumberWord{"fifteen", 15}, NumberWord{"twenty", 20},
+    NumberWord{"thirty", 30},  NumberWord{"forty", 40},  NumberWord{"fifty", 50},   NumberWord{"sixty", 60},
+    NumberWord{"seventy", 70}, NumberWord{"eighty", 80}, NumberWord{"ninety", 90},  NumberWord{"hundred", 100},
 };
 
 enum class Bound { kExact, kMin, kMax };
@@ -101,8 +104,9 @@ inline constexpr std::array<std::string_view, 25> kBetween = {
 inline constexpr std::array<std::string_view, 12> kDimensionWords = {
     "wide", "long", "deep", "high", "tall", "square", "thick", "width", "length", "height", "depth", "diameter"};
 
-inline constexpr std::array<std::string_view, 11> kSpaceWords = {
-    "clearance", "space", "gap", "distance", "room", "out", "spacing", "clear", "unobstructed", "free", "accessible"};
+inline constexpr std::array<std::string_view, 14> kSpaceWords = {
+    "pass", "walk", "legroom", "clearance", "space",        "gap",  "distance",
+    "room", "out",  "spacing", "clear",     "unobstructed", "free", "accessible"};
 
 inline constexpr std::array<std::string_view, 10> kGapWords = {
     "gap", "clearance", "separation", "buffer", "spacing", "space", "path", "pathway", "walkway", "passage"};

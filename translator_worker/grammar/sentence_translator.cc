@@ -7,9 +7,9 @@
 #include "absl/strings/str_join.h"
 #include "fmt/format.h"
 #include "translator_worker/grammar/composer.h"
+#include "translator_worker/grammar/last_resorts.h"
 #include "translator_worker/grammar/quote.h"
 #include "translator_worker/grammar/rule_book.h"
-#include "translator_worker/grammar/rules/space.h"
 #include "translator_worker/grammar/term.h"
 
 namespace flair::translator {
@@ -46,48 +46,14 @@ class Walk {
   const std::vector<std::string>& left_over() const { return left_over_; }
   // Whether something was skipped as a reason.
   bool reasons() const { return reasons_; }
+  // Whether a "not" was left over.
+  bool denied() const { return denied_; }
   // Whether it names something no call is about.
   bool vague() const {
     return std::any_of(unused_.begin(), unused_.end(), [](const Mention* mention) {
       return std::any_of(mention->references.begin(), mention->references.end(),
                          [](const Reference& reference) { return reference.kind == RefKind::kVague; });
     });
-  }
-  // "Needs enough space for sitting down (0.6 m)": space of a piece, nothing else named; where it is follows from what
-  // it is. False when the sentence says something else.
-  bool TakeSpace() {
-    const Distance* distance = nullptr;
-    bool space = false;
-    bool purpose = false;
-    for (const Term& term : terms_) {
-      const bool door = term.kind == Term::Kind::kMention && term.mention.references.front().name == "door";
-      space = space || door || term.IsWord("space") || term.IsWord("pull_out");
-      purpose = purpose || term.IsWord("swing_open") || term.IsWord("pull_out") ||
-                (space && term.kind == Term::Kind::kPurpose) || term.kind == Term::Kind::kDistance;
-      if (term.kind == Term::Kind::kDistance && distance != nullptr) return false;
-      if (term.kind == Term::Kind::kDistance) distance = &term.distance;
-      if (term.IsWord("not") || term.IsWord("between") || term.IsWord("away_from") || term.IsWord("around"))
-        return false;
-      if (term.kind == Term::Kind::kMention && !IsOwn(term.mention.references.front())) return false;
-    }
-    if (!space || !purpose || composer_.scope() != v1::SENTENCE_SCOPE_INTRA || !composer_.OnlyUnknown()) return false;
-    KeepUsableSpace(distance, composer_);
-    return !composer_.calls().empty();
-  }
-  // "Needs a socket": that it is named is all that is said, and what has a use for one stands near it.
-  void TakeSocket() {
-    if (denied_ || composer_.scope() != v1::SENTENCE_SCOPE_INTRA || !composer_.HasFeature("socket")) return;
-    const bool named = std::any_of(terms_.begin(), terms_.end(), [](const Term& term) {
-      return term.kind == Term::Kind::kMention && term.mention.references.size() == 1 &&
-             term.mention.references.front().name == "socket";
-    });
-    const bool relates = std::any_of(terms_.begin(), terms_.end(), [](const Term& term) {
-      return term.IsWord("not") || term.IsWord("block") || term.IsWord("away_from") || term.IsWord("accessible");
-    });
-    if (!named || relates) return;
-    for (const Placed& placed : composer_.topic()) {
-      composer_.EmitFirst({Call("close_to_feature").Text("object", composer_.id(placed)).Text("feature", "socket")});
-    }
   }
   // Left-over noun phrases that name something no call is about.
   void RefuseVague() {
@@ -133,18 +99,6 @@ class Walk {
     if (at_ == 0 || !terms_[at_].IsWord("next_to") || terms_[at_].end - terms_[at_].begin != 2) return false;
     const Term& before = terms_[at_ - 1];
     return before.kind == Term::Kind::kUnknown && before.lemma.size() > 3 && before.lemma.ends_with("ed");
-  }
-
-  // What is spoken of, a part of it, or a vague thing that it has space for.
-  bool IsOwn(const Reference& reference) const {
-    if (reference.kind == RefKind::kObjects) {
-      return !composer_.topic().empty() && std::find(reference.candidates.begin(), reference.candidates.end(),
-                                                     composer_.topic().front().object) != reference.candidates.end();
-    }
-    const bool comfort =
-        reference.kind == RefKind::kVague && (reference.name == "comfort" || reference.name == "paths");
-    return reference.kind == RefKind::kPronoun || comfort ||
-           (reference.kind == RefKind::kFeature && reference.name == "door");
   }
 
   // Objects that are named as movers are spoken of from then on.
@@ -212,14 +166,21 @@ class Walk {
   std::vector<const Mention*> unused_;
 };
 
-// What happens to an object stays: "overshadowed by".
+// What happens to an object stays, "overshadowed by", and so does what is denied: "minimize distractions from".
 Analysis WithoutUnknown(const Analysis& analysis) {
   Analysis known = analysis;
   known.terms.clear();
   for (size_t i = 0; i < analysis.terms.size(); ++i) {
-    const bool passive = i + 1 < analysis.terms.size() && analysis.terms[i].lemma.ends_with("ed") &&
-                         analysis.terms[i + 1].IsWord("next_to");
-    if (analysis.terms[i].kind != Term::Kind::kUnknown || passive) known.terms.push_back(analysis.terms[i]);
+    const Term& term = analysis.terms[i];
+    const bool passive =
+        i + 1 < analysis.terms.size() && term.lemma.ends_with("ed") && analysis.terms[i + 1].IsWord("next_to");
+    const bool denied = i > 0 && analysis.terms[i - 1].IsWord("not") && !term.lemma.ends_with("ing");
+    if (term.kind != Term::Kind::kUnknown || passive || denied) {
+      known.terms.push_back(term);
+    } else if (i > 0 && i + 1 < analysis.terms.size() && analysis.terms[i - 1].kind == Term::Kind::kWord &&
+               analysis.terms[i + 1].IsWord("of")) {
+      ++i;  // "away from the draught of the door"
+    }
   }
   return known;
 }
@@ -239,8 +200,10 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
     walk.Run();
     const auto nothing_yet = [&] { return composer.calls().empty() && composer.refusals().empty(); };
     // A word that is not known may stand within a fact that is: "positioned snugly-ish next to the bed".
-    const Analysis known = nothing_yet() ? WithoutUnknown(analysis) : Analysis{};
-    if (nothing_yet() && known.terms.size() < analysis.terms.size()) {
+    const bool not_understood = composer.calls().empty() && composer.OnlyUnknown();
+    const Analysis known = not_understood ? WithoutUnknown(analysis) : Analysis{};
+    if (not_understood && known.terms.size() < analysis.terms.size()) {
+      composer.ForgetUnknown();
       Walk(known, composer, sentence.text(), false).Run();
     }
     if (nothing_yet() && walk.reasons() && !walk.vague()) {
@@ -248,8 +211,9 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
       Walk(analysis, composer, sentence.text(), true).Run();
       if (nothing_yet()) Walk(known, composer, sentence.text(), true).Run();
     }
-    if (nothing_yet()) walk.TakeSocket();
-    if (composer.calls().empty() && walk.TakeSpace()) composer.ForgetUnknown();
+    if (nothing_yet() && !walk.denied()) TakeSocket(analysis.terms, composer);
+    if (composer.calls().empty() && TakeSpace(analysis.terms, composer)) composer.ForgetUnknown();
+    if (composer.calls().empty() && TakePlace(analysis.terms, composer)) composer.ForgetUnknown();
     walk.RefuseVague();
     if (composer.calls().empty() && composer.refusals().empty()) {
       composer.Refuse(

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "translator_worker/grammar/rules/contact.h"
+#include "translator_worker/grammar/rules/gaps.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/rules/space.h"
 #include "translator_worker/grammar/sides.h"
@@ -141,6 +142,11 @@ void NothingNear(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Nothing within half a metre of its shelves".
+void NothingWithin(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& owner : composer.TargetObjects(*match.b, {})) KeepFreeBeside(owner, match.distance, composer);
+}
+
 void NothingInFront(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& owner : composer.TargetObjects(*match.b, {})) {
     KeepSpace({{owner.object, "front"}}, match.distance, composer);
@@ -257,6 +263,7 @@ std::vector<Rule> AccessRules() {
       {"A.vague accessible", Unreachable},
       {"accessible_from A.vague", Unreachable},
       {"A swing_open", SpaceAt, "named"},
+      {"A? swing_open on/at_sides B.side", AccessToSide},
       {"A.object? space D? for/to swing_open ,? C.feature?", SpaceAt, "named"},
       {"space for? A swing_open", SpaceAt, "named"},
       {"A.object accessible ,? not block", Accessible},
@@ -283,6 +290,7 @@ std::vector<Rule> FrontRules() {
       {"A.group not near B.side", NothingNear},
       {"A.group not in_front_of B.thing", NothingInFront},
       {"A.group not D of/near B.side", NothingNear},
+      {"A.group not D of/near B.object", NothingWithin},
   };
 }
 

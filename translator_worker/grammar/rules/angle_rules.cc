@@ -217,6 +217,8 @@ std::vector<Rule> AngleRules() {
   return {
       {"A? facing/visible_from B", Facing},
       {"A? facing ,? in_front_of B", Facing},
+      {"A? facing centered of? B", Facing},
+      {"A? opposite centered of? B", Facing},
       {"A? not facing/opposite B", Facing, "not"},
       {"A? facing_away B", Facing, "not"},
       {"A? opposite B", Facing},

@@ -62,13 +62,37 @@ void NotNearPronoun(const Match& match, std::string_view tag, Composer& composer
   one ? AwayFrom(match, tag, composer) : ApartFromEachOther(match, tag, composer);
 }
 
+// "The screen separates the bed from the desk".
+void Separates(const Match& match, std::string_view, Composer& composer) {
+  Mention both = *match.b;
+  if (match.c != nullptr)
+    both.references.insert(both.references.end(), match.c->references.begin(), match.c->references.end());
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed> parted = composer.TargetObjects(both, movers, false);
+  if (parted.size() != 2 || movers.size() != 1) {
+    composer.Refuse("unknown_sentence", "one object separates two others; name them");
+    return;
+  }
+  composer.EmitFirst({Call("between")
+                          .Text("object", composer.id(movers[0]))
+                          .Text("first", composer.id(parted[0]))
+                          .Text("second", composer.id(parted[1]))});
+}
+
+// "To the right of the desk, no gap": what stands beside it touches it.
+void NoGap(const Match&, std::string_view, Composer& composer) {
+  if (composer.pair_targets().empty()) composer.Refuse("unknown_sentence", "say between what there is no gap");
+}
+
 // "A clear walkway between the sofa and the table" keeps them apart; between pieces that are not named it is a path.
 void PathBetween(const Match& match, std::string_view tag, Composer& composer) {
   if (match.a != nullptr && match.c->references.front().name == "paths") {
     ApartFromEachOther(match, tag, composer);
     return;
   }
-  const bool named = match.b->references.size() > 1 && match.b->references.front().kind != RefKind::kGroup;
+  const Reference& first = match.b->references.front();
+  const bool several = first.kind == RefKind::kObjects && (first.plural || first.each) && first.candidates.size() > 1;
+  const bool named = several || (match.b->references.size() > 1 && first.kind != RefKind::kGroup);
   if (named && match.c->references.front().name == "paths") {
     Between(match, tag, composer);
   } else {
@@ -137,12 +161,18 @@ void NotBetween(const Match& match, std::string_view tag, Composer& composer) {
 
 std::vector<Rule> WalkwayRules() {
   return {
-      {"D? C.vague D? ,? between B", PathBetween}, {"D? C.vague between B ,? D", PathBetween},
-      {"A.group not between B", NothingBetween},   {"A.list D? C.vague D? between B.pronoun", PathBetween},
-      {"B.feature not near/next_to", FeatureAway}, {"B.feature not near/next_to A.object", FeatureAway},
-      {"B.feature away_from", FeatureAway},        {"B.feature away_from/near D", FeatureAway},
-      {"B.feature D apart", FeatureAway},          {"B.feature apart", FeatureAway},
-      {"C.vague of? ,? D space?", Ways},           {"D of? space? C.vague", Ways},
+      {"D? C.vague of? D? ,? between B", PathBetween},
+      {"D? C.vague between B ,? D", PathBetween},
+      {"A.group not between B", NothingBetween},
+      {"A.list D? C.vague D? between B.pronoun", PathBetween},
+      {"B.feature not near/next_to", FeatureAway},
+      {"B.feature not near/next_to A.object", FeatureAway},
+      {"B.feature away_from", FeatureAway},
+      {"B.feature away_from/near D", FeatureAway},
+      {"B.feature D apart", FeatureAway},
+      {"B.feature apart", FeatureAway},
+      {"C.vague of? ,? D space?", Ways},
+      {"D of? space? C.vague", Ways},
   };
 }
 
@@ -207,6 +237,13 @@ std::vector<Rule> DistanceRules() {
       {"A? not crowd B", AwayFrom},
       {"A.object to B.object ,? D", AwayFrom},
       {"A? D clear_of B.object", AwayFrom},
+      {"A? D clear_of B.wall", AwayFrom},
+      {"A? D clear_of B.feature", AwayFrom},
+      {"A.object apart B.object away_from/and C.object", Separates},
+      {"A.object apart B.list", Separates},
+      {"A? no_gap between B", Between, "touching"},
+      {"no_gap between B", Between, "touching"},
+      {"no_gap", NoGap},
       {"A? away_from apart", ApartFromEachOther},
       {"A? space? D? space? away_from both_ways", ApartFromEachOther},
       {"space D? next_to/near B.feature", AwayFrom},

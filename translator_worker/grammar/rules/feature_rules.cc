@@ -186,6 +186,7 @@ std::vector<Rule> FeatureRules() {
       {"A? not block B.object space", NotBlock, "gap"},
       {"A? not block C.vague between B", PathBetween},
       {"B.feature not block next_to A.object", NotBlock},
+      {"B.feature not behind/under A.object", NotBlock},
       {"B.feature swing_open", DoorsOpen},
       {"swing_open B.feature", DoorsOpen},
       {"B.feature swing_open not C.vague", DoorsOpen},

@@ -17,6 +17,10 @@ bool Names(const Reference& reference, int object) {
   return has(reference.candidates) || has(reference.weak_candidates);
 }
 
+bool IsPlainSide(const std::string& side) {
+  return side == "front" || side == "back" || side == "left" || side == "right";
+}
+
 }  // namespace
 
 void KeepAway(const Placed& mover, const Target& target, const Distance* distance, Composer& composer) {
@@ -93,6 +97,10 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
       all = composer.topic().size() > 1 ? composer.topic() : composer.subjects();
       if (all.size() < 2) all = composer.TargetObjects(mention, {}, false);
     }
+  } else if (last.kind == RefKind::kWall && mention.references.size() == 2 && IsPlainSide(side)) {
+    // "Between the wardrobe's front and the opposite wall": free space there.
+    BetweenOrAnything(match, tag, composer);
+    return;
   } else if (last.kind == RefKind::kWall) {
     for (size_t i = 0; i + 1 < mention.references.size(); ++i) {
       Mention one;
@@ -110,6 +118,11 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
     return;
   }
   if (all.size() == 2) composer.SetPair({all[0]}, {all[1]});
+  // "Between each nightstand and its bed": the first with the first, the second with the second.
+  if (mention.references.size() == 2 && last.own && all.size() % 2 == 0) {
+    for (size_t i = 0; i < all.size() / 2; ++i) KeepDistance(all[i], all[i + all.size() / 2], distance, composer);
+    return;
+  }
   // "Between the table and each chair": the chairs among themselves are not meant.
   const bool among_groups = mention.references.size() > 1;
   // "Between the shelf and both the desk and the table": from the shelf to each of the others.

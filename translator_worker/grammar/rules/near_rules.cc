@@ -5,6 +5,7 @@
 #include <string>
 
 #include "translator_worker/grammar/rules/contact.h"
+#include "translator_worker/grammar/rules/gaps.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/sides.h"
 
@@ -106,6 +107,17 @@ void NotFurther(const Match& match, std::string_view tag, Composer& composer) {
   Near(near, tag, composer);
 }
 
+// "A socket should be within 1 m", "the door is at least 1 m away": of what is spoken of.
+void FeatureWithin(const Match& match, std::string_view, Composer& composer) {
+  for (const Target& target : composer.Targets(*match.b, {})) {
+    for (const Placed& mover : composer.topic()) {
+      match.distance->max_m ? NearOne(mover, target, match.distance, composer)
+                            : KeepAway(mover, target, match.distance, composer);
+    }
+  }
+  if (composer.topic().empty()) composer.Refuse("unknown_sentence", "nothing says of what it is so far");
+}
+
 // "Access to sockets" wants them near, "access to the door" wants it free.
 void AccessToFeature(const Match& match, std::string_view, Composer& composer) {
   const Reference& first = match.b->references.front();
@@ -164,7 +176,9 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
     } else if (composer.IsSurface(mover)) {
       // "On the right side of the desk": near that edge of its top.
       for (const Placed& other : targets) {
-        composer.EmitFirst({Call("on_top_corner").Text("object", composer.id(mover)).Text("host", composer.id(other))});
+        Call call = Call("on_top_corner").Text("object", composer.id(mover)).Text("host", composer.id(other));
+        if (tag == "back") call.Text("corner", "back_left");
+        composer.EmitFirst({std::move(call)});
       }
     } else if (composer.IsWall(mover)) {
       for (const Placed& other : targets) {
@@ -204,10 +218,12 @@ std::vector<Rule> NearRules() {
       {"B.feature near/next_to A.object", Near},
       {"B.feature near/next_to A.object accessible/keep_clear", Near},
       {"B.feature near", Near},
+      {"B.feature D", FeatureWithin},
       {"B.feature at_sides considered?", Near},
       {"A? near B D?", Near},
       {"C.vague near/accessible_from B.object", Near},
       {"A? not_further B than D", NotFurther},
+      {"A? not further D away_from B", NotFurther},
       {"A? near B , D apart?", Near},
       {"A? near D? of B", Near},
       {"A? D of/near B", Near},

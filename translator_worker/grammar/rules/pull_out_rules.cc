@@ -15,6 +15,8 @@ void PullOut(const Match& match, std::string_view, Composer& composer) {
     // Several chairs stand all round a table, one in front of a desk.
     const bool all_round = chairs != nullptr && chairs->references.front().plural;
     for (const Placed& subject : subjects) {
+      // "0.8 m around the table, so that chairs can be pulled out": the figure serves it.
+      if (all_round && composer.KeepsSpace(subject)) return;
       if (all_round) KeepSpaceAt(subject, {"front", "back", "left", "right"}, match.distance, composer);
     }
     if (all_round) return;
@@ -47,7 +49,7 @@ std::vector<Rule> PullOutRules() {
       {"A? space? pull_out ,? all_sides", PullOut},
       {"A? space? pull_out ,? not block B", PullOut},
       {"space for/to? pull_out", PullOut},
-      {"A? space? pull_out away_from C", PullOut},
+      {"A? space? D? space? pull_out away_from C", PullOut},
       {"clear_of B pull_out", PullOut},
       {"D space? for A pull_out", PullOut},
       {"D space? for A pull_out away_from C", PullOut},

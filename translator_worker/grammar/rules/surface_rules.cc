@@ -71,9 +71,9 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
     return;
   }
   // "Within reach of someone lying in bed": furniture does not stand on what people sit or lie on.
-  if (!movers.empty() && !hosts.empty() && composer.IsFloor(movers.front()) && !composer.IsRug(movers.front()) &&
-      (composer.IsSeat(hosts.front()) || composer.IsBed(hosts.front())) && hosts.front().side.empty() &&
-      composer.object(movers.front().object).role() != v1::OBJECT_ROLE_TERTIARY) {
+  if (tag.empty() && !movers.empty() && !hosts.empty() && composer.IsFloor(movers.front()) &&
+      !composer.IsRug(movers.front()) && (composer.IsSeat(hosts.front()) || composer.IsBed(hosts.front())) &&
+      hosts.front().side.empty() && composer.object(movers.front().object).role() != v1::OBJECT_ROLE_TERTIARY) {
     composer.Refuse("unknown_sentence", "furniture stands beside seats and beds, not on them");
     return;
   }
@@ -128,6 +128,7 @@ std::vector<Rule> SurfaceRules() {
       {"A? towards_back B.thing", On, "back_left"},
       {"A? on B.thing ,? towards_back", On, "back_left"},
       {"A? on B.thing , on/at_sides? C.side", On, "any"},
+      {"A? on B.thing ,? on/facing/to/towards C.side", On, "any"},
       {"A? on B.thing ,? near/next_to C.side", On, "any"},
       {"A? on B.thing ,? corner_back_left", On, "back_left"},
       {"A? on B.thing ,? corner_back_right", On, "back_right"},
