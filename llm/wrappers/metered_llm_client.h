@@ -20,6 +20,11 @@ class MeteredLlmClient final : public LlmClient {
 
  private:
   runtime::Metrics& metrics_;
+  runtime::Counter& input_tokens_;
+  runtime::Counter& cached_input_tokens_;
+  runtime::Counter& output_tokens_;
+  runtime::Counter& cost_dollars_;
+  runtime::Histogram& duration_;
   const runtime::Clock& clock_;
   const std::unique_ptr<LlmClient> inner_;
 };

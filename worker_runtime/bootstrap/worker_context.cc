@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "worker_runtime/bootstrap/worker_context.h"
 
-#include <spdlog/sinks/stdout_sinks.h>
-
 #include <algorithm>
 #include <thread>
 
-#include "spdlog/pattern_formatter.h"
 #include "worker_runtime/files/sha256.h"
+#include "worker_runtime/logging/log.h"
 
 namespace flair::runtime {
 namespace {
@@ -19,24 +17,7 @@ int ThreadLimit(const config::v1::RuntimeConfig& config) {
 
 int QueueLimit(const config::v1::RuntimeConfig& config) { return config.queue_limit() > 0 ? config.queue_limit() : 64; }
 
-spdlog::level::level_enum Level(const std::string& level) {
-  if (level == "debug") return spdlog::level::debug;
-  if (level == "warning") return spdlog::level::warn;
-  if (level == "error") return spdlog::level::err;
-  return spdlog::level::info;
-}
-
 }  // namespace
-
-std::shared_ptr<spdlog::logger> MakeLogger(const std::string& program, const std::string& level) {
-  auto sink = std::make_shared<spdlog::sinks::stderr_sink_mt>();
-  sink->set_formatter(
-      std::make_unique<spdlog::pattern_formatter>("%Y-%m-%dT%H:%M:%S.%eZ %l %n %v", spdlog::pattern_time_type::utc));
-  auto logger = std::make_shared<spdlog::logger>(program, std::move(sink));
-  logger->set_level(Level(level));
-  logger->flush_on(spdlog::level::info);
-  return logger;
-}
 
 std::string ConfigurationDigest(const WorkerContext& worker) {
   return worker.revision.empty() ? "" : Sha256Hex(worker.revision);
@@ -51,6 +32,7 @@ WorkerResources::WorkerResources(const std::string& program, const config::v1::R
                                  Metrics& metrics)
     : program_(program),
       executor_(ThreadLimit(config), QueueLimit(config)),
-      context_{clock, metrics, executor_, MakeLogger(program, config.log_level())} {}
+      rpc_metrics_(metrics, executor_),
+      context_{clock, metrics, executor_, rpc_metrics_, MakeLogger(program, config.log_level(), config.log_format())} {}
 
 }  // namespace flair::runtime

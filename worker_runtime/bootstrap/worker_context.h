@@ -12,6 +12,7 @@
 #include "worker_runtime/clock/clock.h"
 #include "worker_runtime/executor/bounded_executor.h"
 #include "worker_runtime/metrics/metrics.h"
+#include "worker_runtime/metrics/rpc_metrics.h"
 
 namespace flair::runtime {
 
@@ -21,6 +22,8 @@ struct WorkerContext {
   Clock& clock;
   Metrics& metrics;
   BoundedExecutor& executor;
+  // Of the calls that the server answers.
+  RpcMetrics& rpc_metrics;
   // Shared because spdlog's sinks and loggers are; never null.
   std::shared_ptr<spdlog::logger> logger;
   // Names the data that the service answers from, beyond the program itself; set by the service while it is made. Two
@@ -51,10 +54,8 @@ class WorkerResources {
  private:
   const std::string program_;
   BoundedExecutor executor_;
+  RpcMetrics rpc_metrics_;
   WorkerContext context_;
 };
-
-// A logger to standard error: "2026-05-01T12:00:00.123Z info flair-optimizer message". An empty level means "info".
-std::shared_ptr<spdlog::logger> MakeLogger(const std::string& program, const std::string& level);
 
 }  // namespace flair::runtime

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "flair/config/v1/runtime_config.pb.h"
+#include "worker_runtime/metrics/metrics_endpoint.h"
 
 namespace flair::runtime {
 namespace {
@@ -91,6 +92,14 @@ void CheckRuntime(const config::v1::RuntimeConfig& runtime, ConfigChecker& check
   if (!level.empty() && level != "debug" && level != "info" && level != "warning" && level != "error") {
     checker.Report("runtime.log_level",
                    fmt::format("\"{}\" is not a level; expected debug, info, warning or error", level));
+  }
+  const std::string& format = runtime.log_format();
+  if (!format.empty() && format != "text" && format != "json") {
+    checker.Report("runtime.log_format", fmt::format("\"{}\" is not a format; expected text or json", format));
+  }
+  if (!runtime.metrics_address().empty()) {
+    const absl::Status status = CheckMetricsAddress(runtime.metrics_address());
+    if (!status.ok()) checker.Report("runtime.metrics_address", std::string(status.message()));
   }
 }
 

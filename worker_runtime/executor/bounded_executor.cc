@@ -49,6 +49,11 @@ int BoundedExecutor::queued() const {
   return static_cast<int>(queue_.size());
 }
 
+int BoundedExecutor::running() const {
+  std::lock_guard lock(mutex_);
+  return running_;
+}
+
 void BoundedExecutor::Work() {
   std::unique_lock lock(mutex_);
   while (true) {

@@ -33,7 +33,11 @@ class BoundedExecutor {
   // Tasks that wait; for metrics and tests.
   int queued() const;
 
+  // Tasks that run.
+  int running() const;
+
   int thread_limit() const { return thread_limit_; }
+  int queue_limit() const { return queue_limit_; }
 
  private:
   void Work();

@@ -14,6 +14,7 @@
 #include "absl/status/statusor.h"
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/bootstrap/worker_context.h"
+#include "worker_runtime/grpc/rpc_record.h"
 
 namespace flair::runtime {
 
@@ -38,13 +39,15 @@ class StreamState {
   // Counts and logs the call, and returns what gRPC is to be told.
   grpc::Status End(const absl::Status& status);
   CallContext& call() { return call_; }
-  void CountMessage() { ++message_count_; }
+  // The first message tells what the call is about.
+  void CountMessage(CallIds ids) {
+    if (message_count_++ == 0) record_.SetIds(std::move(ids));
+  }
 
  private:
   WorkerContext& worker_;
-  const std::string method_;
   CallContext call_;
-  const absl::Duration arrival_;
+  RpcRecord record_;
   int message_count_ = 0;
 };
 
@@ -66,7 +69,7 @@ class ClientStreamCall final : public grpc::ServerReadReactor<Request> {
     if (!has_message && state_.call().cancellation().cancelled()) {
       End(state_.call().CheckAlive());
     } else if (has_message) {
-      state_.CountMessage();
+      state_.CountMessage(CallIdsOf(message_));
       // The next message is read when this one has been taken, so that one is held at a time.
       state_.Submit(steps_.take, [this](const absl::Status& status) {
         if (status.ok()) {

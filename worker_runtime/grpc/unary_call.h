@@ -4,7 +4,6 @@
 #include <grpcpp/server_context.h>
 #include <grpcpp/support/server_callback.h>
 
-#include <concepts>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -14,13 +13,14 @@
 #include "absl/status/statusor.h"
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/bootstrap/worker_context.h"
+#include "worker_runtime/grpc/rpc_record.h"
 
 namespace flair::runtime {
 
 // Queues `work` on the worker's executor and finishes the call with what it returns: RESOURCE_EXHAUSTED when the queue
 // is full, CANCELLED or DEADLINE_EXCEEDED without running it when nobody waits any more. `work` may use the call's
-// request and response. Logs one line per call, keyed by `request_id`. `worker` must outlive the server.
-grpc::ServerUnaryReactor* StartUnary(WorkerContext& worker, std::string_view method, std::string request_id,
+// request and response. Logs one line per call, with `ids`. `worker` must outlive the server.
+grpc::ServerUnaryReactor* StartUnary(WorkerContext& worker, std::string_view method, CallIds ids,
                                      grpc::CallbackServerContext& context,
                                      std::function<absl::Status(CallContext&)> work);
 
@@ -29,14 +29,8 @@ namespace internal {
 absl::Time DeadlineOf(const grpc::CallbackServerContext& context);
 
 template <typename Request>
-std::string RequestIdOf(const Request& request) {
-  if constexpr (requires {
-                  { request.request_id() } -> std::convertible_to<std::string>;
-                }) {
-    return request.request_id();
-  } else {
-    return "";
-  }
+CallIds RequestIdOf(const Request& request) {
+  return CallIdsOf(request);
 }
 }  // namespace internal
 
@@ -52,7 +46,7 @@ template <typename Request, typename Response, typename Handler>
 grpc::ServerUnaryReactor* ServeUnary(WorkerContext& worker, std::string_view method,
                                      grpc::CallbackServerContext* context, const Request* request, Response* response,
                                      Handler& handler) {
-  return StartUnary(worker, method, internal::RequestIdOf(*request), *context,
+  return StartUnary(worker, method, internal::CallIdsOf(*request), *context,
                     [&worker, request, response, &handler](CallContext& call) -> absl::Status {
                       absl::StatusOr<Response> answer = [&]() -> absl::StatusOr<Response> {
                         if constexpr (requires { handler.Handle(*request, call); }) {

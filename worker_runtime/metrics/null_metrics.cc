@@ -4,16 +4,36 @@
 namespace flair::runtime {
 namespace {
 
-class NullMetricsImpl final : public Metrics {
+class NullCounter final : public Counter {
+  void Add(double) override {}
+};
+class NullGauge final : public Gauge {
+  void Add(double) override {}
+};
+class NullHistogram final : public Histogram {
+  void Observe(double) override {}
+};
+
+class NullMetricsForm final : public Metrics {
  public:
-  void Count(std::string_view, std::string_view, double) override {}
-  void Observe(std::string_view, std::string_view, double) override {}
+  Counter& GetCounter(const MetricFamily&, LabelValues) override { return counter_; }
+  Gauge& GetGauge(const MetricFamily&, LabelValues) override { return gauge_; }
+  Histogram& GetHistogram(const MetricFamily&, LabelValues) override { return histogram_; }
+  std::unique_ptr<WatchedValue> Watch(const MetricFamily&, LabelValues, std::function<double()>) override {
+    return std::make_unique<WatchedValue>();
+  }
+  void Declare(const MetricFamily&) override {}
+
+ private:
+  NullCounter counter_;
+  NullGauge gauge_;
+  NullHistogram histogram_;
 };
 
 }  // namespace
 
 Metrics& NullMetrics() {
-  static NullMetricsImpl metrics;
+  static NullMetricsForm metrics;
   return metrics;
 }
 

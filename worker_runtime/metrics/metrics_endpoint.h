@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+#include "worker_runtime/metrics/one_page_server.h"
+#include "worker_runtime/metrics/prometheus_metrics.h"
+
+namespace flair::runtime {
+
+// Answers GET /metrics over HTTP with the figures of the process; see OnePageServer.
+class MetricsEndpoint {
+ public:
+  // `address` is "HOST:PORT"; port 0 takes a free one. INVALID_ARGUMENT for an address of another form, UNAVAILABLE
+  // when it cannot be bound. `metrics` outlives the endpoint. A caller has `patience` to send its request and to take
+  // the answer.
+  static absl::StatusOr<std::unique_ptr<MetricsEndpoint>> Start(const std::string& address,
+                                                                const PrometheusMetrics& metrics,
+                                                                absl::Duration patience = absl::Seconds(3));
+  // Closes all connections.
+  ~MetricsEndpoint();
+
+  // Where it listens, with the port chosen, such as "127.0.0.1:43211".
+  const std::string& address() const { return address_; }
+
+ private:
+  MetricsEndpoint(std::unique_ptr<OnePageServer> server, std::string address);
+
+  const std::unique_ptr<OnePageServer> server_;
+  const std::string address_;
+};
+
+// INVALID_ARGUMENT unless `address` is HOST:PORT with a port in [0, 65535]. HOST is a name, an IPv4 address, or an IPv6
+// one in brackets.
+absl::Status CheckMetricsAddress(const std::string& address);
+
+}  // namespace flair::runtime
