@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <condition_variable>
+#include <mutex>
+
 #include "orchestrator/batch/event_hub.h"
 #include "orchestrator/batch/job_id.h"
-#include "orchestrator/batch/store_monitor.h"
+#include "orchestrator/store/store_monitor.h"
 #include "orchestrator/store/temporary_folder.h"
 #include "worker_runtime/clock/fake_clock.h"
 #include "worker_runtime/executor/test_gate.h"
@@ -23,18 +26,33 @@ TEST(JobIdSource, SortsByAgeEvenWhenTheClockStandsStill) {
   }
 }
 
-TEST(EventHub, TellsWatchersOfTheJobUntilTheyUnsubscribe) {
-  EventHub hub;
+TEST(EventHub, TellsWatchersOfTheIdUntilTheyUnsubscribe) {
+  std::mutex mutex;
+  std::condition_variable wake;
   int first = 0;
   int second = 0;
-  const int key = hub.Subscribe("j1", [&] { ++first; });
-  hub.Subscribe("j2", [&] { ++second; });
+  const auto counts_to = [&](int& count) {
+    return [&] {
+      std::lock_guard lock(mutex);
+      ++count;
+      wake.notify_all();
+    };
+  };
+  EventHub hub;
+  const int key = hub.Subscribe("j1", counts_to(first));
+  hub.Subscribe("j2", counts_to(second));
+  const auto wait_for = [&](int in_first, int in_second) {
+    std::unique_lock lock(mutex);
+    wake.wait(lock, [&] { return first == in_first && second == in_second; });
+  };
   hub.Notify("j1");
-  hub.NotifyAll();
+  wait_for(1, 0);
+  hub.Notify("");
+  wait_for(2, 1);
   hub.Unsubscribe(key);
-  hub.NotifyAll();
-  EXPECT_EQ(first, 2);
-  EXPECT_EQ(second, 2);
+  hub.Notify("j1");
+  hub.Notify("");
+  wait_for(2, 2);
 }
 
 TEST(StoreMonitor, NoticesWritesOfOthersAndTheEndOfOwners) {

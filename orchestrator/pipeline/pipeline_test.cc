@@ -8,9 +8,8 @@
 #include <fstream>
 
 #include "orchestrator/pipeline/fake_stages.h"
+#include "orchestrator/pipeline/pipeline_for_test.h"
 #include "orchestrator/pipeline/stage.h"
-#include "orchestrator/store/temporary_folder.h"
-#include "worker_runtime/clock/fake_clock.h"
 #include "worker_runtime/executor/test_gate.h"
 
 namespace flair::orchestrator {
@@ -24,11 +23,10 @@ using ::testing::SizeIs;
 class PipelineTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    store_ = *JobStore::Open(folder_.path());
     // Tests do not wait; they count how often they would have and let the clock pass.
     options_.wait = [this](absl::Duration duration, runtime::CallContext&) {
       ++waits_;
-      clock_.Advance(duration);
+      pipeline_.clock().Advance(duration);
     };
   }
 
@@ -37,18 +35,15 @@ class PipelineTest : public ::testing::Test {
     job.set_id(id);
     job.mutable_spec()->mutable_brief()->set_text(text);
     job.mutable_spec()->mutable_brief()->set_seed(seed);
-    EXPECT_TRUE(store_->jobs().Insert(job, "").ok());
     return job;
   }
 
-  PipelineResult Run(StageClients& clients, const v1::Job& job) {
-    return Pipeline(*store_, clients, clock_, options_).Run(job, cancellation_);
-  }
+  PipelineResult Run(StageClients& clients, const v1::Job& job) { return pipeline_.Run(clients, job); }
 
   std::vector<std::string> Ids(const std::string& job_id, bool with_report = false) {
     std::vector<std::string> ids;
-    const std::vector<v1::ArtifactRef> refs = *store_->artifacts().OfJob(job_id);
-    for (const v1::ArtifactRef& ref : refs) {
+    const v1::Job job = pipeline_.Get(job_id);
+    for (const v1::ArtifactRef& ref : job.artifacts()) {
       if (with_report || ref.kind() != v1::ARTIFACT_KIND_REPORT) ids.push_back(ref.id());
     }
     return ids;
@@ -56,16 +51,12 @@ class PipelineTest : public ::testing::Test {
 
   int CountEvents(const std::string& job_id, v1::JobEventKind kind) {
     int count = 0;
-    const std::vector<v1::JobEvent> events = *store_->events().After(job_id, 0, 1000);
-    for (const v1::JobEvent& event : events) count += event.kind() == kind ? 1 : 0;
+    for (const v1::JobEvent& event : pipeline_.Events(job_id)) count += event.kind() == kind ? 1 : 0;
     return count;
   }
 
-  TemporaryFolder folder_;
-  std::unique_ptr<JobStore> store_;
-  runtime::FakeClock clock_;
-  runtime::Cancellation cancellation_;
-  PipelineOptions options_;
+  PipelineForTest pipeline_;
+  PipelineOptions& options_ = pipeline_.options();
   int waits_ = 0;
 };
 
@@ -74,8 +65,8 @@ TEST_F(PipelineTest, StoresOneArtifactPerStageInOrder) {
   const PipelineResult result = Run(stages, NewJob("j1"));
   ASSERT_TRUE(result.status.ok()) << result.status;
   std::vector<int> kinds;
-  const std::vector<v1::ArtifactRef> refs = *store_->artifacts().OfJob("j1");
-  for (const v1::ArtifactRef& ref : refs) kinds.push_back(ref.kind());
+  const v1::Job job = pipeline_.Get("j1");
+  for (const v1::ArtifactRef& ref : job.artifacts()) kinds.push_back(ref.kind());
   EXPECT_THAT(kinds, ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11));
   EXPECT_EQ(stages.all_calls(), 11);
 }
@@ -85,14 +76,14 @@ TEST_F(PipelineTest, ReportsWhatModelsConsumedForThisJobOnly) {
   v1::Job job = NewJob("j1");
   job.mutable_spec()->mutable_model_options()->set_stand_in_allowed(true);
   ASSERT_TRUE(Run(stages, job).status.ok());
-  const v1::Report report = store_->files().Get(Ids("j1", true).back())->report();
+  const v1::Report report = pipeline_.Artifact(Ids("j1", true).back()).report();
   EXPECT_EQ(report.model_usage().call_count(), 7);
   EXPECT_EQ(report.model_usage().input_token_count(), 560);
   EXPECT_EQ(report.model_usage().cost_usd(), 1.75);
   v1::Job again = NewJob("j2");
   *again.mutable_spec() = job.spec();
   ASSERT_TRUE(Run(stages, again).status.ok());
-  EXPECT_FALSE(store_->files().Get(Ids("j2", true).back())->report().has_model_usage());
+  EXPECT_FALSE(pipeline_.Artifact(Ids("j2", true).back()).report().has_model_usage());
 }
 
 TEST_F(PipelineTest, ABudgetIsThatOfTheWholeJob) {
@@ -106,7 +97,7 @@ TEST_F(PipelineTest, ABudgetIsThatOfTheWholeJob) {
       continue;
     }
     EXPECT_TRUE(absl::IsFailedPrecondition(result.status)) << calls << ": " << result.status;
-    EXPECT_EQ(store_->artifacts().OfJob(job.id())->size(), static_cast<size_t>(1 + calls));
+    EXPECT_EQ(pipeline_.Get(job.id()).artifacts_size(), 1 + calls);
   }
 }
 
@@ -131,7 +122,7 @@ TEST_F(PipelineTest, SaysWhatEachArtifactWasMadeFrom) {
   ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
   const std::vector<std::string> ids = Ids("j1", true);
   for (size_t i = 0; i < ids.size(); ++i) {
-    const v1::Artifact artifact = *store_->files().Get(ids[i]);
+    const v1::Artifact artifact = pipeline_.Artifact(ids[i]);
     EXPECT_EQ(artifact.made_from_ids_size(), static_cast<int>(Stages()[i].inputs.size())) << Stages()[i].name;
     for (const std::string& from : artifact.made_from_ids()) EXPECT_THAT(ids, ::testing::Contains(from));
     EXPECT_FALSE(artifact.producer().program().empty());
@@ -143,7 +134,7 @@ TEST_F(PipelineTest, MakesTheSameArtifactsInAnotherStore) {
   ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
   const std::vector<std::string> first = Ids("j1");
   TemporaryFolder other;
-  store_ = *JobStore::Open(other.path());
+  pipeline_.MoveTo(other.path());
   ASSERT_TRUE(Run(stages, NewJob("j2")).status.ok());
   EXPECT_EQ(Ids("j2"), first);
 }
@@ -204,7 +195,7 @@ TEST_F(PipelineTest, ReportsWhatTheSolverSaidWhenItCannotEvaluate) {
   });
   const PipelineResult result = Run(stages, NewJob("j1"));
   ASSERT_TRUE(result.status.ok()) << result.status;
-  const v1::Report report = store_->files().Get(Ids("j1", true).back())->report();
+  const v1::Report report = pipeline_.Artifact(Ids("j1", true).back()).report();
   EXPECT_EQ(report.constraints().satisfied_count(), 1);
   EXPECT_FALSE(report.has_metrics());
 }
@@ -222,7 +213,7 @@ TEST_F(PipelineTest, GoesOnAfterTheLastStoredArtifactWithoutTellingTwice) {
   EXPECT_EQ(stages.calls("Solve"), 1);
   EXPECT_EQ(CountEvents("j1", v1::JOB_EVENT_KIND_STAGE_FINISHED), 11);
   EXPECT_EQ(CountEvents("j1", v1::JOB_EVENT_KIND_STAGE_REUSED), 0);
-  const v1::Artifact report = *store_->files().Get(Ids("j1", true).back());
+  const v1::Artifact report = pipeline_.Artifact(Ids("j1", true).back());
   ASSERT_THAT(report.report().stage_timings(), SizeIs(10));
   EXPECT_FALSE(report.report().stage_timings(1).reused());
 }
@@ -232,14 +223,14 @@ TEST_F(PipelineTest, MakesDamagedAndMissingArtifactsAgain) {
   const v1::Job job = NewJob("j1");
   ASSERT_TRUE(Run(stages, job).status.ok());
   const std::vector<std::string> ids = Ids("j1");
-  std::ofstream(store_->files().PathOf(ids[8]), std::ios::trunc) << "damaged";
-  std::filesystem::remove(store_->files().PathOf(ids[1]));
+  std::ofstream(pipeline_.PathOf(ids[8]), std::ios::trunc) << "damaged";
+  std::filesystem::remove(pipeline_.PathOf(ids[1]));
   ASSERT_TRUE(Run(stages, NewJob("j2")).status.ok());
   EXPECT_EQ(Ids("j2"), ids);
   EXPECT_EQ(stages.calls("Solve"), 2);
   EXPECT_EQ(stages.calls("DescribeRoom"), 2);
   EXPECT_EQ(stages.calls("Translate"), 1);
-  EXPECT_TRUE(store_->files().Get(ids[8]).ok());
+  EXPECT_EQ(pipeline_.Artifact(ids[8]).id(), ids[8]);
 }
 
 TEST_F(PipelineTest, TriesAgainWhenAWorkerIsLost) {
@@ -295,7 +286,7 @@ TEST_F(PipelineTest, DoesNotRepeatWhatCannotSucceed) {
 TEST_F(PipelineTest, GivesEveryCallItsDeadline) {
   options_.stage_deadline = absl::Seconds(7);
   FakeStages stages([&](std::string_view rpc, runtime::CallContext& call) {
-    EXPECT_EQ(call.deadline(), clock_.Now() + absl::Seconds(7));
+    EXPECT_EQ(call.deadline(), pipeline_.clock().Now() + absl::Seconds(7));
     return rpc == "Solve" ? absl::DeadlineExceededError("Deadline Exceeded") : absl::OkStatus();
   });
   const PipelineResult result = Run(stages, NewJob("j1"));
@@ -306,7 +297,7 @@ TEST_F(PipelineTest, GivesEveryCallItsDeadline) {
 
 TEST_F(PipelineTest, CancelReachesTheRunningCall) {
   FakeStages stages([&](std::string_view rpc, runtime::CallContext& call) {
-    if (rpc == "Solve") cancellation_.Cancel();
+    if (rpc == "Solve") pipeline_.cancellation().Cancel();
     return call.CheckAlive();
   });
   EXPECT_EQ(Run(stages, NewJob("j1")).status.code(), absl::StatusCode::kCancelled);
@@ -324,6 +315,25 @@ TEST_F(PipelineTest, ChoosesTheStyleWhileConstraintsAreListed) {
     return absl::OkStatus();
   });
   EXPECT_TRUE(Run(stages, NewJob("j1")).status.ok());
+}
+
+TEST_F(PipelineTest, DrawsFurtherViewsBesideThePreview) {
+  FakeStages stages;
+  v1::Job job = NewJob("j1");
+  job.mutable_spec()->add_further_views()->set_view(v1::PREVIEW_VIEW_BIRDSEYE);
+  job.mutable_spec()->add_further_views()->set_size_px(300);
+  ASSERT_TRUE(Run(stages, job).status.ok());
+  EXPECT_EQ(stages.calls("Render"), 3);
+  std::vector<int> kinds;
+  const v1::Job made = pipeline_.Get("j1");
+  for (const v1::ArtifactRef& ref : made.artifacts()) kinds.push_back(ref.kind());
+  EXPECT_THAT(kinds,
+              ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, v1::ARTIFACT_KIND_PREVIEW, v1::ARTIFACT_KIND_PREVIEW));
+  // Another job that asks for one of them gets it without drawing.
+  v1::Job other = NewJob("j2");
+  *other.mutable_spec()->add_further_views() = job.spec().further_views(0);
+  ASSERT_TRUE(Run(stages, other).status.ok());
+  EXPECT_EQ(stages.calls("Render"), 3);
 }
 
 class EmptyRoomStages final : public StageClients {
@@ -363,7 +373,7 @@ TEST_F(PipelineTest, RefusesAnAnswerThatIsNotValidAndSaysWhose) {
 TEST_F(PipelineTest, ReportsMetricsOutcomesAndRemarks) {
   FakeStages stages;
   ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());
-  const v1::Artifact artifact = *store_->files().Get(Ids("j1", true).back());
+  const v1::Artifact artifact = pipeline_.Artifact(Ids("j1", true).back());
   const v1::Report& report = artifact.report();
   EXPECT_EQ(report.job_id(), "j1");
   EXPECT_EQ(report.metrics().oob_percent(), 0.5);

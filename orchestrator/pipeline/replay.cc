@@ -60,6 +60,10 @@ absl::StatusOr<v1::ArtifactRef> ArtifactToTake(const v1::Replay& replay, int sta
 std::vector<bool> StagesAskedToDiffer(const v1::JobSpec& first, const v1::JobSpec& second) {
   std::vector<bool> differ;
   for (const Stage& stage : Stages()) {
+    if (stage.wanted != nullptr && !stage.wanted(first) && !stage.wanted(second)) {
+      differ.push_back(false);
+      continue;
+    }
     bool asked = stage.asked != nullptr && stage.asked(first) != stage.asked(second);
     for (size_t i = 0; i < differ.size(); ++i) {
       asked |= differ[i] && std::ranges::find(stage.inputs, StageAt(static_cast<int>(i)).output) != stage.inputs.end();

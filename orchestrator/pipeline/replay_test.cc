@@ -8,9 +8,8 @@
 #include <fstream>
 
 #include "orchestrator/pipeline/fake_stages.h"
-#include "orchestrator/pipeline/pipeline.h"
+#include "orchestrator/pipeline/pipeline_for_test.h"
 #include "orchestrator/pipeline/stage.h"
-#include "orchestrator/store/temporary_folder.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -20,35 +19,30 @@ using ::testing::HasSubstr;
 
 class ReplayTest : public ::testing::Test {
  protected:
-  void SetUp() override { store_ = *JobStore::Open(folder_.path()); }
-
-  v1::Job Insert(const std::string& id, const v1::JobSpec& spec) {
+  v1::Job NewJob(const std::string& id, const v1::JobSpec& spec) {
     v1::Job job;
     job.set_id(id);
     *job.mutable_spec() = spec;
-    EXPECT_TRUE(store_->jobs().Insert(job, "").ok());
     return job;
   }
   v1::Job First(const std::string& id = "first") {
     v1::JobSpec spec;
     spec.mutable_brief()->set_text("A bedroom.");
     spec.mutable_brief()->set_seed(3);
-    return Insert(id, spec);
+    return NewJob(id, spec);
   }
   v1::JobSpec SpecOfReplay(const std::string& of, const std::string& from) {
-    v1::JobSpec spec = store_->jobs().Get(of)->spec();
+    v1::JobSpec spec = pipeline_.Get(of).spec();
     spec.mutable_replay()->set_job_id(of);
     spec.mutable_replay()->set_from_stage(from);
     return spec;
   }
 
-  PipelineResult Run(FakeStages& stages, const v1::Job& job) {
-    return Pipeline(*store_, stages, clock_, {}).Run(job, cancellation_);
-  }
+  PipelineResult Run(FakeStages& stages, const v1::Job& job) { return pipeline_.Run(stages, job); }
   // The id of the artifact that a stage has in a job; empty when it has none.
-  std::string IdOf(const std::string& job, const std::string& stage) {
-    const std::vector<v1::ArtifactRef> refs = *store_->artifacts().OfJob(job);
-    for (const v1::ArtifactRef& ref : refs) {
+  std::string IdOf(const std::string& job_id, const std::string& stage) {
+    const v1::Job job = pipeline_.Get(job_id);
+    for (const v1::ArtifactRef& ref : job.artifacts()) {
       if (ref.kind() == Stages()[static_cast<size_t>(StageIndex(stage))].output) return ref.id();
     }
     return "";
@@ -56,8 +50,7 @@ class ReplayTest : public ::testing::Test {
   // As "solve" for a stage that was run and "=room" for one whose artifact was taken.
   std::vector<std::string> WhatHappened(const std::string& job) {
     std::vector<std::string> told;
-    const std::vector<v1::JobEvent> events = *store_->events().After(job, 0, 1000);
-    for (const v1::JobEvent& event : events) {
+    for (const v1::JobEvent& event : pipeline_.Events(job)) {
       if (event.kind() == v1::JOB_EVENT_KIND_STAGE_FINISHED) told.push_back(event.stage());
       if (event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED) told.push_back("=" + event.stage());
     }
@@ -65,22 +58,21 @@ class ReplayTest : public ::testing::Test {
     return told;
   }
 
-  TemporaryFolder folder_;
-  std::unique_ptr<JobStore> store_;
-  runtime::Clock& clock_ = runtime::SystemClock();
-  runtime::Cancellation cancellation_;
+  PipelineForTest pipeline_;
 };
 
 TEST_F(ReplayTest, OfAWholeJobMakesEverythingAnewAndGetsTheSameBytes) {
   FakeStages stages;
   ASSERT_TRUE(Run(stages, First()).status.ok());
   FakeStages again;
-  ASSERT_TRUE(Run(again, Insert("again", SpecOfReplay("first", ""))).status.ok());
+  ASSERT_TRUE(Run(again, NewJob("again", SpecOfReplay("first", ""))).status.ok());
   EXPECT_EQ(again.all_calls(), stages.all_calls());
   EXPECT_EQ(WhatHappened("again"), WhatHappened("first"));
   for (const Stage& stage : Stages()) {
     const std::string name(stage.name);
-    if (name != "report") EXPECT_EQ(IdOf("again", name), IdOf("first", name)) << name;
+    if (name != "report") {
+      EXPECT_EQ(IdOf("again", name), IdOf("first", name)) << name;
+    }
   }
 }
 
@@ -88,7 +80,7 @@ TEST_F(ReplayTest, FromAStageTakesWhatTheEarlierJobHadBeforeIt) {
   FakeStages stages;
   ASSERT_TRUE(Run(stages, First()).status.ok());
   FakeStages again;
-  ASSERT_TRUE(Run(again, Insert("again", SpecOfReplay("first", "solve"))).status.ok());
+  ASSERT_TRUE(Run(again, NewJob("again", SpecOfReplay("first", "solve"))).status.ok());
   EXPECT_THAT(WhatHappened("again"), ElementsAre("=brief", "=cleaning", "=constraints", "=objects", "=room", "=style",
                                                  "=translation", "=zones", "render", "report", "solve"));
   EXPECT_EQ(again.all_calls(), 3);
@@ -99,7 +91,7 @@ TEST_F(ReplayTest, TakesArtifactsThatNobodyWouldMakeAgain) {
   FakeStages stages;
   ASSERT_TRUE(Run(stages, First()).status.ok());
   stages.set_revision("another");
-  ASSERT_TRUE(Run(stages, Insert("again", SpecOfReplay("first", "render"))).status.ok());
+  ASSERT_TRUE(Run(stages, NewJob("again", SpecOfReplay("first", "render"))).status.ok());
   EXPECT_EQ(IdOf("again", "solve"), IdOf("first", "solve"));
   EXPECT_EQ(stages.calls("Solve"), 1);
 }
@@ -110,7 +102,7 @@ TEST_F(ReplayTest, ThatWasInterruptedGoesOnFromItsOwnArtifacts) {
   FakeStages broken([](std::string_view rpc, runtime::CallContext&) {
     return rpc == "Solve" ? absl::InternalError("power cut") : absl::OkStatus();
   });
-  const v1::Job again = Insert("again", SpecOfReplay("first", "objects"));
+  const v1::Job again = NewJob("again", SpecOfReplay("first", "objects"));
   ASSERT_FALSE(Run(broken, again).status.ok());
   FakeStages rest;
   ASSERT_TRUE(Run(rest, again).status.ok());
@@ -126,7 +118,7 @@ TEST_F(ReplayTest, IsNeitherUsedByOtherJobsNorReplacesWhatTheyUse) {
   ASSERT_TRUE(Run(stages, First()).status.ok());
   FakeStages other;
   other.set_seed_added(5);
-  ASSERT_TRUE(Run(other, Insert("again", SpecOfReplay("first", "solve"))).status.ok());
+  ASSERT_TRUE(Run(other, NewJob("again", SpecOfReplay("first", "solve"))).status.ok());
   ASSERT_NE(IdOf("again", "solve"), IdOf("first", "solve"));
   FakeStages none;
   ASSERT_TRUE(Run(none, First("third")).status.ok());
@@ -137,8 +129,8 @@ TEST_F(ReplayTest, IsNeitherUsedByOtherJobsNorReplacesWhatTheyUse) {
 TEST_F(ReplayTest, OfAReplayTakesWhatThatHad) {
   FakeStages stages;
   ASSERT_TRUE(Run(stages, First()).status.ok());
-  ASSERT_TRUE(Run(stages, Insert("second", SpecOfReplay("first", "solve"))).status.ok());
-  ASSERT_TRUE(Run(stages, Insert("third", SpecOfReplay("second", "render"))).status.ok());
+  ASSERT_TRUE(Run(stages, NewJob("second", SpecOfReplay("first", "solve"))).status.ok());
+  ASSERT_TRUE(Run(stages, NewJob("third", SpecOfReplay("second", "render"))).status.ok());
   EXPECT_EQ(IdOf("third", "room"), IdOf("first", "room"));
   EXPECT_EQ(stages.calls("Solve"), 2);
 }
@@ -146,13 +138,13 @@ TEST_F(ReplayTest, OfAReplayTakesWhatThatHad) {
 TEST_F(ReplayTest, SaysWhichArtifactIsGoneOrDamaged) {
   FakeStages stages;
   ASSERT_TRUE(Run(stages, First()).status.ok());
-  const std::string path = store_->files().PathOf(IdOf("first", "objects"));
+  const std::string path = pipeline_.PathOf(IdOf("first", "objects"));
   std::ofstream(path, std::ios::trunc) << "damaged";
-  const PipelineResult damaged = Run(stages, Insert("second", SpecOfReplay("first", "solve")));
+  const PipelineResult damaged = Run(stages, NewJob("second", SpecOfReplay("first", "solve")));
   EXPECT_EQ(damaged.status.code(), absl::StatusCode::kDataLoss);
   EXPECT_EQ(damaged.stage, "objects");
   std::filesystem::remove(path);
-  const PipelineResult gone = Run(stages, Insert("third", SpecOfReplay("first", "solve")));
+  const PipelineResult gone = Run(stages, NewJob("third", SpecOfReplay("first", "solve")));
   EXPECT_EQ(gone.status.code(), absl::StatusCode::kNotFound);
   EXPECT_THAT(std::string(gone.status.message()),
               HasSubstr("it was to be taken from job first: run that again from \"objects\" or an earlier stage"));
@@ -163,23 +155,20 @@ TEST_F(ReplayTest, IsRefusedWhenItCannotBeDone) {
     return rpc == "ListObjects" ? absl::InternalError("out of ideas") : absl::OkStatus();
   });
   ASSERT_FALSE(Run(broken, First()).status.ok());
-  const auto check = [&](const std::string& of, const std::string& from, const std::string& text) {
+  const auto check = [&](const std::string& from, const std::string& text) {
     v1::JobSpec spec = SpecOfReplay("first", from);
-    spec.mutable_replay()->set_job_id(of);
     if (!text.empty()) spec.mutable_brief()->set_text(text);
-    return CheckReplay(spec, *store_);
+    return CheckReplay(spec, pipeline_.Get("first"));
   };
-  EXPECT_EQ(check("first", "objects", ""), absl::OkStatus());
-  EXPECT_EQ(check("first", "", "A kitchen."), absl::OkStatus());
-  EXPECT_EQ(check("first", "brief", "A kitchen."), absl::OkStatus());
-  EXPECT_EQ(CheckReplay({}, *store_), absl::OkStatus());
-  EXPECT_EQ(check("fist", "", ""), absl::NotFoundError("spec.replay.job_id: no job \"fist\" in this store"));
-  EXPECT_THAT(std::string(check("first", "sole", "").message()),
+  EXPECT_EQ(check("objects", ""), absl::OkStatus());
+  EXPECT_EQ(check("", "A kitchen."), absl::OkStatus());
+  EXPECT_EQ(check("brief", "A kitchen."), absl::OkStatus());
+  EXPECT_THAT(std::string(check("sole", "").message()),
               HasSubstr("spec.replay.from_stage: there is no stage \"sole\"; one of brief, room, zones"));
-  const absl::Status brief = check("first", "room", "A kitchen.");
+  const absl::Status brief = check("room", "A kitchen.");
   EXPECT_EQ(brief.code(), absl::StatusCode::kInvalidArgument);
   EXPECT_THAT(std::string(brief.message()), HasSubstr("spec.brief: is not the brief of job first"));
-  const absl::Status too_late = check("first", "solve", "");
+  const absl::Status too_late = check("solve", "");
   EXPECT_EQ(too_late.code(), absl::StatusCode::kFailedPrecondition);
   EXPECT_THAT(std::string(too_late.message()), HasSubstr("job first has no artifact of the stage \"objects\""));
 }
@@ -195,7 +184,7 @@ std::vector<std::string> Differing(const v1::JobSpec& first, const v1::JobSpec& 
 }
 
 TEST(StagesAskedToDiffer, FollowsTheInputs) {
-  const v1::JobSpec first;
+  v1::JobSpec first;
   v1::JobSpec second;
   second.mutable_solve_options()->set_thread_count(3);
   EXPECT_THAT(Differing(first, second), ElementsAre());
@@ -206,7 +195,9 @@ TEST(StagesAskedToDiffer, FollowsTheInputs) {
   second.mutable_model_options()->mutable_budget()->set_call_count(3);
   EXPECT_THAT(Differing(first, second), ElementsAre("solve", "render", "report"));
   second.mutable_brief()->set_seed(3);
-  EXPECT_THAT(Differing(first, second), ::testing::SizeIs(Stages().size()));
+  EXPECT_THAT(Differing(first, second), ::testing::SizeIs(11));
+  first.add_further_views();
+  EXPECT_THAT(Differing(first, second), ::testing::SizeIs(12));
 }
 
 }  // namespace

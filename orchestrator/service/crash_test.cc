@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 
+#include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/job_store.h"
 #include "orchestrator/store/temporary_folder.h"
 
@@ -77,15 +78,16 @@ std::string NameOf(const v1::Job& job) { return job.spec().brief().text() + (job
 // The artifacts but the report of every job, by its name.
 std::map<std::string, std::vector<std::string>> ReadArtifacts(const std::string& path) {
   auto store = *JobStore::Open(path);
+  ArtifactFiles files(path + "/artifacts");
   std::map<std::string, std::vector<std::string>> artifacts;
-  const std::vector<v1::Job> jobs = *store->jobs().List(1000, "", "");
+  const std::vector<v1::Job> jobs = *store->jobs().List({.limit = 1000});
   for (const v1::Job& job : jobs) {
     std::vector<std::string>& ids = artifacts[NameOf(job)];
     EXPECT_TRUE(ids.empty()) << "two jobs for " << NameOf(job);
     EXPECT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error();
     EXPECT_EQ(job.artifacts_size(), 11);
     for (const v1::ArtifactRef& ref : job.artifacts()) {
-      EXPECT_TRUE(store->files().Get(ref.id()).ok());
+      EXPECT_TRUE(files.Get(ref.id()).ok());
       if (ref.kind() != v1::ARTIFACT_KIND_REPORT) ids.push_back(ref.id());
     }
     int ends = 0;
@@ -139,7 +141,7 @@ TEST(Crash, KilledReplaysGoOnFromTheirOwnArtifacts) {
   EXPECT_EQ(ReadArtifacts(disturbed.path()), expected);
   auto store = *JobStore::Open(disturbed.path());
   int replays = 0;
-  const std::vector<v1::Job> jobs = *store->jobs().List(1000, "", "");
+  const std::vector<v1::Job> jobs = *store->jobs().List({.limit = 1000});
   for (const v1::Job& job : jobs) {
     if (!job.spec().has_replay()) continue;
     ++replays;

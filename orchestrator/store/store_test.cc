@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/artifact_id.h"
 #include "orchestrator/store/job_store.h"
 #include "orchestrator/store/temporary_folder.h"
@@ -148,18 +149,21 @@ TEST_F(JobStoreTest, ClaimsTheOldestOnceEach) {
   ASSERT_TRUE(jobs_.Insert(NewJob("j2"), "").ok());
   ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
   EXPECT_EQ(*jobs_.CountQueued(), 2);
-  EXPECT_EQ(**jobs_.ClaimOldest("me"), "j1");
+  EXPECT_EQ(*jobs_.OldestWaiting("", absl::Now()), "j1");
+  EXPECT_TRUE(*jobs_.Claim("j1", "me"));
   EXPECT_FALSE(*jobs_.Claim("j1", "other"));
   EXPECT_TRUE(*jobs_.Claim("j2", "other"));
-  EXPECT_FALSE(jobs_.ClaimOldest("me")->has_value());
+  EXPECT_EQ(*jobs_.OldestWaiting("", absl::Now()), "");
 }
 
 TEST_F(JobStoreTest, ListsNewestFirstByPages) {
   for (const char* id : {"j1", "j2", "j3"}) ASSERT_TRUE(jobs_.Insert(NewJob(id), "").ok());
-  EXPECT_EQ(jobs_.List(2, "", "")->at(0).id(), "j3");
-  EXPECT_EQ(jobs_.List(2, "j2", "")->at(0).id(), "j1");
-  EXPECT_THAT(*jobs_.List(2, "j1", ""), IsEmpty());
-  EXPECT_THAT(*jobs_.List(2, "", "b1"), IsEmpty());
+  EXPECT_EQ(jobs_.List({.limit = 2})->at(0).id(), "j3");
+  EXPECT_EQ(jobs_.List({.limit = 2, .before = "j2"})->at(0).id(), "j1");
+  EXPECT_THAT(*jobs_.List({.limit = 2, .before = "j1"}), IsEmpty());
+  EXPECT_THAT(*jobs_.List({.batch_id = "b1"}), IsEmpty());
+  EXPECT_THAT(*jobs_.List({.owner = "ann"}), IsEmpty());
+  EXPECT_EQ(jobs_.List({.owner = "", .state = v1::JOB_STATE_QUEUED})->size(), 3u);
 }
 
 TEST_F(JobStoreTest, NumbersEventsWithinAJob) {
@@ -182,20 +186,29 @@ TEST_F(JobStoreTest, KeepsNothingOfATransactionThatWasNotCommitted) {
 }
 
 TEST_F(JobStoreTest, CountsABatch) {
-  ASSERT_TRUE(store_->batches().Insert("b1", "r1", "digest").ok());
+  store::v1::BatchRecord record;
+  record.mutable_batch()->set_id("b1");
+  record.set_request_id("r1");
+  ASSERT_TRUE(store_->batches().Insert(record).ok());
+  ASSERT_TRUE(store_->batches().SetJobs("b1", 3, false).ok());
   for (const char* id : {"j1", "j2", "j3"}) {
     v1::Job job = NewJob(id);
     job.set_batch_id("b1");
     ASSERT_TRUE(jobs_.Insert(job, "").ok());
   }
   v1::Job done = NewJob("j1");
-  done.set_state(v1::JOB_STATE_SUCCEEDED);
-  ASSERT_TRUE(jobs_.End(done).ok());
+  done.set_state(v1::JOB_STATE_FAILED);
+  done.set_failure_kind(v1::FAILURE_KIND_WORKER);
+  ASSERT_TRUE(*jobs_.Claim("j1", "me"));
+  ASSERT_TRUE(*jobs_.End({"j1", "me", 1}, done));
   ASSERT_TRUE(*jobs_.Claim("j2", "me"));
-  const v1::Batch batch = *store_->batches().Get("b1");
+  const v1::Batch batch = *store_->batches().GetWithCounts("b1");
   EXPECT_EQ(batch.job_count(), 3);
   EXPECT_EQ(batch.open_count(), 2);
-  EXPECT_EQ(batch.succeeded_count(), 1);
+  EXPECT_EQ(batch.running_count(), 1);
+  EXPECT_EQ(batch.failed_count(), 1);
+  ASSERT_EQ(batch.failures_size(), 1);
+  EXPECT_EQ(batch.failures(0).kind(), v1::FAILURE_KIND_WORKER);
   EXPECT_EQ(store_->batches().Get("b2").status().code(), absl::StatusCode::kNotFound);
 }
 
@@ -211,6 +224,39 @@ TEST_F(JobStoreTest, LeavesJobsOfLivingOwnersAloneAndTakesThoseOfDeadOnes) {
   other = nullptr;
   ASSERT_TRUE(store_->ReleaseDeadOwners().ok());
   EXPECT_EQ(jobs_.Get("j1")->state(), v1::JOB_STATE_QUEUED);
+}
+
+TEST_F(JobStoreTest, RefusesWritesOfARunThatHasBeenSuperseded) {
+  ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
+  ASSERT_TRUE(*jobs_.Claim("j1", "me"));
+  ASSERT_TRUE(*jobs_.Requeue({"j1", "me", 1}, absl::InfinitePast()));
+  ASSERT_TRUE(*jobs_.Claim("j1", "me"));
+  EXPECT_FALSE(*jobs_.SetStage({"j1", "me", 1}, "room"));
+  EXPECT_FALSE(*jobs_.End({"j1", "me", 1}, NewJob("j1")));
+  EXPECT_FALSE(*jobs_.SetStage({"j1", "other", 2}, "room"));
+  EXPECT_TRUE(*jobs_.SetStage({"j1", "me", 2}, "room"));
+}
+
+TEST(JobStore, BringsAStoreOfTheFirstVersionUpToDate) {
+  TemporaryFolder folder;
+  sqlite3* connection = nullptr;
+  ASSERT_EQ(sqlite3_open((folder.path() + "/jobs.db").c_str(), &connection), SQLITE_OK);
+  std::ifstream file(FLAIR_SOURCE_DIR "/orchestrator/store/schema.sql");
+  std::string sql(std::istreambuf_iterator<char>(file), {});
+  sql += "PRAGMA user_version = 1; INSERT INTO batches VALUES ('b1', 'r1', 'd');";
+  for (const char* id : {"j2", "j1"}) {
+    sql += std::string("INSERT INTO jobs (id, spec, state, create_time_us, batch_id) VALUES ('") + id +
+           "', x'', 3, 1, 'b1');";
+  }
+  ASSERT_EQ(sqlite3_exec(connection, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(connection);
+  const auto store = *JobStore::Open(folder.path());
+  const v1::Batch batch = *store->batches().GetWithCounts("b1");
+  EXPECT_EQ(batch.job_count(), 2);
+  EXPECT_EQ(batch.succeeded_count(), 2);
+  EXPECT_EQ(batch.state(), v1::BATCH_STATE_ACTIVE);
+  EXPECT_EQ(store->jobs().Get("j2")->batch_index(), 1);
+  EXPECT_EQ(store->batches().EndsAfter("b1", 0, 10)->size(), 2u);
 }
 
 TEST(JobStore, SaysWhatIsWrongWithItsFolder) {

@@ -12,6 +12,8 @@
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/service/embedded_for_test.h"
 #include "orchestrator/service/fake_workers.h"
+#include "orchestrator/store/artifact_files.h"
+#include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/store/temporary_folder.h"
 
 namespace flair::orchestrator {
@@ -118,19 +120,18 @@ std::string DesignFolder() {
 void BM_JobInThePipeline(benchmark::State& state) {
   TemporaryFolder folder;
   RecordedStages stages(DesignFolder());
-  auto store = *JobStore::Open(folder.path());
-  const Pipeline pipeline(*store, stages, runtime::SystemClock(), {});
-  runtime::Cancellation cancellation;
+  auto queue = *SqliteWorkQueue::Open(folder.path(), runtime::SystemClock());
+  ArtifactFiles artifacts(folder.path() + "/artifacts");
+  const Pipeline pipeline(*queue, artifacts, stages, runtime::SystemClock(), {});
   int64_t number = 0;
   for (auto _ : state) {
     v1::Job job;
     job.set_id(std::to_string(number));
     *job.mutable_spec() = SpecOf(number++);
-    absl::Status status = store->jobs().Insert(job, "r" + job.id());
-    if (status.ok()) status = store->jobs().Claim(job.id(), store->owner()).status();
-    if (status.ok()) status = pipeline.Run(job, cancellation).status;
-    job.set_state(v1::JOB_STATE_SUCCEEDED);
-    if (status.ok()) status = store->jobs().End(job);
+    absl::Status status = queue->CreateJob(job, "r" + job.id()).status();
+    const std::unique_ptr<Lease> lease = *queue->Take({});
+    if (status.ok()) status = pipeline.Run(*lease).status;
+    if (status.ok()) status = lease->End({.time = absl::Now()});
     if (!status.ok()) state.SkipWithError(status.ToString().c_str());
   }
 }

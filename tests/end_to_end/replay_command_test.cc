@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include "nlohmann/json.hpp"
+#include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/job_store.h"
 #include "tests/fixtures/programs.h"
 
@@ -44,12 +45,13 @@ class ReplayCommand : public ::testing::Test {
   // As if the job had been given another layout the first time.
   void MoveFirstObjectIn(const std::string& job) const {
     auto store = *orchestrator::JobStore::Open(folder_ / "home");
+    orchestrator::ArtifactFiles files(folder_ / "home" / "artifacts");
     const std::vector<v1::ArtifactRef> refs = *store->artifacts().OfJob(job);
     for (size_t i = 0; i < refs.size(); ++i) {
       if (refs[i].kind() != v1::ARTIFACT_KIND_SOLVED_LAYOUT) continue;
-      v1::Artifact layout = *store->files().Get(refs[i].id());
+      v1::Artifact layout = *files.Get(refs[i].id());
       layout.mutable_solved_layout()->mutable_placements(0)->set_x_m(1.25);
-      ASSERT_TRUE(store->artifacts().Attach(job, static_cast<int>(i), *store->files().Put(layout)).ok());
+      ASSERT_TRUE(store->artifacts().Attach(job, static_cast<int>(i), *files.Put(layout)).ok());
     }
   }
 
