@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/jetstream/batch_care.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "orchestrator/batch/work_queue.h"
+#include "orchestrator/jetstream/job_record.h"
+#include "worker_runtime/files/sha256.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// Records in memory at once.
+constexpr int64_t kVisitedAtOnce = 500;
+
+}  // namespace
+
+absl::Status BatchCare::VisitJobs(const std::string& batch_id, int64_t job_count, const Visit& visit) {
+  for (int64_t first = 0; first < job_count; first += kVisitedAtOnce) {
+    std::vector<std::string> ids;
+    for (int64_t i = first; i < std::min(job_count, first + kVisitedAtOnce); ++i) {
+      ids.push_back(BatchJobId(batch_id, i));
+    }
+    const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_.jobs.GetAll(ids);
+    std::vector<RevisedJob> jobs;
+    for (size_t i = 0; i < ids.size(); ++i) {
+      absl::StatusOr<RevisedJob> job = parts_.ParseJob(ids[i], entries[i]);
+      if (!job.ok()) return job.status();
+      jobs.push_back(*std::move(job));
+    }
+    if (absl::Status status = visit(std::move(jobs)); !status.ok()) return status;
+  }
+  return absl::OkStatus();
+}
+
+absl::Status BatchCare::CancelJobs(const std::string& batch_id, int64_t job_count, absl::Time now) {
+  const absl::Status status =
+      VisitJobs(batch_id, job_count, [&](std::vector<RevisedJob> jobs) { return CancelThese(std::move(jobs), now); });
+  return status;
+}
+
+absl::Status BatchCare::CancelThese(std::vector<RevisedJob> jobs, absl::Time now) {
+  // Again for those that somebody else changed meanwhile.
+  while (!jobs.empty()) {
+    std::erase_if(jobs, [](const RevisedJob& job) { return HasEnded(job.value) || job.value.cancel_requested(); });
+    std::vector<Bucket::Change> changes;
+    for (RevisedJob& job : jobs) {
+      const bool waits = job.value.job().state() == v1::JOB_STATE_QUEUED;
+      job.value.set_cancel_requested(true);
+      if (waits) EndJob(job.value, CancelledEnd(now));
+      changes.push_back({job.value.job().id(), runtime::CanonicalBytes(job.value), job.revision});
+    }
+    const std::vector<absl::StatusOr<uint64_t>> revisions = parts_.jobs.UpdateAll(changes);
+    std::vector<v1::Job> ended;
+    std::vector<RevisedJob> again;
+    for (size_t i = 0; i < jobs.size(); ++i) {
+      if (absl::IsAborted(revisions[i].status())) {
+        absl::StatusOr<RevisedJob> job = parts_.GetJob(jobs[i].value.job().id());
+        if (!job.ok()) return job.status();
+        again.push_back(*std::move(job));
+        continue;
+      }
+      if (!revisions[i].ok()) return revisions[i].status();
+      if (HasEnded(jobs[i].value)) {
+        ended.push_back(jobs[i].value.job());
+      } else {
+        parts_.TellHolder(jobs[i].value.job().id());
+      }
+    }
+    if (absl::Status status = ends_.Publish(ended); !status.ok()) return status;
+    for (const v1::Job& job : ended) parts_.TellOfJob(job);
+    jobs = std::move(again);
+  }
+  return absl::OkStatus();
+}
+
+absl::Status BatchCare::RepairThese(const std::vector<RevisedJob>& jobs) {
+  std::vector<v1::Job> ended;
+  std::vector<NatsRequest> missing;
+  for (const RevisedJob& job : jobs) {
+    if (HasEnded(job.value)) {
+      ended.push_back(job.value.job());
+    } else {
+      missing.push_back(
+          parts_.QueueMessage(job.value.job(), fmt::format("{}-again-{}", job.value.job().id(), job.revision)));
+    }
+  }
+  if (absl::Status status = ends_.Publish(ended); !status.ok()) return status;
+  for (const absl::StatusOr<StoredAck>& ack : parts_.api.PublishAll(missing)) {
+    if (!ack.ok()) return ack.status();
+  }
+  if (!missing.empty()) parts_.TellOfWork(missing.front().subject);
+  return absl::OkStatus();
+}
+
+absl::StatusOr<bool> BatchCare::Close(const std::string& batch_id) {
+  const absl::StatusOr<RevisedBatch> record = parts_.GetBatch(batch_id);
+  if (absl::IsNotFound(record.status())) return true;
+  if (!record.ok()) return record.status();
+  const v1::Batch& batch = record->value.batch();
+  // Who adds to it repeats what was not answered.
+  if (batch.open()) return false;
+  // Taken first: what comes later is of a job that was retried.
+  const absl::StatusOr<uint64_t> last = parts_.reader.LastSequence(parts_.names.queue_stream());
+  if (!last.ok()) return last.status();
+  const absl::StatusOr<int64_t> ended = ends_.CountAll(batch_id);
+  if (!ended.ok()) return ended.status();
+  if (*ended >= batch.job_count()) {
+    const std::string subject = parts_.names.Batch(OwnerToken(batch.owner()), batch_id);
+    if (absl::Status status = lanes_.Remove(lanes_.LaneOf(subject), *last); !status.ok()) return status;
+    return true;
+  }
+  if (batch.state() == v1::BATCH_STATE_CANCELLED) {
+    absl::Status status = CancelJobs(batch_id, batch.job_count(), parts_.clock.Now());
+    if (!status.ok()) return status;
+  }
+  const absl::Status status =
+      VisitJobs(batch_id, batch.job_count(), [this](const std::vector<RevisedJob>& jobs) { return RepairThese(jobs); });
+  if (!status.ok()) return status;
+  return false;
+}
+
+}  // namespace flair::orchestrator

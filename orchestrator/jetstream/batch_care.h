@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+#include "orchestrator/jetstream/ends.h"
+#include "orchestrator/jetstream/lanes.h"
+#include "orchestrator/jetstream/queue_parts.h"
+
+namespace flair::orchestrator {
+
+// Sees to it that batches come to their end even when a process died between two steps: jobs of cancelled ones are
+// ended, jobs whose message or end is missing get it, and a batch whose jobs have all ended takes nothing of the
+// servers any more but its records. Everything here may be done by several processes at once and again. Thread-safe.
+class BatchCare {
+ public:
+  BatchCare(QueueParts& parts, Ends& ends, Lanes& lanes) : parts_(parts), ends_(ends), lanes_(lanes) {}
+
+  // Ends the jobs of a cancelled batch that wait, asks for the end of those that run.
+  absl::Status CancelJobs(const std::string& batch_id, int64_t job_count, absl::Time now);
+
+  // To be called for a batch without messages in the queue stream: when it is closed, repairs what is missing and
+  // removes its lane. Returns whether the batch has come to its end.
+  absl::StatusOr<bool> Close(const std::string& batch_id);
+
+ private:
+  using Visit = std::function<absl::Status(std::vector<RevisedJob> jobs)>;
+  absl::Status VisitJobs(const std::string& batch_id, int64_t job_count, const Visit& visit);
+  absl::Status CancelThese(std::vector<RevisedJob> jobs, absl::Time now);
+  absl::Status RepairThese(const std::vector<RevisedJob>& jobs);
+
+  QueueParts& parts_;
+  Ends& ends_;
+  Lanes& lanes_;
+};
+
+}  // namespace flair::orchestrator

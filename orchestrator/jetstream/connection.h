@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+#include "flair/config/v1/orchestrator_config.pb.h"
+#include "flair/config/v1/runtime_config.pb.h"
+
+typedef struct __natsConnection natsConnection;
+typedef struct __natsSubscription natsSubscription;
+
+namespace flair::orchestrator {
+
+// What goes to a server.
+struct NatsRequest {
+  std::string subject;
+  std::string content;
+  std::vector<std::pair<std::string, std::string>> headers;
+};
+
+// What comes from one.
+struct NatsMessage {
+  std::string subject;
+  std::string content;
+  // Where an answer to it, such as an acknowledgement, goes.
+  std::string reply;
+  // The server's own, without content: 404 no message, 408 too late, 409 consumer gone, 503 nobody there; 0 for others.
+  int status = 0;
+};
+
+// What arrives for a subject, read by one thread.
+class NatsInbox {
+ public:
+  NatsInbox(natsSubscription* subscription, std::string subject)
+      : subscription_(subscription), subject_(std::move(subject)) {}
+  ~NatsInbox();
+  NatsInbox(const NatsInbox&) = delete;
+  NatsInbox& operator=(const NatsInbox&) = delete;
+
+  // Without wildcards: answers go to subject() + "." + anything.
+  const std::string& subject() const { return subject_; }
+  // DEADLINE_EXCEEDED when nothing came, CANCELLED after Close.
+  absl::StatusOr<NatsMessage> Next(absl::Duration limit);
+  // Ends a Next that waits and all later ones.
+  void Close();
+
+ private:
+  natsSubscription* const subscription_;
+  const std::string subject_;
+};
+
+// One connection to NATS servers, made again for ever when it breaks. Thread-safe.
+class NatsConnection {
+ public:
+  // Errors as OpenJetStreamQueue, but for those that concern JetStream.
+  static absl::StatusOr<std::unique_ptr<NatsConnection>> Open(const config::v1::QueueConfig& config,
+                                                              const config::v1::TlsConfig* tls);
+  ~NatsConnection();
+  NatsConnection(const NatsConnection&) = delete;
+  NatsConnection& operator=(const NatsConnection&) = delete;
+
+  // Sends and waits for the answer. UNAVAILABLE without one within `limit`, at once when there is no connection;
+  // INVALID_ARGUMENT when the servers take no message of that size.
+  absl::StatusOr<NatsMessage> Request(const NatsRequest& request, absl::Duration limit);
+
+  // Sends all and waits for as many answers, in the requests' order.
+  std::vector<absl::StatusOr<NatsMessage>> RequestAll(std::span<const NatsRequest> requests, absl::Duration limit);
+
+  // Sends without waiting. With `reply`, an answer goes there.
+  absl::Status Publish(const NatsRequest& request, const std::string& reply = "");
+
+  // A new subject of one's own and what comes there.
+  absl::StatusOr<std::unique_ptr<NatsInbox>> OpenInbox();
+  // What comes to `subject`, which may have wildcards.
+  absl::StatusOr<std::unique_ptr<NatsInbox>> Subscribe(const std::string& subject);
+
+  bool connected() const;
+  // Grows with each reconnection.
+  int64_t reconnect_count() const;
+  // Largest message that the servers take.
+  int64_t max_payload_bytes() const;
+  // The addresses, for people.
+  const std::string& address() const { return address_; }
+
+ private:
+  NatsConnection(natsConnection* connection, std::string address)
+      : connection_(connection), address_(std::move(address)) {}
+  absl::Status Unreachable(const std::string& why) const;
+  absl::Status CheckSize(const NatsRequest& request) const;
+
+  natsConnection* const connection_;
+  const std::string address_;
+};
+
+}  // namespace flair::orchestrator

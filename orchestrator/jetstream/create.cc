@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Jobs and batches are made in steps, each of which may be repeated: by whoever asked and got no answer.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "orchestrator/jetstream/jetstream_work_queue.h"
+#include "orchestrator/jetstream/job_record.h"
+#include "worker_runtime/files/sha256.h"
+
+namespace flair::orchestrator {
+namespace {
+
+std::string RequestKey(const std::string& owner, const char* kind, const std::string& request_id,
+                       const std::string& id) {
+  // What nobody asked for by a request is its own.
+  return OwnerToken(owner) + "." + kind + "." + runtime::Sha256Hex(request_id.empty() ? id : request_id);
+}
+
+absl::Status CheckPlaces(std::span<const v1::Job> jobs, const v1::Batch& batch) {
+  int64_t place = batch.job_count();
+  for (const v1::Job& job : jobs) {
+    if (job.batch_index() < place) continue;
+    if (job.batch_index() > place) {
+      return absl::FailedPreconditionError(
+          fmt::format("first_index: {} leaves a gap: batch {} has {} jobs; add from {} on", job.batch_index(),
+                      batch.id(), place, place));
+    }
+    if (!batch.open()) {
+      return absl::FailedPreconditionError(
+          fmt::format("batch_id: {} is closed with {} jobs; make another batch", batch.id(), batch.job_count()));
+    }
+    ++place;
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+// The id under a request's key, which is made to be `id` when there is none.
+absl::StatusOr<std::string> JetStreamWorkQueue::IdOfRequest(const std::string& key, const std::string& id) {
+  const absl::StatusOr<uint64_t> made = parts_->requests.Update(key, id, 0);
+  if (made.ok()) return id;
+  if (!absl::IsAborted(made.status())) return made.status();
+  const absl::StatusOr<Bucket::Entry> known = parts_->requests.Get(key);
+  if (!known.ok()) return known.status();
+  return known->value;
+}
+
+absl::StatusOr<v1::Job> JetStreamWorkQueue::CreateJob(const v1::Job& job, const std::string& request_id) {
+  const absl::StatusOr<std::string> id = IdOfRequest(RequestKey(job.owner(), "single", request_id, job.id()), job.id());
+  if (!id.ok()) return id.status();
+  store::v1::JobRecord record = NewRecord(job, request_id);
+  record.mutable_job()->set_id(*id);
+  const absl::StatusOr<uint64_t> made = parts_->jobs.Update(*id, runtime::CanonicalBytes(record), 0);
+  if (absl::IsAborted(made.status())) {
+    absl::StatusOr<RevisedJob> known = parts_->GetJob(*id);
+    if (!known.ok()) return known.status();
+    record = std::move(known->value);
+  } else if (!made.ok()) {
+    return made.status();
+  }
+  // Again for a job that was made before and has never run: who made it may not have come so far.
+  if (record.job().state() == v1::JOB_STATE_QUEUED && record.job().attempt_count() == 0) {
+    if (absl::Status status = PutIntoQueue(std::span(&record.job(), 1)); !status.ok()) return status;
+  }
+  return record.job();
+}
+
+absl::StatusOr<store::v1::BatchRecord> JetStreamWorkQueue::CreateBatch(const store::v1::BatchRecord& batch) {
+  const absl::StatusOr<std::string> id = IdOfRequest(
+      RequestKey(batch.batch().owner(), "batch", batch.request_id(), batch.batch().id()), batch.batch().id());
+  if (!id.ok()) return id.status();
+  store::v1::BatchRecord record = batch;
+  record.mutable_batch()->set_id(*id);
+  const absl::StatusOr<uint64_t> made = parts_->batches.Update(*id, runtime::CanonicalBytes(record), 0);
+  if (made.ok()) return record;
+  if (!absl::IsAborted(made.status())) return made.status();
+  absl::StatusOr<RevisedBatch> known = parts_->GetBatch(*id);
+  if (!known.ok()) return known.status();
+  return std::move(known->value);
+}
+
+absl::StatusOr<v1::Batch> JetStreamWorkQueue::AddJobs(const std::string& batch_id, std::span<const v1::Job> jobs,
+                                                      bool last) {
+  const absl::StatusOr<RevisedBatch> before = parts_->GetBatch(batch_id);
+  if (!before.ok()) return before.status();
+  if (absl::Status status = CheckPlaces(jobs, before->value.batch()); !status.ok()) return status;
+  const auto counted = static_cast<size_t>(std::ranges::count_if(
+      jobs, [&](const v1::Job& job) { return job.batch_index() < before->value.batch().job_count(); }));
+  if (absl::Status status = CompareSpecs(jobs.first(counted)); !status.ok()) return status;
+  const std::span<const v1::Job> added = jobs.subspan(counted);
+  if (absl::Status status = AddRecords(batch_id, added); !status.ok()) return status;
+  if (absl::Status status = PutIntoQueue(added); !status.ok()) return status;
+  // Last, so that what a batch counts is there.
+  const absl::StatusOr<RevisedBatch> after =
+      parts_->ChangeBatch(batch_id, [&](store::v1::BatchRecord& record) -> absl::StatusOr<bool> {
+        v1::Batch& batch = *record.mutable_batch();
+        if (absl::Status status = CheckPlaces(jobs, batch); !status.ok()) return status;
+        const int64_t count = jobs.empty() ? 0 : jobs.back().batch_index() + 1;
+        const bool open = batch.open() && !last;
+        if (batch.job_count() >= count && batch.open() == open) return false;
+        batch.set_job_count(static_cast<int>(std::max<int64_t>(batch.job_count(), count)));
+        batch.set_open(open);
+        return true;
+      });
+  if (!after.ok()) return after.status();
+  parts_->TellOfBatch(batch_id);
+  return after->value.batch();
+}
+
+absl::Status JetStreamWorkQueue::AddRecords(const std::string& batch_id, std::span<const v1::Job> jobs) {
+  std::vector<Bucket::Change> changes;
+  for (const v1::Job& job : jobs) {
+    if (job.id() != BatchJobId(batch_id, job.batch_index())) {
+      return absl::InternalError(fmt::format("job {} is not called after its place in batch {}", job.id(), batch_id));
+    }
+    changes.push_back({job.id(), runtime::CanonicalBytes(NewRecord(job, "")), 0});
+  }
+  std::vector<v1::Job> there;
+  const std::vector<absl::StatusOr<uint64_t>> revisions = parts_->jobs.UpdateAll(changes);
+  for (size_t i = 0; i < revisions.size(); ++i) {
+    if (absl::IsAborted(revisions[i].status())) {
+      there.push_back(jobs[i]);
+    } else if (!revisions[i].ok()) {
+      return revisions[i].status();
+    }
+  }
+  return CompareSpecs(there);
+}
+
+// ALREADY_EXISTS when one of the jobs is there with another spec.
+absl::Status JetStreamWorkQueue::CompareSpecs(std::span<const v1::Job> jobs) {
+  std::vector<std::string> ids;
+  for (const v1::Job& job : jobs) ids.push_back(job.id());
+  const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(ids);
+  for (size_t i = 0; i < jobs.size(); ++i) {
+    const absl::StatusOr<RevisedJob> known = parts_->ParseJob(ids[i], entries[i]);
+    if (!known.ok()) return known.status();
+    if (runtime::CanonicalBytes(known->value.job().spec()) == runtime::CanonicalBytes(jobs[i].spec())) continue;
+    return absl::AlreadyExistsError(fmt::format("specs: place {} of batch {} has another spec; make another batch",
+                                                jobs[i].batch_index(), jobs[i].batch_id()));
+  }
+  return absl::OkStatus();
+}
+
+absl::Status JetStreamWorkQueue::PutIntoQueue(std::span<const v1::Job> jobs) {
+  std::vector<NatsRequest> messages;
+  for (const v1::Job& job : jobs) messages.push_back(parts_->QueueMessage(job, job.id()));
+  if (messages.size() == 1) {
+    if (absl::Status status = parts_->api.Publish(messages.front()).status(); !status.ok()) return status;
+  } else {
+    for (const absl::StatusOr<StoredAck>& ack : parts_->api.PublishAll(messages)) {
+      if (!ack.ok()) return ack.status();
+    }
+  }
+  if (!messages.empty()) Queued(messages.front().subject);
+  return absl::OkStatus();
+}
+
+}  // namespace flair::orchestrator

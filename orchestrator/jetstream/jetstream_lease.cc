@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/jetstream/jetstream_lease.h"
+
+#include <fmt/format.h>
+
+#include <span>
+#include <utility>
+
+#include "orchestrator/jetstream/job_record.h"
+#include "worker_runtime/files/sha256.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// What a run that only goes away waits for the servers.
+constexpr absl::Duration kReturnLimit = absl::Seconds(2);
+
+}  // namespace
+
+JetStreamLease::JetStreamLease(QueueParts& parts, Ends& ends, LeaseKeeper& keeper, std::shared_ptr<Hold> hold,
+                               RevisedJob record)
+    : parts_(parts),
+      ends_(ends),
+      keeper_(keeper),
+      hold_(std::move(hold)),
+      job_(record.value.job()),
+      history_(record.value.events().begin(), record.value.events().end()),
+      record_(std::move(record)) {
+  hold_->cancel_requested = record_.value.cancel_requested();
+  keeper_.Add(hold_);
+}
+
+JetStreamLease::~JetStreamLease() {
+  if (!done_ && !hold_->lost) (void)Return(absl::ZeroDuration(), "");
+  keeper_.Remove(*hold_);
+}
+
+absl::Status JetStreamLease::Refused() {
+  hold_->Lose();
+  return absl::AbortedError(fmt::format("job {}: another run has it", job_.id()));
+}
+
+// Takes over what others wrote into the record, which is no more than that they want the end.
+absl::Status JetStreamLease::ReadAgain() {
+  absl::StatusOr<RevisedJob> now = parts_.GetJob(job_.id());
+  if (!now.ok()) return now.status();
+  if (now->value.holder() != hold_->holder) return Refused();
+  record_ = *std::move(now);
+  if (!record_.value.cancel_requested()) return absl::OkStatus();
+  hold_->cancel_requested = true;
+  hold_->cancellation.Cancel();
+  return absl::OkStatus();
+}
+
+absl::Status JetStreamLease::Write(const std::function<void(store::v1::JobRecord&)>& change,
+                                   const std::function<bool()>& more) {
+  while (true) {
+    if (hold_->lost || done_) return Refused();
+    store::v1::JobRecord changed = record_.value;
+    change(changed);
+    const absl::StatusOr<uint64_t> revision =
+        parts_.jobs.Update(job_.id(), runtime::CanonicalBytes(changed), record_.revision, more);
+    if (revision.ok()) {
+      record_ = {std::move(changed), *revision};
+      return absl::OkStatus();
+    }
+    if (!absl::IsAborted(revision.status())) return revision.status();
+    if (absl::Status status = ReadAgain(); !status.ok()) return status;
+  }
+}
+
+// The last write of the run.
+absl::Status JetStreamLease::Close(const std::function<void(store::v1::JobRecord&)>& change,
+                                   const std::function<bool()>& more) {
+  hold_->closing = true;
+  const absl::Status status = Write(change, more);
+  hold_->closing = status.ok();
+  done_ = status.ok();
+  return status;
+}
+
+// What others may find by the artifact: it is there, whoever holds the job now.
+absl::Status JetStreamLease::Index(const StageRecord& record) {
+  const std::string artifact = runtime::CanonicalBytes(record.event.artifact());
+  if (!record.result_key.empty()) {
+    const absl::Status status = parts_.index.Put("result." + record.result_key, artifact).status();
+    if (!status.ok()) return status;
+  }
+  if (job_.owner().empty() || !record.event.has_artifact()) return absl::OkStatus();
+  return parts_.index.Put("owned." + OwnerToken(job_.owner()) + "." + record.event.artifact().id(), artifact).status();
+}
+
+absl::Status JetStreamLease::Record(StageRecord record) {
+  {
+    std::lock_guard lock(mutex_);
+    if (hold_->lost || done_) return Refused();
+    if (absl::Status status = Index(record); !status.ok()) return status;
+    const absl::Status status = Write([&](store::v1::JobRecord& job) { AddStageRecord(job, record); },
+                                      [this] { return !hold_->lost && !hold_->cancellation.cancelled(); });
+    if (!status.ok()) return status;
+  }
+  parts_.TellOfJob(job_);
+  return absl::OkStatus();
+}
+
+absl::Status JetStreamLease::End(const JobEnd& end) {
+  v1::Job ended;
+  {
+    std::lock_guard lock(mutex_);
+    const absl::Status status =
+        Close([&](store::v1::JobRecord& job) { EndJob(job, end); }, [this] { return !hold_->lost; });
+    if (!status.ok()) return status;
+    ended = record_.value.job();
+  }
+  keeper_.Remove(*hold_);
+  // It has ended. What follows from that is repeated by whoever is handed the message again, if it fails here.
+  if (ends_.Publish(std::span(&ended, 1)).ok()) (void)parts_.connection->Publish({hold_->acknowledge, "+ACK", {}});
+  parts_.TellOfJob(ended);
+  return absl::OkStatus();
+}
+
+absl::Status JetStreamLease::Return(absl::Duration delay, const std::string& reason) {
+  {
+    std::lock_guard lock(mutex_);
+    const bool later = delay > absl::ZeroDuration();
+    const absl::Time not_before = later ? parts_.clock.Now() + delay : absl::InfinitePast();
+    const absl::Duration limit = parts_.clock.Elapsed() + kReturnLimit;
+    const absl::Status status = Close([&](store::v1::JobRecord& job) { ReturnJob(job, not_before, reason); },
+                                      [&] { return !hold_->lost && parts_.clock.Elapsed() < limit; });
+    if (!status.ok()) return status;
+  }
+  keeper_.Remove(*hold_);
+  const std::string refusal =
+      delay > absl::ZeroDuration() ? fmt::format("-NAK {{\"delay\": {}}}", absl::ToInt64Nanoseconds(delay)) : "-NAK";
+  // Without it, the job waits until its lease would have ended.
+  (void)parts_.connection->Publish({hold_->acknowledge, refusal, {}});
+  parts_.TellOfJob(job_);
+  parts_.TellOfWork(parts_.LaneOf(job_));
+  return absl::OkStatus();
+}
+
+}  // namespace flair::orchestrator

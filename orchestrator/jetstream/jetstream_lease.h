@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "orchestrator/batch/lease.h"
+#include "orchestrator/jetstream/ends.h"
+#include "orchestrator/jetstream/lease_keeper.h"
+#include "orchestrator/jetstream/queue_parts.h"
+
+namespace flair::orchestrator {
+
+// A run of a job of a queue in JetStream. Every write replaces the record as this run knows it, so that it fails when
+// another run has changed it. Writes go on through times without an answer for as long as the hold lasts.
+class JetStreamLease final : public Lease {
+ public:
+  // `record` says that `hold` has the job. `parts`, `ends` and `keeper` outlive it.
+  JetStreamLease(QueueParts& parts, Ends& ends, LeaseKeeper& keeper, std::shared_ptr<Hold> hold, RevisedJob record);
+  ~JetStreamLease() override;
+
+  const v1::Job& job() const override { return job_; }
+  const std::vector<v1::JobEvent>& history() const override { return history_; }
+  absl::Status Record(StageRecord record) override;
+  absl::Status End(const JobEnd& end) override;
+  absl::Status Return(absl::Duration delay, const std::string& reason) override;
+  runtime::Cancellation& cancellation() override { return hold_->cancellation; }
+  bool cancel_requested() override { return hold_->cancel_requested; }
+  bool lost() override { return hold_->lost; }
+
+ private:
+  absl::Status Write(const std::function<void(store::v1::JobRecord&)>& change, const std::function<bool()>& more);
+  absl::Status Close(const std::function<void(store::v1::JobRecord&)>& change, const std::function<bool()>& more);
+  absl::Status ReadAgain();
+  absl::Status Refused();
+  absl::Status Index(const StageRecord& record);
+
+  QueueParts& parts_;
+  Ends& ends_;
+  LeaseKeeper& keeper_;
+  // Shared with the keeper.
+  const std::shared_ptr<Hold> hold_;
+  const v1::Job job_;
+  const std::vector<v1::JobEvent> history_;
+
+  std::mutex mutex_;
+  RevisedJob record_;
+  bool done_ = false;
+};
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "orchestrator/batch/work_queue.h"
+#include "orchestrator/jetstream/batch_care.h"
+#include "orchestrator/jetstream/ends.h"
+#include "orchestrator/jetstream/lanes.h"
+#include "orchestrator/jetstream/lease_keeper.h"
+#include "orchestrator/jetstream/queue_parts.h"
+
+namespace flair::orchestrator {
+
+// The queue on NATS servers; see docs/decisions/0017-jobs-wait-in-jetstream.md for how, and names.h for what is where.
+// Two threads of its own besides the keeper's: one hears news, one looks every second, since news may be lost.
+class JetStreamWorkQueue final : public WorkQueue {
+ public:
+  static absl::StatusOr<std::unique_ptr<WorkQueue>> Open(std::unique_ptr<QueueParts> parts);
+  ~JetStreamWorkQueue() override;
+
+  void Listen(Listener listener) override;
+
+  absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id) override;
+  absl::StatusOr<store::v1::BatchRecord> CreateBatch(const store::v1::BatchRecord& batch) override;
+  absl::StatusOr<v1::Batch> AddJobs(const std::string& batch_id, std::span<const v1::Job> jobs, bool last) override;
+  absl::Status Cancel(const std::string& job_id, absl::Time now) override;
+  absl::StatusOr<bool> Retry(const std::string& job_id) override;
+  absl::Status SetBatchState(const std::string& batch_id, v1::BatchState state) override;
+  absl::Status CancelBatch(const std::string& batch_id, absl::Time now) override;
+
+  absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) override;
+  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) override;
+
+  absl::StatusOr<v1::Job> GetJob(const std::string& job_id) override;
+  absl::StatusOr<std::vector<v1::Job>> ListJobs(const ListFilter& filter) override;
+  absl::StatusOr<std::vector<v1::JobEvent>> EventsAfter(const std::string& job_id, int64_t sequence,
+                                                        int limit) override;
+  absl::StatusOr<v1::Batch> GetBatch(const std::string& batch_id) override;
+  absl::StatusOr<std::vector<v1::Batch>> ListBatches(const ListFilter& filter) override;
+  absl::StatusOr<bool> BatchHasEnded(const std::string& batch_id) override;
+  absl::StatusOr<std::vector<BatchEnd>> EndsAfter(const std::string& batch_id, int64_t sequence, int limit) override;
+  absl::StatusOr<int64_t> CountQueued() override;
+  absl::StatusOr<int64_t> CountOpen(const std::string& owner) override;
+  absl::StatusOr<bool> OwnsArtifact(const std::string& owner, const std::string& artifact_id) override;
+
+  absl::Status ReportStatus(const v1::OrchestratorStatus& status) override;
+  absl::StatusOr<std::vector<v1::OrchestratorStatus>> Orchestrators() override;
+
+ private:
+  explicit JetStreamWorkQueue(std::unique_ptr<QueueParts> parts);
+  absl::Status Start();
+
+  // create.cc
+  absl::StatusOr<std::string> IdOfRequest(const std::string& key, const std::string& id);
+  absl::Status AddRecords(const std::string& batch_id, std::span<const v1::Job> jobs);
+  absl::Status CompareSpecs(std::span<const v1::Job> jobs);
+  absl::Status PutIntoQueue(std::span<const v1::Job> jobs);
+
+  // take.cc
+  absl::StatusOr<std::unique_ptr<Lease>> TakeFrom(const Lane& lane, int& passed_over);
+  absl::StatusOr<std::unique_ptr<Lease>> Begin(const Lane& lane, const Handed& handed);
+  absl::StatusOr<bool> MayRun(const Lane& lane, const Handed& handed, const store::v1::JobRecord& record);
+  absl::StatusOr<bool> OtherMessageRuns(const Handed& handed, const store::v1::JobRecord& record);
+  absl::StatusOr<v1::BatchState> StateOfLane(const Lane& lane);
+  absl::Status WantNamed(const std::set<std::string>& job_ids);
+  void Acknowledge(const Handed& handed, const std::string& how);
+
+  // list.cc
+  absl::StatusOr<std::vector<v1::Job>> ListOfBatch(const ListFilter& filter);
+  absl::StatusOr<std::vector<v1::Job>> GetJobs(std::span<const std::string> ids, const ListFilter& filter);
+
+  absl::Status VisitRequests(const ListFilter& filter, const std::string& kind, const std::function<bool()>& more,
+                             const std::function<absl::Status(const std::string& kind, const std::string& id)>& visit);
+
+  // watch.cc
+  void HearNews();
+  void LookNowAndThen();
+  void LookOnce();
+  void TellWork();
+  void TellChanged(const std::string& job_id);
+  void TellBatchChanged(const std::string& batch_id);
+  void CareFor(const std::string& batch_id);
+  void Queued(const std::string& lane);
+
+  const std::unique_ptr<QueueParts> parts_;
+  // Unique among the processes of a queue.
+  const std::string process_;
+  Ends ends_;
+  Lanes lanes_;
+  BatchCare care_;
+  std::unique_ptr<LeaseKeeper> keeper_;
+  std::atomic<int64_t> next_run_ = 1;
+
+  std::mutex listener_mutex_;
+  Listener listener_;
+
+  std::mutex stop_mutex_;
+  std::condition_variable stop_;
+  bool stopping_ = false;
+  // Batches to be looked at.
+  std::set<std::string> cared_for_;
+  std::unique_ptr<NatsInbox> news_;
+  std::thread news_thread_;
+  std::thread look_thread_;
+};
+
+}  // namespace flair::orchestrator

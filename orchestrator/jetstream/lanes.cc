@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/jetstream/lanes.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace flair::orchestrator {
+namespace {
+
+using nlohmann::json;
+
+constexpr absl::Duration kOneAnswer = absl::Seconds(2);
+const char kSingle[] = "single";
+
+}  // namespace
+
+Lane Lanes::LaneOf(const std::string& subject) const {
+  // NAME.queue.OWNER.KIND.ID
+  const std::string_view owner = TokenAt(subject, 2);
+  const std::string_view kind = TokenAt(subject, 3);
+  const std::string id(TokenAt(subject, 4));
+  if (kind == "batch") return {"batch-" + id, parts_.names.Batch(owner, id), id};
+  if (kind == "named") return {"named-" + id, parts_.names.Named(owner, id), ""};
+  return {kSingle, parts_.names.Single("*"), ""};
+}
+
+void Lanes::Want(const std::string& subject) {
+  const Lane lane = LaneOf(subject);
+  std::lock_guard lock(mutex_);
+  State& state = lanes_[lane.consumer];
+  state.lane = lane;
+  ++state.wanted;
+}
+
+void Lanes::WantAll() {
+  std::lock_guard lock(mutex_);
+  for (auto& [consumer, state] : lanes_) ++state.wanted;
+}
+
+void Lanes::WantBatch(const std::string& batch_id) {
+  std::lock_guard lock(mutex_);
+  const auto found = lanes_.find("batch-" + batch_id);
+  if (found != lanes_.end()) ++found->second.wanted;
+}
+
+absl::StatusOr<std::map<std::string, int64_t>> Lanes::Look(const std::string& filter) {
+  const absl::StatusOr<json> info =
+      parts_.api.Call("STREAM.INFO." + parts_.names.queue_stream(), json{{"subjects_filter", filter}});
+  if (!info.ok()) return info.status();
+  std::map<std::string, int64_t> counts;
+  const json subjects = info->value("state", json::object()).value("subjects", json::object());
+  for (const auto& [subject, count] : subjects.items()) {
+    if (count.is_number_integer()) counts[subject] = count.get<int64_t>();
+  }
+  return counts;
+}
+
+std::vector<Lane> Lanes::See(const std::map<std::string, int64_t>& messages_by_subject) {
+  std::set<std::string> there = {kSingle};
+  for (const auto& [subject, count] : messages_by_subject) {
+    there.insert(LaneOf(subject).consumer);
+    Want(subject);
+  }
+  std::vector<Lane> gone;
+  std::lock_guard lock(mutex_);
+  for (const auto& [consumer, state] : lanes_) {
+    if (!there.contains(consumer)) gone.push_back(state.lane);
+  }
+  for (const Lane& lane : gone) lanes_.erase(lane.consumer);
+  return gone;
+}
+
+std::vector<Lane> Lanes::Candidates(const TakeFilter& filter) {
+  std::vector<Lane> first;
+  std::vector<Lane> later;
+  std::vector<Lane> earlier;
+  std::lock_guard lock(mutex_);
+  for (const auto& [consumer, state] : lanes_) {
+    if (state.wanted == state.asked) continue;
+    const Lane& lane = state.lane;
+    if (!filter.any && !filter.batch_ids.contains(lane.batch_id) &&
+        !(consumer.starts_with("named-") && filter.job_ids.contains(consumer.substr(6)))) {
+      continue;
+    }
+    if (lane.batch_id.empty()) {
+      first.push_back(lane);
+    } else {
+      (consumer > last_turn_ ? later : earlier).push_back(lane);
+    }
+  }
+  first.insert(first.end(), later.begin(), later.end());
+  first.insert(first.end(), earlier.begin(), earlier.end());
+  return first;
+}
+
+void Lanes::HadTurn(const Lane& lane) {
+  if (lane.batch_id.empty()) return;
+  std::lock_guard lock(mutex_);
+  last_turn_ = lane.consumer;
+}
+
+absl::StatusOr<std::optional<Handed>> Lanes::Next(const Lane& lane) {
+  int64_t wanted = 0;
+  {
+    std::lock_guard lock(mutex_);
+    const auto found = lanes_.find(lane.consumer);
+    if (found != lanes_.end()) wanted = found->second.wanted;
+  }
+  absl::StatusOr<std::optional<Handed>> handed = Ask(lane);
+  if (absl::IsUnavailable(handed.status()) && parts_.connection->connected()) {
+    // Nobody hears the question when the consumer is not there: not yet, or because the batch had ended once.
+    if (absl::Status status = MakeConsumer(lane); !status.ok()) return status;
+    handed = Ask(lane);
+  }
+  if (handed.ok() && !handed->has_value()) {
+    std::lock_guard lock(mutex_);
+    const auto found = lanes_.find(lane.consumer);
+    if (found != lanes_.end()) found->second.asked = wanted;
+  }
+  return handed;
+}
+
+absl::StatusOr<std::optional<Handed>> Lanes::Ask(const Lane& lane) {
+  const absl::StatusOr<NatsMessage> message =
+      parts_.connection->Request({"$JS.API.CONSUMER.MSG.NEXT." + parts_.names.queue_stream() + "." + lane.consumer,
+                                  R"({"batch":1,"no_wait":true})",
+                                  {}},
+                                 kOneAnswer);
+  if (!message.ok()) return message.status();
+  // No message now; or the consumer goes or moves just now, which the next look sees.
+  if (message->status != 0 || message->reply.empty()) return std::nullopt;
+  const Delivery delivery = ParseDelivery(message->reply);
+  return Handed{message->content, message->reply, delivery.sequence, delivery.delivery_count};
+}
+
+absl::Status Lanes::MakeConsumer(const Lane& lane) {
+  const std::string stream = parts_.names.queue_stream();
+  const json config = {{"durable_name", lane.consumer},
+                       {"filter_subject", lane.filter},
+                       {"ack_policy", "explicit"},
+                       {"ack_wait", absl::ToInt64Nanoseconds(parts_.lease)},
+                       {"max_deliver", -1},
+                       {"max_ack_pending", -1},
+                       {"deliver_policy", "all"},
+                       {"replay_policy", "instant"}};
+  return parts_.api
+      .Call("CONSUMER.DURABLE.CREATE." + stream + "." + lane.consumer,
+            json{{"stream_name", stream}, {"config", config}})
+      .status();
+}
+
+absl::Status Lanes::Remove(const Lane& lane, uint64_t ended_sequence) {
+  const std::string stream = parts_.names.queue_stream();
+  const json ended = {{"filter", lane.filter}, {"seq", ended_sequence + 1}};
+  absl::Status status = parts_.api.Call("STREAM.PURGE." + stream, ended).status();
+  if (!status.ok()) return status;
+  status = parts_.api.Call("CONSUMER.DELETE." + stream + "." + lane.consumer, nullptr).status();
+  return absl::IsNotFound(status) ? absl::OkStatus() : status;
+}
+
+absl::StatusOr<Lanes::Depth> Lanes::DepthOf(const std::map<std::string, int64_t>& messages_by_subject) {
+  // By consumer, since the owners of alone standing jobs share one.
+  std::map<std::string, int64_t> messages;
+  for (const auto& [subject, count] : messages_by_subject) {
+    const Lane lane = LaneOf(subject);
+    if (!lane.consumer.starts_with("named-")) messages[lane.consumer] += count;
+  }
+  std::vector<std::pair<std::string, json>> calls;
+  for (const auto& [consumer, count] : messages) {
+    calls.emplace_back("CONSUMER.INFO." + parts_.names.queue_stream() + "." + consumer, nullptr);
+  }
+  Depth depth;
+  auto lane = messages.begin();
+  for (const absl::StatusOr<json>& info : parts_.api.CallAll(calls)) {
+    const int64_t all = (lane++)->second;
+    if (absl::IsNotFound(info.status())) {
+      // Nobody has ever asked.
+      depth.waiting += all;
+      continue;
+    }
+    if (!info.ok()) return info.status();
+    depth.waiting += info->value("num_pending", int64_t{0});
+    depth.handed += info->value("num_ack_pending", int64_t{0});
+  }
+  return depth;
+}
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known of jobs and batches. Ids by age are in the bucket of requests, in the order in which they were made: it
+// is read from its end.
+#include <algorithm>
+#include <functional>
+
+#include "orchestrator/jetstream/jetstream_work_queue.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// Requests, and records, read at once.
+constexpr uint64_t kRequestsAtOnce = 256;
+constexpr size_t kRecordsAtOnce = 100;
+
+// Messages in the queue of a batch above which its ends are not counted.
+constexpr int64_t kCountedAtOnce = 300;
+
+// Token of a request's key that says what was asked for.
+constexpr int kKindToken = 1;
+
+bool Fits(const v1::Job& job, const ListFilter& filter) {
+  return (filter.state == v1::JOB_STATE_UNSPECIFIED || job.state() == filter.state) &&
+         (!filter.owner.has_value() || job.owner() == *filter.owner);
+}
+
+bool IsBefore(const std::string& id, const ListFilter& filter) { return filter.before.empty() || id < filter.before; }
+
+}  // namespace
+
+absl::StatusOr<v1::Job> JetStreamWorkQueue::GetJob(const std::string& job_id) {
+  absl::StatusOr<RevisedJob> job = parts_->GetJob(job_id);
+  if (!job.ok()) return job.status();
+  return std::move(*job->value.mutable_job());
+}
+
+absl::StatusOr<std::vector<v1::JobEvent>> JetStreamWorkQueue::EventsAfter(const std::string& job_id, int64_t sequence,
+                                                                          int limit) {
+  std::vector<v1::JobEvent> events;
+  const absl::StatusOr<RevisedJob> job = parts_->GetJob(job_id);
+  if (absl::IsNotFound(job.status())) return events;
+  if (!job.ok()) return job.status();
+  for (const v1::JobEvent& event : job->value.events()) {
+    if (event.sequence() > sequence && static_cast<int>(events.size()) < limit) events.push_back(event);
+  }
+  return events;
+}
+
+// Of these, in this order, those that fit, until there are enough.
+absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::GetJobs(std::span<const std::string> ids,
+                                                                 const ListFilter& filter) {
+  std::vector<v1::Job> jobs;
+  while (!ids.empty() && static_cast<int>(jobs.size()) < filter.limit) {
+    const std::span<const std::string> some = ids.first(std::min(ids.size(), kRecordsAtOnce));
+    ids = ids.subspan(some.size());
+    const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(some);
+    for (size_t i = 0; i < some.size(); ++i) {
+      absl::StatusOr<RevisedJob> job = parts_->ParseJob(some[i], entries[i]);
+      // Asked for, and its making was interrupted.
+      if (absl::IsNotFound(job.status())) continue;
+      if (!job.ok()) return job.status();
+      if (Fits(job->value.job(), filter) && static_cast<int>(jobs.size()) < filter.limit) {
+        jobs.push_back(std::move(*job->value.mutable_job()));
+      }
+    }
+  }
+  return jobs;
+}
+
+absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::ListOfBatch(const ListFilter& filter) {
+  const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(filter.batch_id);
+  if (absl::IsNotFound(batch.status())) return std::vector<v1::Job>();
+  if (!batch.ok()) return batch.status();
+  std::vector<std::string> ids;
+  if (filter.state == v1::JOB_STATE_SUCCEEDED || filter.state == v1::JOB_STATE_FAILED ||
+      filter.state == v1::JOB_STATE_CANCELLED) {
+    absl::StatusOr<std::vector<std::string>> ended = ends_.JobsIn(filter.batch_id, filter.state);
+    if (!ended.ok()) return ended.status();
+    ids = *std::move(ended);
+  } else {
+    for (int64_t i = batch->value.batch().job_count() - 1; i >= 0; --i) ids.push_back(BatchJobId(filter.batch_id, i));
+  }
+  std::erase_if(ids, [&](const std::string& id) { return !IsBefore(id, filter); });
+  return GetJobs(ids, filter);
+}
+
+absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::ListJobs(const ListFilter& filter) {
+  if (!filter.batch_id.empty()) return ListOfBatch(filter);
+  std::vector<v1::Job> jobs;
+  const auto add = [&](const std::string& kind, const std::string& id) -> absl::Status {
+    ListFilter rest = filter;
+    rest.limit = filter.limit - static_cast<int>(jobs.size());
+    rest.batch_id = kind == "batch" ? id : "";
+    const absl::StatusOr<std::vector<v1::Job>> found =
+        kind == "batch" ? ListOfBatch(rest) : GetJobs(std::span(&id, IsBefore(id, filter) ? 1 : 0), rest);
+    if (!found.ok()) return found.status();
+    jobs.insert(jobs.end(), found->begin(), found->end());
+    return absl::OkStatus();
+  };
+  const absl::Status status =
+      VisitRequests(filter, "*", [&] { return static_cast<int>(jobs.size()) < filter.limit; }, add);
+  if (!status.ok()) return status;
+  return jobs;
+}
+
+absl::StatusOr<std::vector<v1::Batch>> JetStreamWorkQueue::ListBatches(const ListFilter& filter) {
+  std::vector<v1::Batch> batches;
+  const auto add = [&](const std::string&, const std::string& id) -> absl::Status {
+    if (!IsBefore(id, filter)) return absl::OkStatus();
+    absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(id);
+    if (absl::IsNotFound(batch.status())) return absl::OkStatus();
+    if (!batch.ok()) return batch.status();
+    batches.push_back(std::move(*batch->value.mutable_batch()));
+    return absl::OkStatus();
+  };
+  const absl::Status status =
+      VisitRequests(filter, "batch", [&] { return static_cast<int>(batches.size()) < filter.limit; }, add);
+  if (!status.ok()) return status;
+  return batches;
+}
+
+// Calls `visit` with kind and id of what was asked for, the newest first, while `more`.
+absl::Status JetStreamWorkQueue::VisitRequests(
+    const ListFilter& filter, const std::string& kind, const std::function<bool()>& more,
+    const std::function<absl::Status(const std::string& kind, const std::string& id)>& visit) {
+  const std::string& stream = parts_->requests.stream();
+  const std::string owner = filter.owner.has_value() ? OwnerToken(*filter.owner) : "*";
+  const absl::StatusOr<uint64_t> last = parts_->reader.LastSequence(stream);
+  if (!last.ok()) return last.status();
+  uint64_t end = *last + 1;
+  while (end > 1 && more()) {
+    const uint64_t first = end > kRequestsAtOnce ? end - kRequestsAtOnce : 1;
+    auto messages = parts_->reader.Read(stream, {.filter = parts_->requests.SubjectOf(owner + "." + kind + ".*"),
+                                                 .first_sequence = first,
+                                                 .limit = static_cast<int>(end - first)});
+    if (!messages.ok()) return messages.status();
+    std::erase_if(*messages, [end](const StreamReader::Message& message) { return message.sequence >= end; });
+    // Made on several machines, some may be a little out of order.
+    std::ranges::sort(*messages, std::greater(), &StreamReader::Message::content);
+    for (const StreamReader::Message& message : *messages) {
+      if (!more()) break;
+      const std::string key(parts_->requests.KeyOf(message.subject));
+      if (absl::Status status = visit(std::string(TokenAt(key, kKindToken)), message.content); !status.ok()) {
+        return status;
+      }
+    }
+    end = first;
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<v1::Batch> JetStreamWorkQueue::GetBatch(const std::string& batch_id) {
+  const absl::StatusOr<RevisedBatch> record = parts_->GetBatch(batch_id);
+  if (!record.ok()) return record.status();
+  v1::Batch batch = record->value.batch();
+  if (absl::Status status = ends_.Count(batch); !status.ok()) return status;
+  const auto waiting = lanes_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id));
+  if (!waiting.ok()) return waiting.status();
+  const absl::StatusOr<Lanes::Depth> depth = lanes_.DepthOf(*waiting);
+  if (!depth.ok()) return depth.status();
+  batch.set_running_count(std::min(batch.open_count(), static_cast<int>(depth->handed)));
+  return batch;
+}
+
+absl::StatusOr<bool> JetStreamWorkQueue::BatchHasEnded(const std::string& batch_id) {
+  const absl::StatusOr<RevisedBatch> record = parts_->GetBatch(batch_id);
+  if (!record.ok()) return record.status();
+  const v1::Batch& batch = record->value.batch();
+  if (batch.open()) return false;
+  // Most of the time the few that are left are enough to know. The last ends are counted, since the messages of ended
+  // jobs go a little later.
+  const auto messages = lanes_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id));
+  if (!messages.ok()) return messages.status();
+  for (const auto& [subject, count] : *messages) {
+    if (count > kCountedAtOnce) return false;
+  }
+  const absl::StatusOr<int64_t> ended = ends_.CountAll(batch_id);
+  if (!ended.ok()) return ended.status();
+  return *ended >= batch.job_count();
+}
+
+absl::StatusOr<std::vector<BatchEnd>> JetStreamWorkQueue::EndsAfter(const std::string& batch_id, int64_t sequence,
+                                                                    int limit) {
+  return ends_.After(batch_id, sequence, limit);
+}
+
+absl::StatusOr<int64_t> JetStreamWorkQueue::CountQueued() {
+  const auto messages = lanes_.Look(">");
+  if (!messages.ok()) return messages.status();
+  const absl::StatusOr<Lanes::Depth> depth = lanes_.DepthOf(*messages);
+  if (!depth.ok()) return depth.status();
+  return depth->waiting;
+}
+
+absl::StatusOr<int64_t> JetStreamWorkQueue::CountOpen(const std::string& owner) {
+  const auto messages = lanes_.Look(parts_->names.AllOf(OwnerToken(owner)));
+  if (!messages.ok()) return messages.status();
+  int64_t open = 0;
+  for (const auto& [subject, count] : *messages) {
+    if (TokenAt(subject, 3) != "named") open += count;
+  }
+  return open;
+}
+
+absl::StatusOr<bool> JetStreamWorkQueue::OwnsArtifact(const std::string& owner, const std::string& artifact_id) {
+  if (!IsToken(artifact_id)) return false;
+  const absl::Status found = parts_->index.Get("owned." + OwnerToken(owner) + "." + artifact_id).status();
+  if (absl::IsNotFound(found)) return false;
+  if (!found.ok()) return found;
+  return true;
+}
+
+absl::StatusOr<std::optional<v1::ArtifactRef>> JetStreamWorkQueue::FindResult(const std::string& key) {
+  const absl::StatusOr<Bucket::Entry> entry = parts_->index.Get("result." + key);
+  if (absl::IsNotFound(entry.status())) return std::nullopt;
+  if (!entry.ok()) return entry.status();
+  v1::ArtifactRef artifact;
+  if (!artifact.ParseFromString(entry->value)) return absl::DataLossError("the queue's index of results is damaged");
+  return artifact;
+}
+
+}  // namespace flair::orchestrator

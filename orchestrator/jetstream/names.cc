@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/jetstream/names.h"
+
+#include <algorithm>
+
+#include "absl/strings/ascii.h"
+#include "worker_runtime/files/sha256.h"
+
+namespace flair::orchestrator {
+
+std::string QueueNames::Join(std::initializer_list<std::string_view> tokens) const {
+  std::string subject = name_;
+  for (std::string_view token : tokens) {
+    subject += '.';
+    subject += token;
+  }
+  return subject;
+}
+
+std::string OwnerToken(std::string_view owner) {
+  if (owner.empty()) return "-";
+  // What is a digest begins with another letter than what is a name, so that no name is another's digest.
+  return IsToken(owner) && owner.size() <= 64 ? "o" + std::string(owner) : "h" + runtime::Sha256Hex(owner);
+}
+
+bool IsToken(std::string_view text) {
+  return !text.empty() && text.size() <= 128 && std::ranges::all_of(text, [](char c) {
+    return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_';
+  });
+}
+
+std::string_view TokenAt(std::string_view subject, int place) {
+  for (; place > 0; --place) {
+    const size_t dot = subject.find('.');
+    if (dot == std::string_view::npos) return {};
+    subject.remove_prefix(dot + 1);
+  }
+  return subject.substr(0, subject.find('.'));
+}
+
+absl::Duration LeaseOf(const config::v1::QueueConfig& config) {
+  return absl::Seconds(config.has_lease_seconds() ? config.lease_seconds() : 30);
+}
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "absl/time/time.h"
+#include "flair/config/v1/orchestrator_config.pb.h"
+
+namespace flair::orchestrator {
+
+// Where a queue keeps what, and the subjects that say so. NAME is QueueConfig.name.
+//   stream NAME-queue      jobs that wait or run, by their ids; gone when they have ended
+//     NAME.queue.OWNER.single         alone standing ones
+//     NAME.queue.OWNER.batch.BATCH    those of a batch
+//     NAME.queue.OWNER.named.JOB      one that somebody asked for by its id
+//   stream NAME-ends       jobs of batches that have ended, the latest end of each
+//     NAME.ends.BATCH.STATE.KIND.JOB  STATE and KIND: the numbers of JobState and FailureKind
+//   buckets NAME-jobs (JobRecord by job), NAME-batches (BatchRecord by batch), NAME-requests (ids by
+//   OWNER.single.REQUEST and OWNER.batch.REQUEST, in the order in which they were made), NAME-index (result.KEY;
+//   owned.OWNER.ARTIFACT), NAME-status (OrchestratorStatus, forgotten soon), NAME-artifacts (see artifacts.h) subject
+//   NAME.news      hints, which may be lost; see news.h
+// A bucket is a stream KV_BUCKET with subjects $KV.BUCKET.KEY, as NATS's own tools know them.
+class QueueNames {
+ public:
+  explicit QueueNames(const config::v1::QueueConfig& config) : name_(config.name().empty() ? "flair" : config.name()) {}
+
+  const std::string& name() const { return name_; }
+  std::string queue_stream() const { return name_ + "-queue"; }
+  std::string ends_stream() const { return name_ + "-ends"; }
+  std::string Bucket(std::string_view what) const { return name_ + "-" + std::string(what); }
+  std::string news_subject() const { return name_ + ".news"; }
+
+  // Jobs of an owner that wait or run: the subject of the stream, with wildcards where the arguments have them.
+  std::string Single(std::string_view owner_token) const { return Join({"queue", owner_token, "single"}); }
+  std::string Batch(std::string_view owner_token, std::string_view batch_id) const {
+    return Join({"queue", owner_token, "batch", batch_id});
+  }
+  std::string Named(std::string_view owner_token, std::string_view job_id) const {
+    return Join({"queue", owner_token, "named", job_id});
+  }
+  std::string AllOf(std::string_view owner_token) const { return Join({"queue", owner_token, ">"}); }
+  std::string End(std::string_view batch_id, std::string_view state, std::string_view kind,
+                  std::string_view job_id) const {
+    return Join({"ends", batch_id, state, kind, job_id});
+  }
+
+ private:
+  std::string Join(std::initializer_list<std::string_view> tokens) const;
+
+  std::string name_;
+};
+
+// An owner's name as one token of a subject: itself where it can be, else a digest.
+std::string OwnerToken(std::string_view owner);
+
+// Whether it can be one token of a subject: 1 to 128 letters, digits, "-", "_".
+bool IsToken(std::string_view text);
+
+// The token at a place of a subject, from 0; empty when there is none.
+std::string_view TokenAt(std::string_view subject, int place);
+
+absl::Duration LeaseOf(const config::v1::QueueConfig& config);
+
+}  // namespace flair::orchestrator

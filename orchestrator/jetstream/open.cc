@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/jetstream/open.h"
+
+#include <algorithm>
+
+#include "orchestrator/jetstream/connect_options.h"
+#include "orchestrator/jetstream/jetstream_artifacts.h"
+#include "orchestrator/jetstream/jetstream_work_queue.h"
+#include "orchestrator/jetstream/streams.h"
+
+namespace flair::orchestrator {
+namespace {
+
+absl::StatusOr<std::unique_ptr<QueueParts>> Connect(const config::v1::QueueConfig& config,
+                                                    const config::v1::TlsConfig* tls, const runtime::Clock& clock) {
+  if (absl::Status status = CheckQueueConfig(config, tls); !status.ok()) return status;
+  absl::StatusOr<std::unique_ptr<NatsConnection>> connection = NatsConnection::Open(config, tls);
+  if (!connection.ok()) return connection.status();
+  return std::make_unique<QueueParts>(*std::move(connection), config, clock);
+}
+
+int ReplicaCount(const config::v1::QueueConfig& config) { return std::max(1, config.replica_count()); }
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<WorkQueue>> OpenJetStreamQueue(const config::v1::QueueConfig& config,
+                                                              const config::v1::TlsConfig* tls,
+                                                              const runtime::Clock& clock) {
+  absl::StatusOr<std::unique_ptr<QueueParts>> parts = Connect(config, tls, clock);
+  if (!parts.ok()) return parts.status();
+  absl::Status status = MakeQueueStreams((*parts)->api, (*parts)->names, ReplicaCount(config));
+  if (!status.ok()) return status;
+  return JetStreamWorkQueue::Open(*std::move(parts));
+}
+
+absl::StatusOr<std::unique_ptr<ArtifactStore>> OpenJetStreamArtifacts(const config::v1::QueueConfig& config,
+                                                                      const config::v1::TlsConfig* tls,
+                                                                      const runtime::Clock& clock) {
+  absl::StatusOr<std::unique_ptr<QueueParts>> parts = Connect(config, tls, clock);
+  if (!parts.ok()) return parts.status();
+  absl::Status status = MakeArtifactStream((*parts)->api, (*parts)->names, ReplicaCount(config));
+  if (!status.ok()) return status;
+  return std::make_unique<JetStreamArtifacts>(*std::move(parts));
+}
+
+}  // namespace flair::orchestrator

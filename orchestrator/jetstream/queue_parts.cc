@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/jetstream/queue_parts.h"
+
+#include <fmt/format.h>
+
+#include "orchestrator/jetstream/news.h"
+#include "worker_runtime/files/sha256.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// How long a call goes on without an answer: longer than the servers of a queue take to choose a new leader.
+constexpr absl::Duration kCallLimit = absl::Seconds(10);
+
+template <typename Message>
+absl::StatusOr<Revised<Message>> Parse(const absl::StatusOr<Bucket::Entry>& entry, const char* field,
+                                       const std::string& id) {
+  if (absl::IsNotFound(entry.status())) {
+    return absl::NotFoundError(fmt::format("{}: \"{}\" is not known here", field, id.substr(0, 80)));
+  }
+  if (!entry.ok()) return entry.status();
+  Revised<Message> revised;
+  revised.revision = entry->revision;
+  if (!revised.value.ParseFromString(entry->value)) {
+    return absl::DataLossError(fmt::format("{}: the queue's record of {} is damaged", field, id));
+  }
+  return revised;
+}
+
+template <typename Message>
+absl::StatusOr<Revised<Message>> ChangeRecord(Bucket& bucket, const std::string& id,
+                                              const std::function<absl::StatusOr<Revised<Message>>()>& get,
+                                              const std::function<absl::StatusOr<bool>(Message&)>& change) {
+  while (true) {
+    absl::StatusOr<Revised<Message>> record = get();
+    if (!record.ok()) return record;
+    const absl::StatusOr<bool> changed = change(record->value);
+    if (!changed.ok()) return changed.status();
+    if (!*changed) return record;
+    const absl::StatusOr<uint64_t> revision =
+        bucket.Update(id, runtime::CanonicalBytes(record->value), record->revision);
+    // Somebody else was faster.
+    if (absl::IsAborted(revision.status())) continue;
+    if (!revision.ok()) return revision.status();
+    record->revision = *revision;
+    return record;
+  }
+}
+
+}  // namespace
+
+QueueParts::QueueParts(std::unique_ptr<NatsConnection> opened, const config::v1::QueueConfig& config,
+                       const runtime::Clock& the_clock)
+    : connection(std::move(opened)),
+      names(config),
+      lease(LeaseOf(config)),
+      clock(the_clock),
+      api(*connection, kCallLimit),
+      jobs(api, names.Bucket("jobs")),
+      batches(api, names.Bucket("batches")),
+      requests(api, names.Bucket("requests")),
+      index(api, names.Bucket("index")),
+      statuses(api, names.Bucket("status")),
+      reader(api) {}
+
+absl::StatusOr<RevisedJob> QueueParts::ParseJob(const std::string& job_id,
+                                                const absl::StatusOr<Bucket::Entry>& entry) const {
+  return Parse<store::v1::JobRecord>(entry, "job_id", job_id);
+}
+
+absl::StatusOr<RevisedJob> QueueParts::GetJob(const std::string& job_id) {
+  return ParseJob(job_id, IsToken(job_id) ? jobs.Get(job_id) : absl::NotFoundError(""));
+}
+
+absl::StatusOr<RevisedBatch> QueueParts::GetBatch(const std::string& batch_id) {
+  return Parse<store::v1::BatchRecord>(IsToken(batch_id) ? batches.Get(batch_id) : absl::NotFoundError(""), "batch_id",
+                                       batch_id);
+}
+
+absl::StatusOr<RevisedJob> QueueParts::ChangeJob(const std::string& job_id,
+                                                 const Change<store::v1::JobRecord>& change) {
+  return ChangeRecord<store::v1::JobRecord>(jobs, job_id, [&] { return GetJob(job_id); }, change);
+}
+
+absl::StatusOr<RevisedBatch> QueueParts::ChangeBatch(const std::string& batch_id,
+                                                     const Change<store::v1::BatchRecord>& change) {
+  return ChangeRecord<store::v1::BatchRecord>(batches, batch_id, [&] { return GetBatch(batch_id); }, change);
+}
+
+std::string QueueParts::LaneOf(const v1::Job& job) const {
+  const std::string owner = OwnerToken(job.owner());
+  return job.batch_id().empty() ? names.Single(owner) : names.Batch(owner, job.batch_id());
+}
+
+NatsRequest QueueParts::QueueMessage(const v1::Job& job, const std::string& message_id) const {
+  return {LaneOf(job), job.id(), {{"Nats-Msg-Id", message_id}}};
+}
+
+void QueueParts::Tell(const News& news) { (void)connection->Publish({names.news_subject(), WriteNews(news), {}}); }
+
+void QueueParts::TellOfWork(const std::string& lane) { Tell({NewsKind::kWork, lane, ""}); }
+
+void QueueParts::TellOfJob(const v1::Job& job) {
+  // Who watches the batch wants to know of ends only.
+  const bool open = job.state() == v1::JOB_STATE_QUEUED || job.state() == v1::JOB_STATE_RUNNING;
+  Tell({NewsKind::kJob, job.id(), open ? "" : job.batch_id()});
+}
+
+void QueueParts::TellHolder(const std::string& job_id) { Tell({NewsKind::kHold, job_id, ""}); }
+
+void QueueParts::TellOfBatch(const std::string& batch_id) { Tell({NewsKind::kBatch, batch_id, ""}); }
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "flair/store/v1/job_record.pb.h"
+#include "orchestrator/jetstream/api.h"
+#include "orchestrator/jetstream/bucket.h"
+#include "orchestrator/jetstream/connection.h"
+#include "orchestrator/jetstream/names.h"
+#include "orchestrator/jetstream/news.h"
+#include "orchestrator/jetstream/stream_reader.h"
+#include "worker_runtime/clock/clock.h"
+
+namespace flair::orchestrator {
+
+// A value of a bucket as a message, and the revision that it had.
+template <typename Message>
+struct Revised {
+  Message value;
+  uint64_t revision = 0;
+};
+using RevisedJob = Revised<store::v1::JobRecord>;
+using RevisedBatch = Revised<store::v1::BatchRecord>;
+
+// What all parts of a queue share: the connection and what is kept behind it. Thread-safe.
+class QueueParts {
+ public:
+  // `config` is checked; `connection` is open, and the streams are there.
+  QueueParts(std::unique_ptr<NatsConnection> connection, const config::v1::QueueConfig& config,
+             const runtime::Clock& clock);
+
+  // NOT_FOUND when unknown, also when it cannot be an id.
+  absl::StatusOr<RevisedJob> GetJob(const std::string& job_id);
+  absl::StatusOr<RevisedBatch> GetBatch(const std::string& batch_id);
+  // What GetAll gave.
+  absl::StatusOr<RevisedJob> ParseJob(const std::string& job_id, const absl::StatusOr<Bucket::Entry>& entry) const;
+
+  // Replaces a record by what `change` makes of it, whatever others do to it meanwhile: `change` is called again with
+  // what they made of it. Nothing is written when it returns an error or, `unchanged`, false.
+  template <typename Record>
+  using Change = std::function<absl::StatusOr<bool>(Record&)>;
+  absl::StatusOr<RevisedJob> ChangeJob(const std::string& job_id, const Change<store::v1::JobRecord>& change);
+  absl::StatusOr<RevisedBatch> ChangeBatch(const std::string& batch_id, const Change<store::v1::BatchRecord>& change);
+
+  // Puts the job into the queue stream: once for one `message_id`, at least for some minutes.
+  NatsRequest QueueMessage(const v1::Job& job, const std::string& message_id) const;
+  // The subject under which the job waits.
+  std::string LaneOf(const v1::Job& job) const;
+
+  // Tells the other processes, which may miss it: see news.h.
+  void TellOfWork(const std::string& lane);
+  void TellOfJob(const v1::Job& job);
+  void TellHolder(const std::string& job_id);
+  void TellOfBatch(const std::string& batch_id);
+
+  void Tell(const News& news);
+
+  const std::unique_ptr<NatsConnection> connection;
+  const QueueNames names;
+  const absl::Duration lease;
+  const runtime::Clock& clock;
+  JetStreamApi api;
+  Bucket jobs;
+  Bucket batches;
+  Bucket requests;
+  Bucket index;
+  Bucket statuses;
+  StreamReader reader;
+};
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "orchestrator/jetstream/api.h"
+
+namespace flair::orchestrator {
+
+// Where a message that a consumer delivered stands, as its reply subject says.
+struct Delivery {
+  uint64_t sequence = 0;
+  // How often it was delivered, with this time.
+  int64_t delivery_count = 0;
+};
+// All 0 when the subject is none of those.
+Delivery ParseDelivery(std::string_view reply_subject);
+
+// Reads streams by consumers that live no longer than the call. Errors as JetStreamApi. Thread-safe.
+class StreamReader {
+ public:
+  explicit StreamReader(JetStreamApi& api) : api_(api) {}
+
+  // How many messages have subjects that match each filter; the stream's server counts, nothing is read.
+  absl::StatusOr<std::vector<int64_t>> Count(const std::string& stream, std::span<const std::string> filters);
+
+  struct Range {
+    std::string filter;
+    // From this one on, in order.
+    uint64_t first_sequence = 1;
+    int limit = 1000;
+    bool with_content = true;
+  };
+  struct Message {
+    std::string subject;
+    std::string content;
+    uint64_t sequence = 0;
+  };
+  absl::StatusOr<std::vector<Message>> Read(const std::string& stream, const Range& range);
+
+  // The highest sequence that the stream gave; 0 when none.
+  absl::StatusOr<uint64_t> LastSequence(const std::string& stream);
+
+ private:
+  absl::StatusOr<std::vector<Message>> ReadOnce(const std::string& stream, const Range& range);
+  void Forget(const std::string& stream, const std::string& consumer);
+
+  JetStreamApi& api_;
+};
+
+}  // namespace flair::orchestrator
