@@ -24,7 +24,7 @@ class BatchServiceTest : public ::testing::Test {
   BatchServiceTest() {
     config_.set_store_path(folder_.path());
     config_.set_running_job_limit(2);
-    config_.mutable_runtime()->set_log_level("off");
+    config_.mutable_runtime()->set_log_level("error");
   }
   void Start() { orchestrator_ = std::make_unique<EmbeddedForTest>(config_, workers_.channels()); }
 
