@@ -7,6 +7,7 @@
 #include "absl/status/statusor.h"
 #include "optimizer_worker/fanout/peer_optimizer.h"
 #include "worker_runtime/clock/clock.h"
+#include "worker_runtime/grpc/channel.h"
 
 namespace flair::optimizer {
 
@@ -18,6 +19,7 @@ inline constexpr char kProducerMetadata[] = "flair-producer";
 // minute at the latest, and is FAILED_PRECONDITION, naming both, when somebody else than `producer` answered.
 // INVALID_ARGUMENT when the address has no such form. `clock` must outlive the peer.
 absl::StatusOr<std::unique_ptr<PeerOptimizer>> MakeGrpcPeer(const std::string& address, const std::string& producer,
-                                                            const runtime::Clock& clock);
+                                                            const runtime::Clock& clock,
+                                                            const runtime::ChannelOptions& options = {});
 
 }  // namespace flair::optimizer

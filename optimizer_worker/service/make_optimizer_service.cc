@@ -9,8 +9,10 @@
 #include "optimizer_worker/service/producer.h"
 #include "optimizer_worker/service/resolve_handler.h"
 #include "optimizer_worker/service/solve_handler.h"
+#include "optimizer_worker/service/solve_metrics.h"
 #include "optimizer_worker/service/solve_restarts_handler.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
+#include "worker_runtime/grpc/observed_handler.h"
 #include "worker_runtime/grpc/unary_call.h"
 
 namespace flair::optimizer {
@@ -31,12 +33,12 @@ class Service final : public v1::OptimizerService::CallbackService {
   }
   grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
                                   v1::SolveResponse* response) override {
-    return runtime::ServeUnary(worker_, "Solve", context, request, response, solve_);
+    return runtime::ServeUnary(worker_, "Solve", context, request, response, counted_solve_);
   }
   grpc::ServerUnaryReactor* SolveRestarts(grpc::CallbackServerContext* context, const v1::SolveRestartsRequest* request,
                                           v1::SolveRestartsResponse* response) override {
     context->AddInitialMetadata(kProducerMetadata, identity_);
-    return runtime::ServeUnary(worker_, "SolveRestarts", context, request, response, solve_restarts_);
+    return runtime::ServeUnary(worker_, "SolveRestarts", context, request, response, counted_solve_restarts_);
   }
   grpc::ServerUnaryReactor* Resolve(grpc::CallbackServerContext* context, const v1::ResolveRequest* request,
                                     v1::ResolveResponse* response) override {
@@ -57,6 +59,10 @@ class Service final : public v1::OptimizerService::CallbackService {
   SolveRestartsHandler solve_restarts_{solver_};
   ResolveHandler resolve_{solver_};
   EvaluateHandler evaluate_{solver_};
+  const SolveMetrics metrics_{worker_.metrics};
+  runtime::ObservedHandler<SolveHandler, const SolveMetrics&> counted_solve_{solve_, worker_.clock, metrics_};
+  runtime::ObservedHandler<SolveRestartsHandler, const SolveMetrics&> counted_solve_restarts_{solve_restarts_,
+                                                                                              worker_.clock, metrics_};
 };
 
 }  // namespace
@@ -66,7 +72,8 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeOptimizerService(const config
   std::vector<std::unique_ptr<PeerOptimizer>> peers;
   for (int i = 0; i < config.peer_addresses_size(); ++i) {
     absl::StatusOr<std::unique_ptr<PeerOptimizer>> peer =
-        MakeGrpcPeer(config.peer_addresses(i), PeerIdentity(worker.build), worker.clock);
+        MakeGrpcPeer(config.peer_addresses(i), PeerIdentity(worker.build), worker.clock,
+                     runtime::ChannelOptionsOf(config.runtime()));
     if (!peer.ok()) {
       return absl::InvalidArgumentError(fmt::format("peer_addresses[{}]: {}", i, std::string(peer.status().message())));
     }

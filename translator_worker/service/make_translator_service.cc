@@ -36,9 +36,12 @@ class Service final : public v1::TranslatorService::CallbackService {
 
 absl::StatusOr<std::unique_ptr<CatalogSource>> MakeSource(const config::v1::TranslatorWorkerConfig& config) {
   if (config.optimizer_address().empty()) return std::make_unique<NoCatalogSource>();
-  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = runtime::MakeChannel(
-      config.optimizer_address(), v1::OptimizerService::service_full_name(), config.runtime().max_message_mib());
-  if (!channel.ok()) return channel.status();
+  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel =
+      runtime::MakeChannel(config.optimizer_address(), v1::OptimizerService::service_full_name(),
+                           runtime::ChannelOptionsOf(config.runtime()));
+  if (!channel.ok()) {
+    return absl::InvalidArgumentError(fmt::format("optimizer_address: {}", std::string(channel.status().message())));
+  }
   return std::make_unique<RemoteCatalogSource>(*std::move(channel));
 }
 

@@ -46,7 +46,8 @@ absl::Status Worker::Start() {
                                .capabilities = context().capabilities,
                                .configuration_digest = ConfigurationDigest(context()),
                                .listen_address = listen,
-                               .max_message_mib = config_.max_message_mib()},
+                               .max_message_mib = config_.max_message_mib(),
+                               .tls = config_.has_tls() ? std::optional(config_.tls()) : std::nullopt},
                               std::move(services_));
   if (!server.ok()) return server.status();
   server_ = *std::move(server);

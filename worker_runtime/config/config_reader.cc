@@ -10,11 +10,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include "flair/config/v1/runtime_config.pb.h"
 #include "worker_runtime/metrics/metrics_endpoint.h"
+#include "worker_runtime/security/exposure.h"
 
 namespace flair::runtime {
 namespace {
@@ -103,6 +105,30 @@ void CheckRuntime(const config::v1::RuntimeConfig& runtime, ConfigChecker& check
   }
 }
 
+void CheckTls(const config::v1::TlsConfig& tls, ConfigChecker& checker) {
+  const std::string missing = "missing; expected a PEM file";
+  if (tls.certificate_path().empty()) checker.Report("runtime.tls.certificate_path", missing);
+  if (tls.key_path().empty()) checker.Report("runtime.tls.key_path", missing);
+  if (tls.require_client_certificate() && tls.authority_path().empty()) {
+    checker.Report("runtime.tls.authority_path", missing + " with the authorities of the callers' certificates");
+  }
+}
+
+// Whether the program asks its callers for tokens, if it can: its config has a tokens_path then.
+std::optional<bool> AsksForTokens(const google::protobuf::Message& config) {
+  const FieldDescriptor* field = config.GetDescriptor()->FindFieldByName("tokens_path");
+  if (field == nullptr || field->cpp_type() != FieldDescriptor::CPPTYPE_STRING) return std::nullopt;
+  return !config.GetReflection()->GetString(config, field).empty();
+}
+
+void CheckExposure(const config::v1::RuntimeConfig& runtime, std::optional<bool> asks_for_tokens,
+                   ConfigChecker& checker) {
+  const std::string fault = ExposureFault(runtime, asks_for_tokens);
+  if (!fault.empty()) checker.Report("runtime.listen_address", fault);
+  const std::string metrics_fault = MetricsExposureFault(runtime);
+  if (!metrics_fault.empty()) checker.Report("runtime.metrics_address", metrics_fault);
+}
+
 const config::v1::RuntimeConfig* FindRuntime(const google::protobuf::Message& config) {
   const FieldDescriptor* field = config.GetDescriptor()->FindFieldByName("runtime");
   if (field == nullptr) return nullptr;
@@ -152,7 +178,11 @@ absl::Status ReadConfigText(const std::string& name, const std::string& text, go
   const bool parsed = parser.ParseFromString(text, &config);
   if (!parsed && problems.empty()) problems.push_back({-1, "not a text proto"});
   LocatedChecker checker(*config.GetDescriptor(), tree, problems);
-  if (const config::v1::RuntimeConfig* runtime = FindRuntime(config)) CheckRuntime(*runtime, checker);
+  if (const config::v1::RuntimeConfig* runtime = FindRuntime(config)) {
+    CheckRuntime(*runtime, checker);
+    if (runtime->has_tls()) CheckTls(runtime->tls(), checker);
+    CheckExposure(*runtime, AsksForTokens(config), checker);
+  }
   if (parsed && check) check(checker);
   return ToStatus(name, std::move(problems));
 }

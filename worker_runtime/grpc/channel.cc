@@ -6,9 +6,19 @@
 #include <grpcpp/support/channel_arguments.h>
 
 #include <charconv>
+#include <vector>
+
+#include "worker_runtime/grpc/bearer_token.h"
+#include "worker_runtime/grpc/credentials.h"
+#include "worker_runtime/security/local_address.h"
 
 namespace flair::runtime {
 namespace {
+
+// A server that is not heard of for so long during a call is gone. No server takes that for abuse: without data of its
+// own, gRPC asks twice at most.
+constexpr int kKeepaliveMs = 30000;
+constexpr int kKeepaliveTimeoutMs = 20000;
 
 bool EndsInPort(const std::string& address) {
   const size_t colon = address.rfind(':');
@@ -19,31 +29,68 @@ bool EndsInPort(const std::string& address) {
   return error == std::errc() && rest == end && port >= 1 && port <= 65535;
 }
 
-}  // namespace
-
-int MaxMessageBytes(int max_message_mib) { return (max_message_mib > 0 ? max_message_mib : 32) * 1024 * 1024; }
-
-absl::StatusOr<std::shared_ptr<grpc::Channel>> MakeChannel(const std::string& address, const std::string& service,
-                                                           int max_message_mib) {
+absl::Status CheckAddress(const std::string& address, const ChannelOptions& options) {
   const bool unix_socket = address.starts_with("unix:") && address.size() > 5;
   if (!unix_socket && !EndsInPort(address)) {
     return absl::InvalidArgumentError(fmt::format(
         "address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535]", address));
   }
+  if (options.tls.has_value() || options.allow_insecure || IsLocalAddress(address)) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      fmt::format("address \"{}\": on another machine, and{} plain text can be read and changed on the way; use TLS "
+                  "(tls), or allow it "
+                  "(allow_insecure)",
+                  address, options.token.empty() ? "" : " the token in"));
+}
+
+grpc::ChannelArguments Arguments(const std::string& address, const std::string& service,
+                                 const ChannelOptions& options) {
   grpc::ChannelArguments arguments;
-  arguments.SetMaxReceiveMessageSize(MaxMessageBytes(max_message_mib));
-  arguments.SetMaxSendMessageSize(MaxMessageBytes(max_message_mib));
+  arguments.SetMaxReceiveMessageSize(MaxMessageBytes(options.max_message_mib));
+  arguments.SetMaxSendMessageSize(MaxMessageBytes(options.max_message_mib));
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 200);
   arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 200);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2000);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveMs);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeoutMs);
   // Retrying is the caller's: see orchestrator/pipeline/backoff_policy.h.
   arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
-  if (address.starts_with("dns:")) {
+  if (!options.server_name.empty()) arguments.SetString(GRPC_ARG_DEFAULT_AUTHORITY, options.server_name);
+  if (options.only_while_serving || address.starts_with("dns:")) {
     // No timeout in here, ever: gRPC 1.51 then ends calls too early. Deadlines are set per call.
     arguments.SetServiceConfigJSON(fmt::format(
-        R"({{"loadBalancingConfig":[{{"round_robin":{{}}}}],"healthCheckConfig":{{"serviceName":"{}"}}}})", service));
+        R"({{"loadBalancingConfig":[{{"round_robin":{{}}}}],"healthCheckConfig":{{"serviceName":"{}"}}}})",
+        // The whole server, which most servers speak of; of a service of ours those of others need not know.
+        options.only_while_serving ? "" : service));
   }
-  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
+  return arguments;
+}
+
+}  // namespace
+
+int MaxMessageBytes(int max_message_mib) { return (max_message_mib > 0 ? max_message_mib : 32) * 1024 * 1024; }
+
+ChannelOptions ChannelOptionsOf(const config::v1::RuntimeConfig& runtime) {
+  ChannelOptions options;
+  options.max_message_mib = runtime.max_message_mib();
+  options.allow_insecure = runtime.allow_insecure();
+  if (runtime.has_tls()) options.tls = runtime.tls();
+  return options;
+}
+
+absl::StatusOr<std::shared_ptr<grpc::Channel>> MakeChannel(const std::string& address, const std::string& service,
+                                                           const ChannelOptions& options) {
+  if (absl::Status status = CheckAddress(address, options); !status.ok()) return status;
+  std::shared_ptr<grpc::ChannelCredentials> credentials = grpc::InsecureChannelCredentials();
+  if (options.tls.has_value()) {
+    absl::StatusOr<std::shared_ptr<grpc::ChannelCredentials>> made = MakeChannelCredentials(*options.tls);
+    if (!made.ok()) return made.status();
+    credentials = *std::move(made);
+  }
+  const grpc::ChannelArguments arguments = Arguments(address, service, options);
+  if (options.token.empty()) return grpc::CreateCustomChannel(address, credentials, arguments);
+  return grpc::experimental::CreateCustomChannelWithInterceptors(address, credentials, arguments,
+                                                                 SendBearerToken(options.token));
 }
 
 }  // namespace flair::runtime

@@ -4,17 +4,40 @@
 #include <grpcpp/channel.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "absl/status/statusor.h"
+#include "flair/config/v1/runtime_config.pb.h"
 
 namespace flair::runtime {
 
+// How a server is called.
+struct ChannelOptions {
+  // Largest message, MiB; 32 when 0.
+  int max_message_mib = 0;
+  // Whom we believe and who we are (MakeChannelCredentials). Unset: plain text.
+  std::optional<config::v1::TlsConfig> tls;
+  // Sent with every call, as "authorization: Bearer TOKEN".
+  std::string token = "";
+  // Sends plain text, and the token in it, to other machines too.
+  bool allow_insecure = false;
+  // Whom the server's certificate must name, when that is not the host of the address.
+  std::string server_name = "";
+  // Does not call a server that says that it does not serve, such as one that is about to stop: such a channel is not
+  // READY. Holds for "dns:///" anyway.
+  bool only_while_serving = false;
+};
+
+// How a program's config says that others are called.
+ChannelOptions ChannelOptionsOf(const config::v1::RuntimeConfig& runtime);
+
 // A channel to "HOST:PORT", "unix:PATH" or "dns:///NAME:PORT"; the last spreads calls over all healthy addresses that
 // serve `service` (full name, such as "flair.v1.OptimizerService"). Returns at once, connects on first use.
-// INVALID_ARGUMENT when the address has no such form.
+// INVALID_ARGUMENT when the address has no such form, when it would be plain text to another machine, or for the files
+// of TLS.
 absl::StatusOr<std::shared_ptr<grpc::Channel>> MakeChannel(const std::string& address, const std::string& service,
-                                                           int max_message_mib = 0);
+                                                           const ChannelOptions& options = {});
 
 // Largest message in bytes for a config's max_message_mib.
 int MaxMessageBytes(int max_message_mib);

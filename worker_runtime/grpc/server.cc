@@ -4,15 +4,18 @@
 #include <fmt/format.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/resource_quota.h>
 #include <grpcpp/security/server_credentials.h>
-#include <grpcpp/server_builder.h>
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <utility>
 
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/credentials.h"
 #include "worker_runtime/grpc/protocol.h"
 
 namespace flair::runtime {
@@ -60,6 +63,40 @@ absl::Status CheckListenAddress(const std::string& address) {
       fmt::format("listen_address \"{}\": expected HOST:PORT with a port in [0, 65535], or unix:PATH", address));
 }
 
+// What callers may cost, in connections that are never used, calls that never end and messages that are never taken.
+constexpr int kHandshakeTimeoutMs = 10 * 1000;
+constexpr int kIdleConnectionMs = 5 * 60 * 1000;
+constexpr int kConnectionAgeMs = 60 * 60 * 1000;
+constexpr int kCallsOfAConnection = 1024;
+constexpr int kMetadataBytes = 16 * 1024;
+// A caller that is not heard of is asked whether it is there; one that asks us more often than this is sent away.
+constexpr int kKeepaliveMs = 60 * 1000;
+constexpr int kKeepaliveTimeoutMs = 20 * 1000;
+constexpr int kLeastPingIntervalMs = 10 * 1000;
+// All messages on their way together. gRPC 1.51 reads a message whole before it looks whether it is too long; with this
+// it stops reading, and ends one of the calls that are being read with RESOURCE_EXHAUSTED.
+constexpr size_t kLeastMemoryMib = 256;
+constexpr size_t kLongestMessagesInMemory = 8;
+
+void LimitCallers(int max_message_mib, grpc::ServerBuilder& builder) {
+  const size_t message_mib = static_cast<size_t>(MaxMessageBytes(max_message_mib)) >> 20;
+  grpc::ResourceQuota quota("flair");
+  quota.Resize(std::max(kLeastMemoryMib, kLongestMessagesInMemory * message_mib) << 20);
+  builder.SetResourceQuota(quota);
+  const std::pair<const char*, int> limits[] = {
+      // Otherwise a second program could take the same socket unnoticed and get half of the calls.
+      {GRPC_ARG_ALLOW_REUSEPORT, 0},
+      {GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, kHandshakeTimeoutMs},
+      {GRPC_ARG_MAX_CONNECTION_IDLE_MS, kIdleConnectionMs},
+      {GRPC_ARG_MAX_CONNECTION_AGE_MS, kConnectionAgeMs},
+      {GRPC_ARG_MAX_CONCURRENT_STREAMS, kCallsOfAConnection},
+      {GRPC_ARG_MAX_METADATA_SIZE, kMetadataBytes},
+      {GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveMs},
+      {GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeoutMs},
+      {GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, kLeastPingIntervalMs}};
+  for (const auto& [name, value] : limits) builder.AddChannelArgument(name, value);
+}
+
 }  // namespace
 
 Server::Server(const ServerOptions& options, std::vector<NamedService> services)
@@ -67,35 +104,57 @@ Server::Server(const ServerOptions& options, std::vector<NamedService> services)
   services_.push_back({v1::WorkerService::service_full_name(), std::make_unique<WorkerInfo>(options)});
 }
 
+absl::Status Server::Listen(const ServerOptions& options, grpc::ServerBuilder& builder) {
+  if (absl::Status status = CheckListenAddress(options.listen_address); !status.ok()) return status;
+  std::shared_ptr<grpc::ServerCredentials> credentials = grpc::InsecureServerCredentials();
+  if (options.tls.has_value()) {
+    absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> made = MakeServerCredentials(*options.tls);
+    if (!made.ok()) return made.status();
+    credentials = *std::move(made);
+  }
+  EnableHealthAndReflectionOnce();
+  if (options.listen_address.starts_with("unix:")) {
+    address_ = options.listen_address;
+    builder.AddListeningPort(address_, credentials);
+    return absl::OkStatus();
+  }
+  absl::StatusOr<std::unique_ptr<Listener>> listener = Listener::Bind(options.listen_address);
+  if (!listener.ok()) return listener.status();
+  listener_ = *std::move(listener);
+  address_ = listener_->address();
+  using Type = grpc::ServerBuilder::experimental_type::ExternalConnectionType;
+  acceptor_ = builder.experimental().AddExternalConnectionAcceptor(Type::FROM_FD, credentials);
+  return absl::OkStatus();
+}
+
 absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& options,
                                                       std::vector<NamedService> services) {
   std::unique_ptr<Server> server(new Server(options, std::move(services)));
-  const std::string& listen = options.listen_address;
   grpc::ServerBuilder builder;
-  int port = 0;
-  if (!listen.empty()) {
-    if (absl::Status status = CheckListenAddress(listen); !status.ok()) return status;
-    EnableHealthAndReflectionOnce();
-    builder.AddListeningPort(listen, grpc::InsecureServerCredentials(), &port);
+  if (!options.listen_address.empty()) {
+    if (absl::Status status = server->Listen(options, builder); !status.ok()) return status;
+    LimitCallers(options.max_message_mib, builder);
   }
   // All our services answer by callback; the threads for others would only wait.
   builder.SetSyncServerOption(grpc::ServerBuilder::NUM_CQS, 1);
   builder.SetSyncServerOption(grpc::ServerBuilder::MAX_POLLERS, 1);
-  // Otherwise a second program could take the same port unnoticed and get half of the calls.
-  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   builder.SetMaxReceiveMessageSize(server->max_message_bytes_);
   builder.SetMaxSendMessageSize(server->max_message_bytes_);
   for (const NamedService& service : server->services_) builder.RegisterService(service.service.get());
   server->server_ = builder.BuildAndStart();
-  if (server->server_ == nullptr || (!listen.empty() && port == 0)) {
-    return absl::UnavailableError(
-        fmt::format("cannot listen on {}: the address is in use, not of this machine, or not permitted", listen));
-  }
-  if (!listen.empty()) {
-    server->address_ =
-        listen.starts_with("unix:") ? listen : fmt::format("{}:{}", listen.substr(0, listen.rfind(':')), port);
+  if (server->server_ == nullptr) {
+    return absl::UnavailableError(fmt::format(
+        "cannot listen on {}: the address is in use, not of this machine, or not permitted", options.listen_address));
   }
   server->SetServing(true);
+  if (server->listener_ != nullptr) {
+    server->listener_->Start([acceptor = server->acceptor_.get()](int listener, int connection) {
+      grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters parameters;
+      parameters.listener_fd = listener;
+      parameters.fd = connection;
+      acceptor->HandleNewConnection(&parameters);
+    });
+  }
   return server;
 }
 
@@ -118,6 +177,7 @@ void Server::SetServing(bool serving) {
 void Server::Shutdown(absl::Duration drain) {
   if (server_ == nullptr) return;
   SetServing(false);
+  if (listener_ != nullptr) listener_->Stop();
   server_->Shutdown(std::chrono::system_clock::now() + absl::ToChronoMilliseconds(drain));
   server_->Wait();
   server_.reset();

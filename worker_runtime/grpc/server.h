@@ -4,14 +4,18 @@
 #include <grpcpp/channel.h>
 #include <grpcpp/impl/service_type.h>
 #include <grpcpp/server.h>
+#include <grpcpp/server_builder.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "flair/config/v1/runtime_config.pb.h"
 #include "flair/v1/worker_service.pb.h"
+#include "worker_runtime/grpc/listener.h"
 
 namespace flair::runtime {
 
@@ -33,10 +37,14 @@ struct ServerOptions {
   std::string listen_address;
   // Largest message in MiB; 32 when 0.
   int max_message_mib = 0;
+  // Unset: plain text.
+  std::optional<config::v1::TlsConfig> tls = std::nullopt;
 };
 
-// A running gRPC server that owns its services. Serves WorkerService beside them. A listening one answers health (per
-// service name and for "") and reflection. Thread-safe.
+// A running gRPC server that owns its services. What callers may cost it is limited: connections (ConnectionGate),
+// calls of one connection, the memory of messages on their way, and the time to begin or to say nothing; see
+// docs/security.md. Serves WorkerService beside them. A listening one answers health (per service name and for "") and
+// reflection. Thread-safe.
 class Server {
  public:
   // INVALID_ARGUMENT for an address of no known form, UNAVAILABLE when it cannot be bound.
@@ -52,17 +60,21 @@ class Server {
   // A channel that needs no port. Must not be used after Shutdown.
   std::shared_ptr<grpc::Channel> InProcessChannel();
 
-  // Reports NOT_SERVING, takes no more calls, gives running ones `drain`, then cancels them and waits until they have
-  // ended. May be called more than once.
+  // Reports NOT_SERVING, takes no more connections and calls, gives running ones `drain`, then cancels them and waits
+  // until they have ended. May be called more than once.
   void Shutdown(absl::Duration drain);
 
  private:
   Server(const ServerOptions& options, std::vector<NamedService> services);
+  absl::Status Listen(const ServerOptions& options, grpc::ServerBuilder& builder);
   void SetServing(bool serving);
 
   std::vector<NamedService> services_;
   const int max_message_bytes_;
   std::unique_ptr<grpc::Server> server_;
+  // gRPC's end of the listener, and the listener: null without a TCP port. The listener goes first.
+  std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> acceptor_;
+  std::unique_ptr<Listener> listener_;
   std::string address_;
 };
 

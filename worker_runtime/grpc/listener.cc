@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "worker_runtime/grpc/listener.h"
+
+#include <fmt/format.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "worker_runtime/clock/clock.h"
+
+namespace flair::runtime {
+namespace {
+
+constexpr int kBacklog = 4096;
+constexpr int kAcceptedAtOnce = 256;
+// More would be more than the memory that all connections may have.
+constexpr rlim_t kMostFiles = 65536;
+// How long to leave the others waiting when there are no files left.
+constexpr int kOutOfFilesMs = 50;
+
+// Allows the process as many files as it may have, and says how many these are.
+int RaiseFileLimit() {
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return 1024;
+  const rlim_t wanted = std::min(limit.rlim_max, kMostFiles);
+  if (limit.rlim_cur < wanted) {
+    limit.rlim_cur = wanted;
+    ::setrlimit(RLIMIT_NOFILE, &limit);
+    ::getrlimit(RLIMIT_NOFILE, &limit);
+  }
+  return static_cast<int>(std::min(limit.rlim_cur, kMostFiles));
+}
+
+// A listening socket, or -1 with errno.
+int ListenOn(const sockaddr* address, socklen_t size) {
+  const int file = ::socket(address->sa_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (file < 0) return -1;
+  const int yes = 1;
+  const int no = 0;
+  ::setsockopt(file, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  // "[::]" is every address, of IPv4 too.
+  if (address->sa_family == AF_INET6) ::setsockopt(file, IPPROTO_IPV6, IPV6_V6ONLY, &no, sizeof no);
+  if (::bind(file, address, size) == 0 && ::listen(file, kBacklog) == 0) return file;
+  const int error = errno;
+  ::close(file);
+  errno = error;
+  return -1;
+}
+
+in_port_t& PortOf(sockaddr* address) {
+  return address->sa_family == AF_INET6 ? reinterpret_cast<sockaddr_in6*>(address)->sin6_port
+                                        : reinterpret_cast<sockaddr_in*>(address)->sin_port;
+}
+
+// Listens at all addresses of a name, at one port: that of the first where it is free to choose.
+std::vector<int> ListenOnAll(addrinfo* first, in_port_t& port) {
+  std::vector<int> files;
+  for (addrinfo* one = first; one != nullptr; one = one->ai_next) {
+    if (one->ai_family != AF_INET && one->ai_family != AF_INET6) continue;
+    PortOf(one->ai_addr) = port;
+    const int file = ListenOn(one->ai_addr, one->ai_addrlen);
+    if (file < 0) continue;
+    files.push_back(file);
+    sockaddr_storage bound = {};
+    socklen_t size = sizeof bound;
+    ::getsockname(file, reinterpret_cast<sockaddr*>(&bound), &size);
+    port = PortOf(reinterpret_cast<sockaddr*>(&bound));
+  }
+  return files;
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<Listener>> Listener::Bind(const std::string& address) {
+  const size_t colon = address.rfind(':');
+  const std::string shown_host = address.substr(0, colon);
+  std::string host = shown_host;
+  if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
+  addrinfo hints = {};
+  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  in_port_t port = htons(static_cast<in_port_t>(std::atoi(address.c_str() + colon + 1)));
+  std::vector<int> files;
+  if (::getaddrinfo(host.c_str(), nullptr, &hints, &found) == 0) {
+    files = ListenOnAll(found, port);
+    ::freeaddrinfo(found);
+  }
+  if (files.empty()) {
+    return absl::UnavailableError(
+        fmt::format("cannot listen on {}: the address is in use, not of this machine, or not permitted", address));
+  }
+  const int wake = ::eventfd(0, EFD_CLOEXEC);
+  return std::unique_ptr<Listener>(
+      new Listener(fmt::format("{}:{}", shown_host, ntohs(port)), std::move(files), wake, RaiseFileLimit()));
+}
+
+Listener::~Listener() {
+  Stop();
+  for (const int file : files_) ::close(file);
+  ::close(wake_);
+}
+
+void Listener::Start(std::function<void(int, int)> take) {
+  thread_ = std::thread([this, take = std::move(take)] { Run(take); });
+}
+
+void Listener::Stop() {
+  if (!thread_.joinable()) return;
+  const uint64_t one = 1;
+  while (::write(wake_, &one, sizeof one) < 0 && errno == EINTR) {
+  }
+  thread_.join();
+  // What waits to be accepted is refused at once, and another program may have the port.
+  for (const int file : files_) ::shutdown(file, SHUT_RDWR);
+}
+
+void Listener::Run(const std::function<void(int, int)>& take) {
+  std::vector<pollfd> polled = {{wake_, POLLIN, 0}};
+  for (const int file : files_) polled.push_back({file, POLLIN, 0});
+  bool out_of_files = false;
+  while (true) {
+    // Without files, the waiting ones are left alone for a moment: only the wake is looked at.
+    if (::poll(polled.data(), out_of_files ? 1 : polled.size(), out_of_files ? kOutOfFilesMs : -1) < 0) continue;
+    if (polled[0].revents != 0) return;
+    const bool all = out_of_files;
+    out_of_files = false;
+    for (size_t i = 1; i < polled.size(); ++i) {
+      if ((all || polled[i].revents != 0) && !AcceptAll(polled[i].fd, take)) out_of_files = true;
+    }
+  }
+}
+
+bool Listener::AcceptAll(int listener, const std::function<void(int, int)>& take) {
+  // Not for ever, however many come: somebody may want to stop.
+  for (int i = 0; i < kAcceptedAtOnce; ++i) {
+    sockaddr_storage peer = {};
+    socklen_t size = sizeof peer;
+    const int connection = ::accept4(listener, reinterpret_cast<sockaddr*>(&peer), &size, SOCK_NONBLOCK | SOCK_CLOEXEC);
+    if (connection < 0 && (errno == EINTR || errno == ECONNABORTED)) continue;
+    if (connection < 0) return errno != EMFILE && errno != ENFILE && errno != ENOBUFS && errno != ENOMEM;
+    if (!gate_.Admit(connection, peer, SystemClock().Elapsed())) {
+      ::close(connection);
+      continue;
+    }
+    const int yes = 1;
+    ::setsockopt(connection, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+    take(listener, connection);
+  }
+  return true;
+}
+
+}  // namespace flair::runtime
