@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "orchestrator/pipeline/stage_channels.h"
+#include "orchestrator/workers/stage_channels.h"
 #include "orchestrator/pipeline/stage_clients.h"
 #include "worker_runtime/grpc/in_process_server.h"
 

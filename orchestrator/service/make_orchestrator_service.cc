@@ -12,7 +12,7 @@
 #include "orchestrator/access/access_control.h"
 #include "orchestrator/batch/event_hub.h"
 #include "orchestrator/batch/job_runner.h"
-#include "orchestrator/pipeline/grpc_stage_clients.h"
+#include "orchestrator/workers/stage_workers.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/service/open_stores.h"
 #include "orchestrator/service/orchestrator_handlers.h"
@@ -77,9 +77,9 @@ class Service final : public OrchestratorService {
           Stores stores)
       : worker_(worker),
         stores_(std::move(stores)),
-        clients_(MakeGrpcStageClients(channels)),
+        workers_(channels, {.calls = config.stage_calls()}, worker.clock),
         introduction_(Introduce(config, worker)),
-        pipeline_(*stores_.queue, *stores_.artifacts, *clients_, worker.clock,
+        pipeline_(*stores_.queue, *stores_.artifacts, workers_.clients(), worker.clock,
                   MakePipelineOptions(config, worker.build)),
         runner_(*stores_.queue, pipeline_, worker.clock, *worker.logger, MakeRunnerOptions(config)),
         handlers_(*stores_.queue, *stores_.artifacts, runner_, worker.clock, QueuedJobLimit(config),
@@ -179,13 +179,14 @@ class Service final : public OrchestratorService {
     status.set_succeeded_count(counts.succeeded_count);
     status.set_failed_count(counts.failed_count);
     status.set_retried_count(counts.retried_count);
+    for (v1::WorkerStatus& worker : workers_.Status()) *status.add_workers() = std::move(worker);
     return status;
   }
 
   // Destroyed from the last to the first: nothing is told of what has gone.
   runtime::WorkerContext& worker_;
   Stores stores_;
-  std::unique_ptr<StageClients> clients_;
+  StageWorkers workers_;
   const v1::OrchestratorStatus introduction_;
   EventHub hub_;
   const Pipeline pipeline_;
@@ -221,13 +222,7 @@ void CheckOrchestratorConfig(const config::v1::OrchestratorConfig& config, runti
   if (config.has_stage_deadline_seconds()) {
     checker.Range("stage_deadline_seconds", config.stage_deadline_seconds(), 0.001, 86400);
   }
-  const std::pair<const char*, const std::string&> stages[] = {{"stages.language", config.stages().language()},
-                                                               {"stages.translator", config.stages().translator()},
-                                                               {"stages.optimizer", config.stages().optimizer()},
-                                                               {"stages.renderer", config.stages().renderer()}};
-  for (const auto& [path, address] : stages) {
-    if (address.empty()) checker.Report(path, "missing; expected HOST:PORT, unix:PATH or dns:///NAME:PORT");
-  }
+  CheckStageConfig(config, checker);
 }
 
 }  // namespace flair::orchestrator

@@ -6,7 +6,7 @@
 #include "absl/status/statusor.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"
-#include "orchestrator/pipeline/stage_channels.h"
+#include "orchestrator/workers/stage_channels.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 #include "worker_runtime/config/config_reader.h"
 

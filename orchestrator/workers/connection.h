@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <grpcpp/alarm.h>
+#include <grpcpp/channel.h>
+#include <grpcpp/client_context.h>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "flair/v1/worker_service.grpc.pb.h"
+#include "orchestrator/workers/connections.h"
+
+namespace flair::orchestrator {
+
+// One of Connections. Its channel may outlive it, for calls that are under way. Thread-safe.
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(Connections& connections, Connections::Worker worker, std::shared_ptr<grpc::Channel> channel,
+             bool watched);
+  // Stops telling the pool anything.
+  ~Connection();
+
+  const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
+  const std::string& address() const { return worker_.address; }
+
+  // Once.
+  void Open();
+
+ private:
+  struct Question {
+    grpc::ClientContext context;
+    v1::GetWorkerResponse answer;
+    grpc::Status status;
+    std::unique_ptr<grpc::ClientAsyncResponseReader<v1::GetWorkerResponse>> reader;
+  };
+
+  // Connects, and from then on sees what becomes of the channel.
+  void Watch();
+  // Asks the worker which revision it is and tells the pool.
+  void Ask();
+  void OnState(grpc_connectivity_state state);
+  void OnAnswer(const Question& question);
+  void AskLater();
+  void AskAgain();
+
+  Connections& connections_;
+  const Connections::Worker worker_;
+  const std::shared_ptr<grpc::Channel> channel_;
+  const bool watched_;
+  const std::unique_ptr<v1::WorkerService::Stub> stub_;
+  std::mutex mutex_;
+  // The one that counts; answers to earlier ones, of a connection that was lost since, do not.
+  std::shared_ptr<Question> question_;
+  bool ready_ = false;
+  std::unique_ptr<grpc::Alarm> alarm_;
+};
+
+}  // namespace flair::orchestrator
