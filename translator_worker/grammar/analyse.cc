@@ -146,7 +146,8 @@ class Reader {
     const bool thing = what.role == RawTerm::Role::kNone && what.term.kind == Term::Kind::kMention;
     if (what.role != RawTerm::Role::kSide && !thing) return false;
     return at_ + 1 == tokens_.size() || tokens_[at_ + 1].IsMark('.') || tokens_[at_ + 1].IsMark(',') ||
-           tokens_[at_ + 1].IsWord("for") || tokens_[at_ + 1].IsWord("to") || tokens_[at_ + 1].IsWord("so");
+           tokens_[at_ + 1].IsWord("for") || tokens_[at_ + 1].IsWord("to") || tokens_[at_ + 1].IsWord("so") ||
+           tokens_[at_ + 1].IsWord("by");
   }
 
   // "..., especially if the bed is tall", "... unless it is used for a lamp": what stands before holds anyhow.
@@ -199,6 +200,12 @@ class Reader {
       case WordClass::kRelation:
         if (phrase.lemma == "around" && at_ + 1 < tokens_.size() && tokens_[at_ + 1].kind == Token::Kind::kDistance) {
           ++at_;  // "around 0.9 m"
+          return;
+        }
+        // "The central plunge pool": which one, not where.
+        if (phrase.length == 1 && tokens_[at_].IsWord("central") && at_ > 0 && tokens_[at_ - 1].IsWord("the") &&
+            (NounFollows(at_ + 1) || NounFollows(at_ + 2))) {
+          ++at_;
           return;
         }
         push_word(phrase.lemma == "near" && ReachedFromSide(phrase) ? "accessible_from" : phrase.lemma);

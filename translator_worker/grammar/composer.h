@@ -87,6 +87,8 @@ class Composer {
   void CompleteSide(const std::string& side);
   // "Space around the bed, at least 0.6 m": the figure of the fact before; false when that is none about free space.
   bool CompleteClearance(double least_m);
+  // "... and behind": more sides of the free space that was spoken of last; false when that was something else.
+  bool AddSides(const std::vector<std::string>& sides);
   // Whether the sentence has asked for so much free space at the object, with a figure.
   bool KeepsSpace(const Placed& placed) const;
   // Says why a part of the sentence gives no call.

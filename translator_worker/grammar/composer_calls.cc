@@ -114,6 +114,15 @@ bool Composer::CompleteClearance(double least_m) {
   return true;
 }
 
+bool Composer::AddSides(const std::vector<std::string>& sides) {
+  if (calls_.empty() || calls_.back().type != "accessible" || calls_.back().arguments.size() < 2) return false;
+  auto& named = *calls_.back().arguments[1].mutable_value()->mutable_texts()->mutable_items();
+  for (const std::string& side : sides) {
+    if (std::find(named.begin(), named.end(), side) == named.end()) *named.Add() = side;
+  }
+  return true;
+}
+
 bool Composer::KeepsSpace(const Placed& placed) const {
   return std::any_of(calls_.begin(), calls_.end(), [&](const Call& call) {
     return call.type == "accessible" && Find(call, "min_clearance_m") != nullptr &&
@@ -131,8 +140,9 @@ bool Composer::IsPlacedCloser(const Call& call) const {
 bool Composer::Emit(Call call) {
   const v1::ConstraintType* type = catalog_.Find(call.type);
   if (type == nullptr) return false;
-  if (call.arguments.size() > 1 && call.arguments[1].name() == "target" &&
-      call.arguments[0].value().text() == call.arguments[1].value().text()) {
+  const bool relates = call.arguments.size() > 1 && call.arguments[1].value().has_text() &&
+                       (call.arguments[1].name() == "target" || call.arguments[1].name() == "host");
+  if (relates && call.arguments[0].value().text() == call.arguments[1].value().text()) {
     Refuse("unknown_sentence", "nothing can be related to itself; name two objects");
     return true;
   }

@@ -43,8 +43,13 @@ bool TakeSpace(const std::vector<Term>& terms, Composer& composer) {
 void TakeSocket(const std::vector<Term>& terms, Composer& composer) {
   if (composer.scope() != v1::SENTENCE_SCOPE_INTRA || !composer.HasFeature("socket")) return;
   const bool named = std::any_of(terms.begin(), terms.end(), [](const Term& term) {
-    return term.kind == Term::Kind::kMention && term.mention.references.size() == 1 &&
-           term.mention.references.front().name == "socket";
+    if (term.kind != Term::Kind::kMention) return false;
+    const std::vector<Reference>& references = term.mention.references;
+    const auto socket = [](const Reference& reference) { return reference.name == "socket"; };
+    return std::any_of(references.begin(), references.end(), socket) &&
+           std::all_of(references.begin(), references.end(), [&](const Reference& reference) {
+             return socket(reference) || reference.kind == RefKind::kVague;
+           });
   });
   const bool relates = std::any_of(terms.begin(), terms.end(), [](const Term& term) {
     return term.IsWord("not") || term.IsWord("block") || term.IsWord("away_from") || term.IsWord("accessible");

@@ -21,16 +21,21 @@ void DropAdverbs(std::vector<Token>& tokens) {
 
 // "Neither X nor Y" denies a list, "neither chair" and "neither of the chairs" deny something of each.
 void JoinNeitherNor(std::vector<Token>& tokens) {
+  bool denied = false;
   for (size_t i = 0; i < tokens.size(); ++i) {
+    denied = (denied || tokens[i].IsWord("not") || tokens[i].IsWord("avoid")) && !tokens[i].IsMark('.');
+    // "Not block the door nor the window".
+    const bool list = i + 1 < tokens.size() && (tokens[i + 1].IsWord("the") || tokens[i + 1].IsWord("any"));
+    if (denied && list && tokens[i].IsWord("nor")) tokens[i].text = "and";
     if (!tokens[i].IsWord("neither")) continue;
-    bool list = false;
+    bool listed = false;
     size_t end = i + 1;
     for (; end < tokens.size() && !tokens[end].IsMark('.'); ++end) {
       if (!tokens[end].IsWord("nor")) continue;
       tokens[end].text = "and";
-      list = true;
+      listed = true;
     }
-    if (list) continue;
+    if (listed) continue;
     tokens[i].text = "neither_one";
     while (i + 1 < end && (tokens[i + 1].IsWord("of") || tokens[i + 1].IsWord("the"))) {
       tokens.erase(tokens.begin() + static_cast<long>(i) + 1);
@@ -57,9 +62,12 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
     size_t side = i + 1;
     while (side < tokens.size() && (tokens[side].IsWord("long") || tokens[side].IsWord("short"))) ++side;
     if (!adjective || side + 1 >= tokens.size() || tokens[side + 1].IsMark(':')) continue;
-    // "Space on one accessible side": which side, not that it is to be got at.
-    const bool after_space =
-        i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at")) && SpaceBefore(tokens, i);
+    // "Space on one accessible side", "near the accessible side": which side, not that it is to be got at.
+    const bool at_side =
+        i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at") || tokens[i - 2].IsWord("along"));
+    const bool to_side =
+        i > 1 && (tokens[i - 2].IsWord("to") || tokens[i - 2].IsWord("near")) && tokens[i - 1].IsWord("the");
+    const bool after_space = to_side || (at_side && SpaceBefore(tokens, i));
     if (after_space) {
       tokens.erase(tokens.begin() + static_cast<long>(i));
       continue;
@@ -73,6 +81,32 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
   }
 }
 
+// "Accessible while seated at the desk": from the desk.
+void TakePostureAsPlace(std::vector<Token>& tokens) {
+  for (size_t i = 1; i + 2 < tokens.size(); ++i) {
+    const bool when = tokens[i].IsWord("while") || tokens[i].IsWord("when");
+    const std::string& doing = tokens[i + 1].text;
+    const bool posture = doing.ends_with("ing") || doing == "seated";
+    const bool place = tokens[i + 2].IsWord("at") || tokens[i + 2].IsWord("in") || tokens[i + 2].IsWord("on");
+    if (!when || !posture || !place) continue;
+    tokens[i].text = "from";
+    tokens.erase(tokens.begin() + static_cast<long>(i) + 1, tokens.begin() + static_cast<long>(i) + 3);
+  }
+}
+
+// "At least 0.5 m left between them": what remains, no side.
+void DropLeftOver(std::vector<Token>& tokens) {
+  static constexpr std::array<std::string_view, 8> kAfter = {"between", "over", "free", "open",
+                                                             "clear",   "in",   "for",  "behind"};
+  for (size_t i = 1; i + 1 < tokens.size(); ++i) {
+    const Token& before = tokens[i - 1];
+    const bool amount = before.kind == Token::Kind::kDistance || before.IsWord("space") || before.IsWord("room") ||
+                        before.IsWord("gap");
+    const bool goes_on = std::find(kAfter.begin(), kAfter.end(), tokens[i + 1].text) != kAfter.end();
+    if (tokens[i].IsWord("left") && amount && goes_on) tokens.erase(tokens.begin() + static_cast<long>(i));
+  }
+}
+
 // "There should be room to stand", "leave room behind it": space, not the room.
 void TakeRoomAsSpace(std::vector<Token>& tokens) {
   static constexpr std::array<std::string_view, 16> kBefore = {
@@ -83,8 +117,10 @@ void TakeRoomAsSpace(std::vector<Token>& tokens) {
   const auto is_one_of = [](const auto& words, const Token& token) {
     return std::find(words.begin(), words.end(), token.text) != words.end();
   };
-  for (size_t i = 1; i + 1 < tokens.size(); ++i) {
-    if (tokens[i].IsWord("room") && is_one_of(kBefore, tokens[i - 1]) && is_one_of(kAfter, tokens[i + 1]))
+  for (size_t i = 0; i + 1 < tokens.size(); ++i) {
+    const bool begins = i == 0 && (tokens[1].IsWord("for") || tokens[1].IsWord("to"));
+    if (tokens[i].IsWord("room") && (begins || (i > 0 && is_one_of(kBefore, tokens[i - 1]))) &&
+        is_one_of(kAfter, tokens[i + 1]))
       tokens[i].text = "space";
   }
 }
@@ -100,6 +136,8 @@ bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
 }
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
+  DropLeftOver(tokens);
+  TakePostureAsPlace(tokens);
   DropAdverbs(tokens);
   JoinNeitherNor(tokens);
   TakeRoomAsSpace(tokens);

@@ -173,17 +173,25 @@ class Joiner {
     return Peek(index) && in_[index].kind == Token::Kind::kWord && Contains(kWays, in_[index].text);
   }
 
+  // "0.5 m or more", "0.5 m (or less)", "0.5 m at least", "0.5 m minimum": the words after a length that bound it.
+  std::optional<Bound> BoundAfter(size_t& next) const {
+    const bool bracket = MarkAt(next, '(');
+    const size_t at = next + (bracket ? 1 : 0);
+    for (const Qualifier& qualifier : kQualifiersAfter) {
+      size_t end = at;
+      const bool met = std::all_of(qualifier.words.begin(), qualifier.words.end(),
+                                   [&](std::string_view word) { return WordAt(end++, word); });
+      if (!met || (bracket && !MarkAt(end, ')'))) continue;
+      next = end + (bracket ? 1 : 0);
+      return qualifier.bound;
+    }
+    return std::nullopt;
+  }
+
   Distance Bounded(double value, size_t& next) {
     Bound bound = pending_.value_or(Bound::kExact);
     pending_.reset();
-    if (WordAt(next, "or") && (WordAt(next + 1, "more") || WordAt(next + 1, "less"))) {
-      bound = WordAt(next + 1, "more") ? Bound::kMin : Bound::kMax;
-      next += 2;
-    }
-    if (WordAt(next, "minimum")) {
-      bound = Bound::kMin;
-      ++next;
-    }
+    if (const std::optional<Bound> after = BoundAfter(next)) bound = *after;
     // A gap of 0.5 m is one of at least that; a distance of 0.5 m is just that.
     const bool of_gap = out_.size() > 1 && out_.back().IsWord("of") && Contains(kGapWords, out_[out_.size() - 2].text);
     const bool gap = Peek(next) && in_[next].kind == Token::Kind::kWord && Contains(kGapWords, in_[next].text);
@@ -218,12 +226,19 @@ class Joiner {
       size_t next = at_;
       const bool met = std::all_of(qualifier.words.begin(), qualifier.words.end(),
                                    [&](std::string_view word) { return WordAt(next++, word); });
-      if (!met || !LengthAfter(next)) continue;
+      const bool figure_only = qualifier.words.begin()[0] == "up";
+      if (!met || !(figure_only ? LengthAt(next) : LengthAfter(next))) continue;
       pending_ = qualifier.bound;
       at_ = next;
       return true;
     }
     return false;
+  }
+
+  // "Pushed up to a wall" bounds no length.
+  bool LengthAt(size_t index) const {
+    const std::optional<Read> read = NumberAt(index);
+    return read && (read->has_unit || MarkAt(read->next, '-') || WordAt(read->next, "to"));
   }
 
   bool LengthAfter(size_t index) const {

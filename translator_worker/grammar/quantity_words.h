@@ -96,6 +96,18 @@ inline const Qualifier kQualifiers[] = {
     {{"over"}, Bound::kMin},
 };
 
+// Words that stand after a length.
+inline const Qualifier kQualifiersAfter[] = {
+    {{"or", "more"}, Bound::kMin},         {{"or", "greater"}, Bound::kMin}, {{"or", "larger"}, Bound::kMin},
+    {{"or", "longer"}, Bound::kMin},       {{"or", "further"}, Bound::kMin}, {{"or", "farther"}, Bound::kMin},
+    {{"or", "above"}, Bound::kMin},        {{"or", "wider"}, Bound::kMin},   {{"and", "more"}, Bound::kMin},
+    {{"at", "the", "least"}, Bound::kMin}, {{"at", "least"}, Bound::kMin},   {{"at", "minimum"}, Bound::kMin},
+    {{"at", "a", "minimum"}, Bound::kMin}, {{"minimum"}, Bound::kMin},       {{"min"}, Bound::kMin},
+    {{"or", "less"}, Bound::kMax},         {{"or", "closer"}, Bound::kMax},  {{"or", "nearer"}, Bound::kMax},
+    {{"or", "below"}, Bound::kMax},        {{"at", "most"}, Bound::kMax},    {{"at", "the", "most"}, Bound::kMax},
+    {{"at", "maximum"}, Bound::kMax},      {{"maximum"}, Bound::kMax},       {{"max"}, Bound::kMax},
+};
+
 // Words that may stand between a qualifier and its length: "a minimum clear distance of 0.5 m".
 inline constexpr std::array<std::string_view, 25> kBetween = {
     "depth", "distance", "gap",           "space",   "spacing", "clearance", "separation", "of",      "clear",

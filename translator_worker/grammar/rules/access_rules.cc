@@ -142,6 +142,19 @@ void NothingNear(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "No furniture in front".
+void SpaceBefore(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& owner : composer.topic()) KeepSpaceAt(owner, {"front"}, match.distance, composer);
+}
+
+// "0.1 m on each side and behind": as much as at the sides.
+void MoreSpace(const Match&, std::string_view tag, Composer& composer) {
+  const bool sides = tag == "sides";
+  if (!composer.AddSides(sides ? std::vector<std::string>{"left", "right"}
+                               : std::vector<std::string>{std::string(tag)}))
+    composer.Refuse("unknown_sentence", "nothing says what is there");
+}
+
 // "Nothing within half a metre of its shelves".
 void NothingWithin(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& owner : composer.TargetObjects(*match.b, {})) KeepFreeBeside(owner, match.distance, composer);
@@ -191,6 +204,7 @@ std::vector<Rule> AccessRules() {
       {"A.object? accessible_from ,? around", SpaceAt, "around"},
       {"A.object? accessible_from B.object", AccessibleFrom},
       {"A.object? accessible_from B.feature", AccessibleFrom},
+      {"A.object? accessible to B.object", AccessibleFrom},
       {"A.object? space? D? accessible ,? at_sides", SpaceAt, "sides"},
       {"A? accessible in_front", SpaceAt, "front"},
       {"A? space? in_front of? ,? D", SpaceAt, "front"},
@@ -229,6 +243,8 @@ std::vector<Rule> AccessRules() {
       {"around B.object clear_of C", SpaceAt, "around"},
       {"A.side where B accessible/keep_clear", OfMovers},
       {"A.object? accessible all_sides", SpaceAt, "all"},
+      {"A.object? accessible around", SpaceAt, "all"},
+      {"A.object? accessible around ,? D space?", SpaceAt, "all"},
       {"A? space D? around B.object", SpaceAt, "around"},
       {"D space? around B.object", SpaceAt, "around"},
       {"D space? around", SpaceAt, "around"},
@@ -259,6 +275,19 @@ std::vector<Rule> AccessRules() {
       {"A? swing_open ,? not block/against/near/next_to C.object", SpaceAt, "named"},
       {"A? access_to/allow_access_to/accessible_from B.side", AccessToSide},
       {"nearest B D apart?", SpaceAt, "around"},
+      {"space for C ,? on/at_sides/along/next_to B.side", SpaceAt, "named"},
+      {"D space? B.side", SpaceAt, "named"},
+      {"space D? B.side", SpaceAt, "named"},
+      {"B.side of D", SpaceAt, "named"},
+      {"space B.side of D", SpaceAt, "named"},
+      {"A.side keep_clear/accessible next_to D", Accessible},
+      {"behind B.object accessible/keep_clear ,? D?", SpaceAt, "back"},
+      {"in_front_of B.object accessible/keep_clear ,? D?", SpaceAt, "front"},
+      {"around B.object accessible ,? D?", SpaceAt, "around"},
+      {"A.side not block B.object", OfMovers},
+      {", behind", MoreSpace, "back"},
+      {", in_front", MoreSpace, "front"},
+      {", at_sides", MoreSpace, "sides"},
       {"D space? around B.side", SpaceAt, "named"},
       {"A.vague accessible", Unreachable},
       {"accessible_from A.vague", Unreachable},
@@ -289,6 +318,7 @@ std::vector<Rule> FrontRules() {
       {"not near B.side", NothingNear},
       {"A.group not near B.side", NothingNear},
       {"A.group not in_front_of B.thing", NothingInFront},
+      {"A.group not in_front", SpaceBefore},
       {"A.group not D of/near B.side", NothingNear},
       {"A.group not D of/near B.object", NothingWithin},
   };

@@ -7,6 +7,15 @@
 
 namespace flair::translator {
 
+bool LaidBeside(const Placed& mover, const Placed& other, Composer& composer) {
+  if (!composer.IsTertiaryRug(mover) || !composer.IsFloor(other)) return false;
+  if (!composer.rug_placed) {
+    composer.EmitFirst({Call("rug_under_forward").Text("rug", composer.id(mover)).Text("object", composer.id(other))});
+  }
+  composer.rug_placed = true;
+  return true;
+}
+
 void Contact(const Placed& mover, const Target& target, Composer& composer) {
   if (target.kind == RefKind::kFeature) {
     composer.EmitFirst({Call("close_to_feature")
@@ -25,7 +34,7 @@ void Contact(const Placed& mover, const Target& target, Composer& composer) {
     return;
   }
   for (const Placed& other : target.objects) {
-    if (other.object == mover.object) continue;
+    if (other.object == mover.object || LaidBeside(mover, other, composer)) continue;
     const bool lateral = other.side == "side" || other.side == "sides";
     std::string other_side = OneSide(composer, other);
     if (lateral) other_side = SidesOf(composer, other).front();

@@ -6,6 +6,9 @@
 
 namespace flair::translator {
 
+// A mat beside a piece lies partly under it; false when `mover` is no rug.
+bool LaidBeside(const Placed& mover, const Placed& other, Composer& composer);
+
 // One object touches another (or a window): sides as the words name them. Both sides named, left against right and so
 // on; "the side of" leaves left or right open.
 void Contact(const Placed& mover, const Target& target, Composer& composer);

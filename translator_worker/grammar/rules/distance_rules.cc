@@ -200,6 +200,8 @@ std::vector<Rule> DistanceRules() {
       {"A? space? away_from B next_to D", AwayFrom},
       {"A? D space? of B", AwayFrom},
       {"A? not near/next_to/in_front_of B", AwayFrom},
+      {"A? not along/to_side B.thing", AwayFrom},
+      {"A? not along/to_side B.feature", AwayFrom},
       {"A? not? space D? between ,? B ,? D?", Between},
       {"A? D of? space? ,? between B", Between},
       {"A? space? D? space? between B or C.group", BetweenOrAnything},

@@ -163,6 +163,7 @@ std::vector<Rule> FeatureRules() {
   return {
       {"A? not block B", NotBlock},
       {"A? not block next_to B.feature", NotBlock},
+      {"A? not where B.feature swing_open?", NotBlock},
       {"A? access_to/allow_access_to/accessible B not block", NotBlock},
       {"A? access_to/allow_access_to/accessible B keep_clear", NotBlock},
       {"A? not block B not block/accessible", NotBlock},

@@ -31,7 +31,9 @@ void NearOne(const Placed& mover, const Target& target, const Distance* distance
     composer.Refuse("unknown_sentence", "it can be near objects, walls, doors, windows or sockets");
   }
   for (const Placed& other : target.objects) {
-    if (composer.IsWall(mover)) {
+    if (LaidBeside(mover, other, composer)) {
+      continue;
+    } else if (composer.IsWall(mover)) {
       composer.EmitFirst({Call("on_wall_near").Text("object", id).Text("target", composer.id(other))});
     } else if (composer.IsCeiling(mover)) {
       composer.EmitFirst({Call("ceiling_above").Text("object", id).Text("target", composer.id(other))});

@@ -14,6 +14,7 @@ bool IsPlainSide(const Mention& mention) {
 
 // "[X] against a wall (back side)": the side stands before or after.
 void Against(const Match& match, std::string_view, Composer& composer) {
+  if (composer.RefuseUnnamed(*match.b)) return;
   std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers)) {
     for (Placed mover : movers) {
@@ -152,6 +153,7 @@ std::vector<Rule> WallRules() {
       {"A? aligned B", Aligned},
       {"A? same_wall B", SameWall},
       {"A? not same_wall B", SameWall},
+      {"A? not? same_wall", SameWall},
       {"A? against B.wall on C.side", Against},
       {"A? not against/along/next_to/near/on B.wall", NotAgainst},
       {"A? not against B", NotAgainst},
