@@ -28,6 +28,14 @@ v1::Brief BedroomBrief() {
   return brief;
 }
 
+v1::JobSpec BedroomJob() {
+  v1::JobSpec spec;
+  *spec.mutable_brief() = BedroomBrief();
+  spec.mutable_solve_options()->set_max_restart_count(2);
+  spec.mutable_render_options()->set_size_px(256);
+  return spec;
+}
+
 v1::LayoutGraph GraphFromText(std::string_view scene) {
   const absl::StatusOr<SceneText> text = ParseScene(scene);
   if (!text.ok()) std::abort();  // the texts are this library's own

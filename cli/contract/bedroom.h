@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "flair/v1/brief.pb.h"
+#include "flair/v1/job.pb.h"
 #include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
@@ -14,6 +15,9 @@ namespace flair::contract {
 
 // "A bedroom that is 4m x 5m.", seed 3.
 v1::Brief BedroomBrief();
+
+// A job of it that is quickly done.
+v1::JobSpec BedroomJob();
 
 // 4 m x 5 m with a door in the south; a bed (primary) and a nightstand in the zone "sleeping"; one sentence about each,
 // "s1" and "s2"; no edges.

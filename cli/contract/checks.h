@@ -55,6 +55,7 @@ void AddContactSheetChecks(Checks& checks);
 Sample RenderSample();
 
 void AddOrchestratorChecks(Checks& checks);
+void AddBatchChecks(Checks& checks);
 void AddOrchestratorRefusals(Checks& checks);
 Sample OrchestratorSample();
 

@@ -15,19 +15,10 @@
 namespace flair::contract {
 namespace {
 
-// Few restarts: a quick one.
-v1::JobSpec SmallJob() {
-  v1::JobSpec spec;
-  *spec.mutable_brief() = BedroomBrief();
-  spec.mutable_solve_options()->set_max_restart_count(2);
-  spec.mutable_render_options()->set_size_px(256);
-  return spec;
-}
-
 v1::CreateJobRequest NewJob(Target& target) {
   v1::CreateJobRequest request;
   request.set_request_id(target.NewRequestId());
-  *request.mutable_spec() = SmallJob();
+  *request.mutable_spec() = BedroomJob();
   return request;
 }
 
@@ -189,22 +180,6 @@ Finding OtherSpecsAreRefused(Target& target) {
   });
 }
 
-Finding RepeatedBatchesAreOne(Target& target) {
-  v1::CreateBatchRequest request;
-  request.set_request_id(target.NewRequestId());
-  *request.add_specs() = SmallJob();
-  *request.add_specs() = SmallJob();
-  const std::string sent = "CreateBatch of two jobs twice with one request_id";
-  return Given<v1::CreateBatchResponse>(target, sent, request, [&](const v1::CreateBatchResponse& first) {
-    return Given<v1::CreateBatchResponse>(target, sent, request, [&](const v1::CreateBatchResponse& second) {
-      const v1::Batch& batch = second.batch();
-      const int counted = batch.open_count() + batch.succeeded_count() + batch.failed_count() + batch.cancelled_count();
-      if (batch.id() == first.batch().id() && batch.job_count() == 2 && counted == 2) return Kept();
-      return Broken(sent, batch.ShortDebugString(), "the first batch again, of two jobs, with counts that add up");
-    });
-  });
-}
-
 Finding CancelEndsAJob(Target& target) {
   const auto created = target.Ask<v1::CreateJobResponse>(NewJob(target));
   if (!created.ok()) return Broken("CreateJob of a small bedroom", StatusText(created.status()), "a job");
@@ -267,9 +242,9 @@ void AddOrchestratorChecks(Checks& checks) {
                     v1::CAPABILITY_DETERMINISTIC});
   checks.push_back({"A repeated CreateJob gets the first job", Promise::kRepetition, RepeatsGetTheFirstJob});
   checks.push_back({"A request_id with another spec is refused", Promise::kRepetition, OtherSpecsAreRefused});
-  checks.push_back({"A repeated CreateBatch gets the first batch", Promise::kRepetition, RepeatedBatchesAreOne});
   checks.push_back({"CancelJob ends a job, and again changes nothing", Promise::kCallers, CancelEndsAJob});
   checks.push_back({"ListJobs goes from the newest to older ones, page by page", Promise::kMessages, ListsNewestFirst});
+  AddBatchChecks(checks);
   AddOrchestratorRefusals(checks);
 }
 

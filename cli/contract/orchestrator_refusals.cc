@@ -47,16 +47,26 @@ Message WithJob() {
   return message;
 }
 
+template <typename Message>
+Message WithBatch() {
+  Message message;
+  message.set_batch_id(kNowhere);
+  return message;
+}
+
 }  // namespace
 
 void AddOrchestratorRefusals(Checks& checks) {
-  v1::GetBatchRequest batch;
-  batch.set_batch_id(kNowhere);
   v1::GetArtifactRequest artifact;
   artifact.set_artifact_id(kNowhere);
   AddUnknown<v1::GetJobResponse>(WithJob<v1::GetJobRequest>(), checks);
   AddUnknown<v1::CancelJobResponse>(WithJob<v1::CancelJobRequest>(), checks);
-  AddUnknown<v1::GetBatchResponse>(batch, checks);
+  AddUnknown<v1::GetBatchResponse>(WithBatch<v1::GetBatchRequest>(), checks);
+  AddUnknown<v1::AddToBatchResponse>(WithBatch<v1::AddToBatchRequest>(), checks);
+  AddUnknown<v1::PauseBatchResponse>(WithBatch<v1::PauseBatchRequest>(), checks);
+  AddUnknown<v1::ResumeBatchResponse>(WithBatch<v1::ResumeBatchRequest>(), checks);
+  AddUnknown<v1::CancelBatchResponse>(WithBatch<v1::CancelBatchRequest>(), checks);
+  AddUnknown<v1::RetryBatchResponse>(WithBatch<v1::RetryBatchRequest>(), checks);
   AddUnknown<v1::GetArtifactResponse>(artifact, checks);
   checks.push_back({"WatchJob of an id that is not there is NOT_FOUND", Promise::kErrors, WatchOfNoJob});
 
