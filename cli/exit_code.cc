@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/exit_code.h"
 
+#include <cstdlib>
+
 namespace flair::cli {
 
 namespace {
-// Marks a status that is no failure.
-constexpr char kDiffers[] = "flair.cli/differs";
-// Marks a status that is a server's failure.
-constexpr char kBroken[] = "flair.cli/broken";
+// Marks a status that stands for an exit code of its own.
+constexpr char kCode[] = "flair.cli/exit_code";
 }  // namespace
 
 int ExitCodeOf(const absl::Status& status) {
-  if (status.GetPayload(kDiffers).has_value()) return kExitDiffers;
-  if (status.GetPayload(kBroken).has_value()) return kExitBroken;
+  if (const auto code = status.GetPayload(kCode); code.has_value()) return std::atoi(std::string(*code).c_str());
   switch (status.code()) {
     case absl::StatusCode::kOk:
       return kExitDone;
@@ -41,17 +40,15 @@ int ExitCodeOf(const absl::Status& status) {
 
 absl::Status FileError(const std::string& message) { return absl::FailedPreconditionError(message); }
 
-absl::Status DiffersStatus() {
-  absl::Status status = absl::UnknownError("");
-  status.SetPayload(kDiffers, absl::Cord());
+absl::Status EndWith(ExitCode code, const std::string& message) {
+  absl::Status status = absl::UnknownError(message);
+  status.SetPayload(kCode, absl::Cord(std::to_string(code)));
   return status;
 }
 
-absl::Status BrokenPromises(const std::string& message) {
-  absl::Status status = absl::UnknownError(message);
-  status.SetPayload(kBroken, absl::Cord());
-  return status;
-}
+absl::Status DiffersStatus() { return EndWith(kExitDiffers, ""); }
+
+absl::Status BrokenPromises(const std::string& message) { return EndWith(kExitBroken, message); }
 
 absl::Status ModelError(const std::string& message) { return absl::AbortedError(message); }
 

@@ -17,6 +17,9 @@ enum ExitCode : int {
                          // answers are of no use
   kExitDiffers = 7,      // what was compared is not the same; nothing failed
   kExitBroken = 8,       // a server breaks a promise of its stage
+  kExitSomeFailed = 9,   // a batch ended, and jobs of it failed or lines of it were rejected
+  kExitCancelled = 10,   // the batch was cancelled
+  kExitStopped = 130,    // interrupted (^C, SIGTERM) in the middle of what can be gone on with
 };
 
 int ExitCodeOf(const absl::Status& status);
@@ -33,11 +36,15 @@ absl::Status DiffersStatus();
 // What stands for kExitBroken.
 absl::Status BrokenPromises(const std::string& message);
 
+// What stands for a code that no status code stands for.
+absl::Status EndWith(ExitCode code, const std::string& message);
+
 inline constexpr char kExitCodeHelp[] =
     "Exit codes: 0 done, 1 failed, 2 the request or an argument is not right, 3 a service cannot be reached\n"
     "            or speaks another version,\n"
     "            4 a file or folder cannot be read or written, 5 an artifact is corrupt, 6 the language model failed:\n"
     "            it cannot be reached, refuses the key, its budget is spent, or its answers are of no use,\n"
-    "            7 what was compared is not the same, 8 a server breaks a promise of its stage.";
+    "            7 what was compared is not the same, 8 a server breaks a promise of its stage,\n"
+    "            9 jobs of a batch failed, or lines of it were rejected, 10 the batch was cancelled, 130 interrupted.";
 
 }  // namespace flair::cli

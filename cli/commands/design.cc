@@ -8,8 +8,9 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/brief_file.h"
-#include "cli/input/room_file.h"
 #include "cli/input/llm_flags.h"
+#include "cli/input/one_line.h"
+#include "cli/input/room_file.h"
 #include "cli/input/stage_flags.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/design_files.h"
@@ -45,14 +46,6 @@ struct DesignArguments {
   bool json = false;
   bool quiet = false;
 };
-
-// Line breaks and tabs come from copying text; they mean a space.
-std::string OneLine(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
-  }
-  return text;
-}
 
 absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
   v1::JobSpec spec;

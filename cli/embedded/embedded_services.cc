@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/embedded/embedded_services.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -32,11 +33,11 @@ constexpr int kWaitingThreads = 4;
 
 // With or without a model.
 template <typename Config>
-Config WithLlm(const OptionalLlm& llm) {
+Config WithLlm(const OptionalLlm& llm, int job_count) {
   Config config;
   if (!llm.has_value()) return config;
   *config.mutable_llm() = *llm;
-  config.mutable_runtime()->set_worker_thread_count(kWaitingThreads);
+  config.mutable_runtime()->set_worker_thread_count(std::max(kWaitingThreads, job_count));
   return config;
 }
 
@@ -80,17 +81,19 @@ std::string Variable(const char* name) {
 
 absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::Start(const std::string& store_path,
                                                                           const OptionalLlm& llm,
-                                                                          const RemoteStages& remote) {
-  absl::StatusOr<std::unique_ptr<EmbeddedServices>> services = StartStages(llm, remote);
-  if (!services.ok()) return services.status();
-  if (absl::Status status = (*services)->StartOrchestrator(store_path); !status.ok()) return status;
+                                                                          const RemoteStages& remote,
+                                                                          const config::v1::OrchestratorConfig& asked) {
+  std::unique_ptr<EmbeddedServices> services(new EmbeddedServices());
+  absl::Status status = services->StartWorkers(llm, remote, asked.running_job_limit());
+  if (status.ok()) status = services->StartOrchestrator(store_path, asked);
+  if (!status.ok()) return status;
   return services;
 }
 
 absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::StartStages(const OptionalLlm& llm,
                                                                                 const RemoteStages& remote) {
   std::unique_ptr<EmbeddedServices> services(new EmbeddedServices());
-  if (absl::Status status = services->StartWorkers(llm, remote); !status.ok()) return status;
+  if (absl::Status status = services->StartWorkers(llm, remote, 1); !status.ok()) return status;
   return services;
 }
 
@@ -98,9 +101,9 @@ EmbeddedServices::~EmbeddedServices() {
   if (service_ != nullptr) service_->Stop();
 }
 
-absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const RemoteStages& remote) {
+absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const RemoteStages& remote, int job_count) {
   absl::Status status =
-      StartWorker("flair-language", WithLlm<config::v1::LanguageWorkerConfig>(llm),
+      StartWorker("flair-language", WithLlm<config::v1::LanguageWorkerConfig>(llm, job_count),
                   [](const auto& config, auto& context) { return language::MakeLanguageService(config, context); },
                   {kLanguageStage, language_, stages_.language, remote.language()});
   if (!status.ok()) return status;
@@ -110,7 +113,7 @@ absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const Remote
                   {kOptimizerStage, optimizer_, stages_.optimizer, remote.optimizer()});
   if (!status.ok()) return status;
   // Jobs bring the catalogue of their optimizer with each request; this is for requests that bring none.
-  auto translator = WithLlm<config::v1::TranslatorWorkerConfig>(llm);
+  auto translator = WithLlm<config::v1::TranslatorWorkerConfig>(llm, job_count);
   translator.set_optimizer_address(remote.optimizer());
   status =
       StartWorker("flair-translator", translator,
@@ -122,7 +125,9 @@ absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const Remote
                      {kRendererStage, renderer_, stages_.renderer, remote.renderer()});
 }
 
-absl::Status EmbeddedServices::StartOrchestrator(const std::string& store_path) {
+absl::Status EmbeddedServices::StartOrchestrator(const std::string& default_path,
+                                                 const config::v1::OrchestratorConfig& asked) {
+  const std::string& store_path = asked.store_path().empty() ? default_path : asked.store_path();
   std::error_code error;
   std::filesystem::create_directories(store_path, error);
   if (error) {
@@ -133,6 +138,7 @@ absl::Status EmbeddedServices::StartOrchestrator(const std::string& store_path) 
   *config.mutable_runtime() = QuietRuntime();
   config.set_store_path(store_path);
   config.set_requested_jobs_only(true);
+  config.MergeFrom(asked);
   auto started = runtime::InProcessServer::Start(
       "flair-orchestrator", config.runtime(), v1::OrchestratorService::service_full_name(),
       [&](runtime::WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {

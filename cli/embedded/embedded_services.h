@@ -25,9 +25,11 @@ class EmbeddedServices {
  public:
   // `store_path` is made when missing. FAILED_PRECONDITION when it cannot be used; for a model as llm::MakeLlmClient;
   // for `remote` stages as ConnectToStage. The translator here takes its catalogue from the optimizer that is used.
-  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> Start(const std::string& store_path,
-                                                                 const OptionalLlm& llm = std::nullopt,
-                                                                 const RemoteStages& remote = {});
+  // What `orchestrator` sets goes before what a command needs otherwise: another store or queue, more jobs at once,
+  // none at all.
+  static absl::StatusOr<std::unique_ptr<EmbeddedServices>> Start(
+      const std::string& store_path, const OptionalLlm& llm = std::nullopt, const RemoteStages& remote = {},
+      const config::v1::OrchestratorConfig& orchestrator = {});
   // The four stages without an orchestrator and its store; orchestrator() must not be called.
   static absl::StatusOr<std::unique_ptr<EmbeddedServices>> StartStages(const OptionalLlm& llm = std::nullopt,
                                                                        const RemoteStages& remote = {});
@@ -39,8 +41,9 @@ class EmbeddedServices {
 
  private:
   EmbeddedServices() = default;
-  absl::Status StartWorkers(const OptionalLlm& llm, const RemoteStages& remote);
-  absl::Status StartOrchestrator(const std::string& store_path);
+  // For so many jobs at once.
+  absl::Status StartWorkers(const OptionalLlm& llm, const RemoteStages& remote, int job_count);
+  absl::Status StartOrchestrator(const std::string& default_path, const config::v1::OrchestratorConfig& asked);
 
   // Made in this order, destroyed in reverse; null for a stage that is elsewhere.
   std::unique_ptr<runtime::InProcessServer> language_;

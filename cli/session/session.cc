@@ -8,6 +8,7 @@
 
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
+#include "cli/input/connection_flags.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -28,18 +29,24 @@ std::string NewRequestId() {
 
 Session::Session(std::unique_ptr<EmbeddedServices> services, std::shared_ptr<grpc::Channel> channel,
                  std::string address)
-    : services_(std::move(services)), stub_(v1::OrchestratorService::NewStub(channel)), address_(std::move(address)) {}
+    : services_(std::move(services)),
+      channel_(std::move(channel)),
+      stub_(v1::OrchestratorService::NewStub(channel_)),
+      address_(std::move(address)) {}
 
 absl::StatusOr<std::unique_ptr<Session>> Session::Open(const std::string& address, const OptionalLlm& llm,
-                                                       const RemoteStages& remote) {
+                                                       const RemoteStages& remote,
+                                                       const config::v1::OrchestratorConfig& orchestrator) {
   if (address.empty()) {
     absl::StatusOr<std::unique_ptr<EmbeddedServices>> services =
-        EmbeddedServices::Start(DefaultStorePath(), llm, remote);
+        EmbeddedServices::Start(DefaultStorePath(), llm, remote, orchestrator);
     if (!services.ok()) return services.status();
     std::shared_ptr<grpc::Channel> channel = (*services)->orchestrator();
     return std::unique_ptr<Session>(new Session(*std::move(services), std::move(channel), "this process"));
   }
-  auto channel = runtime::MakeChannel(address, v1::OrchestratorService::service_full_name());
+  const absl::StatusOr<runtime::ChannelOptions> options = OrchestratorConnection();
+  if (!options.ok()) return options.status();
+  auto channel = runtime::MakeChannel(address, v1::OrchestratorService::service_full_name(), *options);
   if (!channel.ok()) return channel.status();
   return std::unique_ptr<Session>(new Session(nullptr, *std::move(channel), address));
 }

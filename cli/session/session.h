@@ -16,10 +16,11 @@ namespace flair::cli {
 class Session {
  public:
   // To the orchestrator at `address`; when it is empty, to one in this process, with the `remote` stages and own ones,
-  // which ask `llm`.
+  // which ask `llm`; `orchestrator` as for EmbeddedServices::Start.
   static absl::StatusOr<std::unique_ptr<Session>> Open(const std::string& address,
                                                        const OptionalLlm& llm = std::nullopt,
-                                                       const RemoteStages& remote = {});
+                                                       const RemoteStages& remote = {},
+                                                       const config::v1::OrchestratorConfig& orchestrator = {});
 
   absl::StatusOr<v1::Job> CreateJob(const v1::JobSpec& spec);
   absl::StatusOr<v1::Job> GetJob(const std::string& id);
@@ -31,6 +32,9 @@ class Session {
   absl::Status Watch(const std::string& id, const std::function<void(const v1::JobEvent&)>& see);
 
   bool embedded() const { return services_ != nullptr; }
+  // To the orchestrator, for other classes of calls; "HOST:PORT" or "this process".
+  const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
+  const std::string& address() const { return address_; }
 
  private:
   Session(std::unique_ptr<EmbeddedServices> services, std::shared_ptr<grpc::Channel> channel, std::string address);
@@ -43,6 +47,7 @@ class Session {
   absl::Status Explain(const absl::Status& status) const;
 
   std::unique_ptr<EmbeddedServices> services_;
+  const std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<v1::OrchestratorService::Stub> stub_;
   const std::string address_;
 };

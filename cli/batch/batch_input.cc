@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/batch/batch_input.h"
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include "absl/strings/escaping.h"
+#include "cli/exit_code.h"
+#include "cli/input/artifact_form.h"
+#include "cli/progress/slow_note.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+constexpr size_t kReadAtOnce = 1u << 20;
+
+absl::Status Cannot(const char* what, const std::string& path) {
+  return FileError(fmt::format("{}: cannot be {}: {}", path, what, std::strerror(errno)));
+}
+
+class OpenFile {
+ public:
+  explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
+  ~OpenFile() {
+    if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  int descriptor() const { return descriptor_; }
+
+ private:
+  const int descriptor_;
+};
+
+// SHA-256 of what comes piece by piece.
+class StreamDigest {
+ public:
+  StreamDigest() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+    // Fails only when the library has no SHA-256 at all.
+    if (context_ == nullptr || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1) std::abort();
+  }
+  void Add(const std::string& bytes) {
+    if (EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) != 1) std::abort();
+  }
+  std::string Hex() {
+    std::string digest(32, '\0');
+    if (EVP_DigestFinal_ex(context_.get(), reinterpret_cast<unsigned char*>(digest.data()), nullptr) != 1) std::abort();
+    return absl::BytesToHexString(digest);
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+};
+
+bool WriteWhole(int file, const std::string& bytes) {
+  for (size_t written = 0; written < bytes.size();) {
+    const ssize_t count = ::write(file, bytes.data() + written, bytes.size() - written);
+    if (count < 0 && errno != EINTR) return false;
+    if (count > 0) written += static_cast<size_t>(count);
+  }
+  return true;
+}
+
+absl::Status CheckKind(const std::string& name, const std::string& beginning) {
+  std::string kind = ForeignKind(beginning);
+  if (beginning.starts_with("\x1f\x8b")) kind = "compressed; give it by a pipe: zcat FILE | flair batch - --out DIR";
+  if (kind.empty()) return absl::OkStatus();
+  return absl::InvalidArgumentError(fmt::format("{}: is {}; should be text with a brief a line", name, kind));
+}
+
+// Reads the file to its end, and copies it to `copy` when there is one (>= 0).
+absl::Status Digest(int file, const std::string& name, int copy, runtime::Cancellation& stop, BatchInput& input) {
+  const SlowNote note("reading " + name);
+  StreamDigest digest;
+  std::string bytes;
+  while (!stop.cancelled()) {
+    bytes.resize(kReadAtOnce);
+    const ssize_t count = ::read(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return Cannot("read", name);
+    if (count == 0) {
+      input.sha256 = digest.Hex();
+      if (input.size_bytes > 0) return absl::OkStatus();
+      return absl::InvalidArgumentError(fmt::format("{}: is empty; should have a brief a line", name));
+    }
+    bytes.resize(static_cast<size_t>(count));
+    if (input.size_bytes == 0) {
+      if (absl::Status status = CheckKind(name, bytes); !status.ok()) return status;
+    }
+    digest.Add(bytes);
+    input.size_bytes += count;
+    if (copy >= 0 && !WriteWhole(copy, bytes)) return Cannot("written", input.path.string());
+  }
+  return absl::CancelledError(fmt::format("{}: interrupted while it was read; nothing was submitted", name));
+}
+
+}  // namespace
+
+absl::StatusOr<BatchInput> OpenBatchInput(const std::string& given, const std::filesystem::path& copy,
+                                          runtime::Cancellation& stop) {
+  const bool standard = given == "-";
+  const std::string name = standard ? "standard input" : given;
+  const OpenFile file(standard ? STDIN_FILENO : ::open(given.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.descriptor() < 0 && errno == ENOENT) {
+    return absl::NotFoundError(fmt::format("{}: no such file; should be a file with a brief a line, or -", given));
+  }
+  struct stat status = {};
+  if (file.descriptor() < 0 || ::fstat(file.descriptor(), &status) != 0) return Cannot("read", name);
+  if (S_ISDIR(status.st_mode)) return FileError(fmt::format("{}: is a folder; should be a file of briefs", given));
+  BatchInput input;
+  input.name = standard ? "" : std::filesystem::path(given).filename().string();
+  absl::Status read;
+  if (S_ISREG(status.st_mode) && !standard) {
+    input.path = std::filesystem::absolute(given);
+    read = Digest(file.descriptor(), name, -1, stop, input);
+  } else {
+    input.path = std::filesystem::absolute(copy);
+    const OpenFile made(::open(input.path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (made.descriptor() < 0) return Cannot("written", input.path.string());
+    read = Digest(file.descriptor(), name, made.descriptor(), stop, input);
+  }
+  if (!read.ok()) return read;
+  return input;
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/batch/brief_line.h"
+
+#include <initializer_list>
+#include <optional>
+
+#include "absl/algorithm/container.h"
+#include "absl/strings/ascii.h"
+#include "absl/strings/match.h"
+#include "absl/strings/str_replace.h"
+#include "cli/batch/json_options.h"
+#include "cli/input/json_message.h"
+#include "cli/input/one_line.h"
+#include "fmt/format.h"
+#include "nlohmann/json.hpp"
+#include "room/validation/validate.h"
+
+namespace flair::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kDeepest = 64;
+constexpr size_t kLongestKey = 200;
+
+// Takes the member out that has one of the names.
+std::optional<json> Take(json& object, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const auto found = object.find(name);
+    if (found == object.end()) continue;
+    json value = std::move(*found);
+    object.erase(found);
+    return value;
+  }
+  return std::nullopt;
+}
+
+absl::Status Wrong(std::string_view field, const json& value, std::string_view right) {
+  std::string shown = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  if (shown.size() > 80) shown = shown.substr(0, 77) + "...";
+  return absl::InvalidArgumentError(fmt::format("{}: is {}; {}", field, shown, right));
+}
+
+absl::Status ReadKey(const std::optional<json>& value, std::string& key) {
+  if (!value.has_value()) return absl::OkStatus();
+  if (value->is_number_integer()) {
+    key = value->dump();
+    return absl::OkStatus();
+  }
+  if (value->is_string()) key = value->get<std::string>();
+  const bool printable =
+      absl::c_none_of(key, [](char c) { return absl::ascii_iscntrl(static_cast<unsigned char>(c)); });
+  if (!key.empty() && key.size() <= kLongestKey && printable) return absl::OkStatus();
+  return Wrong("id", *value,
+               fmt::format("expected what you call this line: 1 to {} bytes of text, or a whole number", kLongestKey));
+}
+
+absl::Status ReadVariants(const std::optional<json>& value, v1::JobSpec& spec) {
+  if (!value.has_value()) return absl::OkStatus();
+  if (!value->is_number_integer() || *value < 1 || *value > 32) {
+    return Wrong("variants", *value, "expected a whole number, 1 to 32");
+  }
+  spec.mutable_solve_options()->set_variant_count(value->get<int>());
+  return absl::OkStatus();
+}
+
+// "views": names, or objects of RenderOptions, each over what `render` says.
+absl::Status ReadViews(const std::optional<json>& value, v1::JobSpec& spec) {
+  if (!value.has_value()) return absl::OkStatus();
+  if (!value->is_array() || value->empty() || value->size() > 5) {
+    return Wrong("views", *value,
+                 "expected 1 to 5 of \"plan\", \"birdseye\", \"perspective\" or {\"view\": ...} in []");
+  }
+  std::vector<v1::RenderOptions> views;
+  for (size_t i = 0; i < value->size(); ++i) {
+    const json& view = (*value)[i];
+    v1::RenderOptions options = spec.render_options();
+    const json object = view.is_string() ? json{{"view", view}} : view;
+    if (absl::Status status = SetFromJson(object, fmt::format("views[{}]", i), options); !status.ok()) return status;
+    views.push_back(std::move(options));
+  }
+  SetViews(views, spec);
+  return absl::OkStatus();
+}
+
+absl::Status ReadBrief(json& object, v1::JobSpec& spec) {
+  const std::optional<json> brief = Take(object, {"brief"});
+  if (brief.has_value() && !object.empty()) {
+    return absl::InvalidArgumentError(
+        fmt::format("{}: not beside \"brief\", which has the brief's own fields; a line may have brief, id, variants, "
+                    "views, solve, render, models, replay",
+                    object.begin().key()));
+  }
+  absl::Status status = SetFromJson(brief.value_or(object), brief.has_value() ? "brief" : "", *spec.mutable_brief());
+  if (status.ok() || brief.has_value() || !absl::StrContains(status.message(), "has no field")) return status;
+  return absl::InvalidArgumentError(
+      fmt::format("{}; and a line may have id, variants, views, solve, render, models", std::string(status.message())));
+}
+
+absl::Status ReadObject(json object, BriefLine& line) {
+  v1::JobSpec& spec = line.spec;
+  absl::Status status = ReadKey(Take(object, {"id"}), line.key);
+  const auto step = [&status](auto&& next) {
+    if (status.ok()) status = next();
+  };
+  const auto part = [&](std::initializer_list<const char*> names, auto mutable_part) {
+    if (!status.ok()) return;
+    const std::optional<json> value = Take(object, names);
+    if (value.has_value()) status = SetFromJson(*value, *names.begin(), *(spec.*mutable_part)());
+  };
+  part({"solve", "solve_options", "solveOptions"}, &v1::JobSpec::mutable_solve_options);
+  part({"render", "render_options", "renderOptions"}, &v1::JobSpec::mutable_render_options);
+  part({"models", "model_options", "modelOptions"}, &v1::JobSpec::mutable_model_options);
+  part({"replay"}, &v1::JobSpec::mutable_replay);
+  step([&] { return ReadVariants(Take(object, {"variants"}), spec); });
+  step([&] {
+    const std::optional<json> further = Take(object, {"further_views", "furtherViews"});
+    return further.has_value() ? SetFromJson(json{{"further_views", *further}}, "", spec) : absl::OkStatus();
+  });
+  step([&] { return ReadViews(Take(object, {"views"}), spec); });
+  step([&] { return ReadBrief(object, spec); });
+  return status;
+}
+
+absl::Status ReadJson(std::string_view text, BriefLine& line) {
+  if (!NestsWithin(text, kDeepest)) {
+    return absl::InvalidArgumentError(fmt::format("nests deeper than {} levels", kDeepest));
+  }
+  json value = json::parse(text, nullptr, false);
+  if (value.is_discarded()) {
+    v1::Brief nothing;
+    const absl::Status status = ParseJsonMessage("", std::string(text), nothing);  // says where and why
+    std::string_view words(status.message().data(), status.message().size());
+    if (words.starts_with(":1: ")) words.remove_prefix(4);
+    return absl::InvalidArgumentError(
+        fmt::format("is no JSON: {}; a line that begins with {} is read as JSON", words, text.front()));
+  }
+  if (value.is_object()) return ReadObject(std::move(value), line);
+  line.spec.mutable_brief()->set_text(value.get<std::string>());
+  return absl::OkStatus();
+}
+
+// What every job must keep to, in the words of a line.
+absl::Status Check(const v1::JobSpec& spec) {
+  const absl::Status status = Validate(spec, "");
+  if (status.ok()) return status;
+  return absl::InvalidArgumentError(absl::StrReplaceAll(
+      status.message(),
+      {{"\n", "; "}, {"solve_options.", "solve."}, {"render_options.", "render."}, {"model_options.", "models."}}));
+}
+
+}  // namespace
+
+void SetViews(const std::vector<v1::RenderOptions>& views, v1::JobSpec& spec) {
+  if (views.empty()) return;
+  *spec.mutable_render_options() = views.front();
+  spec.mutable_further_views()->Assign(views.begin() + 1, views.end());
+}
+
+absl::StatusOr<BriefLine> ReadBriefLine(std::string_view line, const v1::JobSpec& defaults) {
+  BriefLine read;
+  read.spec = defaults;
+  const std::string stripped(absl::StripAsciiWhitespace(absl::string_view(line.data(), line.size())));
+  const std::string_view text = stripped;
+  absl::Status status;
+  if (text.starts_with('{') || text.starts_with('"')) {
+    status = ReadJson(text, read);
+  } else if (text.starts_with('[')) {
+    status =
+        absl::InvalidArgumentError("is a JSON array; expected one brief a line: text, \"text\" or {\"text\": ...}");
+  } else {
+    read.spec.mutable_brief()->set_text(stripped);
+  }
+  if (!status.ok()) return status;
+  v1::Brief& brief = *read.spec.mutable_brief();
+  brief.set_text(OneLine(brief.text()));
+  if (status = Check(read.spec); !status.ok()) return status;
+  return read;
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/batch/results_file.h"
+
+#include <sqlite3.h>
+
+#include "absl/strings/str_join.h"
+#include "absl/strings/str_replace.h"
+#include "cli/exit_code.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+constexpr int kBusyTimeoutMs = 20000;
+// "flrb", so that another program's database is not taken for ours.
+constexpr int kApplicationId = 0x666c7262;
+constexpr int kVersion = 1;
+
+std::string ColumnNames() {
+  return absl::StrJoin(ResultColumns(), ", ",
+                       [](std::string* out, const ResultColumn& column) { out->append(column.name); });
+}
+
+std::string SchemaSql() {
+  std::string columns;
+  for (const ResultColumn& column : ResultColumns()) {
+    columns += fmt::format("{}{} {}", columns.empty() ? "" : ", ", column.name, column.type);
+    if (column.name == "batch_index") columns += " PRIMARY KEY";
+  }
+  std::string meanings;
+  for (const ResultColumn& column : ResultColumns()) {
+    meanings += fmt::format("{}('{}', '{}')", meanings.empty() ? "" : ", ", column.name,
+                            absl::StrReplaceAll(column.meaning, {{"'", "''"}}));
+  }
+  return fmt::format(
+      "CREATE TABLE jobs ({}) STRICT; CREATE TABLE state (name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT;"
+      "CREATE INDEX jobs_by_state ON jobs (state, failure_kind);"
+      "CREATE INDEX jobs_not_fetched ON jobs (end_sequence) WHERE fetch_error IS NOT NULL;"
+      "CREATE TABLE columns (name TEXT PRIMARY KEY, meaning TEXT NOT NULL) STRICT; INSERT INTO columns VALUES {};"
+      "PRAGMA application_id = {}; PRAGMA user_version = {}",
+      columns, meanings, kApplicationId, kVersion);
+}
+
+int Bind(sqlite3_stmt* statement, int place, const ResultValue& value) {
+  if (const auto* number = std::get_if<int64_t>(&value)) return sqlite3_bind_int64(statement, place, *number);
+  if (const auto* real = std::get_if<double>(&value)) return sqlite3_bind_double(statement, place, *real);
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    return sqlite3_bind_text64(statement, place, text->data(), text->size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+  }
+  return sqlite3_bind_null(statement, place);
+}
+
+ResultValue Read(sqlite3_stmt* statement, int column) {
+  switch (sqlite3_column_type(statement, column)) {
+    case SQLITE_INTEGER:
+      return sqlite3_column_int64(statement, column);
+    case SQLITE_FLOAT:
+      return sqlite3_column_double(statement, column);
+    case SQLITE_TEXT:
+      return std::string(reinterpret_cast<const char*>(sqlite3_column_text(statement, column)),
+                         static_cast<size_t>(sqlite3_column_bytes(statement, column)));
+    default:
+      return {};
+  }
+}
+
+ResultRow ReadRow(sqlite3_stmt* statement) {
+  ResultRow row;
+  for (size_t i = 0; i < row.values().size(); ++i) row.values()[i] = Read(statement, static_cast<int>(i));
+  return row;
+}
+
+// Resets a statement when it goes, so that it holds no lock.
+class Use {
+ public:
+  explicit Use(sqlite3_stmt* statement) : statement_(statement) {}
+  ~Use() {
+    sqlite3_reset(statement_);
+    sqlite3_clear_bindings(statement_);
+  }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+
+ private:
+  sqlite3_stmt* const statement_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<ResultsFile>> ResultsFile::Open(const std::filesystem::path& path) {
+  sqlite3* connection = nullptr;
+  sqlite3_open_v2(path.c_str(), &connection, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
+  std::unique_ptr<ResultsFile> file(new ResultsFile(connection, path.string()));
+  if (absl::Status status = file->Configure(); !status.ok()) return status;
+  return file;
+}
+
+absl::StatusOr<std::unique_ptr<ResultsFile>> ResultsFile::OpenToRead(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    return absl::NotFoundError(
+        fmt::format("{}: no such file; should be results.db of flair batch --out", path.string()));
+  }
+  return Open(path);
+}
+
+ResultsFile::~ResultsFile() {
+  for (auto& [sql, statement] : statements_) sqlite3_finalize(statement);
+  sqlite3_close(connection_);
+}
+
+absl::Status ResultsFile::Error() const {
+  const std::string message = fmt::format("{}: {}", path_, sqlite3_errmsg(connection_));
+  const int code = sqlite3_errcode(connection_) & 0xff;
+  if (code == SQLITE_CORRUPT) return absl::DataLossError(message + "; move it away to collect the results again");
+  if (code == SQLITE_NOTADB) return FileError(fmt::format("{}: is no database of flair batch", path_));
+  return FileError(message);
+}
+
+absl::Status ResultsFile::Execute(const std::string& sql) {
+  return sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK ? absl::OkStatus() : Error();
+}
+
+absl::Status ResultsFile::Configure() {
+  sqlite3_busy_timeout(connection_, kBusyTimeoutMs);
+  if (absl::Status status = Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL"); !status.ok()) {
+    return status;
+  }
+  return Change([this]() -> absl::Status {
+    const absl::StatusOr<int64_t> version = Count("PRAGMA user_version");
+    if (!version.ok()) return version.status();
+    const absl::StatusOr<int64_t> tables = Count("SELECT COUNT(*) FROM sqlite_schema");
+    if (!tables.ok()) return tables.status();
+    if (*tables == 0) return Execute(SchemaSql());
+    const absl::StatusOr<int64_t> application = Count("PRAGMA application_id");
+    if (!application.ok()) return application.status();
+    if (*application != kApplicationId) return FileError(fmt::format("{}: is no database of flair batch", path_));
+    if (*version == kVersion) return absl::OkStatus();
+    return FileError(
+        fmt::format("{}: has version {}, this program knows {}; use the Flair that made it, or another --out", path_,
+                    *version, kVersion));
+  });
+}
+
+sqlite3_stmt* ResultsFile::Prepare(const std::string& sql) {
+  sqlite3_stmt*& statement = statements_[sql];
+  if (statement == nullptr) {
+    sqlite3_prepare_v3(connection_, sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT, &statement,
+                       nullptr);
+  }
+  return statement;
+}
+
+absl::StatusOr<bool> ResultsFile::Step(sqlite3_stmt* statement) {
+  if (statement == nullptr) return Error();
+  const int code = sqlite3_step(statement);
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  return Error();
+}
+
+absl::Status ResultsFile::Change(const std::function<absl::Status()>& change) {
+  const std::lock_guard lock(mutex_);
+  absl::Status status = Execute("BEGIN IMMEDIATE");
+  if (!status.ok()) return status;
+  status = change();
+  if (status.ok()) status = Execute("COMMIT");
+  if (!status.ok()) sqlite3_exec(connection_, "ROLLBACK", nullptr, nullptr, nullptr);
+  return status;
+}
+
+absl::StatusOr<std::string> ResultsFile::State(std::string_view name) {
+  const std::lock_guard lock(mutex_);
+  sqlite3_stmt* statement = Prepare("SELECT value FROM state WHERE name = ?");
+  const Use use(statement);
+  Bind(statement, 1, std::string(name));
+  const absl::StatusOr<bool> row = Step(statement);
+  if (!row.ok()) return row.status();
+  if (!*row) return "";
+  return std::get<std::string>(Read(statement, 0));
+}
+
+absl::StatusOr<int64_t> ResultsFile::IntState(std::string_view name) {
+  const absl::StatusOr<std::string> text = State(name);
+  if (!text.ok()) return text.status();
+  return std::strtoll(text->c_str(), nullptr, 10);
+}
+
+absl::Status ResultsFile::SetState(std::string_view name, std::string_view value) {
+  const std::lock_guard lock(mutex_);
+  sqlite3_stmt* statement = Prepare("INSERT OR REPLACE INTO state (name, value) VALUES (?, ?)");
+  const Use use(statement);
+  Bind(statement, 1, std::string(name));
+  Bind(statement, 2, std::string(value));
+  return Step(statement).status();
+}
+
+absl::Status ResultsFile::Put(const ResultRow& row) {
+  const std::lock_guard lock(mutex_);
+  static const std::string& sql = *new std::string([] {
+    std::string places;
+    std::string updates;
+    for (const ResultColumn& column : ResultColumns()) {
+      places += places.empty() ? "?" : ", ?";
+      if (column.name == "batch_index") continue;
+      updates += fmt::format("{}{} = COALESCE(excluded.{}, {})", updates.empty() ? "" : ", ", column.name, column.name,
+                             column.name);
+    }
+    return fmt::format("INSERT INTO jobs ({}) VALUES ({}) ON CONFLICT (batch_index) DO UPDATE SET {}", ColumnNames(),
+                       places, updates);
+  }());
+  sqlite3_stmt* statement = Prepare(sql);
+  const Use use(statement);
+  for (size_t i = 0; i < row.values().size(); ++i) Bind(statement, static_cast<int>(i) + 1, row.values()[i]);
+  return Step(statement).status();
+}
+
+absl::Status ResultsFile::ForgetEnd(int64_t batch_index) {
+  const std::lock_guard lock(mutex_);
+  sqlite3_stmt* statement = Prepare(
+      "UPDATE jobs SET failure_kind = NULL, stage = NULL, error = NULL, error_code = NULL, fetch_error = NULL, "
+      "path = NULL, size_bytes = NULL WHERE batch_index = ?");
+  const Use use(statement);
+  sqlite3_bind_int64(statement, 1, batch_index);
+  return Step(statement).status();
+}
+
+absl::StatusOr<std::optional<ResultRow>> ResultsFile::Find(int64_t batch_index) {
+  const std::lock_guard lock(mutex_);
+  static const std::string& sql =
+      *new std::string(fmt::format("SELECT {} FROM jobs WHERE batch_index = ?", ColumnNames()));
+  sqlite3_stmt* statement = Prepare(sql);
+  const Use use(statement);
+  sqlite3_bind_int64(statement, 1, batch_index);
+  const absl::StatusOr<bool> found = Step(statement);
+  if (!found.ok()) return found.status();
+  if (!*found) return std::nullopt;
+  return ReadRow(statement);
+}
+
+absl::Status ResultsFile::ForEach(std::string_view where, const std::function<absl::Status(const ResultRow&)>& see) {
+  const std::lock_guard lock(mutex_);
+  sqlite3_stmt* statement = Prepare(fmt::format("SELECT {} FROM jobs{}{} ORDER BY batch_index", ColumnNames(),
+                                                where.empty() ? "" : " WHERE ", where));
+  const Use use(statement);
+  while (true) {
+    const absl::StatusOr<bool> row = Step(statement);
+    if (!row.ok()) return row.status();
+    if (!*row) return absl::OkStatus();
+    if (absl::Status status = see(ReadRow(statement)); !status.ok()) return status;
+  }
+}
+
+absl::StatusOr<int64_t> ResultsFile::Count(const std::string& query) {
+  const std::lock_guard lock(mutex_);
+  sqlite3_stmt* statement = Prepare(query);
+  const Use use(statement);
+  const absl::StatusOr<bool> row = Step(statement);
+  if (!row.ok()) return row.status();
+  return *row ? sqlite3_column_int64(statement, 0) : 0;
+}
+
+absl::StatusOr<std::string> ResultsFile::Text(const std::string& query) {
+  const std::lock_guard lock(mutex_);
+  sqlite3_stmt* statement = Prepare(query);
+  const Use use(statement);
+  const absl::StatusOr<bool> row = Step(statement);
+  if (!row.ok()) return row.status();
+  const ResultValue value = *row ? Read(statement, 0) : ResultValue();
+  const auto* text = std::get_if<std::string>(&value);
+  return text == nullptr ? "" : *text;
+}
+
+absl::StatusOr<std::vector<double>> ResultsFile::Numbers(const std::string& query) {
+  const std::lock_guard lock(mutex_);
+  sqlite3_stmt* statement = Prepare(query);
+  const Use use(statement);
+  std::vector<double> numbers;
+  while (true) {
+    const absl::StatusOr<bool> row = Step(statement);
+    if (!row.ok()) return row.status();
+    if (!*row) return numbers;
+    numbers.push_back(sqlite3_column_double(statement, 0));
+  }
+}
+
+}  // namespace flair::cli

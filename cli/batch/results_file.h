@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "cli/batch/result_row.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace flair::cli {
+
+// results.db: table `jobs` with a row per job and the columns of ResultColumns(), table `columns` with what they mean,
+// and table `state` with what a restarted command needs to go on. Others may read it at any time. Thread-safe.
+class ResultsFile {
+ public:
+  // Makes the file when it is missing. FAILED_PRECONDITION when it cannot be read or written or is something else.
+  static absl::StatusOr<std::unique_ptr<ResultsFile>> Open(const std::filesystem::path& path);
+  // One that is gone when it is closed.
+  static absl::StatusOr<std::unique_ptr<ResultsFile>> OpenTemporary() { return Open(""); }
+  // One that exists, to read it. NOT_FOUND when there is none.
+  static absl::StatusOr<std::unique_ptr<ResultsFile>> OpenToRead(const std::filesystem::path& path);
+  ~ResultsFile();
+
+  // All that `change` does happens, or nothing; survives a kill when this returns.
+  absl::Status Change(const std::function<absl::Status()>& change);
+
+  absl::StatusOr<std::string> State(std::string_view name);
+  absl::StatusOr<int64_t> IntState(std::string_view name);
+  absl::Status SetState(std::string_view name, std::string_view value);
+  absl::Status SetState(std::string_view name, int64_t value) { return SetState(name, std::to_string(value)); }
+
+  // Puts the values of the row that are set and leaves its others.
+  absl::Status Put(const ResultRow& row);
+  // Forgets what earlier ends of the job said.
+  absl::Status ForgetEnd(int64_t batch_index);
+  // The row of a job; nothing when it has none.
+  absl::StatusOr<std::optional<ResultRow>> Find(int64_t batch_index);
+  // All rows by their place, until `see` fails. `where` is a literal of ours, such as "fetch_error IS NOT NULL".
+  absl::Status ForEach(std::string_view where, const std::function<absl::Status(const ResultRow&)>& see);
+  // What a literal query of ours gives: its first value, as a whole number (0 for none) or as text; all its numbers.
+  absl::StatusOr<int64_t> Count(const std::string& query);
+  absl::StatusOr<std::string> Text(const std::string& query);
+  absl::StatusOr<std::vector<double>> Numbers(const std::string& query);
+
+ private:
+  explicit ResultsFile(sqlite3* connection, std::string path) : connection_(connection), path_(std::move(path)) {}
+  absl::Status Configure();
+  absl::Status Execute(const std::string& sql);
+  absl::Status Error() const;
+  // A statement of this sql, reset; null when it cannot be prepared.
+  sqlite3_stmt* Prepare(const std::string& sql);
+  absl::StatusOr<bool> Step(sqlite3_stmt* statement);
+
+  sqlite3* const connection_;
+  const std::string path_;
+  std::recursive_mutex mutex_;
+  std::map<std::string, sqlite3_stmt*> statements_;
+};
+
+}  // namespace flair::cli

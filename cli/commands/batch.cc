@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair batch: many briefs, started, watched and collected.
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "cli/batch/batch_input.h"
+#include "cli/batch/batch_run.h"
+#include "cli/batch/kept_files.h"
+#include "cli/commands/batch_actions.h"
+#include "cli/commands/batch_flags.h"
+#include "cli/commands/commands.h"
+#include "cli/exit_code.h"
+#include "cli/input/option_path.h"
+#include "cli/input/render_flags.h"
+#include "fmt/format.h"
+#include "room/validation/validate.h"
+
+namespace flair::cli {
+namespace {
+
+struct BatchArguments {
+  std::string briefs;
+  std::string out;
+  std::string name;
+  std::optional<int64_t> seed;
+  int seed_count = 1;
+  std::vector<std::string> views;
+  std::optional<int> variants;
+  std::optional<int> threads;
+  std::optional<int> restarts;
+  std::optional<int> size_px;
+  std::vector<std::string> options;
+  ModelFlags model;
+  std::string kept = KeptFiles::kDefault;
+  int shard_size = 0;
+  BatchFlags flags;
+  bool submit_only = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+// What lines take that do not say otherwise.
+absl::StatusOr<v1::JobSpec> MakeDefaults(const BatchArguments& arguments) {
+  v1::JobSpec spec;
+  if (arguments.seed) spec.mutable_brief()->set_seed(*arguments.seed);
+  if (arguments.variants) spec.mutable_solve_options()->set_variant_count(*arguments.variants);
+  if (arguments.restarts) spec.mutable_solve_options()->set_max_restart_count(*arguments.restarts);
+  // Many jobs at once use the cores better than many threads of one.
+  spec.mutable_solve_options()->set_thread_count(arguments.threads.value_or(1));
+  if (arguments.size_px) spec.mutable_render_options()->set_size_px(*arguments.size_px);
+  *spec.mutable_model_options() = MakeModelOptions(arguments.model);
+  for (const std::string& option : arguments.options) {
+    if (absl::Status status = SetOption(option, spec).status(); !status.ok()) return status;
+  }
+  std::vector<v1::RenderOptions> views;
+  for (const std::string& name : arguments.views) {
+    const absl::StatusOr<v1::PreviewView> view = ViewOfName(name);
+    if (!view.ok()) return view.status();
+    views.push_back(spec.render_options());
+    views.back().set_view(*view);
+  }
+  SetViews(views, spec);
+  v1::JobSpec example = spec;
+  example.mutable_brief()->set_text("A room.");
+  if (absl::Status status = Validate(example); !status.ok()) return status;
+  return spec;
+}
+
+// Whether the folder is free for this request: new, or of the same one.
+absl::Status CheckFolder(BatchFolder& folder, const std::string& request_id) {
+  const absl::StatusOr<BatchPlace> place = folder.Place();
+  if (!place.ok()) return place.status();
+  const absl::StatusOr<std::string> known = folder.results().State("request_id");
+  if (!known.ok()) return known.status();
+  if (place->batch_id.empty() || *known == request_id) return absl::OkStatus();
+  if (known->empty()) {
+    return FileError(fmt::format("{}: collects batch {}, which was submitted elsewhere; give --out another folder",
+                                 folder.path().string(), place->batch_id));
+  }
+  return FileError(
+      fmt::format("{}: holds batch {} of other briefs or options; give --out another folder, or what it was made with",
+                  folder.path().string(), place->batch_id));
+}
+
+absl::Status RememberPlace(const BatchArguments& arguments, const v1::Batch& batch, const std::string& kept,
+                           BatchFolder& folder) {
+  const absl::StatusOr<BatchPlace> before = folder.Place();
+  if (!before.ok()) return before.status();
+  if (!before->batch_id.empty() && before->batch_id != batch.id()) {
+    return FileError(
+        fmt::format("{}: holds batch {}, but here these briefs are batch {}; say where it is as before "
+                    "(--orchestrator, --engine, FLAIR_HOME), or give --out another folder",
+                    folder.path().string(), before->batch_id, batch.id()));
+  }
+  BatchPlace place;
+  place.batch_id = batch.id();
+  place.label = batch.label();
+  FillPlace(arguments.flags, place);
+  place.kept = kept;
+  place.shard_size = arguments.shard_size;
+  return folder.SetPlace(place);
+}
+
+absl::Status Submit(const BatchArguments& arguments) {
+  const absl::StatusOr<v1::JobSpec> defaults = MakeDefaults(arguments);
+  if (!defaults.ok()) return defaults.status();
+  const absl::StatusOr<KeptFiles> kept = KeptFiles::Parse(arguments.kept);
+  if (!kept.ok()) return kept.status();
+  absl::Status status = CheckStageFlags(arguments.flags.stages, arguments.flags.orchestrator, arguments.flags.llm);
+  if (!status.ok()) return status;
+  const absl::StatusOr<OptionalLlm> llm =
+      ReadDesignModel(arguments.flags.llm, arguments.model, arguments.flags.orchestrator);
+  if (!llm.ok()) return llm.status();
+  Interruption interruption;
+  const absl::StatusOr<std::unique_ptr<BatchFolder>> folder = BatchFolder::Hold(arguments.out);
+  if (!folder.ok()) return folder.status();
+  const absl::StatusOr<BatchInput> input =
+      OpenBatchInput(arguments.briefs, (*folder)->path() / "input.jsonl", interruption.stop());
+  if (!input.ok()) return input.status();
+  const std::string label = arguments.name.empty() ? input->name : arguments.name;
+  Submission::Options options{.defaults = *defaults, .seed_count = arguments.seed_count, .folder = (*folder)->path()};
+  const std::string request_id = Submission::RequestId(*input, options, arguments.name);
+  if (status = CheckFolder(**folder, request_id); !status.ok()) return status;
+  absl::StatusOr<BatchWay> way = OpenBatchWay(arguments.flags, !arguments.submit_only, *llm, interruption);
+  if (!way.ok()) return way.status();
+  const absl::StatusOr<v1::Batch> batch = way->batches->CreateBatch(request_id, label);
+  if (!batch.ok()) return batch.status();
+  status = RememberPlace(arguments, *batch, kept->Words(), **folder);
+  if (status.ok()) status = (*folder)->results().SetState("request_id", request_id);
+  if (!status.ok()) return status;
+  if (!arguments.quiet) {
+    fmt::print(stderr, "batch {}{}\n", batch->id(), batch->job_count() > 0 ? ", which is known and goes on" : "");
+  }
+  Submission submission(*way->batches, (*folder)->results(), *input, options);
+  status = RunBatch(
+      *batch, *way->batches, **folder, &submission, interruption,
+      {.remedy = way->remedy, .submit_only = arguments.submit_only, .quiet = arguments.quiet, .json = arguments.json});
+  if (status.ok() && arguments.submit_only && !arguments.quiet) {
+    fmt::print(stderr, "{} jobs submitted, {} lines rejected; to collect: flair batch watch {}\n",
+               submission.submitted_count(), submission.rejected_count(), arguments.out);
+  }
+  return status;
+}
+
+void AddSpecFlags(CLI::App& command, BatchArguments& arguments) {
+  constexpr char kGroup[] = "For lines that do not say otherwise";
+  command.add_option("--seed", arguments.seed, "Seed (0)")
+      ->type_name("N")
+      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1).description(""))
+      ->group(kGroup);
+  command
+      .add_option("--seeds", arguments.seed_count,
+                  "Jobs of each line, with the seeds N, N + 1, ... of its own one, 1 to 500 (1)")
+      ->type_name("COUNT")
+      ->check(CLI::Range(1, 500).description(""))
+      ->group(kGroup);
+  command.add_option("--view", arguments.views, "Pictures: plan, birdseye, perspective, with a comma between (plan)")
+      ->type_name("A,B")
+      ->delimiter(',')
+      ->group(kGroup);
+  command.add_option("--size", arguments.size_px, "Longer side of the pictures, pixels, 256 to 8192")
+      ->type_name("PX")
+      ->check(CLI::Range(256, 8192).description(""))
+      ->group(kGroup);
+  command.add_option("--variants", arguments.variants, "Layouts that differ visibly, 1 to 32 (1)")
+      ->type_name("K")
+      ->check(CLI::Range(1, 32).description(""))
+      ->group(kGroup);
+  command.add_option("--restarts", arguments.restarts, "Most restarts per stage of the solver, 1 to 10000")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000).description(""))
+      ->group(kGroup);
+  command.add_option("--threads", arguments.threads, "Threads of each solve, 1 to 256 (1); changes no result")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256).description(""))
+      ->group(kGroup);
+  command.add_option("--set", arguments.options, "Any other option, as for flair replay: optimizer.path_width=0.7")
+      ->type_name("NAME=VALUE")
+      ->group(kGroup);
+}
+
+void AddResultFlags(CLI::App& command, BatchArguments& arguments) {
+  command.add_option("BRIEFS", arguments.briefs, "A file with a brief a line, or - for standard input")
+      ->type_name("FILE");
+  command.add_option("-o,--out", arguments.out, "Folder for the results; made when missing")->type_name("DIR");
+  command
+      .add_option(
+          "--keep", arguments.kept,
+          "Files of each job: brief, room, ..., graph, layout, pictures, report, report.md, all, none; NAME.json "
+          "for JSON (layout,pictures,report)")
+      ->type_name("A,B");
+  command
+      .add_option("--shards", arguments.shard_size,
+                  "Tar files of so many jobs, 1 to 1000000, instead of a folder for each job")
+      ->type_name("JOBS")
+      ->check(CLI::Range(1, 1000000).description(""));
+  command.add_option("--name", arguments.name,
+                     "What you call the batch (the file's name); another name, another batch");
+  command.add_flag("--submit-only", arguments.submit_only, "Submit the lines and do not wait for results");
+}
+
+}  // namespace
+
+void AddBatch(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<BatchArguments>();
+  CLI::App* command = program.add_subcommand("batch", "Design rooms from a file of briefs, on one machine or many.");
+  command->require_subcommand(0, 1);
+  AddResultFlags(*command, *arguments);
+  AddSpecFlags(*command, *arguments);
+  AddBatchFlags(*command, arguments->flags, true);
+  AddModelFlags(*command, arguments->model);
+  command->add_flag("--json", arguments->json, "The summary as JSON on standard output");
+  command->add_flag("-q,--quiet", arguments->quiet, "Say nothing unless something is wrong");
+  AddBatchActions(*command, result);
+  command->footer(
+      "A line is a sentence, or a JSON object with the fields of a Brief and id, variants, views, solve, render, "
+      "models:\n"
+      "    A bedroom that is 4m x 5m.\n"
+      "    {\"id\": \"k17\", \"text\": \"A small kitchen.\", \"seed\": 4, \"views\": [\"plan\", \"birdseye\"]}\n"
+      "DIR gets a folder for each job under jobs/ (or shards/), results.db with a row for each job, and "
+      "rejected.jsonl\n"
+      "with the lines that are no briefs. After ^C or a crash the same command goes on where it was; the same file "
+      "with\n"
+      "the same options is the same batch. ID is the batch's id, the beginning of it, or DIR. See docs/batches.md.\n" +
+      std::string(kExitCodeHelp));
+  command->callback([arguments, command, &result] {
+    if (!command->get_subcommands().empty()) return;
+    if (arguments->briefs.empty()) throw CLI::RequiredError("BRIEFS, or one of the subcommands,");
+    if (arguments->out.empty()) throw CLI::RequiredError("--out");
+    result = Submit(*arguments);
+    std::fflush(stdout);
+  });
+}
+
+}  // namespace flair::cli

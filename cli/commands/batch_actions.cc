@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair batch status, watch, pause, resume, cancel, retry, report, list.
+#include "cli/commands/batch_actions.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <memory>
+
+#include "absl/strings/str_join.h"
+#include "absl/time/time.h"
+#include "cli/batch/batch_progress.h"
+#include "cli/batch/batch_run.h"
+#include "cli/batch/collector.h"
+#include "cli/batch/kept_files.h"
+#include "cli/commands/batch_flags.h"
+#include "cli/exit_code.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/printable.h"
+#include "fmt/format.h"
+#include "nlohmann/json.hpp"
+#include "orchestrator/batch/work_queue.h"
+
+namespace flair::cli {
+namespace {
+
+struct ActionArguments {
+  std::string id;
+  BatchFlags flags;
+  // watch
+  std::string out;
+  std::string kept = KeptFiles::kDefault;
+  int shard_size = 0;
+  bool quiet = false;
+  // retry
+  std::vector<std::string> kinds;
+  std::vector<std::string> jobs;
+  // report
+  std::string csv;
+  // list
+  int count = 20;
+  bool json = false;
+};
+
+std::string TimeText(const google::protobuf::Timestamp& time) {
+  return absl::FormatTime("%Y-%m-%d %H:%M:%S", absl::FromUnixSeconds(time.seconds()), absl::LocalTimeZone());
+}
+
+void ShowBatch(const v1::Batch& batch, bool json) {
+  if (json) {
+    fmt::print("{}\n", ToJsonLine(batch));
+    return;
+  }
+  const auto line = [](const char* what, const std::string& text) { fmt::print("{:<11}{}\n", what, text); };
+  line("batch", batch.id());
+  if (!batch.label().empty()) line("name", Printable(batch.label()));
+  line("state", BatchStateWord(batch.state()) + (batch.open() ? ", and more lines may follow" : ""));
+  line("jobs", std::to_string(batch.job_count()));
+  line("succeeded", std::to_string(batch.succeeded_count()));
+  if (batch.failed_count() > 0) line("failed", fmt::format("{}: {}", batch.failed_count(), FailuresText(batch)));
+  if (batch.cancelled_count() > 0) line("cancelled", std::to_string(batch.cancelled_count()));
+  if (batch.open_count() > 0) {
+    line("to do", fmt::format("{}, of which {} run", batch.open_count(), batch.running_count()));
+  }
+  line("created", TimeText(batch.create_time()));
+}
+
+absl::Status ShowOr(const absl::StatusOr<v1::Batch>& batch, bool json) {
+  if (!batch.ok()) return batch.status();
+  ShowBatch(*batch, json);
+  return absl::OkStatus();
+}
+
+absl::Status List(const ActionArguments& arguments, BatchSession& batches) {
+  const absl::StatusOr<std::vector<v1::Batch>> all = batches.ListBatches(arguments.count);
+  if (!all.ok()) return all.status();
+  for (const v1::Batch& batch : *all) {
+    if (arguments.json) {
+      fmt::print("{}\n", ToJsonLine(batch));
+      continue;
+    }
+    const std::string failed = batch.failed_count() > 0 ? fmt::format("  {} failed", batch.failed_count()) : "";
+    const std::string state =
+        EndedCount(batch) == batch.job_count() && !batch.open() && batch.state() == v1::BATCH_STATE_ACTIVE
+            ? "ended"
+            : BatchStateWord(batch.state());
+    fmt::print("{}  {:<9}  {}/{}{}  {}  {}\n", batch.id(), state, EndedCount(batch), batch.job_count(), failed,
+               TimeText(batch.create_time()), Printable(batch.label()));
+  }
+  if (all->empty() && !arguments.json) {
+    fmt::print(stderr, "No batches yet. Try: flair batch BRIEFS.jsonl --out out/batch\n");
+  }
+  return absl::OkStatus();
+}
+
+absl::Status Retry(const ActionArguments& arguments, const NamedBatch& named, BatchSession& batches) {
+  v1::RetryBatchRequest request;
+  request.set_batch_id(named.batch.id());
+  for (const std::string& word : arguments.kinds) {
+    const v1::FailureKind kind = FailureKindOf(word);
+    if (kind == v1::FAILURE_KIND_UNSPECIFIED) {
+      return absl::InvalidArgumentError(fmt::format("--kind: {}: there is no such kind of failure; one of {}", word,
+                                                    absl::StrJoin(FailureKindWords(), ", ")));
+    }
+    request.add_kinds(kind);
+  }
+  for (const std::string& job : arguments.jobs) {
+    const bool is_index = !job.empty() && job.size() < 10 && std::ranges::all_of(job, ::isdigit);
+    request.add_job_ids(is_index ? orchestrator::BatchJobId(named.batch.id(), std::stoll(job)) : job);
+  }
+  const absl::StatusOr<v1::RetryBatchResponse> response = batches.RetryBatch(request);
+  if (!response.ok()) return response.status();
+  if (arguments.json) {
+    fmt::print("{}\n", ToJsonLine(*response));
+    return absl::OkStatus();
+  }
+  const std::string name = named.folder.empty() ? named.batch.id() + " --out DIR" : named.folder.string();
+  fmt::print("{} jobs wait again{}\n", response->retried_count(),
+             response->retried_count() > 0 ? "; to run and collect them: flair batch watch " + name : "");
+  return absl::OkStatus();
+}
+
+// The folder that a watch collects into, with what it remembers from before or is told now.
+absl::StatusOr<std::unique_ptr<BatchFolder>> HoldFolder(const ActionArguments& arguments, const NamedBatch& named) {
+  const std::string path = arguments.out.empty() ? named.folder.string() : arguments.out;
+  if (path.empty()) {
+    return absl::InvalidArgumentError(fmt::format("{}: says no folder to collect into; give --out DIR", arguments.id));
+  }
+  absl::StatusOr<std::unique_ptr<BatchFolder>> folder = BatchFolder::Hold(path);
+  if (!folder.ok()) return folder;
+  absl::StatusOr<BatchPlace> place = (*folder)->Place();
+  if (!place.ok()) return place.status();
+  if (place->batch_id == named.batch.id()) return folder;
+  if (!place->batch_id.empty()) {
+    return FileError(fmt::format("{}: holds batch {}; give --out another folder", path, place->batch_id));
+  }
+  const absl::StatusOr<KeptFiles> kept = KeptFiles::Parse(arguments.kept);
+  if (!kept.ok()) return kept.status();
+  BatchPlace made;
+  made.batch_id = named.batch.id();
+  made.label = named.batch.label();
+  FillPlace(arguments.flags, made);
+  made.kept = kept->Words();
+  made.shard_size = arguments.shard_size;
+  if (absl::Status status = (*folder)->SetPlace(made); !status.ok()) return status;
+  return folder;
+}
+
+absl::Status Watch(const ActionArguments& arguments, const NamedBatch& named, const BatchWay& way,
+                   Interruption& interruption) {
+  const absl::StatusOr<std::unique_ptr<BatchFolder>> folder = HoldFolder(arguments, named);
+  if (!folder.ok()) return folder.status();
+  if (named.batch.open() && !arguments.quiet) {
+    fmt::print(stderr,
+               "batch {}: not all lines are submitted yet; if nobody does, give its file again: flair batch FILE "
+               "--out DIR\n",
+               named.batch.id());
+  }
+  return RunBatch(named.batch, *way.batches, **folder, nullptr, interruption,
+                  {.remedy = way.remedy, .quiet = arguments.quiet, .json = arguments.json});
+}
+
+absl::Status ShowReport(ResultsFile& results, const ActionArguments& arguments) {
+  if (!arguments.csv.empty()) {
+    if (absl::Status status = WriteResultsCsv(results, arguments.csv); !status.ok()) return status;
+  }
+  const absl::StatusOr<BatchReport> report = MakeBatchReport(results);
+  if (!report.ok()) return report.status();
+  if (arguments.json) {
+    fmt::print("{}\n", BatchReportJson(*report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else if (arguments.csv != "-" && arguments.csv != "/dev/stdout") {
+    fmt::print("{}", BatchReportText(*report));
+  }
+  return absl::OkStatus();
+}
+
+// Of a batch that was never collected here: its reports are fetched, and nothing else.
+absl::Status ReportOfService(const ActionArguments& arguments, const NamedBatch& named, BatchSession& batches) {
+  const absl::StatusOr<std::unique_ptr<ResultsFile>> results = ResultsFile::OpenTemporary();
+  if (!results.ok()) return results.status();
+  absl::Status status = (*results)->SetState("batch_id", named.batch.id());
+  if (status.ok()) status = (*results)->SetState("label", named.batch.label());
+  if (const int64_t ended = EndedCount(named.batch); status.ok() && ended > 0) {
+    const std::unique_ptr<ResultWriter> unused = MakeJobFolders("");
+    const Collector::Options options{.kept = {}, .end_after = ended};
+    status = Collector(batches, **results, *unused, options).Run(named.batch.id());
+  }
+  return status.ok() ? ShowReport(**results, arguments) : status;
+}
+
+absl::Status Report(const ActionArguments& arguments) {
+  if (BatchFolder::IsAt(arguments.id)) {
+    const absl::StatusOr<std::unique_ptr<ResultsFile>> results = ResultsFile::OpenToRead(ResultsPath(arguments.id));
+    return results.ok() ? ShowReport(**results, arguments) : results.status();
+  }
+  Interruption interruption;
+  const absl::StatusOr<BatchWay> way = OpenBatchWay(arguments.flags, false, std::nullopt, interruption);
+  if (!way.ok()) return way.status();
+  const absl::StatusOr<NamedBatch> named = FindBatch(arguments.id, *way->batches);
+  return named.ok() ? ReportOfService(arguments, *named, *way->batches) : named.status();
+}
+
+// Does something with the batch that the arguments name.
+using BatchAction =
+    std::function<absl::Status(const ActionArguments&, const NamedBatch&, const BatchWay&, Interruption&)>;
+
+absl::Status Act(ActionArguments& arguments, bool runs_jobs, const BatchAction& action) {
+  if (absl::Status status = TakePlaceOf(arguments.id, arguments.flags); !status.ok()) return status;
+  const absl::StatusOr<OptionalLlm> llm =
+      runs_jobs ? ReadDesignModel(arguments.flags.llm, {}, arguments.flags.orchestrator) : OptionalLlm();
+  if (!llm.ok()) return llm.status();
+  Interruption interruption;
+  const absl::StatusOr<BatchWay> way = OpenBatchWay(arguments.flags, runs_jobs, *llm, interruption);
+  if (!way.ok()) return way.status();
+  const absl::StatusOr<NamedBatch> named = FindBatch(arguments.id, *way->batches);
+  return named.ok() ? action(arguments, *named, *way, interruption) : named.status();
+}
+
+// A subcommand with the flags that all have.
+struct Added {
+  CLI::App* command;
+  std::shared_ptr<ActionArguments> arguments;
+};
+Added Add(CLI::App& batch, const std::string& name, const std::string& help, bool takes_id, bool runs_jobs) {
+  Added added{batch.add_subcommand(name, help), std::make_shared<ActionArguments>()};
+  if (takes_id) {
+    added.command
+        ->add_option("ID", added.arguments->id, "Id of the batch, the beginning of it, or the DIR of its results")
+        ->required();
+  }
+  AddBatchFlags(*added.command, added.arguments->flags, runs_jobs);
+  added.command->add_flag("--json", added.arguments->json, "JSON on standard output");
+  return added;
+}
+
+void OnCall(const Added& added, absl::Status& result, bool runs_jobs, const BatchAction& action) {
+  added.command->callback([arguments = added.arguments, &result, runs_jobs, action] {
+    result = Act(*arguments, runs_jobs, action);
+    std::fflush(stdout);
+  });
+}
+
+void AddStateChange(CLI::App& batch, absl::Status& result, const char* name, const char* help,
+                    absl::StatusOr<v1::Batch> (BatchSession::*change)(const std::string&)) {
+  OnCall(Add(batch, name, help, true, false), result, false,
+         [change](const ActionArguments& arguments, const NamedBatch& named, const BatchWay& way, Interruption&) {
+           return ShowOr(((*way.batches).*change)(named.batch.id()), arguments.json);
+         });
+}
+
+void AddWatch(CLI::App& batch, absl::Status& result) {
+  const Added watch =
+      Add(batch, "watch", "Collect its results, here or on another machine, until it has ended.", true, true);
+  watch.command->add_option("-o,--out", watch.arguments->out, "Folder for the results (DIR, when that is ID)")
+      ->type_name("DIR");
+  watch.command->add_option("--keep", watch.arguments->kept, "Files of each job, see flair batch --help")
+      ->type_name("A,B");
+  watch.command->add_option("--shards", watch.arguments->shard_size, "Tar files of so many jobs")
+      ->type_name("JOBS")
+      ->check(CLI::Range(1, 1000000).description(""));
+  watch.command->add_flag("-q,--quiet", watch.arguments->quiet, "Say nothing unless something is wrong");
+  watch.command->footer("Where jobs wait in this machine's own store, watching runs them.\n" +
+                        std::string(kExitCodeHelp));
+  OnCall(watch, result, true, Watch);
+}
+
+void AddRetry(CLI::App& batch, absl::Status& result) {
+  const Added retry = Add(batch, "retry", "Let failed jobs run again, from the results that they have.", true, false);
+  retry.command
+      ->add_option("--kind", retry.arguments->kinds,
+                   "Only failures of this kind: input, language, translation, infeasible, worker, timeout, store")
+      ->type_name("A,B")
+      ->delimiter(',');
+  retry.command->add_option("--job", retry.arguments->jobs, "Only these jobs: ids, or places in the batch")
+      ->type_name("A,B")
+      ->delimiter(',');
+  OnCall(retry, result, false,
+         [](const ActionArguments& arguments, const NamedBatch& named, const BatchWay& way, Interruption&) {
+           return Retry(arguments, named, *way.batches);
+         });
+}
+
+void AddReport(CLI::App& batch, absl::Status& result) {
+  const Added report =
+      Add(batch, "report", "Failures, measures, times, tokens; of a DIR without asking anybody.", true, false);
+  report.command
+      ->add_option("--csv", report.arguments->csv, "Also write a row for each job, with the columns of results.db")
+      ->type_name("FILE");
+  report.command->callback([arguments = report.arguments, &result] {
+    result = Report(*arguments);
+    std::fflush(stdout);
+  });
+}
+
+void AddList(CLI::App& batch, absl::Status& result) {
+  const Added list = Add(batch, "list", "Batches, newest first.", false, false);
+  list.command->add_option("-n,--count", list.arguments->count, "Most batches to list")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000));
+  list.command->callback([arguments = list.arguments, &result] {
+    Interruption interruption;
+    const absl::StatusOr<BatchWay> way = OpenBatchWay(arguments->flags, false, std::nullopt, interruption);
+    result = way.ok() ? List(*arguments, *way->batches) : way.status();
+    std::fflush(stdout);
+  });
+}
+
+}  // namespace
+
+void AddBatchActions(CLI::App& batch, absl::Status& result) {
+  OnCall(Add(batch, "status", "How it stands.", true, false), result, false,
+         [](const ActionArguments& arguments, const NamedBatch& named, const BatchWay&, Interruption&) {
+           ShowBatch(named.batch, arguments.json);
+           return absl::OkStatus();
+         });
+  AddWatch(batch, result);
+  AddStateChange(batch, result, "pause", "Begin no more of its jobs; running ones go on.", &BatchSession::PauseBatch);
+  AddStateChange(batch, result, "resume", "Let a paused batch go on.", &BatchSession::ResumeBatch);
+  AddStateChange(batch, result, "cancel", "End it and all of its jobs.", &BatchSession::CancelBatch);
+  AddRetry(batch, result);
+  AddReport(batch, result);
+  AddList(batch, result);
+}
+
+}  // namespace flair::cli

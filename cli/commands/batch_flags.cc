@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands/batch_flags.h"
+
+#include <vector>
+
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+constexpr int kSearchedBatches = 10000;
+
+std::string RemedyOf(const BatchFlags& flags, bool runs_jobs) {
+  if (!runs_jobs || (flags.orchestrator.empty() && (flags.engine.address.empty() || flags.parallel.has_value()))) {
+    return "";
+  }
+  if (!flags.orchestrator.empty()) {
+    return fmt::format("start flair-orchestrator on the queue of {}, without takes_no_jobs", flags.orchestrator);
+  }
+  return fmt::format(
+      "start flair-orchestrator with queue {{ address: \"{}\" }} in its config, or give --parallel N to "
+      "run jobs here",
+      flags.engine.address);
+}
+
+}  // namespace
+
+void AddBatchFlags(CLI::App& command, BatchFlags& flags, bool runs_jobs) {
+  command.add_option("--orchestrator", flags.orchestrator, "Use this one instead of one in this process")
+      ->type_name("HOST:PORT");
+  AddEngineFlags(command, flags.engine);
+  if (!runs_jobs) return;
+  command
+      .add_option("--parallel", flags.parallel,
+                  "Jobs at once in this process, 1 to 256 (cores; with --engine none: others run them)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256).description(""));
+  AddStageFlags(command, flags.stages);
+  AddLlmFlags(command, flags.llm);
+}
+
+absl::StatusOr<BatchWay> OpenBatchWay(const BatchFlags& flags, bool runs_jobs, const OptionalLlm& llm,
+                                      Interruption& interruption) {
+  if (absl::Status status = CheckEngineFlags(flags.engine, flags.orchestrator); !status.ok()) return status;
+  if (flags.parallel.has_value() && !flags.orchestrator.empty()) {
+    return absl::InvalidArgumentError(
+        fmt::format("--parallel {}: not with --orchestrator {}, whose config says how many jobs it runs: "
+                    "running_job_limit",
+                    *flags.parallel, flags.orchestrator));
+  }
+  config::v1::OrchestratorConfig config;
+  SetEngine(flags.engine, config);
+  config.set_store_path(flags.store);
+  config.set_running_job_limit(flags.parallel.value_or(0));
+  config.set_takes_no_jobs(!runs_jobs || (!flags.engine.address.empty() && !flags.parallel.has_value()));
+  absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(flags.orchestrator, llm, flags.stages, config);
+  if (!session.ok()) return session.status();
+  BatchWay way;
+  way.batches = std::make_unique<BatchSession>(
+      (*session)->channel(), BatchSession::Options{.address = (*session)->address()}, interruption.stop());
+  way.session = *std::move(session);
+  way.remedy = RemedyOf(flags, runs_jobs);
+  return way;
+}
+
+void FillPlace(const BatchFlags& flags, BatchPlace& place) {
+  place.orchestrator = flags.orchestrator;
+  place.engine = flags.engine.address;
+  place.queue = flags.engine.queue;
+  place.artifacts = flags.engine.artifacts;
+  const bool local = place.orchestrator.empty() && place.engine.empty();
+  const std::string store = flags.store.empty() ? DefaultStorePath() : flags.store;
+  place.store = local ? std::filesystem::absolute(store).string() : "";
+}
+
+absl::Status TakePlaceOf(const std::string& name, BatchFlags& flags) {
+  if (!BatchFolder::IsAt(name) || !flags.orchestrator.empty() || !flags.engine.address.empty()) return absl::OkStatus();
+  const absl::StatusOr<BatchPlace> place = BatchFolder::ReadPlace(name);
+  if (!place.ok()) return place.status();
+  flags.orchestrator = place->orchestrator;
+  flags.store = place->store;
+  flags.engine.address = place->engine;
+  if (flags.engine.queue.empty()) flags.engine.queue = place->queue;
+  if (flags.engine.artifacts.empty()) flags.engine.artifacts = place->artifacts;
+  return absl::OkStatus();
+}
+
+absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batches) {
+  NamedBatch found;
+  std::string id = name;
+  if (BatchFolder::IsAt(name)) {
+    const absl::StatusOr<BatchPlace> place = BatchFolder::ReadPlace(name);
+    if (!place.ok()) return place.status();
+    id = place->batch_id;
+    found.folder = name;
+  }
+  absl::StatusOr<v1::Batch> exact = batches.GetBatch(id);
+  if (exact.ok()) found.batch = *std::move(exact);
+  if (exact.ok()) return found;
+  if (!absl::IsNotFound(exact.status()) && !absl::IsInvalidArgument(exact.status())) return exact.status();
+  if (!found.folder.empty()) {
+    return absl::NotFoundError(
+        fmt::format("{}: its batch {} is not known to {}; say where it is with --orchestrator or "
+                    "--engine",
+                    name, id, batches.address()));
+  }
+  const absl::StatusOr<std::vector<v1::Batch>> all = batches.ListBatches(kSearchedBatches);
+  if (!all.ok()) return all.status();
+  std::vector<v1::Batch> fitting;
+  for (const v1::Batch& batch : *all) {
+    if (!name.empty() && batch.id().starts_with(name)) fitting.push_back(batch);
+  }
+  if (fitting.size() == 1) {
+    found.batch = fitting.front();
+    return found;
+  }
+  if (fitting.empty()) {
+    return absl::NotFoundError(
+        fmt::format("{}: no batch has an id that begins so, and no folder of that name has "
+                    "results.db; those that there are: flair batch list",
+                    name));
+  }
+  return absl::InvalidArgumentError(fmt::format("{}: begins the ids of {} batches, such as {} and {}; give more of it",
+                                                name, fitting.size(), fitting[0].id(), fitting[1].id()));
+}
+
+}  // namespace flair::cli
