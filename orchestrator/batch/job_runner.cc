@@ -137,16 +137,12 @@ void JobRunner::RunJob(Lease& lease) {
 void JobRunner::Settle(Lease& lease, const PipelineResult& result) {
   if (result.status.ok()) {
     End(lease, {v1::JOB_STATE_SUCCEEDED, result.stage, {}, v1::FAILURE_KIND_UNSPECIFIED, clock_.Now()});
-  } else if (lease.lost()) {
-    logger_.info("job {}: another run has it, this one ends", lease.job().id());
-  } else if (lease.cancel_requested()) {
+  } else if (lease.cancel_requested() && !lease.lost()) {
     End(lease, {v1::JOB_STATE_CANCELLED, result.stage, {}, v1::FAILURE_KIND_UNSPECIFIED, clock_.Now()});
-  } else if (stopping()) {
-    // Given back by the lease's end; after a crash, the queue finds out.
-    logger_.info("job {}: interrupted, waits for another run", lease.job().id());
-  } else {
+  } else if (!lease.lost() && !stopping()) {
     Fail(lease, result);
   }
+  // Otherwise another run has it, or it is given back by the lease's end; after a crash, the queue finds out.
 }
 
 void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
@@ -165,7 +161,6 @@ void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
     logger_.error("job {}: cannot be given back: {}", lease.job().id(), std::string(returned.message()));
     return;
   }
-  logger_.warn("job {} waits for another run: {}", lease.job().id(), reason);
   std::lock_guard lock(mutex_);
   ++counts_.retried_count;
 }
@@ -180,8 +175,6 @@ void JobRunner::End(Lease& lease, const JobEnd& end) {
     stored = lease.End(end);
   }
   if (lease.lost()) return;
-  logger_.info("job {} {}{}{}", lease.job().id(), v1::JobState_Name(end.state), end.error.ok() ? "" : ": ",
-               std::string(end.error.message()));
   std::lock_guard lock(mutex_);
   if (end.state == v1::JOB_STATE_SUCCEEDED) ++counts_.succeeded_count;
   if (end.state == v1::JOB_STATE_FAILED) ++counts_.failed_count;

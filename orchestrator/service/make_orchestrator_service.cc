@@ -12,6 +12,7 @@
 #include "orchestrator/access/access_control.h"
 #include "orchestrator/batch/event_hub.h"
 #include "orchestrator/batch/job_runner.h"
+#include "orchestrator/batch/metered_work_queue.h"
 #include "orchestrator/workers/stage_workers.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/service/open_stores.h"
@@ -161,7 +162,7 @@ class Service final : public OrchestratorService {
                                   absl::StatusOr<Response> (OrchestratorHandlers::*handle)(const Request&,
                                                                                            const Caller&)) {
     return runtime::StartUnary(
-        worker_, rpc, runtime::internal::RequestIdOf(request), context,
+        worker_, rpc, runtime::internal::CallIdsOf(request), context,
         [this, caller = Admit(context), &request, &response, handle](runtime::CallContext&) -> absl::Status {
           if (!caller.ok()) return caller.status();
           absl::StatusOr<Response> answer = (handlers_.*handle)(request, *caller);
@@ -208,8 +209,10 @@ absl::StatusOr<std::unique_ptr<OrchestratorService>> MakeOrchestratorService(
   absl::StatusOr<std::unique_ptr<ArtifactStore>> artifacts = OpenArtifactStore(config, context.clock);
   if (!artifacts.ok()) return artifacts.status();
   context.capabilities = {v1::CAPABILITY_DETERMINISTIC};
-  return std::make_unique<Service>(config, context, channels,
-                                   Stores{*std::move(queue), *std::move(artifacts), *std::move(access)});
+  return std::make_unique<Service>(
+      config, context, channels,
+      Stores{MakeMeteredWorkQueue(*std::move(queue), context.metrics, context.clock, context.logger),
+             *std::move(artifacts), *std::move(access)});
 }
 
 void CheckOrchestratorConfig(const config::v1::OrchestratorConfig& config, runtime::ConfigChecker& checker) {

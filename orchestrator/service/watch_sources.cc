@@ -12,6 +12,7 @@ WatchSource<v1::WatchJobResponse> JobSource(WorkQueue& queue, const std::string&
   WatchSource<v1::WatchJobResponse> source;
   source.rpc = "WatchJob";
   source.id = job_id;
+  source.ids.job_id = job_id;
   source.admit = std::move(admit);
   source.next = [&queue, job_id](int64_t after) -> absl::StatusOr<std::vector<v1::WatchJobResponse>> {
     auto events = queue.EventsAfter(job_id, after, kReadLimit);
@@ -36,6 +37,7 @@ WatchSource<v1::WatchBatchResponse> BatchSource(WorkQueue& queue, const std::str
   WatchSource<v1::WatchBatchResponse> source;
   source.rpc = "WatchBatch";
   source.id = batch_id;
+  source.ids.batch_id = batch_id;
   source.admit = std::move(admit);
   source.next = [&queue, batch_id](int64_t after) -> absl::StatusOr<std::vector<v1::WatchBatchResponse>> {
     const auto ends = queue.EndsAfter(batch_id, after, kReadLimit);

@@ -29,7 +29,10 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
                               public std::enable_shared_from_this<Stream<Response>> {
  public:
   Stream(Watches& owner, WatchSource<Response> source, int64_t after_sequence)
-      : owner_(owner), source_(std::move(source)), sequence_(after_sequence) {}
+      : owner_(owner),
+        source_(std::move(source)),
+        sequence_(after_sequence),
+        record_(owner.worker_, source_.rpc, source_.ids) {}
 
   // Looks whether it may, and begins; on a thread that may wait for the queue.
   void Begin() {
@@ -37,6 +40,7 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
       // Once the stream has ended, the queue and the hub may be gone: neither is used without a look, under the lock.
       std::lock_guard lock(mutex_);
       if (ended_) return;
+      record_.Begin();
       if (const absl::Status admitted = source_.admit(); !admitted.ok()) return EndLocked(admitted);
       std::weak_ptr<Stream> self = this->weak_from_this();
       subscription_ = owner_.hub_.Subscribe(source_.id, [self] {
@@ -64,7 +68,13 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
     pending_.pop_front();
     sequence_ = source_.sequence_of(response_);
     writing_ = true;
+    ++message_count_;
     this->StartWrite(&response_);
+  }
+
+  void Refuse() {
+    std::lock_guard lock(mutex_);
+    EndLocked(record_.Refuse());
   }
 
   void End(const absl::Status& status) override {
@@ -92,7 +102,7 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
   void EndLocked(const absl::Status& status) {
     if (ended_) return;
     ended_ = true;
-    owner_.worker_.logger->info("{} id={} {}", source_.rpc, source_.id, absl::StatusCodeToString(status.code()));
+    record_.End(status, message_count_);
     this->Finish(runtime::ToGrpcStatus(status));
   }
 
@@ -101,6 +111,8 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
   int subscription_ = 0;
   std::mutex mutex_;
   int64_t sequence_;
+  runtime::RpcRecord record_;
+  int64_t message_count_ = 0;
   std::deque<Response> pending_;
   Response response_;
   bool writing_ = false;
@@ -119,7 +131,7 @@ grpc::ServerWriteReactor<Response>* Watches::Start(WatchSource<Response> source,
   if (stopped) {
     stream->End(Stopping());
   } else if (!worker_.executor.TrySubmit([stream] { stream->Begin(); })) {
-    stream->End(absl::ResourceExhaustedError("the queue of calls is full; try again later"));
+    stream->Refuse();
   }
   return stream.get();
 }

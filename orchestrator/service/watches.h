@@ -14,14 +14,17 @@
 #include "orchestrator/batch/event_hub.h"
 #include "orchestrator/batch/work_queue.h"
 #include "worker_runtime/bootstrap/worker_context.h"
+#include "worker_runtime/grpc/rpc_record.h"
 
 namespace flair::orchestrator {
 
 // What a stream reads. Its functions may wait for the queue; they are not called at the same time.
 template <typename Response>
 struct WatchSource {
-  // For logs: the RPC, and what is watched.
+  // For logs and figures: the RPC, and what is watched.
   std::string rpc;
+  runtime::CallIds ids;
+  // Of the job or the batch.
   std::string id;
   // Says whether the caller may watch it.
   std::function<absl::Status()> admit;

@@ -12,8 +12,10 @@
 #include "renderer_worker/service/export_scene_handler.h"
 #include "renderer_worker/service/furnishing_choice.h"
 #include "renderer_worker/service/render_handler.h"
+#include "renderer_worker/service/render_metrics.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_stream_call.h"
+#include "worker_runtime/grpc/observed_handler.h"
 #include "worker_runtime/grpc/unary_call.h"
 
 namespace flair::renderer {
@@ -27,11 +29,12 @@ class Service final : public v1::RendererService::CallbackService {
         writer_(std::move(writer)),
         furnishing_(std::move(furnishing)),
         render_(*writer_, *furnishing_, limits),
-        export_scene_(*furnishing_, worker.build, limits.answer_bytes) {}
+        export_scene_(*furnishing_, worker.build, limits.answer_bytes),
+        counted_render_(render_, worker.clock, RenderMetrics(worker.metrics)) {}
 
   grpc::ServerUnaryReactor* Render(grpc::CallbackServerContext* context, const v1::RenderRequest* request,
                                    v1::RenderResponse* response) override {
-    return runtime::ServeUnary(worker_, "Render", context, request, response, render_);
+    return runtime::ServeUnary(worker_, "Render", context, request, response, counted_render_);
   }
 
   grpc::ServerUnaryReactor* ExportScene(grpc::CallbackServerContext* context, const v1::ExportSceneRequest* request,
@@ -52,6 +55,7 @@ class Service final : public v1::RendererService::CallbackService {
   std::atomic<int> open_sheets_ = 0;
   RenderHandler render_;
   ExportSceneHandler export_scene_;
+  runtime::ObservedHandler<RenderHandler, RenderMetrics> counted_render_;
 };
 
 ViewLimits LimitsOf(const config::v1::RendererWorkerConfig& config) {

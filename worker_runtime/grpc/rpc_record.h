@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <concepts>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "absl/status/status.h"
 #include "absl/time/time.h"
@@ -48,28 +48,18 @@ class RpcRecord {
 
 namespace internal {
 
-// The ids that a request names in fields of these names, or in its options.
+// The ids under which a request is known: its own, which holds that of its job where it has one, or of what it is
+// about.
 template <typename Request>
 CallIds CallIdsOf(const Request& request) {
   CallIds ids;
-  if constexpr (requires {
-                  { request.request_id() } -> std::convertible_to<std::string>;
-                }) {
+  if constexpr (requires { request.request_id(); }) {
     ids.request_id = request.request_id();
-  } else if constexpr (requires {
-                         { request.options().request_id() } -> std::convertible_to<std::string>;
-                       }) {
+  } else if constexpr (requires { request.options().request_id(); }) {
     ids.request_id = request.options().request_id();
-  }
-  if constexpr (requires {
-                  { request.job_id() } -> std::convertible_to<std::string>;
-                }) {
-    ids.job_id = request.job_id();
-  }
-  if constexpr (requires {
-                  { request.batch_id() } -> std::convertible_to<std::string>;
-                }) {
-    ids.batch_id = request.batch_id();
+  } else {
+    if constexpr (requires { request.job_id(); }) ids.job_id = request.job_id();
+    if constexpr (requires { request.batch_id(); }) ids.batch_id = request.batch_id();
   }
   return ids;
 }
