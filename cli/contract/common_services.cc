@@ -96,9 +96,23 @@ class Exchange {
 
 }  // namespace
 
-absl::StatusOr<Health> HealthOf(const Target& target, const std::string& service, absl::Duration within) {
+const char* HealthName(Health health) {
+  switch (health) {
+    case Health::kServing:
+      return "SERVING";
+    case Health::kNotServing:
+      return "NOT_SERVING";
+    case Health::kServiceUnknown:
+      return "SERVICE_UNKNOWN";
+    default:
+      return "UNKNOWN";
+  }
+}
+
+absl::StatusOr<Health> HealthOf(const std::shared_ptr<grpc::Channel>& channel, const std::string& service,
+                                absl::Duration within) {
   const absl::StatusOr<std::string> bytes =
-      target.Start("/grpc.health.v1.Health/Check", Encoded(kHealthService, service), within)->Wait();
+      Call(channel, "/grpc.health.v1.Health/Check", Encoded(kHealthService, service), absl::Now() + within).Wait();
   if (!bytes.ok()) return bytes.status();
   UnknownFieldSet fields;
   if (!fields.ParseFromString(*bytes)) return absl::DataLossError("the answer is no HealthCheckResponse");

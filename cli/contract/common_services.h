@@ -18,9 +18,13 @@ namespace flair::contract {
 // HealthCheckResponse.ServingStatus.
 enum class Health : int { kUnknown = 0, kServing = 1, kNotServing = 2, kServiceUnknown = 3 };
 
+// "SERVING" and so on.
+const char* HealthName(Health health);
+
 // grpc.health.v1.Health/Check of a service's full name; "" for the whole server. UNIMPLEMENTED when there is no such
 // service, NOT_FOUND when it does not know the name.
-absl::StatusOr<Health> HealthOf(const Target& target, const std::string& service, absl::Duration within);
+absl::StatusOr<Health> HealthOf(const std::shared_ptr<grpc::Channel>& channel, const std::string& service,
+                                absl::Duration within);
 
 // Full names of the services that reflection lists. UNIMPLEMENTED when there is no reflection.
 absl::StatusOr<std::vector<std::string>> ReflectedServices(const Target& target, absl::Duration within);

@@ -15,19 +15,6 @@ constexpr int kSmallMib = 3;
 // A field that no message has; those who do not know it must pass over it.
 constexpr int kUnknownField = 60000;
 
-const char* HealthName(Health health) {
-  switch (health) {
-    case Health::kServing:
-      return "SERVING";
-    case Health::kNotServing:
-      return "NOT_SERVING";
-    case Health::kServiceUnknown:
-      return "SERVICE_UNKNOWN";
-    default:
-      return "UNKNOWN";
-  }
-}
-
 Finding SpeaksTheProtocol(Target& target) {
   const std::string fault = runtime::ProtocolFault(target.worker());
   if (fault.empty()) return Kept();
@@ -48,7 +35,7 @@ Finding IsOfTheStage(const Sample& sample, Target& target) {
 Finding IsHealthy(Target& target) {
   for (const std::string& service : {target.options().service, std::string()}) {
     const std::string sent = fmt::format("grpc.health.v1.Health/Check of \"{}\"", service);
-    const absl::StatusOr<Health> health = HealthOf(target, service, target.options().patience);
+    const absl::StatusOr<Health> health = HealthOf(target.channel(), service, target.options().patience);
     if (absl::IsUnimplemented(health.status())) return Skipped("it serves no grpc.health.v1.Health");
     if (!health.ok()) return Broken(sent, StatusText(health.status()), "SERVING");
     if (*health != Health::kServing) return Broken(sent, HealthName(*health), "SERVING");
@@ -57,7 +44,7 @@ Finding IsHealthy(Target& target) {
 }
 
 Finding HealthOfOthersIsUnknown(Target& target) {
-  const absl::StatusOr<Health> health = HealthOf(target, "flair.v1.NoSuchService", target.options().patience);
+  const absl::StatusOr<Health> health = HealthOf(target.channel(), "flair.v1.NoSuchService", target.options().patience);
   if (absl::IsUnimplemented(health.status())) return Skipped("it serves no grpc.health.v1.Health");
   if (absl::IsNotFound(health.status())) return Kept();
   return Broken("grpc.health.v1.Health/Check of \"flair.v1.NoSuchService\"",

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair health: asks a server whether it serves, for people, containers and their orchestrators.
+#include <memory>
+
+#include "cli/commands/commands.h"
+#include "cli/contract/common_services.h"
+#include "cli/input/connection_flags.h"
+#include "fmt/format.h"
+#include "worker_runtime/grpc/channel.h"
+
+namespace flair::cli {
+namespace {
+
+struct HealthArguments {
+  std::string address;
+  std::string service;
+  double patience_s = 3;
+};
+
+absl::Status Health(const HealthArguments& arguments) {
+  if (!(arguments.patience_s > 0 && arguments.patience_s <= 600)) {
+    return absl::InvalidArgumentError(fmt::format("--patience {}: expected seconds in (0, 600]", arguments.patience_s));
+  }
+  const absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
+  if (!options.ok()) return options.status();
+  const auto channel = runtime::MakeChannel(arguments.address, arguments.service, *options);
+  if (!channel.ok()) return channel.status();
+  const std::string what =
+      arguments.service.empty() ? arguments.address : fmt::format("{} at {}", arguments.service, arguments.address);
+  const auto health = contract::HealthOf(*channel, arguments.service, absl::Seconds(arguments.patience_s));
+  if (absl::IsNotFound(health.status())) {
+    return absl::NotFoundError(
+        fmt::format("{}: the server there has no such service; is this another stage's port?", what));
+  }
+  if (!health.ok()) {
+    return absl::Status(health.status().code(), fmt::format("{}: {}", what, std::string(health.status().message())));
+  }
+  if (*health != contract::Health::kServing) {
+    return absl::UnavailableError(fmt::format("{}: {}", what, contract::HealthName(*health)));
+  }
+  fmt::print("{}: {}\n", what, contract::HealthName(*health));
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+void AddHealth(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<HealthArguments>();
+  CLI::App* command = program.add_subcommand("health", "Whether a server serves, by the gRPC health protocol.");
+  command->add_option("ADDRESS", arguments->address, "The server, HOST:PORT or unix:PATH")
+      ->required()
+      ->type_name("ADDRESS");
+  command->add_option("--service", arguments->service,
+                      "One service of it in full, such as flair.v1.OptimizerService; otherwise the whole server");
+  command->add_option("--patience", arguments->patience_s, "Seconds to wait for an answer")->capture_default_str();
+  command->footer(
+      "Ends with 0 when it serves, with 3 when it does not or cannot be reached, with 2 when it has no such service.\n"
+      "Any gRPC server that has grpc.health.v1.Health can be asked. Made for health checks: reads no files, quick.");
+  command->callback([arguments, &result] { result = Health(*arguments); });
+}
+
+}  // namespace flair::cli
