@@ -9,8 +9,9 @@ namespace {
 
 // Part of the newest call in the mean.
 constexpr double kNewest = 0.2;
-// In this time a mean loses half of its weight.
-constexpr absl::Duration kHalfLife = absl::Seconds(10);
+// A mean loses half of its weight in this time and this number of calls.
+constexpr absl::Duration kHalfLife = absl::Seconds(1);
+constexpr int kHalfLifeCalls = 10;
 // How long a worker that is full is left alone: doubled as long as it stays full.
 constexpr absl::Duration kFirstRest = absl::Milliseconds(20);
 constexpr absl::Duration kLongestRest = absl::Seconds(2);
@@ -47,7 +48,8 @@ void WorkerLoad::Forget() {
 absl::Duration WorkerLoad::Estimate(absl::Duration now, absl::Duration typical) const {
   absl::Duration estimate = typical;
   if (mean_ > absl::ZeroDuration()) {
-    estimate = mean_ * std::exp2(-absl::FDivDuration(std::max(now - learnt_at_, absl::ZeroDuration()), kHalfLife));
+    const absl::Duration age = std::max(now - learnt_at_, absl::ZeroDuration());
+    estimate = mean_ * std::exp2(-absl::FDivDuration(age, kHalfLife + kHalfLifeCalls * mean_));
   }
   if (!in_flight_.empty()) estimate = std::max(estimate, now - in_flight_.begin()->second);
   return std::max(estimate, absl::Microseconds(1));

@@ -80,8 +80,8 @@ TEST(WorkerLoad, ForgetsWithTimeThatItWasSlow) {
   load.Begin(1, At(0));
   load.EndAnswered(1, At(8));
   EXPECT_EQ(load.Estimate(At(8), kTypical), At(8));
-  EXPECT_EQ(load.Estimate(At(18), kTypical), At(4));
-  EXPECT_LT(load.Estimate(At(208), kTypical), kTypical);
+  EXPECT_EQ(load.Estimate(At(8 + 81), kTypical), At(4)) << "a second and ten calls";
+  EXPECT_LT(load.Estimate(At(8 + 81 * 8), kTypical), kTypical);
 }
 
 TEST(WorkerLoad, ACallThatHangsTellsBeforeItEnds) {

@@ -13,6 +13,10 @@ namespace {
 // Beyond this failures in a row make no more of a difference.
 constexpr int kFailuresThatCount = 20;
 
+// Workers up to so many times as slow as the fastest count as equally fast: calls differ, and the fastest must not get
+// all of them.
+constexpr double kEquallyFast = 2;
+
 // Of a thread in line that looks by itself whether something has changed.
 constexpr absl::Duration kShortestWait = absl::Milliseconds(1);
 constexpr absl::Duration kLongestWait = absl::Hours(1);
@@ -168,15 +172,23 @@ void WorkerPool::Serve(Waiter& waiter, absl::Duration now, std::optional<Wait>& 
 std::map<WorkerId, WorkerPool::Worker>::iterator WorkerPool::Best(const std::set<WorkerId>& tried, bool with_room,
                                                                   absl::Duration now) {
   const absl::Duration typical = Typical();
-  auto best = workers_.end();
-  absl::Duration least;
+  absl::Duration fastest = absl::InfiniteDuration();
+  std::vector<std::pair<std::map<WorkerId, Worker>::iterator, absl::Duration>> candidates;
   for (auto it = workers_.begin(); it != workers_.end(); ++it) {
     const Worker& worker = it->second;
     if (worker.presence != Presence::kReady || tried.contains(it->first)) continue;
     if (with_room && (!worker.circuit.Allows(now) || !worker.load.HasRoom(now))) continue;
+    if (with_room && worker.circuit.open()) return it;
+    candidates.emplace_back(it, worker.load.Estimate(now, typical));
+    fastest = std::min(fastest, candidates.back().second);
+  }
+  auto best = workers_.end();
+  absl::Duration least;
+  for (const auto& [it, estimate] : candidates) {
+    const Worker& worker = it->second;
     const int failures = std::min(worker.circuit.failures_in_a_row(), kFailuresThatCount);
-    absl::Duration end = worker.load.Estimate(now, typical) * (worker.load.in_flight() + 1) * std::exp2(failures);
-    if (with_room && worker.circuit.open()) end = absl::ZeroDuration();
+    const absl::Duration end =
+        std::max(estimate, fastest * kEquallyFast) * (worker.load.in_flight() + 1) * std::exp2(failures);
     if (best != workers_.end() && (end > least || (end == least && worker.last_use > best->second.last_use))) continue;
     best = it;
     least = end;
@@ -263,7 +275,7 @@ void WorkerPool::End(const Place& place, Verdict verdict) {
   } else {
     const absl::Duration mean = worker.load.mean();
     // A call that came with hardly any time left says nothing of the worker.
-    if (worker.load.EndOtherwise(place.call, now) < mean && verdict == Verdict::kLate) verdict = Verdict::kNone;
+    if (worker.load.EndOtherwise(place.call, now) < mean / 2 && verdict == Verdict::kLate) verdict = Verdict::kNone;
   }
   if (verdict != Verdict::kNone) ++worker.call_count;
   if (CountsAgainst(verdict)) {
