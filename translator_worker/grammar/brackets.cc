@@ -66,8 +66,9 @@ class BracketReader {
   bool SpaceSpokenOf() const {
     for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
       const Term& term = terms_[i - 1].term;
-      if (term.IsWord("space") || term.IsWord("pull_out") || term.IsWord("keep_clear") || term.IsWord("accessible") ||
-          term.IsWord("away_from") || term.IsWord("clear_of") || term.IsWord("around")) {
+      const bool way = term.kind == Term::Kind::kMention && term.mention.references.front().name == "paths";
+      if (way || term.IsWord("space") || term.IsWord("pull_out") || term.IsWord("keep_clear") ||
+          term.IsWord("accessible") || term.IsWord("away_from") || term.IsWord("clear_of") || term.IsWord("around")) {
         return true;
       }
     }
@@ -123,7 +124,10 @@ class BracketReader {
       if (phrase.word_class == WordClass::kSide && phrase.length > 0) named.push_back(phrase.lemma);
       if (phrase.length > 1) i += phrase.length - 1;
     }
-    if (named.size() == 1) *open = named[0];
+    // "Two sides (preferably the length and one width)": one of them has no name here.
+    const bool more = std::any_of(tokens_.begin() + static_cast<long>(at_), tokens_.begin() + static_cast<long>(end_),
+                                  [](const Token& token) { return token.IsWord("and"); });
+    if (named.size() == 1 && !more) *open = named[0];
     if (named.size() == 2 && named[0] == "front" && named[1] == "back") *open = "axial";
     if (named.size() == 2 && named[0] == "left" && named[1] == "right") *open = "sides";
     return !named.empty();

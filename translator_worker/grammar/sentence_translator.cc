@@ -185,6 +185,25 @@ Analysis WithoutUnknown(const Analysis& analysis) {
   return known;
 }
 
+// "These constraints ensure that all pieces are accessible": about the list, not about a piece.
+bool SpeaksOfArrangement(const Analysis& analysis) {
+  const auto first = std::find_if(analysis.terms.begin(), analysis.terms.end(),
+                                  [](const Term& term) { return term.kind != Term::Kind::kUnknown; });
+  return first != analysis.terms.end() && first->kind == Term::Kind::kMention &&
+         first->mention.references.front().name == "arrangement";
+}
+
+// "When not in use, it can be pushed under the desk": a place of certain times. A wall that it stands at then is one
+// that it may stand at.
+bool IsStowedAtTimes(const Analysis& analysis) {
+  const auto says = [&](std::string_view lemma) {
+    return std::any_of(analysis.terms.begin(), analysis.terms.end(),
+                       [&](const Term& term) { return term.IsWord(lemma); });
+  };
+  return says("under_when_unused") &&
+         (says("pushed_under") || says("tucked_under") || says("pull_out") || says("under"));
+}
+
 }  // namespace
 
 Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
@@ -193,7 +212,9 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
   const Analysis analysis = Analyse(sentence.text(), names);
   Translation result;
   result.weight_factor = analysis.wish ? 0.5 : 1;
-  if (analysis.conditional) {
+  if (SpeaksOfArrangement(analysis)) {
+    composer.Refuse("not_about_layout", "what is said of all constraints together places nothing");
+  } else if (analysis.conditional || IsStowedAtTimes(analysis)) {
     composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");
   } else {
     Walk walk(analysis, composer, sentence.text(), false);

@@ -22,7 +22,7 @@ std::vector<std::string> SidesOf(Composer& composer, const Placed& placed) {
     return {options[0]};
   };
   if (word == "sides") return lateral;
-  if (word == "side") return one(lateral);
+  if (word == "side" || word == "lateral_one") return one(lateral);
   if (word == "axial") return axial;
   if (word == "opposite_two") {
     composer.Note("side_left_open",

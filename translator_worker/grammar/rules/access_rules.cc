@@ -11,11 +11,19 @@
 namespace flair::translator {
 namespace {
 
+// "Not in front of sockets, so that they remain accessible": of the sockets that is said already.
+bool IsOfFeature(const Mention* mention, const Composer& composer) {
+  return mention != nullptr && mention->references.front().kind == RefKind::kPronoun &&
+         mention->references.front().name == "them" && !composer.last_feature.empty() && composer.topic().size() == 1 &&
+         !composer.calls().empty();
+}
+
 void Accessible(const Match& match, std::string_view, Composer& composer) {
   if (match.a != nullptr && match.a->references.front().name == "all") {
     composer.Refuse("not_about_layout", "access to pieces that are not named cannot be asked for; name them");
     return;
   }
+  if (IsOfFeature(match.a, composer)) return;
   std::vector<Placed> movers = composer.Movers(match.a);
   // "From the front or side": the choice is free.
   if (match.a != nullptr && match.a->either && movers.size() > 1 && movers[0].object == movers[1].object)
@@ -88,6 +96,15 @@ void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
   const Mention* const of = match.b != nullptr ? match.b : match.a;
   if (of != nullptr && of->references.front().kind == RefKind::kGroup && of->references.front().name != "seating") {
     composer.Refuse("not_about_layout", "space around pieces that are not named cannot be asked for; name them");
+    return;
+  }
+  if (tag == "named" && match.b == nullptr && IsOfFeature(match.a, composer)) return;
+  // "..., so they should have a separation of 0.5 m": from each other.
+  const bool them = match.a != nullptr && match.a->references.front().kind == RefKind::kPronoun &&
+                    match.a->references.front().name == "them" && match.a->references.front().side.empty();
+  if (tag == "named" && match.b == nullptr && them && composer.scope() == v1::SENTENCE_SCOPE_INTER &&
+      !composer.pair_targets().empty() && match.distance != nullptr) {
+    ApartFromEachOther({nullptr, nullptr, nullptr, match.distance, match.length}, "", composer);
     return;
   }
   if (tag == "named" && match.b == nullptr && match.a != nullptr && IsPairWithoutSides(*match.a, composer)) {
@@ -208,7 +225,8 @@ std::vector<Rule> AccessRules() {
       {"A.object? space? D? accessible ,? at_sides", SpaceAt, "sides"},
       {"A? accessible in_front", SpaceAt, "front"},
       {"A? space? in_front of? ,? D", SpaceAt, "front"},
-      {"A? space? D? space? ,? at_sides", SpaceAt, "sides"},
+      {"A? space D? space? ,? at_sides", SpaceAt, "sides"},
+      {"A? space? D space? ,? at_sides", SpaceAt, "sides"},
       {"D space left_of B.object", SpaceAt, "left"},
       {"space D? left_of B.object", SpaceAt, "left"},
       {"D space right_of B.object", SpaceAt, "right"},
@@ -275,6 +293,7 @@ std::vector<Rule> AccessRules() {
       {"A? swing_open ,? not block/against/near/next_to C.object", SpaceAt, "named"},
       {"A? access_to/allow_access_to/accessible_from B.side", AccessToSide},
       {"nearest B D apart?", SpaceAt, "around"},
+      {"space for around ,? D?", SpaceAt, "around"},
       {"space for C ,? on/at_sides/along/next_to B.side", SpaceAt, "named"},
       {"D space? B.side", SpaceAt, "named"},
       {"space D? B.side", SpaceAt, "named"},

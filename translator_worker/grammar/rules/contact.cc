@@ -35,7 +35,7 @@ void Contact(const Placed& mover, const Target& target, Composer& composer) {
   }
   for (const Placed& other : target.objects) {
     if (other.object == mover.object || LaidBeside(mover, other, composer)) continue;
-    const bool lateral = other.side == "side" || other.side == "sides";
+    const bool lateral = other.side == "side" || other.side == "sides" || other.side == "lateral_one";
     std::string other_side = OneSide(composer, other);
     if (lateral) other_side = SidesOf(composer, other).front();
     std::string side = OneSide(composer, mover);

@@ -210,6 +210,7 @@ std::vector<Rule> FeatureRules() {
       {"B.feature keep_clear", KeepClear},
       {"B.feature not block", KeepClear},
       {"B.feature accessible", FeatureAccessible},
+      {"B.feature accessible near/next_to A.object", FeatureAccessible},
       {"space in_front_of B.feature keep_clear?", KeepClear},
       {"keep_front_clear B keep_clear?", KeepClear},
       {"A? under B.feature", UnderWindow},

@@ -122,6 +122,7 @@ std::vector<Rule> SurfaceRules() {
       {"A? on corner/edge of? B.thing", On, "any"},
       {"A? near/next_to? corner/edge of? B.thing", On, "any"},
       {"A? corner/edge B.thing", On, "any"},
+      {"A? near/next_to? corner/edge or corner/edge of? B.thing", On, "any"},
       {"A? on B.side of B.thing", On, "any"},
       {"A? on B.thing ,? near/next_to/on? edge/corner", On, "any"},
       {"A? next_to B.thing towards_back", On, "back_left"},

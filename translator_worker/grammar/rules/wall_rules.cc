@@ -99,10 +99,14 @@ void NotAgainst(const Match& match, std::string_view, Composer& composer) {
         composer.EmitFirst(
             {Call("not_against_wall").Text("object", composer.id(mover)).MaybeText("side", OneSide(composer, mover))});
       }
+      if (target.kind == RefKind::kFeature) {
+        composer.EmitFirst({Call("clear_of_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
+      }
       for (const Placed& other : target.objects) {
         composer.EmitFirst({Call("away_from").Text("object", composer.id(mover)).Text("target", composer.id(other))});
       }
     }
+    if (!target.objects.empty()) composer.SetPair(movers, target.objects);
   }
 }
 
