@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The configs that containers mount, with the real programs: mutual TLS everywhere, NATS with storage, tokens."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from deployment_files import ROOT
+
+BIN = Path(os.environ["FLAIR_BIN"])
+NATS = shutil.which("nats-server", path=f"{os.environ.get('PATH', '')}:/usr/sbin")
+CONFIGS = ROOT / "deploy/config"
+
+
+class Cluster:
+    """What compose.yaml starts, as processes of this machine on free ports; the configs are changed in nothing else."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.addresses: dict[str, str] = {}
+        self._processes: list[subprocess.Popen] = []
+        subprocess.run([ROOT / "deploy/secrets/make", folder / "secrets"], check=True, stdout=subprocess.DEVNULL)
+        self._start_nats()
+        for name, program in (("language", "language"), ("restarts", "optimizer"), ("optimizer", "optimizer"),
+                              ("translator", "translator"), ("renderer", "renderer"), ("orchestrator", "orchestrator")):
+            self._start(name, program)
+
+    def stop(self) -> None:
+        for process in reversed(self._processes):
+            process.terminate()
+        for process in self._processes:
+            process.wait()
+            if process.stdout:
+                process.stdout.close()
+
+    def client(self, *arguments: str, secrets: str = "client", token: bool = True) -> subprocess.CompletedProcess[str]:
+        """`flair` as the README calls it, with the secrets of somebody."""
+        own = self.folder / "secrets" / secrets
+        environment = {**os.environ, "FLAIR_HOME": str(self.folder / "home"), "FLAIR_TLS_AUTHORITY": f"{own}/authority.pem",
+                       "FLAIR_TLS_CERTIFICATE": f"{own}/certificate.pem", "FLAIR_TLS_KEY": f"{own}/key.pem"}
+        if token:
+            environment["FLAIR_TOKEN_FILE"] = f"{own}/token"
+        return subprocess.run([BIN / "flair", *arguments], env=environment, capture_output=True, text=True, check=False)
+
+    def _config(self, name: str, file: str) -> str:
+        text = (CONFIGS / file).read_text(encoding="utf-8")
+        text = text.replace("/run/secrets/flair/", f"{self.folder}/secrets/{name}/")
+        text = re.sub(r'"0\.0\.0\.0:\d+"', '"127.0.0.1:0"', text)
+        text = text.replace("/var/lib/flair", str(self.folder / name))
+        return re.sub(r"(?:dns:///|(tls://))([a-z]+):\d+", lambda call: (call[1] or "") + self.addresses[call[2]], text)
+
+    def _start(self, name: str, program: str) -> None:
+        path = self.folder / f"{name}.textproto"
+        path.write_text(self._config(name, f"{name}.textproto"), encoding="utf-8")
+        with open(self.folder / f"{name}.log", "w", encoding="utf-8") as log:
+            process = subprocess.Popen([BIN / f"flair-{program}", path], stdout=subprocess.PIPE, stderr=log, text=True)
+        self._processes.append(process)
+        for line in process.stdout:
+            if line.startswith("listening on "):
+                self.addresses[name] = line.removeprefix("listening on ").strip()
+                return
+        raise AssertionError(f"{name} did not start: {(self.folder / f'{name}.log').read_text(encoding='utf-8')}")
+
+    def _start_nats(self) -> None:
+        text = self._config("nats", "nats.conf").replace("port: 4222", 'listen: "127.0.0.1:-1"')
+        text = text.replace('"/data"', f'"{self.folder}/nats"').replace('http: "127.0.0.1:0"', 'http: "127.0.0.1:-1"')
+        config = self.folder / "nats.conf"
+        config.write_text(text + f'\nports_file_dir: "{self.folder}"\n', encoding="utf-8")
+        with open(self.folder / "nats.log", "w", encoding="utf-8") as log:
+            process = subprocess.Popen([NATS, "--config", config], stdout=log, stderr=log,
+                                       env={**os.environ, "SERVER_NAME": "nats-0"})
+        self._processes.append(process)
+        ports = self.folder / f"nats-server_{process.pid}.ports"
+        while not (ports.exists() and ports.stat().st_size > 0):
+            if process.poll() is not None:
+                raise AssertionError(f"NATS did not start: {(self.folder / 'nats.log').read_text(encoding='utf-8')}")
+            time.sleep(0.02)
+        address = json.loads(ports.read_text(encoding="utf-8"))["nats"][0]
+        self.addresses["nats"] = f"127.0.0.1:{address.rsplit(':', 1)[1]}"
+
+
+class ContainerConfigs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls) -> None:
+        folder = tempfile.TemporaryDirectory(prefix="flair-deploy-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.cluster = Cluster(Path(folder.name))
+        cls.addClassCleanup(cls.cluster.stop)
+
+    def test_a_client_with_certificate_and_token_designs_a_room(self) -> None:
+        out = self.cluster.folder / "bedroom"
+        run = self.cluster.client("design", "A bedroom that is 3m x 4m.", "--out", str(out), "--quiet", "--orchestrator",
+                                  self.cluster.addresses["orchestrator"])
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertTrue((out / "plan.png").exists())
+
+    def test_probes_of_every_program_find_it_well(self) -> None:
+        for name, address in self.cluster.addresses.items():
+            if name != "nats":
+                run = self.cluster.client("health", address, secrets=name, token=False)
+                self.assertEqual(run.returncode, 0, f"{name}: {run.stderr}")
+
+    def test_no_token_and_strangers_are_refused(self) -> None:
+        orchestrator = self.cluster.addresses["orchestrator"]
+        run = self.cluster.client("jobs", "--orchestrator", orchestrator, token=False)
+        self.assertNotEqual(run.returncode, 0)
+        with tempfile.TemporaryDirectory() as others:
+            subprocess.run([ROOT / "deploy/secrets/make", others], check=True, stdout=subprocess.DEVNULL)
+            strange = self.cluster.folder / "secrets/stranger"
+            shutil.copytree(Path(others) / "client", strange)
+            shutil.copy(self.cluster.folder / "secrets/client/authority.pem", strange)
+            for address in (orchestrator, self.cluster.addresses["optimizer"]):
+                self.assertNotEqual(self.cluster.client("health", address, secrets="stranger").returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
