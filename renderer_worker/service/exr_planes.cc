@@ -4,13 +4,13 @@
 namespace flair::renderer {
 namespace {
 
-std::span<const float> Floats(const std::vector<Vec3>& values) {
+std::span<const float> Floats(const PixelVector<Vec3>& values) {
   static_assert(sizeof(Vec3) == 3 * sizeof(float));
   return {reinterpret_cast<const float*>(values.data()), 3 * values.size()};
 }
 
 // Ids are never negative.
-std::span<const uint32_t> Numbers(const std::vector<int32_t>& values) {
+std::span<const uint32_t> Numbers(const PixelVector<int32_t>& values) {
   return {reinterpret_cast<const uint32_t*>(values.data()), values.size()};
 }
 

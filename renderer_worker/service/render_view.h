@@ -10,7 +10,7 @@
 namespace flair::renderer {
 
 // Raise whenever equal requests would give another picture.
-inline constexpr char kViewVersion[] = "2";
+inline constexpr char kViewVersion[] = "3";
 
 inline constexpr int kDefaultViewSizePx = 1024;
 inline constexpr int kDefaultSampleCount = 16;

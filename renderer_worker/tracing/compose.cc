@@ -4,11 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "renderer_worker/tracing/lighting.h"
+#include "renderer_worker/tracing/wide_vectors.h"
 
 namespace flair::renderer {
 namespace {
 
 constexpr int kEdgeLooks = 6;
+constexpr float kMostUnlike = 6;                                           // points of a surface about a look at it
+constexpr float kSameTurn = 0.93F, kSameDepth = 0.02F, kSameGlow = 0.02F;  // of neighbours that show one surface
 constexpr double kWhite = 1.0;          // what a white surface in mean light comes to
 constexpr double kWhiteBalance = 0.65;  // how much of the light's colour is taken out
 constexpr double kUsualAlbedo = 0.42;   // of a room in common colours
@@ -25,45 +33,89 @@ float BareGroundLight(const Lights& lights) {
   return sky + Luminance(lights.sun_irradiance) * std::max(0.0F, lights.sun_direction.z) / std::numbers::pi_v<float>;
 }
 
+// Sets those of the pixels [begin, end) of the row from `here` on that show something else than those from `there` on.
+FLAIR_WIDE_VECTORS void MarkEdges(const Frame& frame, const TracedView& view, size_t here, size_t there, int begin,
+                                  int end, int* edge) {
+  const Planes& guides = frame.direct.guides;
+  const Vec3 *a0 = frame.added.data() + here, *a1 = frame.added.data() + there;
+  const float *l0 = guides[kInstance] + here, *l1 = guides[kInstance] + there;
+  const float *x0 = guides[kNormalX] + here, *x1 = guides[kNormalX] + there;
+  const float *y0 = guides[kNormalY] + here, *y1 = guides[kNormalY] + there;
+  const float *z0 = guides[kNormalZ] + here, *z1 = guides[kNormalZ] + there;
+  const float *d0 = view.depth_m.data() + here, *d1 = view.depth_m.data() + there;
+  const int32_t *i0 = view.instance.data() + here, *i1 = view.instance.data() + there;
+#pragma GCC ivdep
+  for (int i = begin; i < end; ++i) {
+    const int turned = x0[i] * x1[i] + y0[i] * y1[i] + z0[i] * z1[i] < kSameTurn ? 1 : 0;
+    const int beside = std::fabs(d1[i] - d0[i]) > kSameDepth * d0[i] ? 1 : 0;
+    const int other = (i0[i] != i1[i] ? 1 : 0) | (l0[i] != l1[i] ? 1 : 0);
+    const int brighter = std::fabs(a1[i].y - a0[i].y) > kSameGlow ? 1 : 0;
+    // What is beyond has no normal, and the ground no end.
+    edge[i] |= other | brighter | ((i0[i] != 0 && l0[i] != -1 ? 1 : 0) & (turned | beside));
+  }
+}
+
+// What falls on a surface, and what it mirrors to the eye.
+struct Lit {
+  Vec3 irradiance;
+  Vec3 gloss;
+};
+
 class Composer {
  public:
-  explicit Composer(const Exposed& e) : e_(e), bare_ground_(e.surroundings.open ? BareGroundLight(e.lights) : 1) {}
+  Composer(const Setting& setting, const SampleSeeds& seeds, const Frame& frame, const TracedView& view)
+      : setting_(setting),
+        seeds_(seeds),
+        frame_(frame),
+        view_(view),
+        bare_ground_(setting.surroundings.open ? BareGroundLight(setting.lights) : 1) {}
 
   absl::Status Expose(const Workers& workers);
-  Vec3 Pixel(int x, int y) const;
+  void Row(int y, std::span<Vec3> colour) const;
 
  private:
-  size_t At(int x, int y) const { return static_cast<size_t>(y) * e_.camera.width_px + x; }
-  bool OnEdge(int x, int y) const;
-  Lit LitLike(const Seen& seen, int x, int y) const;
-  Vec3 Radiance(const Seen& seen, const Lit& lit) const;
+  size_t At(int x, int y) const { return static_cast<size_t>(y) * view_.width_px + x; }
+  Vec3 Direct(size_t at) const { return LightAt(frame_.direct, at); }
+  static Vec3 LightAt(const LightGrid& grid, size_t at) {
+    return {grid.light[kRed][at], grid.light[kGreen][at], grid.light[kBlue][at]};
+  }
+  Vec3 GlossAt(size_t at) const { return {frame_.gloss[0][at], frame_.gloss[1][at], frame_.gloss[2][at]}; }
+  std::vector<int> EdgesOf(int y) const;
+  Lit Between(int x, int y) const;
+  Lit LitLike(const Seen& seen, int x, int y, const PixelSamples& random, int look) const;
+  Vec3 Radiance(int lit_instance, Vec3 paint, Vec3 added, const Lit& lit) const;
+  Vec3 Edge(int x, int y) const;
 
-  const Exposed& e_;
+  const Setting& setting_;
+  const SampleSeeds& seeds_;
+  const Frame& frame_;
+  const TracedView& view_;
   float bare_ground_;
   Vec3 exposure_{1, 1, 1};
 };
 
 // Means by row, then over rows, so that the order of the sum is always the same.
 absl::Status Composer::Expose(const Workers& workers) {
-  struct Row {
+  struct Sums {
     double red = 0, green = 0, blue = 0, albedo = 0, count = 0;
   };
-  std::vector<Row> rows(e_.camera.height_px);
-  absl::Status status = ForEach(workers, e_.camera.height_px, [&](int y) {
-    for (int x = 0; x < e_.camera.width_px; ++x) {
-      const Seen& seen = e_.seen[At(x, y)];
-      if (seen.lit_instance < 0 || seen.instance < 0) continue;
-      const Vec3 light = e_.lit[At(x, y)].irradiance;
+  const LightGrid& grid = frame_.indirect;
+  std::vector<Sums> rows(grid.height);
+  absl::Status status = ForEach(workers, grid.height, [&](int y) {
+    for (int x = 0; x < grid.width; ++x) {
+      const size_t at = static_cast<size_t>(y) * grid.width + x;
+      if (grid.guides[kInstance][at] < 0) continue;
+      const Vec3 light = LightAt(grid, at) + Direct(At(2 * x, 2 * y));
       rows[y].red += light.x;
       rows[y].green += light.y;
       rows[y].blue += light.z;
-      rows[y].albedo += Luminance(seen.albedo + seen.specular);
+      rows[y].albedo += frame_.reflectance[at];
       rows[y].count += 1;
     }
   });
   if (!status.ok()) return status;
-  Row all;
-  for (const Row& row : rows) {
+  Sums all;
+  for (const Sums& row : rows) {
     all = {all.red + row.red, all.green + row.green, all.blue + row.blue, all.albedo + row.albedo,
            all.count + row.count};
   }
@@ -81,69 +133,109 @@ absl::Status Composer::Expose(const Workers& workers) {
   return status;
 }
 
-// Whether what the pixel shows ends within it.
-bool Composer::OnEdge(int x, int y) const {
-  const Seen& here = e_.seen[At(x, y)];
-  for (int b = std::max(0, y - 1); b <= std::min(e_.camera.height_px - 1, y + 1); ++b) {
-    for (int a = std::max(0, x - 1); a <= std::min(e_.camera.width_px - 1, x + 1); ++a) {
-      const Seen& there = e_.seen[At(a, b)];
-      if (there.instance != here.instance || there.lit_instance != here.lit_instance) return true;
-      if (here.instance < 0) continue;
-      if (Dot(here.normal, there.normal) < 0.93F || Dot(here.first_normal, there.first_normal) < 0.93F) return true;
-      if (std::abs(here.distance - there.distance) > 0.02F * here.distance) return true;
+// Of the pixels of a row: whether what they show ends within them or beside.
+std::vector<int> Composer::EdgesOf(int y) const {
+  std::vector<int> edge(view_.width_px);
+  for (int b = std::max(0, y - 1); b <= std::min(view_.height_px - 1, y + 1); ++b) {
+    for (int right = -1; right <= 1; ++right) {
+      if (b == y && right == 0) continue;
+      MarkEdges(frame_, view_, At(0, y), At(0, b) + static_cast<size_t>(static_cast<ptrdiff_t>(right)),
+                std::max(0, -right), std::min(view_.width_px, view_.width_px - right), edge.data());
     }
   }
-  return false;
+  return edge;
 }
 
-// The light of the pixel about (x, y) that shows the same surface; the coarse light where none does.
-Lit Composer::LitLike(const Seen& seen, int x, int y) const {
-  if (seen.lit_instance == -1) return {};
-  const float pixel = std::max(seen.distance, 0.1F) / e_.camera.focal_px;
-  float best = 6;
-  const Lit* found = nullptr;
-  for (int b = std::max(0, y - 1); b <= std::min(e_.camera.height_px - 1, y + 1); ++b) {
-    for (int a = std::max(0, x - 1); a <= std::min(e_.camera.width_px - 1, x + 1); ++a) {
-      const Seen& there = e_.seen[At(a, b)];
-      if (there.lit_instance != seen.lit_instance) continue;
-      const Vec3 way = there.position - seen.position;
-      const float off = std::abs(Dot(way, seen.normal)) / pixel + 0.2F * Length(way) / pixel;
-      const float differs = off + 8 * (1 - Dot(there.normal, seen.normal));
-      if (differs < best) best = differs, found = &e_.lit[At(a, b)];
+// At a pixel all of whose neighbours show the same surface: the mean of the points about it.
+Lit Composer::Between(int x, int y) const {
+  const LightGrid& grid = frame_.indirect;
+  const size_t above = static_cast<size_t>(y / 2) * grid.width;
+  const size_t below = static_cast<size_t>(std::min((y + 1) / 2, grid.height - 1)) * grid.width;
+  const int left = x / 2, right = std::min((x + 1) / 2, grid.width - 1);
+  Lit lit;
+  for (const size_t at : {above + left, above + right, below + left, below + right}) {
+    lit.irradiance = lit.irradiance + LightAt(grid, at);
+    lit.gloss = lit.gloss + GlossAt(at);
+  }
+  return {Direct(At(x, y)) + lit.irradiance * 0.25F, lit.gloss * 0.25F};
+}
+
+// How little a point of a grid is like what is seen, in pixels: 0 where it is the same.
+float Unlikeness(const LightGrid& grid, size_t at, const Seen& seen, float pixel) {
+  const Planes& g = grid.guides;
+  const Vec3 way = Vec3{g[kX][at], g[kY][at], g[kZ][at]} - seen.position;
+  const float turn =
+      g[kNormalX][at] * seen.normal.x + g[kNormalY][at] * seen.normal.y + g[kNormalZ][at] * seen.normal.z;
+  return std::abs(Dot(way, seen.normal)) / pixel + 0.2F * Length(way) / pixel + 8 * (1 - turn);
+}
+
+// The point of a grid within [left, right] x [top, bottom] that shows the surface seen; -1 where none does.
+int64_t SameSurface(const LightGrid& grid, const Seen& seen, float pixel, int left, int right, int top, int bottom) {
+  int64_t found = -1;
+  float least = kMostUnlike;
+  const float instance = static_cast<float>(seen.lit_instance);
+  for (int y = std::max(0, top); y <= std::min(grid.height - 1, bottom); ++y) {
+    for (int x = std::max(0, left); x <= std::min(grid.width - 1, right); ++x) {
+      const size_t at = static_cast<size_t>(y) * grid.width + x;
+      if (grid.guides[kInstance][at] != instance) continue;
+      const float differs = Unlikeness(grid, at, seen, pixel);
+      if (differs < least) least = differs, found = static_cast<int64_t>(at);
     }
   }
-  if (found != nullptr) return *found;
-  if (seen.lit_instance < 0) return e_.lit[At(x, y)];
+  return found;
+}
+
+// The light of the points about (x, y) that show the same surface; what one ray each finds where none does.
+Lit Composer::LitLike(const Seen& seen, int x, int y, const PixelSamples& random, int look) const {
+  if (seen.lit_instance == -1) return {};
+  const float pixel = std::max(seen.distance, 0.1F) / setting_.camera.focal_px;
+  const int64_t direct = SameSurface(frame_.direct, seen, pixel, x - 1, x + 1, y - 1, y + 1);
+  const int64_t indirect =
+      SameSurface(frame_.indirect, seen, 2 * pixel, (x - 1) / 2, (x + 2) / 2, (y - 1) / 2, (y + 2) / 2);
   Lit lit;
-  lit.irradiance = e_.radiosity.IrradianceAt(seen.lit_instance, seen.position, seen.normal);
+  if (direct >= 0) {
+    lit.irradiance = Direct(static_cast<size_t>(direct));
+  } else {
+    const LightChoice choice(setting_.lights, seen.position, seen.normal);
+    lit.irradiance = DirectLight(setting_.world, choice, seen.position, random, look);
+  }
+  if (indirect >= 0) {
+    lit.irradiance = lit.irradiance + LightAt(frame_.indirect, static_cast<size_t>(indirect));
+    lit.gloss = GlossAt(static_cast<size_t>(indirect));
+  } else {
+    lit.irradiance = lit.irradiance + IndirectLight(setting_, seen, random, look, 1).light;
+    // Of anything but metal, so few rays would find sparks.
+    if (Luminance(seen.specular) > 0.1F) lit.gloss = seen.filter * Gloss(setting_, seen, random, look, 1);
+  }
   return lit;
 }
 
-Vec3 Composer::Radiance(const Seen& seen, const Lit& lit) const {
-  if (seen.lit_instance == -2) {  // the ground: backdrop, darker where the model keeps light away
-    const float share = std::min(1.0F, Luminance(lit.irradiance) / bare_ground_);
-    return seen.added * exposure_ + seen.filter * e_.surroundings.backdrop * share;
+Vec3 Composer::Radiance(int lit_instance, Vec3 paint, Vec3 added, const Lit& lit) const {
+  if (lit_instance == -2) {  // the ground: backdrop, darker where the model keeps light away
+    return added * exposure_ + paint * std::min(1.0F, Luminance(lit.irradiance) / bare_ground_);
   }
-  if (seen.lit_instance == -1) return seen.added;  // what is beyond appears as it is
-  return (seen.added + seen.filter * (seen.albedo * lit.irradiance + lit.gloss)) * exposure_;
+  if (lit_instance == -1) return added;  // what is beyond appears as it is
+  return (added + paint * lit.irradiance + lit.gloss) * exposure_;
 }
 
-Vec3 Composer::Pixel(int x, int y) const {
-  const Seen& here = e_.seen[At(x, y)];
-  if (!OnEdge(x, y)) return Radiance(here, e_.lit[At(x, y)]);
+Vec3 Composer::Edge(int x, int y) const {
   std::array<Vec3, kEdgeLooks> ways;
   for (int i = 0; i < kEdgeLooks; ++i) {
     const uint32_t number = static_cast<uint32_t>(i);
     const float column =
         static_cast<float>(x) + static_cast<float>((number * 3242174889U + 0x40000000U) >> 8) * 0x1p-24F;
     const float row = static_cast<float>(y) + (static_cast<float>(i) + 0.5F) / kEdgeLooks;
-    ways[i] = e_.camera.Through(column, row);
+    ways[i] = setting_.camera.Through(column, row);
   }
   std::array<Seen, kEdgeLooks> looks;
-  LookFrom(e_.world, e_.lights, e_.surroundings, e_.camera.eye, ways, 1 / e_.camera.focal_px, looks);
+  LookFrom(setting_.world, setting_.lights, setting_.surroundings, setting_.camera.eye, ways, setting_.pixel_rad(),
+           looks);
+  const PixelSamples random(seeds_, x, y, kEdgeLooks);
   Vec3 sum;
-  for (const Seen& seen : looks) {
-    const Vec3 radiance = Radiance(seen, LitLike(seen, x, y));
+  for (int i = 0; i < kEdgeLooks; ++i) {
+    const Seen& seen = looks[i];
+    const Lit lit = LitLike(seen, x, y, random, i);
+    const Vec3 radiance = Radiance(seen.lit_instance, seen.filter * seen.albedo, seen.added, lit);
     // Highlights are bounded before the mean, or they would leave steps along edges.
     const float most = std::max({radiance.x, radiance.y, radiance.z});
     sum = sum + (most > 1.5F ? radiance * (1.5F / most) : radiance);
@@ -151,16 +243,26 @@ Vec3 Composer::Pixel(int x, int y) const {
   return sum * (1.0F / kEdgeLooks);
 }
 
+void Composer::Row(int y, std::span<Vec3> colour) const {
+  const std::vector<int> edge = EdgesOf(y);
+  for (int x = 0; x < view_.width_px; ++x) {
+    const size_t at = At(x, y);
+    colour[x] = edge[x] != 0 ? Edge(x, y)
+                             : Radiance(static_cast<int>(frame_.direct.guides[kInstance][at]), frame_.paint[at],
+                                        frame_.added[at], Between(x, y));
+  }
+}
+
 }  // namespace
 
-absl::Status ComposeColour(const Exposed& exposed, const Workers& workers, std::vector<Vec3>& colour) {
-  Composer composer(exposed);
+absl::Status ComposeColour(const Setting& setting, const SampleSeeds& seeds, const Frame& frame, const Workers& workers,
+                           TracedView& view) {
+  Composer composer(setting, seeds, frame, view);
   if (absl::Status status = composer.Expose(workers); !status.ok()) return status;
-  colour.resize(exposed.seen.size());
-  return ForEach(workers, exposed.camera.height_px, [&](int y) {
-    for (int x = 0; x < exposed.camera.width_px; ++x) {
-      colour[static_cast<size_t>(y) * exposed.camera.width_px + x] = composer.Pixel(x, y);
-    }
+  view.colour.resize(frame.direct.size());
+  const size_t width = static_cast<size_t>(view.width_px);
+  return ForEach(workers, view.height_px, [&](int y) {
+    composer.Row(y, std::span(view.colour).subspan(static_cast<size_t>(y) * width, width));
   });
 }
 

@@ -5,77 +5,47 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "renderer_worker/tracing/plane.h"
+#include "renderer_worker/tracing/sampling.h"
+#include "renderer_worker/tracing/wide_vectors.h"
 
 namespace flair::renderer {
 namespace {
 
-constexpr int kRounds = 5;
 constexpr int kBlock = 256;  // pixels whose sums stay in the nearest cache
-constexpr std::array<float, 5> kKernel = {0.0625F, 0.25F, 0.375F, 0.25F, 0.0625F};  // B3 spline
+// Across, of the first round and of the others, which are less wide: what they blend has been smoothed.
+constexpr std::array<float, 5> kFirstKernel = {0.0625F, 0.25F, 0.375F, 0.25F, 0.0625F};  // B3 spline
+constexpr std::array<float, 3> kKernel = {0.3F, 0.4F, 0.3F};
 constexpr float kFirstSpreads = 12;  // between near neighbours nearly everything is noise
 constexpr float kSpreads = 4;        // differences of so many standard deviations are noise
 constexpr float kRelative = 0.012F;  // as are those of this share
 
-// Planes of floats in one piece. Each begins at another place of a page: planes in step would drive each other out of
-// the processor's cache.
-class Planes {
- public:
-  Planes(int plane_count, size_t size) : stride_((size + 1023) / 1024 * 1024 + 80), values_(plane_count * stride_) {}
-  float* operator[](int plane) { return &values_[plane * stride_]; }
-  const float* operator[](int plane) const { return &values_[plane * stride_]; }
-  void Clear() { std::fill(values_.begin(), values_.end(), 0.0F); }
+// Sums over a row's neighbours: kRed to kVariance of Light, then these.
+enum Sum { kWeight = kVariance + 1, kTolerance, kSumCount };
 
- private:
-  size_t stride_;
-  Plane<float> values_;
-};
-
-// What a pixel's neighbours are judged by: position, normal (0 where nothing is lit), how far off the plane a neighbour
-// at one pixel may be (inverse, 1/m), instance (a whole number).
-enum Guide { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kReach, kInstance, kGuideCount };
-
-// What is smoothed, and what tells noise.
-enum Light { kRed, kGreen, kBlue, kGlossRed, kGlossGreen, kGlossBlue, kVariance, kLuminance, kLightCount };
-
-// Sums over a row's neighbours: kRed to kVariance as above.
-enum Sum { kWeight = kVariance + 1, kGlossWeight, kTolerance, kSumCount };
-
-// Pixels that are brighter than all their neighbours of one instance come down to the brightest of them. Gloss stays as
-// it is: where few rays find a window, most of its light would be lost so.
-void TameSparks(std::span<const Seen> seen, std::span<const Lit> lit, int width, int height, int y, Planes& to) {
-  for (int x = 0; x < width; ++x) {
-    const size_t here = static_cast<size_t>(y) * width + x;
+void TameRow(const LightGrid& grid, float most, int y, Planes& to) {
+  const float *instance = grid.guides[kInstance], *luminance = grid.light[kLuminance];
+  for (int x = 0; x < grid.width; ++x) {
+    const size_t here = static_cast<size_t>(y) * grid.width + x;
     float brightest = 0;
     bool alone = true;
-    for (int b = std::max(0, y - 1); b <= std::min(height - 1, y + 1); ++b) {
-      for (int a = std::max(0, x - 1); a <= std::min(width - 1, x + 1); ++a) {
-        const size_t there = static_cast<size_t>(b) * width + a;
-        if (there == here || seen[there].lit_instance != seen[here].lit_instance) continue;
+    for (int b = std::max(0, y - 1); b <= std::min(grid.height - 1, y + 1); ++b) {
+      for (int a = std::max(0, x - 1); a <= std::min(grid.width - 1, x + 1); ++a) {
+        const size_t there = static_cast<size_t>(b) * grid.width + a;
+        if (there == here || instance[there] != instance[here]) continue;
         alone = false;
-        brightest = std::max(brightest, Luminance(lit[there].irradiance));
+        brightest = std::max(brightest, luminance[there]);
       }
     }
-    Vec3 e = lit[here].irradiance;
-    const float own = Luminance(e);
-    if (!alone && own > brightest) e = e * (brightest / own);
-    const Vec3 g = lit[here].gloss;
-    to[kRed][here] = e.x, to[kGreen][here] = e.y, to[kBlue][here] = e.z;
-    to[kGlossRed][here] = g.x, to[kGlossGreen][here] = g.y, to[kGlossBlue][here] = g.z;
-    to[kVariance][here] = lit[here].variance;
-    to[kLuminance][here] = Luminance(e);
+    const float own = luminance[here], kept = !alone && own > most * brightest ? brightest / own : 1;
+    for (int k = kRed; k <= kBlue; ++k) to[k][here] = grid.light[k][here] * kept;
+    to[kVariance][here] = grid.light[kVariance][here];
+    to[kLuminance][here] = own * kept;
   }
 }
-
-// Wider vectors where the processor has them; every operation rounds alike, so the result is the same.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define FLAIR_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
-#else
-#define FLAIR_WIDE_VECTORS
-#endif
 
 // Adds the variance of the pixels `shift` away, where they are of the same instance.
 FLAIR_WIDE_VECTORS void AddVariance(const float* instance, const float* variance, ptrdiff_t shift, int begin, int end,
@@ -90,13 +60,13 @@ FLAIR_WIDE_VECTORS void AddVariance(const float* instance, const float* variance
 
 // Inverse of the difference of luminance that noise may make, from the mean variance of 17 pixels of 7 x 7: the few
 // samples of one pixel may all have missed what makes its neighbours differ.
-void Tolerances(const Planes& guides, const Planes& from, int width, int height, int y, int step, Planes& sums) {
-  const size_t row = static_cast<size_t>(y) * width;
+void Tolerances(const LightGrid& grid, const Planes& from, int y, int step, Planes& sums) {
+  const size_t row = static_cast<size_t>(y) * grid.width;
   float *inverse = sums[kTolerance], *sum = sums[kRed], *weight = sums[kGreen];
   const auto add = [&](int right, int below) {
-    if (y + below < 0 || y + below >= height) return;
-    AddVariance(guides[kInstance] + row, from[kVariance] + row, static_cast<ptrdiff_t>(below) * width + right,
-                std::max(0, -right), std::min(width, width - right), sum, weight);
+    if (y + below < 0 || y + below >= grid.height) return;
+    AddVariance(grid.guides[kInstance] + row, from[kVariance] + row, static_cast<ptrdiff_t>(below) * grid.width + right,
+                std::max(0, -right), std::min(grid.width, grid.width - right), sum, weight);
   };
   add(0, 0);
   for (const int below : {-3, -1, 1, 3}) {
@@ -104,116 +74,155 @@ void Tolerances(const Planes& guides, const Planes& from, int width, int height,
   }
   const float* luminance = from[kLuminance] + row;
   const float spreads = step <= 2 ? kFirstSpreads : kSpreads;
-  for (int x = 0; x < width; ++x) {
+  for (int x = 0; x < grid.width; ++x) {
     inverse[x] = 1 / (spreads * std::sqrt(sum[x] / weight[x]) + kRelative * luminance[x] + 1e-4F);
     sum[x] = weight[x] = 0;
   }
 }
 
-// Adds the neighbours `shift` pixels right of and `rows` below the pixels [begin, end) of row y.
-FLAIR_WIDE_VECTORS void AddNeighbours(const Planes& g, const Planes& from, size_t row, ptrdiff_t shift, int begin,
-                                      int end, float kernel, float per_step, Planes& sums) {
-  const size_t other = row + static_cast<size_t>(shift);
-  const float *x0 = g[kX] + row, *y0 = g[kY] + row, *z0 = g[kZ] + row;
-  const float *x1 = g[kX] + other, *y1 = g[kY] + other, *z1 = g[kZ] + other;
-  const float *nx0 = g[kNormalX] + row, *ny0 = g[kNormalY] + row, *nz0 = g[kNormalZ] + row;
-  const float *nx1 = g[kNormalX] + other, *ny1 = g[kNormalY] + other, *nz1 = g[kNormalZ] + other;
-  const float *reach = g[kReach] + row, *i0 = g[kInstance] + row, *i1 = g[kInstance] + other;
-  const float *l0 = from[kLuminance] + row, *l1 = from[kLuminance] + other, *v1 = from[kVariance] + other;
-  const float *r = from[kRed] + other, *gr = from[kGreen] + other, *b = from[kBlue] + other;
-  const float *gloss_r = from[kGlossRed] + other, *gloss_g = from[kGlossGreen] + other,
-              *gloss_b = from[kGlossBlue] + other;
-  float *sr = sums[kRed], *sg = sums[kGreen], *sb = sums[kBlue];
-  float *tr = sums[kGlossRed], *tg = sums[kGlossGreen], *tb = sums[kGlossBlue];
-  float *sv = sums[kVariance], *sw = sums[kWeight], *tw = sums[kGlossWeight];
+// The guides of a row, from its first point on.
+struct GuideRow {
+  GuideRow(const Planes& g, size_t at)
+      : x(g[kX] + at),
+        y(g[kY] + at),
+        z(g[kZ] + at),
+        normal_x(g[kNormalX] + at),
+        normal_y(g[kNormalY] + at),
+        normal_z(g[kNormalZ] + at),
+        reach(g[kReach] + at),
+        instance(g[kInstance] + at) {}
+  const float *x, *y, *z, *normal_x, *normal_y, *normal_z, *reach, *instance;
+};
+
+// What the surfaces of two points say of how much one counts for the other: a power of the normals' cosine, 0 between
+// instances, and how far the other is off the plane of the first.
+struct Likeness {
+  float turn, beside;
+};
+
+[[gnu::always_inline]] inline Likeness LikenessOf(const GuideRow& a, const GuideRow& b, int i, float per_step) {
+  const float cosine = a.normal_x[i] * b.normal_x[i] + a.normal_y[i] * b.normal_y[i] + a.normal_z[i] * b.normal_z[i];
+  const float c1 = cosine > 0.5F ? cosine : 0.0F, c2 = c1 * c1, c4 = c2 * c2, c8 = c4 * c4;
+  const float off =
+      a.normal_x[i] * (b.x[i] - a.x[i]) + a.normal_y[i] * (b.y[i] - a.y[i]) + a.normal_z[i] * (b.z[i] - a.z[i]);
+  return {a.instance[i] == b.instance[i] ? c8 * c8 : 0.0F, std::fabs(off) * a.reach[i] * per_step};
+}
+
+// Close to exp(-x), and cheap.
+[[gnu::always_inline]] inline float Fading(float x) {
+  const float f1 = 1 - 0.25F * x, f = f1 > 0.06F ? f1 : 0.0F, f2 = f * f;
+  return f2 * f2;
+}
+
+// Adds the light of the points [begin, end) of row `there` to those of row `here`.
+FLAIR_WIDE_VECTORS void AddLight(const Planes& guides, const Planes& from, size_t here, size_t there, int begin,
+                                 int end, float kernel, float per_step, Planes& sums) {
+  const GuideRow a(guides, here), b(guides, there);
+  const float *l0 = from[kLuminance] + here, *l1 = from[kLuminance] + there, *v1 = from[kVariance] + there;
+  const float *red = from[kRed] + there, *green = from[kGreen] + there, *blue = from[kBlue] + there;
+  float *sr = sums[kRed], *sg = sums[kGreen], *sb = sums[kBlue], *sv = sums[kVariance], *sw = sums[kWeight];
   const float* inverse = sums[kTolerance];
 #pragma GCC ivdep
   for (int i = begin; i < end; ++i) {
-    const float cosine = nx0[i] * nx1[i] + ny0[i] * ny1[i] + nz0[i] * nz1[i];
-    const float c1 = cosine > 0.5F ? cosine : 0.0F, c2 = c1 * c1, c4 = c2 * c2, c8 = c4 * c4;
-    const float off = nx0[i] * (x1[i] - x0[i]) + ny0[i] * (y1[i] - y0[i]) + nz0[i] * (z1[i] - z0[i]);
-    const float beside = std::fabs(off) * reach[i] * per_step;
-    const float differs = std::fabs(l1[i] - l0[i]) * inverse[i] + beside;
-    // Close to exp(-x), and cheap. Gloss is smooth by nature: only its surface's edges stop it.
-    const float f1 = 1 - 0.25F * differs, f = f1 > 0.06F ? f1 : 0.0F, f2 = f * f;
-    const float h1 = 1 - 0.25F * beside, h = h1 > 0.06F ? h1 : 0.0F, h2 = h * h;
-    const float same = (i0[i] == i1[i] ? kernel : 0.0F) * c8 * c8;
-    const float w = same * f2 * f2, v = same * h2 * h2;
-    sr[i] += w * r[i];
-    sg[i] += w * gr[i];
-    sb[i] += w * b[i];
-    tr[i] += v * gloss_r[i];
-    tg[i] += v * gloss_g[i];
-    tb[i] += v * gloss_b[i];
+    const Likeness like = LikenessOf(a, b, i, per_step);
+    const float w = kernel * like.turn * Fading(std::fabs(l1[i] - l0[i]) * inverse[i] + like.beside);
+    sr[i] += w * red[i];
+    sg[i] += w * green[i];
+    sb[i] += w * blue[i];
     sv[i] += w * w * v1[i];
     sw[i] += w;
-    tw[i] += v;
   }
 }
 
-void SmoothRow(const Planes& guides, const Planes& from, int width, int height, int y, int step, Planes& to) {
-  Planes sums(kSumCount, width);
-  sums.Clear();
-  Tolerances(guides, from, width, height, y, step, sums);
-  const size_t row = static_cast<size_t>(y) * width;
-  for (int block = 0; block < width; block += kBlock) {
-    for (int j = -2; j <= 2; ++j) {
-      if (y + j * step < 0 || y + j * step >= height) continue;
-      for (int i = -2; i <= 2; ++i) {
+// The same of what is mirrored, planes 0 to 2; plane 3 of the sums is the weight.
+FLAIR_WIDE_VECTORS void AddGloss(const Planes& guides, const Planes& from, size_t here, size_t there, int begin,
+                                 int end, float kernel, float per_step, Planes& sums) {
+  const GuideRow a(guides, here), b(guides, there);
+  const float *red = from[0] + there, *green = from[1] + there, *blue = from[2] + there;
+  float *sr = sums[0], *sg = sums[1], *sb = sums[2], *sw = sums[3];
+#pragma GCC ivdep
+  for (int i = begin; i < end; ++i) {
+    const Likeness like = LikenessOf(a, b, i, per_step);
+    const float w = kernel * like.turn * Fading(like.beside);
+    sr[i] += w * red[i];
+    sg[i] += w * green[i];
+    sb[i] += w * blue[i];
+    sw[i] += w;
+  }
+}
+
+// Adds the neighbours, `step` apart, of all points of row y.
+void AddNeighbours(decltype(AddLight)& add, const LightGrid& grid, const Planes& from, int y, int step, Planes& sums) {
+  const size_t row = static_cast<size_t>(y) * grid.width;
+  const std::span<const float> kernel = step == 1 ? std::span<const float>(kFirstKernel) : kKernel;
+  const int radius = static_cast<int>(kernel.size() / 2);
+  for (int block = 0; block < grid.width; block += kBlock) {
+    for (int j = -radius; j <= radius; ++j) {
+      if (y + j * step < 0 || y + j * step >= grid.height) continue;
+      for (int i = -radius; i <= radius; ++i) {
         const int right = i * step;
-        const int begin = std::max(block, -right), end = std::min({block + kBlock, width, width - right});
+        const int begin = std::max(block, -right), end = std::min({block + kBlock, grid.width, grid.width - right});
         if (begin >= end) continue;
-        AddNeighbours(guides, from, row, static_cast<ptrdiff_t>(j) * step * width + right, begin, end,
-                      kKernel[i + 2] * kKernel[j + 2], 1 / static_cast<float>(step), sums);
+        const ptrdiff_t shift = static_cast<ptrdiff_t>(j) * step * grid.width + right;
+        add(grid.guides, from, row, row + static_cast<size_t>(shift), begin, end,
+            kernel[i + radius] * kernel[j + radius], 1 / static_cast<float>(step), sums);
       }
     }
   }
-  for (int x = 0; x < width; ++x) {
-    const float weight = sums[kWeight][x], gloss_weight = sums[kGlossWeight][x];
-    const float scale = weight > 0 ? 1 / weight : 0, gloss_scale = gloss_weight > 0 ? 1 / gloss_weight : 0;
+}
+
+void SmoothLightRow(const LightGrid& grid, const Planes& from, int y, int step, Planes& to) {
+  Planes sums(kSumCount, grid.width);
+  sums.Clear();
+  Tolerances(grid, from, y, step, sums);
+  AddNeighbours(AddLight, grid, from, y, step, sums);
+  const size_t row = static_cast<size_t>(y) * grid.width;
+  for (int x = 0; x < grid.width; ++x) {
+    const float weight = sums[kWeight][x], scale = weight > 0 ? 1 / weight : 0;
     for (int k = kRed; k <= kBlue; ++k) to[k][row + x] = weight > 0 ? sums[k][x] * scale : from[k][row + x];
-    for (int k = kGlossRed; k <= kGlossBlue; ++k) to[k][row + x] = sums[k][x] * gloss_scale;
     to[kVariance][row + x] = sums[kVariance][x] * scale * scale;
     to[kLuminance][row + x] = Luminance({to[kRed][row + x], to[kGreen][row + x], to[kBlue][row + x]});
   }
 }
 
-void FillGuides(std::span<const Seen> seen, float pixel_rad, size_t begin, size_t end, Planes& g) {
-  for (size_t i = begin; i < end; ++i) {
-    const Seen& s = seen[i];
-    const bool lit = s.lit_instance != -1;
-    const Vec3 position = lit ? s.position : Vec3{}, normal = lit ? s.normal : Vec3{};
-    g[kX][i] = position.x, g[kY][i] = position.y, g[kZ][i] = position.z;
-    g[kNormalX][i] = normal.x, g[kNormalY][i] = normal.y, g[kNormalZ][i] = normal.z;
-    g[kReach][i] = lit ? 1 / std::max(1e-4F, s.distance * pixel_rad * 1.5F) : 0;
-    g[kInstance][i] = static_cast<float>(s.lit_instance);
+void SmoothGlossRow(const LightGrid& grid, const Planes& from, int y, int step, Planes& to) {
+  Planes sums(4, grid.width);
+  sums.Clear();
+  AddNeighbours(AddGloss, grid, from, y, step, sums);
+  const size_t row = static_cast<size_t>(y) * grid.width;
+  for (int x = 0; x < grid.width; ++x) {
+    const float weight = sums[3][x], scale = weight > 0 ? 1 / weight : 0;
+    for (int k = 0; k < 3; ++k) to[k][row + x] = sums[k][x] * scale;
   }
 }
 
 }  // namespace
 
-absl::Status SmoothLight(int width, int height, float pixel_rad, std::span<const Seen> seen, const Workers& workers,
-                         std::span<Lit> lit) {
-  Planes guides(kGuideCount, lit.size()), from(kLightCount, lit.size()), to(kLightCount, lit.size());
-  absl::Status prepared = ForEach(workers, height, [&](int y) {
-    const size_t row = static_cast<size_t>(y) * width;
-    FillGuides(seen, pixel_rad, row, row + width, guides);
-    TameSparks(seen, lit, width, height, y, from);
-  });
-  if (!prepared.ok()) return prepared;
-  for (int round = 0; round < kRounds; ++round) {
-    absl::Status status =
-        ForEach(workers, height, [&](int y) { SmoothRow(guides, from, width, height, y, 1 << round, to); });
-    if (!status.ok()) return status;
-    std::swap(from, to);
+absl::Status TameSparks(const Workers& workers, float most, LightGrid& grid) {
+  Planes to(kLightCount, grid.size());
+  absl::Status status = ForEach(workers, grid.height, [&](int y) { TameRow(grid, most, y, to); });
+  std::swap(grid.light, to);
+  return status;
+}
+
+absl::Status SmoothLight(const Workers& workers, int round_count, LightGrid& grid) {
+  Planes to(kLightCount, grid.size());
+  absl::Status status;
+  for (int round = 0; round < round_count && status.ok(); ++round) {
+    status = ForEach(workers, grid.height, [&](int y) { SmoothLightRow(grid, grid.light, y, 1 << round, to); });
+    std::swap(grid.light, to);
   }
-  return ForEach(workers, height, [&](int y) {
-    const size_t row = static_cast<size_t>(y) * width;
-    for (size_t i = row; i < row + width; ++i) {
-      lit[i].irradiance = {from[kRed][i], from[kGreen][i], from[kBlue][i]};
-      lit[i].gloss = {from[kGlossRed][i], from[kGlossGreen][i], from[kGlossBlue][i]};
-    }
-  });
+  return status;
+}
+
+absl::Status SmoothGloss(const Workers& workers, int round_count, const LightGrid& grid, Planes& gloss) {
+  Planes to(3, grid.size());
+  absl::Status status;
+  for (int round = 0; round < round_count && status.ok(); ++round) {
+    status = ForEach(workers, grid.height, [&](int y) { SmoothGlossRow(grid, gloss, y, 1 << round, to); });
+    std::swap(gloss, to);
+  }
+  return status;
 }
 
 }  // namespace flair::renderer

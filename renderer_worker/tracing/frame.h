@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "flair/v1/view_annotations.pb.h"
 #include "renderer_worker/scene/scene.h"
-#include "renderer_worker/tracing/parallel.h"
+#include "renderer_worker/tracing/plane.h"
 #include "renderer_worker/tracing/world.h"
 
 namespace flair::renderer {
@@ -43,7 +41,43 @@ struct Seen {
   Vec3 filter{1, 1, 1};  // what glass and mirrors on the way leave of its light
   Vec3 added;            // light that comes from the way itself: emission, the sky behind
   Vec3 direction;        // in which the lit surface was looked at
-  bool background = false;
+};
+
+// What a point's neighbours are judged by: position, normal (0 where nothing is lit), how far off the plane a neighbour
+// may be (inverse, 1/m), the lit instance (a whole number; -1 for none, -2 for the ground).
+enum Guide { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kReach, kInstance, kGuideCount };
+
+// Irradiance over pi, so that times the albedo it is radiance; the variance of its luminance as a mean of samples.
+enum Light { kRed, kGreen, kBlue, kVariance, kLuminance, kLightCount };
+
+// Points of the picture, row by row, with what falls on the surfaces that they show.
+struct LightGrid {
+  LightGrid(int width, int height)
+      : width(width), height(height), guides(kGuideCount, size()), light(kLightCount, size()) {}
+  size_t size() const { return static_cast<size_t>(width) * height; }
+
+  int width, height;
+  Planes guides;
+  Planes light;
+};
+
+// A picture at work. What comes straight from the lights is known for every pixel, what other surfaces and the open
+// sky send, which varies less, for every second pixel of every second row.
+struct Frame {
+  Frame(int width_px, int height_px)
+      : direct(width_px, height_px),
+        indirect((width_px + 1) / 2, (height_px + 1) / 2),
+        gloss(3, indirect.size()),
+        reflectance(indirect.size()),
+        paint(direct.size()),
+        added(direct.size()) {}
+
+  LightGrid direct;
+  LightGrid indirect;
+  Planes gloss;              // by points of `indirect`: radiance that the surface mirrors, roughly
+  Plane<float> reflectance;  // by points of `indirect`: the surface's share of light, diffuse and straight on
+  Plane<Vec3> paint;         // by pixel: what of the light on the lit surface gets to the eye
+  Plane<Vec3> added;         // by pixel: light that comes from the way itself
 };
 
 }  // namespace flair::renderer

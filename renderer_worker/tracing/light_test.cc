@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/scene/sample_rooms.h"
 #include "renderer_worker/tracing/denoise.h"
+#include "renderer_worker/tracing/direct_light.h"
 #include "renderer_worker/tracing/lighting.h"
 #include "renderer_worker/tracing/look.h"
 #include "renderer_worker/tracing/patterns/pattern.h"
@@ -34,6 +37,8 @@ TEST(Light, WhiteThingsVanishInAWhiteFurnace) {
   const auto radiosity = Radiosity::Solve(**world, lights, SpreadPoints(**world, 2000), {});
   ASSERT_TRUE(radiosity.ok());
   const SampleSeeds seeds(5);
+  const Surroundings around;
+  const PinholeCamera camera;
   double sum = 0;
   int count = 0;
   for (int i = 0; i < 400; ++i) {
@@ -42,9 +47,10 @@ TEST(Light, WhiteThingsVanishInAWhiteFurnace) {
     const Vec2 aim = random.At(0, Purpose::kLight);
     const Seen seen = LookFrom(**world, lights, {}, eye, Normalized(Vec3{1.5F + aim.x, 1 + aim.y, 0.4F} - eye), 1e-3F);
     if (seen.lit_instance < 0) continue;
-    const Lit lit = LightOf(**world, lights, **radiosity, seen, seeds, i, 3, 64);
-    EXPECT_NEAR(Luminance(lit.irradiance), 1, 0.12);
-    sum += Luminance(lit.irradiance);
+    const Setting setting{**world, lights, **radiosity, around, camera};
+    const Vec3 light = IndirectLight(setting, seen, PixelSamples(seeds, i, 3, 64), 0, 64).light;
+    EXPECT_NEAR(Luminance(light), 1, 0.12);
+    sum += Luminance(light);
     ++count;
   }
   ASSERT_GT(count, 200);
@@ -167,25 +173,89 @@ TEST(Sampling, SixteenPointsOfAPixelFillEveryGridOfSixteen) {
   }
 }
 
+// A plane of two instances, seen from 3 m: noise of a tenth on the left one, none on the right one, ten times as light.
+LightGrid HalfNoisy(int size) {
+  LightGrid grid(size, size);
+  for (int i = 0; i < size * size; ++i) {
+    const bool right = i % size >= size / 2;
+    const float noise = 0.1F * (2 * static_cast<float>(Mix(static_cast<uint32_t>(i)) >> 8) * 0x1p-24F - 1);
+    const float light = right ? 10 : 1 + noise;
+    const std::array<float, kGuideCount> guides = {0.01F * static_cast<float>(i % size),
+                                                   0.01F * static_cast<float>(i / size),
+                                                   0,
+                                                   0,
+                                                   0,
+                                                   1,
+                                                   70,
+                                                   right ? 2.0F : 1.0F};
+    for (int k = 0; k < kGuideCount; ++k) grid.guides[k][i] = guides[k];
+    for (const int k : {kRed, kGreen, kBlue, kLuminance}) grid.light[k][i] = light;
+    grid.light[kVariance][i] = right ? 0 : 0.0033F;
+  }
+  return grid;
+}
+
 TEST(SmoothLight, LeavesEvenLightAndOtherInstancesAlone) {
   constexpr int kSize = 48;
-  std::vector<Seen> seen(kSize * kSize);
-  std::vector<Lit> lit(kSize * kSize);
+  LightGrid grid = HalfNoisy(kSize);
+  ASSERT_TRUE(SmoothLight({}, 4, grid).ok());
   for (int i = 0; i < kSize * kSize; ++i) {
-    const bool right = i % kSize >= kSize / 2;
-    seen[i].instance = seen[i].lit_instance = right ? 2 : 1;
-    seen[i].position = {0.01F * static_cast<float>(i % kSize), 0.01F * static_cast<float>(i / kSize), 0};
-    seen[i].normal = {0, 0, 1};
-    seen[i].distance = 3;
-    // Noise of a tenth on one side, none on the other, which is ten times as light.
-    const float noise = right ? 0 : 0.1F * (2 * static_cast<float>(Mix(static_cast<uint32_t>(i)) >> 8) * 0x1p-24F - 1);
-    lit[i].irradiance = Vec3{1, 1, 1} * (right ? 10 : 1 + noise);
-    lit[i].variance = right ? 0 : 0.0033F;
+    EXPECT_NEAR(grid.light[kRed][i], i % kSize >= kSize / 2 ? 10 : 1, 0.04);
   }
-  ASSERT_TRUE(SmoothLight(kSize, kSize, 0.003F, seen, {}, lit).ok());
-  for (int i = 0; i < kSize * kSize; ++i) {
-    EXPECT_NEAR(lit[i].irradiance.x, i % kSize >= kSize / 2 ? 10 : 1, 0.04);
-  }
+}
+
+TEST(SmoothGloss, StaysOnItsSurface) {
+  constexpr int kSize = 48;
+  const LightGrid grid = HalfNoisy(kSize);
+  Planes gloss(3, grid.size());
+  for (int k = 0; k < 3; ++k) std::copy_n(grid.light[kRed], grid.size(), gloss[k]);
+  ASSERT_TRUE(SmoothGloss({}, 4, grid, gloss).ok());
+  for (int i = 0; i < kSize * kSize; ++i) EXPECT_NEAR(gloss[2][i], i % kSize >= kSize / 2 ? 10 : 1, 0.04);
+}
+
+TEST(TameSparks, TakesOnePointDownToItsNeighbours) {
+  LightGrid grid = HalfNoisy(8);
+  grid.light[kRed][9] = grid.light[kGreen][9] = grid.light[kBlue][9] = grid.light[kLuminance][9] = 50;
+  ASSERT_TRUE(TameSparks({}, 2, grid).ok());
+  EXPECT_LE(grid.light[kRed][9], 1.1F);
+  EXPECT_EQ(grid.light[kRed][15], 10);  // its brightest neighbours are as bright
+}
+
+// What straight light falls on a floor below a board, by blocks: as with as many samples everywhere, and few where all
+// agree.
+TEST(DirectLight, IsThatOfManySamplesInHalfShadows) {
+  v1::SolvedLayout layout = EmptyRoom(4, 4);
+  AddObject(layout, "desk", 2, 2, 0.3);
+  const Scene scene = *BuildScene(layout, BoxFurniture());
+  const auto world = World::Make(scene, CutAwayFor(*ShapeOf(layout.graph().room()), scene.birdseye.eye));
+  ASSERT_TRUE(world.ok());
+  Lights lights;
+  lights.balls.push_back({{1, 2, 1.9F}, {3, 3, 3}, 0.2F});
+  const Radiosity radiosity;
+  const Surroundings around;
+  const PinholeCamera camera;
+  const Setting setting{**world, lights, radiosity, around, camera};
+  const auto mean_at = [&](float x, int round_count) {
+    double sum = 0;
+    for (int n = 0; n < 40; ++n) {
+      std::array<Seen, kBlockSide * kBlockSide> seen;
+      PixelBlock block;
+      for (size_t i = 0; i < seen.size(); ++i) {
+        seen[i].lit_instance = 1;
+        seen[i].position = {x + 0.002F * static_cast<float>(i % 4), 2 + 0.002F * static_cast<float>(i / 4), 1e-3F};
+        seen[i].normal = {0, 0, 1};
+        block[i] = &seen[i];
+      }
+      const SampleSeeds seeds(static_cast<uint32_t>(n));
+      for (const LightMean& light : DirectLightOn(setting, seeds, block, 8, 16, round_count)) sum += light.light.x;
+    }
+    return sum / 640;
+  };
+  EXPECT_GT(mean_at(0.6F, 4), 0.1);  // in the light
+  EXPECT_EQ(mean_at(2.2F, 4), 0);    // below the board
+  const double half = mean_at(2.95F, 64);
+  EXPECT_GT(mean_at(3.6F, 64), half);
+  EXPECT_NEAR(mean_at(2.95F, 4), half, 0.03 * mean_at(3.6F, 64));
 }
 
 TEST(Patterns, AreColoursAndFadeToTheirMeanWhenSeenFromAfar) {

@@ -1,22 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "renderer_worker/tracing/frame.h"
-#include "renderer_worker/tracing/lights.h"
-#include "renderer_worker/tracing/radiosity.h"
+#include <algorithm>
+
+#include "renderer_worker/tracing/sampling.h"
+#include "renderer_worker/tracing/setting.h"
 
 namespace flair::renderer {
 
-// What falls on the surface that a pixel shows: over pi, so that times the albedo it is radiance.
-struct Lit {
-  Vec3 irradiance;
-  float variance = 0;  // of the luminance of `irradiance`, as a mean of the samples
-  Vec3 gloss;          // radiance that the surface mirrors, roughly
+// A mean of samples of what falls on a surface, over pi, and the variance of its luminance as such a mean.
+struct LightMean {
+  Vec3 light;
+  float variance = 0;
 };
 
-// Light for pixel (column, row): `round_count` times a path to a lamp or window and one to the sun, as often one to
-// another surface (half as often within a room), and a quarter as often a mirrored one where the surface shines.
-Lit LightOf(const World& world, const Lights& lights, const Radiosity& radiosity, const Seen& seen,
-            const SampleSeeds& seeds, int column, int row, int round_count);
+// Samples of light, added up.
+class LightSum {
+ public:
+  void Add(Vec3 light) {
+    const float luminance = Luminance(light);
+    sum_ = sum_ + light;
+    luminance_ += luminance;
+    squares_ += luminance * luminance;
+    ++count_;
+  }
+  void Add(const LightSum& other) {
+    sum_ = sum_ + other.sum_;
+    luminance_ += other.luminance_;
+    squares_ += other.squares_;
+    count_ += other.count_;
+  }
+  int count() const { return count_; }
+  // Of the luminance of one sample. A single one says nothing of it: as if it were as large as the value.
+  float Variance() const {
+    const float count = static_cast<float>(count_), mean = luminance_ / count;
+    return count_ > 1 ? std::max(0.0F, squares_ / count - mean * mean) * count / (count - 1) : mean * mean;
+  }
+  // Of one sample at least.
+  LightMean Mean() const {
+    const float share = 1 / static_cast<float>(count_);
+    return {sum_ * share, Variance() * share};
+  }
+
+ private:
+  Vec3 sum_;
+  float luminance_ = 0, squares_ = 0;
+  int count_ = 0;
+};
+
+// What other surfaces and, where the room is open, the sky send to what is seen, by `count` samples from `first` on.
+LightMean IndirectLight(const Setting& setting, const Seen& seen, const PixelSamples& random, int first, int count);
+
+// Radiance that what is seen mirrors, roughly; 0 where it hardly shines.
+Vec3 Gloss(const Setting& setting, const Seen& seen, const PixelSamples& random, int first, int count);
 
 }  // namespace flair::renderer

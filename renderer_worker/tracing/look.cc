@@ -31,7 +31,6 @@ Vec3 DayOutside(Vec3 direction) {
 void SeeBeyond(const Lights& lights, const Surroundings& around, Vec3 from, Vec3 direction, Seen& seen) {
   seen.lit_instance = -1;
   if (around.open && direction.z < -1e-4F && from.z > around.ground_z) {
-    seen.background = seen.instance < 0;
     seen.position = from + direction * ((around.ground_z - from.z) / direction.z);
     seen.normal = {0, 0, 1};
     seen.albedo = around.backdrop;
@@ -41,7 +40,6 @@ void SeeBeyond(const Lights& lights, const Surroundings& around, Vec3 from, Vec3
   const Vec3 beyond =
       !around.open && lights.WindowThrough(from, direction) >= 0 ? DayOutside(direction) : around.backdrop;
   seen.added = seen.added + seen.filter * beyond;
-  seen.background = seen.instance < 0;
 }
 
 constexpr float kNearest_m = 0.01F;

@@ -3,6 +3,7 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
@@ -44,6 +45,21 @@ class Plane {
   };
   size_t size_;
   std::unique_ptr<T, Free> values_;
+};
+
+// Planes of floats in one piece. Each begins at another place of a page: planes in step would drive each other out of
+// the processor's cache.
+class Planes {
+ public:
+  // Throws std::bad_alloc.
+  Planes(int plane_count, size_t size) : stride_((size + 1023) / 1024 * 1024 + 80), values_(plane_count * stride_) {}
+  float* operator[](int plane) { return &values_[plane * stride_]; }
+  const float* operator[](int plane) const { return &values_[plane * stride_]; }
+  void Clear() { std::fill(values_.begin(), values_.end(), 0.0F); }
+
+ private:
+  size_t stride_;
+  Plane<float> values_;
 };
 
 }  // namespace flair::renderer

@@ -55,7 +55,7 @@ inline uint32_t SpreadBits(uint32_t x) {
 }
 
 // What a sampled point is for; each has points of its own.
-enum class Purpose { kLight, kPlaceOnLight, kSun, kBounce, kGloss, kCount };
+enum class Purpose { kLight, kPlaceOnLight, kSun, kBounce, kGloss, kMoreLight, kMorePlaces, kMoreSun, kCount };
 
 // Scrambles of a picture.
 class SampleSeeds {

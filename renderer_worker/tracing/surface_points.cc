@@ -69,9 +69,7 @@ std::vector<SurfacePoint> SpreadPoints(const World& world, int count) {
 Vec3 DirectLight(const World& world, const LightChoice& choice, Vec3 position, const PixelSamples& random, int sample) {
   Vec3 light;
   const auto add = [&](const LightSample& from) {
-    if (!(Luminance(from.irradiance) > 0)) return;
-    // Windows and balls are no surfaces: just short of them is far enough.
-    if (!world.Shaded(position, from.direction, from.distance * 0.999F)) light = light + from.irradiance;
+    if (Luminance(from.irradiance) > 0 && !IsShaded(world, position, from)) light = light + from.irradiance;
   };
   if (choice.any()) {
     add(choice.Sample(random.At(sample, Purpose::kLight).x, random.At(sample, Purpose::kPlaceOnLight)));

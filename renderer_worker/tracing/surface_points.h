@@ -19,6 +19,12 @@ struct SurfacePoint {
 // Points spread evenly over everything that holds up light: about `count` by area, at least three an instance.
 std::vector<SurfacePoint> SpreadPoints(const World& world, int count);
 
+// Whether something keeps a sample of a light from a point.
+inline bool IsShaded(const World& world, Vec3 position, const LightSample& from) {
+  // Windows and balls are no surfaces: just short of them is far enough.
+  return world.Shaded(position, from.direction, from.distance * 0.999F);
+}
+
 // What the lights send to a point straight away: one sample of the lamps and windows, one of the sun.
 Vec3 DirectLight(const World& world, const LightChoice& choice, Vec3 position, const PixelSamples& random, int sample);
 

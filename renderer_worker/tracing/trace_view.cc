@@ -4,20 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <new>
 
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/tracing/annotations.h"
 #include "renderer_worker/tracing/compose.h"
 #include "renderer_worker/tracing/denoise.h"
-#include "renderer_worker/tracing/plane.h"
 #include "renderer_worker/tracing/radiosity.h"
+#include "renderer_worker/tracing/setting.h"
+#include "renderer_worker/tracing/tile.h"
 
 namespace flair::renderer {
 namespace {
 
 constexpr int kRadiosityPoints = 6000;
+// Of smoothing: the last reaches 2^rounds points to each side.
+constexpr int kDirectRounds = 4, kIndirectRounds = 4;
 
 absl::Status CheckOptions(const TraceOptions& options) {
   for (const int size : {options.width_px, options.height_px}) {
@@ -35,21 +37,6 @@ absl::Status CheckOptions(const TraceOptions& options) {
     return absl::InvalidArgumentError(fmt::format("thread_count: {}; must be in [1, 256]", options.thread_count));
   }
   return absl::OkStatus();
-}
-
-// The planes that say what is seen.
-void FillPlanes(const World& world, const PinholeCamera& camera, std::span<const Seen> seen, int y, TracedView& view) {
-  for (int x = 0; x < camera.width_px; ++x) {
-    const size_t at = static_cast<size_t>(y) * camera.width_px + x;
-    const Seen& s = seen[at];
-    if (s.instance < 0) continue;
-    const Vec3 way = camera.Through(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-    view.depth_m[at] = s.distance * Dot(way, camera.forward);
-    view.normal[at] = s.first_normal;
-    view.albedo[at] = s.first_albedo;
-    view.instance[at] = world.instances()[s.instance].instance_id;
-    view.object_class[at] = world.instances()[s.instance].class_id;
-  }
 }
 
 void Resize(const TraceOptions& options, TracedView& view) {
@@ -86,32 +73,21 @@ absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_ca
   // Where walls are gone before the eye, the picture goes on in the colour of those that are left.
   if (!cut.ceiling && !Inside(*shape, camera->eye.x, camera->eye.y)) surroundings.room = &*shape;
   if (!cut.ceiling) surroundings.backdrop = (*world)->MeanColourOf(kWallClass) * 0.8F;
+  const Setting setting{**world, lights, **radiosity, surroundings, *camera};
   TracedView view;
   Resize(options, view);
-  Plane<Seen> seen(view.depth_m.size());
-  Plane<Lit> lit(view.depth_m.size());
+  Frame frame(options.width_px, options.height_px);
   const int rounds = (options.sample_count + 3) / 4;
   const SampleSeeds seeds(Mix(static_cast<uint32_t>(options.seed) ^ Mix(static_cast<uint32_t>(options.seed >> 32))));
-  absl::Status status = ForEach(workers, options.height_px, [&](int y) {
-    const size_t row = static_cast<size_t>(y) * options.width_px;
-    for (int x = 0; x < options.width_px; x += kMostRaysTogether) {
-      std::array<Vec3, kMostRaysTogether> ways;
-      const int count = std::min(kMostRaysTogether, options.width_px - x);
-      for (int i = 0; i < count; ++i) {
-        ways[i] = camera->Through(static_cast<float>(x + i) + 0.5F, static_cast<float>(y) + 0.5F);
-      }
-      LookFrom(**world, lights, surroundings, camera->eye, std::span(ways).first(count), 1 / camera->focal_px,
-               std::span(seen).subspan(row + x, count));
-    }
-    for (int x = 0; x < options.width_px; ++x) {
-      lit[row + x] = LightOf(**world, lights, **radiosity, seen[row + x], seeds, x, y, rounds);
-    }
-    FillPlanes(**world, *camera, seen, y, view);
-  });
-  if (!status.ok()) return status;
-  status = SmoothLight(options.width_px, options.height_px, 1 / camera->focal_px, seen, workers, lit);
-  if (!status.ok()) return status;
-  status = ComposeColour({**world, lights, **radiosity, surroundings, *camera, seen, lit}, workers, view.colour);
+  absl::Status status = ForEach(workers, (options.height_px + kTileHeight - 1) / kTileHeight,
+                                [&](int i) { TraceRows(setting, seeds, rounds, i * kTileHeight, frame, view); });
+  // One sample a pixel is often brighter than its neighbours, and right; a mean of several seldom.
+  if (status.ok()) status = TameSparks(workers, 2, frame.direct);
+  if (status.ok()) status = SmoothLight(workers, kDirectRounds, frame.direct);
+  if (status.ok()) status = TameSparks(workers, 1, frame.indirect);
+  if (status.ok()) status = SmoothLight(workers, kIndirectRounds, frame.indirect);
+  if (status.ok()) status = SmoothGloss(workers, kIndirectRounds, frame.indirect, frame.gloss);
+  if (status.ok()) status = ComposeColour(setting, seeds, frame, workers, view);
   if (!status.ok()) return status;
   view.annotations = AnnotationsOf(scene, **world, *camera, view);
   return view;

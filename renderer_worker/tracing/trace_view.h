@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/view_annotations.pb.h"
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/scene/scene.h"
+#include "renderer_worker/tracing/pixel_vector.h"
 
 namespace flair::renderer {
 
@@ -33,12 +33,12 @@ inline constexpr int64_t kMaxTracedPixels = int64_t{4096} * 4096;  // some 300 b
 struct TracedView {
   int width_px = 0;
   int height_px = 0;
-  std::vector<Vec3> colour;           // linear RGB (sRGB primaries), exposed: 1 is white
-  std::vector<float> depth_m;         // along the camera's axis (its z), metres; 0 where nothing is
-  std::vector<Vec3> normal;           // unit, room frame R, towards the camera; 0 where nothing is
-  std::vector<Vec3> albedo;           // linear RGB, share of the light that is reflected; 0 where nothing is
-  std::vector<int32_t> instance;      // v1::Instance.instance_id; 0 where nothing is
-  std::vector<int32_t> object_class;  // v1::Instance.class_id; 0 where nothing is
+  PixelVector<Vec3> colour;           // linear RGB (sRGB primaries), exposed: 1 is white
+  PixelVector<float> depth_m;         // along the camera's axis (its z), metres; 0 where nothing is
+  PixelVector<Vec3> normal;           // unit, room frame R, towards the camera; 0 where nothing is
+  PixelVector<Vec3> albedo;           // linear RGB, share of the light that is reflected; 0 where nothing is
+  PixelVector<int32_t> instance;      // v1::Instance.instance_id; 0 where nothing is
+  PixelVector<int32_t> object_class;  // v1::Instance.class_id; 0 where nothing is
   v1::ViewAnnotations annotations;
 };
 
