@@ -19,6 +19,7 @@ constexpr int kBlock = 256;  // pixels whose sums stay in the nearest cache
 // Across, of the first round and of the others, which are less wide: what they blend has been smoothed.
 constexpr std::array<float, 5> kFirstKernel = {0.0625F, 0.25F, 0.375F, 0.25F, 0.0625F};  // B3 spline
 constexpr std::array<float, 3> kKernel = {0.3F, 0.4F, 0.3F};
+constexpr float kSpark = 1.5F;       // so many times as bright as all its neighbours
 constexpr float kFirstSpreads = 12;  // between near neighbours nearly everything is noise
 constexpr float kSpreads = 4;        // differences of so many standard deviations are noise
 constexpr float kRelative = 0.012F;  // as are those of this share
@@ -26,24 +27,49 @@ constexpr float kRelative = 0.012F;  // as are those of this share
 // Sums over a row's neighbours: kRed to kVariance of Light, then these.
 enum Sum { kWeight = kVariance + 1, kTolerance, kSumCount };
 
-void TameRow(const LightGrid& grid, float most, int y, Planes& to) {
-  const float *instance = grid.guides[kInstance], *luminance = grid.light[kLuminance];
+// Calls visit(at) for the points of the instance at (x, y) among those of the 3 x 3 about it.
+template <typename Visit>
+void AboutPoint(const LightGrid& grid, int x, int y, const Visit& visit) {
+  const float* instance = grid.guides[kInstance];
+  const float own = instance[static_cast<size_t>(y) * grid.width + x];
+  for (int b = std::max(0, y - 1); b <= std::min(grid.height - 1, y + 1); ++b) {
+    for (int a = std::max(0, x - 1); a <= std::min(grid.width - 1, x + 1); ++a) {
+      const size_t at = static_cast<size_t>(b) * grid.width + a;
+      if (instance[at] == own) visit(at);
+    }
+  }
+}
+
+// For each point of a row the share of its light that each of the 3 x 3 gets: 0 where it is no spark.
+void FindSparks(const LightGrid& grid, int y, float* share) {
+  const float* luminance = grid.light[kLuminance];
   for (int x = 0; x < grid.width; ++x) {
     const size_t here = static_cast<size_t>(y) * grid.width + x;
-    float brightest = 0;
-    bool alone = true;
-    for (int b = std::max(0, y - 1); b <= std::min(grid.height - 1, y + 1); ++b) {
-      for (int a = std::max(0, x - 1); a <= std::min(grid.width - 1, x + 1); ++a) {
-        const size_t there = static_cast<size_t>(b) * grid.width + a;
-        if (there == here || instance[there] != instance[here]) continue;
-        alone = false;
-        brightest = std::max(brightest, luminance[there]);
-      }
+    float brightest = 0, count = 0;
+    AboutPoint(grid, x, y, [&](size_t there) {
+      if (there != here) brightest = std::max(brightest, luminance[there]);
+      count += 1;
+    });
+    const float own = luminance[here];
+    share[here] = count > 1 && own > kSpark * brightest ? (1 - brightest / own) / count : 0;
+  }
+}
+
+void SpreadRow(const LightGrid& grid, const float* share, int y, Planes& to) {
+  for (int x = 0; x < grid.width; ++x) {
+    const size_t here = static_cast<size_t>(y) * grid.width + x;
+    float count = 0, kept = 1;
+    if (share[here] > 0) {
+      AboutPoint(grid, x, y, [&](size_t) { count += 1; });
+      kept = 1 - share[here] * count;
     }
-    const float own = luminance[here], kept = !alone && own > most * brightest ? brightest / own : 1;
     for (int k = kRed; k <= kBlue; ++k) to[k][here] = grid.light[k][here] * kept;
+    AboutPoint(grid, x, y, [&](size_t there) {
+      if (share[there] <= 0) return;
+      for (int k = kRed; k <= kBlue; ++k) to[k][here] += grid.light[k][there] * share[there];
+    });
     to[kVariance][here] = grid.light[kVariance][here];
-    to[kLuminance][here] = own * kept;
+    to[kLuminance][here] = Luminance({to[kRed][here], to[kGreen][here], to[kBlue][here]});
   }
 }
 
@@ -198,9 +224,12 @@ void SmoothGlossRow(const LightGrid& grid, const Planes& from, int y, int step, 
 
 }  // namespace
 
-absl::Status TameSparks(const Workers& workers, float most, LightGrid& grid) {
+absl::Status SpreadSparks(const Workers& workers, LightGrid& grid) {
+  Plane<float> share(grid.size());
+  absl::Status status = ForEach(workers, grid.height, [&](int y) { FindSparks(grid, y, share.data()); });
+  if (!status.ok()) return status;
   Planes to(kLightCount, grid.size());
-  absl::Status status = ForEach(workers, grid.height, [&](int y) { TameRow(grid, most, y, to); });
+  status = ForEach(workers, grid.height, [&](int y) { SpreadRow(grid, share.data(), y, to); });
   std::swap(grid.light, to);
   return status;
 }

@@ -7,9 +7,9 @@
 
 namespace flair::renderer {
 
-// Points that are more than `most` times as bright as all their neighbours of one instance come down to the brightest
-// of them: few samples found something that all others missed.
-absl::Status TameSparks(const Workers& workers, float most, LightGrid& grid);
+// Points that are much brighter than all their neighbours of one instance share their light with them: few samples
+// found what all others missed, and smoothing would take it for something real. No light is lost.
+absl::Status SpreadSparks(const Workers& workers, LightGrid& grid);
 
 // Smooths the light of a grid, not its surfaces: an edge-stopping a-trous wavelet (Dammertz et al. 2010) in
 // `round_count` rounds, steered by instance, normal, plane and, as in SVGF (Schied et al. 2017), by how much of a

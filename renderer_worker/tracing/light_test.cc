@@ -213,12 +213,21 @@ TEST(SmoothGloss, StaysOnItsSurface) {
   for (int i = 0; i < kSize * kSize; ++i) EXPECT_NEAR(gloss[2][i], i % kSize >= kSize / 2 ? 10 : 1, 0.04);
 }
 
-TEST(TameSparks, TakesOnePointDownToItsNeighbours) {
+TEST(SpreadSparks, SharesThemAndLosesNoLight) {
   LightGrid grid = HalfNoisy(8);
+  const auto sum = [&grid] {
+    double all = 0;
+    for (size_t i = 0; i < grid.size(); ++i) all += grid.light[kRed][i];
+    return all;
+  };
   grid.light[kRed][9] = grid.light[kGreen][9] = grid.light[kBlue][9] = grid.light[kLuminance][9] = 50;
-  ASSERT_TRUE(TameSparks({}, 2, grid).ok());
-  EXPECT_LE(grid.light[kRed][9], 1.1F);
-  EXPECT_EQ(grid.light[kRed][15], 10);  // its brightest neighbours are as bright
+  const double before = sum();
+  ASSERT_TRUE(SpreadSparks({}, grid).ok());
+  EXPECT_LT(grid.light[kRed][9], 8);
+  EXPECT_GT(grid.light[kRed][0], 6);
+  EXPECT_LT(grid.light[kRed][3], 1.2F);  // out of its reach
+  EXPECT_EQ(grid.light[kRed][15], 10);   // its neighbours are as bright
+  EXPECT_NEAR(sum(), before, 1e-3);
 }
 
 // What straight light falls on a floor below a board, by blocks: as with as many samples everywhere, and few where all

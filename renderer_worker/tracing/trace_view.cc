@@ -81,10 +81,9 @@ absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_ca
   const SampleSeeds seeds(Mix(static_cast<uint32_t>(options.seed) ^ Mix(static_cast<uint32_t>(options.seed >> 32))));
   absl::Status status = ForEach(workers, (options.height_px + kTileHeight - 1) / kTileHeight,
                                 [&](int i) { TraceRows(setting, seeds, rounds, i * kTileHeight, frame, view); });
-  // One sample a pixel is often brighter than its neighbours, and right; a mean of several seldom.
-  if (status.ok()) status = TameSparks(workers, 2, frame.direct);
+  if (status.ok()) status = SpreadSparks(workers, frame.direct);
   if (status.ok()) status = SmoothLight(workers, kDirectRounds, frame.direct);
-  if (status.ok()) status = TameSparks(workers, 1, frame.indirect);
+  if (status.ok()) status = SpreadSparks(workers, frame.indirect);
   if (status.ok()) status = SmoothLight(workers, kIndirectRounds, frame.indirect);
   if (status.ok()) status = SmoothGloss(workers, kIndirectRounds, frame.indirect, frame.gloss);
   if (status.ok()) status = ComposeColour(setting, seeds, frame, workers, view);
