@@ -72,8 +72,8 @@ bool WriteWhole(int file, const std::string& bytes) {
 
 absl::Status CheckKind(const std::string& name, const std::string& beginning) {
   std::string kind = ForeignKind(beginning);
-  if (beginning.starts_with("\x1f\x8b")) kind = "compressed; give it by a pipe: zcat FILE | flair batch - --out DIR";
-  if (kind.empty()) return absl::OkStatus();
+  if (kind.starts_with("compressed")) kind += ", which zcat, zstdcat or xzcat FILE | flair batch - --out DIR unpacks";
+  if (kind.empty() || kind == "text") return absl::OkStatus();
   return absl::InvalidArgumentError(fmt::format("{}: is {}; should be text with a brief a line", name, kind));
 }
 
@@ -124,6 +124,8 @@ absl::StatusOr<BatchInput> OpenBatchInput(const std::string& given, const std::f
     read = Digest(file.descriptor(), name, -1, stop, input);
   } else {
     input.path = std::filesystem::absolute(copy);
+    std::error_code error;
+    std::filesystem::create_directories(input.path.parent_path(), error);
     const OpenFile made(::open(input.path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (made.descriptor() < 0) return Cannot("written", input.path.string());
     read = Digest(file.descriptor(), name, made.descriptor(), stop, input);

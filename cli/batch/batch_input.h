@@ -21,7 +21,7 @@ struct BatchInput {
   std::string name;
 };
 
-// `given` is a file, or "-" for standard input; that and other pipes are first copied to `copy`, whose folder exists.
+// `given` is a file, or "-" for standard input; that and other pipes are first copied to `copy`.
 // NOT_FOUND, FAILED_PRECONDITION for what cannot be read; INVALID_ARGUMENT for an empty file and for one that is of
 // another kind than text; CANCELLED when `stop` is asked for meanwhile.
 absl::StatusOr<BatchInput> OpenBatchInput(const std::string& given, const std::filesystem::path& copy,

@@ -9,7 +9,6 @@
 namespace flair::cli {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 v1::JobSpec Defaults() {
@@ -26,10 +25,6 @@ v1::JobSpec Read(const std::string& line) {
   const absl::StatusOr<BriefLine> read = ReadBriefLine(line, Defaults());
   EXPECT_TRUE(read.ok()) << read.status();
   return read.ok() ? read->spec : v1::JobSpec();
-}
-
-std::string Complaint(const std::string& line) {
-  return std::string(ReadBriefLine(line, Defaults()).status().message());
 }
 
 TEST(ReadBriefLine, TakesASentenceAsItIs) {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "cli/batch/fake_batch_service.h"
-#include "cli/input/artifact_file.h"
 #include "nlohmann/json.hpp"
 #include "tests/fixtures/process.h"
 
@@ -54,7 +53,9 @@ TEST_F(CollectorTest, EveryEndBecomesFilesAndARow) {
   service_.End(1, "renderer worker at h:1: gone");
   ASSERT_TRUE(Collect().ok());
   EXPECT_EQ(Job(3, "plan.png"), "picture 3");
-  EXPECT_EQ(ReadArtifact(folder_ / "jobs/000/000003/layout.pb")->solved_layout().total_cost(), 3);
+  v1::Artifact layout;
+  ASSERT_TRUE(layout.ParseFromString(Job(3, "layout.pb")));
+  EXPECT_EQ(layout.solved_layout().total_cost(), 3);
   EXPECT_EQ(nlohmann::json::parse(Job(3, "report.json"))["report"]["job_id"], "j3");
   EXPECT_EQ(nlohmann::json::parse(Job(1, "job.json"))["error"], "renderer worker at h:1: gone");
   EXPECT_EQ(Row(3).Text("state"), "succeeded");

@@ -43,7 +43,7 @@ void FakeBatchService::End(int64_t index, const std::string& error) {
   const std::lock_guard lock(mutex_);
   v1::Job& job = jobs_[static_cast<size_t>(index)];
   std::erase_if(ends_, [index](const auto& end) { return end.second == index; });
-  ends_[ends_.empty() ? 5 : ends_.rbegin()->first + 5] = index;
+  ends_[last_sequence_ += 5] = index;
   v1::Artifact layout;
   layout.mutable_solved_layout()->set_total_cost(static_cast<double>(index));
   *job.add_artifacts() = Store(layout);

@@ -58,6 +58,7 @@ class FakeBatchService final : public v1::OrchestratorService::Service {
   std::vector<std::string> request_ids_;
   // Sequence and place.
   std::map<int64_t, int64_t> ends_;
+  int64_t last_sequence_ = 0;
   std::map<std::string, v1::Artifact> artifacts_;
   std::vector<grpc::Status> add_faults_;
   std::vector<grpc::Status> artifact_faults_;

@@ -34,6 +34,7 @@ class SubmissionTest : public ::testing::Test {
     Submission submission(session, *results, *input, options);
     const absl::Status status = submission.Run(*batch);
     rejected_count_ = submission.rejected_count();
+    if (!status.ok()) fmt::print("{}\n", status.ToString());
     rows_.clear();
     (void)results->ForEach("", [this](const ResultRow& row) {
       rows_.push_back(fmt::format("{}:{}:{}", row.Int("line"), row.Text("key"), row.Text("text")));

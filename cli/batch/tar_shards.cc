@@ -75,7 +75,8 @@ class TarShards final : public ResultWriter {
       const std::string name = entry.path().filename().string();
       if (name.ends_with(kPartial)) fs::remove(entry.path(), error);
       int64_t number = 0;
-      if (std::sscanf(name.c_str(), "shard-%ld.tar", &number) == 1) number_ = std::max(number_, number + 1);
+      const bool is_whole = name.ends_with(".tar") && std::sscanf(name.c_str(), "shard-%ld", &number) == 1;
+      if (is_whole) number_ = std::max(number_, number + 1);
     }
     if (error) return CannotWrite(folder_, error.value());
     return ReadIndex();

@@ -113,11 +113,11 @@ absl::Status Submit(const BatchArguments& arguments) {
       ReadDesignModel(arguments.flags.llm, arguments.model, arguments.flags.orchestrator);
   if (!llm.ok()) return llm.status();
   Interruption interruption;
+  const std::filesystem::path copy = std::filesystem::path(arguments.out) / "input.jsonl";
+  const absl::StatusOr<BatchInput> input = OpenBatchInput(arguments.briefs, copy, interruption.stop());
+  if (!input.ok()) return input.status();
   const absl::StatusOr<std::unique_ptr<BatchFolder>> folder = BatchFolder::Hold(arguments.out);
   if (!folder.ok()) return folder.status();
-  const absl::StatusOr<BatchInput> input =
-      OpenBatchInput(arguments.briefs, (*folder)->path() / "input.jsonl", interruption.stop());
-  if (!input.ok()) return input.status();
   const std::string label = arguments.name.empty() ? input->name : arguments.name;
   Submission::Options options{.defaults = *defaults, .seed_count = arguments.seed_count, .folder = (*folder)->path()};
   const std::string request_id = Submission::RequestId(*input, options, arguments.name);
@@ -126,6 +126,12 @@ absl::Status Submit(const BatchArguments& arguments) {
   if (!way.ok()) return way.status();
   const absl::StatusOr<v1::Batch> batch = way->batches->CreateBatch(request_id, label);
   if (!batch.ok()) return batch.status();
+  if (batch->state() == v1::BATCH_STATE_CANCELLED) {
+    return EndWith(kExitCancelled,
+                   fmt::format("these briefs are batch {}, which was cancelled; to run them all the same "
+                               "give the batch another --name",
+                               batch->id()));
+  }
   status = RememberPlace(arguments, *batch, kept->Words(), **folder);
   if (status.ok()) status = (*folder)->results().SetState("request_id", request_id);
   if (!status.ok()) return status;

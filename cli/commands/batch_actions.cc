@@ -65,8 +65,13 @@ void ShowBatch(const v1::Batch& batch, bool json) {
   line("created", TimeText(batch.create_time()));
 }
 
+// What is refused because the batch was cancelled.
+absl::Status InCode(const absl::Status& status) {
+  return absl::IsFailedPrecondition(status) ? EndWith(kExitCancelled, std::string(status.message())) : status;
+}
+
 absl::Status ShowOr(const absl::StatusOr<v1::Batch>& batch, bool json) {
-  if (!batch.ok()) return batch.status();
+  if (!batch.ok()) return InCode(batch.status());
   ShowBatch(*batch, json);
   return absl::OkStatus();
 }
@@ -109,7 +114,7 @@ absl::Status Retry(const ActionArguments& arguments, const NamedBatch& named, Ba
     request.add_job_ids(is_index ? orchestrator::BatchJobId(named.batch.id(), std::stoll(job)) : job);
   }
   const absl::StatusOr<v1::RetryBatchResponse> response = batches.RetryBatch(request);
-  if (!response.ok()) return response.status();
+  if (!response.ok()) return InCode(response.status());
   if (arguments.json) {
     fmt::print("{}\n", ToJsonLine(*response));
     return absl::OkStatus();

@@ -114,7 +114,8 @@ TEST_F(BatchCommand, TheSameFileIsTheSameBatchAndAnotherNameAnother) {
 }
 
 TEST_F(BatchCommand, BadLinesAreToldAndTheExitCodeSaysSo) {
-  WriteAll(folder_ / "briefs.jsonl", "A bathroom.\n{\"txt\": \"A room.\"}\n\n{\"text\": \"A room.\", \"variants\": 0}\n");
+  WriteAll(folder_ / "briefs.jsonl",
+           "A bathroom.\n{\"txt\": \"A room.\"}\n\n{\"text\": \"A room.\", \"variants\": 0}\n");
   const Finished run = Flair(Submission("out"));
   EXPECT_EQ(run.exit_code, 9);
   EXPECT_THAT(run.err, AllOf(HasSubstr("1 jobs: 1 succeeded; 2 lines rejected"), HasSubstr("2 lines were rejected; ")));
@@ -155,7 +156,8 @@ TEST_F(BatchCommand, ShardsHoldWhatFoldersHold) {
   const json index = json::parse(ReadAll(folder_ / "out/shards/index.json"));
   ASSERT_EQ(index["shardlist"].size(), 2u);
   EXPECT_EQ(index["shardlist"][0]["nsamples"], 4);
-  std::string tars = ReadAll(folder_ / "out/shards/shard-000000.tar") + ReadAll(folder_ / "out/shards/shard-000001.tar");
+  std::string tars =
+      ReadAll(folder_ / "out/shards/shard-000000.tar") + ReadAll(folder_ / "out/shards/shard-000001.tar");
   for (const auto& [job, layout] : UndisturbedLayouts()) {
     EXPECT_THAT(tars, AllOf(HasSubstr(job + ".layout.pb"), HasSubstr(layout))) << job;
   }
@@ -171,7 +173,10 @@ TEST_F(BatchCommand, WaitsWhilePausedAndEndsWhenCancelled) {
   const Finished watch = Batch({"watch", folder_ / "out"});
   EXPECT_EQ(watch.exit_code, 10);
   EXPECT_THAT(watch.err, HasSubstr("6 jobs: 0 succeeded, 6 cancelled"));
-  EXPECT_EQ(Batch({"resume", folder_ / "out"}).exit_code, 4);
+  EXPECT_EQ(Batch({"resume", folder_ / "out"}).exit_code, 10);
+  const Finished again = Flair(Submission("out"));
+  EXPECT_EQ(again.exit_code, 10);
+  EXPECT_THAT(again.err, HasSubstr("which was cancelled; to run them all the same give the batch another --name"));
 }
 
 TEST_F(BatchCommand, FailedJobsAreToldByKindAndRunAgainWhenAsked) {
@@ -179,8 +184,9 @@ TEST_F(BatchCommand, FailedJobsAreToldByKindAndRunAgainWhenAsked) {
   fs::create_directories(folder_ / "answers");  // of a model that has none
   const Finished run = Flair(Submission("out", {"--replay", folder_ / "answers"}));
   EXPECT_EQ(run.exit_code, 9) << run.err;
-  EXPECT_THAT(run.err, AllOf(HasSubstr("1 jobs: 0 succeeded, 1 failed\n      1 language, such as job 0 (line 1): room:"),
-                             HasSubstr("flair batch retry ")));
+  EXPECT_THAT(run.err,
+              AllOf(HasSubstr("1 jobs: 0 succeeded, 1 failed\n      1 language, such as job 0 (line 1): room:"),
+                    HasSubstr("flair batch retry ")));
   EXPECT_THAT(Batch({"retry", folder_ / "out", "--kind", "worker"}).out, HasSubstr("0 jobs wait again"));
   EXPECT_THAT(Batch({"retry", folder_ / "out", "--job", "0"}).out, HasSubstr("1 jobs wait again; "));
   const Finished watch = Batch({"watch", folder_ / "out"});  // with the handbook
@@ -191,9 +197,18 @@ TEST_F(BatchCommand, FailedJobsAreToldByKindAndRunAgainWhenAsked) {
 
 TEST_F(BatchCommand, AnOrchestratorElsewhereGivesTheSameBytesToWhoeverCollects) {
   const AllPrograms programs(folder_ / "servers");
-  std::vector<std::string> arguments = {"batch",         folder_ / "briefs.jsonl", "--out",  folder_ / "out",
-                                        "--set",         "optimizer.restarts=2",   "--size", "256",
-                                        "--set",         "renderer.layers=zones",  "--json", "--orchestrator",
+  std::vector<std::string> arguments = {"batch",
+                                        folder_ / "briefs.jsonl",
+                                        "--out",
+                                        folder_ / "out",
+                                        "--set",
+                                        "optimizer.restarts=2",
+                                        "--size",
+                                        "256",
+                                        "--set",
+                                        "renderer.layers=zones",
+                                        "--json",
+                                        "--orchestrator",
                                         programs.orchestrator()};
   const Finished run = Flair(arguments, "no_home");
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -237,12 +252,18 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"Keep", {"batch", "@briefs", "--out", "@out", "--keep", "layuot"}, 2, "did you mean layout?"},
         Wrong{"View", {"batch", "@briefs", "--out", "@out", "--view", "top"}, 2, "top"},
         Wrong{"Option", {"batch", "@briefs", "--out", "@out", "--set", "optimizer.restart=3"}, 2, "no such option"},
-        Wrong{"Parallel", {"batch", "@briefs", "--out", "@out", "--parallel", "2", "--orchestrator", "h:1"}, 2,
+        Wrong{"Parallel",
+              {"batch", "@briefs", "--out", "@out", "--parallel", "2", "--orchestrator", "h:1"},
+              2,
               "--parallel 2: not with --orchestrator h:1"},
-        Wrong{"TwoPlaces", {"batch", "@briefs", "--out", "@out", "--engine", "nats://h:1", "--orchestrator", "h:1"}, 2,
+        Wrong{"TwoPlaces",
+              {"batch", "@briefs", "--out", "@out", "--engine", "nats://h:1", "--orchestrator", "h:1"},
+              2,
               "--engine nats://h:1: not with --orchestrator h:1"},
         Wrong{"QueueAlone", {"batch", "@briefs", "--out", "@out", "--queue", "q"}, 2, "--queue: belongs to a queue"},
-        Wrong{"NobodyThere", {"batch", "@briefs", "--out", "@out", "--orchestrator", "127.0.0.1:1"}, 3,
+        Wrong{"NobodyThere",
+              {"batch", "@briefs", "--out", "@out", "--orchestrator", "127.0.0.1:1"},
+              3,
               "no orchestrator answers at 127.0.0.1:1"},
         Wrong{"NoBatch", {"batch", "status", "2026"}, 2, "no batch has an id that begins so"},
         Wrong{"NoSuchKind", {"batch", "retry", "2026", "--kind", "bad"}, 2, "2026: no batch"},
