@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   flair::cli::AddGraph(program, result);
   flair::cli::AddExplain(program, result);
   flair::cli::AddJobs(program, result);
+  flair::cli::AddBatch(program, result);
   flair::cli::AddReplay(program, result);
   flair::cli::AddRender(program, result);
   flair::cli::AddContactSheet(program, result);

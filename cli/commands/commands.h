@@ -14,6 +14,7 @@ void AddCompare(CLI::App& program, absl::Status& result);
 void AddGraph(CLI::App& program, absl::Status& result);
 void AddExplain(CLI::App& program, absl::Status& result);
 void AddJobs(CLI::App& program, absl::Status& result);
+void AddBatch(CLI::App& program, absl::Status& result);
 void AddReplay(CLI::App& program, absl::Status& result);
 void AddRender(CLI::App& program, absl::Status& result);
 void AddResolve(CLI::App& program, absl::Status& result);
