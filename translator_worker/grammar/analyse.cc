@@ -65,6 +65,10 @@ class Reader {
     return before.role == RawTerm::Role::kNone && before.term.kind == Term::Kind::kMention;
   }
 
+  static bool IsOneOf(const Token& token, std::initializer_list<std::string_view> words) {
+    return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return token.IsWord(word); });
+  }
+
   bool NounFollows(size_t at) const {
     if (at >= tokens_.size()) return false;
     return names_.Find(tokens_, at).length > 0 || Lexicon::Get().Find(tokens_, at).word_class == WordClass::kFeature;
@@ -200,6 +204,13 @@ class Reader {
       case WordClass::kRelation:
         if (phrase.lemma == "around" && at_ + 1 < tokens_.size() && tokens_[at_ + 1].kind == Token::Kind::kDistance) {
           ++at_;  // "around 0.9 m"
+          return;
+        }
+        // "Between adjacent chairs": which ones, not where.
+        if (phrase.length == 1 && IsOneOf(tokens_[at_], {"adjacent", "nearby"}) && at_ > 0 &&
+            IsOneOf(tokens_[at_ - 1], {"between", "any", "of", "the", "from", "two", "other"}) &&
+            NounFollows(at_ + 1)) {
+          ++at_;
           return;
         }
         // "The central plunge pool": which one, not where.

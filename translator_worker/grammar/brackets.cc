@@ -125,8 +125,11 @@ class BracketReader {
       if (phrase.length > 1) i += phrase.length - 1;
     }
     // "Two sides (preferably the length and one width)": one of them has no name here.
-    const bool more = std::any_of(tokens_.begin() + static_cast<long>(at_), tokens_.begin() + static_cast<long>(end_),
-                                  [](const Token& token) { return token.IsWord("and"); });
+    const auto says = [&](std::string_view word) {
+      return std::any_of(tokens_.begin() + static_cast<long>(at_), tokens_.begin() + static_cast<long>(end_),
+                         [&](const Token& token) { return token.IsWord(word); });
+    };
+    const bool more = says("length") && says("width");
     if (named.size() == 1 && !more) *open = named[0];
     if (named.size() == 2 && named[0] == "front" && named[1] == "back") *open = "axial";
     if (named.size() == 2 && named[0] == "left" && named[1] == "right") *open = "sides";

@@ -140,6 +140,7 @@ class Composer {
   bool IsBesideTheRug(const std::string& type) const;
   // Whether the call tells a place of a small thing or rug less closely than another one does, which it now has.
   bool IsPlacedCloser(const Call& call) const;
+  bool TellsLittle(const Call& call) const;
   std::vector<int> Group(const std::string& name, const std::vector<Placed>& movers) const;
   v1::Diagnostic Remark(v1::Severity severity, std::string_view code, const std::string& message) const;
 

@@ -130,10 +130,20 @@ bool Composer::KeepsSpace(const Placed& placed) const {
   });
 }
 
+bool Composer::TellsLittle(const Call& call) const {
+  if (TellsOnlyWhereabouts(call)) return true;
+  // "On the runner, on the table": the table is what stands there.
+  const std::string& host = TextOf(call, "host");
+  return !host.empty() && std::any_of(request_.object_list().objects().begin(), request_.object_list().objects().end(),
+                                      [&](const v1::Object& other) {
+                                        return other.id() == host && other.kind() != v1::OBJECT_KIND_FLOOR;
+                                      });
+}
+
 bool Composer::IsPlacedCloser(const Call& call) const {
-  if (scope() != v1::SENTENCE_SCOPE_TERTIARY || !TellsOnlyWhereabouts(call)) return false;
+  if (scope() != v1::SENTENCE_SCOPE_TERTIARY || !TellsLittle(call)) return false;
   return std::any_of(calls_.begin(), calls_.end(), [&](const Call& other) {
-    return !TellsOnlyWhereabouts(other) && TextOf(other, "object") == TextOf(call, "object");
+    return !TellsLittle(other) && TextOf(other, "object") == TextOf(call, "object");
   });
 }
 
@@ -173,9 +183,9 @@ bool Composer::Emit(Call call) {
   }
   // "On the wall in the study area, above the desk": the desk says it all, whichever comes first.
   if (IsPlacedCloser(call)) return true;
-  if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !TellsOnlyWhereabouts(call)) {
+  if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !TellsLittle(call)) {
     std::erase_if(calls_, [&](const Call& other) {
-      return TellsOnlyWhereabouts(other) && TextOf(other, "object") == TextOf(call, "object");
+      return TellsLittle(other) && TextOf(other, "object") == TextOf(call, "object");
     });
   }
   if (!calls_.empty() && JoinSides(calls_.back(), call)) return true;

@@ -18,7 +18,10 @@ class ListJoiner {
     bool relation_seen = false;
     for (size_t i = 0; i < in_.size(); ++i) {
       RawTerm& raw = in_[i];
-      if (raw.role == Role::kModal) continue;
+      if (raw.role == Role::kModal) {
+        DropWhichOnes(out);
+        continue;
+      }
       if (raw.role == Role::kAnd || raw.role == Role::kOr) {
         raw.term.kind = raw.role == Role::kAnd ? Term::Kind::kSoft : Term::Kind::kWord;
         raw.term.lemma = raw.role == Role::kAnd ? "and" : "or";
@@ -40,6 +43,18 @@ class ListJoiner {
 
  private:
   const RawTerm* Peek(size_t index) const { return index < in_.size() ? &in_[index] : nullptr; }
+
+  // "The chairs around the table should ...": which chairs, not where they stand.
+  static void DropWhichOnes(std::vector<Term>& out) {
+    const size_t count = out.size();
+    if (count < 3 || out[count - 1].kind != Term::Kind::kMention || out[count - 3].kind != Term::Kind::kMention) return;
+    const Term& relation = out[count - 2];
+    const bool which = relation.IsWord("next_to") || relation.IsWord("around") || relation.IsWord("surround");
+    const bool begins = count == 3 || out[count - 4].kind == Term::Kind::kStop;
+    const bool things = out[count - 3].mention.references.front().kind == RefKind::kObjects &&
+                        out[count - 1].mention.references.front().kind == RefKind::kObjects;
+    if (which && begins && things) out.resize(count - 2);
+  }
 
   // Things are listed with things and parts of the room with parts of the room; walls also stand beside features
   // where all of them are kept away from: "away from walls, windows and doors".

@@ -123,6 +123,7 @@ void SceneNames::TakeNumber(const std::vector<Token>& tokens, size_t at, Found& 
   if (tokens[next].kind != Token::Kind::kNumber || NumberOf(tokens[next].text) == 0) return;
   const int number = NumberOf(tokens[next].text);
   std::vector<int>& candidates = found.reference.candidates;
+  const std::vector<int> all = candidates;
   const auto bears_it = [&](int object) { return numbers_[object] == number; };
   if (std::any_of(candidates.begin(), candidates.end(), bears_it)) {
     std::erase_if(candidates, [&](int object) { return !bears_it(object); });
@@ -131,6 +132,26 @@ void SceneNames::TakeNumber(const std::vector<Token>& tokens, size_t at, Found& 
   }
   found.reference.plural = false;
   ++found.length;
+  TakeMoreNumbers(tokens, at, all, found);
+}
+
+void SceneNames::TakeMoreNumbers(const std::vector<Token>& tokens, size_t at, const std::vector<int>& all,
+                                 Found& found) const {
+  size_t next = at + found.length;
+  const auto joins = [&](size_t i) {
+    return tokens[i].IsWord("and") || tokens[i].IsMark(',') || tokens[i].IsWord("or");
+  };
+  while (next + 1 < tokens.size() && joins(next)) {
+    const size_t number_at = next + (tokens[next].IsMark(',') && tokens[next + 1].IsWord("and") ? 2 : 1);
+    if (number_at >= tokens.size() || tokens[number_at].kind != Token::Kind::kNumber) return;
+    const int number = NumberOf(tokens[number_at].text);
+    const auto bears_it = std::find_if(all.begin(), all.end(), [&](int object) { return numbers_[object] == number; });
+    if (bears_it == all.end() && (number < 1 || number > static_cast<int>(all.size()))) return;
+    found.reference.candidates.push_back(bears_it != all.end() ? *bears_it : all[number - 1]);
+    found.reference.plural = true;
+    next = number_at + 1;
+    found.length = next - at;
+  }
 }
 
 // "The warm bench", "the reading area's chair": of several of the name those of the zone.

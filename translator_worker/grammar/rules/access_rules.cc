@@ -292,7 +292,7 @@ std::vector<Rule> AccessRules() {
       {"A.object? space D? swing_open ,? C.feature?", SpaceAt, "named"},
       {"A? swing_open ,? not block/against/near/next_to C.object", SpaceAt, "named"},
       {"A? access_to/allow_access_to/accessible_from B.side", AccessToSide},
-      {"nearest B D apart?", SpaceAt, "around"},
+      {"nearest B D apart/away?", SpaceAt, "around"},
       {"space for around ,? D?", SpaceAt, "around"},
       {"space for C ,? on/at_sides/along/next_to B.side", SpaceAt, "named"},
       {"D space? B.side", SpaceAt, "named"},

@@ -28,7 +28,9 @@ void Facing(const Match& match, std::string_view tag, Composer& composer) {
     for (const Placed& mover : movers) {
       const std::string& id = composer.id(mover);
       if (target.kind == RefKind::kFeature) {
-        if (tag == "not") {
+        if (mover.side == "back" && tag != "not") {
+          composer.Refuse("not_expressible", "no call turns a back to a door or window; say what the front faces");
+        } else if (tag == "not") {
           composer.EmitFirst({Call("clear_of_feature").Text("object", id).Text("feature", target.name)});
         } else if (target.name == "door") {
           composer.EmitFirst({Call("faces_feature").Text("object", id).Text("feature", target.name)});
@@ -44,7 +46,7 @@ void Facing(const Match& match, std::string_view tag, Composer& composer) {
         composer.Refuse("unknown_sentence", "it can face an object, a door, a window or the room");
       }
       for (const Placed& other : target.objects) {
-        if (tag == "not") {
+        if (tag == "not" || mover.side == "back") {
           composer.EmitFirst({Two("not_facing", mover, other, composer)});
         } else {
           EmitFacing(mover, other, tag == "both", composer);
@@ -69,9 +71,11 @@ void EachOther(const Match& match, std::string_view, Composer& composer) {
 // "on the wall opposite X".
 void OnWallOpposite(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Placed& mover : movers) {
+    if (!composer.IsWall(mover)) composer.EmitFirst({Call("against_wall").Text("object", composer.id(mover))});
+  }
   for (const Placed& other : composer.TargetObjects(*match.c, movers)) {
     for (const Placed& mover : movers) {
-      if (!composer.IsWall(mover)) composer.EmitFirst({Call("against_wall").Text("object", composer.id(mover))});
       EmitFacing(mover, other, false, composer);
     }
     composer.SetPair(movers, {other});
@@ -225,7 +229,7 @@ std::vector<Rule> AngleRules() {
       {"A? facing_each_other", EachOther},
       {"A? facing both_ways", EachOther},
       {"A? opposite both_ways", EachOther},
-      {"A? on B.wall opposite/facing C", OnWallOpposite},
+      {"A? on/against/along B.wall opposite/facing C", OnWallOpposite},
       {"A? on? opposite B.wall away_from/of/opposite C", OnWallOpposite},
       {"A? D? in_front_of B", InFrontOf},
       {"A? in_front_of B D", InFrontOf, "after"},
@@ -234,7 +238,7 @@ std::vector<Rule> AngleRules() {
       {"A? not facing/opposite both_ways", NotFacingPair},
       {"A? perpendicular both_ways?", ParallelPairs, "perpendicular"},
       {"A? in_front_of B , D space? behind C.pronoun", InFrontWithSpaceBehind},
-      {"A? in_front_of B ,? D space? apart", InFrontOf},
+      {"A? in_front_of B ,? D space? apart/away", InFrontOf},
       {"A? in_front_of B , D space? away_from C", InFrontOf},
       {"A? same_direction B", Direction, "parallel"},
       {"A? parallel B", Direction, "parallel"},

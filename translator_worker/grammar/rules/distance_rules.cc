@@ -19,6 +19,15 @@ void AwayFrom(const Match& match, std::string_view tag, Composer& composer) {
     distance = &turned;
   }
   const std::vector<Placed> movers = composer.Movers(match.a);
+  // "Close to a window, but not directly in front of it".
+  const Reference& what = match.b->references.front();
+  if (distance == nullptr && what.kind == RefKind::kPronoun && what.side.empty() && !composer.last_feature.empty()) {
+    for (const Placed& mover : movers) {
+      composer.EmitFirst(
+          {Call("clear_of_feature").Text("object", composer.id(mover)).Text("feature", composer.last_feature)});
+    }
+    return;
+  }
   // "The front has 0.6 m of clearance from any other object": free space there.
   if (match.b->references.front().kind == RefKind::kGroup && !movers.empty() && !movers.front().side.empty()) {
     for (const Placed& mover : movers) KeepFreeBeside(mover, match.distance, composer);
@@ -103,6 +112,17 @@ void PathBetween(const Match& match, std::string_view tag, Composer& composer) {
 // "Walkways of at least 0.6 m": how wide ways are, wherever they lead. Of other vague things the figure is a space's.
 void Ways(const Match& match, std::string_view tag, Composer& composer);
 
+// "Across from the sofa, at least 1.5 m away": from what was related to last.
+void AwayFromPartner(const Match& match, std::string_view tag, Composer& composer) {
+  if (composer.pair_targets().empty()) {
+    ApartFromEachOther(match, tag, composer);
+    return;
+  }
+  for (const Placed& mover : composer.pair_movers()) {
+    for (const Placed& other : composer.pair_targets()) KeepDistance(mover, other, match.distance, composer);
+  }
+}
+
 // A bare distance belongs to the fact before it: to its pair, else it is free space in front.
 void BareDistance(const Match& match, std::string_view, Composer& composer) {
   if (composer.CompleteClearance(match.distance->Nominal())) return;
@@ -169,8 +189,8 @@ std::vector<Rule> WalkwayRules() {
       {"B.feature not near/next_to A.object", FeatureAway},
       {"B.feature away_from", FeatureAway},
       {"B.feature away_from/near D", FeatureAway},
-      {"B.feature D apart", FeatureAway},
-      {"B.feature apart", FeatureAway},
+      {"B.feature D apart/away", FeatureAway},
+      {"B.feature apart/away", FeatureAway},
       {"C.vague of? ,? D space?", Ways},
       {"D of? space? C.vague", Ways},
   };
@@ -182,8 +202,8 @@ std::vector<Rule> DistanceRules() {
       {"A? not space? D? space? away_from B", AwayFrom, "not"},
       {"A? not D of/near B", AwayFrom, "not"},
       {"A.group not D to/away_from B", AwayFrom, "not"},
-      {"space? of? D space? apart A.object away_from/and B", AwayFrom},
-      {"not? apart A.object away_from B ,? D?", AwayFrom},
+      {"space? of? D space? apart/away A.object away_from/and B", AwayFrom},
+      {"not? apart/away A.object away_from B ,? D?", AwayFrom},
       {"A? space? D space? to B.object", AwayFrom},
       {"A? space? D space? to B.wall", AwayFrom},
       {"A.list each_side_of B.room", ApartFromEachOther},
@@ -206,19 +226,20 @@ std::vector<Rule> DistanceRules() {
       {"A? D of? space? ,? between B", Between},
       {"A? space? D? space? between B or C.group", BetweenOrAnything},
       {"space between B minimal", Between, "touching"},
-      {"apart between B", Between},
-      {"D apart B.list", Between},
-      {"space D? apart B.list", Between},
+      {"apart/away between B", Between},
+      {"D apart/away B.list", Between},
+      {"space D? apart/away B.list", Between},
       {"A? not centered? between B", NotBetween},
-      {"A? not? space? D? space? apart", ApartFromEachOther},
-      {"A? not? apart D space?", ApartFromEachOther},
-      {"A? apart ,? D space? away_from B", AwayFrom},
+      {"A? not? space? D? space? apart/away", ApartFromEachOther},
+      {"A? not? apart/away D space?", ApartFromEachOther},
+      {"D space? away", AwayFromPartner},
+      {"A? apart/away ,? D space? away_from B", AwayFrom},
       {"A? not near/next_to/against both_ways", ApartFromEachOther},
       {"A.list not near/next_to/together/side_by_side", ApartFromEachOther},
       {"A? not near/next_to/against B.pronoun", NotNearPronoun},
       {"D space?", BareDistance},
       {"space D", BareDistance},
-      {"away_from? D apart?", BareDistance},
+      {"away_from? D apart/away?", BareDistance},
       {"A? D? space? away_from edge/corner of? B", AwayFrom},
       {"D away_from B", AwayFrom},
       {"A? not_closer B than D", AwayFrom},
@@ -241,12 +262,12 @@ std::vector<Rule> DistanceRules() {
       {"A? D clear_of B.object", AwayFrom},
       {"A? D clear_of B.wall", AwayFrom},
       {"A? D clear_of B.feature", AwayFrom},
-      {"A.object apart B.object away_from/and C.object", Separates},
-      {"A.object apart B.list", Separates},
+      {"A.object apart/away B.object away_from/and C.object", Separates},
+      {"A.object apart/away B.list", Separates},
       {"A? no_gap between B", Between, "touching"},
       {"no_gap between B", Between, "touching"},
       {"no_gap", NoGap},
-      {"A? away_from apart", ApartFromEachOther},
+      {"A? away_from apart/away", ApartFromEachOther},
       {"A? space? D? space? away_from both_ways", ApartFromEachOther},
       {"space D? next_to/near B.feature", AwayFrom},
       {"space away_from B ,? D", AwayFrom},

@@ -41,6 +41,7 @@ void NotBlock(const Match& match, std::string_view tag, Composer& composer) {
     } else if (target.objects.empty()) {
       composer.Refuse("not_about_layout", "only doors, windows, sockets and objects can be kept clear");
     }
+    if (!target.objects.empty()) composer.SetPair(movers, target.objects);
     for (const Placed& other : target.objects) {
       if (tag == "gap") {
         for (const Placed& mover : movers) {

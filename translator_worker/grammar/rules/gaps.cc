@@ -184,6 +184,7 @@ void ApartFromEachOther(const Match& match, std::string_view, Composer& composer
   for (size_t i = 0; i < all.size(); ++i) {
     for (size_t k = i + 1; k < all.size(); ++k) KeepDistance(all[i], all[k], match.distance, composer);
   }
+  if (all.size() == 2) composer.SetPair({all[0]}, {all[1]});
 }
 
 }  // namespace flair::translator

@@ -37,7 +37,13 @@ void SurroundedBy(const Match& match, std::string_view, Composer& composer) {
 
 void Between(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
-  const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers, false);
+  std::vector<Placed> targets = composer.TargetObjects(*match.b, movers, false);
+  if (match.a != nullptr && targets.size() != 2 && match.b->references.front().name == "them") {
+    // "Side by side with the lamp between them".
+    targets = composer.pair_movers();
+    targets.insert(targets.end(), composer.pair_targets().begin(), composer.pair_targets().end());
+    if (targets.size() != 2) targets = composer.subjects();
+  }
   if (targets.size() != 2 || movers.empty()) {
     composer.Refuse("unknown_sentence", "between needs exactly two objects; name them");
     return;

@@ -83,6 +83,7 @@ std::vector<Rule> HangingRules() {
       {"A? hanging near/next_to/left_of/right_of/to_side B", OnWallNear},
       {"A? hanging? away_from? on? C.ceiling ,? centered? above B", Above},
       {"A? hanging? away_from? on? C.ceiling ,? on/centered B.zone", Above},
+      {"A? hanging? away_from? on? C.ceiling ,? on/centered B.zone ,? above B", Above},
       {"A? hanging away_from C.ceiling ,? above B", Above},
       {"A? hanging? away_from/on C.ceiling ,? near/next_to B.thing", Above},
       {"A? hanging? away_from/on C.ceiling ,? near/next_to/on? corner", NotInCorner},

@@ -18,6 +18,7 @@ void OnOne(const Placed& mover, const Placed& host, std::string_view corner, Com
   } else if (!corner.empty() && composer.IsFloor(mover) && composer.IsFloor(host) &&
              composer.object(mover.object).role() != v1::OBJECT_ROLE_TERTIARY) {
     composer.EmitFirst({Call("near").Text("object", id).Text("target", below)});
+    composer.SetPair({mover}, {host});
   } else if (corner == "any") {
     composer.EmitFirst({Call("on_top_corner").Text("object", id).Text("host", below)});
   } else if (!corner.empty()) {
@@ -77,8 +78,9 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
     composer.Refuse("unknown_sentence", "furniture stands beside seats and beds, not on them");
     return;
   }
-  if (movers.size() == 1 && !hosts.empty() && !hosts.front().side.empty()) {
-    OnSide(movers.front(), hosts.front(), composer);
+  const bool furniture = !movers.empty() && composer.IsFloor(movers.front());
+  if ((movers.size() == 1 || furniture) && hosts.size() == 1 && !hosts.front().side.empty()) {
+    for (const Placed& mover : movers) OnSide(mover, hosts.front(), composer);
     return;
   }
   for (size_t i = 0; i < movers.size() && !hosts.empty(); ++i) {
@@ -130,6 +132,7 @@ std::vector<Rule> SurfaceRules() {
       {"A? on B.thing ,? towards_back", On, "back_left"},
       {"A? on B.thing , on/at_sides? C.side", On, "any"},
       {"A? on B.thing ,? on/facing/to/towards C.side", On, "any"},
+      {"A? on B.thing ,? away_from/away to? C.side", On, "any"},
       {"A? on B.thing ,? near/next_to C.side", On, "any"},
       {"A? on B.thing ,? corner_back_left", On, "back_left"},
       {"A? on B.thing ,? corner_back_right", On, "back_right"},
