@@ -9,6 +9,7 @@
 #include "cli/bench/statistics.h"
 #include "cli/commands/commands.h"
 #include "cli/embedded/embedded_services.h"
+#include "cli/input/connection_flags.h"
 #include "cli/output/output_folder.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "fmt/format.h"
@@ -40,8 +41,10 @@ absl::StatusOr<TranslateScore> Measure(const std::vector<LabelledRoom>& rooms, c
     services = *std::move(started);
     channel = services->stages().translator.channel;
   } else {
+    const absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
+    if (!options.ok()) return options.status();
     absl::StatusOr<std::shared_ptr<grpc::Channel>> made =
-        runtime::MakeChannel(address, v1::TranslatorService::service_full_name());
+        runtime::MakeChannel(address, v1::TranslatorService::service_full_name(), *options);
     if (!made.ok()) return made.status();
     channel = *std::move(made);
   }

@@ -19,6 +19,7 @@ void AddReplay(CLI::App& program, absl::Status& result);
 void AddRender(CLI::App& program, absl::Status& result);
 void AddResolve(CLI::App& program, absl::Status& result);
 void AddSolve(CLI::App& program, absl::Status& result);
+void AddTop(CLI::App& program, absl::Status& result);
 void AddImport(CLI::App& program, absl::Status& result);
 // Into the command that AddImport makes.
 void AddImportAnswers(CLI::App& import, absl::Status& result);
@@ -35,7 +36,9 @@ void AddBenchTranslate(CLI::App& program, absl::Status& result);
 void AddCatalog(CLI::App& program, absl::Status& result);
 void AddContract(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
+void AddHealth(CLI::App& program, absl::Status& result);
 void AddPrompts(CLI::App& program, absl::Status& result);
+void AddToken(CLI::App& program, absl::Status& result);
 void AddProtocol(CLI::App& program, absl::Status& result);
 
 }  // namespace flair::cli

@@ -7,6 +7,8 @@
 #include "cli/commands/commands.h"
 #include "cli/contract/report.h"
 #include "cli/exit_code.h"
+#include "cli/input/connection_flags.h"
+#include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -52,10 +54,15 @@ absl::Status List(const ContractArguments& arguments) {
 absl::Status Test(const contract::Stage& stage, const ContractArguments& arguments) {
   const absl::StatusOr<std::vector<contract::Check>> checks = ChosenChecks(stage, arguments.only);
   if (!checks.ok()) return checks.status();
+  // Stages are not told the token of an orchestrator.
+  const bool is_orchestrator = stage.service == std::string_view(v1::OrchestratorService::service_full_name());
+  const auto connection = is_orchestrator ? OrchestratorConnection() : StageConnection();
+  if (!connection.ok()) return connection.status();
   auto target = contract::Target::Connect({.address = arguments.target,
                                            .service = stage.service,
                                            .patience = absl::Seconds(arguments.patience_s),
-                                           .max_message_mib = arguments.max_message_mib});
+                                           .max_message_mib = arguments.max_message_mib,
+                                           .connection = *connection});
   if (!target.ok())
     return absl::Status(target.status().code(), fmt::format("--target {}", std::string(target.status().message())));
   // With --json standard output is for programs alone.

@@ -14,6 +14,7 @@
 #include "cli/commands/doctor_model.h"
 #include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
+#include "cli/input/connection_flags.h"
 #include "cli/input/llm_flags.h"
 #include "cli/output/output_folder.h"
 #include "cli/session/renderer_client.h"
@@ -147,7 +148,9 @@ void LookAtPictures(Findings& findings) {
 
 void LookAtAddress(const std::string& address, Findings& findings) {
   const std::string remedy = "Start the program there, or check host and port.";
-  const auto channel = runtime::MakeChannel(address, v1::WorkerService::service_full_name());
+  const absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
+  if (!options.ok()) return findings.Bad(address, std::string(options.status().message()), "Correct the flag.");
+  const auto channel = runtime::MakeChannel(address, v1::WorkerService::service_full_name(), *options);
   if (!channel.ok()) return findings.Bad(address, std::string(channel.status().message()), remedy);
   const auto stub = v1::WorkerService::NewStub(*channel);
   runtime::CallContext call;

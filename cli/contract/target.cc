@@ -98,7 +98,9 @@ Target::Target(TargetOptions options)
       run_(fmt::format("contract-{:x}-{:x}", absl::ToUnixMicros(absl::Now()), std::random_device()())) {}
 
 absl::StatusOr<std::unique_ptr<Target>> Target::Connect(const TargetOptions& options) {
-  auto channel = runtime::MakeChannel(options.address, options.service, options.max_message_mib + kSpareMib);
+  runtime::ChannelOptions connection = options.connection;
+  connection.max_message_mib = options.max_message_mib + kSpareMib;
+  auto channel = runtime::MakeChannel(options.address, options.service, connection);
   if (!channel.ok()) return channel.status();
   std::unique_ptr<Target> target(new Target(options));
   target->channel_ = *std::move(channel);

@@ -14,6 +14,7 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/worker_service.pb.h"
+#include "worker_runtime/grpc/channel.h"
 
 namespace flair::contract {
 
@@ -49,6 +50,8 @@ struct TargetOptions {
   absl::Duration patience = absl::Seconds(20);
   // The largest message that the server is to take.
   int max_message_mib = 32;
+  // How it is reached; its max_message_mib is not read.
+  runtime::ChannelOptions connection = {};
 };
 
 // Thread-safe.

@@ -2,6 +2,7 @@
 #include "cli/embedded/remote_stage.h"
 
 #include "absl/time/clock.h"
+#include "cli/input/connection_flags.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
@@ -67,8 +68,10 @@ absl::Status InWords(const StageName& stage, const std::string& address, const a
 
 absl::StatusOr<std::shared_ptr<grpc::Channel>> ConnectToStage(const StageName& stage, const std::string& address,
                                                               int max_message_mib) {
-  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel =
-      runtime::MakeChannel(address, stage.service, max_message_mib);
+  absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
+  if (!options.ok()) return options.status();
+  options->max_message_mib = max_message_mib;
+  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = runtime::MakeChannel(address, stage.service, *options);
   if (!channel.ok()) {
     return absl::InvalidArgumentError(fmt::format("{}: {}", stage.flag, std::string(channel.status().message())));
   }

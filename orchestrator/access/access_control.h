@@ -50,6 +50,9 @@ class AccessControl {
   std::map<std::string, RateLimit> rates_;
 };
 
+// INVALID_ARGUMENT lists every bad field.
+absl::Status CheckTokenList(const config::v1::TokenList& list);
+
 // Reads and checks a list of tokens. NOT_FOUND when there is no such file; INVALID_ARGUMENT lists every bad field with
 // its line.
 absl::StatusOr<config::v1::TokenList> ReadTokenList(const std::string& path);

@@ -47,7 +47,7 @@ void CheckEntry(const config::v1::TokenEntry& entry, const std::string& path, ru
   }
 }
 
-void CheckTokenList(const config::v1::TokenList& list, runtime::ConfigChecker& checker) {
+void Check(const config::v1::TokenList& list, runtime::ConfigChecker& checker) {
   if (list.tokens().empty()) checker.Report("tokens", "there are none, so nobody could call; add one");
   std::map<std::string, int> digests;
   std::map<std::string, int> names;
@@ -66,12 +66,30 @@ void CheckTokenList(const config::v1::TokenList& list, runtime::ConfigChecker& c
   }
 }
 
+// Of what is in no file.
+class Problems final : public runtime::ConfigChecker {
+ public:
+  void Report(std::string_view path, std::string_view problem) override {
+    text_ += fmt::format("{}{}: {}", text_.empty() ? "" : "\n", path, problem);
+  }
+  absl::Status status() const { return text_.empty() ? absl::OkStatus() : absl::InvalidArgumentError(text_); }
+
+ private:
+  std::string text_;
+};
+
 }  // namespace
+
+absl::Status CheckTokenList(const config::v1::TokenList& list) {
+  Problems problems;
+  Check(list, problems);
+  return problems.status();
+}
 
 absl::StatusOr<config::v1::TokenList> ReadTokenList(const std::string& path) {
   config::v1::TokenList list;
   const absl::Status status =
-      runtime::ReadConfigFile(path, list, [&](runtime::ConfigChecker& checker) { CheckTokenList(list, checker); });
+      runtime::ReadConfigFile(path, list, [&](runtime::ConfigChecker& checker) { Check(list, checker); });
   if (!status.ok()) return status;
   return list;
 }

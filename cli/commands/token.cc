@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair token new: makes a token for somebody who is to call an orchestrator.
+#include <sys/random.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "absl/strings/escaping.h"
+#include "cli/commands/commands.h"
+#include "flair/config/v1/token_list.pb.h"
+#include "fmt/format.h"
+#include "google/protobuf/text_format.h"
+#include "orchestrator/access/access_control.h"
+#include "worker_runtime/files/atomic_file.h"
+#include "worker_runtime/files/sha256.h"
+
+namespace flair::cli {
+namespace {
+
+constexpr size_t kTokenBytes = 32;
+
+struct TokenArguments {
+  std::string name;
+  std::string out;
+  int open_job_limit = 0;
+  int calls_per_minute_limit = 0;
+  bool is_operator = false;
+};
+
+absl::StatusOr<std::string> NewToken() {
+  std::array<char, kTokenBytes> bytes = {};
+  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    return absl::InternalError("the machine gives no random numbers");
+  }
+  // What begins so is found by those who look for secrets in the wrong places.
+  return "flair_" + absl::WebSafeBase64Escape(absl::string_view(bytes.data(), bytes.size()));
+}
+
+// Only its owner may read it, from the first byte on.
+absl::Status WriteToken(const std::string& path, const std::string& token) {
+  if (std::filesystem::exists(path)) {
+    return absl::InvalidArgumentError(
+        fmt::format("--token-out {}: is there already; a token is not written over", path));
+  }
+  const mode_t mask = ::umask(077);
+  const absl::Status status = runtime::WriteFileAtomically(path, token + "\n");
+  ::umask(mask);
+  return status;
+}
+
+absl::Status New(const TokenArguments& arguments) {
+  const absl::StatusOr<std::string> token = NewToken();
+  if (!token.ok()) return token.status();
+  config::v1::TokenList list;
+  config::v1::TokenEntry& entry = *list.add_tokens();
+  entry.set_name(arguments.name);
+  entry.set_sha256(runtime::Sha256Hex(*token));
+  if (arguments.open_job_limit != 0) entry.set_open_job_limit(arguments.open_job_limit);
+  if (arguments.calls_per_minute_limit != 0) entry.set_calls_per_minute_limit(arguments.calls_per_minute_limit);
+  if (arguments.is_operator) entry.set_operator_(true);
+  if (absl::Status status = orchestrator::CheckTokenList(list); !status.ok()) return status;
+  if (!arguments.out.empty()) {
+    if (absl::Status status = WriteToken(arguments.out, *token); !status.ok()) return status;
+  }
+  std::string text;
+  google::protobuf::TextFormat::PrintToString(list, &text);
+  fmt::print("{}", text);
+  std::fflush(stdout);
+  if (arguments.out.empty()) fmt::print(stderr, "\nThe token, which is shown only now and kept nowhere:\n{}\n", *token);
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+void AddToken(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<TokenArguments>();
+  CLI::App* token = program.add_subcommand("token", "Tokens of those who may call an orchestrator.");
+  token->require_subcommand(1);
+  CLI::App* command = token->add_subcommand("new", "Makes a token, and its entry for the file in tokens_path.");
+  command->add_option("NAME", arguments->name, "Whom it is for; jobs are kept under this name")->required();
+  command
+      ->add_option("--token-out", arguments->out,
+                   "Write the token to a new file that only you can read, instead of the screen")
+      ->type_name("FILE");
+  command->add_option("--open-jobs", arguments->open_job_limit,
+                      "Most jobs that may wait or run at once; no limit when 0");
+  command->add_option("--calls-per-minute", arguments->calls_per_minute_limit, "Most calls a minute; no limit when 0");
+  command->add_flag("--operator", arguments->is_operator, "May see and do everything, whoever owns it");
+  command->footer(
+      "The entry goes to standard output, the token to standard error:\n"
+      "  flair token new alice --token-out alice.token >> tokens.textproto\n"
+      "  flair jobs --orchestrator HOST:PORT --tls-authority authority.pem --token-file alice.token\n"
+      "A running orchestrator reads the file again within seconds (docs/security.md).");
+  command->callback([arguments, &result] { result = New(*arguments); });
+}
+
+}  // namespace flair::cli
