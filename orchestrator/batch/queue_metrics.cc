@@ -69,11 +69,11 @@ constexpr MetricFamily kWorkers{
     .help = "Workers as this orchestrator sees them: ready, broken (failed too often) or gone.",
     .labels = {"stage", "state"}};
 
-// "FAILURE_KIND_WORKER" as "worker"; the unspecified one is empty.
+// "FAILURE_KIND_WORKER" as "worker"; the unspecified one is "none".
 std::string Short(const std::string& name, std::string_view prefix) {
   const std::string text =
       absl::AsciiStrToLower(absl::StripPrefix(name, absl::string_view(prefix.data(), prefix.size())));
-  return text == "unspecified" ? "" : text;
+  return text == "unspecified" ? "none" : text;
 }
 
 double Seconds(const google::protobuf::Duration& duration) {

@@ -120,5 +120,21 @@ TEST(Run, SaysThatItCannotListen) {
   EXPECT_EQ(first.Wait(), 0);
 }
 
+TEST(Run, SaysWhereItsFiguresAreAndThatItCannotServeThemThere) {
+  const std::string quiet = "runtime { log_level: \"error\" metrics_address: \"";
+  Program first(WriteConfig("flair_run_test_figures.textproto", quiet + "127.0.0.1:0\" }"));
+  EXPECT_THAT(first.ReadLine(), StartsWith("listening on 127.0.0.1:"));
+  const std::string line = first.ReadLine();
+  ASSERT_THAT(line, StartsWith("metrics on 127.0.0.1:"));
+  const std::string address = line.substr(11, line.size() - 12);
+  Program second(WriteConfig("flair_run_test_same_figures.textproto", quiet + address + "\" }"));
+  EXPECT_EQ(second.ReadAll(),
+            "flair-test: metrics_address " + address +
+                ": cannot listen there: the address is in use, not of this machine, or not permitted\n");
+  EXPECT_EQ(second.Wait(), 1);
+  first.Signal(SIGTERM);
+  EXPECT_EQ(first.Wait(), 0);
+}
+
 }  // namespace
 }  // namespace flair::runtime

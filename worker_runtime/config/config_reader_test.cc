@@ -42,6 +42,15 @@ TEST(ReadConfig, ReportsEveryBadFieldWithItsLine) {
             "test.textproto:8: running_job_limit: 300 is out of range [0, 256]");
 }
 
+TEST(ReadConfig, SaysWhatALogFormatAndAnAddressOfFiguresMayBe) {
+  const std::string error =
+      ErrorOf("runtime {\n  log_format: \"xml\"\n  metrics_address: \"9090\"\n}\nstages { language: \"a:1\" }\n");
+  EXPECT_THAT(error,
+              HasSubstr("test.textproto:2: runtime.log_format: \"xml\" is not a format; expected text or json\n"));
+  EXPECT_THAT(error, HasSubstr("test.textproto:3: runtime.metrics_address: \"9090\": expected HOST:PORT with a port in "
+                               "[0, 65535], such as 127.0.0.1:9090"));
+}
+
 TEST(ReadConfig, ReportsAValueOfTheWrongTypeWithItsLine) {
   EXPECT_THAT(ErrorOf("stages { language: \"a:1\" }\nrunning_job_limit: \"many\""),
               HasSubstr("test.textproto:2: Expected integer"));

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// flair top: how a cluster does, live.
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+#include "absl/time/clock.h"
+#include "cli/commands/commands.h"
+#include "cli/session/session.h"
+#include "cli/top/cluster_client.h"
+#include "cli/top/terminal_screen.h"
+#include "cli/top/top_json.h"
+#include "cli/top/top_text.h"
+#include "fmt/format.h"
+
+namespace flair::cli {
+namespace {
+
+struct TopArguments {
+  std::string orchestrator;
+  double interval_seconds = 2;
+  bool once = false;
+  bool json = false;
+};
+
+// Another look may work: the orchestrator is away or busy.
+bool MayPass(const absl::Status& status) {
+  return absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) || absl::IsResourceExhausted(status);
+}
+
+absl::Status Explain(const absl::Status& status, const std::string& address) {
+  if (absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status)) {
+    return absl::UnavailableError(fmt::format("no orchestrator answers at {}: {}; is flair-orchestrator running there?",
+                                              address, std::string(status.message())));
+  }
+  if (absl::IsUnimplemented(status)) {
+    return absl::UnimplementedError(
+        fmt::format("{}: this orchestrator is too old to tell how its cluster does", address));
+  }
+  return status;
+}
+
+class Top {
+ public:
+  Top(const TopArguments& arguments, Session& session)
+      : arguments_(arguments),
+        interval_(absl::Seconds(arguments.interval_seconds)),
+        address_(session.embedded() ? "the local store" : session.address()),
+        client_(session.channel()) {}
+
+  absl::Status Run() {
+    if (absl::Status status = Look(); !status.ok()) return Explain(status, address_);
+    if (arguments_.json && !arguments_.once) return Stream();
+    return arguments_.once || !TerminalScreen::IsThere() ? PrintOnce() : Live();
+  }
+
+ private:
+  absl::Status Look() {
+    absl::StatusOr<ClusterLook> look = client_.Look();
+    if (look.ok()) state_.See(*look);
+    return look.status();
+  }
+
+  // Two looks, so that there are rates.
+  absl::Status PrintOnce() {
+    absl::SleepFor(interval_);
+    if (absl::Status status = Look(); !status.ok()) return Explain(status, address_);
+    if (arguments_.json) {
+      fmt::print("{}\n", TopJson(state_));
+    } else {
+      for (const std::string& line : TopText(state_, address_, "", {.width = 100})) fmt::print("{}\n", line);
+    }
+    return absl::OkStatus();
+  }
+
+  // One line a look, until it cannot be written or is ended.
+  absl::Status Stream() {
+    while (true) {
+      fmt::print("{}\n", TopJson(state_));
+      if (std::fflush(stdout) != 0) return absl::OkStatus();
+      absl::SleepFor(interval_);
+      absl::Status status = Look();
+      while (MayPass(status)) {
+        absl::SleepFor(interval_);
+        status = Look();
+      }
+      if (!status.ok()) return Explain(status, address_);
+    }
+  }
+
+  absl::Status Live() {
+    const bool color = std::getenv("NO_COLOR") == nullptr;
+    TerminalScreen screen;
+    std::string trouble;
+    absl::Time next = absl::Now() + interval_;
+    while (true) {
+      const TerminalScreen::Size size = screen.size();
+      std::vector<std::string> lines =
+          TopText(state_, address_, trouble, {.width = size.width, .height = size.height - 1, .color = color});
+      lines.resize(static_cast<size_t>(std::max(1, size.height - 1)));
+      lines.push_back(color ? "\x1b[2mq quits\x1b[0m" : "q quits");
+      screen.Show(lines);
+      const TerminalScreen::Event event = screen.Wait(next - absl::Now());
+      if (event == TerminalScreen::Event::kQuit) return absl::OkStatus();
+      if (event == TerminalScreen::Event::kResized) continue;
+      const absl::Status status = Look();
+      if (!status.ok() && !MayPass(status)) return Explain(status, address_);
+      trouble = status.ok() ? ""
+                            : fmt::format("No answer for {}: {}", ShortDuration(absl::Now() - state_.time()),
+                                          std::string(status.message()));
+      next = absl::Now() + interval_;
+    }
+  }
+
+  const TopArguments& arguments_;
+  const absl::Duration interval_;
+  const std::string address_;
+  ClusterClient client_;
+  ClusterState state_;
+};
+
+}  // namespace
+
+void AddTop(CLI::App& program, absl::Status& result) {
+  auto arguments = std::make_shared<TopArguments>();
+  CLI::App* top = program.add_subcommand(
+      "top", "How a cluster does, live: queue, batches, orchestrators, workers. Printed once when not on a terminal.");
+  top->add_option("--orchestrator", arguments->orchestrator,
+                  "Ask this one, which knows all of its queue, instead of the local store")
+      ->type_name("HOST:PORT");
+  top->add_option("--interval", arguments->interval_seconds, "Seconds between looks")
+      ->capture_default_str()
+      ->check(CLI::Range(0.05, 3600.0));
+  top->add_flag("--once", arguments->once, "Print once, after two looks");
+  top->add_flag("--json", arguments->json, "One JSON object per line and look");
+  top->callback([arguments, &result] {
+    config::v1::OrchestratorConfig looks_only;
+    looks_only.set_takes_no_jobs(true);
+    absl::StatusOr<std::unique_ptr<Session>> session =
+        Session::Open(arguments->orchestrator, std::nullopt, {}, looks_only);
+    result = session.ok() ? Top(*arguments, **session).Run() : session.status();
+    std::fflush(stdout);
+  });
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/top/cluster_client.h"
+
+#include <gmock/gmock.h>
+
+#include "worker_runtime/grpc/in_process_server.h"
+
+namespace flair::cli {
+namespace {
+
+using ::testing::SizeIs;
+
+// An orchestrator with two batches, one of which has ended.
+class FakeOrchestrator final : public v1::OrchestratorService::Service {
+ public:
+  grpc::Status GetCluster(grpc::ServerContext*, const v1::GetClusterRequest*,
+                          v1::GetClusterResponse* response) override {
+    if (!answers) return {grpc::StatusCode::PERMISSION_DENIED, "only operators may"};
+    response->set_queued_count(7);
+    response->add_orchestrators()->set_id("a");
+    return grpc::Status::OK;
+  }
+  grpc::Status ListBatches(grpc::ServerContext*, const v1::ListBatchesRequest*,
+                           v1::ListBatchesResponse* response) override {
+    for (const char* id : {"running", "ended"}) response->add_batches()->set_id(id);
+    return grpc::Status::OK;
+  }
+  grpc::Status GetBatch(grpc::ServerContext*, const v1::GetBatchRequest* request,
+                        v1::GetBatchResponse* response) override {
+    ++get_count;
+    response->mutable_batch()->set_id(request->batch_id());
+    response->mutable_batch()->set_job_count(4);
+    response->mutable_batch()->set_open_count(request->batch_id() == "running" ? 3 : 0);
+    return grpc::Status::OK;
+  }
+  bool answers = true;
+  int get_count = 0;
+};
+
+struct Cluster {
+  explicit Cluster(bool answers = true) {
+    auto started =
+        runtime::InProcessServer::Start("fake", {}, v1::OrchestratorService::service_full_name(),
+                                        [&](runtime::WorkerContext&) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
+                                          auto made = std::make_unique<FakeOrchestrator>();
+                                          made->answers = answers;
+                                          service = made.get();
+                                          return made;
+                                        });
+    server = *std::move(started);
+  }
+  FakeOrchestrator* service = nullptr;
+  std::unique_ptr<runtime::InProcessServer> server;
+};
+
+TEST(ClusterClient, AsksForBatchesThatHaveNotEnded) {
+  Cluster cluster;
+  ClusterClient client(cluster.server->channel());
+  for (int look_number = 0; look_number < 3; ++look_number) {
+    const absl::StatusOr<ClusterLook> look = client.Look();
+    ASSERT_TRUE(look.ok()) << look.status();
+    EXPECT_EQ(look->cluster.queued_count(), 7);
+    ASSERT_THAT(look->batches, SizeIs(1));
+    EXPECT_EQ(look->batches.front().id(), "running");
+  }
+  EXPECT_EQ(cluster.service->get_count, 4) << "the ended one is asked for once";
+}
+
+TEST(ClusterClient, SaysWhyItSeesNothing) {
+  Cluster cluster(false);
+  const absl::StatusOr<ClusterLook> look = ClusterClient(cluster.server->channel()).Look();
+  EXPECT_EQ(look.status(), absl::PermissionDeniedError("only operators may"));
+}
+
+}  // namespace
+}  // namespace flair::cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known of a cluster, from look to look.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "absl/time/time.h"
+#include "cli/top/rate_meter.h"
+#include "flair/v1/orchestrator_service.pb.h"
+
+namespace flair::cli {
+
+// One look.
+struct ClusterLook {
+  absl::Time time;
+  v1::GetClusterResponse cluster;
+  // Those that have not ended, newest first.
+  std::vector<v1::Batch> batches;
+};
+
+struct OrchestratorRow {
+  v1::OrchestratorStatus status;
+  std::optional<double> jobs_per_second;
+  // Since it was heard of.
+  absl::Duration age;
+};
+
+// A worker as all orchestrators together see it.
+struct WorkerRow {
+  std::string stage;
+  std::string address;
+  // The worst that an orchestrator says of it, and how many of them say otherwise than ready.
+  v1::WorkerState state = v1::WORKER_STATE_UNSPECIFIED;
+  int in_flight_count = 0;
+  int64_t call_count = 0;
+  int64_t failure_count = 0;
+  // Mean over the orchestrators' calls.
+  double call_seconds = 0;
+  std::optional<double> calls_per_second;
+};
+
+struct BatchRow {
+  v1::Batch batch;
+  std::optional<double> jobs_per_second;
+  // Until the last of its jobs has ended; unknown while none ends or more may follow.
+  std::optional<absl::Duration> remaining;
+
+  int64_t ended_count() const { return int64_t{batch.job_count()} - batch.open_count(); }
+};
+
+struct ClusterTotals {
+  int64_t queued_count = 0;
+  int64_t running_count = 0;
+  int64_t running_limit = 0;
+  int64_t succeeded_count = 0;
+  int64_t failed_count = 0;
+  int64_t retried_count = 0;
+  // Nothing before two looks.
+  std::optional<double> jobs_per_second;
+};
+
+class ClusterState {
+ public:
+  void See(const ClusterLook& look);
+
+  absl::Time time() const { return time_; }
+  const ClusterTotals& totals() const { return totals_; }
+  // In the order of the answer: the one that was asked first.
+  const std::vector<OrchestratorRow>& orchestrators() const { return orchestrators_; }
+  // By stage, in the order of the pipeline; those in trouble first.
+  const std::vector<WorkerRow>& workers() const { return workers_; }
+  const std::vector<BatchRow>& batches() const { return batches_; }
+
+ private:
+  void SeeOrchestrators(const v1::GetClusterResponse& cluster);
+  void SeeWorkers(const v1::GetClusterResponse& cluster);
+  void SeeBatches(const std::vector<v1::Batch>& batches);
+
+  absl::Time time_;
+  ClusterTotals totals_;
+  std::vector<OrchestratorRow> orchestrators_;
+  std::vector<WorkerRow> workers_;
+  std::vector<BatchRow> batches_;
+  RateMeter rates_{absl::Seconds(15)};
+};
+
+}  // namespace flair::cli

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/top/terminal_screen.h"
+
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <string_view>
+
+#include "absl/time/clock.h"
+
+namespace flair::cli {
+namespace {
+
+volatile std::sig_atomic_t end_wanted = 0;
+volatile std::sig_atomic_t resized = 0;
+termios former_mode;
+
+void OnEnd(int) { end_wanted = 1; }
+void OnResize(int) { resized = 1; }
+
+// Without SA_RESTART, so that waiting ends.
+void Handle(int number, void (*handler)(int)) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  ::sigaction(number, &action, nullptr);
+}
+
+void WriteAll(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
+    if (written < 0 && errno != EINTR) return;
+    if (written > 0) text.remove_prefix(static_cast<size_t>(written));
+  }
+}
+
+}  // namespace
+
+bool TerminalScreen::IsThere() {
+  const char* kind = std::getenv("TERM");
+  return ::isatty(STDIN_FILENO) != 0 && ::isatty(STDOUT_FILENO) != 0 && kind != nullptr &&
+         std::string_view(kind) != "dumb";
+}
+
+TerminalScreen::TerminalScreen() {
+  ::tcgetattr(STDIN_FILENO, &former_mode);
+  termios mode = former_mode;
+  mode.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+  // Stopped, it would leave its picture to the shell.
+  mode.c_cc[VSUSP] = _POSIX_VDISABLE;
+  ::tcsetattr(STDIN_FILENO, TCSANOW, &mode);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) Handle(number, OnEnd);
+  Handle(SIGWINCH, OnResize);
+  // The other screen, without cursor, without wrapping.
+  WriteAll("\x1b[?1049h\x1b[?25l\x1b[?7l");
+}
+
+TerminalScreen::~TerminalScreen() {
+  WriteAll("\x1b[?7h\x1b[?25h\x1b[?1049l");
+  ::tcsetattr(STDIN_FILENO, TCSANOW, &former_mode);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGWINCH}) Handle(number, SIG_DFL);
+}
+
+TerminalScreen::Size TerminalScreen::size() const {
+  winsize size = {};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) return {80, 24};
+  return {size.ws_col, size.ws_row};
+}
+
+void TerminalScreen::Show(const std::vector<std::string>& lines) {
+  const size_t height = static_cast<size_t>(size().height);
+  std::string frame = "\x1b[H";
+  for (size_t i = 0; i < std::min(lines.size(), height); ++i) {
+    if (i > 0) frame += "\r\n";
+    frame += lines[i] + "\x1b[K";
+  }
+  WriteAll(frame + "\x1b[J");
+}
+
+TerminalScreen::Event TerminalScreen::Wait(absl::Duration timeout) {
+  const absl::Time end = absl::Now() + timeout;
+  while (end_wanted == 0) {
+    if (resized != 0) {
+      resized = 0;
+      return Event::kResized;
+    }
+    const int left_ms = static_cast<int>(std::max(int64_t{0}, absl::ToInt64Milliseconds(end - absl::Now())));
+    pollfd input = {STDIN_FILENO, POLLIN, 0};
+    const int ready = ::poll(&input, 1, left_ms);
+    if (ready == 0) return Event::kTimeout;
+    if (ready < 0) continue;
+    char key = 0;
+    if (::read(STDIN_FILENO, &key, 1) <= 0) return Event::kQuit;
+    if (key == 'q' || key == 'Q' || key == '\x1b') return Event::kQuit;
+  }
+  return Event::kQuit;
+}
+
+}  // namespace flair::cli
