@@ -75,6 +75,7 @@ absl::StatusOr<v1::RenderResponse> RenderView(const v1::RenderRequest& request, 
       .height_px = SizeOf(options),
       .sample_count = options.has_sample_count() ? options.sample_count() : kDefaultSampleCount,
       .seed = options.seed(),
+      .colour_only = options.format() != v1::PREVIEW_FORMAT_EXR,
       .thread_count = limits.thread_count,
       .check_alive = [&call] { return call.CheckAlive(); },
   };

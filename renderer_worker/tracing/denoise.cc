@@ -224,22 +224,20 @@ void SmoothGlossRow(const LightGrid& grid, const Planes& from, int y, int step, 
 
 }  // namespace
 
-absl::Status SpreadSparks(const Workers& workers, LightGrid& grid) {
+absl::Status SpreadSparks(const Workers& workers, LightGrid& grid, Planes& scratch) {
   Plane<float> share(grid.size());
   absl::Status status = ForEach(workers, grid.height, [&](int y) { FindSparks(grid, y, share.data()); });
   if (!status.ok()) return status;
-  Planes to(kLightCount, grid.size());
-  status = ForEach(workers, grid.height, [&](int y) { SpreadRow(grid, share.data(), y, to); });
-  std::swap(grid.light, to);
+  status = ForEach(workers, grid.height, [&](int y) { SpreadRow(grid, share.data(), y, scratch); });
+  std::swap(grid.light, scratch);
   return status;
 }
 
-absl::Status SmoothLight(const Workers& workers, int round_count, LightGrid& grid) {
-  Planes to(kLightCount, grid.size());
+absl::Status SmoothLight(const Workers& workers, int round_count, LightGrid& grid, Planes& scratch) {
   absl::Status status;
   for (int round = 0; round < round_count && status.ok(); ++round) {
-    status = ForEach(workers, grid.height, [&](int y) { SmoothLightRow(grid, grid.light, y, 1 << round, to); });
-    std::swap(grid.light, to);
+    status = ForEach(workers, grid.height, [&](int y) { SmoothLightRow(grid, grid.light, y, 1 << round, scratch); });
+    std::swap(grid.light, scratch);
   }
   return status;
 }

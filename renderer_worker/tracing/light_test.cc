@@ -198,7 +198,8 @@ LightGrid HalfNoisy(int size) {
 TEST(SmoothLight, LeavesEvenLightAndOtherInstancesAlone) {
   constexpr int kSize = 48;
   LightGrid grid = HalfNoisy(kSize);
-  ASSERT_TRUE(SmoothLight({}, 4, grid).ok());
+  Planes scratch(kLightCount, grid.size());
+  ASSERT_TRUE(SmoothLight({}, 4, grid, scratch).ok());
   for (int i = 0; i < kSize * kSize; ++i) {
     EXPECT_NEAR(grid.light[kRed][i], i % kSize >= kSize / 2 ? 10 : 1, 0.04);
   }
@@ -215,6 +216,7 @@ TEST(SmoothGloss, StaysOnItsSurface) {
 
 TEST(SpreadSparks, SharesThemAndLosesNoLight) {
   LightGrid grid = HalfNoisy(8);
+  Planes scratch(kLightCount, grid.size());
   const auto sum = [&grid] {
     double all = 0;
     for (size_t i = 0; i < grid.size(); ++i) all += grid.light[kRed][i];
@@ -222,7 +224,7 @@ TEST(SpreadSparks, SharesThemAndLosesNoLight) {
   };
   grid.light[kRed][9] = grid.light[kGreen][9] = grid.light[kBlue][9] = grid.light[kLuminance][9] = 50;
   const double before = sum();
-  ASSERT_TRUE(SpreadSparks({}, grid).ok());
+  ASSERT_TRUE(SpreadSparks({}, grid, scratch).ok());
   EXPECT_LT(grid.light[kRed][9], 8);
   EXPECT_GT(grid.light[kRed][0], 6);
   EXPECT_LT(grid.light[kRed][3], 1.2F);  // out of its reach

@@ -61,9 +61,10 @@ void Tile::FillView(TracedView& view) const {
       const Vec3 way =
           setting_.camera.Through(static_cast<float>(column_ + x) + 0.5F, static_cast<float>(row_ + y) + 0.5F);
       view.depth_m[at] = any ? s.distance * Dot(way, setting_.camera.forward) : 0;
+      view.instance[at] = any ? setting_.world.instances()[s.instance].instance_id : 0;
+      if (view.normal.empty()) continue;
       view.normal[at] = s.first_normal;
       view.albedo[at] = s.first_albedo;
-      view.instance[at] = any ? setting_.world.instances()[s.instance].instance_id : 0;
       view.object_class[at] = any ? setting_.world.instances()[s.instance].class_id : 0;
     }
   }

@@ -44,10 +44,26 @@ void Resize(const TraceOptions& options, TracedView& view) {
   view.width_px = options.width_px;
   view.height_px = options.height_px;
   view.depth_m.resize(count);
+  view.instance.resize(count);
+  if (options.colour_only) return;
   view.normal.resize(count);
   view.albedo.resize(count);
-  view.instance.resize(count);
   view.object_class.resize(count);
+}
+
+absl::Status Smooth(const Workers& workers, Frame& frame) {
+  absl::Status status;
+  {
+    Planes scratch(kLightCount, frame.direct.size());
+    status = SpreadSparks(workers, frame.direct, scratch);
+    if (status.ok()) status = SmoothLight(workers, kDirectRounds, frame.direct, scratch);
+    if (!status.ok()) return status;
+  }
+  Planes scratch(kLightCount, frame.indirect.size());
+  status = SpreadSparks(workers, frame.indirect, scratch);
+  if (status.ok()) status = SmoothLight(workers, kIndirectRounds, frame.indirect, scratch);
+  if (status.ok()) status = SmoothGloss(workers, kIndirectRounds, frame.indirect, frame.gloss);
+  return status;
 }
 
 absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_camera, const TraceOptions& options) {
@@ -81,11 +97,7 @@ absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_ca
   const SampleSeeds seeds(Mix(static_cast<uint32_t>(options.seed) ^ Mix(static_cast<uint32_t>(options.seed >> 32))));
   absl::Status status = ForEach(workers, (options.height_px + kTileHeight - 1) / kTileHeight,
                                 [&](int i) { TraceRows(setting, seeds, rounds, i * kTileHeight, frame, view); });
-  if (status.ok()) status = SpreadSparks(workers, frame.direct);
-  if (status.ok()) status = SmoothLight(workers, kDirectRounds, frame.direct);
-  if (status.ok()) status = SpreadSparks(workers, frame.indirect);
-  if (status.ok()) status = SmoothLight(workers, kIndirectRounds, frame.indirect);
-  if (status.ok()) status = SmoothGloss(workers, kIndirectRounds, frame.indirect, frame.gloss);
+  if (status.ok()) status = Smooth(workers, frame);
   if (status.ok()) status = ComposeColour(setting, seeds, frame, workers, view);
   if (!status.ok()) return status;
   view.annotations = AnnotationsOf(scene, **world, *camera, view);

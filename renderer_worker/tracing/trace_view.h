@@ -16,17 +16,19 @@ namespace flair::renderer {
 struct TraceOptions {
   int width_px = 1024;   // [16, 8192]; width times height at most kMaxTracedPixels
   int height_px = 1024;  // the same
-  // Paths of light per pixel, [1, 4096]: a quarter each, rounded up, of light that other surfaces send back (within a
-  // room half of that), of light straight from windows and lamps, and of sunlight; the rest mirrored where a surface
-  // shines.
+  // Paths of light per pixel, [1, 4096]; a quarter of it, rounded up, is n. Up to n samples of the sun and half as many
+  // of windows and lamps for each pixel, a quarter of n where neighbours agree whether light gets there. For every
+  // second pixel of every second row 2n paths to the open sky and other surfaces (n within a room), and n / 2 of what a
+  // surface mirrors.
   int sample_count = 16;
   int64_t seed = 0;
-  int thread_count = 1;  // [1, 256]; changes who computes what, never the result
+  bool colour_only = false;  // normal, albedo and object_class stay empty, which saves time
+  int thread_count = 1;      // [1, 256]; changes who computes what, never the result
   // Asked now and then, from the calling thread only; its error ends the work. May be empty.
   std::function<absl::Status()> check_alive;
 };
 
-inline constexpr int64_t kMaxTracedPixels = int64_t{4096} * 4096;  // some 300 bytes each while at work
+inline constexpr int64_t kMaxTracedPixels = int64_t{4096} * 4096;  // some 180 bytes each while at work
 
 // A traced picture and what its pixels show. Planes run row by row from the upper-left corner. What a pixel shows at
 // its centre is what counts for all planes but `colour`, which is the mean over the pixel.
