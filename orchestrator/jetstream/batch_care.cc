@@ -96,13 +96,14 @@ absl::Status BatchCare::RepairThese(const std::vector<RevisedJob>& jobs) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<bool> BatchCare::Close(const std::string& batch_id) {
+absl::StatusOr<bool> BatchCare::Close(const std::string& batch_id, bool waits) {
   const absl::StatusOr<RevisedBatch> record = parts_.GetBatch(batch_id);
-  if (absl::IsNotFound(record.status())) return true;
+  if (absl::IsNotFound(record.status())) return false;
   if (!record.ok()) return record.status();
   const v1::Batch& batch = record->value.batch();
-  // Who adds to it repeats what was not answered.
-  if (batch.open()) return false;
+  const bool cancelled = batch.state() == v1::BATCH_STATE_CANCELLED;
+  // Who adds to an open one repeats what was not answered.
+  if (batch.open() || (waits && !cancelled)) return false;
   // Taken first: what comes later is of a job that was retried.
   const absl::StatusOr<uint64_t> last = parts_.reader.LastSequence(parts_.names.queue_stream());
   if (!last.ok()) return last.status();
@@ -111,16 +112,17 @@ absl::StatusOr<bool> BatchCare::Close(const std::string& batch_id) {
   if (*ended >= batch.job_count()) {
     const std::string subject = parts_.names.Batch(OwnerToken(batch.owner()), batch_id);
     if (absl::Status status = lanes_.Remove(lanes_.LaneOf(subject), *last); !status.ok()) return status;
-    return true;
+    return false;
   }
-  if (batch.state() == v1::BATCH_STATE_CANCELLED) {
+  if (waits) return true;
+  if (cancelled) {
     absl::Status status = CancelJobs(batch_id, batch.job_count(), parts_.clock.Now());
     if (!status.ok()) return status;
   }
   const absl::Status status =
       VisitJobs(batch_id, batch.job_count(), [this](const std::vector<RevisedJob>& jobs) { return RepairThese(jobs); });
   if (!status.ok()) return status;
-  return false;
+  return cancelled;
 }
 
 }  // namespace flair::orchestrator

@@ -25,9 +25,10 @@ class BatchCare {
   // Ends the jobs of a cancelled batch that wait, asks for the end of those that run.
   absl::Status CancelJobs(const std::string& batch_id, int64_t job_count, absl::Time now);
 
-  // To be called for a batch without messages in the queue stream: when it is closed, repairs what is missing and
-  // removes its lane. Returns whether the batch has come to its end.
-  absl::StatusOr<bool> Close(const std::string& batch_id);
+  // Removes the lane of a batch that has come to its end. When it has not, although it is closed and nothing of it is
+  // in the queue stream (`waits`: something is), repairs what is missing. Returns whether to look again without being
+  // asked to: at a cancelled one, whose running jobs have yet to end.
+  absl::StatusOr<bool> Close(const std::string& batch_id, bool waits);
 
  private:
   using Visit = std::function<absl::Status(std::vector<RevisedJob> jobs)>;

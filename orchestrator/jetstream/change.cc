@@ -94,8 +94,9 @@ absl::Status JetStreamWorkQueue::CancelBatch(const std::string& batch_id, absl::
         return true;
       });
   if (!changed.ok()) return changed.status();
-  absl::Status status = care_.CancelJobs(batch_id, changed->value.batch().job_count(), now);
-  if (status.ok()) status = care_.Close(batch_id).status();
+  const absl::Status status = care_.CancelJobs(batch_id, changed->value.batch().job_count(), now);
+  // Its messages go when the last of its jobs has ended; see LookOnce.
+  CareFor(batch_id);
   parts_->TellOfBatch(batch_id);
   return status;
 }

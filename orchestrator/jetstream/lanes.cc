@@ -101,22 +101,24 @@ void Lanes::HadTurn(const Lane& lane) {
 
 absl::StatusOr<std::optional<Handed>> Lanes::Next(const Lane& lane) {
   int64_t wanted = 0;
+  bool has_consumer = false;
   {
     std::lock_guard lock(mutex_);
     const auto found = lanes_.find(lane.consumer);
-    if (found != lanes_.end()) wanted = found->second.wanted;
+    if (found == lanes_.end()) return std::nullopt;
+    wanted = found->second.wanted;
+    has_consumer = found->second.has_consumer;
+  }
+  if (!has_consumer) {
+    if (absl::Status status = MakeConsumer(lane); !status.ok()) return status;
   }
   absl::StatusOr<std::optional<Handed>> handed = Ask(lane);
-  if (absl::IsUnavailable(handed.status()) && parts_.connection->connected()) {
-    // Nobody hears the question when the consumer is not there: not yet, or because the batch had ended once.
-    if (absl::Status status = MakeConsumer(lane); !status.ok()) return status;
-    handed = Ask(lane);
-  }
-  if (handed.ok() && !handed->has_value()) {
-    std::lock_guard lock(mutex_);
-    const auto found = lanes_.find(lane.consumer);
-    if (found != lanes_.end()) found->second.asked = wanted;
-  }
+  std::lock_guard lock(mutex_);
+  const auto found = lanes_.find(lane.consumer);
+  if (found == lanes_.end()) return handed;
+  // Nobody answers for a consumer that is gone, since the batch had ended once: the next question makes it again.
+  found->second.has_consumer = handed.ok();
+  if (handed.ok() && !handed->has_value()) found->second.asked = wanted;
   return handed;
 }
 

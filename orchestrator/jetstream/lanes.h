@@ -82,6 +82,8 @@ class Lanes {
     // Counts reasons to ask; asked when it differs from what it was at the last vain question.
     int64_t wanted = 1;
     int64_t asked = 0;
+    // This process made sure that the consumer is there.
+    bool has_consumer = false;
   };
   absl::Status MakeConsumer(const Lane& lane);
   absl::StatusOr<std::optional<Handed>> Ask(const Lane& lane);

@@ -84,8 +84,13 @@ absl::Duration LeaseKeeper::SendDue() {
   std::vector<std::shared_ptr<Hold>> lost;
   {
     std::lock_guard lock(mutex_);
+    // The servers may hand out the jobs of those.
+    std::erase_if(kept_, [](const auto& entry) { return entry.second.hold->lost.load(); });
     for (auto& [key, kept] : kept_) {
-      if (now - kept.confirmed > parts_.lease && !kept.hold->lost) lost.push_back(kept.hold);
+      if (now - kept.confirmed > parts_.lease) {
+        lost.push_back(kept.hold);
+        continue;
+      }
       if (now >= kept.due) {
         const bool sent = Send(key, kept, now).ok();
         // Sooner than a third of the lease until it is confirmed; Receive puts it off.

@@ -172,7 +172,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::BatchHasEnded(const std::string& batch_
   const auto messages = lanes_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id));
   if (!messages.ok()) return messages.status();
   for (const auto& [subject, count] : *messages) {
-    if (count > kCountedAtOnce) return false;
+    if (count > kCountedAtOnce && batch.state() != v1::BATCH_STATE_CANCELLED) return false;
   }
   const absl::StatusOr<int64_t> ended = ends_.CountAll(batch_id);
   if (!ended.ok()) return ended.status();

@@ -173,7 +173,8 @@ void JetStreamWorkQueue::LookOnce() {
   std::set<std::string> with_messages;
   for (const auto& [subject, count] : *messages) with_messages.insert(lanes_.LaneOf(subject).batch_id);
   for (const std::string& batch_id : batches) {
-    if (!with_messages.contains(batch_id)) (void)care_.Close(batch_id);
+    const absl::StatusOr<bool> again = care_.Close(batch_id, with_messages.contains(batch_id));
+    if (!again.ok() || *again) CareFor(batch_id);
   }
 }
 
