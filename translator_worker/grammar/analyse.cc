@@ -118,7 +118,7 @@ class Reader {
         raw.role = RawTerm::Role::kOr;
       } else {
         raw.term.kind = Term::Kind::kSoft;
-        raw.term.lemma = token.IsMark('(') ? "(" : token.IsMark(':') ? ":" : ",";
+        raw.term.lemma = token.IsMark('(') ? "(" : token.IsMark(')') ? ")" : token.IsMark(':') ? ":" : ",";
       }
     } else if (token.text.rfind("length:", 0) == 0 || token.text.rfind("lengths:", 0) == 0) {
       raw.role = RawTerm::Role::kSide;
@@ -176,6 +176,31 @@ class Reader {
     terms_.resize(begin);
     SkipToStop();
     return true;
+  }
+
+  // "Against a wall if space is limited, but not in front of windows": only the first clause is conditional.
+  bool DropClauseBeforeNext() {
+    size_t begin = terms_.size();
+    while (begin > 0 && terms_[begin - 1].term.kind != Term::Kind::kStop &&
+           !terms_[begin - 1].term.lemma.starts_with("but"))
+      --begin;
+    const bool main_clause = std::any_of(
+        terms_.begin() + static_cast<long>(begin), terms_.end(),
+        [](const RawTerm& raw) { return raw.role == RawTerm::Role::kNone && raw.term.kind == Term::Kind::kWord; });
+    size_t next = at_;
+    while (next + 1 < tokens_.size() && !BeginsClause(next)) ++next;
+    if (!main_clause || next + 2 >= tokens_.size()) return false;
+    terms_.resize(begin);
+    at_ = next;
+    analysis_.partly_conditional = true;
+    return true;
+  }
+
+  // A stop, "but", or a comma or "and" before "should".
+  bool BeginsClause(size_t at) const {
+    if (tokens_[at].IsMark('.') || tokens_[at].IsWord("but")) return true;
+    if (!tokens_[at].IsMark(',') && !tokens_[at].IsWord("and")) return false;
+    return IsOneOf(tokens_[at + 1], {"should", "must", "avoid", "needs", "ensure"});
   }
 
   // "Easily accessible from the front": from a side of its own, not from another thing.
@@ -237,7 +262,7 @@ class Reader {
           SkipToStop();
           return;
         }
-        if (DropClauseAfterStop()) return;
+        if (DropClauseAfterStop() || DropClauseBeforeNext()) return;
         analysis_.conditional = true;
         at_ += phrase.length;
         return;

@@ -33,7 +33,7 @@ class BracketReader {
     if (first.kind == Token::Kind::kDistance && (!IsSize() || adds) && end_ <= at_ + 4 && closed) {
       return {Bracket::Kind::kOpened, at_ + 1, end_};
     }
-    if (TakeNames() || TakeSide() || (adds && closed && TakeFigure()) || Explains()) {
+    if (TakeLength() || TakeNames() || TakeSide() || (adds && closed && TakeFigure()) || Explains()) {
       return {Bracket::Kind::kSkipped, std::min(end_ + 1, tokens_.size()), 0};
     }
     return {};
@@ -112,6 +112,14 @@ class BracketReader {
       if (!anywhere) break;
     }
     return nullptr;
+  }
+
+  // "The front (1 m side)", "one side (the 2 m side)": how long the side is, or which.
+  bool TakeLength() {
+    const size_t side = at_ + (Is(at_ + 1, "the") ? 2 : 1);
+    if (side + 1 != end_ || !tokens_[side].text.starts_with("length")) return false;
+    if (std::string* const open = OpenSide(); open != nullptr) *open = tokens_[side].text;
+    return true;
   }
 
   // "One side (preferably the front)", "two opposite sides (e.g., front and back)".

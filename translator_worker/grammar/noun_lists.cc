@@ -87,7 +87,7 @@ class ListJoiner {
       // "... near the desk and the armchair should face the sofa": a new clause, not a list.
       if (relation_seen && !after_between_ && !BeginsClause(i) && Peek(next + 1) && in_[next + 1].role == Role::kModal)
         return i;
-      if (relation_seen && BeginsFact(next)) return i;
+      if (relation_seen && (BeginsFact(next) || IsNewSubject(next))) return i;
       Mention merged = std::move(in_[i].term.mention);
       for (Reference reference : in_[next].term.mention.references) {
         const Reference& before = merged.references.back();
@@ -111,6 +111,13 @@ class ListJoiner {
     if (i == 0) return true;
     const Term& before = in_[i - 1].term;
     return in_[i - 1].role == Role::kNone && (before.kind == Term::Kind::kSoft || before.kind == Term::Kind::kStop);
+  }
+
+  // "Not in front of windows, and it does not block doors".
+  bool IsNewSubject(size_t next) const {
+    const Reference& reference = in_[next].term.mention.references.back();
+    return reference.kind == RefKind::kPronoun && !reference.name.empty() && reference.side.empty() &&
+           !after_between_ && !after_away_;
   }
 
   // "Chair 1 to the left of the table and chair 2 to its right": another of what was spoken of first, and a relation.

@@ -81,6 +81,35 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
   }
 }
 
+// "Against a wall for stability and should not block windows": with "and" and a verb of its own a new clause begins,
+// after which the reason is over. "To save space and ensure access" may be one reason still.
+void EndReasonBeforeClause(std::vector<Token>& tokens) {
+  static constexpr std::array<std::string_view, 10> kModals = {"should",  "must", "needs", "need",   "requires",
+                                                               "require", "can",  "avoid", "cannot", "shall"};
+  constexpr size_t kLongestSubject = 10;
+  static constexpr std::array<std::string_view, 4> kWishes = {"ensure", "make", "keep", "leave"};
+  const auto is_one_of = [](const auto& words, const Token& token) {
+    return std::find(words.begin(), words.end(), token.text) != words.end();
+  };
+  std::string_view reason;
+  for (size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].IsMark('.') || tokens[i].IsMark(',')) reason = "";
+    if (tokens[i].IsWord("for") || tokens[i].IsWord("to")) reason = tokens[i].text;
+    if (reason.empty() || !tokens[i].IsWord("and")) continue;
+    // "... and the front should be accessible".
+    bool clause = is_one_of(kModals, tokens[i + 1]) || (reason == "for" && is_one_of(kWishes, tokens[i + 1]));
+    for (size_t k = i + 2; k < std::min(tokens.size(), i + kLongestSubject) && !clause; ++k) {
+      if (tokens[k].kind == Token::Kind::kPunctuation || tokens[k].IsWord("and")) break;
+      clause = tokens[k].IsWord("should") || tokens[k].IsWord("must") || tokens[k].IsWord("needs");
+    }
+    if (clause) {
+      tokens[i].kind = Token::Kind::kPunctuation;
+      tokens[i].text = ",";
+      reason = "";
+    }
+  }
+}
+
 // "Accessible while seated at the desk": from the desk.
 void TakePostureAsPlace(std::vector<Token>& tokens) {
   for (size_t i = 1; i + 2 < tokens.size(); ++i) {
@@ -136,6 +165,7 @@ bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
 }
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
+  EndReasonBeforeClause(tokens);
   DropLeftOver(tokens);
   TakePostureAsPlace(tokens);
   DropAdverbs(tokens);

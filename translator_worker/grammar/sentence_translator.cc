@@ -125,7 +125,7 @@ class Walk {
       case Term::Kind::kSoft:
         denied_ = false;
         if (term.lemma == "," || term.lemma == "but" || term.lemma == "while" || term.lemma == "with" ||
-            term.lemma == "(" || term.lemma == ":")
+            term.lemma == "(" || term.lemma == ")" || term.lemma == ":")
           in_reason_ = false;
         break;
       case Term::Kind::kMention:
@@ -236,6 +236,9 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
     if (composer.calls().empty() && TakeSpace(analysis.terms, composer)) composer.ForgetUnknown();
     if (composer.calls().empty() && TakePlace(analysis.terms, composer)) composer.ForgetUnknown();
     walk.RefuseVague();
+    if (analysis.partly_conditional) {
+      composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");
+    }
     if (composer.calls().empty() && composer.refusals().empty()) {
       composer.Refuse(
           "unknown_sentence",

@@ -40,6 +40,8 @@ struct Analysis {
   bool wish = false;
   // Holds only sometimes: "if the room is small".
   bool conditional = false;
+  // A clause that holds only sometimes was left out.
+  bool partly_conditional = false;
 };
 
 // Reads a sentence: tokens, lengths, words, names, noun phrases. Linear in the length of the text.

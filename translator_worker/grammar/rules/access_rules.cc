@@ -4,6 +4,7 @@
 
 #include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/gaps.h"
+#include "translator_worker/grammar/rules/keep_clear.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/rules/space.h"
 #include "translator_worker/grammar/sides.h"
@@ -40,6 +41,16 @@ void Accessible(const Match& match, std::string_view, Composer& composer) {
     movers = sided;
   }
   KeepSpace(movers, match.distance, composer);
+}
+
+// "The front is accessible and it does not block the window".
+void AccessibleAndNotBlocking(const Match& match, std::string_view tag, Composer& composer) {
+  Match first = match;
+  first.b = nullptr;
+  Accessible(first, tag, composer);
+  Match second = match;
+  second.a = nullptr;
+  NotBlock(second, "", composer);
 }
 
 // "Easy access from the front".
@@ -315,6 +326,8 @@ std::vector<Rule> AccessRules() {
       {"A.object? space D? for/to swing_open ,? C.feature?", SpaceAt, "named"},
       {"space for? A swing_open", SpaceAt, "named"},
       {"A.object accessible ,? not block", Accessible},
+      {"A? accessible , not block B.thing", AccessibleAndNotBlocking},
+      {"A? accessible , not block B.feature", AccessibleAndNotBlocking},
       {"A.object? accessible ,? not block next_to C", Accessible},
   };
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keeping clear: not in front of windows, not blocking doors, not in the way of other objects.
 #include "fmt/format.h"
+#include "translator_worker/grammar/rules/keep_clear.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/sides.h"
 
@@ -12,6 +13,8 @@ Call AccessibleFront(const Placed& placed, Composer& composer) {
   if (sides.empty()) sides = {"front"};
   return Call("accessible").Text("object", composer.id(placed)).Texts("sides", sides);
 }
+
+}  // namespace
 
 // "X does not block T": features stay free, objects stay accessible.
 void NotBlock(const Match& match, std::string_view tag, Composer& composer) {
@@ -53,6 +56,8 @@ void NotBlock(const Match& match, std::string_view tag, Composer& composer) {
     }
   }
 }
+
+namespace {
 
 // "Placed to allow access to the wardrobe"; after another fact it is that fact's reason.
 void AllowAccess(const Match& match, std::string_view tag, Composer& composer) {
