@@ -5,6 +5,8 @@
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
+#include "worker_runtime/bootstrap/worker_context.h"
+#include "worker_runtime/grpc/server.h"
 #include "worker_runtime/grpc/unary_call.h"
 
 namespace flair::orchestrator {
@@ -110,28 +112,38 @@ class FakeRenderer final : public v1::RendererService::CallbackService {
   StageClients& stages_;
 };
 
+}  // namespace
+
+// The order matters: the server stops before the resources go.
+struct FakeWorkers::Worker {
+  runtime::WorkerResources resources;
+  std::unique_ptr<runtime::Server> server;
+};
+
+FakeWorkers::FakeWorkers(StageClients& stages) {
+  channels_.language =
+      Start<v1::LanguageService, FakeLanguage>("fake-language", stages, *addresses_.mutable_language());
+  channels_.translator =
+      Start<v1::TranslatorService, FakeTranslator>("fake-translator", stages, *addresses_.mutable_translator());
+  channels_.optimizer =
+      Start<v1::OptimizerService, FakeOptimizer>("fake-optimizer", stages, *addresses_.mutable_optimizer());
+  channels_.renderer =
+      Start<v1::RendererService, FakeRenderer>("fake-renderer", stages, *addresses_.mutable_renderer());
+}
+
+FakeWorkers::~FakeWorkers() = default;
+
 template <typename Service, typename Fake>
-StageChannel Start(const char* program, StageClients& stages,
-                   std::vector<std::unique_ptr<runtime::InProcessServer>>& servers) {
+StageChannel FakeWorkers::Start(const char* program, StageClients& stages, std::string& address) {
   config::v1::RuntimeConfig config;
   config.set_log_level("error");
   config.set_worker_thread_count(8);
-  auto server = runtime::InProcessServer::Start(
-      program, config, Service::service_full_name(),
-      [&stages](runtime::WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
-        return std::make_unique<Fake>(context, stages);
-      });
-  servers.push_back(*std::move(server));
-  return {servers.back()->channel()};
-}
-
-}  // namespace
-
-FakeWorkers::FakeWorkers(StageClients& stages) {
-  channels_.language = Start<v1::LanguageService, FakeLanguage>("fake-language", stages, servers_);
-  channels_.translator = Start<v1::TranslatorService, FakeTranslator>("fake-translator", stages, servers_);
-  channels_.optimizer = Start<v1::OptimizerService, FakeOptimizer>("fake-optimizer", stages, servers_);
-  channels_.renderer = Start<v1::RendererService, FakeRenderer>("fake-renderer", stages, servers_);
+  Worker& worker = *workers_.emplace_back(new Worker{runtime::WorkerResources(program, config), nullptr});
+  std::vector<runtime::NamedService> services;
+  services.push_back({Service::service_full_name(), std::make_unique<Fake>(worker.resources.context(), stages)});
+  worker.server = *runtime::Server::Start({.program = program, .listen_address = "127.0.0.1:0"}, std::move(services));
+  address = worker.server->address();
+  return {worker.server->InProcessChannel()};
 }
 
 }  // namespace flair::orchestrator

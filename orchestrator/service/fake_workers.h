@@ -2,11 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
-#include "orchestrator/workers/stage_channels.h"
 #include "orchestrator/pipeline/stage_clients.h"
-#include "worker_runtime/grpc/in_process_server.h"
+#include "orchestrator/workers/stage_channels.h"
 
 namespace flair::orchestrator {
 
@@ -14,11 +14,20 @@ namespace flair::orchestrator {
 class FakeWorkers {
  public:
   explicit FakeWorkers(StageClients& stages);
+  ~FakeWorkers();
+  // Without a port.
   const StageChannels& channels() const { return channels_; }
+  // Where they listen for other processes.
+  const config::v1::StageAddresses& addresses() const { return addresses_; }
 
  private:
-  std::vector<std::unique_ptr<runtime::InProcessServer>> servers_;
+  struct Worker;
+  template <typename Service, typename Fake>
+  StageChannel Start(const char* program, StageClients& stages, std::string& address);
+
+  std::vector<std::unique_ptr<Worker>> workers_;
   StageChannels channels_;
+  config::v1::StageAddresses addresses_;
 };
 
 }  // namespace flair::orchestrator

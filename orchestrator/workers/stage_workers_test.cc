@@ -29,8 +29,8 @@ absl::Status Hang(runtime::CallContext& call) {
 
 class StageWorkersTest : public ::testing::Test {
  protected:
-  // The optimizers at these addresses; the other stages are not called.
-  StageWorkers& Start(const std::string& addresses) {
+  // The optimizers at these addresses, when all that are listed are ready; the other stages are not called.
+  void Start(const std::string& addresses) {
     config_.mutable_stages()->set_language("127.0.0.1:1");
     config_.mutable_stages()->set_translator("127.0.0.1:1");
     config_.mutable_stages()->set_renderer("127.0.0.1:1");
@@ -40,7 +40,10 @@ class StageWorkersTest : public ::testing::Test {
         StageWorkersOptions{.calls = config_.stage_calls(),
                             .lookup = [this](const std::string& host) { return LookUp(host); }},
         runtime::SystemClock());
-    return *workers_;
+    const StageAddresses listed = *ParseStageAddresses(addresses);
+    for (const std::string& address : listed.workers) {
+      WaitForState(address, v1::WORKER_STATE_READY);
+    }
   }
 
   // Who answered one call; or why nobody did.
@@ -122,7 +125,6 @@ TEST_F(StageWorkersTest, SpreadsCallsOverAllThatAreListed) {
   };
   TestWorker a(together), b(together), c(together);
   Start(a.address() + "," + b.address() + ", " + c.address());
-  for (const TestWorker* worker : {&a, &b, &c}) WaitForState(worker->address(), v1::WORKER_STATE_READY);
   EXPECT_EQ(SolveMany(3, 3).size(), 3u);
   EXPECT_EQ(StatusOf(a.address()).call_count(), 1);
 }
@@ -132,7 +134,6 @@ TEST_F(StageWorkersTest, AWorkerThatGoesAndComesBackIsNoticed) {
   TestWorker b;
   const std::string address = a->address();
   Start(address + "," + b.address());
-  WaitForState(address, v1::WORKER_STATE_READY);
   a->Kill();
   WaitForState(address, v1::WORKER_STATE_GONE);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(*Solve(), b.address());
@@ -145,8 +146,6 @@ TEST_F(StageWorkersTest, AWorkerThatGoesAndComesBackIsNoticed) {
 TEST_F(StageWorkersTest, ACallWhoseWorkerDiesIsMadeOfAnother) {
   TestWorker dying(Hang), other;
   Start(dying.address() + "," + other.address());
-  WaitForState(dying.address(), v1::WORKER_STATE_READY);
-  WaitForState(other.address(), v1::WORKER_STATE_READY);
   auto answers = std::async(std::launch::async, [&] { return SolveMany(2, 2); });
   while (dying.calls() == 0) std::this_thread::yield();
   dying.Kill();
@@ -213,8 +212,6 @@ TEST_F(StageWorkersTest, AFailingWorkerIsBrokenAndItsTrialHarmsNobody) {
     return absl::OkStatus();
   });
   Start(bad.address() + "," + good.address());
-  WaitForState(bad.address(), v1::WORKER_STATE_READY);
-  WaitForState(good.address(), v1::WORKER_STATE_READY);
   int failures = 0;
   while (StatusOf(bad.address()).state() != v1::WORKER_STATE_BROKEN) failures += SolveMany(8, 8).size() > 1 ? 1 : 0;
   EXPECT_GT(failures, 0);
@@ -228,7 +225,8 @@ TEST_F(StageWorkersTest, BadAnswersBreakAWorker) {
   Start(bad.address());
   for (int i = 0; i < 3; ++i) {
     StageCall call;
-    ASSERT_TRUE(workers_->clients().Solve({}, call).ok());
+    const absl::Status status = workers_->clients().Solve({}, call).status();
+    ASSERT_TRUE(status.ok()) << status;
     call.ReportBadAnswer();
   }
   EXPECT_EQ(StatusOf(bad.address()).state(), v1::WORKER_STATE_BROKEN);
@@ -238,7 +236,6 @@ TEST_F(StageWorkersTest, AWorkerThatNeverAnswersIsBroken) {
   config_.mutable_stage_calls()->set_failure_limit(2);
   TestWorker hanging(Hang);
   Start(hanging.address());
-  WaitForState(hanging.address(), v1::WORKER_STATE_READY);
   for (int i = 0; i < 2; ++i)
     EXPECT_EQ(Solve(absl::Milliseconds(50)).status().code(), absl::StatusCode::kDeadlineExceeded);
   EXPECT_EQ(StatusOf(hanging.address()).state(), v1::WORKER_STATE_BROKEN);
@@ -248,9 +245,6 @@ TEST_F(StageWorkersTest, ACallThatTakesItsTimeIsMadeOfASecondWorkerAndNoThird) {
   config_.mutable_stage_calls()->set_hedge_seconds(0.02);
   TestWorker hanging(Hang), also_hanging(Hang), third(Hang);
   Start(hanging.address() + "," + also_hanging.address() + "," + third.address());
-  for (const TestWorker* worker : {&hanging, &also_hanging, &third}) {
-    WaitForState(worker->address(), v1::WORKER_STATE_READY);
-  }
   EXPECT_EQ(Solve(absl::Milliseconds(500)).status().code(), absl::StatusCode::kDeadlineExceeded);
   EXPECT_EQ(hanging.calls() + also_hanging.calls() + third.calls(), 2);
 }
@@ -259,8 +253,6 @@ TEST_F(StageWorkersTest, TheFirstAnswerCountsAndTheOtherCallIsCancelled) {
   config_.mutable_stage_calls()->set_hedge_seconds(0.02);
   TestWorker hanging(Hang), quick;
   Start(hanging.address() + "," + quick.address());
-  WaitForState(hanging.address(), v1::WORKER_STATE_READY);
-  WaitForState(quick.address(), v1::WORKER_STATE_READY);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(*Solve(), quick.address());
   EXPECT_GE(hanging.calls(), 1) << "or the test shows nothing";
   EXPECT_EQ(StatusOf(hanging.address()).in_flight_count(), 0);
@@ -296,8 +288,6 @@ TEST_F(StageWorkersTest, ACancelledCallEndsAtOnceWhereverItIs) {
 TEST_F(StageWorkersTest, AnswersSayWhichRevisionTheyAreOf) {
   TestWorker old_one(Answer, {.revision = "old"}), new_one(Answer, {.revision = "new"});
   Start(old_one.address() + "," + new_one.address());
-  WaitForState(old_one.address(), v1::WORKER_STATE_READY);
-  WaitForState(new_one.address(), v1::WORKER_STATE_READY);
   std::map<std::string, std::set<std::string>> revisions;
   while (revisions.size() < 2) {
     StageCall call;

@@ -3,10 +3,13 @@
 // that is left is the store, the hashes, the events and the calls. Real time depends on the disk, which $TMPDIR
 // chooses.
 #include <benchmark/benchmark.h>
+#include <google/protobuf/text_format.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "optimizer_worker/constraints/registry.h"
 #include "orchestrator/pipeline/pipeline.h"
@@ -15,6 +18,8 @@
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/store/temporary_folder.h"
+#include "tests/fixtures/programs.h"
+#include "worker_runtime/grpc/channel.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -154,6 +159,58 @@ void BM_JobOverGrpc(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_JobOverGrpc)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(300);
+
+// CPU time that a process has used.
+double CpuSeconds(pid_t pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  const std::string stat{std::istreambuf_iterator<char>(file), {}};
+  std::istringstream fields(stat.substr(stat.rfind(')') + 1));
+  std::string skipped;
+  for (int i = 0; i < 11; ++i) fields >> skipped;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+// flair-orchestrator as a program of its own, its stages on sockets in this process: what one job costs that program.
+void BM_JobOfTheProgram(benchmark::State& state) {
+  TemporaryFolder folder;
+  RecordedStages stages(DesignFolder());
+  FakeWorkers workers(stages);
+  config::v1::OrchestratorConfig config;
+  config.set_store_path(folder.path() + "/store");
+  config.set_running_job_limit(4);
+  config.mutable_runtime()->set_log_level("error");
+  *config.mutable_stages() = workers.addresses();
+  std::string text;
+  google::protobuf::TextFormat::PrintToString(config, &text);
+  flair::testing::ServerProgram program("flair-orchestrator", text, folder.path());
+  const auto stub = v1::OrchestratorService::NewStub(*runtime::MakeChannel(program.address(), ""));
+  v1::CreateBatchRequest request;
+  const int job_count = static_cast<int>(state.range(0));
+  double cpu_s = 0;
+  for (auto _ : state) {
+    request.set_request_id("b" + std::to_string(cpu_s));
+    request.clear_specs();
+    for (int i = 0; i < job_count; ++i) *request.add_specs() = SpecOf(i + static_cast<int64_t>(1e6 * cpu_s) * 1000);
+    const double before = CpuSeconds(program.process().pid());
+    runtime::CallContext call;
+    using Stub = v1::OrchestratorService::StubInterface;
+    auto batch = runtime::UnaryRequest(*stub, &Stub::CreateBatch, request, call);
+    if (!batch.ok()) return state.SkipWithError(batch.status().ToString().c_str());
+    v1::WatchBatchRequest watch;
+    watch.set_batch_id(batch->batch().id());
+    grpc::ClientContext context;
+    auto reader = stub->WatchBatch(&context, watch);
+    v1::WatchBatchResponse ended;
+    while (reader->Read(&ended)) {
+      if (ended.job().state() != v1::JOB_STATE_SUCCEEDED) state.SkipWithError(ended.job().error().c_str());
+    }
+    cpu_s += CpuSeconds(program.process().pid()) - before;
+  }
+  state.counters["cpu_ms_per_job"] = 1000 * cpu_s / static_cast<double>(job_count * state.iterations());
+}
+BENCHMARK(BM_JobOfTheProgram)->Arg(500)->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
 }  // namespace flair::orchestrator
