@@ -74,7 +74,9 @@ class Walk {
  private:
   bool TakeFact() {
     const std::span<const Term> rest(terms_.data() + at_, std::min(kLongestFact, terms_.size() - at_));
-    const RuleBook::Hit hit = RuleBook::Get().Find(rest);
+    RuleBook::Hit hit = RuleBook::Get().Find(rest);
+    if (hit.rule != nullptr && EndsInNextFact(hit.match.length))
+      hit = RuleBook::Get().Find(rest.first(hit.match.length - 2));
     if (hit.rule == nullptr || Passive()) return false;
     // "against a wall or beside the bed": the first is taken, the choice is free.
     const size_t before = composer_.calls().size();
@@ -92,6 +94,19 @@ class Walk {
       ++at_;
     }
     return true;
+  }
+
+  // "Away from the shelf and at least 1 m from the stool": the figure is for the stool.
+  bool EndsInNextFact(size_t length) const {
+    const size_t next = at_ + length;
+    if (length < 4 || next + 1 >= terms_.size() || terms_[next - 1].kind != Term::Kind::kDistance) return false;
+    const Term& joint = terms_[next - 2];
+    const bool joined = joint.kind == Term::Kind::kSoft && joint.lemma != "(" && joint.lemma != ")";
+    const Term& relation = terms_[next];
+    const bool relates = relation.IsWord("away_from") || relation.IsWord("in_front_of") || relation.IsWord("behind") ||
+                         relation.IsWord("left_of") || relation.IsWord("right_of") || relation.IsWord("to_side");
+    return joined && relates && terms_[next + 1].kind == Term::Kind::kMention &&
+           terms_[next + 1].mention.references.front().kind != RefKind::kPronoun;
   }
 
   // "overshadowed by the bed": what happens to it, not where it is.
