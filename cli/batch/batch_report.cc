@@ -2,7 +2,7 @@
 #include "cli/batch/batch_report.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -103,7 +103,7 @@ absl::Status AddCounts(ResultsFile& results, BatchReport& report) {
 }
 
 std::string Figure(double value) {
-  if (value == 0) return "0";
+  if (std::abs(value) < 1e-9) return "0";
   return value >= 1000 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 

@@ -109,7 +109,7 @@ absl::Status SetFromJson(const json& object, std::string_view path, Message& mes
   // The parser says NAME:LINE: FIELD: what; everything here is on one line.
   const absl::Status status = ParseJsonMessage("", spelt.dump(-1, ' ', false, json::error_handler_t::replace), *said);
   if (!status.ok()) {
-    std::string words(status.message());
+    std::string words = absl::StrReplaceAll(status.message(), {{"; or a newer Flair wrote it", ""}});
     if (words.starts_with(":1: ")) words = words.substr(4);
     return absl::InvalidArgumentError(path.empty() ? words : fmt::format("{}.{}", path, words));
   }

@@ -79,7 +79,11 @@ absl::Status ShowOr(const absl::StatusOr<v1::Batch>& batch, bool json) {
 absl::Status List(const ActionArguments& arguments, BatchSession& batches) {
   const absl::StatusOr<std::vector<v1::Batch>> all = batches.ListBatches(arguments.count);
   if (!all.ok()) return all.status();
-  for (const v1::Batch& batch : *all) {
+  for (const v1::Batch& listed : *all) {
+    // The list itself need not have the counts.
+    const absl::StatusOr<v1::Batch> counted = batches.GetBatch(listed.id());
+    if (!counted.ok()) return counted.status();
+    const v1::Batch& batch = *counted;
     if (arguments.json) {
       fmt::print("{}\n", ToJsonLine(batch));
       continue;
