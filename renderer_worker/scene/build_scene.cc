@@ -69,6 +69,35 @@ void SettleOnHosts(Scene& scene) {
   }
 }
 
+// The wall that the back of an object touches; -1 for none.
+int WallBehind(const RoomShape& shape, const SceneObject& object) {
+  constexpr float kTouches_m = 0.15F;
+  const double theta = object.placement.theta_rad();
+  const Vec3 front{static_cast<float>(-std::sin(theta)), static_cast<float>(std::cos(theta)), 0};
+  const Vec3 middle{static_cast<float>(object.placement.x_m()), static_cast<float>(object.placement.y_m()), 0};
+  const Vec3 back = middle - front * static_cast<float>(object.object->depth_m() / 2);
+  for (size_t i = 0; i < shape.walls.size(); ++i) {
+    const ShapedWall& wall = shape.walls[i];
+    const Vec3 from = back - wall.axes.origin;
+    const float along = Dot(from, wall.axes.along);
+    if (along < 0 || along > wall.length_m || Dot(front, wall.axes.outward) > -0.7F) continue;
+    if (std::abs(Dot(from, wall.axes.outward)) < kTouches_m) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void HangOnWalls(const RoomShape& shape, Scene& scene) {
+  std::unordered_map<std::string, int> walls;
+  for (SceneObject& object : scene.objects) {
+    if (object.object->kind() != v1::OBJECT_KIND_WALL) continue;
+    walls[object.object->id()] = object.wall = WallBehind(shape, object);
+  }
+  for (SceneObject& object : scene.objects) {
+    const auto host = walls.find(object.object->host_id());
+    if (object.object->kind() == v1::OBJECT_KIND_SURFACE && host != walls.end()) object.wall = host->second;
+  }
+}
+
 std::vector<DaylightWindow> WindowsOf(const RoomShape& shape) {
   std::vector<DaylightWindow> windows;
   for (const ShapedWall& wall : shape.walls) {
@@ -92,6 +121,7 @@ absl::StatusOr<Scene> BuildScene(const v1::SolvedLayout& layout, const Furnishin
   scene.windows = WindowsOf(*shape);
   if (absl::Status status = PlaceObjects(layout, source, scene); !status.ok()) return status;
   SettleOnHosts(scene);
+  HangOnWalls(*shape, scene);
   const Sight sight(*shape, scene.objects);
   scene.birdseye = BirdseyeCamera(*shape, sight);
   scene.perspective = PerspectiveCamera(*shape, sight);

@@ -111,6 +111,25 @@ TEST(BuildScene, ThePerspectiveEyeStandsAtEyeHeightAndInNoPiece) {
   }
 }
 
+TEST(BuildScene, KnowsTheWallThatThingsHangOn) {
+  v1::SolvedLayout layout = EmptyRoom(4, 3);
+  AddObject(layout, "painting", 2, 0.3, 0);  // its back to the south wall, where a wall's list begins
+  AddObject(layout, "shelf", 3.7, 1.5, 1.5707963);
+  AddObject(layout, "vase", 3.7, 1.5, 0);
+  AddObject(layout, "desk", 2, 0.3, 0);
+  AddObject(layout, "screen", 2, 1.5, 0);
+  auto& objects = *layout.mutable_graph()->mutable_object_list()->mutable_objects();
+  for (const int i : {0, 1, 4}) objects[i].set_kind(v1::OBJECT_KIND_WALL);
+  objects[2].set_kind(v1::OBJECT_KIND_SURFACE);
+  objects[2].set_host_id("shelf");
+  const Scene scene = Built(layout);
+  EXPECT_EQ(scene.objects[0].wall, 0);
+  EXPECT_EQ(scene.objects[1].wall, 1);
+  EXPECT_EQ(scene.objects[2].wall, 1);
+  EXPECT_EQ(scene.objects[3].wall, -1);  // stands on the floor
+  EXPECT_EQ(scene.objects[4].wall, -1);  // far from all
+}
+
 TEST(RoomShape, TheWayInEndsAtTheInsideOfTheWall) {
   const v1::SolvedLayout layout = EmptyRoom(4, 3);
   const RoomShape shape = *ShapeOf(layout.graph().room());

@@ -89,9 +89,12 @@ double BirdseyeScore(const RoomShape& shape, const Sight& sight, const SceneCame
   const Vec3 to_eye = Normalized(camera.eye - camera.target);
   double score = 0;
   for (int i = 0; i < static_cast<int>(sight.boxes().size()); ++i) {
-    if (sight.boxes()[i].high) continue;
+    const SightBox& box = sight.boxes()[i];
+    if (box.high) continue;
     const double share = sight.VisibleShare(i, camera.eye, cut, [](Vec3) { return true; });
-    score += WeightOf(sight.boxes()[i]) * (share + 0.6 * Dot(sight.boxes()[i].front, to_eye));
+    // The taller a piece, the more of the picture its bare back would be. What goes with its wall shows none.
+    const double facing = box.GoneIn(cut) ? 0 : Dot(box.front, to_eye) * (0.4 + 0.5 * box.half.z);
+    score += WeightOf(box) * (share + facing);
   }
   for (size_t i = 0; i < shape.walls.size(); ++i) {
     if (cut.walls[i] == WallCut::kWhole) score += 0.6 * static_cast<double>(shape.walls[i].openings.size());
@@ -131,7 +134,7 @@ struct Spoiled {
   double outside = 0;  // share that is not of the room
 };
 
-Spoiled SpoiledShares(const RoomShape& shape, const Sight& sight, const SceneCamera& camera) {
+Spoiled SpoiledShares(const RoomShape& shape, const Sight& sight, const SceneCamera& camera, const CutAway& cut) {
   constexpr int kRays = 14;
   constexpr float kClose_m = 2.0F;
   const View view = Looking(Normalized(camera.target - camera.eye));
@@ -142,7 +145,7 @@ Spoiled SpoiledShares(const RoomShape& shape, const Sight& sight, const SceneCam
       const float x = (2 * (static_cast<float>(i) + 0.5F) / kRays - 1) * tangent;
       const float y = (2 * (static_cast<float>(k) + 0.5F) / kRays - 1) * tangent;
       const Vec3 direction = Normalized(view.forward + view.right * x + view.down * y);
-      const float distance = sight.FirstBox(camera.eye, direction, kClose_m, -1, false);
+      const float distance = sight.FirstBox(camera.eye, direction, kClose_m, -1, cut);
       spoiled.close += std::pow(1 - distance / kClose_m, 1.5);
       if (std::isinf(WayIn(shape, camera.eye, direction))) spoiled.outside += 1;
     }
@@ -174,7 +177,7 @@ double PerspectiveScore(const RoomShape& shape, const Sight& sight, const SceneC
       if (faces && framed(at)) score += opening.door() ? 0.03 * most : 0.08 * most;
     }
   }
-  const Spoiled spoiled = SpoiledShares(shape, sight, camera);
+  const Spoiled spoiled = SpoiledShares(shape, sight, camera, cut);
   return score / most - 2.0 * spoiled.close - 8.0 * spoiled.outside;
 }
 

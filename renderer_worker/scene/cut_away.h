@@ -16,7 +16,9 @@ enum class WallCut {
 // What a camera does not see, so that it sees the room.
 struct CutAway {
   bool ceiling = false;        // and what hangs from it
-  std::vector<WallCut> walls;  // as RoomShape::walls
+  std::vector<WallCut> walls;  // as RoomShape::walls; with them goes what hangs on them
+  // Of a wall's index, -1 for no wall.
+  bool Takes(int wall) const { return wall >= 0 && walls[wall] != WallCut::kWhole; }
 };
 
 // From above the ceiling: no ceiling, stubs of the walls that would hide floor. From outside a wall, below the ceiling:

@@ -50,6 +50,7 @@ struct SceneObject {
   const v1::ObjectStyle* style = nullptr;  // null when it has none
   v1::Placement placement;
   Furnishing furnishing;
+  int wall = -1;  // index in the room's walls of the one that it, or what it lies on, hangs on
 };
 
 // A window as a source of daylight: a rectangle in room frame R, from its lower corner nearer to the wall's start.

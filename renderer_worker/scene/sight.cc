@@ -64,6 +64,7 @@ Sight::Sight(const RoomShape& shape, const std::vector<SceneObject>& objects)
     box.right = {std::cos(theta), std::sin(theta), 0};
     box.front = {-std::sin(theta), std::cos(theta), 0};
     box.high = o.object->kind() == v1::OBJECT_KIND_CEILING;
+    box.wall = o.wall;
     boxes_.push_back(box);
   }
   if (boxes_.size() > kMaxBoxes) {
@@ -73,10 +74,10 @@ Sight::Sight(const RoomShape& shape, const std::vector<SceneObject>& objects)
   }
 }
 
-float Sight::FirstBox(Vec3 eye, Vec3 direction, float miss, int but, bool ceiling_cut) const {
+float Sight::FirstBox(Vec3 eye, Vec3 direction, float miss, int but, const CutAway& cut) const {
   float first = miss;
   for (int i = 0; i < static_cast<int>(boxes_.size()); ++i) {
-    if (i != but && !(ceiling_cut && boxes_[i].high)) first = std::min(first, Enter(boxes_[i], eye, direction, first));
+    if (i != but && !boxes_[i].GoneIn(cut)) first = std::min(first, Enter(boxes_[i], eye, direction, first));
   }
   for (const SightBox& leaf : leaves_) first = std::min(first, Enter(leaf, eye, direction, first));
   return first;

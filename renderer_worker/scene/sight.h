@@ -15,6 +15,8 @@ struct SightBox {
   Vec3 right;         // unit
   Vec3 front;         // unit
   bool high = false;  // hangs from the ceiling
+  int wall = -1;      // that it hangs on
+  bool GoneIn(const CutAway& cut) const { return (high && cut.ceiling) || cut.Takes(wall); }
 };
 
 // What can be seen from where, by boxes: good enough to choose a camera. The largest boxes only, so that rooms with
@@ -24,9 +26,9 @@ class Sight {
   Sight(const RoomShape& shape, const std::vector<SceneObject>& objects);
 
   const std::vector<SightBox>& boxes() const { return boxes_; }
-  // Distance to the first box on the way, `miss` when there is none up to there. Leaves out box `but`, and what hangs
-  // from the ceiling where that is cut away.
-  float FirstBox(Vec3 eye, Vec3 direction, float miss, int but, bool ceiling_cut) const;
+  // Distance to the first box on the way, `miss` when there is none up to there. Leaves out box `but` and what is cut
+  // away.
+  float FirstBox(Vec3 eye, Vec3 direction, float miss, int but, const CutAway& cut) const;
   // The share of the box's surface points, as seen from `eye`, that nothing hides and that `inside` accepts.
   template <typename Accepts>
   double VisibleShare(int box, Vec3 eye, const CutAway& cut, const Accepts& accepts) const;
@@ -42,6 +44,7 @@ class Sight {
 template <typename Accepts>
 double Sight::VisibleShare(int box, Vec3 eye, const CutAway& cut, const Accepts& accepts) const {
   const SightBox& b = boxes_[box];
+  if (b.GoneIn(cut)) return 0;
   const Vec3 up{0, 0, 1};
   int seen = 0, count = 0;
   for (const float u : {-0.7F, 0.0F, 0.7F}) {
@@ -53,7 +56,7 @@ double Sight::VisibleShare(int box, Vec3 eye, const CutAway& cut, const Accepts&
         const Vec3 way = point - eye;
         const float distance = Length(way);
         if (!accepts(point) || WallBetween(eye, point, cut)) continue;
-        if (FirstBox(eye, way * (1 / distance), distance - 0.02F, box, cut.ceiling) >= distance - 0.03F) ++seen;
+        if (FirstBox(eye, way * (1 / distance), distance - 0.02F, box, cut) >= distance - 0.03F) ++seen;
       }
     }
   }

@@ -195,6 +195,20 @@ TEST(TraceView, WhatHangsFromACeilingIsSeenFromWithinOnly) {
   EXPECT_GT(seen({"test", {0.3F, 0.3F, 1.5F}, {2, 2, 2}, 1.2F}), 100);
 }
 
+TEST(TraceView, WhatHangsOnAWallGoesWithIt) {
+  v1::SolvedLayout layout = EmptyRoom(4, 4);
+  AddObject(layout, "painting", 2, 0.3, 0);
+  layout.mutable_graph()->mutable_object_list()->mutable_objects(0)->set_kind(v1::OBJECT_KIND_WALL);
+  layout.mutable_placements(0)->set_z_m(1.2);
+  const Scene scene = *BuildScene(layout, BoxFurniture());
+  const auto seen = [&](Vec3 eye) {
+    return Traced(scene, {"test", eye, {2, 2, 1}, 1}, Small()).annotations.instances(0).visible_pixel_count();
+  };
+  EXPECT_GT(seen({2, 7, 6}), 20);     // from the north, above: its front
+  EXPECT_EQ(seen({2, -3, 6}), 0);     // from the south the wall is cut down
+  EXPECT_EQ(seen({2, -3, 1.5F}), 0);  // and from outside it
+}
+
 TEST(TraceView, AnEyeOutsideSeesOnlyWhatIsWithin) {
   const v1::SolvedLayout layout = EmptyRoom(4, 4);
   const Scene scene = *BuildScene(layout, BoxFurniture());

@@ -33,9 +33,9 @@ WorldInstance InstanceOf(const SceneObject& object, const CutAway& cut) {
   const double theta = object.placement.theta_rad();
   instance.cosine = static_cast<float>(std::cos(theta));
   instance.sine = static_cast<float>(std::sin(theta));
-  // What hangs from a ceiling goes with it: it would float, and hide what it hangs over.
+  // What hangs from a ceiling or on a wall goes with it: it would float, and hide what it hangs over.
   const bool hangs = object.object->kind() == v1::OBJECT_KIND_CEILING;
-  if (cut.ceiling && hangs) instance.seen = instance.shades = false;
+  if ((cut.ceiling && hangs) || cut.Takes(object.wall)) instance.seen = instance.shades = false;
   instance.origin = {static_cast<float>(object.placement.x_m()), static_cast<float>(object.placement.y_m()),
                      static_cast<float>(object.placement.z_m())};
   return instance;
