@@ -17,6 +17,9 @@ constexpr float kPi = std::numbers::pi_v<float>;
 void MakeTrunk(Piece& p) {
   const float body = 0.62F * p.h, strap = std::min(0.04F, 0.06F * p.w), y = p.d / 2 - 0.015F * p.d;
   p.make.Box(p.is.hard, {-0.49F * p.w, -y, 0}, {0.49F * p.w, y, body}, 0.008F);
+  // Straps round body and lid, the outer ones a little in from the ends, which they would cover.
+  const std::array<float, 4> straps{-0.47F * p.w, -0.16F * p.w - strap / 2, 0.16F * p.w - strap / 2,
+                                    0.47F * p.w - strap};
   // A vaulted lid: an arc from front to back, drawn out along x.
   const bool flat = p.Says("crate") || p.Says("box");
   std::vector<Vec2> vault =
@@ -25,12 +28,9 @@ void MakeTrunk(Piece& p) {
     p.make.Slab(p.is.hard, vault, 0, 0.98F * p.w, 0.006F);
     std::vector<Vec2> band = vault;
     for (Vec2& point : band) point = {point.x * 1.03F, point.y * 1.03F};
-    for (const float x : {0.0F, 0.28F, 0.66F, 0.94F})
-      p.make.Slab(p.is.metal, band, x * 0.98F * p.w, x * 0.98F * p.w + strap, 0.002F);
+    for (const float x : straps) p.make.Slab(p.is.metal, band, x + 0.49F * p.w, x + 0.49F * p.w + strap, 0.002F);
   });
-  for (const float x : {-0.49F, -0.216F, 0.157F, 0.43F}) {
-    p.make.Box(p.is.metal, {x * p.w, -p.d / 2, 0.0F}, {x * p.w + strap, p.d / 2, body}, 0.003F);
-  }
+  for (const float x : straps) p.make.Box(p.is.metal, {x, -p.d / 2, 0.0F}, {x + strap, p.d / 2, body}, 0.003F);
   p.make.Box(p.is.metal, {-0.06F * p.w, y, body - 0.1F * p.h}, {0.06F * p.w, p.d / 2, body + 0.09F * p.h}, 0.004F);
 }
 

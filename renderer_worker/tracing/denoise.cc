@@ -19,7 +19,7 @@ constexpr int kBlock = 256;  // pixels whose sums stay in the nearest cache
 // Across, of the first round and of the others, which are less wide: what they blend has been smoothed.
 constexpr std::array<float, 5> kFirstKernel = {0.0625F, 0.25F, 0.375F, 0.25F, 0.0625F};  // B3 spline
 constexpr std::array<float, 3> kKernel = {0.3F, 0.4F, 0.3F};
-constexpr float kSpark = 1.5F;       // so many times as bright as all its neighbours
+constexpr float kSpark = 1.5F;       // so many times as bright as all its neighbours but one
 constexpr float kFirstSpreads = 12;  // between near neighbours nearly everything is noise
 constexpr float kSpreads = 4;        // differences of so many standard deviations are noise
 constexpr float kRelative = 0.012F;  // as are those of this share
@@ -45,13 +45,15 @@ void FindSparks(const LightGrid& grid, int y, float* share) {
   const float* luminance = grid.light[kLuminance];
   for (int x = 0; x < grid.width; ++x) {
     const size_t here = static_cast<size_t>(y) * grid.width + x;
-    float brightest = 0, count = 0;
+    float brightest = 0, second = 0, count = 0;
     AboutPoint(grid, x, y, [&](size_t there) {
-      if (there != here) brightest = std::max(brightest, luminance[there]);
       count += 1;
+      if (there == here) return;
+      second = std::max(second, std::min(brightest, luminance[there]));
+      brightest = std::max(brightest, luminance[there]);
     });
     const float own = luminance[here];
-    share[here] = count > 1 && own > kSpark * brightest ? (1 - brightest / own) / count : 0;
+    share[here] = count > 2 && own > kSpark * second ? (1 - second / own) / count : 0;
   }
 }
 

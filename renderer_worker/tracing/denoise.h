@@ -9,8 +9,8 @@ namespace flair::renderer {
 
 // `scratch` is memory for kLightCount planes like those of the grid.
 
-// Points that are much brighter than all their neighbours of one instance share their light with them: few samples
-// found what all others missed, and smoothing would take it for something real. No light is lost.
+// Points that are much brighter than all their neighbours of one instance, but for one, share their light with them:
+// few samples found what all others missed, and smoothing would take it for something real. No light is lost.
 absl::Status SpreadSparks(const Workers& workers, LightGrid& grid, Planes& scratch);
 
 // Smooths the light of a grid, not its surfaces: an edge-stopping a-trous wavelet (Dammertz et al. 2010) in
