@@ -41,7 +41,8 @@ absl::StatusOr<Response> Answer(absl::StatusOr<v1::Batch> batch) {
 
 absl::StatusOr<v1::Batch> OrchestratorHandlers::VisibleBatch(const std::string& id, const Caller& caller) {
   absl::StatusOr<v1::Batch> batch = queue_.GetBatch(id);
-  if (!batch.ok() || caller.MaySee(batch->owner())) return batch;
+  const bool hidden = batch.ok() ? !caller.MaySee(batch->owner()) : absl::IsNotFound(batch.status());
+  if (!hidden) return batch;
   return absl::NotFoundError(fmt::format("batch_id: no batch \"{}\" in this store", id.substr(0, 80)));
 }
 

@@ -19,6 +19,8 @@
 #include "orchestrator/service/orchestrator_handlers.h"
 #include "orchestrator/service/status_reporter.h"
 #include "orchestrator/service/watches.h"
+#include "worker_runtime/grpc/authorization.h"
+#include "worker_runtime/grpc/status.h"
 #include "worker_runtime/grpc/unary_call.h"
 
 namespace flair::orchestrator {
@@ -151,9 +153,16 @@ class Service final : public OrchestratorService {
 
  private:
   absl::StatusOr<Caller> Admit(const grpc::CallbackServerContext& context) {
-    const auto found = context.client_metadata().find("authorization");
-    if (found == context.client_metadata().end()) return stores_.access->Admit(std::nullopt);
-    return stores_.access->Admit(std::string_view(found->second.data(), found->second.size()));
+    return stores_.access->Admit(runtime::AuthorizationOf(context));
+  }
+
+  // Those who may not call take no place in the queue from those who may.
+  grpc::ServerUnaryReactor* TurnAway(const char* rpc, grpc::CallbackServerContext& context,
+                                     const absl::Status& status) {
+    runtime::RpcRecord(worker_, rpc, {}).End(status);
+    grpc::ServerUnaryReactor* reactor = context.DefaultReactor();
+    reactor->Finish(runtime::ToGrpcStatus(status));
+    return reactor;
   }
 
   template <typename Request, typename Response>
@@ -161,11 +170,12 @@ class Service final : public OrchestratorService {
                                   Response& response,
                                   absl::StatusOr<Response> (OrchestratorHandlers::*handle)(const Request&,
                                                                                            const Caller&)) {
+    const absl::StatusOr<Caller> caller = Admit(context);
+    if (!caller.ok()) return TurnAway(rpc, context, caller.status());
     return runtime::StartUnary(
         worker_, rpc, runtime::internal::CallIdsOf(request), context,
-        [this, caller = Admit(context), &request, &response, handle](runtime::CallContext&) -> absl::Status {
-          if (!caller.ok()) return caller.status();
-          absl::StatusOr<Response> answer = (handlers_.*handle)(request, *caller);
+        [this, caller = *caller, &request, &response, handle](runtime::CallContext&) -> absl::Status {
+          absl::StatusOr<Response> answer = (handlers_.*handle)(request, caller);
           if (!answer.ok()) return answer.status();
           response = *std::move(answer);
           return absl::OkStatus();

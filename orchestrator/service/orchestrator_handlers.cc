@@ -46,7 +46,9 @@ absl::Status OrchestratorHandlers::CheckRoom(int64_t job_count, const Caller& ca
 
 absl::StatusOr<v1::Job> OrchestratorHandlers::VisibleJob(const std::string& id, const Caller& caller) {
   absl::StatusOr<v1::Job> job = queue_.GetJob(id);
-  if (!job.ok() || caller.MaySee(job->owner())) return job;
+  // In the same words, whatever the queue's: nobody can tell another's job from none.
+  const bool hidden = job.ok() ? !caller.MaySee(job->owner()) : absl::IsNotFound(job.status());
+  if (!hidden) return job;
   return absl::NotFoundError(fmt::format("job_id: no job \"{}\" in this store", id.substr(0, 80)));
 }
 
