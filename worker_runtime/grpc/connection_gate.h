@@ -17,9 +17,9 @@ namespace flair::runtime {
 class ConnectionGate {
  public:
   // `file_limit`: what the process may open. An eighth of it is kept for everything that is no connection; one address
-  // (of IPv6: one network of 64 bits) gets half of the rest. Unix sockets are all one address.
+  // (of IPv6: one network of 64 bits) gets a quarter of the rest. Unix sockets are all one address.
   explicit ConnectionGate(int file_limit)
-      : file_limit_(file_limit - file_limit / 8), peer_limit_((file_limit_ + 1) / 2) {}
+      : file_limit_(file_limit - file_limit / 8), peer_limit_((file_limit_ + 3) / 4) {}
 
   // Whether the connection that was just accepted as `file` from `peer` may stay. Connections that were closed since
   // are noticed by themselves, whoever closes them: of a peer that has its share, within a tenth of a second. `now`

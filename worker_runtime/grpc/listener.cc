@@ -22,12 +22,13 @@ namespace {
 
 constexpr int kBacklog = 4096;
 constexpr int kAcceptedAtOnce = 256;
-// More would be more than the memory that all connections may have.
 constexpr rlim_t kMostFiles = 65536;
+// Of these for the gate: what more connections need, some 25 KiB each, would be missing to messages (LimitCallers).
+constexpr int kMostConnections = 4096;
 // How long to leave the others waiting when there are no files left.
 constexpr int kOutOfFilesMs = 50;
 
-// Allows the process as many files as it may have, and says how many these are.
+// Allows the process as many files as it may have, and says how many of these the gate is to know of.
 int RaiseFileLimit() {
   rlimit limit = {};
   if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return 1024;
@@ -37,7 +38,7 @@ int RaiseFileLimit() {
     ::setrlimit(RLIMIT_NOFILE, &limit);
     ::getrlimit(RLIMIT_NOFILE, &limit);
   }
-  return static_cast<int>(std::min(limit.rlim_cur, kMostFiles));
+  return static_cast<int>(std::min<rlim_t>(limit.rlim_cur, kMostConnections));
 }
 
 // A listening socket, or -1 with errno.

@@ -46,7 +46,9 @@ void RpcRecord::End(const absl::Status& status, int64_t message_count) {
   const std::string error(Cut(std::string_view(status.message().data(), status.message().size()), kLongestError));
   LogField messages{"messages", {}};
   if (message_count >= 0) messages.value = message_count;
-  Log(*worker_.logger, status.ok() ? spdlog::level::info : spdlog::level::warn, fmt::format("{} {}", rpc_, code),
+  // Callers who leave are nobody's fault: watchers do when they have seen enough.
+  const bool good = status.ok() || absl::IsCancelled(status);
+  Log(*worker_.logger, good ? spdlog::level::info : spdlog::level::warn, fmt::format("{} {}", rpc_, code),
       {{"rpc", rpc_},
        {"code", code},
        {"request_id", Cut(ids_.request_id, kLongestId)},
