@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The client against a real orchestrator with real workers."""
 
+import hashlib
 import itertools
 import subprocess
 import tempfile
@@ -146,7 +147,7 @@ class Restarting(WithOrchestrator):
 
 
 class Tls(unittest.TestCase):
-    """Flair's programs leave TLS to what stands before them, so a server of gRPC's own plays that part."""
+    """A server of gRPC's own, as somebody else's proxy would be; docs/security.md and tests/security have Flair's."""
 
     class Orchestrator(v1.OrchestratorServiceServicer):
         def GetJob(self, request: v1.GetJobRequest, context: grpc.ServicerContext) -> v1.GetJobResponse:
@@ -169,6 +170,34 @@ class Tls(unittest.TestCase):
         for other in (True, False):
             with flair.Client(f"localhost:{port}", tls=other) as client, self.assertRaises(flair.Unavailable):
                 client.job("j1")
+
+
+class Tokens(unittest.TestCase):
+    """An orchestrator that asks who calls; its stages need not be there."""
+
+    def test_who_has_the_token_is_answered(self) -> None:
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        token = "flair_a-token-of-alice"
+        digest = hashlib.sha256(token.encode()).hexdigest()
+        (folder / "tokens.textproto").write_text(f'tokens {{ name: "alice" sha256: "{digest}" }}')
+        stages = " ".join(f'{name}: "unix:{folder / name}"' for name in ("language", "translator", "optimizer", "renderer"))
+        config = f'store_path: "{folder / "store"}" tokens_path: "{folder / "tokens.textproto"}" stages {{ {stages} }}'
+        server = self.enterContext(program("flair-orchestrator", folder, config))
+        (folder / "token").write_text(token + "\n")
+        for known in (token, folder / "token"):
+            client = self.enterContext(flair.Client(server.address, token=known))
+            self.assertEqual(list(client.jobs()), [])
+            with self.assertRaises(flair.NotFound):
+                list(client.watch("none"))
+        for stranger in (None, "flair_another-token"):
+            client = self.enterContext(flair.Client(server.address, token=stranger))
+            with self.assertRaises(flair.FlairError) as caught:
+                list(client.jobs())
+            self.assertEqual(caught.exception.status, grpc.StatusCode.UNAUTHENTICATED)
+
+    def test_a_token_is_not_sent_in_plain_text(self) -> None:
+        with self.assertRaisesRegex(ValueError, "10.1.2.3:50050"):
+            flair.Client("10.1.2.3:50050", token="flair_a-token")
 
 
 if __name__ == "__main__":

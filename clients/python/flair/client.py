@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A client of flair-orchestrator."""
 
+import ipaddress
 import uuid
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import grpc
 
@@ -26,21 +27,34 @@ class Client:
     """
 
     def __init__(
-        self, address: str, *, timeout_s: float = 30.0, tls: bool | Path = False, max_message_mib: int = 32
+        self,
+        address: str,
+        *,
+        timeout_s: float = 30.0,
+        tls: bool | Path = False,
+        tls_certificate: tuple[Path, Path] | None = None,
+        token: str | Path | None = None,
+        allow_insecure: bool = False,
+        max_message_mib: int = 32,
     ) -> None:
         """Connects to "HOST:PORT" or "unix:PATH" when the first call is made.
 
         timeout_s: that every single call may take; watch() waits as long as the job runs unless told otherwise.
         tls: True trusts the system's certificates, a path those of a PEM file; False sends everything as it is.
+        tls_certificate: PEM files of an own certificate and its key, for servers that ask for one; means TLS.
+        token: who asks, as the orchestrator's tokens say; a path is a file with the token.
+        allow_insecure: sends the token as it is, to other machines too.
         """
         limit = max_message_mib << 20
         options = [("grpc.max_receive_message_length", limit), ("grpc.max_send_message_length", limit)]
-        if tls:
-            roots = tls.read_bytes() if isinstance(tls, Path) else None
-            self._channel = grpc.secure_channel(address, grpc.ssl_channel_credentials(roots), options)
+        if tls or tls_certificate:
+            self._channel = grpc.secure_channel(address, _credentials(tls, tls_certificate), options)
+        elif token and not allow_insecure and not _is_local(address):
+            raise ValueError(f"address: {address} is another machine; a token is not sent there without TLS (tls=...)")
         else:
             self._channel = grpc.insecure_channel(address, options)
-        self._stub = v1.OrchestratorServiceStub(self._channel)
+        sender = [_TokenSender(_text_of(token))] if token else []
+        self._stub = v1.OrchestratorServiceStub(grpc.intercept_channel(self._channel, *sender))
         self._timeout_s = timeout_s
 
     def __enter__(self) -> "Client":
@@ -149,6 +163,59 @@ class Client:
             return method(request, timeout=self._timeout_s)
         except grpc.RpcError as error:
             raise error_of(error) from error
+
+
+class _TokenSender(grpc.UnaryUnaryClientInterceptor, grpc.UnaryStreamClientInterceptor):
+    """Sends the token with every call. gRPC's own way asks for TLS, also to one's own machine."""
+
+    def __init__(self, token: str) -> None:
+        self._header = ("authorization", f"Bearer {token}")
+
+    def intercept_unary_unary(self, continuation: Callable[..., Any], details: Any, request: Any) -> Any:
+        return continuation(self._with_header(details), request)
+
+    def intercept_unary_stream(self, continuation: Callable[..., Any], details: Any, request: Any) -> Any:
+        return continuation(self._with_header(details), request)
+
+    def _with_header(self, details: Any) -> "_CallDetails":
+        metadata = [*(details.metadata or []), self._header]
+        return _CallDetails(details.method, details.timeout, metadata, details.credentials, details.wait_for_ready)
+
+
+class _CallDetails(NamedTuple):
+    """What gRPC's type of this name holds, which cannot be made."""
+
+    method: str
+    timeout: float | None
+    metadata: list[tuple[str, str]]
+    credentials: Any
+    wait_for_ready: bool | None
+
+
+def _credentials(tls: bool | Path, certificate: tuple[Path, Path] | None) -> grpc.ChannelCredentials:
+    roots = tls.read_bytes() if isinstance(tls, Path) else None
+    chain, key = (path.read_bytes() for path in certificate) if certificate else (None, None)
+    return grpc.ssl_channel_credentials(roots, key, chain)
+
+
+def _text_of(token: str | Path) -> str:
+    text = (token.read_text() if isinstance(token, Path) else token).strip()
+    if not text or not all("!" <= c <= "~" for c in text):
+        raise ValueError("token: expected letters, digits and signs without spaces")
+    return text
+
+
+def _is_local(address: str) -> bool:
+    """Whether only this machine can be meant."""
+    if address.startswith("unix:"):
+        return True
+    host = address.removeprefix("dns:///").rpartition(":")[0].strip("[]").lower()
+    if host == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
 
 
 def _id(job: JobOrId) -> str:
