@@ -12,6 +12,8 @@ using nlohmann::json;
 
 // What one answer may take; the calls' limit allows for several.
 constexpr absl::Duration kOneAnswer = absl::Seconds(2);
+// And many asked at once.
+constexpr absl::Duration kManyAnswers = absl::Seconds(4);
 
 // Codes of nats-server's errors.json.
 bool MeansNoRoom(int code) {
@@ -82,7 +84,7 @@ std::vector<absl::StatusOr<json>> JetStreamApi::CallAll(std::span<const std::pai
     requests.push_back({"$JS.API." + verb, request.is_null() ? "" : request.dump(), {}});
   }
   std::vector<absl::StatusOr<json>> answers;
-  for (const absl::StatusOr<NatsMessage>& answer : connection_.RequestAll(requests, limit_)) {
+  for (const absl::StatusOr<NatsMessage>& answer : connection_.RequestAll(requests, kManyAnswers)) {
     answers.push_back(Parse(answer));
   }
   return answers;

@@ -107,7 +107,7 @@ absl::StatusOr<bool> BatchCare::Close(const std::string& batch_id, bool waits) {
   // Taken first: what comes later is of a job that was retried.
   const absl::StatusOr<uint64_t> last = parts_.reader.LastSequence(parts_.names.queue_stream());
   if (!last.ok()) return last.status();
-  const absl::StatusOr<int64_t> ended = ends_.CountAll(batch_id);
+  const absl::StatusOr<int64_t> ended = ends_.CountAll(batch);
   if (!ended.ok()) return ended.status();
   if (*ended >= batch.job_count()) {
     const std::string subject = parts_.names.Batch(OwnerToken(batch.owner()), batch_id);

@@ -14,28 +14,13 @@
 #include "absl/time/time.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "flair/config/v1/runtime_config.pb.h"
+#include "orchestrator/jetstream/answers.h"
+#include "orchestrator/jetstream/nats_message.h"
 
 typedef struct __natsConnection natsConnection;
 typedef struct __natsSubscription natsSubscription;
 
 namespace flair::orchestrator {
-
-// What goes to a server.
-struct NatsRequest {
-  std::string subject;
-  std::string content;
-  std::vector<std::pair<std::string, std::string>> headers;
-};
-
-// What comes from one.
-struct NatsMessage {
-  std::string subject;
-  std::string content;
-  // Where an answer to it, such as an acknowledgement, goes.
-  std::string reply;
-  // The server's own, without content: 404 no message, 408 too late, 409 consumer gone, 503 nobody there; 0 for others.
-  int status = 0;
-};
 
 // What arrives for a subject, read by one thread.
 class NatsInbox {
@@ -99,6 +84,8 @@ class NatsConnection {
 
   natsConnection* const connection_;
   const std::string address_;
+  // Ends before the connection does.
+  std::unique_ptr<Answers> answers_;
 };
 
 }  // namespace flair::orchestrator

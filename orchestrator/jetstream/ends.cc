@@ -2,6 +2,7 @@
 #include "orchestrator/jetstream/ends.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -10,8 +11,11 @@ namespace {
 
 using nlohmann::json;
 
-// Place of the job's id in the subject of its end.
+// Places of the state, then the kind, and of the job's id in the subject of its end.
+constexpr int kStateToken = 3;
 constexpr int kJobToken = 5;
+// Jobs of a batch whose ends are listed: an answer of some hundred KiB.
+constexpr int kListed = 4000;
 // Ends read at once when all of a kind are wanted.
 constexpr int kReadAtOnce = 10000;
 
@@ -54,41 +58,70 @@ absl::Status Ends::Remove(const v1::Job& job) {
   return absl::IsNotFound(removed) ? absl::OkStatus() : removed;
 }
 
-absl::StatusOr<int64_t> Ends::CountAll(const std::string& batch_id) {
-  const std::string all = parts_.names.End(batch_id, "*", "*", "*");
+absl::StatusOr<int64_t> Ends::CountAll(const v1::Batch& batch) {
+  const std::string all = parts_.names.End(batch.id(), "*", "*", "*");
+  if (batch.job_count() <= kListed) {
+    const auto subjects = parts_.reader.Subjects(parts_.names.ends_stream(), all);
+    if (!subjects.ok()) return subjects.status();
+    return static_cast<int64_t>(subjects->size());
+  }
   const auto counts = parts_.reader.Count(parts_.names.ends_stream(), std::span(&all, 1));
   if (!counts.ok()) return counts.status();
   return counts->front();
 }
 
-absl::Status Ends::Count(v1::Batch& batch) {
+// Jobs by how they ended. Of few, the subjects are listed; of many, the servers count.
+absl::StatusOr<std::map<Ends::Outcome, int64_t>> Ends::CountOutcomes(const v1::Batch& batch) {
   const std::string stream = parts_.names.ends_stream();
-  std::vector<std::string> filters;
-  for (v1::JobState state : {v1::JOB_STATE_SUCCEEDED, v1::JOB_STATE_FAILED, v1::JOB_STATE_CANCELLED}) {
-    filters.push_back(parts_.names.End(batch.id(), Number(state), "*", "*"));
+  std::map<Outcome, int64_t> counts;
+  if (batch.job_count() <= kListed) {
+    const auto subjects = parts_.reader.Subjects(stream, parts_.names.End(batch.id(), "*", "*", "*"));
+    if (!subjects.ok()) return subjects.status();
+    for (const auto& [subject, count] : *subjects) {
+      ++counts[{std::string(TokenAt(subject, kStateToken)), std::string(TokenAt(subject, kStateToken + 1))}];
+    }
+    return counts;
   }
-  const auto counts = parts_.reader.Count(stream, filters);
+  std::vector<Outcome> outcomes = {{Number(v1::JOB_STATE_SUCCEEDED), "*"},
+                                   {Number(v1::JOB_STATE_CANCELLED), "*"},
+                                   {Number(v1::JOB_STATE_FAILED), "*"}};
+  // Most of the time none has failed.
+  for (int round = 0; round < 2 && !outcomes.empty(); ++round) {
+    std::vector<std::string> filters;
+    for (const Outcome& outcome : outcomes) {
+      filters.push_back(parts_.names.End(batch.id(), outcome.first, outcome.second, "*"));
+    }
+    const auto found = parts_.reader.Count(stream, filters);
+    if (!found.ok()) return found.status();
+    for (size_t i = 0; i < outcomes.size(); ++i) counts[outcomes[i]] = (*found)[i];
+    outcomes.clear();
+    const auto failed = counts.extract(Outcome(Number(v1::JOB_STATE_FAILED), "*"));
+    if (failed.empty() || failed.mapped() == 0) continue;
+    for (int kind = v1::FailureKind_MIN; kind <= v1::FailureKind_MAX; ++kind) {
+      outcomes.emplace_back(Number(v1::JOB_STATE_FAILED), Number(kind));
+    }
+  }
+  return counts;
+}
+
+absl::Status Ends::Count(v1::Batch& batch) {
+  const auto counts = CountOutcomes(batch);
   if (!counts.ok()) return counts.status();
-  batch.set_succeeded_count(static_cast<int>((*counts)[0]));
-  batch.set_failed_count(static_cast<int>((*counts)[1]));
-  batch.set_cancelled_count(static_cast<int>((*counts)[2]));
+  for (const auto& [outcome, count_64] : *counts) {
+    const auto count = static_cast<int>(count_64);
+    if (count == 0) continue;
+    if (outcome.first == Number(v1::JOB_STATE_SUCCEEDED)) batch.set_succeeded_count(batch.succeeded_count() + count);
+    if (outcome.first == Number(v1::JOB_STATE_CANCELLED)) batch.set_cancelled_count(batch.cancelled_count() + count);
+    if (outcome.first != Number(v1::JOB_STATE_FAILED)) continue;
+    batch.set_failed_count(batch.failed_count() + count);
+    v1::FailureCount& failures = *batch.add_failures();
+    failures.set_kind(static_cast<v1::FailureKind>(std::atoi(outcome.second.c_str())));
+    failures.set_job_count(count);
+  }
+  std::ranges::stable_sort(*batch.mutable_failures(), std::greater(), &v1::FailureCount::job_count);
   const int ended = batch.succeeded_count() + batch.failed_count() + batch.cancelled_count();
   // Of an open batch, jobs may have ended that it does not count yet.
   batch.set_open_count(std::max(0, batch.job_count() - ended));
-  if (batch.failed_count() == 0) return absl::OkStatus();
-  filters.clear();
-  for (int kind = v1::FailureKind_MIN; kind <= v1::FailureKind_MAX; ++kind) {
-    filters.push_back(parts_.names.End(batch.id(), Number(v1::JOB_STATE_FAILED), Number(kind), "*"));
-  }
-  const auto kinds = parts_.reader.Count(stream, filters);
-  if (!kinds.ok()) return kinds.status();
-  for (size_t i = 0; i < kinds->size(); ++i) {
-    if ((*kinds)[i] == 0) continue;
-    v1::FailureCount& failures = *batch.add_failures();
-    failures.set_kind(static_cast<v1::FailureKind>(v1::FailureKind_MIN + static_cast<int>(i)));
-    failures.set_job_count(static_cast<int>((*kinds)[i]));
-  }
-  std::ranges::stable_sort(*batch.mutable_failures(), std::greater(), &v1::FailureCount::job_count);
   return absl::OkStatus();
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -28,7 +30,7 @@ class Ends {
 
   // Fills in the counts of a batch but running_count.
   absl::Status Count(v1::Batch& batch);
-  absl::StatusOr<int64_t> CountAll(const std::string& batch_id);
+  absl::StatusOr<int64_t> CountAll(const v1::Batch& batch);
 
   absl::StatusOr<std::vector<BatchEnd>> After(const std::string& batch_id, int64_t sequence, int limit);
 
@@ -36,6 +38,9 @@ class Ends {
   absl::StatusOr<std::vector<std::string>> JobsIn(const std::string& batch_id, v1::JobState state);
 
  private:
+  // The numbers of state and failure kind, as in subjects.
+  using Outcome = std::pair<std::string, std::string>;
+  absl::StatusOr<std::map<Outcome, int64_t>> CountOutcomes(const v1::Batch& batch);
   std::string SubjectOf(const v1::Job& job) const;
   absl::StatusOr<std::vector<BatchEnd>> Read(const std::string& filter, int64_t sequence, int limit);
 

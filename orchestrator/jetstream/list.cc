@@ -174,7 +174,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::BatchHasEnded(const std::string& batch_
   for (const auto& [subject, count] : *messages) {
     if (count > kCountedAtOnce && batch.state() != v1::BATCH_STATE_CANCELLED) return false;
   }
-  const absl::StatusOr<int64_t> ended = ends_.CountAll(batch_id);
+  const absl::StatusOr<int64_t> ended = ends_.CountAll(batch);
   if (!ended.ok()) return ended.status();
   return *ended >= batch.job_count();
 }

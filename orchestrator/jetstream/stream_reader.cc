@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/jetstream/stream_reader.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "absl/strings/escaping.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_split.h"
 
@@ -13,6 +18,8 @@ using nlohmann::json;
 
 // Consumers that nobody removed, because their process died, go after this.
 constexpr absl::Duration kConsumerLife = absl::Seconds(30);
+// Messages that are asked for one by one before a consumer is made.
+constexpr int kOneByOne = 32;
 // A message on its way from the server.
 constexpr absl::Duration kOneMessage = absl::Seconds(2);
 
@@ -47,22 +54,40 @@ Delivery ParseDelivery(std::string_view reply_subject) {
 
 absl::StatusOr<std::vector<int64_t>> StreamReader::Count(const std::string& stream,
                                                          std::span<const std::string> filters) {
-  std::vector<std::pair<std::string, json>> calls;
-  for (const std::string& filter : filters) {
-    calls.emplace_back("CONSUMER.CREATE." + stream, ConsumerOf(stream, filter, 1, false));
-  }
-  return api_.WithinLimit([&]() -> absl::StatusOr<std::vector<int64_t>> {
-    std::vector<int64_t> counts;
+  std::vector<int64_t> counts(filters.size(), -1);
+  const absl::Status status = api_.WithinLimit([&]() -> absl::Status {
+    std::vector<size_t> places;
+    std::vector<std::pair<std::string, json>> calls;
+    for (size_t i = 0; i < filters.size(); ++i) {
+      if (counts[i] >= 0) continue;
+      places.push_back(i);
+      calls.emplace_back("CONSUMER.CREATE." + stream, ConsumerOf(stream, filters[i], 1, false));
+    }
     absl::Status failed;
+    auto place = places.begin();
     for (const absl::StatusOr<json>& made : api_.CallAll(calls)) {
+      const size_t i = *place++;
       failed.Update(made.status());
       if (!made.ok()) continue;
-      counts.push_back(made->value("num_pending", int64_t{0}));
+      counts[i] = made->value("num_pending", int64_t{0});
       Forget(stream, made->value("name", ""));
     }
-    if (!failed.ok()) return failed;
-    return counts;
+    return failed;
   });
+  if (!status.ok()) return status;
+  return counts;
+}
+
+absl::StatusOr<std::map<std::string, int64_t>> StreamReader::Subjects(const std::string& stream,
+                                                                      const std::string& filter) {
+  const absl::StatusOr<json> info = api_.Call("STREAM.INFO." + stream, json{{"subjects_filter", filter}});
+  if (!info.ok()) return info.status();
+  std::map<std::string, int64_t> counts;
+  const json subjects = info->value("state", json::object()).value("subjects", json::object());
+  for (const auto& [subject, count] : subjects.items()) {
+    if (count.is_number_integer()) counts[subject] = count.get<int64_t>();
+  }
+  return counts;
 }
 
 void StreamReader::Forget(const std::string& stream, const std::string& consumer) {
@@ -70,7 +95,39 @@ void StreamReader::Forget(const std::string& stream, const std::string& consumer
 }
 
 absl::StatusOr<std::vector<StreamReader::Message>> StreamReader::Read(const std::string& stream, const Range& range) {
-  return api_.WithinLimit([&] { return ReadOnce(stream, range); });
+  // Most of the time there is little that is new. Only where there is more, a consumer is worth its making.
+  Range some = range;
+  some.limit = std::min(range.limit, kOneByOne);
+  absl::StatusOr<std::vector<Message>> read = ReadOneByOne(stream, some);
+  if (!read.ok() || static_cast<int>(read->size()) < kOneByOne || range.limit == kOneByOne) return read;
+  Range rest = range;
+  rest.first_sequence = read->back().sequence + 1;
+  rest.limit = range.limit - kOneByOne;
+  absl::StatusOr<std::vector<Message>> more = api_.WithinLimit([&] { return ReadOnce(stream, rest); });
+  if (!more.ok()) return more;
+  std::ranges::move(*more, std::back_inserter(*read));
+  return read;
+}
+
+absl::StatusOr<std::vector<StreamReader::Message>> StreamReader::ReadOneByOne(const std::string& stream,
+                                                                              const Range& range) {
+  std::vector<Message> read;
+  uint64_t sequence = std::max<uint64_t>(1, range.first_sequence);
+  while (static_cast<int>(read.size()) < range.limit) {
+    const absl::StatusOr<json> answer =
+        api_.Call("STREAM.MSG.GET." + stream, json{{"seq", sequence}, {"next_by_subj", range.filter}});
+    if (absl::IsNotFound(answer.status())) break;
+    if (!answer.ok()) return answer.status();
+    const json found = answer->value("message", json::object());
+    Message& message = read.emplace_back();
+    message.subject = found.value("subject", "");
+    message.sequence = found.value("seq", uint64_t{0});
+    if (message.sequence < sequence || !absl::Base64Unescape(found.value("data", ""), &message.content)) {
+      return absl::InternalError(fmt::format("stream {} gives a message that cannot be read", stream));
+    }
+    sequence = message.sequence + 1;
+  }
+  return read;
 }
 
 absl::StatusOr<std::vector<StreamReader::Message>> StreamReader::ReadOnce(const std::string& stream,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,8 +27,12 @@ class StreamReader {
  public:
   explicit StreamReader(JetStreamApi& api) : api_(api) {}
 
-  // How many messages have subjects that match each filter; the stream's server counts, nothing is read.
+  // How many messages have subjects that match each filter; the stream's servers count, nothing is read. While a server
+  // that just died is still believed to live, one may be asked that does not answer, and another is asked.
   absl::StatusOr<std::vector<int64_t>> Count(const std::string& stream, std::span<const std::string> filters);
+
+  // The subjects that match, at most some thousands, with their messages. One answer of the stream's leader.
+  absl::StatusOr<std::map<std::string, int64_t>> Subjects(const std::string& stream, const std::string& filter);
 
   struct Range {
     std::string filter;
@@ -47,6 +52,7 @@ class StreamReader {
   absl::StatusOr<uint64_t> LastSequence(const std::string& stream);
 
  private:
+  absl::StatusOr<std::vector<Message>> ReadOneByOne(const std::string& stream, const Range& range);
   absl::StatusOr<std::vector<Message>> ReadOnce(const std::string& stream, const Range& range);
   void Forget(const std::string& stream, const std::string& consumer);
 

@@ -148,23 +148,23 @@ TEST_P(BatchesContract, OnlyTheBatchesThatAreNamedAreTakenFrom) {
 TEST_P(BatchesContract, ACancelledBatchEndsItsJobs) {
   WatchedQueue queue = Open();
   WatchedQueue other = Open();
-  Make(queue, "b1", 700);
+  Make(queue, "b1", 4500);
   const auto running = queue.Take();
   ASSERT_NE(running, nullptr);
   ASSERT_TRUE(other->CancelBatch("b1", absl::FromUnixSeconds(1'800'000'200)).ok());
   EXPECT_TRUE(queue.WaitUntil([&] { return running->cancellation().cancelled(); }));
   EXPECT_TRUE(running->cancel_requested());
   EXPECT_FALSE(queue->BatchHasEnded("b1").value());
-  EXPECT_EQ(queue->GetBatch("b1")->cancelled_count(), 699);
+  EXPECT_EQ(queue->GetBatch("b1")->cancelled_count(), 4499);
   EXPECT_EQ(queue->GetBatch("b1")->open_count(), 1);
   ASSERT_TRUE(EndAs(*running, v1::JOB_STATE_CANCELLED).ok());
-  EXPECT_EQ(queue->GetBatch("b1")->cancelled_count(), 700);
+  EXPECT_EQ(queue->GetBatch("b1")->cancelled_count(), 4500);
   EXPECT_TRUE(queue->BatchHasEnded("b1").value());
   EXPECT_EQ(queue.TakeNow(), nullptr);
   EXPECT_TRUE(absl::IsFailedPrecondition(queue->SetBatchState("b1", v1::BATCH_STATE_ACTIVE)));
   EXPECT_TRUE(queue->SetBatchState("b1", v1::BATCH_STATE_PAUSED).ok());
   EXPECT_EQ(queue->GetBatch("b1")->state(), v1::BATCH_STATE_CANCELLED);
-  EXPECT_TRUE(absl::IsFailedPrecondition(queue->AddJobs("b1", JobsOf("b1", 700, 1), false).status()));
+  EXPECT_TRUE(absl::IsFailedPrecondition(queue->AddJobs("b1", JobsOf("b1", 4500, 1), false).status()));
   EXPECT_TRUE(queue.WaitUntil([&] { return queue->CountQueued().value() == 0; }));
 }
 
