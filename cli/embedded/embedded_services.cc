@@ -5,8 +5,11 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_split.h"
 #include "cli/embedded/remote_stage.h"
 #include "cli/exit_code.h"
+#include "cli/input/connection_flags.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
@@ -49,10 +52,20 @@ struct StagePlace {
   const std::string& address;
 };
 
+// Several servers, with commas between, are each asked once; jobs are then spread over them.
 absl::Status Connect(const StagePlace& place) {
-  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = ConnectToStage(place.name, place.address);
-  if (!channel.ok()) return channel.status();
-  place.channel = {.channel = *std::move(channel), .address = place.address, .setting = place.name.flag};
+  const absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
+  if (!options.ok()) return options.status();
+  std::shared_ptr<grpc::Channel> first;
+  for (const auto address : absl::StrSplit(place.address, ',')) {
+    auto channel = ConnectToStage(place.name, std::string(absl::StripAsciiWhitespace(address)));
+    if (!channel.ok()) return channel.status();
+    if (first == nullptr) first = *std::move(channel);
+  }
+  place.channel = {.channel = first,
+                   .address = place.address,
+                   .setting = place.name.flag,
+                   .connect = orchestrator::ConnectorTo(place.name.service, *options)};
   return absl::OkStatus();
 }
 

@@ -8,9 +8,17 @@
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "orchestrator/workers/addresses.h"
-#include "worker_runtime/grpc/channel.h"
 
 namespace flair::orchestrator {
+
+ConnectWorker ConnectorTo(const std::string& service, const runtime::ChannelOptions& options) {
+  return [service, options](const std::string& address, const std::string& server_name) {
+    runtime::ChannelOptions of_worker = options;
+    of_worker.server_name = server_name;
+    of_worker.only_while_serving = true;
+    return runtime::MakeChannel(address, service, of_worker);
+  };
+}
 
 absl::StatusOr<StageChannels> ConnectStages(const config::v1::OrchestratorConfig& config) {
   StageChannels channels;
@@ -28,13 +36,7 @@ absl::StatusOr<StageChannels> ConnectStages(const config::v1::OrchestratorConfig
   for (const auto& stage : stages) {
     const std::string setting = fmt::format("stages.{}", stage.field);
     absl::StatusOr<StageAddresses> addresses = ParseStageAddresses(stage.address);
-    const auto connect = [service = std::string(stage.service), options = runtime::ChannelOptionsOf(config.runtime())](
-                             const std::string& address, const std::string& server_name) {
-      runtime::ChannelOptions of_worker = options;
-      of_worker.server_name = server_name;
-      of_worker.only_while_serving = true;
-      return runtime::MakeChannel(address, service, of_worker);
-    };
+    const ConnectWorker connect = ConnectorTo(stage.service, runtime::ChannelOptionsOf(config.runtime()));
     // What can be known now of a channel that cannot be made is said now.
     absl::Status status = addresses.status();
     for (size_t i = 0; status.ok() && i < addresses->workers.size(); ++i) {

@@ -13,7 +13,7 @@ WorkersOfStage::WorkersOfStage(WorkerPoolOptions options, StageChannel where, co
       lookup_(lookup),
       connections_(connections),
       pool_(options_, clock) {
-  if (where_.channel != nullptr) {
+  if (where_.connect == nullptr) {
     const WorkerId id = pool_.Add(where_.address);
     open_[id] = connections_.Open({pool_, id, options_.stage, where_.address, options_.setting}, where_.channel, false);
   } else if (absl::StatusOr<StageAddresses> addresses = ParseStageAddresses(where_.address); addresses.ok()) {
