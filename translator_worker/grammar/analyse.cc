@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "translator_worker/grammar/brackets.h"
+#include "translator_worker/grammar/conditions.h"
 #include "translator_worker/grammar/lexicon.h"
 #include "translator_worker/grammar/noun_phrases.h"
 #include "translator_worker/grammar/prepare_tokens.h"
@@ -154,55 +156,6 @@ class Reader {
            tokens_[at_ + 1].IsWord("by");
   }
 
-  // "..., especially if the bed is tall", "... unless it is used for a lamp": what stands before holds anyhow.
-  bool IsAside(const Phrase& phrase) const {
-    if (terms_.empty()) return false;
-    static constexpr std::array<std::string_view, 5> kEven = {"especially", "particularly", "mainly", "even",
-                                                              "specifically"};
-    const bool even = at_ > 0 && std::any_of(kEven.begin(), kEven.end(),
-                                             [&](std::string_view word) { return tokens_[at_ - 1].IsWord(word); });
-    return even || (phrase.length == 1 && tokens_[at_].IsWord("unless"));
-  }
-
-  void SkipToStop() {
-    while (at_ < tokens_.size() && !tokens_[at_].IsMark('.')) ++at_;
-  }
-
-  // "The front is accessible; the back need not be": only what follows the stop is conditional.
-  bool DropClauseAfterStop() {
-    size_t begin = terms_.size();
-    while (begin > 0 && terms_[begin - 1].term.kind != Term::Kind::kStop) --begin;
-    if (begin == 0) return false;
-    terms_.resize(begin);
-    SkipToStop();
-    return true;
-  }
-
-  // "Against a wall if space is limited, but not in front of windows": only the first clause is conditional.
-  bool DropClauseBeforeNext() {
-    size_t begin = terms_.size();
-    while (begin > 0 && terms_[begin - 1].term.kind != Term::Kind::kStop &&
-           !terms_[begin - 1].term.lemma.starts_with("but"))
-      --begin;
-    const bool main_clause = std::any_of(
-        terms_.begin() + static_cast<long>(begin), terms_.end(),
-        [](const RawTerm& raw) { return raw.role == RawTerm::Role::kNone && raw.term.kind == Term::Kind::kWord; });
-    size_t next = at_;
-    while (next + 1 < tokens_.size() && !BeginsClause(next)) ++next;
-    if (!main_clause || next + 2 >= tokens_.size()) return false;
-    terms_.resize(begin);
-    at_ = next;
-    analysis_.partly_conditional = true;
-    return true;
-  }
-
-  // A stop, "but", or a comma or "and" before "should".
-  bool BeginsClause(size_t at) const {
-    if (tokens_[at].IsMark('.') || tokens_[at].IsWord("but")) return true;
-    if (!tokens_[at].IsMark(',') && !tokens_[at].IsWord("and")) return false;
-    return IsOneOf(tokens_[at + 1], {"should", "must", "avoid", "needs", "ensure"});
-  }
-
   // "Easily accessible from the front": from a side of its own, not from another thing.
   bool ReachedFromSide(const Phrase& phrase) const {
     size_t next = at_ + phrase.length;
@@ -258,11 +211,11 @@ class Reader {
         at_ += phrase.length;
         return;
       case WordClass::kCondition:
-        if (IsAside(phrase)) {
-          SkipToStop();
+        if (const std::optional<size_t> next = LeaveOutCondition(tokens_, at_, phrase.length, terms_)) {
+          analysis_.partly_conditional = true;
+          at_ = *next;
           return;
         }
-        if (DropClauseAfterStop() || DropClauseBeforeNext()) return;
         analysis_.conditional = true;
         at_ += phrase.length;
         return;

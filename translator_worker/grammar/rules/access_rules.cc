@@ -162,36 +162,12 @@ void MovementAround(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_about_layout", "ways cannot be asked for; say which sides are kept free");
 }
 
-// "Avoid placing objects too close to the sides of the bed."
-void NothingNear(const Match& match, std::string_view, Composer& composer) {
-  for (Placed owner : composer.TargetObjects(*match.b, {})) {
-    if (owner.side.empty()) owner.side = "all";
-    KeepSpace({owner}, match.distance, composer);
-  }
-}
-
-// "No furniture in front".
-void SpaceBefore(const Match& match, std::string_view, Composer& composer) {
-  for (const Placed& owner : composer.topic()) KeepSpaceAt(owner, {"front"}, match.distance, composer);
-}
-
 // "0.1 m on each side and behind": as much as at the sides.
 void MoreSpace(const Match&, std::string_view tag, Composer& composer) {
   const bool sides = tag == "sides";
   if (!composer.AddSides(sides ? std::vector<std::string>{"left", "right"}
                                : std::vector<std::string>{std::string(tag)}))
     composer.Refuse("unknown_sentence", "nothing says what is there");
-}
-
-// "Nothing within half a metre of its shelves".
-void NothingWithin(const Match& match, std::string_view, Composer& composer) {
-  for (const Placed& owner : composer.TargetObjects(*match.b, {})) KeepFreeBeside(owner, match.distance, composer);
-}
-
-void NothingInFront(const Match& match, std::string_view, Composer& composer) {
-  for (const Placed& owner : composer.TargetObjects(*match.b, {})) {
-    KeepSpace({{owner.object, "front"}}, match.distance, composer);
-  }
 }
 
 // "Its top and front are accessible": the front is.
@@ -232,6 +208,7 @@ std::vector<Rule> AccessRules() {
       {"A.object? accessible_from ,? around", SpaceAt, "around"},
       {"A.object? accessible_from B.object", AccessibleFrom},
       {"A.object? accessible_from B.feature", AccessibleFrom},
+      {"A.object? accessible to B.side", AccessToSide},
       {"A.object? accessible to B.object", AccessibleFrom},
       {"A.object? space? D? accessible ,? at_sides", SpaceAt, "sides"},
       {"A? accessible in_front", SpaceAt, "front"},
@@ -342,17 +319,6 @@ std::vector<Rule> PathRules() {
       {"A? D? C.vague D? around B.object", PathAround, "around"},
       {"A? D? C.vague D? all_sides B.object", PathAround, "all"},
       {"A? not block C.vague around B.object", MovementAround},
-  };
-}
-
-std::vector<Rule> FrontRules() {
-  return {
-      {"not near B.side", NothingNear},
-      {"A.group not near B.side", NothingNear},
-      {"A.group not in_front_of B.thing", NothingInFront},
-      {"A.group not in_front", SpaceBefore},
-      {"A.group not D of/near B.side", NothingNear},
-      {"A.group not D of/near B.object", NothingWithin},
   };
 }
 

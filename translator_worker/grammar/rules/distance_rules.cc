@@ -240,7 +240,7 @@ std::vector<Rule> DistanceRules() {
       {"D space?", BareDistance},
       {"space D", BareDistance},
       {"away_from? D apart/away?", BareDistance},
-      {"A? D? space? away_from edge/corner of? B", AwayFrom},
+      {"A? space? D? space? away_from edge/corner of? B", AwayFrom},
       {"D away_from B", AwayFrom},
       {"A? not_closer B than D", AwayFrom},
       {"not near B", AwayFrom},

@@ -194,6 +194,8 @@ std::vector<Rule> FeatureRules() {
       {"A? not block C.vague between B", PathBetween},
       {"B.feature not block next_to A.object", NotBlock},
       {"B.feature not behind/under A.object", NotBlock},
+      {"B.feature behind A.object accessible/keep_clear", NotBlock},
+      {"A? not block B.feature to C.object", ViewBetween},
       {"B.feature swing_open", DoorsOpen},
       {"swing_open B.feature", DoorsOpen},
       {"B.feature swing_open not C.vague", DoorsOpen},

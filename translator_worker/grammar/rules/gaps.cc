@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "fmt/format.h"
 #include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/space.h"
 #include "translator_worker/grammar/sides.h"
@@ -101,12 +102,16 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
     // "Between the wardrobe's front and the opposite wall": free space there.
     BetweenOrAnything(match, tag, composer);
     return;
-  } else if (last.kind == RefKind::kWall) {
+  } else if (last.kind == RefKind::kWall || last.kind == RefKind::kFeature) {
+    if (last.kind == RefKind::kFeature && !composer.HasFeature(last.name)) {
+      composer.Refuse("names_absent_feature", fmt::format("the room has no {}", last.name));
+      return;
+    }
     for (size_t i = 0; i + 1 < mention.references.size(); ++i) {
       Mention one;
       one.references = {mention.references[i]};
       for (const Placed& mover : composer.Movers(&one)) {
-        KeepAway(mover, {RefKind::kWall, {}, last.name}, distance, composer);
+        KeepAway(mover, {last.kind, {}, last.name}, distance, composer);
       }
     }
     return;

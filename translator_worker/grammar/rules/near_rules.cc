@@ -7,6 +7,7 @@
 #include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/gaps.h"
 #include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/rules/space.h"
 #include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
@@ -113,6 +114,10 @@ void NotFurther(const Match& match, std::string_view tag, Composer& composer) {
 void FeatureWithin(const Match& match, std::string_view, Composer& composer) {
   for (const Target& target : composer.Targets(*match.b, {})) {
     for (const Placed& mover : composer.topic()) {
+      if (target.name == "door" && composer.HasDoors(mover)) {
+        KeepSpace({mover}, match.distance, composer);  // its own
+        continue;
+      }
       match.distance->max_m ? NearOne(mover, target, match.distance, composer)
                             : KeepAway(mover, target, match.distance, composer);
     }
@@ -221,6 +226,7 @@ std::vector<Rule> NearRules() {
       {"B.feature near/next_to A.object accessible/keep_clear", Near},
       {"B.feature near", Near},
       {"B.feature D", FeatureWithin},
+      {"A? near/access_to next_to/on B.object", Near},
       {"B.feature at_sides considered?", Near},
       {"A? near B D?", Near},
       {"C.vague near/accessible_from B.object", Near},
