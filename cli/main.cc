@@ -7,6 +7,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input/connection_flags.h"
 #include "fmt/format.h"
 #include "worker_runtime/bootstrap/build_name.h"
 
@@ -43,8 +44,11 @@ int main(int argc, char** argv) {
   flair::cli::AddCatalog(program, result);
   flair::cli::AddContract(program, result);
   flair::cli::AddDoctor(program, result);
+  flair::cli::AddHealth(program, result);
   flair::cli::AddPrompts(program, result);
   flair::cli::AddProtocol(program, result);
+  flair::cli::AddToken(program, result);
+  flair::cli::AddConnectionFlags(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -36,7 +36,9 @@ void AddBenchTranslate(CLI::App& program, absl::Status& result);
 void AddCatalog(CLI::App& program, absl::Status& result);
 void AddContract(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
+void AddHealth(CLI::App& program, absl::Status& result);
 void AddPrompts(CLI::App& program, absl::Status& result);
+void AddToken(CLI::App& program, absl::Status& result);
 void AddProtocol(CLI::App& program, absl::Status& result);
 
 }  // namespace flair::cli
