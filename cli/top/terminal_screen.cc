@@ -73,13 +73,12 @@ TerminalScreen::Size TerminalScreen::size() const {
 }
 
 void TerminalScreen::Show(const std::vector<std::string>& lines) {
-  const size_t height = static_cast<size_t>(size().height);
-  std::string frame = "\x1b[H";
-  for (size_t i = 0; i < std::min(lines.size(), height); ++i) {
-    if (i > 0) frame += "\r\n";
-    frame += lines[i] + "\x1b[K";
-  }
-  WriteAll(frame + "\x1b[J");
+  const size_t count = std::min(lines.size(), static_cast<size_t>(size().height));
+  // Erased before and not after it is written: behind the last column of a full line that would take its last
+  // character. Between 2026h and 2026l terminals that can show nothing half drawn.
+  std::string frame = "\x1b[?2026h\x1b[H";
+  for (size_t i = 0; i < count; ++i) frame += (i + 1 < count ? "\x1b[K" + lines[i] + "\r\n" : "\x1b[J" + lines[i]);
+  WriteAll(frame + "\x1b[?2026l");
 }
 
 TerminalScreen::Event TerminalScreen::Wait(absl::Duration timeout) {

@@ -62,8 +62,8 @@ class MeteredLease final : public Lease {
     if (!status.ok()) return status;
     outcome_ = "ended";
     meters_.metrics.CountEnd(job(), end);
-    const std::string state = v1::JobState_Name(end.state);
-    const std::string failure = end.error.ok() ? "" : v1::FailureKind_Name(end.failure_kind);
+    const std::string state = NameOf(end.state);
+    const std::string failure = end.error.ok() ? "" : NameOf(end.failure_kind);
     const std::string error = std::string(end.error.message()).substr(0, kLongestError);
     Log(meters_.logger, end.error.ok() ? spdlog::level::info : spdlog::level::warn, "job ended",
         {{"job_id", job().id()},

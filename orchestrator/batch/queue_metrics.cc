@@ -87,6 +87,9 @@ double SecondsSince(const google::protobuf::Timestamp& start, absl::Time now) {
 
 }  // namespace
 
+std::string NameOf(v1::JobState state) { return Short(v1::JobState_Name(state), "JOB_STATE_"); }
+std::string NameOf(v1::FailureKind kind) { return Short(v1::FailureKind_Name(kind), "FAILURE_KIND_"); }
+
 QueueMetrics::QueueMetrics(runtime::Metrics& metrics)
     : metrics_(metrics),
       running_(metrics.GetGauge(kRunning)),
@@ -139,10 +142,7 @@ void QueueMetrics::CountStage(const v1::JobEvent& event) {
 }
 
 void QueueMetrics::CountEnd(const v1::Job& job, const JobEnd& end) {
-  metrics_
-      .GetCounter(kEnded, {Short(v1::JobState_Name(end.state), "JOB_STATE_"),
-                           Short(v1::FailureKind_Name(end.failure_kind), "FAILURE_KIND_")})
-      .Add();
+  metrics_.GetCounter(kEnded, {NameOf(end.state), NameOf(end.failure_kind)}).Add();
   if (end.state == v1::JOB_STATE_FAILED && !end.stage.empty())
     metrics_.GetCounter(kStages, {end.stage, "failed"}).Add();
   job_duration_.Observe(SecondsSince(job.create_time(), end.time));

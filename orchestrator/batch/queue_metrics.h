@@ -13,6 +13,11 @@
 
 namespace flair::orchestrator {
 
+// "succeeded", "failed", "cancelled".
+std::string NameOf(v1::JobState state);
+// "worker", "timeout" ...; "none" when unspecified.
+std::string NameOf(v1::FailureKind kind);
+
 // Where a queue's work is counted; the arguments outlive it. Thread-safe.
 class QueueMetrics {
  public:

@@ -27,6 +27,7 @@ class TerminalTop {
     pid_ = ::forkpty(&terminal_, nullptr, nullptr, &size);
     if (pid_ == 0) {
       ::setenv("TERM", "xterm-256color", 1);
+      ::setenv("NO_COLOR", "1", 1);
       const std::string path = ProgramPath("flair").string();
       ::execl(path.c_str(), path.c_str(), "top", "--orchestrator", orchestrator.c_str(), "--interval", "0.1", nullptr);
       ::_exit(127);
@@ -42,12 +43,12 @@ class TerminalTop {
   TerminalTop(const TerminalTop&) = delete;
   TerminalTop& operator=(const TerminalTop&) = delete;
 
-  // Reads until it has shown `text` since the last call; false when it ends before.
+  // Reads until it has shown `text` since the last call; false when it ends before, or shows other things for long.
   bool WaitFor(const std::string& text) {
     char buffer[4096];
     while (shown_.find(text, seen_) == std::string::npos) {
       const ssize_t n = ::read(terminal_, buffer, sizeof buffer);
-      if (n <= 0) return false;
+      if (n <= 0 || shown_.size() > seen_ + (1 << 20)) return false;
       shown_.append(buffer, static_cast<size_t>(n));
     }
     seen_ = shown_.find(text, seen_) + text.size();
