@@ -15,6 +15,7 @@ namespace flair::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kLabels = FLAIR_SOURCE_DIR "/cli/bench/testdata/translate";
 
@@ -69,6 +70,20 @@ TEST_F(BenchTranslate, FilesWithoutLabelsAreRefused) {
       Bench({Labels("{\"room\": \"palace\", \"list\": \"tertiary\", \"sentence\": \"s\", \"gold\": []}")});
   EXPECT_EQ(roomless.exit_code, cli::kExitBadInput);
   EXPECT_THAT(roomless.err, HasSubstr("--rooms"));
+}
+
+TEST_F(BenchTranslate, AModelWithoutRecordedAnswersIsNotScored) {
+  std::filesystem::create_directory(std::string(folder_ / "answers"));
+  const Finished run = Bench({kLabels, "--replay", folder_ / "answers"});
+  EXPECT_EQ(run.exit_code, cli::kExitBadInput);
+  EXPECT_THAT(run.err, HasSubstr("no recorded answers"));
+  EXPECT_THAT(run.out, Not(HasSubstr("labels correct")));
+}
+
+TEST_F(BenchTranslate, AModelIsNotNamedForATranslatorElsewhere) {
+  const Finished run = Bench({kLabels, "--translator", "127.0.0.1:1", "--model", "any"});
+  EXPECT_EQ(run.exit_code, cli::kExitBadInput);
+  EXPECT_THAT(run.err, HasSubstr("--model: not with --translator 127.0.0.1:1"));
 }
 
 }  // namespace

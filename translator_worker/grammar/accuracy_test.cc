@@ -4,8 +4,9 @@
 // has the figures of before they were looked at), 13 more later, 22 invented ones too. Of four held-out rooms one,
 // 63_living_dining, was opened later and is now a development room; nobody has looked at the sentences of the other
 // three. invented_rooms_5.jsonl is held out as well. FLAIR_SHOW_MISSES=1 prints what is wrong in all but the held-out
-// ones; their sum is printed only with FLAIR_SHOW_HELD_OUT=1: who sees it at each run develops by it. A sentence is correct when every part of it gets all
-// calls of one accepted reading and nothing else is made, or nothing at all where nothing is to be made.
+// ones; their sum is printed only with FLAIR_SHOW_HELD_OUT=1: who sees it at each run develops by it. A sentence is
+// correct when every part of it gets all calls of one accepted reading and nothing else is made, or nothing at all
+// where nothing is to be made.
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
