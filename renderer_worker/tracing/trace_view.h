@@ -28,7 +28,7 @@ struct TraceOptions {
   std::function<absl::Status()> check_alive;
 };
 
-inline constexpr int64_t kMaxTracedPixels = int64_t{4096} * 4096;  // some 180 bytes each while at work
+inline constexpr int64_t kMaxTracedPixels = int64_t{4096} * 4096;  // some 160 bytes each while at work
 
 // A traced picture and what its pixels show. Planes run row by row from the upper-left corner. What a pixel shows at
 // its centre is what counts for all planes but `colour`, which is the mean over the pixel.
