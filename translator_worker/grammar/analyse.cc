@@ -90,8 +90,8 @@ class Reader {
     for (size_t k = 1; k < phrase.length; ++k) {
       const SceneNames::Found name = names_.Find(tokens_, at_ + k);
       const Phrase feature = Lexicon::Get().Find(tokens_, at_ + k);
-      const bool of_feature =
-          phrase.word_class == WordClass::kPlace && feature.word_class == WordClass::kFeature && feature.length > 1;
+      const bool of_feature = (phrase.word_class == WordClass::kPlace || phrase.lemma == "into_room") &&
+                              feature.word_class == WordClass::kFeature && feature.length > 1;
       const size_t length = std::max(name.length, of_feature ? feature.length : 0);
       if (length > 1 && k + length > phrase.length) return Lexicon::Get().Find(tokens_, at_, k);
     }

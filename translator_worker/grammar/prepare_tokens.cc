@@ -81,6 +81,25 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
   }
 }
 
+// "At least 0.3 m and at most 0.6 m": one range.
+void JoinBounds(std::vector<Token>& tokens) {
+  const auto is_length = [](const Token& token) { return token.kind == Token::Kind::kDistance; };
+  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
+    size_t other = i + 1;
+    if (tokens[other].IsMark(',')) ++other;
+    if (other + 1 < tokens.size() && (tokens[other].IsWord("and") || tokens[other].IsWord("but"))) ++other;
+    if (other == i + 1 || other >= tokens.size() || !is_length(tokens[i]) || !is_length(tokens[other])) continue;
+    const Distance& a = tokens[i].distance;
+    const Distance& b = tokens[other].distance;
+    const bool range = a.min_m.has_value() != a.max_m.has_value() && b.min_m.has_value() != b.max_m.has_value() &&
+                       a.min_m.has_value() != b.min_m.has_value();
+    if (!range) continue;
+    tokens[i].distance = {a.min_m ? a.min_m : b.min_m, a.max_m ? a.max_m : b.max_m, false};
+    tokens[i].end = tokens[other].end;
+    tokens.erase(tokens.begin() + static_cast<long>(i) + 1, tokens.begin() + static_cast<long>(other) + 1);
+  }
+}
+
 // "Against a wall for stability and should not block windows": with "and" and a verb of its own a new clause begins,
 // after which the reason is over. "To save space and ensure access" may be one reason still.
 void EndReasonBeforeClause(std::vector<Token>& tokens) {
@@ -165,6 +184,7 @@ bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
 }
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
+  JoinBounds(tokens);
   EndReasonBeforeClause(tokens);
   DropLeftOver(tokens);
   TakePostureAsPlace(tokens);

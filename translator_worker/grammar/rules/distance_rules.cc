@@ -264,6 +264,7 @@ std::vector<Rule> DistanceRules() {
       {"A? D clear_of B.feature", AwayFrom},
       {"A.object apart/away B.object away_from/and C.object", Separates},
       {"A.object apart/away B.list", Separates},
+      {"A.object space for B.list", AwayFrom},
       {"A? no_gap between B", Between, "touching"},
       {"no_gap between B", Between, "touching"},
       {"no_gap", NoGap},

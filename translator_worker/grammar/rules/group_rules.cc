@@ -49,6 +49,8 @@ void Between(const Match& match, std::string_view, Composer& composer) {
     return;
   }
   for (const Placed& mover : movers) {
+    // "In the middle of the room, covering the floor between the desk and the sofa".
+    if (composer.IsTertiaryRug(mover) && !composer.calls().empty()) continue;
     if (composer.IsWall(mover)) {
       composer.EmitFirst(
           {Call("on_wall_near").Text("object", composer.id(mover)).Text("target", composer.id(targets[0]))});

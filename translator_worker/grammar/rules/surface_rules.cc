@@ -144,6 +144,7 @@ std::vector<Rule> SurfaceRules() {
       {"A? on? corner_front_right B.thing", On, "front_right"},
       {"A? under B.object", RugUnder},
       {"A? centered under B.object", RugUnder},
+      {"A? centered C.zone ,? under/under_center B.object", RugUnder},
       {"A? under_center/tucked_under B.object", RugUnder},
       {"A? partly_under B.object", RugUnder, "forward"},
       {"A? pushed_under B.thing", RugUnder},
