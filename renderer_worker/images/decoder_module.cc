@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer_worker/images/set_up_library.h"
+
 namespace flair::renderer {
 namespace {
 
@@ -47,7 +49,7 @@ void ToRgb(const std::vector<uint8_t>& from, size_t channels, std::vector<uint8_
 
 bool DecodeOrThrow(const DecoderRequest& request, DecoderStart start, DecoderRow row, EncoderSink error,
                    void* context) {
-  OIIO::attribute("threads", 1);
+  SetUpLibrary();
   OIIO::Filesystem::IOMemReader memory(const_cast<void*>(request.bytes), request.byte_count);
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(request.file_name, nullptr, &memory);
   if (!input) return Fail(error, context, OIIO::geterror());

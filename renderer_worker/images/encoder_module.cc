@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "renderer_worker/images/decoder_module.h"
+#include "renderer_worker/images/set_up_library.h"
 
 namespace flair::renderer {
 namespace {
@@ -109,8 +110,7 @@ bool WriteChannels(const EncoderRequest& request, const OIIO::ImageSpec& spec, O
 }
 
 bool EncodeOrThrow(const EncoderRequest& request, EncoderSink file, EncoderSink error, void* context) {
-  OIIO::attribute("threads", 1);
-  OIIO::attribute("debug", 0);
+  SetUpLibrary();
   std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(request.file_name);
   if (!output)
     return Fail(error, context, "no encoder for " + std::string(request.file_name) + ": " + OIIO::geterror());
