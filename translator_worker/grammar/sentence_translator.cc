@@ -32,7 +32,11 @@ class Walk {
         denied_ = false;
         clause_begins_ = true;
         ++at_;
-      } else if ((!in_reason_ || term.kind == Term::Kind::kDistance) && TakeFact()) {
+        continue;
+      }
+      // "To allow talks without crowding the sofa": what is ruled out holds whatever the reason.
+      if (term.IsWord("not") && text_.substr(term.begin, term.end - term.begin) == "without") in_reason_ = false;
+      if ((!in_reason_ || term.kind == Term::Kind::kDistance) && TakeFact()) {
         in_reason_ = false;
         clause_begins_ = false;
       } else {

@@ -273,7 +273,7 @@ std::vector<Rule> AccessRules() {
       {"D space on/next_to/along B.object", SpaceAt, "named"},
       {"space D? each_side_of B.object", SpaceAt, "sides"},
       {"D space? each_side_of B.object", SpaceAt, "sides"},
-      {"A.object space ,? D?", SpaceAt, "named"},
+      {"A.object space ,? D", SpaceAt, "named"},
       {"A.side D space?", SpaceAt, "named"},
       {"D space? on/next_to/along B.side", SpaceAt, "named"},
       {"A.side space D?", SpaceAt, "named"},
