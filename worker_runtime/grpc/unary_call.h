@@ -27,11 +27,6 @@ grpc::ServerUnaryReactor* StartUnary(WorkerContext& worker, std::string_view met
 namespace internal {
 // absl::InfiniteFuture() when the caller set none.
 absl::Time DeadlineOf(const grpc::CallbackServerContext& context);
-
-template <typename Request>
-CallIds RequestIdOf(const Request& request) {
-  return CallIdsOf(request);
-}
 }  // namespace internal
 
 // Answers a unary call of the callback API with a plain handler. `handler` is an object with
