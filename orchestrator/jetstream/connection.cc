@@ -90,15 +90,10 @@ absl::StatusOr<std::unique_ptr<NatsConnection>> NatsConnection::Open(const confi
   natsConnection* connection = nullptr;
   const natsStatus status = natsConnection_Connect(&connection, options->get());
   if (status != NATS_OK) return DescribeConnectError(config, status);
-  std::unique_ptr<NatsConnection> made(new NatsConnection(connection, config.address()));
-  absl::StatusOr<std::unique_ptr<NatsInbox>> inbox = made->OpenInbox();
-  if (!inbox.ok()) return inbox.status();
-  made->answers_ = std::make_unique<Answers>(*std::move(inbox));
-  return made;
+  return std::unique_ptr<NatsConnection>(new NatsConnection(connection, config.address()));
 }
 
 NatsConnection::~NatsConnection() {
-  answers_.reset();
   natsConnection_Close(connection_);
   natsConnection_Destroy(connection_);
 }
@@ -119,12 +114,14 @@ absl::Status NatsConnection::CheckSize(const NatsRequest& request) const {
 absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, absl::Duration limit) {
   if (absl::Status status = CheckSize(request); !status.ok()) return status;
   if (!connected()) return Unreachable("no connection");
-  Answers::Expected expected(*answers_);
-  if (absl::Status status = Publish(request, expected.reply()); !status.ok()) return status;
-  std::optional<NatsMessage> answer = expected.Wait(limit);
-  if (!answer.has_value()) return Unreachable("no answer in time");
-  if (answer->status == 503) return Unreachable("JetStream is off there, or has no leader just now");
-  return *std::move(answer);
+  const MessagePtr message = MakeMessage(request, "");
+  if (message == nullptr) return absl::ResourceExhaustedError("no memory for a message");
+  natsMsg* answer = nullptr;
+  const natsStatus status = natsConnection_RequestMsg(&answer, connection_, message.get(), Milliseconds(limit));
+  const MessagePtr owned(answer);
+  if (status == NATS_OK) return Read(answer);
+  if (status == NATS_NO_RESPONDERS) return Unreachable("JetStream is off there, or has no leader just now");
+  return Unreachable(natsStatus_GetText(status));
 }
 
 absl::Status NatsConnection::Publish(const NatsRequest& request, const std::string& reply) {

@@ -14,13 +14,28 @@
 #include "absl/time/time.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "flair/config/v1/runtime_config.pb.h"
-#include "orchestrator/jetstream/answers.h"
-#include "orchestrator/jetstream/nats_message.h"
 
 typedef struct __natsConnection natsConnection;
 typedef struct __natsSubscription natsSubscription;
 
 namespace flair::orchestrator {
+
+// What goes to a server.
+struct NatsRequest {
+  std::string subject;
+  std::string content;
+  std::vector<std::pair<std::string, std::string>> headers;
+};
+
+// What comes from one.
+struct NatsMessage {
+  std::string subject;
+  std::string content;
+  // Where an answer to it, such as an acknowledgement, goes.
+  std::string reply;
+  // The server's own, without content: 404 no message, 408 too late, 409 consumer gone, 503 nobody there; 0 for others.
+  int status = 0;
+};
 
 // What arrives for a subject, read by one thread.
 class NatsInbox {
@@ -53,8 +68,9 @@ class NatsConnection {
   NatsConnection(const NatsConnection&) = delete;
   NatsConnection& operator=(const NatsConnection&) = delete;
 
-  // Sends and waits for the answer. UNAVAILABLE without one within `limit`, at once when there is no connection;
-  // INVALID_ARGUMENT when the servers take no message of that size.
+  // Sends and waits for the answer, which must come under the subject that it is sent to, as those of JetStream's API
+  // do; jobs that a consumer hands out do not (Lanes::Ask). UNAVAILABLE without one within `limit`, at once when there
+  // is no connection; INVALID_ARGUMENT when the servers take no message of that size.
   absl::StatusOr<NatsMessage> Request(const NatsRequest& request, absl::Duration limit);
 
   // Sends all and waits for as many answers, in the requests' order.
@@ -73,19 +89,18 @@ class NatsConnection {
   int64_t reconnect_count() const;
   // Largest message that the servers take.
   int64_t max_payload_bytes() const;
+  // UNAVAILABLE, in words for who runs the servers.
+  absl::Status Unreachable(const std::string& why) const;
   // The addresses, for people.
   const std::string& address() const { return address_; }
 
  private:
   NatsConnection(natsConnection* connection, std::string address)
       : connection_(connection), address_(std::move(address)) {}
-  absl::Status Unreachable(const std::string& why) const;
   absl::Status CheckSize(const NatsRequest& request) const;
 
   natsConnection* const connection_;
   const std::string address_;
-  // Ends before the connection does.
-  std::unique_ptr<Answers> answers_;
 };
 
 }  // namespace flair::orchestrator

@@ -118,9 +118,17 @@ absl::StatusOr<std::optional<Handed>> Lanes::Next(const Lane& lane) {
 }
 
 absl::StatusOr<std::optional<Handed>> Lanes::Ask(const Lane& lane) {
-  const absl::StatusOr<NatsMessage> message = parts_.connection->Request(
-      {"$JS.API.CONSUMER.MSG.NEXT." + parts_.names.queue_stream() + "." + lane.consumer, kQuestion, {}}, kOneAnswer);
-  if (!message.ok()) return message.status();
+  // An inbox for this question alone: what is handed out keeps the subject under which it was queued, so that nothing
+  // in it says which of several questions it answers.
+  auto inbox = parts_.connection->OpenInbox();
+  if (!inbox.ok()) return inbox.status();
+  const absl::Status asked = parts_.connection->Publish(
+      {"$JS.API.CONSUMER.MSG.NEXT." + parts_.names.queue_stream() + "." + lane.consumer, kQuestion, {}},
+      (*inbox)->subject() + ".1");
+  if (!asked.ok()) return asked;
+  const absl::StatusOr<NatsMessage> message = (*inbox)->Next(kOneAnswer);
+  if (!message.ok()) return parts_.connection->Unreachable("no answer in time");
+  if (message->status == 503) return parts_.connection->Unreachable("the consumer is gone, or has no leader just now");
   // No message now; or the consumer goes or moves just now, which the next look sees.
   if (message->status != 0 || message->reply.empty()) return std::nullopt;
   const Delivery delivery = ParseDelivery(message->reply);
