@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Callers who send too much, too slowly or too often: they are refused, and others do not notice.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/support/byte_buffer.h>
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <thread>
+
+#include "absl/time/clock.h"
+#include "tests/security/secure_programs.h"
+#include "tests/security/sockets.h"
+
+namespace flair::testing {
+namespace {
+
+// What HTTP/2 begins with, and an empty SETTINGS frame.
+const std::string kPreface = std::string("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n") + std::string("\0\0\0\4\0\0\0\0\0", 9);
+// A HEADERS frame of stream 1 whose headers go on for ever: no END_HEADERS.
+const std::string kEndlessHeaders = std::string("\0\0\1\1\0\0\0\0\1\x82", 10);
+
+// Plain text, on a free port.
+class PlainOptimizer {
+ public:
+  PlainOptimizer()
+      : program_("flair-optimizer", "runtime { listen_address: \"127.0.0.1:0\" log_level: \"error\" }\n",
+                 folder_.path()) {}
+  const std::string& address() const { return program_.address(); }
+  Process& process() { return program_.process(); }
+
+ private:
+  TestFolder folder_;
+  ServerProgram program_;
+};
+
+// Asks over a connection of its own until it is told to stop; counts what came of it.
+class Innocent {
+ public:
+  explicit Innocent(const std::string& address)
+      : done_(std::async(std::launch::async, [this, address] {
+          while (!stop_) {
+            // As all callers of ours, again when it was not the call's fault: its connection may go as it comes.
+            absl::Status status = AskWho(address, {});
+            if (absl::IsUnavailable(status)) status = AskWho(address, {});
+            if (status.ok()) {
+              ++answered_;
+            } else {
+              ADD_FAILURE() << status;
+              ++refused_;
+            }
+          }
+        })) {}
+  // At least one call was made while it ran.
+  void Stop() {
+    while (answered_ + refused_ == 0) std::this_thread::yield();
+    stop_ = true;
+    done_.get();
+  }
+  int answered() const { return answered_; }
+  int refused() const { return refused_; }
+
+ private:
+  std::atomic<bool> stop_ = false;
+  std::atomic<int> answered_ = 0;
+  std::atomic<int> refused_ = 0;
+  std::future<void> done_;
+};
+
+grpc::Status SendMessage(const std::string& address, size_t mib) {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxSendMessageSize(-1);
+  const auto channel = grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
+  grpc::GenericStub stub(channel);
+  // One piece of memory, many times.
+  const grpc::Slice piece(std::string(1 << 20, '\x0a'));
+  const std::vector<grpc::Slice> pieces(mib, piece);
+  const grpc::ByteBuffer request(pieces.data(), pieces.size());
+  grpc::ByteBuffer response;
+  grpc::ClientContext context;
+  context.set_deadline(absl::ToChronoTime(absl::Now() + absl::Minutes(3)));
+  grpc::CompletionQueue queue;
+  const auto call = stub.PrepareUnaryCall(&context, "/flair.v1.OptimizerService/Solve", request, &queue);
+  call->StartCall();
+  grpc::Status status;
+  call->Finish(&response, &status, nullptr);
+  void* tag = nullptr;
+  bool ok = false;
+  queue.Next(&tag, &ok);
+  return status;
+}
+
+TEST(Flood, AMessageOfAGigabyteIsNotTakenIn) {
+  PlainOptimizer optimizer;
+  ASSERT_TRUE(AskWho(optimizer.address(), {}).ok());
+  const int before_mib = PeakMib(optimizer.process());
+  Innocent innocent(optimizer.address());
+  std::vector<std::future<grpc::Status>> attackers;
+  for (int i = 0; i < 2; ++i) {
+    attackers.push_back(std::async(std::launch::async, SendMessage, optimizer.address(), 1024));
+  }
+  for (auto& attacker : attackers) EXPECT_EQ(attacker.get().error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  innocent.Stop();
+  EXPECT_EQ(innocent.refused(), 0) << "of " << innocent.answered();
+  // gRPC alone would take in both, whole.
+  EXPECT_LT(PeakMib(optimizer.process()) - before_mib, 600);
+}
+
+TEST(Flood, AMessageBeyondTheLimitIsRefusedAndOneWithinItIsNot) {
+  PlainOptimizer optimizer;
+  const grpc::Status over = SendMessage(optimizer.address(), 33);
+  EXPECT_EQ(over.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << over.error_message();
+  // No request of ours, but taken in.
+  EXPECT_NE(SendMessage(optimizer.address(), 31).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+}
+
+TEST(Flood, HalfAHandshakeIsNotWaitedForLong) {
+  PlainOptimizer optimizer;
+  Sockets silent;
+  Sockets slow;
+  for (int i = 0; i < 150; ++i) {
+    ASSERT_TRUE(silent.Connect(optimizer.address()));
+    ASSERT_TRUE(slow.Connect(optimizer.address()));
+  }
+  // One says nothing at all, the other begins and leaves it at that.
+  EXPECT_EQ(slow.SendToAll(kPreface.substr(0, 10)), 150);
+  Innocent innocent(optimizer.address());
+  EXPECT_EQ(silent.WaitForClose(60), 0);
+  EXPECT_EQ(slow.WaitForClose(60), 0);
+  innocent.Stop();
+  EXPECT_EQ(innocent.refused(), 0) << "of " << innocent.answered();
+}
+
+TEST(Flood, HalfAHandshakeOfTlsIsNotWaitedForLong) {
+  SecureOptimizer optimizer("log_level: \"error\"");
+  Sockets slow;
+  for (int i = 0; i < 150; ++i) ASSERT_TRUE(slow.Connect(optimizer.address()));
+  // The beginning of a ClientHello.
+  EXPECT_EQ(slow.SendToAll(std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11)), 150);
+  EXPECT_TRUE(AskWho(optimizer.address(), optimizer.Friend()).ok());
+  EXPECT_EQ(slow.WaitForClose(60), 0);
+  EXPECT_TRUE(AskWho(optimizer.address(), optimizer.Friend()).ok());
+}
+
+TEST(Flood, HeadersThatNeverEndTakeNoThread) {
+  PlainOptimizer optimizer;
+  Sockets slow;
+  for (int i = 0; i < 300; ++i) ASSERT_TRUE(slow.Connect(optimizer.address()));
+  EXPECT_EQ(slow.SendToAll(kPreface + kEndlessHeaders), 300);
+  Innocent innocent(optimizer.address());
+  // One byte of headers after the other, each a frame of its own.
+  for (int i = 0; i < 50; ++i) slow.SendToAll(std::string("\0\0\1\x09\0\0\0\0\1\x82", 10));
+  innocent.Stop();
+  EXPECT_EQ(innocent.refused(), 0) << "of " << innocent.answered();
+}
+
+TEST(Flood, WhoAsksAllTheTimeWhetherWeAreThereIsSentAway) {
+  PlainOptimizer optimizer;
+  Sockets nervous;
+  ASSERT_TRUE(nervous.Connect(optimizer.address()));
+  nervous.SendToAll(kPreface);
+  // PING frames.
+  for (int i = 0; i < 20; ++i) nervous.SendToAll(std::string("\0\0\x08\6\0\0\0\0\0abcdefgh", 17));
+  EXPECT_EQ(nervous.WaitForClose(60), 0);
+  EXPECT_TRUE(AskWho(optimizer.address(), {}).ok());
+}
+
+// A server that may open few files, which is what a container often gives it.
+TEST(Flood, AServerWithoutFilesAnswersAgainWhenThereAreSome) {
+  const TestFolder folder;
+  WriteAll(folder / "config.textproto", "runtime { listen_address: \"127.0.0.1:0\" log_level: \"error\" }\n");
+  Process optimizer("/usr/bin/prlimit", {"--nofile=256:256", ProgramPath("flair-optimizer").string(),
+                                         (folder / "config.textproto").string()});
+  const std::string address = optimizer.WaitForLine("listening on ");
+  ASSERT_NE(address, "");
+  {
+    Sockets flood;
+    for (int i = 0; i < 600; ++i) flood.Connect(address, "127.0.0.2");
+    flood.SendToAll(kPreface);
+    // Others than the one who floods are served all the while.
+    EXPECT_TRUE(AskWho(address, {}).ok());
+    EXPECT_LT(flood.CountOpen(), 256);
+  }
+  EXPECT_TRUE(AskWho(address, {}).ok());
+}
+
+// Ten thousand connections that do nothing but be there, from two addresses: those beyond their share are refused.
+TEST(Flood, TenThousandConnectionsAreNoBurden) {
+  constexpr int kConnections = 10000;
+  const int files = RaiseFileLimit();
+  if (files < kConnections + 100) GTEST_SKIP() << "this process may open only " << files << " files";
+  PlainOptimizer optimizer;
+  ASSERT_TRUE(AskWho(optimizer.address(), {}).ok());
+  Sockets flood;
+  for (int i = 0; i < kConnections; ++i) flood.Connect(optimizer.address(), i % 2 == 0 ? "127.0.0.2" : "127.0.0.3");
+  EXPECT_EQ(flood.count(), kConnections);
+  flood.SendToAll(kPreface);
+  std::vector<double> milliseconds;
+  for (int i = 0; i < 200; ++i) {
+    const absl::Time begin = absl::Now();
+    const absl::Status status = AskWho(optimizer.address(), {});
+    ASSERT_TRUE(status.ok()) << status;
+    milliseconds.push_back(absl::ToDoubleMilliseconds(absl::Now() - begin));
+  }
+  const int open = flood.CountOpen();
+  EXPECT_GT(open, 1000);
+  EXPECT_LT(open, 2000);
+  std::ranges::sort(milliseconds);
+  fmt::print("{} connections, {} kept: a call takes {:.1f} ms (median), {:.1f} ms (99 %); the server {} MiB\n",
+             kConnections, open, milliseconds[100], milliseconds[198], PeakMib(optimizer.process()));
+  EXPECT_LT(PeakMib(optimizer.process()), 400);
+}
+
+}  // namespace
+}  // namespace flair::testing
