@@ -26,9 +26,10 @@ struct TopArguments {
   bool json = false;
 };
 
-// Another look may work: the orchestrator is away or busy.
+// Another look may work: the orchestrator is away, busy or stopping, which cancels its calls.
 bool MayPass(const absl::Status& status) {
-  return absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) || absl::IsResourceExhausted(status);
+  return absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) || absl::IsResourceExhausted(status) ||
+         absl::IsCancelled(status);
 }
 
 absl::Status Explain(const absl::Status& status, const std::string& address) {
