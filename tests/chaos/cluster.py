@@ -39,8 +39,10 @@ class Cluster:
         for kind in ("language", "optimizer", "renderer", "translator"):
             count = shape.optimizers if kind == "optimizer" else shape.others
             for i in range(count):
-                more = f'optimizer_address: "{self.addresses("optimizer")[i % shape.optimizers]}"\n'
-                self._make_program(kind, i, more if kind == "translator" else "")
+                more = ""
+                if kind == "translator":
+                    more = f'optimizer_address: "{self.addresses("optimizer")[i % shape.optimizers]}"\n'
+                self._make_program(kind, i, more)
         for i in range(shape.orchestrators):
             self._make_program("orchestrator", i, self._orchestrator_config(i, nats_count))
 
@@ -115,8 +117,8 @@ class Cluster:
             name = f"nats_{i}"
             config = self._folder / f"{name}.conf"
             text = f'server_name: {name}\nlisten: "127.0.0.1:{client}"\nhttp: "127.0.0.1:{monitor}"\nmax_payload: 4MB\n'
-            text += f'jetstream {{ store_dir: "{self._folder / name}" max_file_store: 10GB }}\n'
+            text += f'jetstream {{ store_dir: "{self._folder / name}", max_file_store: 10GB }}\n'
             if count > 1:
-                text += f'cluster {{ name: chaos listen: "127.0.0.1:{cluster}" routes: [{routes}] no_advertise: true }}\n'
+                text += f'cluster {{ name: chaos, listen: "127.0.0.1:{cluster}", routes: [{routes}], no_advertise: true }}\n'
             config.write_text(text)
             self.servers.append(NatsServer(name, f"127.0.0.1:{client}", monitor, config, self._folder))

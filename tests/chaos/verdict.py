@@ -23,7 +23,7 @@ def jobs_of(orchestrators: Orchestrators, batch_id: str) -> list[v1.Job]:
 def artifacts_of(jobs: list[v1.Job]) -> Artifacts:
     """All but the reports, which hold times."""
     return {job.batch_index: {v1.ArtifactKind.Name(ref.kind): ref.id for ref in job.artifacts
-                              if ref.kind != v1.ARTIFACT_KIND_REPORT} for job in jobs}
+                              if ref.kind != v1.ArtifactKind.ARTIFACT_KIND_REPORT} for job in jobs}
 
 
 def faults_of_batch(orchestrators: Orchestrators, batch_id: str, count: int, told: dict[str, int]) -> list[str]:
@@ -37,8 +37,9 @@ def faults_of_batch(orchestrators: Orchestrators, batch_id: str, count: int, tol
     if sorted(job.batch_index for job in jobs) != list(range(count)):
         faults.append(f"the batch lists {len(jobs)} jobs at other places than 0 to {count - 1}")
     for job in jobs:
-        if job.state != v1.JOB_STATE_SUCCEEDED:
+        if job.state != v1.JobState.JOB_STATE_SUCCEEDED:
             faults.append(f"job {job.id} is {v1.JobState.Name(job.state)}: {job.error}")
+            continue
         ends = ends_of(orchestrators, job.id)
         if ends != 1:
             faults.append(f"job {job.id} ended {ends} times")
@@ -50,7 +51,7 @@ def faults_of_batch(orchestrators: Orchestrators, batch_id: str, count: int, tol
 def ends_of(orchestrators: Orchestrators, job_id: str) -> int:
     """How often the job's own events say that it ended."""
     events = orchestrators.stub().WatchJob(v1.WatchJobRequest(job_id=job_id), timeout=30)
-    return sum(response.event.kind == v1.JOB_EVENT_KIND_ENDED for response in events)
+    return sum(response.event.kind == v1.JobEventKind.JOB_EVENT_KIND_ENDED for response in events)
 
 
 def unreadable(orchestrators: Orchestrators, artifacts: Artifacts) -> list[str]:

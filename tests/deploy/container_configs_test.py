@@ -53,7 +53,7 @@ class Cluster:
         text = text.replace("/run/secrets/flair/", f"{self.folder}/secrets/{name}/")
         text = re.sub(r'"0\.0\.0\.0:\d+"', '"127.0.0.1:0"', text)
         text = text.replace("/var/lib/flair", str(self.folder / name))
-        return re.sub(r"(?:dns:///|(tls://))([a-z]+):\d+", lambda call: (call[1] or "") + self.addresses[call[2]], text)
+        return re.sub(r"(?:dns:///|(tls://))([a-z]+|nats-0\.nats):\d+", lambda call: (call[1] or "") + self.addresses[call[2]], text)
 
     def _start(self, name: str, program: str) -> None:
         path = self.folder / f"{name}.textproto"
@@ -82,7 +82,7 @@ class Cluster:
                 raise AssertionError(f"NATS did not start: {(self.folder / 'nats.log').read_text(encoding='utf-8')}")
             time.sleep(0.02)
         address = json.loads(ports.read_text(encoding="utf-8"))["nats"][0]
-        self.addresses["nats"] = f"127.0.0.1:{address.rsplit(':', 1)[1]}"
+        self.addresses["nats-0.nats"] = f"127.0.0.1:{address.rsplit(':', 1)[1]}"
 
 
 class ContainerConfigs(unittest.TestCase):
@@ -102,7 +102,7 @@ class ContainerConfigs(unittest.TestCase):
 
     def test_probes_of_every_program_find_it_well(self) -> None:
         for name, address in self.cluster.addresses.items():
-            if name != "nats":
+            if name != "nats-0.nats":
                 run = self.cluster.client("health", address, secrets=name, token=False)
                 self.assertEqual(run.returncode, 0, f"{name}: {run.stderr}")
 

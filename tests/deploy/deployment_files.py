@@ -29,7 +29,7 @@ class Config:
     def calls(self):
         """Names and ports of whom the program calls."""
         named = re.findall(r"(?:dns:///|tls://|nats://)([a-z0-9.-]+):(\d+)", self.text)
-        return sorted({(name.split(".")[-1], int(port)) for name, port in named})
+        return sorted({(name, int(port)) for name, port in named})
 
     def is_mutual_tls(self):
         return "require_client_certificate: true" in self.text or "verify: true" in self.text
