@@ -125,9 +125,10 @@ absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const Remote
                   [](const auto& config, auto& context) { return optimizer::MakeOptimizerService(config, context); },
                   {kOptimizerStage, optimizer_, stages_.optimizer, remote.optimizer()});
   if (!status.ok()) return status;
-  // Jobs bring the catalogue of their optimizer with each request; this is for requests that bring none.
+  // Jobs bring the catalogue of their optimizer with each request; this, of the first one, is for requests that bring
+  // none.
   auto translator = WithLlm<config::v1::TranslatorWorkerConfig>(llm, job_count);
-  translator.set_optimizer_address(remote.optimizer());
+  translator.set_optimizer_address(remote.optimizer().substr(0, remote.optimizer().find(',')));
   status =
       StartWorker("flair-translator", translator,
                   [](const auto& config, auto& context) { return translator::MakeTranslatorService(config, context); },

@@ -7,7 +7,7 @@ namespace flair::cli {
 
 void AddStageFlags(CLI::App& command, StageFlags& flags) {
   const auto add = [&command](const char* flag, std::string* address, const char* help) {
-    command.add_option(flag, *address, help)->type_name("HOST:PORT")->group("Stages of others");
+    command.add_option(flag, *address, help)->type_name("HOST:PORT[,HOST:PORT...]")->group("Stages of others");
   };
   add("--language", flags.mutable_language(), "Describes the room instead of the own language stage");
   add("--translator", flags.mutable_translator(), "Makes constraint calls of the sentences instead of the own one");
