@@ -15,6 +15,7 @@
 namespace flair::runtime {
 namespace {
 
+constexpr int kConnectWithinMs = 5000;
 // A server that is not heard of for so long during a call is gone. No server takes that for abuse: without data of its
 // own, gRPC asks twice at most.
 constexpr int kKeepaliveMs = 30000;
@@ -49,7 +50,8 @@ grpc::ChannelArguments Arguments(const std::string& address, const std::string& 
   arguments.SetMaxReceiveMessageSize(MaxMessageBytes(options.max_message_mib));
   arguments.SetMaxSendMessageSize(MaxMessageBytes(options.max_message_mib));
   arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 200);
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, 200);
+  // Not the time between attempts but what each may take, TLS and all: across the world, to a busy machine.
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, kConnectWithinMs);
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2000);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveMs);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeoutMs);
