@@ -6,18 +6,23 @@
 #include <google/protobuf/text_format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <thread>
 
 #include "optimizer_worker/constraints/registry.h"
+#include "orchestrator/pipeline/backoff_policy.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/service/embedded_for_test.h"
 #include "orchestrator/service/fake_workers.h"
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/workers/stage_workers.h"
+#include "orchestrator/workers/test_worker.h"
 #include "tests/fixtures/programs.h"
 #include "worker_runtime/grpc/channel.h"
 
@@ -211,6 +216,47 @@ void BM_JobOfTheProgram(benchmark::State& state) {
   state.counters["cpu_ms_per_job"] = 1000 * cpu_s / static_cast<double>(job_count * state.iterations());
 }
 BENCHMARK(BM_JobOfTheProgram)->Arg(500)->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(1);
+
+// Calls to so many optimizers that take 10 ms a call and one call at a time, by eight callers each: which part of what
+// they could answer together they do.
+void BM_CallsToWorkers(benchmark::State& state) {
+  const auto ten_milliseconds = [](runtime::CallContext& call) {
+    WaitUnlessCancelled(absl::Milliseconds(10), call);
+    return absl::OkStatus();
+  };
+  config::v1::OrchestratorConfig config;
+  for (std::string* other : {config.mutable_stages()->mutable_language(), config.mutable_stages()->mutable_translator(),
+                             config.mutable_stages()->mutable_renderer()}) {
+    *other = "127.0.0.1:1";
+  }
+  std::vector<std::unique_ptr<TestWorker>> optimizers;
+  std::string& addresses = *config.mutable_stages()->mutable_optimizer();
+  for (int i = 0; i < state.range(0); ++i) {
+    optimizers.push_back(std::make_unique<TestWorker>(ten_milliseconds, TestWorkerOptions{.thread_count = 1}));
+    addresses += (addresses.empty() ? "" : ",") + optimizers.back()->address();
+  }
+  StageWorkers workers(*ConnectStages(config), {}, runtime::SystemClock());
+  std::atomic<int> left = 0;
+  const auto call_until_done = [&] {
+    while (left-- > 0) {
+      StageCall call;
+      if (!workers.clients().Solve({}, call).ok()) state.SkipWithError("a call failed");
+    }
+  };
+  double answered = 0, possible = 0;
+  for (auto _ : state) {
+    const int calls = 100 * static_cast<int>(state.range(0));
+    left = calls;
+    const absl::Time start = absl::Now();
+    std::vector<std::thread> callers;
+    for (int i = 0; i < 8 * state.range(0); ++i) callers.emplace_back(call_until_done);
+    for (std::thread& caller : callers) caller.join();
+    answered += calls;
+    possible += static_cast<double>(state.range(0)) * absl::FDivDuration(absl::Now() - start, absl::Milliseconds(10));
+  }
+  state.counters["share_of_possible"] = answered / possible;
+}
+BENCHMARK(BM_CallsToWorkers)->DenseRange(1, 4)->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(5);
 
 }  // namespace
 }  // namespace flair::orchestrator
