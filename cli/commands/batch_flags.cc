@@ -111,7 +111,10 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batc
     if (!name.empty() && batch.id().starts_with(name)) fitting.push_back(batch);
   }
   if (fitting.size() == 1) {
-    found.batch = fitting.front();
+    // The list need not have the counts.
+    absl::StatusOr<v1::Batch> batch = batches.GetBatch(fitting.front().id());
+    if (!batch.ok()) return batch.status();
+    found.batch = *std::move(batch);
     return found;
   }
   if (fitting.empty()) {
