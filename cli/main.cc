@@ -2,6 +2,7 @@
 // flair: from a sentence to a furnished room.
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <system_error>
 
@@ -14,6 +15,8 @@
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is an error like any other
+  // What gRPC says to its authors of handshakes that fail is said again, for people, by whoever made the call.
+  ::setenv("GRPC_VERBOSITY", "NONE", 0);
   CLI::App program("From a sentence to a furnished, explained, editable room.", "flair");
   program.footer(fmt::format("{}\n\nTry: flair design \"A bedroom that is 4m x 5m.\" --out out/bedroom",
                              flair::cli::kExitCodeHelp));
