@@ -138,9 +138,10 @@ class Composer {
   bool IsForFloorOnly(const std::string& type) const;
   // Whether a type would place furniture, or the rug as if it were furniture, in a sentence about a rug.
   bool IsBesideTheRug(const std::string& type) const;
-  // Whether the call tells a place of a small thing or rug less closely than another one does, which it now has.
-  bool IsPlacedCloser(const Call& call) const;
+  // Whether the call tells of a small thing only in what part of the room it is, or on what other small thing.
   bool TellsLittle(const Call& call) const;
+  // Whether the call tells little of a thing that another call has placed.
+  bool IsPlacedCloser(const Call& call) const;
   std::vector<int> Group(const std::string& name, const std::vector<Placed>& movers) const;
   v1::Diagnostic Remark(v1::Severity severity, std::string_view code, const std::string& message) const;
 
