@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair batch: many briefs, started, watched and collected.
+#include <unistd.h>
+
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -113,7 +115,8 @@ absl::Status Submit(const BatchArguments& arguments) {
       ReadDesignModel(arguments.flags.llm, arguments.model, arguments.flags.orchestrator);
   if (!llm.ok()) return llm.status();
   Interruption interruption;
-  const std::filesystem::path copy = std::filesystem::path(arguments.out) / "input.jsonl";
+  // A name of its own: another process may be reading its copy.
+  const std::filesystem::path copy = std::filesystem::path(arguments.out) / fmt::format("input-{}.jsonl", ::getpid());
   const absl::StatusOr<BatchInput> input = OpenBatchInput(arguments.briefs, copy, interruption.stop());
   if (!input.ok()) return input.status();
   const absl::StatusOr<std::unique_ptr<BatchFolder>> folder = BatchFolder::Hold(arguments.out);
@@ -142,6 +145,8 @@ absl::Status Submit(const BatchArguments& arguments) {
   status = RunBatch(
       *batch, *way->batches, **folder, &submission, interruption,
       {.remedy = way->remedy, .submit_only = arguments.submit_only, .quiet = arguments.quiet, .json = arguments.json});
+  std::error_code ignored;
+  std::filesystem::remove(copy, ignored);  // of standard input, which is given again where it is needed again
   if (status.ok() && arguments.submit_only && !arguments.quiet) {
     fmt::print(stderr, "{} jobs submitted, {} lines rejected; to collect: flair batch watch {}\n",
                submission.submitted_count(), submission.rejected_count(), arguments.out);
