@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <map>
+#include <thread>
+#include <vector>
 
 #include "tests/contract/queue/queue_test.h"
 
@@ -90,6 +93,28 @@ TEST_P(BatchesContract, AThousandJobsAreAddedAtOnceAndEachIsTakenOnce) {
   EXPECT_EQ(queue->GetBatch("b1")->succeeded_count(), 1000);
   EXPECT_TRUE(queue->BatchHasEnded("b1").value());
   EXPECT_THAT(*queue->EndsAfter("b1", 0, 2000), SizeIs(1000));
+}
+
+TEST_P(BatchesContract, ManyThreadsOfAProcessTakeEachJobOnce) {
+  WatchedQueue queue = Open();
+  Make(queue, "b1", 200);
+  std::atomic<int> ended = 0;
+  std::atomic<int> failed = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i) {
+    threads.emplace_back([&] {
+      // Once nothing is left, each waits for what does not come no longer than the others work.
+      while (ended < 200 && failed == 0) {
+        const auto lease = queue->Take({});
+        if (!lease.ok()) ++failed;
+        if (lease.ok() && *lease != nullptr && EndAs(**lease, v1::JOB_STATE_SUCCEEDED).ok()) ++ended;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(failed, 0);
+  EXPECT_EQ(ended, 200);
+  EXPECT_EQ(queue->GetBatch("b1")->succeeded_count(), 200);
 }
 
 TEST_P(BatchesContract, BatchesHaveTurnsAfterAloneStandingJobs) {
