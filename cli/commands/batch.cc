@@ -169,6 +169,7 @@ void AddSpecFlags(CLI::App& command, BatchArguments& arguments) {
   command.add_option("--view", arguments.views, "Pictures: plan, birdseye, perspective, with a comma between (plan)")
       ->type_name("A,B")
       ->delimiter(',')
+      ->allow_extra_args(false)  // what follows is the file
       ->group(kGroup);
   command.add_option("--size", arguments.size_px, "Longer side of the pictures, pixels, 256 to 8192")
       ->type_name("PX")
@@ -188,6 +189,7 @@ void AddSpecFlags(CLI::App& command, BatchArguments& arguments) {
       ->group(kGroup);
   command.add_option("--set", arguments.options, "Any other option, as for flair replay: optimizer.path_width=0.7")
       ->type_name("NAME=VALUE")
+      ->allow_extra_args(false)
       ->group(kGroup);
 }
 

@@ -279,10 +279,12 @@ void AddRetry(CLI::App& batch, absl::Status& result) {
       ->add_option("--kind", retry.arguments->kinds,
                    "Only failures of this kind: input, language, translation, infeasible, worker, timeout, store")
       ->type_name("A,B")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   retry.command->add_option("--job", retry.arguments->jobs, "Only these jobs: ids, or places in the batch")
       ->type_name("A,B")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   OnCall(retry, result, false,
          [](const ActionArguments& arguments, const NamedBatch& named, const BatchWay& way, Interruption&) {
            return Retry(arguments, named, *way.batches);

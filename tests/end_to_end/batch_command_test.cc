@@ -191,7 +191,7 @@ TEST_F(BatchCommand, FailedJobsAreToldByKindAndRunAgainWhenAsked) {
   EXPECT_THAT(run.err,
               AllOf(HasSubstr("1 jobs: 0 succeeded, 1 failed\n      1 language, such as job 0 (line 1): room:"),
                     HasSubstr("flair batch retry ")));
-  EXPECT_THAT(Batch({"retry", folder_ / "out", "--kind", "worker"}).out, HasSubstr("0 jobs wait again"));
+  EXPECT_THAT(Batch({"retry", "--kind", "worker", folder_ / "out"}).out, HasSubstr("0 jobs wait again"));
   EXPECT_THAT(Batch({"retry", folder_ / "out", "--job", "0"}).out, HasSubstr("1 jobs wait again; "));
   const Finished watch = Batch({"watch", folder_ / "out"});  // with the handbook
   EXPECT_EQ(watch.exit_code, 0) << watch.err;
