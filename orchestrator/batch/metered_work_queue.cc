@@ -150,6 +150,7 @@ class MeteredWorkQueue final : public WorkQueue {
     return inner_->EventsAfter(job_id, sequence, limit);
   }
   absl::StatusOr<v1::Batch> GetBatch(const std::string& batch_id) override { return inner_->GetBatch(batch_id); }
+  absl::StatusOr<v1::Batch> FindBatch(const std::string& batch_id) override { return inner_->FindBatch(batch_id); }
   absl::StatusOr<std::vector<v1::Batch>> ListBatches(const ListFilter& filter) override {
     return inner_->ListBatches(filter);
   }

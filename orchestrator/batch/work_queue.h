@@ -112,6 +112,8 @@ class WorkQueue {
 
   // With counts. NOT_FOUND when unknown.
   virtual absl::StatusOr<v1::Batch> GetBatch(const std::string& batch_id) = 0;
+  // Without counts by state, so cheap for any size.
+  virtual absl::StatusOr<v1::Batch> FindBatch(const std::string& batch_id) = 0;
   virtual absl::StatusOr<std::vector<v1::Batch>> ListBatches(const ListFilter& filter) = 0;
 
   // Whether the batch is closed and no job of it waits or runs; asked for after every end, so cheap for any size.

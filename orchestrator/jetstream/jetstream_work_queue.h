@@ -48,6 +48,7 @@ class JetStreamWorkQueue final : public WorkQueue {
   absl::StatusOr<std::vector<v1::JobEvent>> EventsAfter(const std::string& job_id, int64_t sequence,
                                                         int limit) override;
   absl::StatusOr<v1::Batch> GetBatch(const std::string& batch_id) override;
+  absl::StatusOr<v1::Batch> FindBatch(const std::string& batch_id) override;
   absl::StatusOr<std::vector<v1::Batch>> ListBatches(const ListFilter& filter) override;
   absl::StatusOr<bool> BatchHasEnded(const std::string& batch_id) override;
   absl::StatusOr<std::vector<BatchEnd>> EndsAfter(const std::string& batch_id, int64_t sequence, int limit) override;

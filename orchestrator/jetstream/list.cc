@@ -149,6 +149,12 @@ absl::Status JetStreamWorkQueue::VisitRequests(
   return absl::OkStatus();
 }
 
+absl::StatusOr<v1::Batch> JetStreamWorkQueue::FindBatch(const std::string& batch_id) {
+  absl::StatusOr<RevisedBatch> record = parts_->GetBatch(batch_id);
+  if (!record.ok()) return record.status();
+  return std::move(*record->value.mutable_batch());
+}
+
 absl::StatusOr<v1::Batch> JetStreamWorkQueue::GetBatch(const std::string& batch_id) {
   const absl::StatusOr<RevisedBatch> record = parts_->GetBatch(batch_id);
   if (!record.ok()) return record.status();

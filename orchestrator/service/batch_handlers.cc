@@ -40,7 +40,7 @@ absl::StatusOr<Response> Answer(absl::StatusOr<v1::Batch> batch) {
 }  // namespace
 
 absl::StatusOr<v1::Batch> OrchestratorHandlers::VisibleBatch(const std::string& id, const Caller& caller) {
-  absl::StatusOr<v1::Batch> batch = queue_.GetBatch(id);
+  absl::StatusOr<v1::Batch> batch = queue_.FindBatch(id);
   const bool hidden = batch.ok() ? !caller.MaySee(batch->owner()) : absl::IsNotFound(batch.status());
   if (!hidden) return batch;
   return absl::NotFoundError(fmt::format("batch_id: no batch \"{}\" in this store", id.substr(0, 80)));
@@ -115,7 +115,8 @@ absl::StatusOr<v1::AddToBatchResponse> OrchestratorHandlers::AddToBatch(const v1
 
 absl::StatusOr<v1::GetBatchResponse> OrchestratorHandlers::GetBatch(const v1::GetBatchRequest& request,
                                                                     const Caller& caller) {
-  return Answer<v1::GetBatchResponse>(VisibleBatch(request.batch_id(), caller));
+  if (absl::Status status = VisibleBatch(request.batch_id(), caller).status(); !status.ok()) return status;
+  return Answer<v1::GetBatchResponse>(queue_.GetBatch(request.batch_id()));
 }
 
 absl::StatusOr<v1::ListBatchesResponse> OrchestratorHandlers::ListBatches(const v1::ListBatchesRequest& request,

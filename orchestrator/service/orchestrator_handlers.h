@@ -47,7 +47,7 @@ class OrchestratorHandlers {
   absl::StatusOr<v1::CancelBatchResponse> CancelBatch(const v1::CancelBatchRequest& request, const Caller& caller);
   absl::StatusOr<v1::RetryBatchResponse> RetryBatch(const v1::RetryBatchRequest& request, const Caller& caller);
 
-  // What the caller may see of a job or a batch; NOT_FOUND for what is another's.
+  // What the caller may see of a job or a batch, whose counts by state are left out; NOT_FOUND for what is another's.
   absl::StatusOr<v1::Job> VisibleJob(const std::string& id, const Caller& caller);
   absl::StatusOr<v1::Batch> VisibleBatch(const std::string& id, const Caller& caller);
 

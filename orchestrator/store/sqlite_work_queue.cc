@@ -133,6 +133,10 @@ absl::StatusOr<v1::Batch> SqliteWorkQueue::GetBatch(const std::string& batch_id)
   return store_->batches().GetWithCounts(batch_id);
 }
 
+absl::StatusOr<v1::Batch> SqliteWorkQueue::FindBatch(const std::string& batch_id) {
+  return store_->batches().Get(batch_id);
+}
+
 absl::StatusOr<std::vector<v1::Batch>> SqliteWorkQueue::ListBatches(const ListFilter& filter) {
   return store_->batches().List(filter);
 }
