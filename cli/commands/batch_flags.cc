@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cli/input/connection_flags.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -50,6 +51,11 @@ absl::StatusOr<BatchWay> OpenBatchWay(const BatchFlags& flags, bool runs_jobs, c
   }
   config::v1::OrchestratorConfig config;
   SetEngine(flags.engine, config);
+  if (!flags.engine.address.empty()) {
+    const absl::StatusOr<runtime::ChannelOptions> connection = StageConnection();
+    if (!connection.ok()) return connection.status();
+    if (connection->tls.has_value()) *config.mutable_runtime()->mutable_tls() = *connection->tls;
+  }
   config.set_store_path(flags.store);
   config.set_running_job_limit(flags.parallel.value_or(0));
   config.set_takes_no_jobs(!runs_jobs || (!flags.engine.address.empty() && !flags.parallel.has_value()));

@@ -8,8 +8,9 @@ namespace flair::cli {
 void AddEngineFlags(CLI::App& command, EngineFlags& flags) {
   constexpr char kGroup[] = "Queue on other machines";
   command
-      .add_option("--engine", flags.address,
-                  "Use the queue of these NATS servers, such as nats://127.0.0.1:4222; commas between several")
+      .add_option(
+          "--engine", flags.address,
+          "Use the queue of these NATS servers, such as nats://127.0.0.1:4222, or tls://; commas between several")
       ->type_name("ADDRESS")
       ->group(kGroup);
   command.add_option("--queue", flags.queue, "Name of the queue there, for several on the same servers (flair)")

@@ -52,7 +52,8 @@ absl::StatusOr<ArtifactsByKind> StoredArtifacts(Session& session, const v1::Job&
     absl::StatusOr<v1::Artifact> artifact = session.GetArtifact(ref.id());
     if (!artifact.ok()) return artifact.status();
     if (absl::Status status = CheckArtifactId(*artifact, "artifact " + ref.id()); !status.ok()) return status;
-    artifacts[ref.kind()] = *std::move(artifact);
+    // The first of its kind: further views come after the preview.
+    artifacts.try_emplace(ref.kind(), *std::move(artifact));
   }
   return artifacts;
 }

@@ -169,7 +169,9 @@ absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, const StageRu
       current.call.ReportBadAnswer();
       return status;
     }
-    if (current.call.answerer().has_value()) revision = current.call.answerer()->revision;
+    // What we make ourselves, such as the report, is ours whoever was asked for it.
+    const bool ours = revision.has_value() && revision->empty();
+    if (current.call.answerer().has_value() && !ours) revision = current.call.answerer()->revision;
     return made;
   };
   absl::StatusOr<v1::Artifact> artifact = Retry<v1::Artifact>(make, run);
