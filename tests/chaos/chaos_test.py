@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A short form of tests/chaos/run for every build: two kinds of queue, every kind of server killed and frozen."""
 
+import os
 import subprocess
 import sys
 import unittest
@@ -11,7 +12,9 @@ RUN = Path(__file__).parent / "run"
 
 class Chaos(unittest.TestCase):
     def stands(self, *arguments: str) -> None:
-        run = subprocess.run([sys.executable, RUN, *arguments], capture_output=True, text=True, check=False)
+        build = Path(os.environ["FLAIR_BIN"]).parent if "FLAIR_BIN" in os.environ else None
+        where = ["--build", str(build)] if build else []
+        run = subprocess.run([sys.executable, RUN, *where, *arguments], capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         self.assertRegex(run.stdout, r"\d+ artifacts compared: all right")
 
