@@ -95,6 +95,16 @@ class Server:
             return 0.0
         return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
+    def memory_bytes(self) -> int:
+        """Resident, of its present life."""
+        if self._process is None:
+            return 0
+        try:
+            pages = int(Path(f"/proc/{self._process.pid}/statm").read_text().split()[1])
+        except OSError:
+            return 0
+        return pages * os.sysconf("SC_PAGE_SIZE")
+
 
 class NatsServer(Server):
     """A server of NATS with storage; up when it says that it is healthy, which in a cluster takes the others too."""
