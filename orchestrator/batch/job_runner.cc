@@ -86,6 +86,13 @@ bool JobRunner::WaitBeforeRepeat() {
   return !wake_.wait_for(lock, kRepeatDelay, [&] { return stopping_; });
 }
 
+void JobRunner::Complain(const std::string& trouble) {
+  std::lock_guard lock(mutex_);
+  const absl::Duration now = clock_.Elapsed();
+  std::erase_if(complaints_, [&](const auto& told) { return now - told.second > absl::Minutes(1); });
+  if (complaints_.try_emplace(trouble, now).second) logger_.error("{}", trouble);
+}
+
 void JobRunner::Work() {
   std::unique_lock lock(mutex_);
   while (!stopping_) {
@@ -95,7 +102,8 @@ void JobRunner::Work() {
     if (lease.ok() && *lease != nullptr) RunJob(**lease);
     const bool idle = !lease.ok() || *lease == nullptr;
     if (!lease.ok()) {
-      logger_.error("cannot take a job from the queue: {}", std::string(lease.status().message()));
+      Complain(fmt::format("cannot take a job from the queue: {}; tries again until it can",
+                           std::string(lease.status().message())));
       (void)WaitBeforeRepeat();
     }
     // The lease ends before the thread sleeps.
@@ -156,7 +164,12 @@ void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
                                          result.stage, std::string(result.status.message()));
   const absl::Duration delay = DelayAfterFailure(failed, lease.job().id());
   absl::Status returned = lease.Return(delay, reason);
-  while (!returned.ok() && !lease.lost() && WaitBeforeRepeat()) returned = lease.Return(delay, reason);
+  while (!returned.ok() && !lease.lost()) {
+    Complain(fmt::format("cannot give a job back to the queue: {}; tries again until it can",
+                         std::string(returned.message())));
+    if (!WaitBeforeRepeat()) break;
+    returned = lease.Return(delay, reason);
+  }
   if (!returned.ok()) {
     logger_.error("job {}: cannot be given back: {}", lease.job().id(), std::string(returned.message()));
     return;
@@ -169,8 +182,7 @@ void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
 void JobRunner::End(Lease& lease, const JobEnd& end) {
   absl::Status stored = lease.End(end);
   while (!stored.ok() && !lease.lost()) {
-    logger_.error("job {}: cannot store how it ended, tries again: {}", lease.job().id(),
-                  std::string(stored.message()));
+    Complain(fmt::format("cannot store how a job ended: {}; tries again until it can", std::string(stored.message())));
     if (!WaitBeforeRepeat()) return;
     stored = lease.End(end);
   }

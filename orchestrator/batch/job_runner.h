@@ -63,6 +63,8 @@ class JobRunner {
   void End(Lease& lease, const JobEnd& end);
   // False when the runner is stopping.
   bool WaitBeforeRepeat();
+  // Says what does not work, the same once a minute, however many threads meet it.
+  void Complain(const std::string& trouble);
   bool stopping();
 
   WorkQueue& queue_;
@@ -77,6 +79,7 @@ class JobRunner {
   bool stopping_ = false;
   TakeFilter filter_;
   JobRunnerCounts counts_;
+  std::map<std::string, absl::Duration> complaints_;
   std::map<std::string, Lease*> running_;
   std::vector<std::thread> threads_;
 };
