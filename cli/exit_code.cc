@@ -42,7 +42,9 @@ absl::Status FileError(const std::string& message) { return absl::FailedPrecondi
 
 absl::Status EndWith(ExitCode code, const std::string& message) {
   absl::Status status = absl::UnknownError(message);
-  status.SetPayload(kCode, absl::Cord(std::to_string(code)));
+  // By a view: clang names the constructor from a string otherwise than the GCC that built the library.
+  const std::string digits = std::to_string(code);
+  status.SetPayload(kCode, absl::Cord(absl::string_view(digits)));
   return status;
 }
 
