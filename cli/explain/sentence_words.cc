@@ -42,7 +42,7 @@ bool EndsName(std::string_view rest) {
 
 // Whether the verb behind a name is that of several: "The wall hooks hang ...". "should" and "must" say nothing of
 // that.
-bool IsPlural(std::string_view rest) {
+bool BeginsWithPlural(std::string_view rest) {
   static constexpr std::array<std::string_view, 9> kVerbs = {"are",  "have", "do",  "face", "stand",
                                                              "hang", "lie",  "sit", "look"};
   return std::any_of(kVerbs.begin(), kVerbs.end(), [&](std::string_view verb) { return NameAt(rest, 1, verb) > 0; });
@@ -64,7 +64,7 @@ std::string AboutIt(std::string_view sentence, const std::vector<std::string>& n
   if (const size_t end = EndOfName(sentence, 0, names, others); end > 0) {
     const std::string_view rest = sentence.substr(end);
     if (rest.starts_with("'s ")) return fmt::format("Its{}", rest.substr(2));
-    if (EndsName(rest)) return fmt::format("{}{}", IsPlural(rest) ? "They" : "It", rest);
+    if (EndsName(rest)) return fmt::format("{}{}", BeginsWithPlural(rest) ? "They" : "It", rest);
   }
   // "The front of the desk ...", "Both long sides of the bed ...".
   const size_t of = sentence.find(" of ");
@@ -83,41 +83,6 @@ std::string AboutIt(std::string_view sentence, const std::vector<std::string>& n
 std::string Capital(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
-}
-
-namespace {
-
-// How much of the text may not be parted: a word, or a figure with its unit.
-size_t EndOfPiece(std::string_view text) {
-  const size_t end = std::min(text.find(' '), text.size());
-  const bool figure = end > 0 && end < text.size() && text[end - 1] >= '0' && text[end - 1] <= '9';
-  for (const std::string_view unit : {"m", "m2", "degrees"}) {
-    if (figure && NameAt(text, end + 1, unit) > 0) return std::min(text.find(' ', end + 1), text.size());
-  }
-  return end;
-}
-
-}  // namespace
-
-std::string Wrapped(std::string_view text, size_t width, std::string_view indent) {
-  std::string lines;
-  size_t column = 0;
-  while (!text.empty()) {
-    const size_t end = EndOfPiece(text);
-    const std::string_view word = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (word.empty()) continue;
-    if (column > 0 && column + 1 + word.size() > width) {
-      lines += fmt::format("\n{}", indent);
-      column = indent.size();
-    } else if (column > 0) {
-      lines += ' ';
-      ++column;
-    }
-    lines += word;
-    column += word.size();
-  }
-  return lines;
 }
 
 }  // namespace flair::cli

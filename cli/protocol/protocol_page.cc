@@ -112,7 +112,7 @@ std::string OneofText(const OneofDescriptor& oneof) {
   return fmt::format("\nAt most one of {} (`{}`): {}\n", absl::StrJoin(names, ", "), oneof.name(), OneLine(oneof));
 }
 
-std::string MessageText(const Descriptor& message) {
+std::string MessageSection(const Descriptor& message) {
   std::string text = fmt::format("### {}\n\n{}", message.name(), Paragraphs(message));
   if (message.field_count() == 0) return text + "Has no fields.\n\n";
   text += "| field | type | number | meaning |\n| --- | --- | --- | --- |\n";
@@ -125,7 +125,7 @@ std::string MessageText(const Descriptor& message) {
   return text + "\n";
 }
 
-std::string EnumText(const EnumDescriptor& enumeration) {
+std::string EnumSection(const EnumDescriptor& enumeration) {
   std::string text = fmt::format("### {}\n\n{}| value | number | meaning |\n| --- | --- | --- |\n", enumeration.name(),
                                  Paragraphs(enumeration));
   for (int i = 0; i < enumeration.value_count(); ++i) {
@@ -135,7 +135,7 @@ std::string EnumText(const EnumDescriptor& enumeration) {
   return text + "\n";
 }
 
-std::string ServiceText(const ServiceDescriptor& service) {
+std::string ServiceSection(const ServiceDescriptor& service) {
   std::string text = fmt::format("### {}\n\n{}", service.name(), Paragraphs(service));
   for (int i = 0; i < service.method_count(); ++i) {
     const MethodDescriptor& method = *service.method(i);
@@ -171,9 +171,9 @@ std::string ProtocolMarkdown() {
   for (const auto& [title, file] : ProtocolFiles()) {
     const std::string name = file->name().substr(file->name().rfind('/') + 1);
     absl::StrAppend(&text, fmt::format("## {}\n\n[{}](../protos/{})\n\n", title, name, file->name()));
-    for (int i = 0; i < file->service_count(); ++i) text += ServiceText(*file->service(i));
-    for (int i = 0; i < file->message_type_count(); ++i) text += MessageText(*file->message_type(i));
-    for (int i = 0; i < file->enum_type_count(); ++i) text += EnumText(*file->enum_type(i));
+    for (int i = 0; i < file->service_count(); ++i) text += ServiceSection(*file->service(i));
+    for (int i = 0; i < file->message_type_count(); ++i) text += MessageSection(*file->message_type(i));
+    for (int i = 0; i < file->enum_type_count(); ++i) text += EnumSection(*file->enum_type(i));
   }
   text.pop_back();
   return text;

@@ -14,7 +14,7 @@
 namespace flair::evaluation {
 namespace {
 
-constexpr int kArcPieces = 32;
+constexpr int kDoorArcPieces = 32;
 
 // Widest gap between two convex shapes along the outward normals of `a`; negative when none parts them.
 double WidestGap(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b) {
@@ -52,7 +52,7 @@ double DeepestOverlap_m(const LayoutView& view) {
     solids.push_back(corners);
   }
   for (const Opening& door : scene.room.openings) {
-    for (const Polygon& piece : ConvexSwingAreas(scene.room, door, kArcPieces)) {
+    for (const Polygon& piece : ConvexSwingAreas(scene.room, door, kDoorArcPieces)) {
       for (const auto& corners : solids) deepest = std::max(deepest, Penetration_m(corners, piece.vertices));
     }
   }

@@ -16,8 +16,6 @@ namespace {
 using nlohmann::json;
 using Words = std::vector<std::string>;
 
-constexpr double kLargestIndex = 1e6;
-
 // `name` without the words that only say that it is a zone.
 std::string ZoneWords(const std::string& name) {
   static const std::set<std::string> empty = {"area", "zone", "region", "space", "nook"};

@@ -13,6 +13,9 @@
 
 namespace flair::evaluation {
 
+// No index of an object is larger.
+inline constexpr double kLargestIndex = 1e6;
+
 // Words of a name in lower case, one blank between them: "Dining_Area" is "dining area".
 std::string FlairGptWords(const std::string& name);
 

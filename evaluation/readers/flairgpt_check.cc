@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "evaluation/readers/flairgpt_arguments.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 
@@ -15,7 +16,7 @@ using nlohmann::json;
 
 constexpr size_t kMostFaults = 5;
 constexpr size_t kLongestValue = 60;
-constexpr double kLargestRoom_m = 100, kLargestObject_m = 20, kLargestIndex = 1e6;
+constexpr double kLargestRoom_m = 100, kLargestObject_m = 20;
 
 std::string Shown(const json& value) {
   const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);

@@ -23,10 +23,10 @@ bool SameWords(std::string_view a, std::string_view b) {
                     [](const Word& x, const Word& y) { return x.key == y.key; });
 }
 
-class Matcher {
+class CleaningMatcher {
  public:
-  Matcher(const std::vector<PromptSentence>& before, const std::vector<RecordedSentence>& after,
-          const std::vector<std::string>& names)
+  CleaningMatcher(const std::vector<PromptSentence>& before, const std::vector<RecordedSentence>& after,
+                  const std::vector<std::string>& names)
       : before_(before), after_(after), parts_(before.size()), taken_(after.size(), false) {
     for (const PromptSentence& sentence : before) {
       std::set<std::string> keys;
@@ -126,7 +126,7 @@ class Matcher {
 
 CleaningAnswer FindChanges(const std::vector<PromptSentence>& before, const std::vector<RecordedSentence>& after,
                            const std::vector<std::string>& names) {
-  return Matcher(before, after, names).Match();
+  return CleaningMatcher(before, after, names).Match();
 }
 
 }  // namespace flair::language

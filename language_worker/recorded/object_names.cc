@@ -8,16 +8,17 @@
 #include <set>
 #include <utility>
 
+#include "absl/strings/ascii.h"
+
 namespace flair::language {
 namespace {
 
 // Words of the longest name that is looked for in a text.
 constexpr size_t kLongestName = 6;
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-
 bool IsWordByte(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || IsDigit(c) || (static_cast<unsigned char>(c) & 0x80) != 0;
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || absl::ascii_isdigit(c) ||
+         (static_cast<unsigned char>(c) & 0x80) != 0;
 }
 
 std::string Singular(std::string word) {
@@ -70,7 +71,8 @@ int ReadNumber(std::string_view behind) {
   Skip(" (#", behind);
   int value = 0;
   size_t digits = 0;
-  while (digits < behind.size() && digits < 2 && IsDigit(behind[digits])) value = 10 * value + (behind[digits++] - '0');
+  while (digits < behind.size() && digits < 2 && absl::ascii_isdigit(behind[digits]))
+    value = 10 * value + (behind[digits++] - '0');
   if (digits == 0) return 0;
   const char next = digits < behind.size() ? behind[digits] : ' ';
   if (IsWordByte(next) || next == '.') return 0;
@@ -88,8 +90,8 @@ std::vector<Word> ReadWords(std::string_view text) {
     }
     Word word{i, i, ""};
     for (; i < text.size(); ++i) {
-      const bool point =
-          text[i] == '.' && i + 1 < text.size() && IsDigit(text[i + 1]) && !word.key.empty() && IsDigit(text[i - 1]);
+      const bool point = text[i] == '.' && i + 1 < text.size() && absl::ascii_isdigit(text[i + 1]) &&
+                         !word.key.empty() && absl::ascii_isdigit(text[i - 1]);
       if (!IsWordByte(text[i]) && !point) break;
       const char c = text[i];
       word.key += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "absl/strings/ascii.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::language {
@@ -11,8 +12,6 @@ namespace {
 constexpr size_t kMostLines = 2000, kLongestLine = 2000;
 // Depths: headings 1 to 6, then titles in bold or plain text, then items by their indent.
 constexpr int kBoldDepth = 7, kTextDepth = 8, kItemDepth = 10;
-
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
 std::string_view Strip(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r";
@@ -46,7 +45,7 @@ size_t ItemMark(std::string_view line, bool& numbered) {
     return 1;
   }
   size_t digits = 0;
-  while (digits < line.size() && digits < 3 && IsDigit(line[digits])) ++digits;
+  while (digits < line.size() && digits < 3 && absl::ascii_isdigit(line[digits])) ++digits;
   if (digits == 0 || digits + 1 >= line.size() || (line[digits] != '.' && line[digits] != ')')) return 0;
   // "3.2 m" is no item.
   if (line[digits + 1] != ' ' && line[digits + 1] != '*') return 0;
@@ -114,7 +113,7 @@ OutlineLine ReadLine(std::string_view raw) {
 bool SaysNothing(const OutlineLine& line) {
   const std::string all = line.All();
   return std::all_of(all.begin(), all.end(), [](char c) {
-    const bool word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || IsDigit(c) || (c & 0x80) != 0;
+    const bool word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || absl::ascii_isdigit(c) || (c & 0x80) != 0;
     return !word;
   });
 }

@@ -158,10 +158,10 @@ bool ReadCall(const v1::ConstraintEdge& edge, const std::vector<std::string>& ne
   return there;
 }
 
-class Matcher {
+class CallMatcher {
  public:
   // `items`: the sentences are about items, one each.
-  Matcher(const std::vector<PromptSentence>& sentences, const std::vector<PromptObject>& objects, bool items)
+  CallMatcher(const std::vector<PromptSentence>& sentences, const std::vector<PromptObject>& objects, bool items)
       : sentences_(sentences), items_(items) {
     for (const PromptObject& object : objects) names_[object.id] = NameKey(object.name);
     for (const PromptSentence& sentence : sentences) {
@@ -282,7 +282,7 @@ model::v1::CallsAnswer FindCalls(const RecordedRoom& room, std::string_view step
                         : step.ends_with("inter")  ? CallKind::kInter
                                                    : CallKind::kIntra;
   const Ids ids(room, objects);
-  Matcher matcher(sentences, objects, kind == CallKind::kTertiary);
+  CallMatcher matcher(sentences, objects, kind == CallKind::kTertiary);
   for (const v1::ConstraintEdge& edge : room.graph.edges()) {
     const bool own = KindOf(edge, room) == kind;
     const bool known = functions.contains(edge.type());

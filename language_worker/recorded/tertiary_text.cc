@@ -93,9 +93,9 @@ bool IsOtherProperty(const OutlineLine& line) {
   return IsProperty(line) && !kLabels.contains(LabelKey(line));
 }
 
-class Matcher {
+class PlacementMatcher {
  public:
-  Matcher(std::string_view text, const std::vector<const v1::Object*>& tertiaries, const ObjectNames& floor)
+  PlacementMatcher(std::string_view text, const std::vector<const v1::Object*>& tertiaries, const ObjectNames& floor)
       : lines_(ReadOutline(text)), tertiaries_(tertiaries), floor_(floor) {}
 
   std::vector<RecordedPlacement> Match(Conversion& conversion) {
@@ -226,7 +226,7 @@ class Matcher {
 
 std::vector<RecordedPlacement> ReadTertiaryText(std::string_view text, const std::vector<const v1::Object*>& tertiaries,
                                                 const ObjectNames& floor_objects, Conversion& conversion) {
-  return Matcher(text, tertiaries, floor_objects).Match(conversion);
+  return PlacementMatcher(text, tertiaries, floor_objects).Match(conversion);
 }
 
 }  // namespace flair::language

@@ -16,7 +16,7 @@ namespace flair::llm {
 namespace {
 
 using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
+using ProtoMessage = google::protobuf::Message;
 
 // The list that a path leads into, as the messages and fields on the way, and the element's number.
 struct ElementRef {
@@ -57,8 +57,8 @@ PathStep TakeStep(std::string_view& path) {
   return result;
 }
 
-void RemoveElements(std::string_view list_path, const std::set<int>& indices, Message& root) {
-  Message* message = &root;
+void RemoveElements(std::string_view list_path, const std::set<int>& indices, ProtoMessage& root) {
+  ProtoMessage* message = &root;
   while (true) {
     const PathStep step = TakeStep(list_path);
     const FieldDescriptor* field = message->GetDescriptor()->FindFieldByName(step.name);
@@ -114,7 +114,7 @@ std::string WithoutQuotations(std::string_view text) {
   return kept;
 }
 
-std::vector<Fault> DropFaulty(std::span<const Fault> faults, Message& message) {
+std::vector<Fault> DropFaulty(std::span<const Fault> faults, ProtoMessage& message) {
   std::vector<Fault> in_none;
   std::map<std::string, std::set<int>> elements;
   for (const Fault& fault : faults) {

@@ -16,7 +16,7 @@ namespace flair::llm {
 namespace {
 
 using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
+using ProtoMessage = google::protobuf::Message;
 using nlohmann::json;
 
 // "objects[3].width_m": the element of the root's list, and what follows it.
@@ -37,7 +37,7 @@ std::optional<RootElement> RootElementOf(const std::string& path) {
   return element;
 }
 
-const FieldDescriptor* ListOf(const Message& message, const std::string& name) {
+const FieldDescriptor* ListOf(const ProtoMessage& message, const std::string& name) {
   const FieldDescriptor* field = message.GetDescriptor()->FindFieldByName(name);
   const bool list = field != nullptr && field->is_repeated() && field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
   return list ? field : nullptr;
@@ -50,13 +50,13 @@ const FieldDescriptor* KeyOf(const FieldDescriptor& list) {
   return text ? first : nullptr;
 }
 
-std::string KeyText(const Message& message, const FieldDescriptor& list, int number, const FieldDescriptor& key) {
-  const Message& element = message.GetReflection()->GetRepeatedMessage(message, &list, number);
+std::string KeyText(const ProtoMessage& message, const FieldDescriptor& list, int number, const FieldDescriptor& key) {
+  const ProtoMessage& element = message.GetReflection()->GetRepeatedMessage(message, &list, number);
   return Bare(element.GetReflection()->GetString(element, &key));
 }
 
 // Which element of the first answer each one of the repair replaces; -1 for none.
-std::vector<int> Place(const Message& repair, const Message& answer, const FieldDescriptor& list,
+std::vector<int> Place(const ProtoMessage& repair, const ProtoMessage& answer, const FieldDescriptor& list,
                        const std::set<int>& numbers) {
   const int count = repair.GetReflection()->FieldSize(repair, &list);
   const int whole = answer.GetReflection()->FieldSize(answer, &list);
@@ -96,7 +96,7 @@ std::vector<int> Place(const Message& repair, const Message& answer, const Field
 
 }  // namespace
 
-std::optional<Elements> FaultyElements(std::span<const Fault> faults, const Message& answer) {
+std::optional<Elements> FaultyElements(std::span<const Fault> faults, const ProtoMessage& answer) {
   Elements elements;
   for (const Fault& fault : faults) {
     if (fault.kind == FaultKind::kMended) continue;
@@ -111,7 +111,7 @@ std::optional<Elements> FaultyElements(std::span<const Fault> faults, const Mess
   return elements;
 }
 
-std::string PartOf(const json& written, const Message& answer, const Elements& elements) {
+std::string PartOf(const json& written, const ProtoMessage& answer, const Elements& elements) {
   const json root = AnswerRoot(written, *answer.GetDescriptor());
   google::protobuf::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
@@ -126,7 +126,7 @@ std::string PartOf(const json& written, const Message& answer, const Elements& e
         continue;
       }
       std::string text;
-      const Message& element = answer.GetReflection()->GetRepeatedMessage(answer, &list, number);
+      const ProtoMessage& element = answer.GetReflection()->GetRepeatedMessage(answer, &list, number);
       const bool printed = google::protobuf::util::MessageToJsonString(element, &text, options).ok();
       part[name].push_back(printed ? json::parse(text, nullptr, /*allow_exceptions=*/false) : json());
     }
@@ -148,7 +148,7 @@ std::vector<Fault> NumberedInPart(std::span<const Fault> faults, const Elements&
   return numbered;
 }
 
-Merged MergeElements(const Message& repair, std::span<const Fault> faults, const Elements& elements, Message& answer) {
+Merged MergeElements(const ProtoMessage& repair, std::span<const Fault> faults, const Elements& elements, ProtoMessage& answer) {
   Merged merged;
   for (const auto& [name, numbers] : elements) {
     const FieldDescriptor& list = *ListOf(answer, name);

@@ -12,7 +12,7 @@ namespace {
 constexpr absl::Duration kFirstRest = absl::Seconds(1), kLongestRest = absl::Minutes(1);
 constexpr int kMostDoublings = 6;
 // How often one who waits looks whether it still wants to.
-constexpr std::chrono::milliseconds kGlance(5);
+constexpr std::chrono::milliseconds kPeerGlance(5);
 
 }  // namespace
 
@@ -62,7 +62,7 @@ std::optional<PeerPool::Slot> PeerPool::WaitForSlot(const PeerOptimizer& peer, c
   while (!mine && !tired) {
     mine = entry.queue.front() == ticket && entry.calls < kMostCalls;
     if (mine) break;
-    changed_.wait_for(lock, kGlance);
+    changed_.wait_for(lock, kPeerGlance);
     lock.unlock();
     tired = gives_up();
     lock.lock();

@@ -18,8 +18,6 @@
 namespace flair::optimizer {
 namespace {
 
-constexpr double kFits_m = 1e-6;
-
 using PlacementList = google::protobuf::RepeatedPtrField<v1::Placement>;
 
 // The placements of objects that the input knows.

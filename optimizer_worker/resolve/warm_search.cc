@@ -24,7 +24,6 @@ constexpr double kWorthMoving = 0.05;
 // Moves smaller than these are taken back.
 constexpr double kNoMove_m = 1e-3;
 constexpr double kNoTurn_rad = 2e-3;
-constexpr double kFits_m = 1e-6;
 
 class WarmSearch {
  public:

@@ -15,6 +15,9 @@
 
 namespace flair::optimizer {
 
+// What stands into something else or out of the room by less than this stands well.
+inline constexpr double kFits_m = 1e-6;
+
 struct WarmStart {
   // Where everything stands; objects without a pose are placed.
   PartialLayout state;

@@ -7,7 +7,7 @@
 namespace flair::optimizer {
 namespace {
 
-constexpr double kTouching_m = 0.02, kWay_m = 0.6;
+constexpr double kTouching_m = 0.02, kNarrow_m = 0.6;
 // sin of the largest angle that passes for parallel.
 constexpr double kParallel = 0.05;
 
@@ -26,7 +26,7 @@ double Overlap(double low_a, double high_a, double low_b, double high_b) {
 
 // `length_m` may be negative: then the two are not opposite each other.
 double GapCost(double gap_m, double length_m) {
-  if (length_m <= 0 || gap_m <= kTouching_m || gap_m >= kWay_m) return 0;
+  if (length_m <= 0 || gap_m <= kTouching_m || gap_m >= kNarrow_m) return 0;
   return length_m * CrossSection_m2(gap_m);
 }
 
@@ -36,7 +36,7 @@ struct Placed {
 };
 
 double PairCost(const Placed& a, const Placed& b) {
-  const double reach = a.reach_m + b.reach_m + kWay_m;
+  const double reach = a.reach_m + b.reach_m + kNarrow_m;
   if (SquaredNorm(a.frame.center - b.frame.center) >= reach * reach) return 0;
   const double c = Dot(a.frame.right, b.frame.right), s = Dot(a.frame.front, b.frame.right);
   if (std::abs(c * s) > kParallel) return 0;
@@ -50,7 +50,7 @@ double PairCost(const Placed& a, const Placed& b) {
 
 double WallCost(const Placed& a, const Wall& wall) {
   const double height = wall.Height(a.frame.center), offset = wall.Offset(a.frame.center);
-  if (height >= a.reach_m + kWay_m) return 0;
+  if (height >= a.reach_m + kNarrow_m) return 0;
   const double c = Dot(a.frame.front, wall.inward_normal), s = Dot(a.frame.right, wall.inward_normal);
   if (std::abs(c * s) > kParallel) return 0;
   const bool turned = std::abs(s) > 0.5;

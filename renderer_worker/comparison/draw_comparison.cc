@@ -19,7 +19,6 @@
 namespace flair::renderer {
 namespace {
 
-const Rgb kWhite = Hex(0xFFFFFF);
 // How far what is drawn steps back where something is marked.
 constexpr double kPale = 0.3;
 

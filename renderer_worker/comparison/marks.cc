@@ -7,7 +7,6 @@
 namespace flair::renderer {
 namespace {
 
-const Rgb kWhite = Hex(0xFFFFFF);
 constexpr double kLeastArrowMm = 3;
 constexpr double kLeastTurnRad = 0.087;
 

@@ -9,6 +9,9 @@
 
 namespace flair::renderer {
 
+// Of the paper.
+inline const Rgb kWhite = Hex(0xFFFFFF);
+
 Rgb ColourOf(ChangeKind kind);
 
 // Marks the panel's changes in its plan: outlines of what stands there now, dashed ones of where and how large it was,

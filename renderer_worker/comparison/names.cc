@@ -13,7 +13,6 @@
 namespace flair::renderer {
 namespace {
 
-const Rgb kWhite = Hex(0xFFFFFF);
 const Rgb kInk = Hex(0x2B2926);
 
 TextBlock NameOf(const PlanObject& object) { return {object.name, {.size_mm = 2.9, .colour = kInk}}; }

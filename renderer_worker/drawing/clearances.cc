@@ -18,7 +18,7 @@ constexpr double kSameFloorM = 0.7;
 constexpr size_t kMost = 8;
 constexpr size_t kMostPieces = 300;  // of a room in which single distances still say something
 constexpr double kLeastMm = 10;
-const Rgb kInk = Hex(0x2F6675);
+const Rgb kClearanceInk = Hex(0x2F6675);
 
 bool IsSolid(const PlanObject& object) { return object.kind == v1::OBJECT_KIND_FLOOR && !object.walk_over; }
 
@@ -65,7 +65,7 @@ bool SameFloor(const Clearance& a, const Clearance& b) {
 }
 
 TextBlock NumberOf(const Clearance& clearance) {
-  return {fmt::format("{:.2f}", clearance.length_m), {.size_mm = 2.8, .colour = kInk}};
+  return {fmt::format("{:.2f}", clearance.length_m), {.size_mm = 2.8, .colour = kClearanceInk}};
 }
 
 }  // namespace
@@ -108,11 +108,11 @@ void DrawClearances(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
     const Point from = sheet.ToSheet(clearance.from_m), to = sheet.ToSheet(clearance.to_m);
     const Point along = (to - from) * (1 / std::hypot(to.x - from.x, to.y - from.y)), across{-along.y, along.x};
     canvas.Line(from, to);
-    canvas.Draw({kInk, 0.13});
+    canvas.Draw({kClearanceInk, 0.13});
     for (const auto& [tip, back] : {std::pair{from, along}, {to, along * -1}}) {
       const Point head[] = {tip, tip + back * 1.9 + across * 0.45, tip + back * 1.9 - across * 0.45};
       canvas.Polygon(head);
-      canvas.Fill(kInk);
+      canvas.Fill(kClearanceInk);
     }
     const Box box = ClearanceTextBox(canvas, sheet, clearance);
     canvas.Rectangle(box, 1);

@@ -10,7 +10,7 @@
 namespace flair::renderer {
 namespace {
 
-const Rgb kInk = Hex(0x4A4641);
+const Rgb kDimensionInk = Hex(0x4A4641);
 
 // Texts read from below or from the right, whatever way the wall runs.
 double ReadingAngle(Point direction) {
@@ -23,18 +23,18 @@ double ReadingAngle(Point direction) {
 void DrawString(Canvas& canvas, const DimensionString& string) {
   const Point overshoot = string.direction * 1.4;
   canvas.Line(string.ticks_mm.front() - overshoot, string.ticks_mm.back() + overshoot);
-  canvas.Draw({kInk, 0.13});
+  canvas.Draw({kDimensionInk, 0.13});
   const Point slash = (string.direction + string.outward) * 0.85;
   for (Point tick : string.ticks_mm) {
     canvas.Line(tick - string.outward * 3.2, tick + string.outward * 1.6);
-    canvas.Draw({kInk, 0.11, 0.8});
+    canvas.Draw({kDimensionInk, 0.11, 0.8});
     canvas.Line(tick - slash, tick + slash);
-    canvas.Draw({kInk, 0.35});
+    canvas.Draw({kDimensionInk, 0.35});
   }
   const double angle = ReadingAngle(string.direction);
   // "Above" the line as read, so that stacked lines and texts never touch.
   const Point above{-std::sin(angle), -std::cos(angle)};
-  const TextStyle style{.size_mm = 3.3, .colour = kInk};
+  const TextStyle style{.size_mm = 3.3, .colour = kDimensionInk};
   for (size_t i = 0; i + 1 < string.ticks_mm.size(); ++i) {
     Point middle = (string.ticks_mm[i] + string.ticks_mm[i + 1]) * 0.5;
     const double length = PieceMm(string, i);

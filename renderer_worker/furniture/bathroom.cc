@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // Bathrooms and pools.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // A tub as nested outlines: outer wall, rim, inner wall, floor.
 struct Tub {
@@ -177,7 +174,7 @@ void MakeBasin(Piece& p) {
   p.make.Sheet(
       white, 28, 6,
       [&](float u, float v) {  // seen from above: the inside of the bowl, square at the rim and round below
-        const float turn = 2 * kPi * u, c = std::cos(turn), s = std::sin(turn);
+        const float turn = 2 * kPiFloat * u, c = std::cos(turn), s = std::sin(turn);
         const float square = std::max(std::abs(c), std::abs(s)), r = v < 0.99F ? v : 1.0F / (0.55F + 0.45F * square);
         const float sx = std::clamp(r * c * 1.02F, -1.0F, 1.0F), sy = std::clamp(r * s * 1.02F, -1.0F, 1.0F);
         return Vec3{-x * sx, cy + ry * sy, top - 0.004F - 0.85F * thick * (1 - v * v * v)};

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // Chairs, stools and benches.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 float SeatHeight(const Piece& p) { return RestHeightOf("chair", p.h); }
 
@@ -69,7 +66,7 @@ void MakeOfficeChair(Piece& p) {
   const float seat = RestHeightOf("office_chair", p.h) / 1.04F, foot = 0.5F * p.smaller(),
               wheel = std::min(0.03F, 0.08F * seat);
   for (int i = 0; i < 5; ++i) {
-    const float turn = kPi / 2 + 2 * kPi / 5 * static_cast<float>(i);
+    const float turn = kPiFloat / 2 + 2 * kPiFloat / 5 * static_cast<float>(i);
     const Vec3 end{(foot - wheel) * std::cos(turn), (foot - wheel) * std::sin(turn), 2.1F * wheel};
     p.make.Bar(p.is.metal, {0, 0, 3.4F * wheel}, end, 0.75F * wheel, 0.5F * wheel, 8);
     p.make.In({end - Vec3{0, 0, 1.1F * wheel},
@@ -93,7 +90,7 @@ void MakeOfficeChair(Piece& p) {
         p.is.soft, 8, 6,
         [&](float u, float v) {
           const float x = 2 * u - 1, wide = p.w * (0.4F - 0.06F * v * v * v);
-          return Vec3{-wide * x, 0.09F * p.d * x * x + 0.05F * p.d * std::sin(kPi * v), 0.86F * above * v};
+          return Vec3{-wide * x, 0.09F * p.d * x * x + 0.05F * p.d * std::sin(kPiFloat * v), 0.86F * above * v};
         },
         0.045F * std::min(1.0F, p.d / 0.5F));
   });

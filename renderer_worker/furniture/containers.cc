@@ -2,17 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // What things are put into or hung on.
 namespace flair::renderer {
-namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
-
-}  // namespace
+namespace {}  // namespace
 
 void MakeTrunk(Piece& p) {
   const float body = 0.62F * p.h, strap = std::min(0.04F, 0.06F * p.w), y = p.d / 2 - 0.015F * p.d;
@@ -23,7 +18,7 @@ void MakeTrunk(Piece& p) {
   // A vaulted lid: an arc from front to back, drawn out along x.
   const bool flat = p.Says("crate") || p.Says("box");
   std::vector<Vec2> vault =
-      flat ? RoundedOutline({-y, 0}, {y, 0.37F * p.h}, 0.02F) : ArcPoints({0, 0}, y, 0.37F * p.h, 0, kPi, 14);
+      flat ? RoundedOutline({-y, 0}, {y, 0.37F * p.h}, 0.02F) : ArcPoints({0, 0}, y, 0.37F * p.h, 0, kPiFloat, 14);
   p.make.In({{-0.49F * p.w, 0, body + 0.008F * p.h}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, [&] {
     p.make.Slab(p.is.hard, vault, 0, 0.98F * p.w, 0.006F);
     std::vector<Vec2> band = vault;
@@ -38,14 +33,14 @@ void MakeBarrel(Piece& p) {
   std::vector<Vec2> profile;
   for (int i = 0; i <= 10; ++i) {
     const float t = static_cast<float>(i) / 10;
-    profile.push_back({0.4F + 0.1F * std::sin(kPi * t), p.h * t});
+    profile.push_back({0.4F + 0.1F * std::sin(kPiFloat * t), p.h * t});
   }
   profile.push_back({0.36F, p.h});
   profile.push_back({0.36F, 0.965F * p.h});
   p.make.Lathe(p.is.hard, {}, profile, 24, {p.w, p.d});
   for (const float t : {0.08F, 0.28F, 0.72F, 0.92F}) {
     const float low = t - 0.025F, high = t + 0.025F;
-    const auto r = [](float at) { return 0.4F + 0.1F * std::sin(kPi * at); };
+    const auto r = [](float at) { return 0.4F + 0.1F * std::sin(kPiFloat * at); };
     p.make.Ring(p.is.metal, {},
                 std::array<Vec2, 4>{{{r(low) - 0.02F, low * p.h},
                                      {r(low) + 0.008F, low * p.h},
@@ -84,7 +79,7 @@ void MakeBasket(Piece& p) {
   for (const float side : {-1.0F, 1.0F}) {
     std::vector<Vec3> handle;
     for (int i = 0; i <= 8; ++i) {
-      const float turn = kPi * static_cast<float>(i) / 8;
+      const float turn = kPiFloat * static_cast<float>(i) / 8;
       handle.push_back({side * 0.475F * p.w, 0.14F * p.d * std::cos(turn), 0.9F * p.h + 0.1F * p.h * std::sin(turn)});
     }
     p.make.Tube(p.is.hard, handle, std::array{0.02F * p.smaller()}, 6);
@@ -96,14 +91,14 @@ void MakeCoatStand(Piece& p) {
   p.make.Bar(p.is.hard, {0, 0, 0.03F * p.h}, {0, 0, 0.97F * p.h}, 1.2F * r, 0.9F * r, 12);
   p.make.Ellipsoid(p.is.hard, {0, 0, 0.98F * p.h}, {1.5F * r, 1.5F * r, 0.02F * p.h}, 12, 6);
   for (int i = 0; i < 4; ++i) {
-    const float turn = kPi / 4 + kPi / 2 * static_cast<float>(i), x = std::cos(turn), y = std::sin(turn);
+    const float turn = kPiFloat / 4 + kPiFloat / 2 * static_cast<float>(i), x = std::cos(turn), y = std::sin(turn);
     p.make.Tube(p.is.hard,
                 std::array<Vec3, 3>{{{0, 0, 0.14F * p.h},
                                      {0.6F * foot * x, 0.6F * foot * y, 0.05F * p.h},
                                      {foot * x * 1.35F, foot * y * 1.35F, 0}}},
                 std::array{r}, 8);
     for (const float z : {0.72F, 0.9F}) {
-      const float up = turn + (z > 0.8F ? kPi / 4 : 0), cx = std::cos(up), cy = std::sin(up);
+      const float up = turn + (z > 0.8F ? kPiFloat / 4 : 0), cx = std::cos(up), cy = std::sin(up);
       p.make.Tube(p.is.hard,
                   std::array<Vec3, 3>{{{0, 0, z * p.h},
                                        {0.5F * foot * cx, 0.5F * foot * cy, z * p.h},
@@ -115,7 +110,7 @@ void MakeCoatStand(Piece& p) {
   p.make.Sheet(
       p.is.soft, 14, 6,
       [&](float u, float v) {
-        const float turn = 2 * kPi * u, wide = foot * (0.14F + 0.34F * v) * (1 + 0.1F * std::sin(5 * turn));
+        const float turn = 2 * kPiFloat * u, wide = foot * (0.14F + 0.34F * v) * (1 + 0.1F * std::sin(5 * turn));
         return Vec3{0.4F * foot + wide * std::cos(turn), 0.4F * foot + 0.8F * wide * std::sin(turn),
                     p.h * (0.74F - 0.42F * v)};
       },

@@ -2,17 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // What one makes things with.
 namespace flair::renderer {
-namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
-
-}  // namespace
+namespace {}  // namespace
 
 void MakeEasel(Piece& p) {
   const float r = std::min(0.02F, 0.04F * p.w), tilt = std::atan2(0.5F * p.d, p.h);
@@ -66,7 +61,7 @@ void MakeSewingMachine(Piece& p) {
 void MakeMannequin(Piece& p) {
   const float hip = 0.48F * p.h, r = std::min(0.02F, 0.06F * p.smaller());
   for (int i = 0; i < 3; ++i) {
-    const float turn = kPi / 2 + 2 * kPi / 3 * static_cast<float>(i);
+    const float turn = kPiFloat / 2 + 2 * kPiFloat / 3 * static_cast<float>(i);
     p.make.Tube(
         p.is.hard,
         std::array<Vec3, 3>{{{0, 0, 0.12F * p.h},
@@ -161,7 +156,7 @@ void MakeSpinningWheel(Piece& p) {
         32);
     p.make.Cylinder(p.is.hard, {0, 0, -0.16F * p.w}, 0.12F * r, 0.32F * p.w, 0.006F, 14);
     for (int i = 0; i < 10; ++i) {
-      const float turn = kPi / 5 * static_cast<float>(i);
+      const float turn = kPiFloat / 5 * static_cast<float>(i);
       p.make.Bar(p.is.hard, {}, {0.9F * r * std::cos(turn), 0.9F * r * std::sin(turn), 0}, 0.7F * leg, 6);
     }
   });
@@ -183,7 +178,7 @@ void MakeTelescope(Piece& p) {
   const Vec3 top{0, 0, 0.66F * p.h};
   const float r = std::min(0.1F, 0.16F * p.smaller());
   for (int i = 0; i < 3; ++i) {
-    const float turn = -kPi / 2 + 2 * kPi / 3 * static_cast<float>(i);
+    const float turn = -kPiFloat / 2 + 2 * kPiFloat / 3 * static_cast<float>(i);
     p.make.Taper(p.is.hard, {0.48F * p.w * std::cos(turn), 0.48F * p.d * std::sin(turn), 0}, {0.25F * r, 0.25F * r},
                  {0.06F * p.w * std::cos(turn), 0.06F * p.d * std::sin(turn), top.z}, {0.4F * r, 0.4F * r});
   }
@@ -204,11 +199,11 @@ void MakeGlobe(Piece& p) {
   static const Material kSea = PlainMaterial("sea", 0x4A7C9B, 0.4F), kLand = PlainMaterial("land", 0xB59A5B, 0.6F);
   p.make.Ellipsoid(kSea, {0, 0, z}, {r, r, r}, 26, 14);
   for (int i = 0; i < 7; ++i) {  // continents: caps a little larger than the sphere
-    const float up = 1.6F * p.Chance(i) - 0.8F, turn = 2 * kPi * p.Chance(20 + i), flat = std::sqrt(1 - up * up);
+    const float up = 1.6F * p.Chance(i) - 0.8F, turn = 2 * kPiFloat * p.Chance(20 + i), flat = std::sqrt(1 - up * up);
     const Vec3 out{flat * std::cos(turn), flat * std::sin(turn), up}, side = Normalized(Cross({0, 0.1F, 1}, out));
     const float cap = 0.35F + 0.3F * p.Chance(40 + i);
     p.make.In({{0, 0, z}, side, Cross(out, side), out}, [&] {
-      std::vector<Vec2> profile = ArcPoints({}, 1.012F * r, 1.012F * r, kPi / 2 - cap, kPi / 2, 4);
+      std::vector<Vec2> profile = ArcPoints({}, 1.012F * r, 1.012F * r, kPiFloat / 2 - cap, kPiFloat / 2, 4);
       profile.back().x = 0;
       p.make.Lathe(kLand, {}, profile, 9, {1, 0.6F + 0.6F * p.Chance(60 + i)});
     });

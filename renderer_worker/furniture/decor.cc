@@ -2,17 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // What stands about.
 namespace flair::renderer {
-namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
-
-}  // namespace
+namespace {}  // namespace
 
 void MakeVase(Piece& p) {
   const bool flowers = p.Says("flower") || p.Says("bouquet") || (p.Says("vase") && p.h > 0.24F);

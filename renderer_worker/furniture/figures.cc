@@ -2,17 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // Figures and toys.
 namespace flair::renderer {
-namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
-
-}  // namespace
+namespace {}  // namespace
 
 void MakeOrb(Piece& p) {
   const float stand = p.Says("ball") && !p.Says("crystal") ? 0 : 0.16F * p.h,
@@ -129,7 +124,7 @@ void MakeToy(Piece& p) {  // a rocking horse when there is room, else a bear
 void MakeTent(Piece& p) {
   const int poles = 6;
   for (int i = 0; i < poles; ++i) {
-    const float turn = 2 * kPi * (static_cast<float>(i) + 0.5F) / poles;
+    const float turn = 2 * kPiFloat * (static_cast<float>(i) + 0.5F) / poles;
     const Vec3 foot{0.49F * p.w * std::cos(turn), 0.49F * p.d * std::sin(turn), 0};
     p.make.Bar(p.is.hard, foot, {-0.08F * foot.x, -0.08F * foot.y, p.h}, 0.012F * std::min(1.0F, p.smaller()), 8);
   }
@@ -137,9 +132,9 @@ void MakeTent(Piece& p) {
   p.make.Sheet(
       p.is.soft, 30, 5,
       [&](float u, float v) {
-        const float open = 0.42F * (1 - v), turn = kPi / 2 + open + (2 * kPi - 2 * open) * u;
-        const float flat =
-            1 / std::cos(std::fmod(turn + 2 * kPi, 2 * kPi / poles) - kPi / poles) * std::cos(kPi / poles);
+        const float open = 0.42F * (1 - v), turn = kPiFloat / 2 + open + (2 * kPiFloat - 2 * open) * u;
+        const float flat = 1 / std::cos(std::fmod(turn + 2 * kPiFloat, 2 * kPiFloat / poles) - kPiFloat / poles) *
+                           std::cos(kPiFloat / poles);
         const float r = 0.5F * (1 - 0.9F * v) * flat;
         return Vec3{r * p.w * std::cos(turn), r * p.d * std::sin(turn), 0.02F * p.h + 0.86F * p.h * v};
       },

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // Fire and water, carts and small things, and the box that everything else is shown as.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 void Fire(Piece& p, Vec3 at, float size, float intensity_cd) {
   const Material bark = BaseMaterialOf("bark").look;
@@ -55,13 +52,13 @@ void MakeCauldron(Piece& p) {
                      {0.24F * p.w * (p.Chance(i) - 0.5F) * 2, 0.24F * p.d * (p.Chance(9 + i) - 0.5F) * 2, 0.81F * p.h},
                      {0.04F * p.w, 0.04F * p.d, 0.025F * p.h}, 10, 6);
   for (int i = 0; i < 3; ++i) {
-    const float turn = kPi / 2 + 2 * kPi / 3 * static_cast<float>(i);
+    const float turn = kPiFloat / 2 + 2 * kPiFloat / 3 * static_cast<float>(i);
     p.make.Bar(p.is.hard, {0.36F * p.w * std::cos(turn), 0.36F * p.d * std::sin(turn), 0},
                {0.28F * p.w * std::cos(turn), 0.28F * p.d * std::sin(turn), 0.3F * p.h}, 0.03F * p.smaller(),
                0.045F * p.smaller(), 8);
   }
   std::vector<Vec3> bail;
-  for (const Vec2& point : ArcPoints({0, 0.84F * p.h}, 0.49F * p.w, 0.15F * p.h, 0, kPi, 12))
+  for (const Vec2& point : ArcPoints({0, 0.84F * p.h}, 0.49F * p.w, 0.15F * p.h, 0, kPiFloat, 12))
     bail.push_back({point.x, 0, point.y});
   p.make.Tube(p.is.hard, bail, std::array{0.014F * p.smaller()}, 6);
   Fire(p, {0, 0, 0}, 0.16F * p.smaller(), 25);

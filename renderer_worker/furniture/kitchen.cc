@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // Kitchens and what washes.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 struct Unit {
   float top, plinth, front, board;  // heights of worktop's underside and plinth, the carcass' front
@@ -53,7 +50,7 @@ void Tap(Piece& p, Vec3 at, float height, float reach) {
   p.make.Cylinder(stuff::Steel(), at, 2.2F * r, 0.1F * height, 0.002F, 14);
   std::vector<Vec3> path{at, at + Vec3{0, 0, 0.6F * height}};
   for (int i = 1; i <= 8; ++i) {
-    const float turn = kPi * static_cast<float>(i) / 8;
+    const float turn = kPiFloat * static_cast<float>(i) / 8;
     path.push_back(at + Vec3{0, reach / 2 * (1 - std::cos(turn)), (0.62F + 0.35F * std::sin(turn)) * height});
   }
   p.make.Tube(stuff::Steel(), path, std::array{r}, 8);

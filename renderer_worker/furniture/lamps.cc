@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // What shines.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // A shining ball, and its light.
 void Bulb(Piece& p, Vec3 at, float radius, float intensity_cd) {
@@ -46,7 +43,7 @@ void MakeFloorLamp(Piece& p) {
       p.make.Cylinder(p.is.hard, {-reach + foot, 0, 0}, foot, 0.03F, 0.006F, 28);
       std::vector<Vec3> arc{{-reach + foot, 0, 0.02F}};
       const float half = 0.5F * (2 * reach - foot - bell), drop = 0.3F * bell + 0.02F;
-      for (const Vec2& point : ArcPoints({reach - bell - half, 0.55F * p.h}, half, 0.44F * p.h, kPi, 0.06F, 14))
+      for (const Vec2& point : ArcPoints({reach - bell - half, 0.55F * p.h}, half, 0.44F * p.h, kPiFloat, 0.06F, 14))
         arc.push_back({point.x, 0, point.y});
       p.make.Tube(p.is.hard, arc, std::array{pole}, 8);
       const Vec3 end = arc.back() - Vec3{0, 0, drop};
@@ -64,7 +61,7 @@ void MakeFloorLamp(Piece& p) {
   }
   if (p.Says("tripod")) {
     for (int i = 0; i < 3; ++i) {
-      const float turn = kPi / 2 + 2 * kPi / 3 * static_cast<float>(i);
+      const float turn = kPiFloat / 2 + 2 * kPiFloat / 3 * static_cast<float>(i);
       p.make.Bar(p.is.hard, {0.9F * r * std::cos(turn), 0.9F * r * std::sin(turn), 0},
                  {0.06F * r * std::cos(turn), 0.06F * r * std::sin(turn), p.h - 0.8F * shade}, 1.1F * pole, 1.4F * pole,
                  8);
@@ -215,7 +212,7 @@ void MakeChandelier(Piece& p) {
                                     {0.03F * r, 0.55F * p.h}}},
                18);
   for (int i = 0; i < arms; ++i) {
-    const float turn = 2 * kPi * static_cast<float>(i) / static_cast<float>(arms), c = std::cos(turn),
+    const float turn = 2 * kPiFloat * static_cast<float>(i) / static_cast<float>(arms), c = std::cos(turn),
                 s = std::sin(turn);
     const auto at = [&](float out, float z) { return Vec3{c * out * r, s * out * r, z * p.h}; };
     p.make.Tube(p.is.metal,

@@ -9,14 +9,11 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <string>
 #include <tuple>
 
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // A shape that fills [-0.5, 0.5] x [-0.4, 0.4] x [0, 0.8], so that fitting leaves it as it is.
 struct Case {
@@ -48,19 +45,19 @@ std::vector<Case> Shapes() {
        [](Modeller& m, const Material& a) {
          m.Lathe(a, {}, std::array<Vec2, 2>{{{0.5F, 0}, {0.5F, 0.8F}}}, 64, {1, 0.8F});
        },
-       kPi * 0.2F * 0.8F, 0.002F},
+       kPiFloat * 0.2F * 0.8F, 0.002F},
       {"cone",
        [](Modeller& m, const Material& a) {
          m.Lathe(a, {}, std::array<Vec2, 2>{{{0.5F, 0}, {0, 0.8F}}}, 64, {1, 0.8F});
        },
-       kPi * 0.2F * 0.8F / 3, 0.002F},
+       kPiFloat * 0.2F * 0.8F / 3, 0.002F},
       {"ring",
        [](Modeller& m, const Material& a) {
          m.Ring(a, {}, std::array<Vec2, 4>{{{0.4F, 0}, {0.5F, 0}, {0.5F, 0.8F}, {0.4F, 0.8F}}}, 64, {1, 0.8F});
        },
-       kPi * 0.8F * (0.2F - 0.128F), 0.002F},
+       kPiFloat * 0.8F * (0.2F - 0.128F), 0.002F},
       {"ellipsoid", [](Modeller& m, const Material& a) { m.Ellipsoid(a, {0, 0, 0.4F}, {0.5F, 0.4F, 0.4F}, 64, 32); },
-       4 * kPi / 3 * 0.08F, 0.002F},
+       4 * kPiFloat / 3 * 0.08F, 0.002F},
       {"sheet",
        [](Modeller& m, const Material& a) {
          m.Sheet(a, 4, 4, [](float u, float v) { return Vec3{u - 0.5F, 0.8F * v - 0.4F, 0.4F}; }, 0.8F);
@@ -144,7 +141,7 @@ TEST(Modeller, TextureCoordinatesOfABoxAreMetresAlongItsLongestSide) {
 
 TEST(Modeller, FramesNest) {
   Modeller modeller;
-  modeller.In(Frame::TurnedZ({1, 0, 0}, kPi / 2), [&] {
+  modeller.In(Frame::TurnedZ({1, 0, 0}, kPiFloat / 2), [&] {
     modeller.In(Frame{{2, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, [&] {
       const Vec3 at = modeller.Placed({0, 1, 3});
       EXPECT_NEAR(at.x, 0, 1e-5F);

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // What hangs, and screens.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // x to the left of someone who looks at it, y up, z to the front: shapes drawn on a wall.
 Frame OnWall(Vec3 origin) { return {origin, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}; }
@@ -137,7 +134,7 @@ void MakeClock(Piece& p) {
                    36);
       p.make.Cylinder(stuff::Paper(), {0, 0, -thick}, 0.9F * r, 0.8F * thick, 0, 32);
       for (int i = 0; i < 12; ++i) {
-        const float turn = kPi / 6 * static_cast<float>(i), half = (i % 3 == 0 ? 0.035F : 0.018F) * r;
+        const float turn = kPiFloat / 6 * static_cast<float>(i), half = (i % 3 == 0 ? 0.035F : 0.018F) * r;
         p.make.In(Frame::TurnedZ({}, turn), [&] {
           p.make.Box(stuff::Black(), {-half, 0.7F * r, -0.25F * thick}, {half, 0.84F * r, -0.15F * thick}, 0);
         });
@@ -157,7 +154,7 @@ void MakeClock(Piece& p) {
     p.make.Box(p.is.hard, {-0.74F * x, -p.d / 2, 0.21F * p.h}, {0.74F * x, 0.4F * p.d, hood}, 0.006F);
     p.make.Box(p.is.hard, {-x, -p.d / 2, hood}, {x, 0.44F * p.d, 0.94F * p.h}, 0.008F);
     p.make.In(OnWall({0, -p.d / 2, 0.93F * p.h}),
-              [&] { p.make.Slab(p.is.hard, ArcPoints({}, x, 0.07F * p.h, 0, kPi, 12), 0, 0.94F * p.d, 0.006F); });
+              [&] { p.make.Slab(p.is.hard, ArcPoints({}, x, 0.07F * p.h, 0, kPiFloat, 12), 0, 0.94F * p.d, 0.006F); });
     p.make.Box(stuff::Screen(), {-0.5F * x, 0.39F * p.d, 0.27F * p.h}, {0.5F * x, 0.41F * p.d, hood - 0.04F * p.h}, 0);
     p.make.Bar(p.is.metal, {0, 0.42F * p.d, 0.38F * p.h}, {0, 0.42F * p.d, hood - 0.05F * p.h}, 0.006F, 6);
     p.make.In(OnWall({0, 0.41F * p.d, 0.37F * p.h}),
@@ -253,7 +250,7 @@ void MakeCeilingFan(Piece& p) {
   p.make.Ellipsoid(stuff::Shade(), {0, 0, 0.2F * p.h}, {0.9F * hub, 0.9F * hub, 0.2F * p.h}, 18, 10);
   p.Shine({0, 0, 0.15F * p.h}, 70, 0.6F * hub);
   for (int i = 0; i < 5; ++i) {
-    p.make.In(Frame::TurnedZ({0, 0, z}, 2 * kPi / 5 * static_cast<float>(i)), [&] {
+    p.make.In(Frame::TurnedZ({0, 0, z}, 2 * kPiFloat / 5 * static_cast<float>(i)), [&] {
       p.make.In({{}, {1, 0, 0}, {0, std::cos(0.2F), std::sin(0.2F)}, {0, -std::sin(0.2F), std::cos(0.2F)}}, [&] {
         p.make.Slab(p.is.hard, RoundedOutline({0.8F * hub, -0.09F * r}, {r, 0.09F * r}, 0.06F * r), -0.01F * p.h,
                     0.03F * p.h, 0.002F);

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // Instruments and what sounds.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // White keys with black ones on them; the player sits at +y.
 void Keys(Piece& p, float left, float right, float back, float front, float top) {
@@ -56,7 +53,7 @@ void MakeGrandPiano(Piece& p) {
   const float x = p.w / 2, y = p.d / 2, low = std::min(0.72F, 0.55F * p.h), rim = std::min(1.02F, 0.76F * p.h),
               keys = std::min(0.3F, 0.2F * p.d);
   std::vector<Vec2> outline{{x, y - keys}, {x, -0.55F * y}};
-  for (const Vec2& point : ArcPoints({x - 0.42F * p.w, -0.55F * y}, 0.42F * p.w, 0.45F * y, 0, -kPi, 10))
+  for (const Vec2& point : ArcPoints({x - 0.42F * p.w, -0.55F * y}, 0.42F * p.w, 0.45F * y, 0, -kPiFloat, 10))
     outline.push_back(point);
   outline.push_back({x - 0.86F * p.w, -0.2F * y});
   outline.push_back({-0.44F * p.w, 0.05F * y});
@@ -140,7 +137,7 @@ void MakeDrums(Piece& p) {
     const float r = 0.008F * s / 1.2F;
     p.make.Bar(p.is.metal, {top.x, top.y, 0.12F * p.h}, top, r, 8);
     for (int i = 0; i < 3; ++i) {
-      const float turn = 2 * kPi / 3 * static_cast<float>(i);
+      const float turn = 2 * kPiFloat / 3 * static_cast<float>(i);
       p.make.Bar(p.is.metal, {top.x + foot * std::cos(turn), top.y + foot * std::sin(turn), r},
                  {top.x, top.y, 0.16F * p.h}, r, 6);
     }
@@ -169,7 +166,7 @@ void MakeGuitar(Piece& p) {
     p.make.In({{}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, [&] {
       std::vector<Vec2> outline;
       for (int i = 0; i < 36; ++i) {  // two bouts and a waist
-        const float turn = 2 * kPi * static_cast<float>(i) / 36 - kPi / 2, up = (1 + std::sin(turn)) / 2;
+        const float turn = 2 * kPiFloat * static_cast<float>(i) / 36 - kPiFloat / 2, up = (1 + std::sin(turn)) / 2;
         const float waist = 1 - 0.32F * std::exp(-30 * (up - 0.6F) * (up - 0.6F)) - 0.2F * up * up;
         outline.push_back({x * waist * std::cos(turn), body * up});
       }
@@ -196,7 +193,7 @@ void MakeMusicStand(Piece& p) {
   const float r = std::min(0.014F, 0.06F * p.smaller()), desk = 0.7F * p.h;
   p.make.Bar(p.is.hard, {0, 0, 0.12F * p.h}, {0, 0, 0.8F * p.h}, 1.2F * r, 10);
   for (int i = 0; i < 3; ++i) {
-    const float turn = kPi / 2 + 2 * kPi / 3 * static_cast<float>(i);
+    const float turn = kPiFloat / 2 + 2 * kPiFloat / 3 * static_cast<float>(i);
     p.make.Bar(p.is.hard, {0.45F * p.smaller() * std::cos(turn), 0.45F * p.smaller() * std::sin(turn), r},
                {0, 0, 0.22F * p.h}, r, 8);
   }

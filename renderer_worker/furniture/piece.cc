@@ -5,12 +5,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <numbers>
 
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 uint32_t Mixed(uint32_t x) {
   x ^= x >> 16;
@@ -61,7 +58,7 @@ void Piece::RoundLegsAt(const Material& material, float x, float y, float top, f
 
 void Piece::Knob(Vec3 at, float radius) {
   if (radius < 1e-4F) return;
-  make.In(Frame::TurnedX(at, -kPi / 2), [&] {
+  make.In(Frame::TurnedX(at, -kPiFloat / 2), [&] {
     const std::array<Vec2, 6> profile{{{0.45F, 0}, {0.4F, 0.5F}, {0.95F, 0.9F}, {1, 1.2F}, {0.75F, 1.6F}, {0, 1.7F}}};
     std::array<Vec2, 6> scaled{};
     for (size_t i = 0; i < profile.size(); ++i) scaled[i] = {radius * profile[i].x, radius * profile[i].y};
@@ -149,7 +146,7 @@ void Piece::Foliage(Vec3 centre, Vec3 radii, int leaves, float leaf, const Mater
     make.Sheet(
         tint, 2, 3,
         [&](float u, float v) {
-          const float wide = 0.34F * length * std::sin(kPi * (0.12F + 0.86F * v)), across = 2 * u - 1;
+          const float wide = 0.34F * length * std::sin(kPiFloat * (0.12F + 0.86F * v)), across = 2 * u - 1;
           return root + along * (length * v) + side * (wide * across) +
                  up * (0.12F * length * across * across + length * 0.3F * v * (1 - v));
         },

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // What grows.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // Long blades that bend outwards from one root.
 void Fronds(Piece& p, Vec3 root, float reach_x, float reach_y, float rise, int count, float width,
@@ -22,7 +19,7 @@ void Fronds(Piece& p, Vec3 root, float reach_x, float reach_y, float rise, int c
     p.make.Sheet(
         i % 3 == 0 ? stuff::Leaf(1) : material, 2, 6,
         [&](float u, float v) {
-          const float across = (2 * u - 1) * width * std::sin(kPi * std::min(0.98F, 0.14F + 0.86F * v));
+          const float across = (2 * u - 1) * width * std::sin(kPiFloat * std::min(0.98F, 0.14F + 0.86F * v));
           const float along = out * v * (0.35F + 0.65F * v), up = high * (1.7F * v - 0.75F * v * v);
           return root + Vec3{c * along * reach_x - s * across, s * along * reach_y + c * across,
                              up + 0.25F * std::abs(across)};
@@ -42,7 +39,7 @@ void MakePlant(Piece& p) {
     const float base = 0.3F * p.h;
     p.Pot({0, 0, base}, 0.8F * rim + 0.1F * r, 0.8F * pot, clay);
     for (int i = 0; i < 3; ++i) {
-      const float turn = 2 * kPi / 3 * static_cast<float>(i);
+      const float turn = 2 * kPiFloat / 3 * static_cast<float>(i);
       p.make.Bar(p.is.soft, {rim * std::cos(turn), rim * std::sin(turn), base + 0.7F * pot}, {0, 0, p.h}, 0.004F, 5);
     }
     p.Foliage({0, 0, base + 0.8F * pot}, {r, r, 0.2F * p.h}, 30, 0.5F * r, leaf);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // Sofas and what is upholstered.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 struct SofaShape {
   float arm, back, seat, base;  // widths of arm and back, heights of seat and plinth
@@ -126,12 +123,12 @@ void MakePouf(Piece& p) {
     p.make.Cushion(p.is.soft, {-p.w / 2, -p.d / 2, 0.7F * p.h}, {p.w / 2, p.d / 2, p.h}, 0.05F, 0.02F);
     return;
   }
-  const std::vector<Vec2> side = ArcPoints({0.36F, 0.5F}, 0.14F, 0.5F, -kPi / 2, kPi / 2, 10);
+  const std::vector<Vec2> side = ArcPoints({0.36F, 0.5F}, 0.14F, 0.5F, -kPiFloat / 2, kPiFloat / 2, 10);
   std::vector<Vec2> profile;
   for (const Vec2& point : side) profile.push_back({point.x, point.y * p.h});
   p.make.Lathe(p.is.soft, {}, profile, 28, {p.w, p.d});
   for (int i = 0; i < 12; ++i) {  // seams
-    const float turn = kPi / 6 * static_cast<float>(i);
+    const float turn = kPiFloat / 6 * static_cast<float>(i);
     std::vector<Vec3> seam;
     for (const Vec2& point : profile)
       seam.push_back({1.003F * p.w * point.x * std::cos(turn), 1.003F * p.d * point.x * std::sin(turn), point.y});
@@ -146,10 +143,10 @@ void MakeBeanBag(Piece& p) {
   p.make.Sheet(
       p.is.soft, kRound, kUp,
       [&](float u, float v) {
-        const float turn = 2 * kPi * u, swell = std::sin(kPi * std::min(1.0F, 0.2F + 0.8F * v));
+        const float turn = 2 * kPiFloat * u, swell = std::sin(kPiFloat * std::min(1.0F, 0.2F + 0.8F * v));
         const float r = 0.5F * (v > 0.97F ? 0.06F : std::pow(swell, 0.6F) * (1 - 0.12F * v));
         const float wrinkle = 1 + 0.025F * std::sin(7 * turn) * v;
-        const float front = 0.5F + 0.5F * std::sin(turn), sat = 0.3F * front * std::sin(kPi * v) * v;
+        const float front = 0.5F + 0.5F * std::sin(turn), sat = 0.3F * front * std::sin(kPiFloat * v) * v;
         return Vec3{r * wrinkle * p.w * std::cos(turn), (r * wrinkle * std::sin(turn) - 0.16F * v * v) * p.d,
                     (v - sat) * 0.94F * p.h};
       },

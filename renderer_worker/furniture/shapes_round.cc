@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/patch.h"
 
 // What is turned about an axis, and bars.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 struct RingPoint {
   Vec2 at;
@@ -62,7 +59,7 @@ void Sweep(Patch& patch, Vec3 base, const RingPoint& from, const RingPoint& to, 
   };
   std::array<uint32_t, 2> last{};
   for (int i = 0; i <= sides; ++i) {
-    const float angle = i == sides ? 2 * kPi : 2 * kPi * static_cast<float>(i) / static_cast<float>(sides);
+    const float angle = i == sides ? 2 * kPiFloat : 2 * kPiFloat * static_cast<float>(i) / static_cast<float>(sides);
     const std::array<uint32_t, 2> now{vertex(from, from.normal_after, from.along, angle),
                                       vertex(to, to.normal_before, from.along + length, angle)};
     if (i > 0) {
@@ -109,7 +106,7 @@ void Modeller::Cylinder(const Material& material, Vec3 base, float radius, float
 
 void Modeller::Ellipsoid(const Material& material, Vec3 centre, Vec3 radii, int sides, int rings) {
   if (std::min({radii.x, radii.y, radii.z}) < 1e-5F) return;
-  std::vector<Vec2> profile = ArcPoints({0, 0}, 1, radii.z, -kPi / 2, kPi / 2, rings);
+  std::vector<Vec2> profile = ArcPoints({0, 0}, 1, radii.z, -kPiFloat / 2, kPiFloat / 2, rings);
   profile.front().x = profile.back().x = 0;
   Lathe(material, centre, profile, sides, {radii.x, radii.y});
 }
@@ -145,7 +142,7 @@ void Modeller::Tube(const Material& material, std::span<const Vec3> path, std::s
     std::vector<uint32_t> now;
     std::vector<Vec3> ring;
     for (int k = 0; k <= sides; ++k) {
-      const float angle = -2 * kPi * static_cast<float>(k) / static_cast<float>(sides);
+      const float angle = -2 * kPiFloat * static_cast<float>(k) / static_cast<float>(sides);
       const Vec3 outward = side * std::cos(angle) + up * std::sin(angle);
       now.push_back(patch.Vertex(path[i] + outward * radius, outward, {along, -angle * radius}));
       if (k < sides) ring.push_back(path[i] + outward * radius);

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/patch.h"
 
 // Cushions and sheets.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // Places between the faces' middle planes where a cushion's surface is sampled: the rounded ends and the flat middle.
 std::vector<float> Stations(float half, float radius, bool crowned) {

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // What one trains with.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // A disc that stands upright, its axis along x.
 void UprightDisc(Piece& p, const Material& material, Vec3 centre, float radius, float thick, int sides = 24) {
@@ -65,7 +62,7 @@ void MakeExerciseBike(Piece& p) {
     p.make.In({{0, y, r}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, [&] {
       p.make.Hoop(stuff::Rubber(), {}, r - 0.5F * tube, tube, 30);
       for (int i = 0; i < 8; ++i) {
-        const float turn = kPi / 4 * static_cast<float>(i);
+        const float turn = kPiFloat / 4 * static_cast<float>(i);
         p.make.Bar(p.is.metal, {}, {0.94F * r * std::cos(turn), 0.94F * r * std::sin(turn), 0}, 0.1F * tube, 4);
       }
     });

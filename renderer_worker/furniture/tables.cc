@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // Tables and desks.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 float TopThickness(const Piece& p) { return std::min({0.032F, 0.12F * p.h, 0.2F * p.smaller()}); }
 float LegHalf(const Piece& p, float usual) { return std::min(usual, 0.05F * p.smaller()); }
@@ -82,7 +79,7 @@ void MakeCoffeeTable(Piece& p) {
   if (Round(p)) {
     p.make.Slab(p.is.hard, EllipseOutline({}, p.w / 2, p.d / 2, 36), p.h - thick, p.h, 0.006F);
     for (int i = 0; i < 4; ++i) {
-      const float turn = kPi / 4 + kPi / 2 * static_cast<float>(i), x = std::cos(turn), y = std::sin(turn);
+      const float turn = kPiFloat / 4 + kPiFloat / 2 * static_cast<float>(i), x = std::cos(turn), y = std::sin(turn);
       p.make.Bar(p.is.hard, {0.42F * p.w * x, 0.42F * p.d * y, 0}, {0.34F * p.w * x, 0.34F * p.d * y, p.h - thick},
                  0.5F * leg, leg, 10);
     }

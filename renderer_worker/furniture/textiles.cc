@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer_worker/furniture/families.h"
 
 // Rugs, mats, cushions.
 namespace flair::renderer {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // A frame of cloth between two rectangles, `wide` broad and flush with its ground.
 void Border(Piece& p, const Material& material, float inset, float wide, float bottom, float top) {
@@ -115,10 +112,11 @@ void MakeCurtain(Piece& p) {
     p.make.Sheet(
         p.is.soft, 8 * folds, 5,
         [&](float u, float v) {
-          const float gather = 1 - 0.22F * std::sin(kPi * v) * (p.h > 1.2F ? 1.0F : 0.3F);
+          const float gather = 1 - 0.22F * std::sin(kPiFloat * v) * (p.h > 1.2F ? 1.0F : 0.3F);
           const float x =
               side > 0 ? p.w / 2 - 2 * rod - (1 - u) * wide * gather : -p.w / 2 + 2 * rod + u * wide * gather;
-          return Vec3{x, -deep * (0.4F + 0.6F * (1 - v)) * std::cos(2 * kPi * static_cast<float>(folds) * u), top * v};
+          return Vec3{x, -deep * (0.4F + 0.6F * (1 - v)) * std::cos(2 * kPiFloat * static_cast<float>(folds) * u),
+                      top * v};
         },
         0.004F);
     if (p.h > 1.2F) {

@@ -12,8 +12,6 @@
 namespace flair::renderer::gltf {
 namespace {
 
-bool Finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 absl::Status Check(const MeshPart& part, const std::string& name) {
   const size_t count = part.positions.size();
   if (part.normals.size() != count || (!part.uvs.empty() && part.uvs.size() != count) || part.indices.size() % 3 != 0) {
@@ -21,7 +19,7 @@ absl::Status Check(const MeshPart& part, const std::string& name) {
                                            count, part.normals.size(), part.uvs.size(), part.indices.size()));
   }
   for (size_t i = 0; i < count; ++i) {
-    if (!Finite(part.positions[i]) || !Finite(part.normals[i])) {
+    if (!IsFinite(part.positions[i]) || !IsFinite(part.normals[i])) {
       return absl::InternalError(fmt::format("vertex {} of the mesh of {} is not finite", i, name));
     }
   }

@@ -18,8 +18,6 @@ constexpr char kLights[] = "KHR_lights_punctual";
 constexpr double kSunIlluminance_lx = 190;
 constexpr double kSkyIlluminance_lx = 110;
 
-bool Finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 std::vector<double> ListOf(Vec3 v) { return {Rounded(v.x), Rounded(v.y), Rounded(v.z)}; }
 
 std::vector<double> ListOf(const Quaternion& q) {
@@ -124,7 +122,7 @@ int SceneWriter::LightNumber(tinygltf::Light light) {
 }
 
 void SceneWriter::AddLamp(const LampLight& lamp, const std::string& name, tinygltf::Node& parent) {
-  if (!(lamp.intensity_cd > 0) || !Finite(lamp.position) || !std::isfinite(lamp.intensity_cd)) return;
+  if (!(lamp.intensity_cd > 0) || !IsFinite(lamp.position) || !std::isfinite(lamp.intensity_cd)) return;
   tinygltf::Light light;
   light.type = "point";
   light.name = "lamp";
@@ -163,7 +161,7 @@ void SceneWriter::AddDaylight(Group& group) {
   }
   // Windows that face each other, or none: from the south-west.
   inward.z = 0;
-  if (!Finite(inward) || Length(inward) < 1e-3F) inward = {0.5F, 0.8F, 0};
+  if (!IsFinite(inward) || Length(inward) < 1e-3F) inward = {0.5F, 0.8F, 0};
   inward = Normalized(inward);
   // A little from one side, so that a window's two sides and a corner's two walls differ.
   const Vec3 sideways{-inward.y, inward.x, 0};
@@ -174,7 +172,7 @@ void SceneWriter::AddDaylight(Group& group) {
 
 absl::Status SceneWriter::AddCamera(const SceneCamera& camera, Group& group) {
   const Vec3 direction = camera.target - camera.eye;
-  if (!Finite(camera.eye) || !Finite(direction) || !(Length(direction) > 0) || !(camera.field_of_view_rad > 0)) {
+  if (!IsFinite(camera.eye) || !IsFinite(direction) || !(Length(direction) > 0) || !(camera.field_of_view_rad > 0)) {
     return absl::InvalidArgumentError(
         fmt::format("camera '{}' must look somewhere, with a field of view", camera.name));
   }

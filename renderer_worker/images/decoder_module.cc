@@ -16,7 +16,7 @@
 namespace flair::renderer {
 namespace {
 
-bool Fail(EncoderSink error, void* context, const std::string& message) {
+bool FailReading(EncoderSink error, void* context, const std::string& message) {
   error(context, message.data(), message.size());
   return false;
 }
@@ -52,18 +52,18 @@ bool DecodeOrThrow(const DecoderRequest& request, DecoderStart start, DecoderRow
   SetUpLibrary();
   OIIO::Filesystem::IOMemReader memory(const_cast<void*>(request.bytes), request.byte_count);
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(request.file_name, nullptr, &memory);
-  if (!input) return Fail(error, context, OIIO::geterror());
+  if (!input) return FailReading(error, context, OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
-  if (const std::string why = WhyTooLarge(spec, request); !why.empty()) return Fail(error, context, why);
+  if (const std::string why = WhyTooLarge(spec, request); !why.empty()) return FailReading(error, context, why);
   if (spec.tile_width > 0 || spec.deep)
-    return Fail(error, context, "is stored in tiles or in depth; only rows are read");
+    return FailReading(error, context, "is stored in tiles or in depth; only rows are read");
   if (!start(context, spec.width, spec.height)) return false;
   const size_t width = static_cast<size_t>(spec.width), channels = static_cast<size_t>(spec.nchannels);
   std::vector<uint8_t> stored(width * channels), rgb(width * 3);
   for (int y = 0; y < spec.height; ++y) {
     if (!input->read_scanline(spec.y + y, spec.z, OIIO::TypeDesc::UINT8, stored.data()))
-      return Fail(error, context,
-                  "row " + std::to_string(y) + " of " + std::to_string(spec.height) + ": " + input->geterror());
+      return FailReading(error, context,
+                         "row " + std::to_string(y) + " of " + std::to_string(spec.height) + ": " + input->geterror());
     ToRgb(stored, channels, rgb);
     if (!row(context, rgb.data())) return false;
   }

@@ -19,7 +19,7 @@
 namespace flair::renderer {
 namespace {
 
-bool Fail(EncoderSink error, void* context, const std::string& message) {
+bool FailWriting(EncoderSink error, void* context, const std::string& message) {
   error(context, message.data(), message.size());
   return false;
 }
@@ -113,17 +113,17 @@ bool EncodeOrThrow(const EncoderRequest& request, EncoderSink file, EncoderSink 
   SetUpLibrary();
   std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(request.file_name);
   if (!output)
-    return Fail(error, context, "no encoder for " + std::string(request.file_name) + ": " + OIIO::geterror());
+    return FailWriting(error, context, "no encoder for " + std::string(request.file_name) + ": " + OIIO::geterror());
   if (!output->supports("ioproxy"))
-    return Fail(error, context, std::string(output->format_name()) + " cannot be written to memory");
+    return FailWriting(error, context, std::string(output->format_name()) + " cannot be written to memory");
   const OIIO::ImageSpec spec = SpecOf(request, output->format_name());
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   if (!output->set_ioproxy(&memory) || !output->open(request.file_name, spec))
-    return Fail(error, context, output->geterror());
+    return FailWriting(error, context, output->geterror());
   const bool written = request.channel_count > 0 ? WriteChannels(request, spec, *output)
                                                  : output->write_image(OIIO::TypeDesc::UINT8, request.rgb);
-  if (!written || !output->close()) return Fail(error, context, output->geterror());
+  if (!written || !output->close()) return FailWriting(error, context, output->geterror());
   file(context, reinterpret_cast<const char*>(bytes.data()), bytes.size());
   return true;
 }

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace flair::renderer {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kBirdseyeFov_rad = 0.52F;
 constexpr float kBirdseyeElevation_rad = 0.90F;
 constexpr float kPerspectiveFov_rad = 1.13F;
@@ -107,7 +105,7 @@ std::vector<Vec3> EyesToTry(const RoomShape& shape, Vec3 middle, float height) {
   std::vector<Vec3> eyes;
   const float main = MainDirection(shape);
   for (int k = 0; k < 16; ++k) {
-    const float azimuth = main + (static_cast<float>(k) + 0.5F) * kPi / 8;
+    const float azimuth = main + (static_cast<float>(k) + 0.5F) * kPiFloat / 8;
     const Vec3 out{std::cos(azimuth), std::sin(azimuth), 0};
     float boundary = 0;
     for (const ShapedWall& wall : shape.walls) {
@@ -189,7 +187,7 @@ SceneCamera BirdseyeCamera(const RoomShape& shape, const Sight& sight) {
   double best_score = -1e9;
   for (int quarter = 0; quarter < 4; ++quarter) {
     for (const float skew : {-0.22F, 0.22F}) {
-      const SceneCamera camera = BirdseyeFrom(shape, main + (static_cast<float>(quarter) + 0.5F) * kPi / 2 + skew);
+      const SceneCamera camera = BirdseyeFrom(shape, main + (static_cast<float>(quarter) + 0.5F) * kPiFloat / 2 + skew);
       const double score = BirdseyeScore(shape, sight, camera);
       if (score > best_score + 1e-6) best = camera, best_score = score;
     }

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 namespace flair::renderer {
+
+// Half a turn.
+inline constexpr float kPiFloat = std::numbers::pi_v<float>;
 
 // A point or direction in the plane, single precision: what graphics libraries take.
 struct Vec2 {
@@ -19,6 +23,8 @@ struct Vec3 {
   float z = 0;
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
+
+inline bool IsFinite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace flair::renderer {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kLeastBesideSky = 0.05F;  // irradiance over pi; the sky's is about 1
 constexpr size_t kMostLights = 250;       // beyond, the least bright ones of a scene stay dark
 
@@ -23,7 +21,7 @@ float GuessOf(const RectLight& rect, Vec3 position, Vec3 normal) {
     const float above = std::max(0.0F, Dot(normal, way)), facing = std::max(0.0F, -Dot(rect.normal, way));
     sum += above * facing / (distance2 * distance2);
   }
-  return sum * rect.area_m2 * (rect.window ? 1 : Luminance(rect.radiance)) * (0.2F / kPi);
+  return sum * rect.area_m2 * (rect.window ? 1 : Luminance(rect.radiance)) * (0.2F / kPiFloat);
 }
 
 float GuessOf(const BallLight& ball, Vec3 position, Vec3 normal) {
@@ -32,7 +30,7 @@ float GuessOf(const BallLight& ball, Vec3 position, Vec3 normal) {
   if (left <= 0) return 0;
   const float distance2 = Dot(way, way) + ball.radius_m * ball.radius_m;
   const float above = Dot(normal, way) + ball.radius_m;
-  return above <= 0 ? 0 : left * Luminance(ball.intensity) * (above / std::sqrt(distance2)) / distance2 / kPi;
+  return above <= 0 ? 0 : left * Luminance(ball.intensity) * (above / std::sqrt(distance2)) / distance2 / kPiFloat;
 }
 
 LightSample TowardsRect(const Lights& lights, const RectLight& rect, Vec3 position, Vec3 normal, Vec2 place) {
@@ -46,7 +44,7 @@ LightSample TowardsRect(const Lights& lights, const RectLight& rect, Vec3 positi
   if (cosine <= 0 || facing <= 0) return sample;
   const Vec3 radiance = rect.window ? lights.SkyRadiance(sample.direction) : rect.radiance;
   // Right before a window a point of it would outshine all others: no smaller than a fiftieth of its area.
-  const float form = cosine * facing * rect.area_m2 / (kPi * std::max(distance2, rect.area_m2 * 0.02F));
+  const float form = cosine * facing * rect.area_m2 / (kPiFloat * std::max(distance2, rect.area_m2 * 0.02F));
   sample.irradiance = radiance * form;
   return sample;
 }
@@ -64,7 +62,7 @@ LightSample TowardsBall(const BallLight& ball, Vec3 position, Vec3 normal, Vec2 
   const float cosine = Dot(normal, sample.direction);
   if (cosine <= 0) return sample;
   const float distance2 = std::max(distance * distance, 4 * ball.radius_m * ball.radius_m);
-  sample.irradiance = ball.intensity * (ball.LeftAt(distance * distance) * cosine / (kPi * distance2));
+  sample.irradiance = ball.intensity * (ball.LeftAt(distance * distance) * cosine / (kPiFloat * distance2));
   return sample;
 }
 
@@ -76,7 +74,7 @@ LightSample TowardsSun(const Lights& lights, Vec3 normal, Vec2 place) {
   sample.direction =
       Normalized(lights.sun_direction + s * (disc.x * lights.sun_radius) + t * (disc.y * lights.sun_radius));
   sample.distance = std::numeric_limits<float>::infinity();
-  sample.irradiance = lights.sun_irradiance * (std::max(0.0F, Dot(normal, sample.direction)) / kPi);
+  sample.irradiance = lights.sun_irradiance * (std::max(0.0F, Dot(normal, sample.direction)) / kPiFloat);
   return sample;
 }
 
@@ -186,7 +184,7 @@ Lights LightsOf(const Scene& scene, bool open_sky) {
     lights.sun_radius = 0.09F;
     AddLamps(scene, 0.005F, lights);
     for (BallLight& ball : lights.balls) {
-      ball.reach_m = std::sqrt(Luminance(ball.intensity) / (kPi * kLeastBesideSky));
+      ball.reach_m = std::sqrt(Luminance(ball.intensity) / (kPiFloat * kLeastBesideSky));
     }
     return lights;
   }

@@ -16,11 +16,6 @@
 #include "renderer_worker/tracing/sampling.h"
 
 namespace flair::renderer {
-namespace {
-
-bool HoldsUpLight(const Material& material) { return material.opacity >= 1 && Luminance(material.emission) <= 0; }
-
-}  // namespace
 
 int64_t TriangleCount(const Mesh& mesh) {
   int64_t count = 0;

@@ -9,8 +9,6 @@ namespace {
 
 constexpr int kLeastPerInstance = 3;
 
-bool HoldsUpLight(const Material& material) { return material.opacity >= 1 && Luminance(material.emission) <= 0; }
-
 float AreaOf(const MeshPart& part, size_t triangle) {
   const uint32_t* corner = &part.indices[3 * triangle];
   const Vec3 a = part.positions[corner[0]];

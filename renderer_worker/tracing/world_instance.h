@@ -25,6 +25,11 @@ struct WorldInstance {
 // The scene's objects, then the parts of its shell. Ids count all of them, seen or not: the same in every view.
 std::vector<WorldInstance> InstancesOf(const Scene& scene, const CutAway& cut);
 
+// Whether what is behind lies in shadow: neither glass nor a lamp.
+inline bool HoldsUpLight(const Material& material) {
+  return material.opacity >= 1 && Luminance(material.emission) <= 0;
+}
+
 // Ids of the parts of a room, beside those of furniture classes.
 inline constexpr int kFloorClass = 1001, kCeilingClass = 1002, kWallClass = 1003, kDoorClass = 1004,
                      kWindowClass = 1005, kSkirtingClass = 1006;

@@ -14,6 +14,9 @@
 
 namespace flair::validation {
 
+// Of points in a room or beside it, metres.
+inline constexpr Range kCoordinate{.least = -1000, .most = 1000};
+
 // What the parts of one problem may refer to. Sets that are null are not known, and references to them not followed.
 struct Known {
   const NameSet* zones = nullptr;

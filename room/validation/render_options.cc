@@ -10,7 +10,6 @@ namespace flair::validation {
 namespace {
 
 constexpr Range kSize{.least = 256, .most = 8192};
-constexpr Range kCoordinate{.least = -1000, .most = 1000};
 // Nearer than this to straight up or down, a camera that stands upright has no direction.
 constexpr double kLeastHorizontalShare = 0.01;
 

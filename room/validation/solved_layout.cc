@@ -7,7 +7,6 @@ namespace flair::validation {
 namespace {
 
 // Objects may end outside the room when they do not fit, but not at the end of the world.
-constexpr Range kCoordinate{.least = -1000, .most = 1000};
 constexpr Range kHeading{.least = 0, .most = 6.283185307179587, .open_most = true};
 constexpr Range kCost{.least = 0, .most = 1e300};
 

@@ -14,7 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr size_t kMostCalls = 40;
 constexpr size_t kMostArguments = 200;
 
 const json* Member(const json& object, std::initializer_list<std::string_view> names) {

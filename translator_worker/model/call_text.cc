@@ -14,7 +14,6 @@
 namespace flair::translator {
 namespace {
 
-constexpr size_t kMostCalls = 40;
 constexpr const char* kSpaces = " \t\r\n";
 
 // Opening and closing marks of a quotation.

@@ -10,6 +10,9 @@
 
 namespace flair::translator {
 
+// Calls of one sentence that are read; the rest is left out.
+inline constexpr size_t kMostCalls = 40;
+
 // An argument as it is written.
 struct WrittenArgument {
   // Empty when it is given by its place.

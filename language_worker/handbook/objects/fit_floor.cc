@@ -16,7 +16,7 @@ namespace {
 constexpr double kCoverLimit = 0.45;
 
 double Least(const hb::Extent& extent) { return extent.min() > 0 ? extent.min() : extent.typical(); }
-double Round(double length_m) { return std::round(length_m * 100) / 100; }
+double ToCentimetre(double length_m) { return std::round(length_m * 100) / 100; }
 
 class FloorFitter {
  public:
@@ -68,7 +68,7 @@ class FloorFitter {
       if (primary == nullptr) continue;
       primary->primary = true;
       for (double* side : {&primary->width_m, &primary->depth_m, &primary->height_m}) {
-        *side = Round(*side * program_.primary_scale);
+        *side = ToCentimetre(*side * program_.primary_scale);
       }
     }
   }
@@ -105,7 +105,7 @@ class FloorFitter {
   static void Shrink(SizedItem& sized, double share) {
     const hb::Furniture& furniture = *sized.item.furniture;
     const auto towards = [&](double now_m, double least_m) {
-      return least_m < now_m ? Round(now_m + share * (least_m - now_m)) : now_m;
+      return least_m < now_m ? ToCentimetre(now_m + share * (least_m - now_m)) : now_m;
     };
     sized.width_m = towards(sized.width_m, Least(furniture.width_m()));
     sized.depth_m = towards(sized.depth_m, Least(furniture.depth_m()));

@@ -18,8 +18,6 @@ struct Corner {
 };
 using Outline = std::vector<Corner>;
 
-double Round(double length_m) { return std::round(length_m * 20) / 20; }
-
 // Differences of lengths are off by rounding.
 double Micrometres(double length_m) { return std::round(length_m * 1e6) / 1e6; }
 
@@ -32,21 +30,21 @@ double ShareOf(RoomShape shape) {
 // As drawn before it is turned; w along x. Counter-clockwise.
 Outline Upright(RoomShape shape, double w, double d) {
   if (shape == RoomShape::kL) {
-    const double x = w - Round(2 * w / 5), y = d - Round(2 * d / 5);
+    const double x = w - RoundToStep(2 * w / 5), y = d - RoundToStep(2 * d / 5);
     return {{0, 0}, {w, 0}, {w, y}, {x, y}, {x, d}, {0, d}};
   }
   if (shape == RoomShape::kT) {
-    const double x = Round(w / 4), y = Round(d / 2);
+    const double x = RoundToStep(w / 4), y = RoundToStep(d / 2);
     return {{x, 0}, {w - x, 0}, {w - x, y}, {w, y}, {w, d}, {0, d}, {0, y}, {x, y}};
   }
-  const double x = Round(w / 3), y = d - Round(d / 2);
+  const double x = RoundToStep(w / 3), y = d - RoundToStep(d / 2);
   return {{0, 0}, {w, 0}, {w, d}, {w - x, d}, {w - x, y}, {x, y}, {x, d}, {0, d}};
 }
 
 double NarrowestArm(RoomShape shape, double w, double d) {
-  if (shape == RoomShape::kL) return std::min(w - Round(2 * w / 5), d - Round(2 * d / 5));
-  if (shape == RoomShape::kT) return std::min(w - 2 * Round(w / 4), d - Round(d / 2));
-  return std::min(Round(w / 3), d - Round(d / 2));
+  if (shape == RoomShape::kL) return std::min(w - RoundToStep(2 * w / 5), d - RoundToStep(2 * d / 5));
+  if (shape == RoomShape::kT) return std::min(w - 2 * RoundToStep(w / 4), d - RoundToStep(d / 2));
+  return std::min(RoundToStep(w / 3), d - RoundToStep(d / 2));
 }
 
 // Turned by quarters counter-clockwise about the bounding rectangle, whose lower-left corner stays (0, 0).
@@ -94,8 +92,8 @@ void SetFloor(const ShapeRequest& request, const SizeRequest& asked, const RoomS
   if (request.shape == RoomShape::kRectangle) return SetOutline(rectangle, room);
   double w = size.width_m, d = size.depth_m;
   if (asked.area_m2 && !asked.width_m && !asked.depth_m) {
-    w = Round(w / std::sqrt(ShareOf(request.shape)));
-    d = Round(d / std::sqrt(ShareOf(request.shape)));
+    w = RoundToStep(w / std::sqrt(ShareOf(request.shape)));
+    d = RoundToStep(d / std::sqrt(ShareOf(request.shape)));
   }
   // Turned by a quarter the sides change places, so that the room has its size after it.
   const std::size_t quarters = choice.Index("room.shape.turn", 4);

@@ -11,12 +11,10 @@
 namespace flair::language {
 namespace {
 
-double Round(double length_m) { return std::round(length_m * 20) / 20; }
-
 // Sides of a given area: shorter by longer as asked or as usual, never below what can be furnished.
 void SidesOf(double area_m2, double ratio, bool deeper, RoomSize& size) {
-  const double shorter_m = std::max(1.2, Round(std::sqrt(area_m2 * ratio)));
-  const double longer_m = std::max(1.2, Round(area_m2 / shorter_m));
+  const double shorter_m = std::max(1.2, RoundToStep(std::sqrt(area_m2 * ratio)));
+  const double longer_m = std::max(1.2, RoundToStep(area_m2 / shorter_m));
   size.width_m = deeper ? shorter_m : longer_m;
   size.depth_m = deeper ? longer_m : shorter_m;
 }
@@ -46,7 +44,7 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook) {
     SidesOf(*asked.area_m2, asked.side_ratio.value_or(0.8), deeper, size);
   } else if (asked.width_m || asked.depth_m) {
     const double given_m = asked.width_m.value_or(asked.depth_m.value_or(0));
-    const double other_m = std::max(1.2, Round(0.8 * given_m));
+    const double other_m = std::max(1.2, RoundToStep(0.8 * given_m));
     size.width_m = asked.width_m ? given_m : other_m;
     size.depth_m = asked.depth_m ? given_m : other_m;
     size.assumption = fmt::format("Only one side is given; the other is taken as {:g} m.", other_m);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "language_worker/handbook/handbook.h"
@@ -15,6 +16,9 @@ struct RoomSize {
   double height_m = 3;
   std::string assumption;  // one sentence when the brief left something open, else empty
 };
+
+// To 5 cm: lengths of walls are no finer.
+inline double RoundToStep(double length_m) { return std::round(length_m * 20) / 20; }
 
 // The size that the brief gives, completed by the archetype's usual one.
 RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook);

@@ -18,7 +18,7 @@ T Distance(const Points& points, const Wall& wall) {
   return Magnitude(least);
 }
 
-std::vector<std::pair<Wall, Wall>> CornersOf(const Room& room) {
+std::vector<std::pair<Wall, Wall>> CornerWalls(const Room& room) {
   std::vector<std::pair<Wall, Wall>> corners;
   for (size_t i = 0; i < room.walls.size(); ++i) {
     const Wall& before = room.walls[i];
@@ -59,7 +59,7 @@ ConstraintFacts NotInCornerFacts() {
       .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
         const int object = a.Object("object");
         return MakeCost(
-            NotInCorner{FootprintOf(context, object), a.Number("min_distance_m"), CornersOf(context.scene.room)},
+            NotInCorner{FootprintOf(context, object), a.Number("min_distance_m"), CornerWalls(context.scene.room)},
             {object});
       }};
 }

@@ -94,7 +94,7 @@ void NoGap(const Match&, std::string_view, Composer& composer) {
 }
 
 // "A clear walkway between the sofa and the table" keeps them apart; between pieces that are not named it is a path.
-void PathBetween(const Match& match, std::string_view tag, Composer& composer) {
+void DistanceOrPathBetween(const Match& match, std::string_view tag, Composer& composer) {
   if (match.a != nullptr && match.c->references.front().name == "paths") {
     ApartFromEachOther(match, tag, composer);
     return;
@@ -181,10 +181,10 @@ void NotBetween(const Match& match, std::string_view tag, Composer& composer) {
 
 std::vector<Rule> WalkwayRules() {
   return {
-      {"D? C.vague of? D? ,? between B", PathBetween},
-      {"D? C.vague between B ,? D", PathBetween},
+      {"D? C.vague of? D? ,? between B", DistanceOrPathBetween},
+      {"D? C.vague between B ,? D", DistanceOrPathBetween},
       {"A.group not between B", NothingBetween},
-      {"A.list D? C.vague D? between B.pronoun", PathBetween},
+      {"A.list D? C.vague D? between B.pronoun", DistanceOrPathBetween},
       {"B.feature not near/next_to", FeatureAway},
       {"B.feature not near/next_to A.object", FeatureAway},
       {"B.feature away_from", FeatureAway},
