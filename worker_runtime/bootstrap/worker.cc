@@ -47,7 +47,8 @@ absl::Status Worker::Start() {
                                .configuration_digest = ConfigurationDigest(context()),
                                .listen_address = listen,
                                .max_message_mib = config_.max_message_mib(),
-                               .tls = config_.has_tls() ? std::optional(config_.tls()) : std::nullopt},
+                               .tls = config_.has_tls() ? std::optional(config_.tls()) : std::nullopt,
+                               .open_calls = context().rpc_metrics.open_calls()},
                               std::move(services_));
   if (!server.ok()) return server.status();
   server_ = *std::move(server);

@@ -21,11 +21,15 @@ std::string_view Cut(std::string_view text, size_t limit) { return text.substr(0
 RpcRecord::RpcRecord(WorkerContext& worker, std::string_view rpc, CallIds ids)
     : worker_(worker),
       counters_(worker.rpc_metrics.Of(rpc)),
+      open_calls_(worker.rpc_metrics.open_calls()),
       rpc_(rpc),
       ids_(std::move(ids)),
       arrival_(worker.clock.Elapsed()) {
+  ++*open_calls_;
   counters_.Begin();
 }
+
+RpcRecord::~RpcRecord() { --*open_calls_; }
 
 void RpcRecord::Begin() {
   if (wait_ != absl::InfiniteDuration()) return;

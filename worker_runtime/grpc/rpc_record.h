@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,11 +21,16 @@ struct CallIds {
   std::string batch_id;
 };
 
-// Counts one call and logs one line of it. `worker` outlives it; `rpc` is a name from our own code. Not thread-safe.
+// Counts one call and logs one line of it. Lives as long as the call: a server that stops waits for those that are
+// left. `worker` outlives it; `rpc` is a name from our own code. Not thread-safe.
 class RpcRecord {
  public:
   // The call has arrived.
   RpcRecord(WorkerContext& worker, std::string_view rpc, CallIds ids);
+  // gRPC is done with it.
+  ~RpcRecord();
+  RpcRecord(const RpcRecord&) = delete;
+  RpcRecord& operator=(const RpcRecord&) = delete;
 
   // Known only now, as with a stream's first message.
   void SetIds(CallIds ids) { ids_ = std::move(ids); }
@@ -40,6 +47,7 @@ class RpcRecord {
  private:
   WorkerContext& worker_;
   RpcCounters& counters_;
+  const std::shared_ptr<std::atomic<int>> open_calls_;
   const std::string rpc_;
   CallIds ids_;
   const absl::Duration arrival_;

@@ -2,6 +2,7 @@
 #include "worker_runtime/grpc/server.h"
 
 #include <fmt/format.h>
+#include <grpc/grpc.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/resource_quota.h>
@@ -78,6 +79,11 @@ constexpr int kLeastPingIntervalMs = 10 * 1000;
 constexpr size_t kLeastMemoryMib = 256;
 constexpr size_t kLongestMessagesInMemory = 8;
 
+// How long no call must have been under way before a server that stops leaves its callers: they have been told to go
+// elsewhere, and what they sent before they heard of it has arrived.
+constexpr std::chrono::milliseconds kLookEvery{10};
+constexpr int kQuietLooks = 10;
+
 void LimitCallers(int max_message_mib, grpc::ServerBuilder& builder) {
   const size_t message_mib = static_cast<size_t>(MaxMessageBytes(max_message_mib)) >> 20;
   grpc::ResourceQuota quota("flair");
@@ -100,7 +106,9 @@ void LimitCallers(int max_message_mib, grpc::ServerBuilder& builder) {
 }  // namespace
 
 Server::Server(const ServerOptions& options, std::vector<NamedService> services)
-    : services_(std::move(services)), max_message_bytes_(MaxMessageBytes(options.max_message_mib)) {
+    : services_(std::move(services)),
+      max_message_bytes_(MaxMessageBytes(options.max_message_mib)),
+      open_calls_(options.open_calls) {
   services_.push_back({v1::WorkerService::service_full_name(), std::make_unique<WorkerInfo>(options)});
 }
 
@@ -174,11 +182,24 @@ void Server::SetServing(bool serving) {
   health->SetServingStatus(serving);
 }
 
+// gRPC waits for every connection until its caller has said goodbye, which one that does nothing else does when it
+// happens to look at it (gRPC's own: every 5 s) or never.
+void Server::CloseIdleConnections(const std::future<void>& stopped) {
+  int quiet = 0;
+  while (stopped.wait_for(kLookEvery) != std::future_status::ready) {
+    quiet = open_calls_ != nullptr && *open_calls_ == 0 ? quiet + 1 : 0;
+    if (quiet >= kQuietLooks) grpc_server_cancel_all_calls(server_->c_server());
+  }
+}
+
 void Server::Shutdown(absl::Duration drain) {
   if (server_ == nullptr) return;
   SetServing(false);
   if (listener_ != nullptr) listener_->Stop();
-  server_->Shutdown(std::chrono::system_clock::now() + absl::ToChronoMilliseconds(drain));
+  const auto deadline = std::chrono::system_clock::now() + absl::ToChronoMilliseconds(drain);
+  const std::future<void> stopped = std::async(std::launch::async, [this, deadline] { server_->Shutdown(deadline); });
+  CloseIdleConnections(stopped);
+  stopped.wait();
   server_->Wait();
   server_.reset();
 }

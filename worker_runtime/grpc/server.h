@@ -6,6 +6,8 @@
 #include <grpcpp/server.h>
 #include <grpcpp/server_builder.h>
 
+#include <atomic>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +41,8 @@ struct ServerOptions {
   int max_message_mib = 0;
   // Unset: plain text.
   std::optional<config::v1::TlsConfig> tls = std::nullopt;
+  // How many calls are not over: with none, a stop waits for no connection. Null: it waits for every connection.
+  std::shared_ptr<const std::atomic<int>> open_calls = nullptr;
 };
 
 // A running gRPC server that owns its services. What callers may cost it is limited: connections (ConnectionGate),
@@ -60,17 +64,21 @@ class Server {
   // A channel that needs no port. Must not be used after Shutdown.
   std::shared_ptr<grpc::Channel> InProcessChannel();
 
-  // Reports NOT_SERVING, takes no more connections and calls, gives running ones `drain`, then cancels them and waits
-  // until they have ended. May be called more than once.
+  // Reports NOT_SERVING, takes no more connections and calls, gives running ones (open_calls) `drain`, then cancels
+  // them and waits until they have ended. Connections without such calls are closed: their callers are told to go
+  // elsewhere, and have a moment to do so. May be called more than once.
   void Shutdown(absl::Duration drain);
 
  private:
   Server(const ServerOptions& options, std::vector<NamedService> services);
   absl::Status Listen(const ServerOptions& options, grpc::ServerBuilder& builder);
   void SetServing(bool serving);
+  // Until `stopped` or, when only idle connections are left, closes these.
+  void CloseIdleConnections(const std::future<void>& stopped);
 
   std::vector<NamedService> services_;
   const int max_message_bytes_;
+  const std::shared_ptr<const std::atomic<int>> open_calls_;
   std::unique_ptr<grpc::Server> server_;
   // gRPC's end of the listener, and the listener: null without a TCP port. The listener goes first.
   std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> acceptor_;

@@ -172,7 +172,8 @@ class ListeningServer : public ::testing::Test {
                           release_.Wait();
                           return absl::StatusOr<v1::SolveResponse>(v1::SolveResponse());
                         })});
-    auto server = Server::Start({.listen_address = address}, std::move(services));
+    auto server = Server::Start(
+        {.listen_address = address, .open_calls = resources_.context().rpc_metrics.open_calls()}, std::move(services));
     if (!server.ok()) return server.status();
     server_ = *std::move(server);
     channel_ = *MakeChannel(server_->address(), v1::OptimizerService::service_full_name());

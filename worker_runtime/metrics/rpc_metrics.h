@@ -51,8 +51,13 @@ class RpcMetrics {
   // `rpc` is a name from our own code, never from a caller.
   RpcCounters& Of(std::string_view rpc);
 
+  // Number of calls that gRPC is not done with: their answers may still be on their way. Shared with them, since a
+  // stream may be let go of after the server has gone.
+  const std::shared_ptr<std::atomic<int>>& open_calls() const { return open_calls_; }
+
  private:
   Metrics& metrics_;
+  const std::shared_ptr<std::atomic<int>> open_calls_ = std::make_shared<std::atomic<int>>(0);
   std::mutex mutex_;
   std::map<std::string, std::unique_ptr<RpcCounters>, std::less<>> rpcs_;
   std::array<std::unique_ptr<WatchedValue>, 4> watched_;
