@@ -107,7 +107,7 @@ std::string NameKey(std::string_view name) {
   std::string key;
   for (const Word& word : ReadWords(name)) {
     // A number at the end only tells equal things apart.
-    if (key.empty() || !std::all_of(word.key.begin(), word.key.end(), IsDigit)) key += word.key;
+    if (key.empty() || !std::all_of(word.key.begin(), word.key.end(), absl::ascii_isdigit)) key += word.key;
   }
   return key;
 }

@@ -8,7 +8,7 @@
 namespace flair::optimizer {
 namespace {
 
-v1::SolvedLayout Layout() {
+v1::SolvedLayout SmallLayout() {
   v1::SolvedLayout layout;
   v1::Object* sofa = layout.mutable_graph()->mutable_object_list()->add_objects();
   sofa->set_id("sofa");
@@ -22,7 +22,7 @@ v1::SolvedLayout Layout() {
 }
 
 v1::LayoutEdit Read(const char* line) {
-  absl::StatusOr<v1::LayoutEdit> edit = EditFromText(line, Layout());
+  absl::StatusOr<v1::LayoutEdit> edit = EditFromText(line, SmallLayout());
   EXPECT_TRUE(edit.ok()) << edit.status();
   return edit.ok() ? *std::move(edit) : v1::LayoutEdit();
 }
@@ -68,7 +68,7 @@ TEST(EditFromText, SaysWhatTheLineShouldLookLike) {
   for (const char* line : {"", "shove desk", "move desk", "move desk a b", "move desk 1 nan", "pin", "pin a b",
                            "resize bed 1.5", "resize bed 1x2x3x4", "add lamp 0.4x0.4", "add lamp 1x1x1 by bed",
                            "weight e1", "weight e1 heavy", "edge near"}) {
-    const absl::Status status = EditFromText(line, Layout()).status();
+    const absl::Status status = EditFromText(line, SmallLayout()).status();
     EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << line;
     EXPECT_NE(status.message().find("should"), absl::string_view::npos) << status;
   }

@@ -10,12 +10,12 @@ namespace flair::renderer {
 namespace {
 
 // A carcass from `bottom` to the top whose front lies `inset` behind the box's: room for doors and handles.
-struct Carcass {
+struct CabinetCarcass {
   float board, bottom, front;
 };
 
-Carcass SolidCarcass(Piece& p, float plinth, bool cornice) {
-  const Carcass c{std::min(0.02F, 0.06F * p.smaller()), plinth, p.d / 2 - std::min(0.05F, 0.14F * p.d)};
+CabinetCarcass SolidCarcass(Piece& p, float plinth, bool cornice) {
+  const CabinetCarcass c{std::min(0.02F, 0.06F * p.smaller()), plinth, p.d / 2 - std::min(0.05F, 0.14F * p.d)};
   p.make.Box(p.is.hard, {-p.w / 2 + 0.5F * c.board, -p.d / 2, 0},
              {p.w / 2 - 0.5F * c.board, c.front - 0.8F * c.board, plinth}, 0.003F);
   p.make.Box(p.is.hard, {-p.w / 2 + 0.3F * c.board, -p.d / 2, plinth},
@@ -26,7 +26,7 @@ Carcass SolidCarcass(Piece& p, float plinth, bool cornice) {
 }
 
 // Doors side by side between two heights; handles meet in pairs.
-void Doors(Piece& p, const Carcass& c, float left, float right, float bottom, float top, bool mirrored) {
+void Doors(Piece& p, const CabinetCarcass& c, float left, float right, float bottom, float top, bool mirrored) {
   const int count = std::clamp(static_cast<int>(std::lround((right - left) / 0.52F)), 1, 8);
   const float wide = (right - left) / static_cast<float>(count), gap = std::min(0.004F, 0.02F * wide);
   const bool framed = !p.Says("sleek") && !p.Says("minimalist") && !p.Says("modern") && !p.Says("clean");
@@ -43,7 +43,7 @@ void Doors(Piece& p, const Carcass& c, float left, float right, float bottom, fl
   }
 }
 
-void DrawerFronts(Piece& p, const Carcass& c, float bottom, float top, int columns, int rows, bool knobs) {
+void DrawerFronts(Piece& p, const CabinetCarcass& c, float bottom, float top, int columns, int rows, bool knobs) {
   const float wide = (p.w - c.board) / static_cast<float>(columns), high = (top - bottom) / static_cast<float>(rows);
   for (int row = 0; row < rows; ++row) {
     for (int i = 0; i < columns; ++i) {
@@ -94,7 +94,7 @@ void RowOfBooks(Piece& p, float left, float right, float back, float depth, floa
 }  // namespace
 
 void MakeWardrobe(Piece& p) {
-  const Carcass c = SolidCarcass(p, std::min(0.08F, 0.06F * p.h), true);
+  const CabinetCarcass c = SolidCarcass(p, std::min(0.08F, 0.06F * p.h), true);
   const float drawer = p.Says("drawer") ? 0.2F * p.h : 0;
   if (drawer > 0) DrawerFronts(p, c, c.bottom, c.bottom + drawer, p.w > 0.9F ? 2 : 1, 1, false);
   Doors(p, c, -p.w / 2 + 0.5F * c.board, p.w / 2 - 0.5F * c.board, c.bottom + drawer, p.h - 2 * c.board,
@@ -105,7 +105,7 @@ void MakeDresser(Piece& p) {
   const bool legs = p.h > 0.5F && !p.Says("filing");
   const float plinth = legs ? std::min(0.13F, 0.14F * p.h) : 0.05F * p.h;
   const float board = std::min(0.02F, 0.06F * p.smaller()), front = p.d / 2 - std::min(0.05F, 0.14F * p.d);
-  const Carcass c{board, plinth, front};
+  const CabinetCarcass c{board, plinth, front};
   if (legs)
     p.LegsAt(p.is.hard, 0.46F * p.w, 0.4F * p.d, plinth + 0.01F, std::min(0.022F, 0.05F * p.smaller()), 0.55F,
              0.01F * p.w);
@@ -125,7 +125,7 @@ void MakeDresser(Piece& p) {
 
 void MakeTvStand(Piece& p) {
   const float board = std::min(0.022F, 0.08F * p.smaller()), leg = std::min(0.14F, 0.3F * p.h), front = p.d / 2 - 0.03F;
-  const Carcass c{board, leg, front};
+  const CabinetCarcass c{board, leg, front};
   p.LegsAt(p.is.hard, 0.42F * p.w, 0.36F * p.d, leg + 0.01F, std::min(0.02F, 0.07F * p.smaller()), 0.5F, 0.02F * p.w);
   for (const float z : {leg, p.h - board})
     p.make.Box(p.is.hard, {-p.w / 2, -p.d / 2, z}, {p.w / 2, front, z + board}, 0.004F);
@@ -144,7 +144,7 @@ void MakeTvStand(Piece& p) {
 }
 
 void MakeCabinet(Piece& p) {
-  const Carcass c = SolidCarcass(p, std::min(0.08F, 0.08F * p.h), p.h > 1.2F);
+  const CabinetCarcass c = SolidCarcass(p, std::min(0.08F, 0.08F * p.h), p.h > 1.2F);
   const float top = p.h - 2 * c.board;
   if (p.h > 1.5F) {
     const float middle = 0.45F * p.h;

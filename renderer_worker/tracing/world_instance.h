@@ -5,6 +5,7 @@
 
 #include "renderer_worker/scene/cut_away.h"
 #include "renderer_worker/scene/scene.h"
+#include "renderer_worker/tracing/sampling.h"
 
 namespace flair::renderer {
 

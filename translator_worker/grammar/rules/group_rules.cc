@@ -35,7 +35,7 @@ void SurroundedBy(const Match& match, std::string_view, Composer& composer) {
   EmitSurround(composer.TargetObjects(*match.b, centers), centers, composer);
 }
 
-void Between(const Match& match, std::string_view, Composer& composer) {
+void PlaceBetween(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   std::vector<Placed> targets = composer.TargetObjects(*match.b, movers, false);
   if (match.a != nullptr && targets.size() != 2 && match.b->references.front().name == "them") {
@@ -110,8 +110,8 @@ std::vector<Rule> GroupRules() {
       {"A? around B.object", Surround, "plain"},
       {"A? against/on/next_to/each_side_of around B.object", Surround},
       {"A surrounded_by B", SurroundedBy},
-      {"A? between B", Between},
-      {"A? centered between B", Between},
+      {"A? between B", PlaceBetween},
+      {"A? centered between B", PlaceBetween},
       {"A? side_by_side", Row},
       {"A? side_by_side ,? side_by_side", Row},
       {"A? next_to both_ways", Row},
