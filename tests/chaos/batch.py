@@ -81,8 +81,10 @@ class Ends:
 class Batch:
     """A batch of so many jobs: added and watched at the same time, while servers come and go."""
 
-    def __init__(self, orchestrators: Orchestrators, count: int, request_id: str, first_seed: int = 0) -> None:
+    def __init__(self, orchestrators: Orchestrators, count: int, request_id: str, first_seed: int = 0,
+                 spec: Callable[[int], v1.JobSpec] = spec) -> None:
         self._first_seed = first_seed
+        self._spec = spec
         self._orchestrators = orchestrators
         self._count = count
         self._request_id = request_id
@@ -117,7 +119,7 @@ class Batch:
         for first in range(0, self._count, _PER_CALL):
             last = min(first + _PER_CALL, self._count)
             request = v1.AddToBatchRequest(batch_id=self._batch_id, first_index=first, last=last == self._count,
-                                           specs=[spec(self._first_seed + index) for index in range(first, last)])
+                                           specs=[self._spec(self._first_seed + index) for index in range(first, last)])
             self._orchestrators.ask("AddToBatch", request)
         watcher.join()
 

@@ -18,6 +18,7 @@ class Shape:
     engine: str = "sqlite"
     orchestrators: int = 2
     optimizers: int = 2
+    optimizer_threads: int = 0  # calls that one works on at once; as many as there are cores when 0
     others: int = 2  # language, translator, renderer: so many of each
     jobs_at_once: int = 4  # of one orchestrator
     lease_seconds: float = 5
@@ -86,7 +87,8 @@ class Cluster:
         name = f"{kind}_{number}"
         address = f"127.0.0.1:{free_port()}"
         config = self._folder / f"{name}.textproto"
-        config.write_text(f'runtime {{ listen_address: "{address}" drain_seconds: 5 }}\n{more}')
+        threads = self._shape.optimizer_threads if kind == "optimizer" else 0
+        config.write_text(f'runtime {{ listen_address: "{address}" drain_seconds: 5 worker_thread_count: {threads} }}\n{more}')
         self.servers.append(Server(kind, name, address, [str(BIN / f"flair-{kind}"), str(config)], self._folder))
 
     def _reached(self, orchestrator: int, kind: str, to: str) -> str:
