@@ -2,6 +2,7 @@
 // What checks send: a small bedroom that every server must cope with.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@
 #include "flair/v1/solved_layout.pb.h"
 
 namespace flair::contract {
+
+// What no coordinate may be.
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // "A bedroom that is 4m x 5m.", seed 3.
 v1::Brief BedroomBrief();

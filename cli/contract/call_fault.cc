@@ -87,7 +87,7 @@ std::string ValueFault(const v1::ParameterSpec& parameter, const v1::ArgumentVal
   return value.value_case() == v1::ArgumentValue::kText ? TextFault(parameter.kind(), value.text(), graph) : "";
 }
 
-std::string Fault(const v1::ConstraintType& type, const Arguments& arguments, const v1::LayoutGraph* graph) {
+std::string FaultOf(const v1::ConstraintType& type, const Arguments& arguments, const v1::LayoutGraph* graph) {
   std::set<std::string> given;
   for (const v1::Argument& argument : arguments) {
     const auto parameter = std::ranges::find(type.parameters(), argument.name(), &v1::ParameterSpec::name);
@@ -109,11 +109,11 @@ std::string Fault(const v1::ConstraintType& type, const Arguments& arguments, co
 }  // namespace
 
 std::string ArgumentsFault(const v1::ConstraintType& type, const Arguments& arguments) {
-  return Fault(type, arguments, nullptr);
+  return FaultOf(type, arguments, nullptr);
 }
 
 std::string ArgumentsFault(const v1::ConstraintType& type, const Arguments& arguments, const v1::LayoutGraph& graph) {
-  return Fault(type, arguments, &graph);
+  return FaultOf(type, arguments, &graph);
 }
 
 std::string ParameterFault(const v1::ParameterSpec& parameter) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Optimizer: costs and measures of placements that somebody else chose.
 #include <cmath>
-#include <limits>
 
 #include "cli/contract/ask.h"
 #include "cli/contract/bedroom.h"
@@ -9,8 +8,6 @@
 
 namespace flair::contract {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 v1::EvaluateRequest HalfOut() {
   v1::EvaluateRequest request;

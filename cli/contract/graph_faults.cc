@@ -10,7 +10,6 @@ namespace {
 
 using Graph = v1::LayoutGraph;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kNoSuchValue = 99;
 

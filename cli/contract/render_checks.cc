@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Renderer: plans as pictures and pages.
 #include <algorithm>
-#include <limits>
 
 #include "cli/contract/ask.h"
 #include "cli/contract/bedroom.h"
@@ -13,7 +12,6 @@ namespace {
 
 constexpr int kSizePx = 512;
 constexpr char kAsked[] = "Render of a plan as PNG, 512 px";
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 v1::RenderRequest Plan() {
   v1::RenderRequest request;

@@ -132,7 +132,7 @@ Finding PassesOn(Target& target) {
   });
 }
 
-Finding NamesItsProducer(Target& target) {
+Finding NamesItsTranslator(Target& target) {
   return Given<v1::TranslateResponse>(target, kAsked, Bedroom(), [](const v1::TranslateResponse& answer) {
     if (!answer.producer().program().empty() && !answer.producer().method().empty()) return Kept();
     return Broken(kAsked, "a producer without program or method", "both set");
@@ -199,7 +199,7 @@ void AddTranslatorChecks(Checks& checks) {
   checks.push_back({"A sentence that says nothing becomes no call", Promise::kMessages, DoesNotGuess});
   checks.push_back({"Calls are of the catalogue that was sent", Promise::kCatalogue, KeepsToTheCatalogue});
   checks.push_back({"Room, zones, objects and sentences are passed on", Promise::kMessages, PassesOn});
-  checks.push_back({"The answer says who translated", Promise::kMessages, NamesItsProducer});
+  checks.push_back({"The answer says who translated", Promise::kMessages, NamesItsTranslator});
   checks.push_back({"Without a catalogue the translator asks its optimizer, or says that it cannot", Promise::kErrors,
                     NeedsACatalogue});
   AddTranslatorRefusals(checks);

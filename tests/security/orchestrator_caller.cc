@@ -11,7 +11,7 @@ namespace {
 
 using Stub = v1::OrchestratorService::StubInterface;
 
-constexpr absl::Duration kPatience = absl::Minutes(3);
+constexpr absl::Duration kCallPatience = absl::Minutes(3);
 
 template <typename Reader, typename Response>
 absl::Status ReadToTheEnd(Reader reader, Response response) {
@@ -45,7 +45,7 @@ OrchestratorCaller::OrchestratorCaller(const std::string& address, const runtime
 template <typename Request, typename Response>
 absl::StatusOr<Response> OrchestratorCaller::Ask(Method<Request, Response> method, const Request& request) {
   runtime::CallContext call;
-  return runtime::UnaryRequest(*stub_, method, request, call, absl::Now() + kPatience);
+  return runtime::UnaryRequest(*stub_, method, request, call, absl::Now() + kCallPatience);
 }
 
 absl::StatusOr<v1::Job> OrchestratorCaller::CreateJob(const std::string& text, const std::string& request_id) {
@@ -60,7 +60,7 @@ absl::StatusOr<v1::Job> OrchestratorCaller::CreateJob(const std::string& text, c
 
 absl::StatusOr<v1::Job> OrchestratorCaller::EndOf(const std::string& job_id) {
   grpc::ClientContext context;
-  context.set_deadline(absl::ToChronoTime(absl::Now() + kPatience));
+  context.set_deadline(absl::ToChronoTime(absl::Now() + kCallPatience));
   const absl::Status watched =
       ReadToTheEnd(stub_->WatchJob(&context, OfJob<v1::WatchJobRequest>(job_id)), v1::WatchJobResponse());
   if (!watched.ok()) return watched;
@@ -95,9 +95,9 @@ std::map<std::string, absl::Status> OrchestratorCaller::AskAbout(const std::stri
                                                                  const std::string& artifact_id) {
   std::map<std::string, absl::Status> answers;
   grpc::ClientContext of_job;
-  of_job.set_deadline(absl::ToChronoTime(absl::Now() + kPatience));
+  of_job.set_deadline(absl::ToChronoTime(absl::Now() + kCallPatience));
   grpc::ClientContext of_batch;
-  of_batch.set_deadline(absl::ToChronoTime(absl::Now() + kPatience));
+  of_batch.set_deadline(absl::ToChronoTime(absl::Now() + kCallPatience));
   answers["WatchJob"] =
       ReadToTheEnd(stub_->WatchJob(&of_job, OfJob<v1::WatchJobRequest>(job_id)), v1::WatchJobResponse());
   answers["WatchBatch"] =
