@@ -132,6 +132,9 @@ class MeteredWorkQueue final : public WorkQueue {
   absl::StatusOr<store::v1::BatchRecord> CreateBatch(const store::v1::BatchRecord& batch) override {
     return inner_->CreateBatch(batch);
   }
+  absl::StatusOr<bool> HasRequest(RequestKind kind, const std::string& owner, const std::string& request_id) override {
+    return inner_->HasRequest(kind, owner, request_id);
+  }
   absl::Status Cancel(const std::string& job_id, absl::Time now) override { return inner_->Cancel(job_id, now); }
   absl::StatusOr<bool> Retry(const std::string& job_id) override { return inner_->Retry(job_id); }
   absl::Status SetBatchState(const std::string& batch_id, v1::BatchState state) override {

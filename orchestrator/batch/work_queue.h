@@ -39,6 +39,9 @@ struct TakeFilter {
   std::set<std::string> batch_ids;
 };
 
+// What a request made.
+enum class RequestKind { kJob, kBatch };
+
 // A job of a batch that ended. Sequences grow from end to end, with gaps.
 struct BatchEnd {
   int64_t sequence = 0;
@@ -74,6 +77,10 @@ class WorkQueue {
 
   // Makes a batch without jobs. When the request made one before, returns that one instead.
   virtual absl::StatusOr<store::v1::BatchRecord> CreateBatch(const store::v1::BatchRecord& batch) = 0;
+
+  // Whether a request of the owner has made one: CreateJob or CreateBatch would return it.
+  virtual absl::StatusOr<bool> HasRequest(RequestKind kind, const std::string& owner,
+                                          const std::string& request_id) = 0;
 
   // Queues jobs of an open batch, with ids of BatchJobId() and consecutive places; with `last`, closes it. Those that
   // are there stay as they are. Errors as OrchestratorService.AddToBatch. The batch without counts by state.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/str_join.h"
 #include "absl/strings/str_split.h"
 
 namespace flair::orchestrator {
@@ -27,6 +28,13 @@ std::vector<std::string> Servers(const config::v1::QueueConfig& config) {
   return absl::StrSplit(config.address(), ',', absl::SkipWhitespace());
 }
 
+std::string WithoutCredentials(const std::string& server) {
+  const size_t scheme = server.find("://");
+  const size_t host = server.rfind('@');
+  if (host == std::string::npos) return server;
+  return (scheme == std::string::npos ? "" : server.substr(0, scheme + 3)) + server.substr(host + 1);
+}
+
 absl::Status CheckAddress(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls) {
   const std::vector<std::string> servers = Servers(config);
   if (servers.empty()) {
@@ -35,12 +43,14 @@ absl::Status CheckAddress(const config::v1::QueueConfig& config, const config::v
   for (const std::string& server : servers) {
     const bool encrypted = server.starts_with("tls://");
     if (!encrypted && !server.starts_with("nats://")) {
-      return absl::InvalidArgumentError(fmt::format(
-          "queue.address: \"{}\" is no server; expected nats://HOST:PORT or tls://HOST:PORT", server.substr(0, 200)));
+      return absl::InvalidArgumentError(
+          fmt::format("queue.address: \"{}\" is no server; expected nats://HOST:PORT or tls://HOST:PORT",
+                      WithoutCredentials(server).substr(0, 200)));
     }
     if (encrypted && (tls == nullptr || tls->authority_path().empty())) {
-      return absl::InvalidArgumentError(fmt::format(
-          "queue.address: {} is encrypted, and runtime.tls.authority_path does not say whom to believe", server));
+      return absl::InvalidArgumentError(
+          fmt::format("queue.address: {} is encrypted, and runtime.tls.authority_path does not say whom to believe",
+                      WithoutCredentials(server)));
     }
   }
   return absl::OkStatus();
@@ -68,6 +78,12 @@ absl::Status SetTls(natsOptions* options, const config::v1::TlsConfig& tls) {
 }  // namespace
 
 void NatsOptionsDeleter::operator()(natsOptions* options) const { natsOptions_Destroy(options); }
+
+std::string ShownAddress(const config::v1::QueueConfig& config) {
+  std::vector<std::string> servers = Servers(config);
+  for (std::string& server : servers) server = WithoutCredentials(server);
+  return absl::StrJoin(servers, ",");
+}
 
 absl::Status CheckQueueConfig(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls) {
   if (absl::Status status = CheckAddress(config, tls); !status.ok()) return status;
@@ -101,7 +117,7 @@ absl::StatusOr<NatsOptionsPtr> MakeConnectOptions(const config::v1::QueueConfig&
   if (natsOptions_SetServers(made, urls.data(), static_cast<int>(urls.size())) != NATS_OK) {
     return absl::InvalidArgumentError(
         fmt::format("queue.address: \"{}\" is no list of servers; expected nats://HOST:PORT, with commas between",
-                    config.address().substr(0, 200)));
+                    ShownAddress(config).substr(0, 200)));
   }
   natsOptions_SetName(made, "flair");
   natsOptions_SetTimeout(made, kConnectMs);

@@ -18,6 +18,9 @@ struct NatsOptionsDeleter {
 };
 using NatsOptionsPtr = std::unique_ptr<natsOptions, NatsOptionsDeleter>;
 
+// The servers for people, logs and errors: without a user, password or token that their addresses may hold.
+std::string ShownAddress(const config::v1::QueueConfig& config);
+
 // INVALID_ARGUMENT naming the field whose value cannot be used.
 absl::Status CheckQueueConfig(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls);
 

@@ -90,7 +90,7 @@ absl::StatusOr<std::unique_ptr<NatsConnection>> NatsConnection::Open(const confi
   natsConnection* connection = nullptr;
   const natsStatus status = natsConnection_Connect(&connection, options->get());
   if (status != NATS_OK) return DescribeConnectError(config, status);
-  return std::unique_ptr<NatsConnection>(new NatsConnection(connection, config.address()));
+  return std::unique_ptr<NatsConnection>(new NatsConnection(connection, ShownAddress(config)));
 }
 
 NatsConnection::~NatsConnection() {

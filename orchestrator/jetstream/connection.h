@@ -91,7 +91,7 @@ class NatsConnection {
   int64_t max_payload_bytes() const;
   // UNAVAILABLE, in words for who runs the servers.
   absl::Status Unreachable(const std::string& why) const;
-  // The addresses, for people.
+  // The addresses, for people: without what may be secret in them.
   const std::string& address() const { return address_; }
 
  private:

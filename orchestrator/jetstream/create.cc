@@ -11,10 +11,11 @@
 namespace flair::orchestrator {
 namespace {
 
-std::string RequestKey(const std::string& owner, const char* kind, const std::string& request_id,
+std::string RequestKey(const std::string& owner, RequestKind kind, const std::string& request_id,
                        const std::string& id) {
+  const char* token = kind == RequestKind::kJob ? ".single." : ".batch.";
   // What nobody asked for by a request is its own.
-  return OwnerToken(owner) + "." + kind + "." + runtime::Sha256Hex(request_id.empty() ? id : request_id);
+  return OwnerToken(owner) + token + runtime::Sha256Hex(request_id.empty() ? id : request_id);
 }
 
 absl::Status CheckPlaces(std::span<const v1::Job> jobs, const v1::Batch& batch) {
@@ -48,7 +49,7 @@ absl::StatusOr<std::string> JetStreamWorkQueue::IdOfRequest(const std::string& k
 }
 
 absl::StatusOr<v1::Job> JetStreamWorkQueue::CreateJob(const v1::Job& job, const std::string& request_id) {
-  const absl::StatusOr<std::string> id = IdOfRequest(RequestKey(job.owner(), "single", request_id, job.id()), job.id());
+  const absl::StatusOr<std::string> id = IdOfRequest(RequestKey(job.owner(), RequestKind::kJob, request_id, job.id()), job.id());
   if (!id.ok()) return id.status();
   store::v1::JobRecord record = NewRecord(job, request_id);
   record.mutable_job()->set_id(*id);
@@ -68,8 +69,9 @@ absl::StatusOr<v1::Job> JetStreamWorkQueue::CreateJob(const v1::Job& job, const 
 }
 
 absl::StatusOr<store::v1::BatchRecord> JetStreamWorkQueue::CreateBatch(const store::v1::BatchRecord& batch) {
-  const absl::StatusOr<std::string> id = IdOfRequest(
-      RequestKey(batch.batch().owner(), "batch", batch.request_id(), batch.batch().id()), batch.batch().id());
+  const absl::StatusOr<std::string> id =
+      IdOfRequest(RequestKey(batch.batch().owner(), RequestKind::kBatch, batch.request_id(), batch.batch().id()),
+                  batch.batch().id());
   if (!id.ok()) return id.status();
   store::v1::BatchRecord record = batch;
   record.mutable_batch()->set_id(*id);
@@ -79,6 +81,13 @@ absl::StatusOr<store::v1::BatchRecord> JetStreamWorkQueue::CreateBatch(const sto
   absl::StatusOr<RevisedBatch> known = parts_->GetBatch(*id);
   if (!known.ok()) return known.status();
   return std::move(known->value);
+}
+
+absl::StatusOr<bool> JetStreamWorkQueue::HasRequest(RequestKind kind, const std::string& owner,
+                                                    const std::string& request_id) {
+  const absl::Status known = parts_->requests.Get(RequestKey(owner, kind, request_id, "")).status();
+  if (!known.ok() && !absl::IsNotFound(known)) return known;
+  return known.ok();
 }
 
 absl::StatusOr<v1::Batch> JetStreamWorkQueue::AddJobs(const std::string& batch_id, std::span<const v1::Job> jobs,

@@ -48,13 +48,13 @@ absl::StatusOr<v1::Batch> OrchestratorHandlers::VisibleBatch(const std::string& 
 
 absl::StatusOr<v1::Batch> OrchestratorHandlers::Add(const v1::Batch& batch, int64_t first_index,
                                                     const google::protobuf::RepeatedPtrField<v1::JobSpec>& specs,
-                                                    bool last, const Caller& caller) {
+                                                    bool last, const Caller& caller, JobAdmission::Entry& entry) {
   for (const v1::JobSpec& spec : specs) {
     if (absl::Status status = CheckSpec(spec, caller); !status.ok()) return status;
   }
   // Those that are there already need no room.
   const int64_t added = std::max<int64_t>(0, first_index + specs.size() - batch.job_count());
-  if (absl::Status status = added > 0 ? CheckRoom(added, caller) : absl::OkStatus(); !status.ok()) return status;
+  if (absl::Status status = entry.Grant(added); !status.ok()) return status;
   std::vector<v1::Job> jobs;
   jobs.reserve(static_cast<size_t>(specs.size()));
   for (int i = 0; i < specs.size(); ++i) {
@@ -88,7 +88,9 @@ absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const 
   batch.set_owner(caller.name);
   *batch.mutable_create_time() =
       google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(clock_.Now()));
-  absl::Status status = CheckRoom(request.specs_size(), caller);
+  JobAdmission::Entry entry(admission_, caller);
+  absl::Status status =
+      UnlessRepeated(entry.Grant(request.specs_size()), RequestKind::kBatch, request.request_id(), caller);
   for (int i = 0; status.ok() && i < request.specs_size(); ++i) status = CheckSpec(request.specs(i), caller);
   if (!status.ok()) return status;
   const absl::StatusOr<store::v1::BatchRecord> made = queue_.CreateBatch(record);
@@ -98,7 +100,7 @@ absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const 
                                                 request.request_id(), made->batch().id()));
   }
   if (made->batch().open()) {
-    status = Add(made->batch(), 0, request.specs(), !request.open(), caller).status();
+    status = Add(made->batch(), 0, request.specs(), !request.open(), caller, entry).status();
     if (!status.ok()) return status;
   }
   runner_.Request({}, made->batch().id());
@@ -108,9 +110,12 @@ absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const 
 absl::StatusOr<v1::AddToBatchResponse> OrchestratorHandlers::AddToBatch(const v1::AddToBatchRequest& request,
                                                                         const Caller& caller) {
   if (absl::Status status = Validate(request); !status.ok()) return status;
+  // Before the batch is read: what a call before this one adds needs no room.
+  JobAdmission::Entry entry(admission_, caller);
   const absl::StatusOr<v1::Batch> batch = VisibleBatch(request.batch_id(), caller);
   if (!batch.ok()) return batch.status();
-  return Answer<v1::AddToBatchResponse>(Add(*batch, request.first_index(), request.specs(), request.last(), caller));
+  return Answer<v1::AddToBatchResponse>(
+      Add(*batch, request.first_index(), request.specs(), request.last(), caller, entry));
 }
 
 absl::StatusOr<v1::GetBatchResponse> OrchestratorHandlers::GetBatch(const v1::GetBatchRequest& request,
@@ -158,6 +163,23 @@ absl::StatusOr<v1::CancelBatchResponse> OrchestratorHandlers::CancelBatch(const 
   return Answer<v1::CancelBatchResponse>(queue_.GetBatch(request.batch_id()));
 }
 
+absl::Status OrchestratorHandlers::RetryJobs(std::span<const v1::Job> jobs, const Caller& caller,
+                                             v1::RetryBatchResponse& response) {
+  if (jobs.empty()) return absl::OkStatus();
+  JobAdmission::Entry entry(admission_, caller);
+  const absl::StatusOr<int64_t> granted = entry.GrantSome(static_cast<int64_t>(jobs.size()));
+  if (!granted.ok()) return granted.status();
+  for (const v1::Job& job : jobs.first(static_cast<size_t>(*granted))) {
+    const absl::StatusOr<bool> retried = queue_.Retry(job.id());
+    if (!retried.ok()) return retried.status();
+    if (*retried) response.set_retried_count(response.retried_count() + 1);
+  }
+  if (*granted == static_cast<int64_t>(jobs.size())) return absl::OkStatus();
+  return absl::ResourceExhaustedError(
+      fmt::format("{} of the failed jobs wait again; more would be over the limit of jobs that wait; try again later",
+                  response.retried_count()));
+}
+
 absl::StatusOr<v1::RetryBatchResponse> OrchestratorHandlers::RetryBatch(const v1::RetryBatchRequest& request,
                                                                         const Caller& caller) {
   const absl::StatusOr<v1::Batch> batch = VisibleBatch(request.batch_id(), caller);
@@ -169,32 +191,28 @@ absl::StatusOr<v1::RetryBatchResponse> OrchestratorHandlers::RetryBatch(const v1
     return absl::InvalidArgumentError(
         fmt::format("job_ids: {} jobs are too many; at most {}", request.job_ids_size(), kPage));
   }
+  // Also for those that wait again when there is no room for the rest.
+  runner_.Request({}, batch->id());
   v1::RetryBatchResponse response;
-  const auto retry = [&](const v1::Job& job) -> absl::Status {
-    if (!IsAskedFor(job, request)) return absl::OkStatus();
-    const absl::StatusOr<bool> retried = queue_.Retry(job.id());
-    if (retried.ok() && *retried) response.set_retried_count(response.retried_count() + 1);
-    return retried.status();
-  };
+  std::vector<v1::Job> named;
   for (const std::string& id : request.job_ids()) {
-    const absl::StatusOr<v1::Job> job = VisibleJob(id, caller);
+    absl::StatusOr<v1::Job> job = VisibleJob(id, caller);
     if (!job.ok()) return job.status();
-    if (absl::Status status = retry(*job); !status.ok()) return status;
+    if (IsAskedFor(*job, request)) named.push_back(*std::move(job));
   }
+  if (absl::Status status = RetryJobs(named, caller, response); !status.ok()) return status;
   ListFilter filter;
   filter.limit = kPage;
   filter.batch_id = batch->id();
   filter.state = v1::JOB_STATE_FAILED;
   for (bool more = request.job_ids().empty(); more;) {
-    const absl::StatusOr<std::vector<v1::Job>> jobs = queue_.ListJobs(filter);
+    absl::StatusOr<std::vector<v1::Job>> jobs = queue_.ListJobs(filter);
     if (!jobs.ok()) return jobs.status();
-    for (const v1::Job& job : *jobs) {
-      if (absl::Status status = retry(job); !status.ok()) return status;
-    }
     more = jobs->size() == kPage;
     if (more) filter.before = jobs->back().id();
+    std::erase_if(*jobs, [&](const v1::Job& job) { return !IsAskedFor(job, request); });
+    if (absl::Status status = RetryJobs(*jobs, caller, response); !status.ok()) return status;
   }
-  runner_.Request({}, batch->id());
   absl::StatusOr<v1::Batch> now = queue_.GetBatch(batch->id());
   if (!now.ok()) return now.status();
   *response.mutable_batch() = *std::move(now);

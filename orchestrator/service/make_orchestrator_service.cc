@@ -236,6 +236,7 @@ void CheckOrchestratorConfig(const config::v1::OrchestratorConfig& config, runti
     checker.Range("stage_deadline_seconds", config.stage_deadline_seconds(), 0.001, 86400);
   }
   CheckStageConfig(config, checker);
+  CheckQueueExposure(config, checker);
 }
 
 }  // namespace flair::orchestrator

@@ -3,9 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
+#include "absl/strings/match.h"
+#include "absl/strings/str_split.h"
+#include "absl/strings/strip.h"
+#include "orchestrator/jetstream/connect_options.h"
 #include "orchestrator/jetstream/open.h"
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/sqlite_work_queue.h"
+#include "worker_runtime/security/local_address.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -15,6 +23,25 @@ const config::v1::TlsConfig* TlsOf(const config::v1::OrchestratorConfig& config)
 }
 
 }  // namespace
+
+void CheckQueueExposure(const config::v1::OrchestratorConfig& config, runtime::ConfigChecker& checker) {
+  if (!config.has_queue() || config.runtime().allow_insecure()) return;
+  const std::string shown = ShownAddress(config.queue());
+  // One encrypted server makes the connections to all of them so.
+  if (absl::StrContains(shown, "tls://")) return;
+  const std::vector<std::string> servers = absl::StrSplit(shown, ',');
+  for (const std::string& server : servers) {
+    const std::string host(absl::StripPrefix(server, "nats://"));
+    const bool has_port = host.rfind(':') != std::string::npos && !host.ends_with(']');
+    if (runtime::IsLocalAddress(has_port ? host : host + ":4222")) continue;
+    checker.Report(
+        "queue.address",
+        fmt::format("\"{}\" is on another machine, and in plain text others can read and change what goes "
+                    "there; use tls:// with runtime.tls, or set runtime.allow_insecure: true if only friends "
+                    "reach that network",
+                    server));
+  }
+}
 
 absl::StatusOr<std::unique_ptr<WorkQueue>> OpenWorkQueue(const config::v1::OrchestratorConfig& config,
                                                          const runtime::Clock& clock) {

@@ -8,6 +8,7 @@
 #include "orchestrator/batch/artifact_store.h"
 #include "orchestrator/batch/work_queue.h"
 #include "worker_runtime/clock/clock.h"
+#include "worker_runtime/config/config_reader.h"
 
 namespace flair::orchestrator {
 
@@ -15,6 +16,9 @@ namespace flair::orchestrator {
 // the field.
 absl::StatusOr<std::unique_ptr<WorkQueue>> OpenWorkQueue(const config::v1::OrchestratorConfig& config,
                                                          const runtime::Clock& clock);
+
+// Reports a queue on other machines that would be spoken to in plain text.
+void CheckQueueExposure(const config::v1::OrchestratorConfig& config, runtime::ConfigChecker& checker);
 
 // Where a config's artifacts are; see OrchestratorConfig.artifact_store.
 absl::StatusOr<std::unique_ptr<ArtifactStore>> OpenArtifactStore(const config::v1::OrchestratorConfig& config,

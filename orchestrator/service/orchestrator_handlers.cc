@@ -32,16 +32,11 @@ absl::Status OrchestratorHandlers::CheckSpec(const v1::JobSpec& spec, const Call
   return CheckReplay(spec, *earlier);
 }
 
-absl::Status OrchestratorHandlers::CheckRoom(int64_t job_count, const Caller& caller) {
-  const absl::StatusOr<int64_t> queued = queue_.CountQueued();
-  if (!queued.ok()) return queued.status();
-  if (*queued + job_count > queued_job_limit_) {
-    return absl::ResourceExhaustedError(fmt::format(
-        "{} jobs wait, {} more would be over the limit of {}; try again later", *queued, job_count, queued_job_limit_));
-  }
-  if (caller.open_job_limit == 0) return absl::OkStatus();
-  const absl::StatusOr<int64_t> open = queue_.CountOpen(caller.name);
-  return open.ok() ? caller.CheckOpenJobs(*open, job_count) : open.status();
+absl::Status OrchestratorHandlers::UnlessRepeated(const absl::Status& refusal, RequestKind kind,
+                                                  const std::string& request_id, const Caller& caller) {
+  if (!absl::IsResourceExhausted(refusal)) return refusal;
+  const absl::StatusOr<bool> known = queue_.HasRequest(kind, caller.name, caller.RequestKey(request_id));
+  return known.ok() && *known ? absl::OkStatus() : refusal;
 }
 
 absl::StatusOr<v1::Job> OrchestratorHandlers::VisibleJob(const std::string& id, const Caller& caller) {
@@ -56,7 +51,9 @@ absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::
                                                                       const Caller& caller) {
   absl::Status status = Validate(request);
   if (status.ok()) status = CheckSpec(request.spec(), caller);
-  if (status.ok()) status = CheckRoom(1, caller);
+  if (!status.ok()) return status;
+  JobAdmission::Entry entry(admission_, caller);
+  status = UnlessRepeated(entry.Grant(1), RequestKind::kJob, request.request_id(), caller);
   if (!status.ok()) return status;
   v1::Job job = NewJob(request.spec());
   job.set_id(ids_.Next());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include "absl/status/statusor.h"
@@ -11,6 +12,7 @@
 #include "orchestrator/batch/job_id.h"
 #include "orchestrator/batch/job_runner.h"
 #include "orchestrator/batch/work_queue.h"
+#include "orchestrator/service/job_admission.h"
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/clock/clock.h"
 
@@ -27,7 +29,7 @@ class OrchestratorHandlers {
         artifacts_(artifacts),
         runner_(runner),
         clock_(clock),
-        queued_job_limit_(queued_job_limit),
+        admission_(queue, queued_job_limit),
         status_(std::move(status)),
         ids_(clock) {}
 
@@ -54,16 +56,20 @@ class OrchestratorHandlers {
  private:
   v1::Job NewJob(const v1::JobSpec& spec) const;
   absl::Status CheckSpec(const v1::JobSpec& spec, const Caller& caller);
-  absl::Status CheckRoom(int64_t job_count, const Caller& caller);
+  // OK instead of a refusal for want of room, when the request made its jobs before and so needs none.
+  absl::Status UnlessRepeated(const absl::Status& refusal, RequestKind kind, const std::string& request_id,
+                              const Caller& caller);
   absl::StatusOr<v1::Batch> Add(const v1::Batch& batch, int64_t first_index,
                                 const google::protobuf::RepeatedPtrField<v1::JobSpec>& specs, bool last,
-                                const Caller& caller);
+                                const Caller& caller, JobAdmission::Entry& entry);
+  // Lets as many of the jobs wait again as there is room for, and counts them.
+  absl::Status RetryJobs(std::span<const v1::Job> jobs, const Caller& caller, v1::RetryBatchResponse& response);
 
   WorkQueue& queue_;
   ArtifactStore& artifacts_;
   JobRunner& runner_;
   const runtime::Clock& clock_;
-  const int queued_job_limit_;
+  JobAdmission admission_;
   const std::function<v1::OrchestratorStatus()> status_;
   JobIdSource ids_;
 };

@@ -52,6 +52,17 @@ absl::StatusOr<store::v1::BatchRecord> SqliteWorkQueue::CreateBatch(const store:
   return batch;
 }
 
+absl::StatusOr<bool> SqliteWorkQueue::HasRequest(RequestKind kind, const std::string&, const std::string& request_id) {
+  if (kind == RequestKind::kBatch) {
+    const auto batch = store_->batches().FindByRequest(request_id);
+    if (!batch.ok()) return batch.status();
+    return batch->has_value();
+  }
+  const absl::StatusOr<std::string> job = store_->jobs().FindByRequest(request_id);
+  if (!job.ok()) return job.status();
+  return !job->empty();
+}
+
 absl::StatusOr<v1::Batch> SqliteWorkQueue::AddJobs(const std::string& batch_id, std::span<const v1::Job> jobs,
                                                    bool last) {
   absl::StatusOr<v1::Batch> batch = absl::UnknownError("");

@@ -28,6 +28,7 @@ class SqliteWorkQueue final : public WorkQueue {
 
   absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id) override;
   absl::StatusOr<store::v1::BatchRecord> CreateBatch(const store::v1::BatchRecord& batch) override;
+  absl::StatusOr<bool> HasRequest(RequestKind kind, const std::string& owner, const std::string& request_id) override;
   absl::StatusOr<v1::Batch> AddJobs(const std::string& batch_id, std::span<const v1::Job> jobs, bool last) override;
   absl::Status Cancel(const std::string& job_id, absl::Time now) override;
   absl::StatusOr<bool> Retry(const std::string& job_id) override;

@@ -2,9 +2,6 @@
 // Callers who send too much, too slowly or too often: they are refused, and others do not notice.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <grpcpp/create_channel.h>
-#include <grpcpp/generic/generic_stub.h>
-#include <grpcpp/support/byte_buffer.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,16 +9,14 @@
 #include <thread>
 
 #include "absl/time/clock.h"
+#include "tests/security/attacks.h"
 #include "tests/security/secure_programs.h"
 #include "tests/security/sockets.h"
 
 namespace flair::testing {
 namespace {
 
-// What HTTP/2 begins with, and an empty SETTINGS frame.
-const std::string kPreface = std::string("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n") + std::string("\0\0\0\4\0\0\0\0\0", 9);
-// A HEADERS frame of stream 1 whose headers go on for ever: no END_HEADERS.
-const std::string kEndlessHeaders = std::string("\0\0\1\1\0\0\0\0\1\x82", 10);
+constexpr char kSolve[] = "/flair.v1.OptimizerService/Solve";
 
 // Plain text, on a free port.
 class PlainOptimizer {
@@ -70,29 +65,6 @@ class Innocent {
   std::future<void> done_;
 };
 
-grpc::Status SendMessage(const std::string& address, size_t mib) {
-  grpc::ChannelArguments arguments;
-  arguments.SetMaxSendMessageSize(-1);
-  const auto channel = grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
-  grpc::GenericStub stub(channel);
-  // One piece of memory, many times.
-  const grpc::Slice piece(std::string(1 << 20, '\x0a'));
-  const std::vector<grpc::Slice> pieces(mib, piece);
-  const grpc::ByteBuffer request(pieces.data(), pieces.size());
-  grpc::ByteBuffer response;
-  grpc::ClientContext context;
-  context.set_deadline(absl::ToChronoTime(absl::Now() + absl::Minutes(3)));
-  grpc::CompletionQueue queue;
-  const auto call = stub.PrepareUnaryCall(&context, "/flair.v1.OptimizerService/Solve", request, &queue);
-  call->StartCall();
-  grpc::Status status;
-  call->Finish(&response, &status, nullptr);
-  void* tag = nullptr;
-  bool ok = false;
-  queue.Next(&tag, &ok);
-  return status;
-}
-
 TEST(Flood, AMessageOfAGigabyteIsNotTakenIn) {
   PlainOptimizer optimizer;
   ASSERT_TRUE(AskWho(optimizer.address(), {}).ok());
@@ -100,7 +72,7 @@ TEST(Flood, AMessageOfAGigabyteIsNotTakenIn) {
   Innocent innocent(optimizer.address());
   std::vector<std::future<grpc::Status>> attackers;
   for (int i = 0; i < 2; ++i) {
-    attackers.push_back(std::async(std::launch::async, SendMessage, optimizer.address(), 1024));
+    attackers.push_back(std::async(std::launch::async, SendMessage, optimizer.address(), kSolve, 1024));
   }
   for (auto& attacker : attackers) EXPECT_EQ(attacker.get().error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   innocent.Stop();
@@ -111,10 +83,10 @@ TEST(Flood, AMessageOfAGigabyteIsNotTakenIn) {
 
 TEST(Flood, AMessageBeyondTheLimitIsRefusedAndOneWithinItIsNot) {
   PlainOptimizer optimizer;
-  const grpc::Status over = SendMessage(optimizer.address(), 33);
+  const grpc::Status over = SendMessage(optimizer.address(), kSolve, 33);
   EXPECT_EQ(over.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << over.error_message();
   // No request of ours, but taken in.
-  EXPECT_NE(SendMessage(optimizer.address(), 31).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_NE(SendMessage(optimizer.address(), kSolve, 31).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
 }
 
 TEST(Flood, HalfAHandshakeIsNotWaitedForLong) {
@@ -155,7 +127,7 @@ TEST(Flood, HeadersThatNeverEndTakeNoThread) {
   EXPECT_EQ(slow.SendToAll(kPreface + kEndlessHeaders), 300);
   Innocent innocent(optimizer.address());
   // One byte of headers after the other, each a frame of its own.
-  for (int i = 0; i < 50; ++i) slow.SendToAll(std::string("\0\0\1\x09\0\0\0\0\1\x82", 10));
+  for (int i = 0; i < 50; ++i) slow.SendToAll(kMoreHeaders);
   innocent.Stop();
   EXPECT_EQ(innocent.refused(), 0) << "of " << innocent.answered();
 }

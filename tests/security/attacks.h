@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What callers do to a server who mean no good.
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace flair::testing {
+
+// What HTTP/2 begins with, and an empty SETTINGS frame.
+extern const std::string kPreface;
+// A HEADERS frame of stream 1 whose headers go on for ever: no END_HEADERS; and one more byte of them.
+extern const std::string kEndlessHeaders;
+extern const std::string kMoreHeaders;
+
+// Sends a message of that size, which is no request of ours, over a connection of its own; how the call ended.
+grpc::Status SendMessage(const std::string& address, const std::string& method, size_t mib);
+
+// All at once, again and again until destroyed, from other addresses than 127.0.0.1: as many connections as may be
+// (10,000 when this process may have them), headers that never end, messages that are too large.
+class Attack {
+ public:
+  // `method` of the server is sent the messages.
+  Attack(const std::string& address, const std::string& method);
+  ~Attack();
+
+  // Waits until each part of it has been tried once.
+  void WaitUntilUnderWay();
+  // Connections that were tried; messages that were refused, and those that were not.
+  int connection_count() const { return connections_; }
+  int refused_count() const { return refused_; }
+  int taken_count() const { return taken_; }
+
+ private:
+  void Crowd();
+  void SendEndlessHeaders();
+  void SendLargeMessages();
+  void Repeat(std::atomic<int>& count, const std::function<void()>& attack);
+
+  const std::string address_;
+  const std::string method_;
+  std::atomic<bool> stop_ = false;
+  std::atomic<int> connections_ = 0;
+  std::atomic<int> refused_ = 0;
+  std::atomic<int> taken_ = 0;
+  std::atomic<int> crowds_ = 0;
+  std::atomic<int> headers_ = 0;
+  std::atomic<int> messages_ = 0;
+  std::vector<std::jthread> threads_;
+};
+
+}  // namespace flair::testing
