@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/batch/sweeper.h"
+
+#include <algorithm>
+
+namespace flair::orchestrator {
+namespace {
+
+// Jobs and batches that are looked at, and jobs of a batch that are deleted, in one step.
+constexpr int kEntriesPerStep = 100;
+constexpr int kJobsPerStep = 400;
+
+constexpr absl::Duration kPause = absl::Milliseconds(100);
+constexpr absl::Duration kShortestRest = absl::Seconds(1);
+constexpr absl::Duration kLongestRest = absl::Minutes(1);
+
+}  // namespace
+
+void Sweeper::Start() {
+  thread_ = std::thread([this] { Run(); });
+}
+
+void Sweeper::Stop() {
+  {
+    std::lock_guard lock(mutex_);
+    stopping_ = true;
+    wake_.notify_all();
+  }
+  if (thread_.joinable()) thread_.join();
+}
+
+void Sweeper::Run() {
+  // What goes is gone within a twentieth of the time that it was kept.
+  const absl::Duration rest = keep_ended_.has_value() ? std::clamp(*keep_ended_ / 20, kShortestRest, kLongestRest)  //
+                                                      : kLongestRest;
+  bool failed = false;
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    lock.unlock();
+    const absl::StatusOr<Deleted> step = Step();
+    // Once per outage.
+    if (!step.ok() && !failed) {
+      logger_.warn("cannot delete what has ended: {}; tries again until it can", std::string(step.status().message()));
+    }
+    failed = !step.ok();
+    const absl::Duration pause = step.ok() && !step->done ? kPause : rest;
+    lock.lock();
+    wake_.wait_for(lock, absl::ToChronoMilliseconds(pause), [this] { return stopping_; });
+  }
+}
+
+absl::StatusOr<Deleted> Sweeper::Step() {
+  absl::StatusOr<Deleted> deleted = queue_.FinishDeletions(artifacts_);
+  if (!deleted.ok() || !keep_ended_.has_value()) return deleted;
+  const absl::StatusOr<EndedPage> page = queue_.EndedBefore(clock_.Now() - *keep_ended_, next_, kEntriesPerStep);
+  if (!page.ok()) return page.status();
+  if (absl::Status status = DeleteAll(*page, *deleted); !status.ok()) return status;
+  // A page that was left before its end is looked at again.
+  if (deleted->done) next_ = page->next;
+  deleted->done = deleted->done && next_.empty();
+  return deleted;
+}
+
+absl::Status Sweeper::DeleteAll(const EndedPage& page, Deleted& deleted) {
+  const auto add = [&](const absl::StatusOr<Deleted>& some) {
+    // Another process was faster, or somebody wants it again.
+    if (absl::IsNotFound(some.status()) || absl::IsFailedPrecondition(some.status())) return absl::OkStatus();
+    if (!some.ok()) return some.status();
+    deleted.job_count += some->job_count;
+    deleted.artifact_count += some->artifact_count;
+    deleted.done = deleted.done && some->done;
+    return absl::OkStatus();
+  };
+  for (const std::string& id : page.job_ids) {
+    if (absl::Status status = add(queue_.DeleteJob(id, artifacts_)); !status.ok()) return status;
+  }
+  for (const std::string& id : page.batch_ids) {
+    if (deleted.job_count >= kJobsPerStep) deleted.done = false;
+    if (!deleted.done) return absl::OkStatus();
+    if (absl::Status status = add(queue_.DeleteBatch(id, kJobsPerStep, artifacts_)); !status.ok()) return status;
+  }
+  return absl::OkStatus();
+}
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/jetstream/artifact_users.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "worker_runtime/files/sha256.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// Above so many users an artifact is kept for good: the value would outgrow a message.
+constexpr int kMostUsers = 1000;
+// Values in memory at once.
+constexpr size_t kUsersAtOnce = 500;
+
+std::string UsersKey(const std::string& artifact_id) { return "users." + artifact_id; }
+std::string KeyOfResult(const std::string& result_key) { return "result." + result_key; }
+
+// False when there is nothing to add.
+bool AddUser(store::v1::ArtifactUsers& users, const ArtifactUsers::User& user, const std::string& result_key) {
+  bool changed = false;
+  const bool is_there =
+      std::ranges::any_of(users.users(), [&](const ArtifactUsers::User& known) { return known.id() == user.id(); });
+  if (!is_there && users.users_size() < kMostUsers) {
+    *users.add_users() = user;
+    changed = true;
+  } else if (!is_there && !users.kept_for_good()) {
+    users.set_kept_for_good(true);
+    changed = true;
+  }
+  const auto& keys = users.result_keys();
+  if (!result_key.empty() && users.result_keys_size() < kMostUsers &&
+      std::ranges::find(keys, result_key) == keys.end()) {
+    users.add_result_keys(result_key);
+    changed = true;
+  }
+  return changed;
+}
+
+// False when the user is none of them.
+bool RemoveUser(store::v1::ArtifactUsers& users, const std::string& user_id) {
+  auto& all = *users.mutable_users();
+  const auto found = std::ranges::find(all, user_id, &ArtifactUsers::User::id);
+  if (found == all.end()) return false;
+  all.erase(found);
+  return true;
+}
+
+}  // namespace
+
+absl::StatusOr<std::vector<ArtifactUsers::Known>> ArtifactUsers::Read(std::span<const std::string> artifact_ids) {
+  std::vector<std::string> keys;
+  for (const std::string& id : artifact_ids) keys.push_back(UsersKey(id));
+  const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_.index.GetAll(keys);
+  std::vector<Known> known;
+  for (size_t i = 0; i < entries.size(); ++i) {
+    if (absl::IsNotFound(entries[i].status())) continue;
+    if (!entries[i].ok()) return entries[i].status();
+    Known& found = known.emplace_back(Known{artifact_ids[i], {}, entries[i]->revision});
+    if (!found.users.ParseFromString(entries[i]->value)) {
+      return absl::DataLossError(fmt::format("the queue's record of who has artifact {} is damaged", artifact_ids[i]));
+    }
+  }
+  return known;
+}
+
+absl::StatusOr<std::vector<std::string>> ArtifactUsers::Add(std::span<const Use> uses, const User& user) {
+  std::vector<std::string> unused;
+  std::vector<Use> left(uses.begin(), uses.end());
+  while (!left.empty()) {
+    // Most are new.
+    std::vector<Bucket::Change> changes;
+    for (const Use& use : left) {
+      store::v1::ArtifactUsers users;
+      AddUser(users, user, use.result_key);
+      changes.push_back({UsersKey(use.artifact_id), runtime::CanonicalBytes(users), 0});
+    }
+    const std::vector<absl::StatusOr<uint64_t>> revisions = parts_.index.UpdateAll(changes);
+    std::vector<Use> known;
+    for (size_t i = 0; i < left.size(); ++i) {
+      if (revisions[i].ok()) {
+        unused.push_back(left[i].artifact_id);
+      } else if (absl::IsAborted(revisions[i].status())) {
+        known.push_back(left[i]);
+      } else {
+        return revisions[i].status();
+      }
+    }
+    absl::StatusOr<std::vector<Use>> again = AddToKnown(known, user);
+    if (!again.ok()) return again.status();
+    left = *std::move(again);
+  }
+  return unused;
+}
+
+// Returns those that somebody else has changed meanwhile.
+absl::StatusOr<std::vector<ArtifactUsers::Use>> ArtifactUsers::AddToKnown(std::span<const Use> uses, const User& user) {
+  std::vector<std::string> ids;
+  std::map<std::string, Use> by_id;
+  for (const Use& use : uses) {
+    ids.push_back(use.artifact_id);
+    by_id[use.artifact_id] = use;
+  }
+  absl::StatusOr<std::vector<Known>> read = Read(ids);
+  if (!read.ok()) return read.status();
+  std::vector<Bucket::Change> changes;
+  std::vector<Use> changed;
+  for (Known& known : *read) {
+    const auto use = by_id.extract(known.artifact_id);
+    if (use.empty() || !AddUser(known.users, user, use.mapped().result_key)) continue;
+    changes.push_back({UsersKey(known.artifact_id), runtime::CanonicalBytes(known.users), known.revision});
+    changed.push_back(use.mapped());
+  }
+  // What is there no more is left in `by_id`.
+  std::vector<Use> again;
+  for (const auto& [id, use] : by_id) again.push_back(use);
+  const std::vector<absl::StatusOr<uint64_t>> revisions = parts_.index.UpdateAll(changes);
+  for (size_t i = 0; i < changed.size(); ++i) {
+    if (absl::IsAborted(revisions[i].status())) {
+      again.push_back(changed[i]);
+    } else if (!revisions[i].ok()) {
+      return revisions[i].status();
+    }
+  }
+  return again;
+}
+
+absl::StatusOr<std::vector<std::string>> ArtifactUsers::Remove(std::span<const std::string> artifact_ids,
+                                                               const std::string& user_id) {
+  std::vector<std::string> free;
+  std::vector<std::string> left(artifact_ids.begin(), artifact_ids.end());
+  while (!left.empty()) {
+    const std::span<const std::string> some = std::span(left).first(std::min(left.size(), kUsersAtOnce));
+    absl::StatusOr<std::vector<Known>> read = Read(some);
+    if (!read.ok()) return read.status();
+    std::vector<std::string> again;
+    std::vector<Bucket::Change> changes;
+    std::vector<std::string> changed;
+    std::vector<Known> unused;
+    size_t place = 0;
+    for (Known& known : *read) {
+      // Those in between have no users.
+      for (; some[place] != known.artifact_id; ++place) free.push_back(some[place]);
+      ++place;
+      if (!RemoveUser(known.users, user_id)) continue;
+      if (known.users.users().empty() && !known.users.kept_for_good()) {
+        unused.push_back(std::move(known));
+        continue;
+      }
+      changes.push_back({UsersKey(known.artifact_id), runtime::CanonicalBytes(known.users), known.revision});
+      changed.push_back(known.artifact_id);
+    }
+    for (; place < some.size(); ++place) free.push_back(some[place]);
+
+    const std::vector<absl::StatusOr<uint64_t>> revisions = parts_.index.UpdateAll(changes);
+    for (size_t i = 0; i < changed.size(); ++i) {
+      if (absl::IsAborted(revisions[i].status())) {
+        again.push_back(changed[i]);
+      } else if (!revisions[i].ok()) {
+        return revisions[i].status();
+      }
+    }
+    // First nobody finds them any more; whoever found one before that becomes its user, or sees that it has none.
+    if (absl::Status status = RemoveResults(unused); !status.ok()) return status;
+    std::vector<Bucket::Revision> removals;
+    for (const Known& known : unused) removals.push_back({UsersKey(known.artifact_id), known.revision});
+    const std::vector<absl::StatusOr<bool>> removed = parts_.index.RemoveAll(removals);
+    for (size_t i = 0; i < unused.size(); ++i) {
+      if (!removed[i].ok()) return removed[i].status();
+      (*removed[i] ? free : again).push_back(unused[i].artifact_id);
+    }
+    again.insert(again.end(), left.begin() + static_cast<std::ptrdiff_t>(some.size()), left.end());
+    left = std::move(again);
+  }
+  return free;
+}
+
+absl::Status ArtifactUsers::RemoveResults(std::span<const Known> unused) {
+  std::vector<std::string> keys;
+  std::vector<std::string> artifact_ids;
+  for (const Known& known : unused) {
+    for (const std::string& key : known.users.result_keys()) {
+      keys.push_back(KeyOfResult(key));
+      artifact_ids.push_back(known.artifact_id);
+    }
+  }
+  const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_.index.GetAll(keys);
+  std::vector<Bucket::Revision> removals;
+  for (size_t i = 0; i < keys.size(); ++i) {
+    if (absl::IsNotFound(entries[i].status())) continue;
+    if (!entries[i].ok()) return entries[i].status();
+    v1::ArtifactRef ref;
+    // Another artifact may have been found since.
+    if (ref.ParseFromString(entries[i]->value) && ref.id() != artifact_ids[i]) continue;
+    removals.push_back({keys[i], entries[i]->revision});
+  }
+  for (const absl::StatusOr<bool>& removed : parts_.index.RemoveAll(removals)) {
+    if (!removed.ok()) return removed.status();
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<bool> ArtifactUsers::IsOwnedBy(const std::string& owner_token, const std::string& artifact_id) {
+  const absl::StatusOr<std::vector<Known>> known = Read(std::span(&artifact_id, 1));
+  if (!known.ok()) return known.status();
+  return !known->empty() && std::ranges::any_of(known->front().users.users(),
+                                                [&](const User& user) { return user.owner_token() == owner_token; });
+}
+
+}  // namespace flair::orchestrator

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What has ended is forgotten, in steps that may be repeated by anybody. Of an alone standing job: it is noted that it
+// is to go (kDeleting in the bucket of requests), nobody sees it any more, its artifacts go, its request, its record,
+// the note. Of a batch: it is cancelled, so that nothing of it runs again; its jobs go from the last place on, some at
+// a time, and what they had is noted (doomed.BATCH.PLACE in the index); when no job is left, those artifacts go; then
+// the batch.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "orchestrator/jetstream/jetstream_work_queue.h"
+#include "orchestrator/jetstream/job_record.h"
+#include "worker_runtime/files/sha256.h"
+
+namespace flair::orchestrator {
+namespace {
+
+// Jobs whose records go at once. Never to be changed: the places of notes follow from it.
+constexpr int64_t kForgottenAtOnce = 200;
+
+// What the note says of what it is about.
+constexpr char kJobNote[] = "job";
+constexpr char kBatchNote[] = "batch";
+
+std::string DoomedKey(const std::string& batch_id, int64_t first) {
+  return fmt::format("doomed.{}.{}", batch_id, first);
+}
+
+// All that the job ever had.
+std::vector<std::string> ArtifactsOf(std::span<const store::v1::JobRecord> records) {
+  std::set<std::string> ids;
+  for (const store::v1::JobRecord& record : records) {
+    for (const v1::ArtifactRef& artifact : record.job().artifacts()) ids.insert(artifact.id());
+    for (const v1::JobEvent& event : record.events()) {
+      if (event.has_artifact()) ids.insert(event.artifact().id());
+    }
+  }
+  return {ids.begin(), ids.end()};
+}
+
+}  // namespace
+
+// The key of a note that a job or batch is to go.
+std::string JetStreamWorkQueue::NoteKey(const std::string& owner, const std::string& id) const {
+  return OwnerToken(owner) + "." + kDeleting + "." + id;
+}
+
+// Takes the key of a request away from what it made.
+absl::Status JetStreamWorkQueue::RemoveRequest(const std::string& key, const std::string& id) {
+  const absl::StatusOr<Bucket::Entry> entry = parts_->requests.Get(key);
+  if (absl::IsNotFound(entry.status())) return absl::OkStatus();
+  if (!entry.ok() || entry->value != id) return entry.status();
+  return parts_->requests.Remove({key, entry->revision}).status();
+}
+
+absl::Status JetStreamWorkQueue::RemoveNote(const std::string& owner, const std::string& id) {
+  const std::string key = NoteKey(owner, id);
+  const absl::StatusOr<Bucket::Entry> entry = parts_->requests.Get(key);
+  if (absl::IsNotFound(entry.status())) return absl::OkStatus();
+  if (!entry.ok()) return entry.status();
+  return parts_->requests.Remove({key, entry->revision}).status();
+}
+
+// Deletes those of the artifacts that nobody but `user_id` has.
+absl::StatusOr<int64_t> JetStreamWorkQueue::DeleteArtifacts(std::span<const std::string> ids,
+                                                            const std::string& user_id, ArtifactStore& artifacts) {
+  if (ids.empty()) return 0;
+  const absl::StatusOr<int64_t> mark = artifacts.Mark();
+  if (!mark.ok()) return mark;
+  const absl::StatusOr<std::vector<std::string>> free = users_.Remove(ids, user_id);
+  if (!free.ok()) return free.status();
+  return artifacts.Delete(*free, *mark);
+}
+
+absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteJob(const std::string& job_id, ArtifactStore& artifacts) {
+  const absl::StatusOr<RevisedJob> job = parts_->GetJob(job_id);
+  if (!job.ok()) return job.status();
+  if (absl::Status status = CheckDeletable(job->value.job()); !status.ok()) return status;
+  const std::string& owner = job->value.job().owner();
+  const absl::Status noted = parts_->requests.Put(NoteKey(owner, job_id), kJobNote).status();
+  if (!noted.ok()) return noted;
+  return ForgetJob(job_id, owner, artifacts);
+}
+
+// Of a job with a note.
+absl::StatusOr<Deleted> JetStreamWorkQueue::ForgetJob(const std::string& job_id, const std::string& owner,
+                                                      ArtifactStore& artifacts) {
+  Deleted deleted{.done = true};
+  const absl::Status hidden = parts_
+                                  ->ChangeJob(job_id,
+                                              [](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
+                                                if (absl::Status status = CheckDeletable(record.job()); !status.ok())
+                                                  return status;
+                                                record.set_deleting(true);
+                                                return true;
+                                              })
+                                  .status();
+  // Retried just now.
+  if (absl::IsFailedPrecondition(hidden)) {
+    absl::Status status = RemoveNote(owner, job_id);
+    return status.ok() ? hidden : status;
+  }
+  if (!hidden.ok() && !absl::IsNotFound(hidden)) return hidden;
+  const absl::StatusOr<RevisedJob> job = parts_->GetAnyJob(job_id);
+  if (!job.ok() && !absl::IsNotFound(job.status())) return job.status();
+  if (job.ok()) {
+    const store::v1::JobRecord& record = job->value;
+    const absl::StatusOr<int64_t> count = DeleteArtifacts(ArtifactsOf(std::span(&record, 1)), job_id, artifacts);
+    if (!count.ok()) return count.status();
+    deleted.artifact_count = *count;
+    absl::Status status = RemoveRequest(RequestKey(owner, RequestKind::kJob, record.request_id(), job_id), job_id);
+    if (!status.ok()) return status;
+    const absl::StatusOr<bool> removed = parts_->jobs.Remove({job_id, job->revision});
+    if (!removed.ok()) return removed.status();
+    deleted.job_count = *removed ? 1 : 0;
+  }
+  if (absl::Status status = RemoveNote(owner, job_id); !status.ok()) return status;
+  return deleted;
+}
+
+// The batch, in the middle of its deletion.
+absl::StatusOr<RevisedBatch> JetStreamWorkQueue::BeginToDelete(const std::string& batch_id) {
+  absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(batch_id);
+  if (!batch.ok() || batch->value.has_deleted_job_count()) return batch;
+  const absl::StatusOr<bool> ended = BatchHasEnded(batch_id);
+  if (!ended.ok()) return ended.status();
+  return parts_->ChangeBatch(batch_id, [&](store::v1::BatchRecord& record) -> absl::StatusOr<bool> {
+    v1::Batch& now = *record.mutable_batch();
+    if (absl::Status status = CheckDeletable(now, *ended); !status.ok()) return status;
+    if (record.has_deleted_job_count()) return false;
+    now.set_state(v1::BATCH_STATE_CANCELLED);
+    record.set_deleted_job_count(now.job_count());
+    return true;
+  });
+}
+
+absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteBatch(const std::string& batch_id, int job_limit,
+                                                        ArtifactStore& artifacts) {
+  absl::StatusOr<RevisedBatch> batch = BeginToDelete(batch_id);
+  if (!batch.ok()) return batch.status();
+  const int64_t all = batch->value.deleted_job_count();
+  Deleted deleted;
+  // Those that whoever came so far may not have ended with.
+  int64_t left = batch->value.batch().job_count();
+  absl::StatusOr<int64_t> count = left < all ? ForgetPlaces(batch_id, left, std::min(all, left + kForgottenAtOnce)) : 0;
+  while (count.ok()) {
+    deleted.job_count += *count;
+    if (left == 0 || deleted.job_count >= job_limit) break;
+    const int64_t end = left;
+    left = std::max<int64_t>(0, end - kForgottenAtOnce);
+    batch = parts_->ChangeBatch(batch_id, [&](store::v1::BatchRecord& record) -> absl::StatusOr<bool> {
+      if (record.batch().job_count() <= left) return false;
+      record.mutable_batch()->set_job_count(static_cast<int>(left));
+      return true;
+    });
+    count = batch.ok() ? ForgetPlaces(batch_id, left, end) : batch.status();
+  }
+  if (!count.ok()) return count.status();
+  if (left == 0 && deleted.job_count < job_limit) {
+    absl::Status status = DeleteDoomed(batch_id, all, job_limit - deleted.job_count, artifacts, deleted);
+    if (status.ok() && deleted.done) status = ForgetBatch(batch->value);
+    if (!status.ok()) return status;
+  }
+  parts_->TellOfBatch(batch_id);
+  return deleted;
+}
+
+// Forgets the jobs at these places, and notes what they had. Returns how many there were.
+absl::StatusOr<int64_t> JetStreamWorkQueue::ForgetPlaces(const std::string& batch_id, int64_t first, int64_t end) {
+  int64_t forgotten = 0;
+  std::vector<std::string> ids;
+  for (int64_t i = first; i < end; ++i) ids.push_back(BatchJobId(batch_id, i));
+  // Again for those that a run that goes on in spite of all has changed meanwhile.
+  while (!ids.empty()) {
+    std::vector<store::v1::JobRecord> records;
+    std::vector<Bucket::Revision> revisions;
+    std::vector<std::pair<std::string, nlohmann::json>> ends;
+    const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(ids);
+    for (size_t i = 0; i < ids.size(); ++i) {
+      absl::StatusOr<RevisedJob> job = parts_->ParseJob(ids[i], entries[i]);
+      if (absl::IsNotFound(job.status())) continue;
+      if (!job.ok()) return job.status();
+      ends.emplace_back("STREAM.PURGE." + parts_->names.ends_stream(),
+                        nlohmann::json{{"filter", ends_.SubjectOf(job->value.job())}});
+      revisions.push_back({ids[i], job->revision});
+      records.push_back(std::move(job->value));
+    }
+    store::v1::ArtifactIds doomed;
+    for (std::string& id : ArtifactsOf(records)) doomed.add_ids(std::move(id));
+    const absl::Status noted =
+        parts_->index.Update(DoomedKey(batch_id, first), runtime::CanonicalBytes(doomed), 0).status();
+    // Who came so far before noted as much or more.
+    if (!noted.ok() && !absl::IsAborted(noted)) return noted;
+    for (const absl::StatusOr<nlohmann::json>& purged : parts_->api.CallAll(ends)) {
+      if (!purged.ok()) return purged.status();
+    }
+    ids.clear();
+    const std::vector<absl::StatusOr<bool>> removed = parts_->jobs.RemoveAll(revisions);
+    for (size_t i = 0; i < revisions.size(); ++i) {
+      if (!removed[i].ok()) return removed[i].status();
+      forgotten += *removed[i] ? 1 : 0;
+      if (!*removed[i]) ids.push_back(revisions[i].key);
+    }
+  }
+  return forgotten;
+}
+
+// Deletes what the jobs of a batch had of which none is left; of so many jobs at a time.
+absl::Status JetStreamWorkQueue::DeleteDoomed(const std::string& batch_id, int64_t all, int64_t job_limit,
+                                              ArtifactStore& artifacts, Deleted& deleted) {
+  std::vector<std::string> keys;
+  for (int64_t end = all; end > 0; end -= kForgottenAtOnce) {
+    keys.push_back(DoomedKey(batch_id, std::max<int64_t>(0, end - kForgottenAtOnce)));
+  }
+  for (const std::string& key : keys) {
+    const absl::StatusOr<Bucket::Entry> entry = parts_->index.Get(key);
+    if (absl::IsNotFound(entry.status())) continue;
+    if (!entry.ok()) return entry.status();
+    if (job_limit <= 0) return absl::OkStatus();
+    job_limit -= kForgottenAtOnce;
+    store::v1::ArtifactIds doomed;
+    if (!doomed.ParseFromString(entry->value)) return absl::DataLossError("the queue's note of artifacts is damaged");
+    const std::vector<std::string> ids(doomed.ids().begin(), doomed.ids().end());
+    const absl::StatusOr<int64_t> count = DeleteArtifacts(ids, batch_id, artifacts);
+    if (!count.ok()) return count.status();
+    deleted.artifact_count += *count;
+    if (absl::Status status = parts_->index.Remove({key, entry->revision}).status(); !status.ok()) return status;
+  }
+  deleted.done = true;
+  return absl::OkStatus();
+}
+
+// A batch that has no jobs and no artifacts any more.
+absl::Status JetStreamWorkQueue::ForgetBatch(const store::v1::BatchRecord& record) {
+  const std::string& id = record.batch().id();
+  const std::string& owner = record.batch().owner();
+  absl::Status status = parts_->requests.Put(NoteKey(owner, id), kBatchNote).status();
+  if (!status.ok()) return status;
+  const nlohmann::json ends = {{"filter", parts_->names.End(id, "*", "*", "*")}};
+  status = parts_->api.Call("STREAM.PURGE." + parts_->names.ends_stream(), ends).status();
+  const absl::StatusOr<uint64_t> last = parts_->reader.LastSequence(parts_->names.queue_stream());
+  if (status.ok()) status = last.status();
+  const std::string lane = parts_->names.Batch(OwnerToken(owner), id);
+  if (status.ok()) status = lanes_.Remove(lanes_.LaneOf(lane), *last);
+  if (status.ok()) status = RemoveRequest(RequestKey(owner, RequestKind::kBatch, record.request_id(), id), id);
+  if (!status.ok()) return status;
+  const absl::StatusOr<RevisedBatch> now = parts_->GetBatch(id);
+  if (now.ok()) status = parts_->batches.Remove({id, now->revision}).status();
+  if (!now.ok() && !absl::IsNotFound(now.status())) status = now.status();
+  return status.ok() ? RemoveNote(owner, id) : status;
+}
+
+absl::StatusOr<Deleted> JetStreamWorkQueue::FinishDeletions(ArtifactStore& artifacts) {
+  Deleted all{.done = true};
+  const auto notes = parts_->reader.Read(parts_->requests.stream(),
+                                         {.filter = parts_->requests.SubjectOf(std::string("*.") + kDeleting + ".*")});
+  if (!notes.ok()) return notes.status();
+  for (const StreamReader::Message& note : *notes) {
+    const std::string key(parts_->requests.KeyOf(note.subject));
+    const std::string id(TokenAt(key, 2));
+    if (note.content == kJobNote) {
+      const absl::StatusOr<RevisedJob> job = parts_->GetAnyJob(id);
+      if (!job.ok() && !absl::IsNotFound(job.status())) return job.status();
+      const absl::StatusOr<Deleted> deleted = ForgetJob(id, job.ok() ? job->value.job().owner() : "", artifacts);
+      if (!deleted.ok() && !absl::IsFailedPrecondition(deleted.status())) return deleted;
+      if (deleted.ok()) all.artifact_count += deleted->artifact_count;
+      if (deleted.ok()) all.job_count += deleted->job_count;
+    } else {
+      const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(id);
+      if (!batch.ok() && !absl::IsNotFound(batch.status())) return batch.status();
+      if (absl::Status status = batch.ok() ? ForgetBatch(batch->value) : absl::OkStatus(); !status.ok()) return status;
+    }
+    // Also where nothing else is left that would say whose it was.
+    if (absl::Status status = RemoveRequest(key, note.content); !status.ok()) return status;
+  }
+  return all;
+}
+
+}  // namespace flair::orchestrator
