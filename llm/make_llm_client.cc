@@ -77,7 +77,7 @@ absl::StatusOr<OpenAiOptions> MakeOpenAiOptions(const LlmConfig& config) {
   }
   if (config.has_temperature()) options.temperature = config.temperature();
   if (config.has_seed()) options.seed = config.seed();
-  if (config.max_output_token_count() > 0) options.max_output_token_count = config.max_output_token_count();
+  options.max_output_token_count = config.max_output_token_count();
   options.answer_form = FirstForm(config.answer_form());
   options.fall_back = config.answer_form() == config::v1::ANSWER_FORM_UNSPECIFIED;
   options.stream = config.stream();
@@ -113,19 +113,24 @@ CallLimits MakeCallLimits(const LlmConfig& config) {
 // A model with the loop that it runs on.
 class LoopedLlmClient final : public LlmClient {
  public:
-  LoopedLlmClient(std::unique_ptr<HttpLoop> loop, std::unique_ptr<LlmClient> inner)
-      : loop_(std::move(loop)), inner_(std::move(inner)) {}
+  // `fixed_seed`: the model has a seed of its own, so that those of requests decide nothing and are in no key.
+  LoopedLlmClient(std::unique_ptr<HttpLoop> loop, std::unique_ptr<LlmClient> inner, bool fixed_seed)
+      : loop_(std::move(loop)), inner_(std::move(inner)), fixed_seed_(fixed_seed) {}
   // The loop calls back into the wrappers until it has stopped.
   ~LoopedLlmClient() override { loop_->Stop(); }
 
   void Ask(const ChatRequest& request, runtime::CallContext& call, AnswerCallback done) override {
-    inner_->Ask(request, call, std::move(done));
+    if (!fixed_seed_ || request.seed == 0) return inner_->Ask(request, call, std::move(done));
+    ChatRequest seedless = request;
+    seedless.seed = 0;
+    inner_->Ask(seedless, call, std::move(done));
   }
   std::string identity() const override { return inner_->identity(); }
 
  private:
   const std::unique_ptr<HttpLoop> loop_;
   const std::unique_ptr<LlmClient> inner_;
+  const bool fixed_seed_;
 };
 
 }  // namespace
@@ -157,7 +162,7 @@ absl::StatusOr<std::unique_ptr<LlmClient>> MakeLlmClient(const LlmConfig& config
     client = *std::move(recording);
   }
   client = std::make_unique<MeteredLlmClient>(std::move(client), worker.metrics, worker.clock);
-  return std::make_unique<LoopedLlmClient>(std::move(loop), std::move(client));
+  return std::make_unique<LoopedLlmClient>(std::move(loop), std::move(client), config.has_seed());
 }
 
 }  // namespace flair::llm

@@ -24,6 +24,13 @@
 namespace flair::language {
 namespace {
 
+// The brief's seed; cleaning knows no brief, and nothing in it is a matter of taste.
+template <typename Request>
+int64_t SeedOf(const Request& request) {
+  if constexpr (requires { request.brief(); }) return request.brief().seed();
+  return 0;
+}
+
 // The request's own fault, or the answer that its brief brings; nothing when a model is to be asked.
 template <typename Response, typename Request, typename... Data>
 std::optional<absl::StatusOr<Response>> AnswerAtOnce(const Request& request, const Data&... data) {
@@ -56,7 +63,7 @@ v1::Producer ModelHandlers::Producer(const llm::Conversation& conversation, bool
 template <typename Response, typename Request, typename Ask, typename StandIn, typename Part>
 absl::StatusOr<Response> ModelHandlers::Answer(const Request& request, runtime::CallContext& call, const Ask& ask,
                                                const StandIn& stand_in, Part part) const {
-  llm::Conversation conversation(*client_, prompts_, request.model_options(), call);
+  llm::Conversation conversation(*client_, prompts_, request.model_options(), call, SeedOf(request));
   auto answer = ask(conversation);
   const bool stood_in = !answer.ok();
   if (stood_in) {

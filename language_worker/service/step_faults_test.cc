@@ -106,8 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::ValuesIn(std::vector<ObjectCase>{
         {"LargerThanTheRoom", "objects.floor", "width_m", 5.5,
          "width_m: 5.5 m x 0.4 m is larger than the room of 4 m x 5 m", "nightstand"},
-        {"Centimetres", "objects.floor", "width_m", 45, "width_m: is 45; a number in metres, 0.05 to 20 would be right",
-         "nightstand"},
+        {"Centimetres", "objects.floor", "width_m", 45,
+         "width_m: is 45; a number in metres, 0.05 to 20 would be right; taken as 0.45", ""},
         {"NoSize", "objects.floor", "depth_m", 0, "depth_m: is 0; a number in metres", "nightstand"},
         {"NegativeSize", "objects.floor", "height_m", -0.5, "height_m: is -0.5; a number in metres", "nightstand"},
         {"ZeroCount", "objects.floor", "count", 0, "count: is 0; a whole number, 1 to 40", "nightstand"},

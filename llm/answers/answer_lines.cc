@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "llm/answers/choices.h"
+#include "llm/answers/field_facts.h"
+#include "llm/answers/utf8.h"
 
 namespace flair::llm {
 namespace {
@@ -32,14 +35,37 @@ size_t FirstPartLength(std::string_view line) {
   return std::min(line.find_first_of(std::string(kAround) + ":="), line.size());
 }
 
-json FromLine(std::string_view line, const Descriptor& type) {
+// Without the marks of a list and quotes.
+std::string_view FromFirstLetter(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(kAround), line.size()));
+  return line;
+}
+
+json FromLine(std::string_view line, const Descriptor& type) {
+  line = FromFirstLetter(line);
   const size_t end = FirstPartLength(line);
-  const size_t rest = std::min(line.find_first_not_of(" \t:=\"'`])", end), line.size());
+  const size_t rest = std::min(line.find_first_not_of(" \t:=*\"'`])", end), line.size());
   json object = json::object();
   object[type.field(0)->name()] = std::string(line.substr(0, end));
   object[type.field(1)->name()] = json::array({std::string(line.substr(rest))});
   return object;
+}
+
+// Letters and digits: "s12".
+bool IsId(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return std::ranges::all_of(text, IsOfAName) && std::ranges::any_of(text, is_digit) && !is_digit(text.front());
+}
+
+// Whether a line begins with what its list may speak of, and a colon.
+bool IsLineOf(std::string_view line, const Choices* choices) {
+  line = FromFirstLetter(line);
+  const size_t end = FirstPartLength(line);
+  const size_t colon = line.find_first_not_of(kAround, end);
+  if (end == 0 || colon == std::string_view::npos || line[colon] != ':') return false;
+  const std::string_view first = line.substr(0, end);
+  if (choices != nullptr) return FindChoice(first, *choices).has_value();
+  return IsId(first.substr(0, first.find_first_of(" ,+&")));
 }
 
 bool Has(const json& object, const std::string& name) {
@@ -74,6 +100,20 @@ json ListOfLines(const json& value, const Descriptor& type) {
     add(value);
   }
   return list;
+}
+
+json AnswerOfLines(std::string_view answer, const Descriptor& type, const FieldChoices& choices) {
+  json lines = json::array();
+  if (type.field_count() == 1 && FactsOf(*type.field(0)).line()) {
+    const FieldTexts texts(*type.field(0)->message_type()->field(0), choices);
+    while (!answer.empty()) {
+      const size_t end = std::min(answer.find('\n'), answer.size());
+      if (IsLineOf(answer.substr(0, end), texts.get())) lines.push_back(ToUtf8(answer.substr(0, end)));
+      answer.remove_prefix(std::min(end + 1, answer.size()));
+    }
+  }
+  if (lines.empty()) return json(json::value_t::discarded);
+  return json::object({{type.field(0)->name(), std::move(lines)}});
 }
 
 }  // namespace flair::llm

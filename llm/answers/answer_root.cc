@@ -1,55 +1,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/answers/answer_root.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
-#include "llm/answers/choices.h"
+#include "llm/answers/answer_members.h"
 
 namespace flair::llm {
 namespace {
 
+using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using nlohmann::json;
 
-// Whether a value is an object with any of the type's fields.
-bool HasAnyField(const json& value, const google::protobuf::Descriptor& type) {
-  if (!value.is_object()) return false;
-  for (int i = 0; i < type.field_count(); ++i) {
-    const std::string bare = Bare(type.field(i)->name());
-    for (const auto& [key, member] : value.items()) {
-      if (Bare(key) == bare) return true;
-    }
-  }
-  return false;
+constexpr int kMostWrappers = 3;
+
+// Whether a value is objects of that type: one, a list of them, or members of an object by some name.
+bool HoldsElements(const json& value, const Descriptor& type, int depth = 0) {
+  if (HasAnyMember(value, type)) return true;
+  constexpr int kMostDepth = 2;
+  return value.is_structured() && !value.empty() && depth < kMostDepth &&
+         std::ranges::all_of(value, [&](const json& item) { return HoldsElements(item, type, depth + 1); });
 }
 
-// The only list of a type; null when it has none or several.
-const FieldDescriptor* OnlyList(const google::protobuf::Descriptor& type) {
-  const FieldDescriptor* list = nullptr;
+// The first list of a type whose elements these are; for any list, the only list of the type. Null for none.
+const FieldDescriptor* ListFor(const json& value, const Descriptor& type) {
+  const FieldDescriptor* only = nullptr;
+  int count = 0;
   for (int i = 0; i < type.field_count(); ++i) {
-    if (!type.field(i)->is_repeated()) continue;
-    if (list != nullptr) return nullptr;
-    list = type.field(i);
+    const FieldDescriptor& field = *type.field(i);
+    if (!field.is_repeated()) continue;
+    only = ++count == 1 ? &field : nullptr;
+    const bool of_objects = field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
+    if (of_objects && HoldsElements(value, *field.message_type())) return &field;
   }
-  return list;
+  return value.is_array() ? only : nullptr;
+}
+
+// The value that a member is or, as a text, holds.
+std::optional<json> Inner(const json& member) {
+  if (member.is_structured()) return member;
+  if (!member.is_string() || member.get_ref<const std::string&>().find('{') == std::string::npos) return std::nullopt;
+  json inner = json::parse(member.get_ref<const std::string&>(), nullptr, /*allow_exceptions=*/false);
+  return inner.is_structured() ? std::optional(std::move(inner)) : std::nullopt;
+}
+
+// The object with fields of the type that a value is or wraps; none when there is none, or several.
+std::optional<json> Wrapped(const json& value, const Descriptor& type, int wrappers = 0) {
+  if (HasAnyMember(value, type)) return value;
+  const bool wrapper = value.is_object() || (value.is_array() && value.size() == 1);
+  if (!wrapper || wrappers == kMostWrappers) return std::nullopt;
+  std::optional<json> wrapped;
+  for (const json& member : value) {
+    const std::optional<json> inner = Inner(member);
+    std::optional<json> found = inner ? Wrapped(*inner, type, wrappers + 1) : std::nullopt;
+    if (found && wrapped) return std::nullopt;
+    if (found) wrapped = std::move(found);
+  }
+  return wrapped;
 }
 
 }  // namespace
 
-json AnswerRoot(const json& value, const google::protobuf::Descriptor& type) {
-  if (value.is_array()) {
-    const FieldDescriptor* list = OnlyList(type);
-    return list != nullptr ? json::object({{list->name(), value}}) : value;
+json AnswerRoot(const json& value, const Descriptor& type) {
+  if (std::optional<json> wrapped = Wrapped(value, type)) return *std::move(wrapped);
+  if (const FieldDescriptor* const list = ListFor(value, type)) return json::object({{list->name(), value}});
+  // A list beside remarks.
+  std::optional<json> root;
+  if (!value.is_object()) return value;
+  for (const json& member : value) {
+    const FieldDescriptor* const list = member.is_array() ? ListFor(member, type) : nullptr;
+    if (list == nullptr) continue;
+    if (root) return value;
+    root = json::object({{list->name(), member}});
   }
-  if (!value.is_object() || HasAnyField(value, type)) return value;
-  const json* inner = nullptr;
-  for (const auto& [key, member] : value.items()) {
-    if (!HasAnyField(member, type)) continue;
-    if (inner != nullptr) return value;
-    inner = &member;
-  }
-  return inner != nullptr ? *inner : value;
+  return root ? *std::move(root) : value;
 }
 
 }  // namespace flair::llm

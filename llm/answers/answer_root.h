@@ -7,8 +7,10 @@
 
 namespace flair::llm {
 
-// The object that a value means for an answer of that type: a list alone is that of the type's only list; an object
-// without any of the type's fields is a wrapper of its only member with some. Else the value itself.
+// The object that a value means for an answer of that type: itself when it has any of the type's fields; the only such
+// object in it, when it is a wrapper, as "{"answer": {...}}" and "[{...}]" are, also with its JSON as a text; else a
+// list of the type's, when it is elements of that: a list alone, one element alone, elements by name, a list beside
+// remarks. Else the value itself.
 nlohmann::json AnswerRoot(const nlohmann::json& value, const google::protobuf::Descriptor& type);
 
 }  // namespace flair::llm

@@ -38,8 +38,10 @@ std::string RoleName(Role role) {
 }
 
 absl::Status ForStep(const std::string& step, const absl::Status& status) {
-  // UNAVAILABLE would tell the caller to ask the worker again, which has asked the model as often as is right.
-  const absl::StatusCode code = absl::IsUnavailable(status) ? absl::StatusCode::kAborted : status.code();
+  // UNAVAILABLE would tell the caller to ask the worker again, which has asked the model as often as is right;
+  // INVALID_ARGUMENT that its own request is wrong, when it is the model's server that does not take the question.
+  const bool of_model = absl::IsUnavailable(status) || absl::IsInvalidArgument(status);
+  const absl::StatusCode code = of_model ? absl::StatusCode::kAborted : status.code();
   absl::Status named(code, fmt::format("step \"{}\": {}", step, std::string(status.message())));
   status.ForEachPayload([&](auto url, const auto& payload) { named.SetPayload(url, payload); });
   return named;
@@ -80,7 +82,8 @@ std::vector<absl::StatusOr<Reply>> Conversation::AskAll(std::span<const Question
     turns[i].request = {.step = question.step,
                         .messages = {{Role::kSystem, question.system}, {Role::kUser, question.text}},
                         .schema = AnswerSchema(*question.answer->GetDescriptor(), question.choices),
-                        .schema_name = AnswerSchemaName(*question.answer->GetDescriptor())};
+                        .schema_name = AnswerSchemaName(*question.answer->GetDescriptor()),
+                        .seed = seed_};
     round.push_back(&turns[i]);
   }
   Round(round);
@@ -198,6 +201,11 @@ void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
         {"", "was cut off at the limit of its length; a shorter one would be right", FaultKind::kDoubtful});
   }
   const bool unread = !faults.empty() && faults.front().path.empty() && faults.front().kind == FaultKind::kWrong;
+  if (answer.finish == FinishReason::kLength && answer.text.empty()) {
+    faults.front().text =
+        fmt::format("is empty after {} tokens, the most that it may have, thoughts included (max_output_token_count)",
+                    answer.usage.output_token_count);
+  }
   if (answer.finish == FinishReason::kRefused && unread) {
     faults.front().text = fmt::format("is a refusal: {}", Quoted(answer.text));
   }

@@ -3,6 +3,7 @@
 
 #include <google/protobuf/message.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -69,14 +70,14 @@ struct Reply {
 // the others stay as they were. Not thread-safe; blocks the thread that asks.
 class Conversation {
  public:
-  // All but the options must outlive it.
+  // All but the options must outlive it. `seed`: see ChatRequest.
   Conversation(LlmClient& client, const PromptLibrary& prompts, const v1::ModelOptions& options,
-               runtime::CallContext& call)
-      : client_(client), prompts_(prompts), options_(options), call_(call) {}
+               runtime::CallContext& call, int64_t seed = 0)
+      : client_(client), prompts_(prompts), options_(options), call_(call), seed_(seed) {}
 
-  // Errors, each beginning with the step: those of LlmClient, but ABORTED when the model cannot be reached;
-  // FAILED_PRECONDITION naming the limit of the budget that
-  // the next call would exceed; DATA_LOSS with the faults when the answer is of no use even after a repair.
+  // Errors, each beginning with the step: those of LlmClient, but ABORTED when the model cannot be reached or its
+  // server does not take the question; FAILED_PRECONDITION naming the limit of the budget that the next call would
+  // exceed; DATA_LOSS with the faults when the answer is of no use even after a repair.
   absl::StatusOr<Reply> Ask(const Question& question);
 
   // The same for questions that do not depend on each other, all at once. Answers in the order of the questions.
@@ -122,6 +123,7 @@ class Conversation {
   const PromptLibrary& prompts_;
   const v1::ModelOptions options_;
   runtime::CallContext& call_;
+  const int64_t seed_;
   std::vector<v1::ModelCall> calls_;
 };
 

@@ -313,6 +313,28 @@ TEST_F(ConversationTest, TextsCanBeLeftOut) {
   EXPECT_THAT(client_.requests()[1].messages[3].text, HasSubstr("rather not")) << "the model itself is told";
 }
 
+TEST_F(ConversationTest, ItsSeedGoesWithQuestionAndRepair) {
+  client_.Answer("zones", "Let me think.");
+  client_.Answer("zones/repair", kGood);
+  Conversation talk(client_, prompts_, options_, call_, 42);
+  ASSERT_TRUE(talk.Ask(Ask()).ok());
+  for (const ChatRequest& request : client_.requests()) EXPECT_EQ(request.seed, 42) << request.step;
+}
+
+TEST_F(ConversationTest, AQuestionThatTheServerDoesNotTakeIsTheModelsFailure) {
+  client_.Answer("zones", absl::InvalidArgumentError("HTTP 400, context too long"));
+  Conversation talk = Talk();
+  const absl::Status status = talk.Ask(Ask()).status();
+  EXPECT_EQ(status, absl::AbortedError("step \"zones\": HTTP 400, context too long"));
+  EXPECT_TRUE(Conversation::IsModelFailure(status));
+}
+
+TEST_F(ConversationTest, AnAnswerWithoutTextBecauseOfItsLimitSaysSo) {
+  for (const char* step : {"zones", "zones/repair"}) client_.Answer(step, "", FinishReason::kLength);
+  Conversation talk = Talk();
+  EXPECT_THAT(talk.Ask(Ask()).status().message(), HasSubstr("thoughts included (max_output_token_count)"));
+}
+
 TEST_F(ConversationTest, ACancelledCallAsksNothing) {
   call_.cancellation().Cancel();
   Conversation talk = Talk();

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 #include "llm/answers/choices.h"
 #include "llm/answers/json_scan.h"
+#include "llm/answers/json_words.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::llm {
@@ -37,12 +39,20 @@ bool IsHtml(std::string_view text) {
   return text.starts_with('<') && (start.starts_with("doctypehtml") || start.starts_with("html"));
 }
 
+// Whether a text begins with a key without quotes: "name:".
+bool BeginsWithKey(std::string_view text) {
+  size_t end = 0;
+  while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_')) ++end;
+  const size_t next = text.find_first_not_of(" \t", end);
+  return end > 0 && next != std::string_view::npos && text[next] == ':';
+}
+
 // Whether the text behind a bracket is how JSON goes on, rather than prose in brackets.
 bool LooksLikeJson(std::string_view text, size_t start) {
   const size_t next = text.find_first_not_of(" \t\r\n", start + 1);
-  if (next == std::string_view::npos) return true;
-  if (text[start] == '{') return std::string_view("\"'}/").find(text[next]) != std::string_view::npos;
-  return std::string_view("{[\"'-0123456789tfn]/").find(text[next]) != std::string_view::npos;
+  if (next == std::string_view::npos || QuoteLength(text.substr(next)) > 0) return true;
+  if (text[start] == '{') return text[next] == '}' || text[next] == '/' || BeginsWithKey(text.substr(next));
+  return std::string_view("{[-0123456789tfn]/").find(text[next]) != std::string_view::npos;
 }
 
 // Parses text whose brackets match; on failure `fault` says where and what.
@@ -59,6 +69,14 @@ json Parse(const std::string& text, Fault& fault) {
     fault.text = "is no valid JSON: a number is too large; plain JSON would be right";
   }
   return json(json::value_t::discarded);
+}
+
+// The text within a JSON string that is all of a text: some gateways quote the whole answer. Else the text.
+std::string WithoutQuotation(std::string_view text) {
+  if (!text.starts_with('"')) return std::string(text);
+  const json value = json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const bool holds_json = value.is_string() && value.get_ref<const std::string&>().find('{') != std::string::npos;
+  return holds_json ? value.get<std::string>() : std::string(text);
 }
 
 // What the search for the value has found so far.
@@ -82,6 +100,7 @@ class Search {
   }
 
   ExtractedJson Take(std::string_view text) {
+    if (best_known_ <= 1 && !salvaged_ && elements_.size() > 1) return {std::move(elements_), {}};
     // A value without any of the keys is an example or an aside when another one was cut off.
     if (best_ && (best_known_ > 1 || !salvaged_)) return {std::move(*best_), {}};
     if (salvaged_ && fault_) return {std::move(*salvaged_), {*fault_}};
@@ -137,6 +156,7 @@ class Search {
         known += std::find(keys_.begin(), keys_.end(), Bare(key)) != keys_.end() ? 2 : 0;
       }
       ++known;  // an object before a list
+      if (known == 1 && !value.empty()) elements_.push_back(value);
     }
     if (best_ && known < best_known_) return;
     best_ = std::move(value);
@@ -144,6 +164,8 @@ class Search {
   }
 
   std::vector<std::string> keys_;
+  // The objects without any of the keys: a list's elements, when there is nothing else.
+  json elements_ = json::array();
   std::optional<json> best_;
   int best_known_ = 0;
   std::optional<json> salvaged_;
@@ -164,8 +186,9 @@ ExtractedJson ExtractJson(std::string_view answer, std::span<const std::string> 
   if (text.empty()) return no_value("is empty; one JSON object would be right");
   if (IsHtml(text)) return no_value(fmt::format("is an HTML page, {}; one JSON object would be right", Quoted(text)));
   Search search(keys);
-  search.Run(text);
-  return search.Take(text);
+  const std::string unquoted = WithoutQuotation(text);
+  search.Run(unquoted);
+  return search.Take(unquoted);
 }
 
 }  // namespace flair::llm

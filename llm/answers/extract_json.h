@@ -19,10 +19,11 @@ struct ExtractedJson {
   std::vector<Fault> faults;
 };
 
-// Takes the JSON out of what a model wrote: alone, between fences, with prose around it, after "thoughts", with
-// comments or trailing commas. Of several values that with most of the `keys` at its root wins, then the later one.
-// Faults for an empty answer, HTML, prose without JSON, JSON that does not parse (with the place), and more than a
-// megabyte. Pure; any bytes are good input.
+// Takes the JSON out of what a model wrote: alone, between fences, with prose around it, after "thoughts", as the text
+// of a string, with comments, trailing or missing commas, or quotes of other kinds. Of several values that with most of
+// the `keys` at its root wins, then the later one; several objects with none of them are one list. Faults for an empty
+// answer, HTML, prose without JSON, JSON that does not parse (with the place), and more than a megabyte. Pure; any
+// bytes are good input.
 ExtractedJson ExtractJson(std::string_view answer, std::span<const std::string> keys);
 
 }  // namespace flair::llm

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "llm/answers/json_words.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::llm {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr size_t kMostNesting = 64;
 
-bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 class Scanner {
@@ -25,13 +25,11 @@ class Scanner {
       const char c = text_[at_];
       if (IsSpace(c) || (c == '/' && SkipComment())) {
         scan.json += ' ';
-      } else if (c == '"') {
-        EmitComma(scan.json);
-        ReadString(scan.json);
       } else if (c == ',') {
         comma_ = true;
-        if (!frames_.empty() && frames_.back().bracket == '[') ++frames_.back().index;
-        if (!frames_.empty()) frames_.back().key.clear();
+        if (!frames_.empty()) EndElement(frames_.back());
+      } else if (c == ':') {
+        scan.json += c;
       } else if (c == '{' || c == '[') {
         if (frames_.size() == kMostNesting) {
           // Nothing inside it is worth a look.
@@ -39,7 +37,7 @@ class Scanner {
           scan.stop = text_.size();
           return scan;
         }
-        EmitComma(scan.json);
+        BeginValue(scan.json);
         scan.json += c;
         frames_.push_back({c});
       } else if (c == '}' || c == ']') {
@@ -50,12 +48,8 @@ class Scanner {
           scan.stop = at_ + 1;
           return scan;
         }
-      } else if (IsLetter(c)) {
-        EmitComma(scan.json);
-        ReadWord(scan.json);
       } else {
-        if (c != ':') EmitComma(scan.json);
-        scan.json += c;
+        ReadText(scan.json);
       }
     }
     scan.end = at_ < text_.size() ? JsonScan::End::kBroken : JsonScan::End::kTruncated;
@@ -68,60 +62,61 @@ class Scanner {
  private:
   struct Frame {
     char bracket;
-    int index = 0;      // of a list
-    std::string key{};  // of an object
+    int index = 0;       // of a list
+    std::string key{};   // of an object
+    bool ended = false;  // the element has its value
   };
 
-  // A comma is written when something follows it.
-  void EmitComma(std::string& json) {
+  static void EndElement(Frame& frame) {
+    if (frame.bracket == '[') ++frame.index;
+    frame.key.clear();
+    frame.ended = false;
+  }
+
+  // A comma is written when something follows it, or where one is missing.
+  void BeginValue(std::string& json) {
+    if (!frames_.empty() && frames_.back().ended) {
+      EndElement(frames_.back());
+      comma_ = true;
+    }
     if (comma_) json += ',';
     comma_ = false;
+  }
+
+  // Of a string, number or word that was read.
+  void EndValue(std::string_view content) {
+    if (frames_.empty()) return;
+    Frame& frame = frames_.back();
+    if (frame.bracket == '{' && frame.key.empty()) {
+      constexpr size_t kMostKey = 40;
+      frame.key = content.empty() ? "?" : CutCharacters(content, kMostKey);
+    } else {
+      frame.ended = true;
+    }
   }
 
   void Close(char c, JsonScan& scan) {
     comma_ = false;
     scan.json += c;
     frames_.pop_back();
-    if (frames_.empty() || frames_.back().bracket != '[') return;
+    if (frames_.empty()) return;
+    frames_.back().ended = true;
+    if (frames_.back().bracket != '[') return;
     whole_ = scan.json.size();
     closers_.clear();
     for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) closers_ += frame->bracket == '{' ? '}' : ']';
   }
 
-  // Copies the string that begins here; at_ ends on its closing quote, or behind the text.
-  void ReadString(std::string& json) {
-    const bool is_key = !frames_.empty() && frames_.back().bracket == '{' && frames_.back().key.empty();
-    std::string content;
-    json += '"';
-    for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
-      const char c = text_[at_];
-      if (static_cast<unsigned char>(c) < 0x20) {
-        json += fmt::format("\\u{:04x}", static_cast<int>(c));
-        continue;
-      }
-      json += c;
-      content += c;
-      if (c == '\\' && at_ + 1 < text_.size()) json += text_[++at_];
-    }
-    if (at_ < text_.size()) json += '"';
-    constexpr size_t kMostKey = 40;
-    if (is_key) frames_.back().key = content.empty() ? "?" : CutCharacters(content, kMostKey);
-  }
-
-  // Copies the word that begins here, Python's as JSON's; at_ ends on its last letter.
-  void ReadWord(std::string& json) {
-    const size_t start = at_;
-    while (at_ + 1 < text_.size() && IsLetter(text_[at_ + 1])) ++at_;
-    const std::string_view word = text_.substr(start, at_ + 1 - start);
-    if (word == "True") {
-      json += "true";
-    } else if (word == "False") {
-      json += "false";
-    } else if (word == "None" || word == "undefined" || word == "NaN") {
-      json += "null";
-    } else {
-      json += word;
-    }
+  // Copies the string, number or word that begins here; at_ ends on its last byte.
+  void ReadText(std::string& json) {
+    BeginValue(json);
+    const std::string_view rest = text_.substr(at_);
+    // In a list alone a word is rather prose: "[as asked]".
+    const bool within_object = !frames_.empty() && frames_.front().bracket == '{';
+    const JsonWord word = QuoteLength(rest) > 0 ? ReadQuoted(rest) : ReadBare(rest, within_object);
+    json += word.json;
+    EndValue(word.content);
+    at_ += word.length - 1;
   }
 
   // "// ..." to the end of the line and "/* ... */"; at_ ends on its last byte.

@@ -15,8 +15,8 @@ struct JsonScan {
   End end = End::kBroken;
   // Behind its last byte.
   size_t stop = 0;
-  // The value without comments and trailing commas, with line ends inside strings escaped and Python's words for true,
-  // false and null as JSON's.
+  // The value without comments and trailing commas, with the commas that are missing, and with strings and words as
+  // JSON has them (json_words).
   std::string json;
   // Where it ended, such as "objects[3].name"; empty at the root.
   std::string path;

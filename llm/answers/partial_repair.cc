@@ -148,7 +148,8 @@ std::vector<Fault> NumberedInPart(std::span<const Fault> faults, const Elements&
   return numbered;
 }
 
-Merged MergeElements(const ProtoMessage& repair, std::span<const Fault> faults, const Elements& elements, ProtoMessage& answer) {
+Merged MergeElements(const ProtoMessage& repair, std::span<const Fault> faults, const Elements& elements,
+                     ProtoMessage& answer) {
   Merged merged;
   for (const auto& [name, numbers] : elements) {
     const FieldDescriptor& list = *ListOf(answer, name);

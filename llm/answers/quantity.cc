@@ -139,6 +139,13 @@ bool OnlyNoiseLeft(std::string_view text) {
 
 }  // namespace
 
+std::string_view UnitNamed(std::string_view bare, std::string_view unit) {
+  for (const UnitName& candidate : kUnits) {
+    if (candidate.unit == unit && candidate.name == bare) return candidate.name;
+  }
+  return {};
+}
+
 std::optional<double> ReadQuantity(std::string_view written, std::string_view unit) {
   if (written.size() > 60) return std::nullopt;
   const std::string plain = Plain(written);
@@ -150,6 +157,7 @@ std::optional<double> ReadQuantity(std::string_view written, std::string_view un
       if (text == kWords[i]) return static_cast<double>(i);
     }
   }
+  TakePrefix(text, "+");
   std::optional<double> value = TakeNumber(text);
   if (!value) return std::nullopt;
   SkipSpace(text);

@@ -11,4 +11,8 @@ namespace flair::llm {
 // twelve. Nothing when the meaning is not certain ("1,200", "1-2", "1.2 x 0.6").
 std::optional<double> ReadQuantity(std::string_view text, std::string_view unit);
 
+// The name of a length's or an angle's unit, as it is written in `bare` letters ("cm", "inches"), for ReadQuantity;
+// empty when it is none of `unit`'s kind.
+std::string_view UnitNamed(std::string_view bare, std::string_view unit);
+
 }  // namespace flair::llm

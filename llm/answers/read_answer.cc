@@ -10,7 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "llm/answers/answer_elements.h"
 #include "llm/answers/answer_lines.h"
+#include "llm/answers/answer_members.h"
 #include "llm/answers/answer_root.h"
 #include "llm/answers/extract_json.h"
 #include "llm/answers/field_facts.h"
@@ -20,7 +22,7 @@ namespace flair::llm {
 namespace {
 
 using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
+using ProtoMessage = google::protobuf::Message;
 using google::protobuf::Reflection;
 using nlohmann::json;
 
@@ -61,6 +63,12 @@ bool CutTo(int most, std::string& text) {
   return false;
 }
 
+// A number, also as a text, without a unit of its own.
+std::optional<double> PlainNumber(const json& value) {
+  if (value.is_number()) return value.get<double>();
+  return value.is_string() ? ReadQuantity(value.get_ref<const std::string&>(), "") : std::nullopt;
+}
+
 class Reader {
  public:
   explicit Reader(const FieldChoices& choices) : choices_(choices) {}
@@ -68,10 +76,10 @@ class Reader {
   std::vector<Fault> TakeFaults() { return std::move(faults_); }
 
   // As ReadMessage, but an object with nothing of what was asked for is no answer.
-  void ReadRoot(const json& value, Message& message) {
+  void ReadRoot(const json& value, ProtoMessage& message) {
     const google::protobuf::Descriptor& type = *message.GetDescriptor();
     bool any = !value.is_object();
-    for (int i = 0; i < type.field_count(); ++i) any = any || Member(value, *type.field(i)) != nullptr;
+    for (int i = 0; i < type.field_count(); ++i) any = any || FindMember(value, *type.field(i)).value != nullptr;
     if (any) {
       ReadMessage(value, "", message);
     } else {
@@ -79,7 +87,7 @@ class Reader {
     }
   }
 
-  void ReadMessage(const json& value, const std::string& path, Message& message) {
+  void ReadMessage(const json& value, const std::string& path, ProtoMessage& message) {
     const google::protobuf::Descriptor& type = *message.GetDescriptor();
     if (!value.is_object()) {
       Wrong(path, fmt::format("is {}; an object with {} would be right", Shown(value), FieldNames(type)));
@@ -87,7 +95,7 @@ class Reader {
     }
     for (int i = 0; i < type.field_count(); ++i) {
       const FieldDescriptor& field = *type.field(i);
-      ReadField(Member(value, field), field, path.empty() ? field.name() : path + "." + field.name(), message);
+      ReadField(FindMember(value, field), field, path.empty() ? field.name() : path + "." + field.name(), message);
     }
   }
 
@@ -102,39 +110,34 @@ class Reader {
     return names;
   }
 
-  // The member for a field: by its name, else by a name that is the same but for case, underscores and the unit.
-  static const json* Member(const json& value, const FieldDescriptor& field) {
-    if (!value.is_object()) return nullptr;
-    if (const auto found = value.find(field.name()); found != value.end()) return &*found;
-    const std::string bare = Bare(field.name());
-    const std::string& unit = FactsOf(field).unit();
-    for (const auto& [key, member] : value.items()) {
-      const std::string name = Bare(key);
-      if (name == bare || (!unit.empty() && name + unit == bare)) return &member;
-    }
-    return nullptr;
-  }
-
-  void ReadField(const json* value, const FieldDescriptor& field, const std::string& path, Message& message) {
-    const bool absent = value == nullptr || value->is_null();
+  void ReadField(const Member& member, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
+    const bool absent = member.value == nullptr || member.value->is_null();
     if (field.is_repeated()) {
-      ReadList(absent ? json::array() : *value, field, path, message);
+      ReadList(absent ? json::array() : *member.value, field, path, message);
     } else if (absent) {
-      if (!field.has_optional_keyword() && field.cpp_type() != FieldDescriptor::CPPTYPE_BOOL) {
-        Wrong(path, fmt::format("is missing; {} would be right", RightFor(field, choices_)));
-      }
+      ReadNothing(field, path, message);
     } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
-      ReadMessage(*value, path, *message.GetReflection()->MutableMessage(&message, &field));
+      ReadMessage(*member.value, path, *message.GetReflection()->MutableMessage(&message, &field));
+    } else if (const std::optional<double> number = member.unit.empty() ? std::nullopt : PlainNumber(*member.value)) {
+      ReadScalar(fmt::format("{} {}", *number, member.unit), field, path, message);
     } else {
-      ReadScalar(*value, field, path, message);
+      ReadScalar(*member.value, field, path, message);
     }
   }
 
-  void ReadList(const json& value, const FieldDescriptor& field, const std::string& path, Message& message) {
+  void ReadNothing(const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const model::v1::FieldFacts& facts = FactsOf(field);
-    // One element alone is a list of one.
-    const json list =
-        facts.line() ? ListOfLines(value, *field.message_type()) : (value.is_array() ? value : json::array({value}));
+    if (facts.has_when_absent()) {
+      faults_.push_back({path, fmt::format("is missing; taken as {}", facts.when_absent()), FaultKind::kMended});
+      SetNumber(facts.when_absent(), field, message);
+    } else if (!field.has_optional_keyword() && field.cpp_type() != FieldDescriptor::CPPTYPE_BOOL) {
+      Wrong(path, fmt::format("is missing; {} would be right", RightFor(field, choices_)));
+    }
+  }
+
+  void ReadList(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
+    const model::v1::FieldFacts& facts = FactsOf(field);
+    const json list = ElementsOf(value, field, choices_);
     const int most = facts.max_items() > 0 ? facts.max_items() : kMostItems;
     const int count = static_cast<int>(list.size());
     if (count < facts.min_items()) {
@@ -153,7 +156,7 @@ class Reader {
     }
   }
 
-  void ReadScalar(const json& value, const FieldDescriptor& field, const std::string& path, Message& message) {
+  void ReadScalar(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     switch (field.cpp_type()) {
       case FieldDescriptor::CPPTYPE_STRING:
         SetText(ReadText(value, field, path), field, message);
@@ -181,7 +184,14 @@ class Reader {
     const FieldTexts texts(field, choices_);
     if (text.empty()) return field.has_optional_keyword() || notation ? text : wrong();
     if (texts.get() != nullptr) {
-      const std::optional<std::string> chosen = FindChoice(text, *texts.get());
+      std::optional<std::string> chosen = FindChoice(text, *texts.get());
+      if (!chosen) chosen = FindChoiceWithin(text, *texts.get());
+      if (!chosen && field.has_optional_keyword() && FactsOf(field).choices_size() > 0) {
+        faults_.push_back(
+            {path, fmt::format("is {}; {} would be right, taken as null", Shown(value), RightFor(field, choices_)),
+             FaultKind::kMended});
+        return "";
+      }
       return chosen ? *chosen : wrong();
     }
     const int most = FactsOf(field).max_length() > 0 ? FactsOf(field).max_length() : kMostCharacters;
@@ -213,11 +223,25 @@ class Reader {
         *number <= range.most) {
       return number;
     }
-    Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
-    return std::nullopt;
+    std::string fault = fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_));
+    const std::optional<double> length_m = number && facts.unit() == "m" ? LengthMeant(*number, range) : std::nullopt;
+    if (length_m) {
+      faults_.push_back({path, fmt::format("{}; taken as {}", fault, *length_m), FaultKind::kDoubtful});
+    } else {
+      Wrong(path, std::move(fault));
+    }
+    return length_m;
   }
 
-  static void SetText(const std::string& text, const FieldDescriptor& field, Message& message) {
+  // The metres that a number beyond all metres is in centimetres, or beyond those in millimetres.
+  static std::optional<double> LengthMeant(double number, const NumberRange& range_m) {
+    constexpr double kMostCentimetres = 1000;
+    if (!(number > range_m.most)) return std::nullopt;
+    const double length_m = number <= kMostCentimetres ? number / 100 : number / 1000;
+    return length_m >= range_m.least && length_m <= range_m.most ? std::optional(length_m) : std::nullopt;
+  }
+
+  static void SetText(const std::string& text, const FieldDescriptor& field, ProtoMessage& message) {
     const Reflection& reflection = *message.GetReflection();
     if (field.is_repeated()) {
       reflection.AddString(&message, &field, text);
@@ -226,7 +250,7 @@ class Reader {
     }
   }
 
-  static void SetEnum(const std::string& name, const FieldDescriptor& field, Message& message) {
+  static void SetEnum(const std::string& name, const FieldDescriptor& field, ProtoMessage& message) {
     const int number = EnumNumber(*field.enum_type(), name);
     if (field.is_repeated()) {
       message.GetReflection()->AddEnumValue(&message, &field, number);
@@ -235,7 +259,7 @@ class Reader {
     }
   }
 
-  static void SetBool(bool value, const FieldDescriptor& field, Message& message) {
+  static void SetBool(bool value, const FieldDescriptor& field, ProtoMessage& message) {
     if (field.is_repeated()) {
       message.GetReflection()->AddBool(&message, &field, value);
     } else {
@@ -243,7 +267,7 @@ class Reader {
     }
   }
 
-  static void SetNumber(std::optional<double> number, const FieldDescriptor& field, Message& message) {
+  static void SetNumber(std::optional<double> number, const FieldDescriptor& field, ProtoMessage& message) {
     // In a list a bad number keeps its place as 0.
     if (!number && !field.is_repeated()) return;
     SetNumberField(number.value_or(0), field, message);
@@ -255,7 +279,7 @@ class Reader {
 
 }  // namespace
 
-std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, Message& message) {
+std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, ProtoMessage& message) {
   Reader reader(choices);
   reader.ReadRoot(AnswerRoot(value, *message.GetDescriptor()), message);
   return reader.TakeFaults();
@@ -268,10 +292,14 @@ ExtractedJson ExtractAnswer(std::string_view answer, const google::protobuf::Des
   return ExtractJson(answer, keys);
 }
 
-std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, Message& message) {
+std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, ProtoMessage& message) {
   ExtractedJson extracted = ExtractAnswer(answer, *message.GetDescriptor());
+  if (extracted.value.is_discarded()) {
+    extracted.value = AnswerOfLines(answer, *message.GetDescriptor(), choices);
+    if (extracted.value.is_discarded()) return std::move(extracted.faults);
+    extracted.faults = {{"", "has lines instead of JSON", FaultKind::kMended}};
+  }
   std::vector<Fault> faults = std::move(extracted.faults);
-  if (extracted.value.is_discarded()) return faults;
   for (Fault& fault : ReadJson(extracted.value, choices, message)) faults.push_back(std::move(fault));
   return faults;
 }

@@ -72,6 +72,56 @@ TEST(ReadAnswer, ARootMayBeWrappedOrBeItsOnlyList) {
   }
 }
 
+TEST(ReadAnswer, AListMayBeByNamesGroupedOrAlone) {
+  const std::string bed = R"("width_m":1.6,"depth_m":2,"height_m":0.5)";
+  for (const std::string text : {
+           R"([{"name":"bed","zone":"sleeping",)" + bed + "}]",
+           R"({"name":"bed","zone":"sleeping",)" + bed + "}",
+           R"({"objects":{"bed":{"zone":"sleeping",)" + bed + "}}}",
+           R"({"objects":{"sleeping":[{"name":"bed",)" + bed + "}]}}",
+           R"({"sleeping":[{"name":"bed",)" + bed + "}]}",
+           R"({"note":"For you.","furniture":[{"name":"bed","zone":"sleeping",)" + bed + "}]}",
+           R"({"result":{"answer":{"objects":[{"name":"bed","zone":"sleeping",)" + bed + "}]}}}",
+           std::string(R"({"answer":"{\"objects\":[{\"name\":\"bed\",\"zone\":\"sleeping\",\"width_m\":1.6,)"
+                       R"(\"depth_m\":2,\"height_m\":0.5}]}"})"),
+       }) {
+    FloorObjectsAnswer answer;
+    EXPECT_THAT(Sentences(ReadAnswer(text, kZones, answer)), ElementsAre("objects[0].count: is missing; taken as 1"))
+        << text;
+    ASSERT_EQ(answer.objects_size(), 1) << text;
+    EXPECT_EQ(answer.objects(0).name(), "bed") << text;
+    EXPECT_EQ(answer.objects(0).zone(), "sleeping") << text;
+    EXPECT_EQ(answer.objects(0).count(), 1) << text;
+    EXPECT_EQ(answer.objects(0).width_m(), 1.6) << text;
+  }
+}
+
+TEST(ReadAnswer, SizesMayBeApartInOtherUnitsAndUnderOtherNames) {
+  for (const std::string size :
+       {R"("size":{"width":1.6,"depth":2,"height":0.5})", R"("width_cm":160,"length_cm":200,"height_cm":50)",
+        R"x("width_mm":"1600","Length":"200cm","Height (m)":".5")x"}) {
+    FloorObjectsAnswer answer;
+    const std::string text = R"({"objects":[{"name":"bed","zone":"the sleeping area","quantity":1,)" + size + "}]}";
+    EXPECT_THAT(Sentences(ReadAnswer(text, kZones, answer)), IsEmpty()) << text;
+    EXPECT_EQ(answer.objects(0).zone(), "sleeping");
+    EXPECT_NEAR(answer.objects(0).width_m(), 1.6, 1e-12);
+    EXPECT_NEAR(answer.objects(0).depth_m(), 2, 1e-12);
+    EXPECT_NEAR(answer.objects(0).height_m(), 0.5, 1e-12);
+  }
+}
+
+TEST(ReadAnswer, LinesWithoutAnyJsonAreReadWhereLinesWereAskedFor) {
+  const FieldChoices ids = {{"flair.model.v1.SentenceCallsAnswer.id", {{"s1", "s2"}, {}}}};
+  CallsAnswer calls;
+  const auto faults = ReadAnswer("Here you are:\ns1: near(a, b)\n- **s2**: none(light)\nNote: done.", ids, calls);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].kind, FaultKind::kMended);
+  ASSERT_EQ(calls.sentences_size(), 2);
+  EXPECT_THAT(calls.sentences(1).calls(), ElementsAre("none(light)"));
+  CallsAnswer none;
+  EXPECT_THAT(Sentences(ReadAnswer("Sorry: I cannot.", ids, none)), ElementsAre(HasSubstr("has no JSON")));
+}
+
 TEST(ReadAnswer, AnElementMayBeALine) {
   const FieldChoices ids = {{"flair.model.v1.SentenceCallsAnswer.id", {{"s1", "s2"}, {}}}};
   for (const std::string text : {R"x({"sentences":["s1: near(a, b)","s2: none(why: light)"]})x",
@@ -121,7 +171,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::ValuesIn(std::vector<FaultCase>{
         {"NoNumber", R"("width_m":"very wide")",
          R"(objects[0].width_m: is "very wide"; a number in metres, 0.05 to 20 would be right)"},
-        {"TooLarge", R"("width_m":160)", "objects[0].width_m: is 160; a number in metres, 0.05 to 20 would be right"},
+        {"TooLarge", R"("width_m":160)",
+         "objects[0].width_m: is 160; a number in metres, 0.05 to 20 would be right; taken as 1.6"},
         {"Negative", R"("depth_m":-2)", "objects[0].depth_m: is -2; a number in metres, 0.05 to 20 would be right"},
         {"ZeroCount", R"("count":0)", "objects[0].count: is 0; a whole number, 1 to 40 would be right"},
         {"HalfCount", R"("count":1.5)", "objects[0].count: is 1.5; a whole number, 1 to 40 would be right"},

@@ -27,6 +27,9 @@ struct ChatRequest {
   std::string schema_name;
   // 0 means the client's own limit.
   int max_output_token_count = 0;
+  // Chooses among equally good answers, as a brief's seed does; sent where the server can repeat an answer. A client
+  // that is configured with a seed sends its own.
+  int64_t seed = 0;
 };
 
 // Tokens of one call.

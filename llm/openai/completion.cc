@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "absl/strings/ascii.h"
 #include "llm/openai/json_fields.h"
 
 namespace flair::llm {
@@ -39,9 +40,10 @@ std::string ToolArguments(const json& message) {
   return arguments->is_string() ? arguments->get<std::string>() : arguments->dump();
 }
 
-FinishReason ReadFinish(const std::string& finish) {
-  if (finish == "length" || finish == "max_tokens") return FinishReason::kLength;
-  if (finish == "content_filter") return FinishReason::kRefused;
+FinishReason ReadFinish(const std::string& written) {
+  const std::string finish = absl::AsciiStrToLower(written);
+  if (finish == "length" || finish == "max_tokens" || finish == "model_length") return FinishReason::kLength;
+  if (finish == "content_filter" || finish == "safety" || finish == "refusal") return FinishReason::kRefused;
   for (const char* stop : {"", "stop", "tool_calls", "function_call", "eos", "end_turn", "stop_sequence"}) {
     if (finish == stop) return FinishReason::kStop;
   }
@@ -83,14 +85,29 @@ void Completion::AddChoice(const json& choice) {
     has_choice_ = true;
     content_ += ContentText(*message);
     refusal_ += TextField(*message, "refusal");
+    for (const char* name : {"reasoning_content", "reasoning"}) {
+      const std::string thoughts = TextField(*message, name);
+      thoughts_ += thoughts;
+      // Servers that know both names send the same under both.
+      if (!thoughts.empty()) break;
+    }
     tool_arguments_ += ToolArguments(*message);
   }
-  if (const std::string finish = TextField(choice, "finish_reason"); !finish.empty()) finish_ = finish;
+  if (const std::string finish = TextField(choice, "finish_reason"); !finish.empty()) {
+    // A choice may end before it says anything.
+    has_choice_ = true;
+    finish_ = finish;
+  }
 }
 
 void Completion::AddUsage(const json& usage) {
   const auto input = CountField(usage, "prompt_tokens"), output = CountField(usage, "completion_tokens");
   if (!input.has_value() || !output.has_value()) return;
+  if (const json* const details = Field(usage, "completion_tokens_details")) {
+    thought_ = thought_ || CountField(*details, "reasoning_tokens").value_or(0) > 0;
+  }
+  // Some servers count thoughts in the sum alone.
+  thought_ = thought_ || CountField(usage, "total_tokens").value_or(0) > *input + *output;
   int64_t cached = 0;
   if (const json* const details = Field(usage, "prompt_tokens_details")) {
     cached = CountField(*details, "cached_tokens").value_or(0);
@@ -106,6 +123,8 @@ absl::StatusOr<ChatAnswer> Completion::ToAnswer(const ChatRequest& request, cons
   ChatAnswer answer;
   answer.finish = ReadFinish(finish_);
   answer.text = content_.empty() ? tool_arguments_ : content_;
+  // Servers that take all of an answer for thoughts, as its model was told not to think, say so by an end without text.
+  if (answer.text.empty() && answer.finish == FinishReason::kStop) answer.text = thoughts_;
   if (!refusal_.empty()) {
     answer.finish = FinishReason::kRefused;
     if (answer.text.empty()) answer.text = refusal_;

@@ -25,6 +25,12 @@ class Completion {
   // True when a choice said why it ended.
   bool finished() const { return !finish_.empty(); }
 
+  // True when the model thought before it answered.
+  bool thought() const {
+    return thought_ || !thoughts_.empty() ||
+           std::string_view(content_).substr(0, 20).find("<think") != std::string_view::npos;
+  }
+
   // DATA_LOSS when there was no choice. `model` and the lengths of the texts stand in for what the server did not say.
   absl::StatusOr<ChatAnswer> ToAnswer(const ChatRequest& request, const std::string& model) const;
 
@@ -35,6 +41,10 @@ class Completion {
   bool has_choice_ = false;
   std::string content_;
   std::string refusal_;
+  // What the model thought, where the server tells that apart.
+  std::string thoughts_;
+  // It spent tokens on that.
+  bool thought_ = false;
   // Of the first tool called.
   std::string tool_arguments_;
   std::string finish_;

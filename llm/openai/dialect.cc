@@ -32,9 +32,29 @@ bool IsOfTheQuestion(const std::string& text) {
 // Servers call a field that they do not know by many words.
 bool RejectsField(const std::string& text, std::string_view field) {
   return Contains(text, field) &&
-         ContainsAny(text, {"unsupported", "not supported", "not support", "unknown", "unrecognized", "unexpected",
-                            "not permitted", "not allowed", "forbidden", "not available", "only the default",
-                            "no longer", "deprecated", "invalid parameter", "invalid field"});
+         ContainsAny(text,
+                     {"unsupported",      "not supported",     "not support",     "unknown",     "unrecognized",
+                      "unexpected",       "not permitted",     "not allowed",     "forbidden",   "not available",
+                      "only the default", "may only",          "no longer",       "deprecated",  "invalid parameter",
+                      "invalid field",    "cannot find field", "extra_forbidden", "extra field", "additional propert",
+                      "not implemented",  "not accepted",      "must be verified"});
+}
+
+// The answer may not be as long as the request lets it be, or not together with the question.
+bool RejectsTokenLimit(const std::string& text) {
+  return ContainsAny(text, {"max_tokens", "max_completion_tokens", "in the completion", "completion tokens"}) &&
+         ContainsAny(text, {"too large", "too big", "too high", "at most", "maximum", "less than", "exceed"});
+}
+
+// Templates of some models know users and assistants alone.
+bool RejectsSystemRole(const std::string& text) {
+  return (RejectsField(text, "system") && Contains(text, "role")) || Contains(text, "roles must alternate");
+}
+
+// "'minItems' is not permitted"
+bool RejectsLimits(const std::string& text) {
+  return ContainsAny(text, {"minitems", "maxitems", "minimum", "maximum"}) &&
+         ContainsAny(text, {"permitted", "supported", "allowed", "unknown", "invalid", "keyword"});
 }
 
 bool NamesForm(const std::string& text) {
@@ -56,19 +76,27 @@ std::optional<Dialect> WeakerDialect(const Dialect& dialect, const OpenAiOptions
   const bool rejected = http_status == 400 || http_status == 422;
   // Some servers find out only while they answer.
   if (!rejected && !((http_status == 500 || http_status == 501) && NamesForm(text))) return std::nullopt;
-  if (IsOfTheQuestion(text)) return std::nullopt;
 
   Dialect weaker = dialect;
+  const bool streamed = options.stream && dialect.stream;
   if (RejectsField(text, "max_tokens") && !dialect.completion_token_limit) {
     weaker.completion_token_limit = true;
+  } else if (RejectsTokenLimit(text) && dialect.token_limit) {
+    weaker.token_limit = false;
+  } else if (IsOfTheQuestion(text)) {
+    return std::nullopt;
   } else if (RejectsField(text, "temperature") && dialect.temperature && options.temperature.has_value()) {
     weaker.temperature = false;
-  } else if (RejectsField(text, "seed") && dialect.seed && options.seed.has_value()) {
+  } else if (RejectsField(text, "seed") && dialect.seed) {
     weaker.seed = false;
-  } else if (RejectsField(text, "stream_options") && dialect.stream_usage && options.stream) {
+  } else if (RejectsField(text, "stream_options") && dialect.stream_usage && streamed) {
     weaker.stream_usage = false;
-  } else if (RejectsField(text, "system") && Contains(text, "role") && dialect.system_role) {
+  } else if (RejectsField(text, "stream") && !Contains(text, "stream_options") && streamed) {
+    weaker.stream = false;
+  } else if (RejectsSystemRole(text) && dialect.system_role) {
     weaker.system_role = false;
+  } else if (RejectsLimits(text) && with_schema && dialect.form == AnswerForm::kJsonSchema && dialect.schema_limits) {
+    weaker.schema_limits = false;
   } else {
     // It names the form, or does not say what is wrong: then the form is the likeliest.
     return WithWeakerForm(dialect, with_schema, options.fall_back);

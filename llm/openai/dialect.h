@@ -12,10 +12,18 @@ namespace flair::llm {
 // asking again ends.
 struct Dialect {
   AnswerForm form = AnswerForm::kJsonSchema;
-  // max_completion_tokens instead of max_tokens, which is what most servers take.
+  // Limits of numbers and of the lengths of lists in schemas.
+  bool schema_limits = true;
+  // The schema in the prompt as well: the server takes response_format and does not keep to it.
+  bool schema_in_prompt = false;
+  // A limit of the answer's length; by max_completion_tokens instead of max_tokens, which is what most servers take.
+  bool token_limit = true;
   bool completion_token_limit = false;
+  // The model thinks before it answers, and the limit counts its thoughts.
+  bool thinks = false;
   bool temperature = true;
   bool seed = true;
+  bool stream = true;
   // stream_options, to be told the usage.
   bool stream_usage = true;
   // Messages of role "system"; otherwise their text goes before the first question.
@@ -25,7 +33,7 @@ struct Dialect {
 };
 
 // What to try after the server rejected a request made in `dialect`; none when another form of it would not help.
-// `with_schema`: the request has a schema.
+// `with_schema`: the request has a schema. What answers show, `schema_in_prompt` and `thinks`, stays as it is.
 std::optional<Dialect> WeakerDialect(const Dialect& dialect, const OpenAiOptions& options, bool with_schema,
                                      int http_status, const ServerError& error);
 

@@ -33,7 +33,20 @@ TEST(WeakerDialect, UnderstandsWhatServersSay) {
       {"Unsupported value: 'temperature' does not support 0.2 with this model. Only the default (1) value is "
        "supported.",
        {.temperature = false}},
+      {"max_tokens is too large: 20000. This model supports at most 16384 completion tokens", {.token_limit = false}},
+      {"'max_tokens' or 'max_completion_tokens' is too large: 4096. This model's maximum context length is 4096 tokens "
+       "and your request has 1532 input tokens",
+       {.token_limit = false}},
+      {"This model's maximum context length is 8192 tokens. However, you requested 9096 tokens (5000 in the messages, "
+       "4096 in the completion).",
+       {.token_limit = false}},
+      {"`temperature` may only be set to 1 when thinking is enabled.", {.temperature = false}},
+      {"Your organization must be verified to stream this model.", {.stream = false}},
+      {"Conversation roles must alternate user/assistant/user/assistant/...", {.system_role = false}},
+      {"Invalid schema for response_format 'zones': In context=(), 'minItems' is not permitted.",
+       {.schema_limits = false}},
       {"Unrecognized request argument supplied: seed", {.seed = false}},
+      {"Invalid JSON payload received. Unknown name \"seed\": Cannot find field.", {.seed = false}},
       {"Unrecognized request argument supplied: stream_options", {.stream_usage = false}},
       {"Unsupported value: 'messages[0].role' does not support 'system' with this model.", {.system_role = false}},
       {"Invalid parameter: 'response_format' of type 'json_schema' is not supported with this model.",
@@ -53,7 +66,7 @@ TEST(WeakerDialect, UnderstandsWhatServersSay) {
 
 TEST(WeakerDialect, IsNoneForFaultsOfTheQuestion) {
   for (const char* message :
-       {"This model's maximum context length is 4096 tokens", "max_tokens is too large: 4096",
+       {"This model's maximum context length is 4096 tokens. Your messages have 5123 tokens.",
         "gpt-x is not a valid model ID", "API key not valid",
         "The response was filtered due to the prompt triggering Azure OpenAI's content management policy"}) {
     EXPECT_FALSE(Weaker(message).has_value()) << message;
@@ -68,9 +81,10 @@ TEST(WeakerDialect, IsNoneForStatusesThatSayNothingOfTheRequest) {
 TEST(WeakerDialect, BecomesWeakerOnlySoOften) {
   std::optional<Dialect> dialect = Dialect();
   int count = 0;
-  const char* complaint = "unsupported: max_tokens, temperature, seed, stream_options, role system, response_format";
+  const char* complaint =
+      "unsupported, at most: max_tokens, temperature, seed, stream_options, role system, minItems, response_format";
   while ((dialect = Weaker(complaint, 400, *dialect)).has_value()) ++count;
-  EXPECT_EQ(count, 7);
+  EXPECT_EQ(count, 9);
 }
 
 TEST(WeakerDialect, KeepsTheFormOfARequestWithoutSchema) {
@@ -80,7 +94,7 @@ TEST(WeakerDialect, KeepsTheFormOfARequestWithoutSchema) {
 TEST(WeakerDialect, DropsNothingThatWasNotSent) {
   const OpenAiOptions plain;
   const ServerError error{
-      .message = "temperature, seed and stream_options are not supported", .type = "", .code = "", .param = ""};
+      .message = "temperature and stream_options are not supported", .type = "", .code = "", .param = ""};
   EXPECT_FALSE(WeakerDialect({}, plain, /*with_schema=*/false, 400, error).has_value());
 }
 

@@ -44,6 +44,8 @@ const char* NameOf(AnswerForm form) {
 std::string CompletionsUrl(const OpenAiOptions& options) {
   std::string base = options.base_url;
   while (base.ends_with('/')) base.pop_back();
+  // The whole address, as it is in many manuals.
+  if (base.ends_with("/chat/completions")) return base;
   if (!options.azure.has_value()) return base + "/chat/completions";
   return fmt::format("{}/openai/deployments/{}/chat/completions?api-version={}", base, Escaped(options.azure->name),
                      Escaped(options.azure->api_version));
@@ -71,9 +73,10 @@ std::vector<std::string> SecretsOf(const OpenAiOptions& options) {
 }
 
 std::string IdentityOf(const OpenAiOptions& options) {
-  std::string identity = fmt::format("openai {} model={} form={} fall_back={} max_output_tokens={}",
-                                     PublicAddress(CompletionsUrl(options)), options.model, NameOf(options.answer_form),
-                                     options.fall_back, options.max_output_token_count);
+  std::string identity =
+      fmt::format("openai {} model={} form={} fall_back={} max_output_tokens={}",
+                  PublicAddress(CompletionsUrl(options)), options.model, NameOf(options.answer_form), options.fall_back,
+                  options.max_output_token_count > 0 ? options.max_output_token_count : kUsualOutputTokenCount);
   if (options.azure.has_value()) identity += " api_version=" + options.azure->api_version;
   if (options.temperature.has_value()) identity += fmt::format(" temperature={}", *options.temperature);
   if (options.seed.has_value()) identity += fmt::format(" seed={}", *options.seed);

@@ -11,6 +11,7 @@
 
 #include "llm/openai/dialect.h"
 #include "llm/openai/endpoint.h"
+#include "llm/openai/json_fields.h"
 #include "llm/openai/reply_reader.h"
 #include "llm/openai/request_body.h"
 #include "llm/openai/server_error.h"
@@ -31,6 +32,16 @@ struct Question {
   bool schema_rejected = false;
   std::optional<ReplyReader> reader;
 };
+
+// Whether an answer is what a server writes that keeps to the schema: one JSON object with all that it requires.
+bool KeepsTo(const std::string& schema_text, const std::string& answer_text) {
+  const nlohmann::json schema = ParseJson(schema_text), answer = ParseJson(answer_text);
+  const nlohmann::json* const required = Field(schema, "required");
+  if (required == nullptr || !required->is_array()) return true;
+  return answer.is_object() && std::ranges::all_of(*required, [&](const nlohmann::json& name) {
+           return !name.is_string() || answer.contains(name.get_ref<const std::string&>());
+         });
+}
 
 }  // namespace
 
@@ -64,7 +75,9 @@ class OpenAiClient::Impl : public std::enable_shared_from_this<OpenAiClient::Imp
   // Asks again in a weaker dialect when that may help.
   bool AskedAgain(const QuestionPtr& question, int http_status, const ServerError& error);
   Dialect Known(const std::string& schema_name) const;
-  void Learn(const Question& question);
+  // Learns from a request that the server took, and from its answer.
+  void Learn(const Question& question, const ChatAnswer& answer);
+  void LearnWhetherSchemasAreKept(const Question& question, const ChatAnswer& answer);
 
   const OpenAiOptions options_;
   HttpClient http_;
@@ -74,6 +87,8 @@ class OpenAiClient::Impl : public std::enable_shared_from_this<OpenAiClient::Imp
   Dialect dialect_;
   // Forms of those schemas that the server did not take in the dialect's.
   std::map<std::string, AnswerForm> form_of_schema_;
+  // An answer kept to its schema, which no server does by chance.
+  bool schemas_are_kept_ = false;
 };
 
 void OpenAiClient::Impl::Send(QuestionPtr question) {
@@ -97,7 +112,7 @@ void OpenAiClient::Impl::OnResponse(QuestionPtr question, absl::StatusOr<HttpRes
   if (response->status / 100 == 2) {
     auto answer = options_.stream ? question->reader->FinishStream(options_.model)
                                   : question->reader->Read(response->body, options_.model);
-    if (answer.ok()) Learn(*question);
+    if (answer.ok()) Learn(*question, *answer);
     return question->done(std::move(answer));
   }
   const ServerError error = ReadServerError(response->body);
@@ -106,8 +121,9 @@ void OpenAiClient::Impl::OnResponse(QuestionPtr question, absl::StatusOr<HttpRes
     ChatAnswer refusal{.text = "", .finish = FinishReason::kRefused, .usage = {}, .model = options_.model};
     return question->done(std::move(refusal));
   }
-  absl::Status status =
-      StatusOf(response->status, error, fmt::format("{}: HTTP {}", address_, response->status), question->confidential);
+  std::string where = fmt::format("{}: HTTP {}", address_, response->status);
+  if (response->status == 404 && error.message.empty()) where += ", no such address; most base addresses end in /v1";
+  absl::Status status = StatusOf(response->status, error, std::move(where), question->confidential);
   AddRetryAfter(*response, status);
   question->done(std::move(status));
 }
@@ -130,15 +146,31 @@ Dialect OpenAiClient::Impl::Known(const std::string& schema_name) const {
   return dialect;
 }
 
-void OpenAiClient::Impl::Learn(const Question& question) {
-  if (!question.dialect_is_new) return;
+void OpenAiClient::Impl::Learn(const Question& question, const ChatAnswer& answer) {
   const std::lock_guard lock(mutex_);
-  const AnswerForm known_form = dialect_.form;
-  dialect_ = question.dialect;
-  if (question.schema_rejected) {
-    form_of_schema_[question.request.schema_name] = question.dialect.form;
-    dialect_.form = known_form;
+  if (question.dialect_is_new) {
+    const Dialect known = dialect_;
+    dialect_ = question.dialect;
+    dialect_.thinks = known.thinks;
+    dialect_.schema_in_prompt = known.schema_in_prompt;
+    if (question.schema_rejected) {
+      form_of_schema_[question.request.schema_name] = question.dialect.form;
+      dialect_.form = known.form;
+    }
   }
+  // An answer that had no room for any text was thought away, whether the server says so or not.
+  const bool thought_away = answer.finish == FinishReason::kLength && answer.text.empty();
+  dialect_.thinks = dialect_.thinks || question.reader->thought() || thought_away;
+  LearnWhetherSchemasAreKept(question, answer);
+}
+
+void OpenAiClient::Impl::LearnWhetherSchemasAreKept(const Question& question, const ChatAnswer& answer) {
+  const bool by_schema = !question.request.schema.empty() && question.dialect.form == AnswerForm::kJsonSchema;
+  if (!by_schema || question.dialect.schema_in_prompt || schemas_are_kept_ || answer.finish != FinishReason::kStop) {
+    return;
+  }
+  schemas_are_kept_ = KeepsTo(question.request.schema, answer.text);
+  dialect_.schema_in_prompt = !schemas_are_kept_;
 }
 
 OpenAiClient::OpenAiClient(OpenAiOptions options, HttpLoop& loop, HttpOptions http)

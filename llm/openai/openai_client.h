@@ -12,8 +12,9 @@ namespace flair::llm {
 
 // A model behind the chat protocol of OpenAI, as spoken by OpenAI, Azure, vLLM, llama.cpp, Ollama and gateways. One
 // attempt an Ask, but for requests that the server rejects because of a field that it does not know (response_format,
-// max_tokens, temperature, seed, stream_options): those are asked again at once without it, and what the server took is
-// remembered. Thread-safe.
+// max_tokens, temperature, seed, stream ...): those are asked again at once without it, and what the server took is
+// remembered. So is that a server takes schemas without keeping to them, which are then told in the prompt too, and
+// that a model thinks before it answers, which then gets room for that. Thread-safe.
 //
 // Errors as LlmClient says; RetryAfter() of an UNAVAILABLE tells what the server wants. Also FAILED_PRECONDITION when
 // the server's certificate is not trusted, and FAILED_PRECONDITION when the account at the provider is spent. An answer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the client sends, and how it learns what a server takes.
+// What the client sends, and what it takes for an answer.
 #include "llm/openai/openai_client.h"
 
 #include <gmock/gmock.h>
@@ -110,88 +110,38 @@ TEST_F(OpenAiClientTest, SendsHeadersOfTheUsersOwn) {
   EXPECT_EQ(request.header("authorization"), "");
 }
 
-TEST_F(OpenAiClientTest, RemembersThatAServerKnowsNoSchema) {
-  Serve("json_mode_only");
-  ASSERT_TRUE(Ask().ok());
-  ASSERT_TRUE(Ask().ok());
-  ASSERT_THAT(server_->requests(), SizeIs(3));
-  EXPECT_EQ(Sent(0)["response_format"]["type"], "json_schema");
-  EXPECT_EQ(Sent(1)["response_format"], (json{{"type", "json_object"}}));
-  EXPECT_EQ(Sent(2), Sent(1));
-  // The schema is in the prompt instead.
-  EXPECT_THAT(Sent(1)["messages"][0]["content"].get<std::string>(), HasSubstr(ZonesRequest().schema));
-}
-
-TEST_F(OpenAiClientTest, FallsBackToTextEvenWhenTheServerDoesNotSayWhy) {
-  Serve("text_only");
-  ASSERT_TRUE(Ask().ok());
-  ASSERT_TRUE(Ask().ok());
-  ASSERT_THAT(server_->requests(), SizeIs(4));
-  EXPECT_FALSE(Sent(2).contains("response_format"));
-  EXPECT_EQ(Sent(3), Sent(2));
-}
-
-TEST_F(OpenAiClientTest, DoesNotFallBackWhenToldNotTo) {
-  options_.fall_back = false;
-  Serve("json_mode_only");
-  const auto answer = Ask();
-  EXPECT_EQ(answer.status().code(), StatusCode::kInvalidArgument) << answer.status();
-  EXPECT_THAT(answer.status().message(), HasSubstr("'json_schema' is not supported"));
-  EXPECT_THAT(server_->requests(), SizeIs(1));
-}
-
-TEST_F(OpenAiClientTest, ARejectedSchemaLeavesOtherSchemasAlone) {
+TEST_F(OpenAiClientTest, AnAnswerThatTheServerTookForThoughtsIsTheAnswer) {
   auto script = LoadScript("answer");
-  auto& rejection = *script.exchanges.insert(script.exchanges.begin(), flair::testing::Exchange());
-  rejection.status = 400;
-  rejection.body = R"({"error":{"message":"Invalid schema for response_format 'zones'","param":"response_format"}})";
-  Serve(script);
-  ASSERT_TRUE(Ask().ok());
-  ASSERT_TRUE(Ask().ok());
-  ChatRequest other = ZonesRequest();
-  other.schema_name = "objects";
-  ASSERT_TRUE(Ask(other).ok());
-  ASSERT_THAT(server_->requests(), SizeIs(4));
-  EXPECT_EQ(Sent(1)["response_format"]["type"], "json_object");
-  EXPECT_EQ(Sent(2)["response_format"]["type"], "json_object");
-  EXPECT_EQ(Sent(3)["response_format"]["type"], "json_schema");
+  for (const char* name : {"reasoning_content", "reasoning"}) {
+    script.exchanges.front().answer = nullptr;
+    script.exchanges.front().body =
+        json{{"choices", {{{"message", {{"content", nullptr}, {name, kBedroom}}}, {"finish_reason", "STOP"}}}}}.dump();
+    Serve(script);
+    const auto answer = Ask();
+    ASSERT_TRUE(answer.ok()) << answer.status();
+    EXPECT_EQ(answer->text, kBedroom);
+  }
 }
 
-TEST_F(OpenAiClientTest, SendsReasoningModelsWhatTheyTake) {
-  options_.temperature = 0.2;
-  Serve("reasoning_model");
-  ASSERT_TRUE(Ask().ok());
-  ASSERT_TRUE(Ask().ok());
-  ASSERT_THAT(server_->requests(), SizeIs(4));
-  EXPECT_EQ(Sent(3)["max_completion_tokens"], 4096);
-  EXPECT_FALSE(Sent(3).contains("max_tokens"));
-  EXPECT_FALSE(Sent(3).contains("temperature"));
-  EXPECT_EQ(Sent(3)["response_format"]["type"], "json_schema");
+TEST_F(OpenAiClientTest, SendsTheRequestsSeedUnlessItHasItsOwn) {
+  Serve("answer");
+  ChatRequest request = ZonesRequest();
+  ASSERT_TRUE(Ask(request).ok());
+  request.seed = 9007199254740991;
+  ASSERT_TRUE(Ask(request).ok());
+  EXPECT_EQ(Sent(0)["seed"], 0);
+  EXPECT_EQ(Sent(1)["seed"], 9007199254740991);
+  options_.seed = 5;
+  Serve("answer");
+  ASSERT_TRUE(Ask(request).ok());
+  EXPECT_EQ(Sent(0)["seed"], 5);
 }
 
-TEST_F(OpenAiClientTest, LeavesOutWhatAStrictServerDoesNotKnow) {
-  options_.seed = 7;
-  options_.stream = true;
-  Serve("strict_fields");
-  const auto answer = Ask();
-  ASSERT_TRUE(answer.ok()) << answer.status();
-  EXPECT_TRUE(answer->usage.estimated);
-  EXPECT_FALSE(Sent(2).contains("seed"));
-  EXPECT_FALSE(Sent(2).contains("stream_options"));
-  EXPECT_EQ(Sent(2)["response_format"]["type"], "json_schema");
-}
-
-TEST_F(OpenAiClientTest, GivesUpWhenNoFormHelps) {
-  auto script = LoadScript("answer");
-  script.exchanges.front() = {};
-  script.exchanges.front().status = 400;
-  script.exchanges.front().body = "no";
-  Serve(script);
-  EXPECT_EQ(Ask().status().code(), StatusCode::kInvalidArgument);
-  EXPECT_THAT(server_->requests(), SizeIs(3));
-  // Nothing was learnt from it.
-  EXPECT_FALSE(Ask().ok());
-  EXPECT_EQ(Sent(3)["response_format"]["type"], "json_schema");
+TEST_F(OpenAiClientTest, TakesTheWholeAddressToo) {
+  Serve("answer");
+  options_.base_url += "/chat/completions";
+  ASSERT_TRUE(Ask().ok());
+  EXPECT_EQ(server_->requests().front().target, "/v1/chat/completions");
 }
 
 TEST_F(OpenAiClientTest, AnErrorThatQuotesThePromptIsNotShown) {
@@ -228,17 +178,6 @@ TEST_F(OpenAiClientTest, ItsIdentityHoldsWhatDecidesTheAnswersAndNoSecret) {
   EXPECT_THAT(identity, HasSubstr("0.25"));
   for (const char* secret : {"sk-", "password", "token-1", "gateway-secret"})
     EXPECT_THAT(identity, Not(HasSubstr(secret)));
-}
-
-TEST_F(OpenAiClientTest, AskedByManyAtOnceItLearnsOnce) {
-  Serve("json_mode_only");
-  constexpr int kCount = 40;
-  const std::vector<ChatRequest> requests(kCount, ZonesRequest());
-  for (const auto& answer : AskAllAndWait(client(), requests, call_)) ASSERT_TRUE(answer.ok()) << answer.status();
-  const size_t before = server_->requests().size();
-  EXPECT_LE(before, 2u * kCount);
-  ASSERT_TRUE(Ask().ok());
-  EXPECT_EQ(server_->requests().size(), before + 1);
 }
 
 TEST_F(OpenAiClientTest, SpeaksTls) {

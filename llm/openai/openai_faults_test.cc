@@ -224,11 +224,13 @@ TEST_P(OpenAiFaultsTest, AnAccountThatIsSpentIsNotTriedAgain) {
   EXPECT_EQ(Fault("quota_spent").code(), StatusCode::kFailedPrecondition);
 }
 
-TEST_P(OpenAiFaultsTest, AQuestionThatIsTooLongIsNotAskedInAnotherForm) {
+TEST_P(OpenAiFaultsTest, AQuestionThatIsTooLongIsAskedOnceMoreWithoutALimitOfItsAnswer) {
   const absl::Status status = Fault("context_too_long");
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument) << status;
   EXPECT_THAT(status.message(), HasSubstr("maximum context length is 8192 tokens"));
-  EXPECT_EQ(server_->requests().size(), 1u);
+  ASSERT_EQ(server_->requests().size(), 2u);
+  EXPECT_FALSE(Sent(1).contains("max_tokens"));
+  EXPECT_EQ(Sent(1)["response_format"]["type"], "json_schema");
 }
 
 TEST_P(OpenAiFaultsTest, AnUnknownModelIsNotFound) { EXPECT_EQ(Fault("unknown_model").code(), StatusCode::kNotFound); }

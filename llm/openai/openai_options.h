@@ -13,6 +13,10 @@ namespace flair::llm {
 // How answers are asked for; see AnswerForm in llm_config.proto.
 enum class AnswerForm { kJsonSchema, kJsonObject, kText };
 
+inline constexpr int kUsualOutputTokenCount = 4096;
+// Thoughts take several times as many tokens as an answer, and the limit is of both.
+inline constexpr int kThinkersOutputTokenCount = 16384;
+
 // Azure OpenAI: where the model is.
 struct AzureDeployment {
   // Name of the deployment, such as "room-designer".
@@ -34,9 +38,11 @@ struct OpenAiOptions {
   std::vector<HttpHeader> headers;
   // [0, 2]; the server's default when unset.
   std::optional<double> temperature;
+  // Sent instead of those of the requests.
   std::optional<int64_t> seed;
-  // For requests that set no limit of their own; at least 1.
-  int max_output_token_count = 4096;
+  // For requests that set no limit of their own; 0 means kUsualOutputTokenCount, or kThinkersOutputTokenCount for a
+  // model that thinks before it answers.
+  int max_output_token_count = 0;
   // The first form to try. With `fall_back`, weaker ones follow when the server rejects it.
   AnswerForm answer_form = AnswerForm::kJsonSchema;
   bool fall_back = true;

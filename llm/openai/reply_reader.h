@@ -31,6 +31,9 @@ class ReplyReader {
   // The answer of a reply that came at once.
   absl::StatusOr<ChatAnswer> Read(std::string_view body, const std::string& model);
 
+  // Whether the model thought before it answered.
+  bool thought() const { return completion_.thought(); }
+
  private:
   absl::Status TakeEvent(std::string_view data);
   absl::Status Add(std::string_view json_text);

@@ -52,7 +52,7 @@ void SystemToUser(std::vector<Message>& messages) {
 
 ordered_json EncodeMessages(const Dialect& dialect, const ChatRequest& request) {
   std::vector<Message> messages = request.messages;
-  if (!request.schema.empty() && dialect.form != AnswerForm::kJsonSchema) {
+  if (!request.schema.empty() && (dialect.form != AnswerForm::kJsonSchema || dialect.schema_in_prompt)) {
     AddToSystem(messages,
                 "Answer with one JSON object and nothing else. It must follow this JSON schema:\n" + request.schema);
   }
@@ -64,15 +64,31 @@ ordered_json EncodeMessages(const Dialect& dialect, const ChatRequest& request) 
   return encoded;
 }
 
-absl::StatusOr<ordered_json> EncodeFormat(AnswerForm form, const ChatRequest& request) {
-  if (form == AnswerForm::kJsonObject) return ordered_json{{"type", "json_object"}};
+// Takes the limits of numbers and lists off a schema.
+void DropLimits(ordered_json& schema) {
+  if (!schema.is_structured()) return;
+  if (schema.is_object() && schema.contains("type")) {
+    for (const char* limit : {"minimum", "maximum", "minItems", "maxItems"}) schema.erase(limit);
+  }
+  for (ordered_json& part : schema) DropLimits(part);
+}
+
+absl::StatusOr<ordered_json> EncodeFormat(const Dialect& dialect, const ChatRequest& request) {
+  if (dialect.form == AnswerForm::kJsonObject) return ordered_json{{"type", "json_object"}};
   ordered_json schema = ordered_json::parse(request.schema, nullptr, false);
   if (!schema.is_object()) {
     return absl::InvalidArgumentError(fmt::format("the schema of step '{}' is no JSON object", request.step));
   }
+  if (!dialect.schema_limits) DropLimits(schema);
   ordered_json format = {{"type", "json_schema"}};
   format["json_schema"] = {{"name", request.schema_name}, {"strict", true}, {"schema", std::move(schema)}};
   return format;
+}
+
+int TokenLimit(const OpenAiOptions& options, const Dialect& dialect, const ChatRequest& request) {
+  if (request.max_output_token_count > 0) return request.max_output_token_count;
+  if (options.max_output_token_count > 0) return options.max_output_token_count;
+  return dialect.thinks ? kThinkersOutputTokenCount : kUsualOutputTokenCount;
 }
 
 }  // namespace
@@ -83,15 +99,17 @@ absl::StatusOr<std::string> EncodeRequest(const OpenAiOptions& options, const Di
   body["model"] = options.model;
   body["messages"] = EncodeMessages(dialect, request);
   if (!request.schema.empty() && dialect.form != AnswerForm::kText) {
-    auto format = EncodeFormat(dialect.form, request);
+    auto format = EncodeFormat(dialect, request);
     if (!format.ok()) return format.status();
     body["response_format"] = *std::move(format);
   }
   if (options.temperature.has_value() && dialect.temperature) body["temperature"] = *options.temperature;
-  if (options.seed.has_value() && dialect.seed) body["seed"] = *options.seed;
-  body[dialect.completion_token_limit ? "max_completion_tokens" : "max_tokens"] =
-      request.max_output_token_count > 0 ? request.max_output_token_count : options.max_output_token_count;
-  if (options.stream) {
+  if (dialect.seed) body["seed"] = options.seed.value_or(request.seed);
+  if (dialect.token_limit) {
+    body[dialect.completion_token_limit ? "max_completion_tokens" : "max_tokens"] =
+        TokenLimit(options, dialect, request);
+  }
+  if (options.stream && dialect.stream) {
     body["stream"] = true;
     if (dialect.stream_usage) body["stream_options"] = {{"include_usage", true}};
   }

@@ -29,7 +29,7 @@ class AnswerFolder {
   // Keeps the answer unless there is one, and returns the one that is kept.
   absl::StatusOr<ChatAnswer> Put(const ChatRequest& request, const ChatAnswer& answer) const;
 
-  // The file of a request: "<step>-<first 16 digits of the digest of messages, schema and limit>.json".
+  // The file of a request: "<step>-<first 16 digits of the digest of messages, schema, limit and seed>.json".
   static std::string FileName(const ChatRequest& request);
 
   const std::string& path() const { return path_; }

@@ -71,12 +71,13 @@ TEST_F(AnswerFolderTest, KeepsTheFirstAnswerToARequest) {
 
 TEST_F(AnswerFolderTest, WhateverDecidesTheAnswerMakesAnotherFile) {
   const ChatRequest request = AskFor("zones");
-  std::vector<ChatRequest> others(5, request);
+  std::vector<ChatRequest> others(6, request);
   others[0].messages[0].text += " ";
   others[1].messages[0].role = Role::kSystem;
   others[2].schema = "{}";
   others[3].schema_name = "x";
   others[4].max_output_token_count = 5;
+  others[5].seed = 1;
   for (const ChatRequest& other : others) EXPECT_NE(AnswerFolder::FileName(request), AnswerFolder::FileName(other));
 }
 
@@ -126,6 +127,39 @@ TEST_F(AnswerFolderTest, ARecordingReplaysAndAMissingAnswerNamesItsRequest) {
   EXPECT_TRUE(absl::IsNotFound(missing));
   EXPECT_THAT(std::string(missing.message()), HasSubstr("\"style\""));
   EXPECT_THAT(std::string(missing.message()), HasSubstr(AnswerFolder::FileName(AskFor("style"))));
+}
+
+TEST_F(AnswerFolderTest, FilesOfRequestsWithoutASeedAreNamedAsBeforeThereWereSeeds) {
+  EXPECT_EQ(AnswerFolder::FileName(AskFor("zones")), "zones-e6b24ea649792278.json");
+}
+
+TEST_F(AnswerFolderTest, ARecordingOfOneSeedIsNoneOfAnotherButOneWithoutASeedIsOfAny) {
+  ChatRequest seven = AskFor("zones"), eight = AskFor("zones");
+  seven.seed = 7;
+  eight.seed = 8;
+  const AnswerFolder folder(path_);
+  ASSERT_TRUE(folder.ClaimFor("held@test").ok());
+  ASSERT_TRUE(folder.Put(seven, Answer("of seven")).ok());
+  auto replaying = ReplayingLlmClient::Make(path_);
+  ASSERT_TRUE(replaying.ok()) << replaying.status();
+  EXPECT_EQ(Ask(**replaying, seven, nullptr, "")->text, "of seven");
+  const absl::Status missing = Ask(**replaying, eight, nullptr, "").status();
+  EXPECT_TRUE(absl::IsNotFound(missing));
+  EXPECT_THAT(std::string(missing.message()), HasSubstr("step \"zones\" with seed 8: expected the file"));
+  ASSERT_TRUE(folder.Put(AskFor("zones"), Answer("of any")).ok());
+  EXPECT_EQ(Ask(**replaying, eight, nullptr, "")->text, "of any");
+  EXPECT_EQ(Ask(**replaying, seven, nullptr, "")->text, "of seven");
+}
+
+TEST_F(AnswerFolderTest, ACacheAsksAgainForAnotherSeed) {
+  auto* held = new HeldLlmClient();
+  CachingLlmClient cache(std::unique_ptr<LlmClient>(held), path_);
+  ChatRequest seven = AskFor("zones");
+  seven.seed = 7;
+  EXPECT_EQ(Ask(cache, AskFor("zones"), held, "of none")->text, "of none");
+  EXPECT_EQ(Ask(cache, seven, held, "of seven")->text, "of seven");
+  EXPECT_EQ(Ask(cache, seven, held, "again")->text, "of seven");
+  EXPECT_THAT(held->requests, SizeIs(2));
 }
 
 TEST_F(AnswerFolderTest, ARecordingIsNotAskedTwiceForTheSame) {

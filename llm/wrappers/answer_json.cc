@@ -32,10 +32,13 @@ Json ToJson(const ChatRequest& request) {
   for (const Message& message : request.messages) {
     messages.push_back({{"role", NameOf(kRoles, message.role)}, {"text", message.text}});
   }
-  return {{"messages", std::move(messages)},
-          {"schema_name", request.schema_name},
-          {"schema", request.schema},
-          {"max_output_token_count", request.max_output_token_count}};
+  Json json = {{"messages", std::move(messages)},
+               {"schema_name", request.schema_name},
+               {"schema", request.schema},
+               {"max_output_token_count", request.max_output_token_count}};
+  // Requests without one are what they were before there were seeds, and so are the names of their files.
+  if (request.seed != 0) json["seed"] = request.seed;
+  return json;
 }
 
 Json ToJson(const ChatAnswer& answer) {

@@ -9,7 +9,7 @@
 
 namespace flair::llm {
 
-// What decides the answer: messages, schema, limit; not the step. Equal requests give equal texts. Bytes that are not
+// What decides the answer: messages, schema, limit, seed when it is not 0; not the step. Equal requests give equal texts. Bytes that are not
 // UTF-8 become U+FFFD.
 std::string RequestJson(const ChatRequest& request);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "absl/status/statusor.h"
@@ -10,8 +11,9 @@
 
 namespace flair::llm {
 
-// Answers from a recording, without a network, and passes for the model that was recorded. A request that the recording
-// does not have is NOT_FOUND, naming the step and the file that is missing.
+// Answers from a recording, without a network, and passes for the model that was recorded. What was recorded without a
+// seed, or with seed 0, answers every seed. A request that the recording does not have is NOT_FOUND, naming the step and
+// the file that is missing.
 class ReplayingLlmClient final : public LlmClient {
  public:
   // Errors as AnswerFolder::Identity.
@@ -21,6 +23,8 @@ class ReplayingLlmClient final : public LlmClient {
   std::string identity() const override { return identity_; }
 
  private:
+  absl::StatusOr<std::optional<ChatAnswer>> Find(const ChatRequest& request) const;
+
   ReplayingLlmClient(const std::string& path, std::string identity);
 
   const AnswerFolder folder_;
