@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,14 @@ struct JobEnd {
   absl::Status error;
   v1::FailureKind failure_kind = v1::FAILURE_KIND_UNSPECIFIED;
   absl::Time time;
+  // What stages did before it that is not stored yet; stored in the same step.
+  std::vector<StageRecord> records = {};
 };
 
 // The right to run a job, which one run has at a time: WorkQueue::Take gives it, the queue keeps it alive, and what is
 // written under a lease that was lost is refused, so that two runs never mix. Destroyed without End or Return, the job
-// waits again at once. The queue outlives it. Record may be called from several threads at once; what is refused with
-// ABORTED was not written: another run has the job.
+// waits again at once. The queue outlives it. RecordAll may be called from several threads at once; what is refused
+// with ABORTED was not written: another run has the job.
 class Lease {
  public:
   virtual ~Lease() = default;
@@ -47,8 +50,18 @@ class Lease {
   // What happened in earlier runs.
   virtual const std::vector<v1::JobEvent>& history() const = 0;
 
-  // Stores the event and all that it stands for, or nothing: the job's stage, its artifact, the result.
-  virtual absl::Status Record(StageRecord record) = 0;
+  // Runs just before this one that ended without End or Return, each with its process, and stored no artifact.
+  virtual int lost_run_count() const = 0;
+
+  // To be called before artifacts of these events are stored: from now on nobody deletes them. Errors as RecordAll, which
+  // does the same for those that were left out.
+  virtual absl::Status Announce(std::span<const StageRecord> records) = 0;
+
+  // Stores the events, in this order, and all that they stand for, or nothing: the job's stage, artifacts, results.
+  // ArtifactIsGone when an artifact may have been deleted with the last other job that had it, since this run stored or
+  // found it: the next run makes it again. The same holds for End.
+  virtual absl::Status RecordAll(std::span<const StageRecord> records) = 0;
+  absl::Status Record(const StageRecord& record) { return RecordAll(std::span(&record, 1)); }
 
   // Ends the job, once. What was ended is safe against loss of power where the queue's form can be.
   virtual absl::Status End(const JobEnd& end) = 0;

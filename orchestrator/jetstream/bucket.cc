@@ -27,11 +27,15 @@ NatsRequest WriteRequest(std::string subject, std::string_view value) {
   return {std::move(subject), std::string(value), {}};
 }
 
-NatsRequest UpdateRequest(std::string subject, std::string_view value, uint64_t expected) {
-  return {std::move(subject), std::string(value), {{"Nats-Expected-Last-Subject-Sequence", std::to_string(expected)}}};
+NatsRequest UpdateRequest(std::string subject, std::string value, uint64_t expected) {
+  return {std::move(subject), std::move(value), {{"Nats-Expected-Last-Subject-Sequence", std::to_string(expected)}}};
 }
 
 }  // namespace
+
+NatsRequest Bucket::NewRequest(std::string_view key, std::string value) const {
+  return UpdateRequest(SubjectOf(key), std::move(value), 0);
+}
 
 NatsRequest Bucket::GetRequest(std::string_view key) const {
   return {"$JS.API.STREAM.MSG.GET." + stream_, json{{"last_by_subj", SubjectOf(key)}}.dump(), {}};
@@ -63,7 +67,7 @@ absl::StatusOr<uint64_t> Bucket::Put(std::string_view key, std::string_view valu
 
 absl::StatusOr<uint64_t> Bucket::Update(std::string_view key, std::string_view value, uint64_t expected,
                                         const std::function<bool()>& more) {
-  const NatsRequest request = UpdateRequest(SubjectOf(key), value, expected);
+  const NatsRequest request = UpdateRequest(SubjectOf(key), std::string(value), expected);
   int asked = 0;
   const auto ask = [&] {
     ++asked;
@@ -94,5 +98,24 @@ std::vector<absl::StatusOr<uint64_t>> Bucket::UpdateAll(std::span<const Change> 
   }
   return revisions;
 }
+
+std::vector<absl::StatusOr<bool>> Bucket::RemoveAll(std::span<const Revision> revisions) {
+  std::vector<std::pair<std::string, json>> calls;
+  for (const Revision& revision : revisions) {
+    // A key has one message, the latest: an earlier one is gone.
+    calls.emplace_back("STREAM.MSG.DELETE." + stream_, json{{"seq", revision.revision}, {"no_erase", true}});
+  }
+  std::vector<absl::StatusOr<bool>> removed;
+  for (const absl::StatusOr<json>& answer : api_.CallAll(calls)) {
+    if (answer.ok() || absl::IsNotFound(answer.status())) {
+      removed.emplace_back(answer.ok());
+    } else {
+      removed.emplace_back(answer.status());
+    }
+  }
+  return removed;
+}
+
+absl::StatusOr<bool> Bucket::Remove(const Revision& revision) { return RemoveAll(std::span(&revision, 1)).front(); }
 
 }  // namespace flair::orchestrator

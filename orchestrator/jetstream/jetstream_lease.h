@@ -4,10 +4,13 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "orchestrator/batch/lease.h"
+#include "orchestrator/jetstream/artifact_users.h"
 #include "orchestrator/jetstream/ends.h"
 #include "orchestrator/jetstream/lease_keeper.h"
 #include "orchestrator/jetstream/queue_parts.h"
@@ -24,7 +27,9 @@ class JetStreamLease final : public Lease {
 
   const v1::Job& job() const override { return job_; }
   const std::vector<v1::JobEvent>& history() const override { return history_; }
-  absl::Status Record(StageRecord record) override;
+  int lost_run_count() const override { return lost_run_count_; }
+  absl::Status Announce(std::span<const StageRecord> records) override;
+  absl::Status RecordAll(std::span<const StageRecord> records) override;
   absl::Status End(const JobEnd& end) override;
   absl::Status Return(absl::Duration delay, const std::string& reason) override;
   runtime::Cancellation& cancellation() override { return hold_->cancellation; }
@@ -36,7 +41,8 @@ class JetStreamLease final : public Lease {
   absl::Status Close(const std::function<void(store::v1::JobRecord&)>& change, const std::function<bool()>& more);
   absl::Status ReadAgain();
   absl::Status Refused();
-  absl::Status Index(const StageRecord& record);
+  absl::Status BecomeUser(std::span<const StageRecord> records);
+  absl::Status Index(std::span<const StageRecord> records);
 
   QueueParts& parts_;
   Ends& ends_;
@@ -45,9 +51,13 @@ class JetStreamLease final : public Lease {
   const std::shared_ptr<Hold> hold_;
   const v1::Job job_;
   const std::vector<v1::JobEvent> history_;
+  const int lost_run_count_;
+  ArtifactUsers users_;
 
   std::mutex mutex_;
   RevisedJob record_;
+  // Artifacts that this run uses.
+  std::set<std::string> used_;
   bool done_ = false;
 };
 

@@ -2,6 +2,7 @@
 // What may happen to the record of a job, as pure functions; who stores the result by compare-and-set decides.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "absl/time/time.h"
@@ -18,10 +19,10 @@ store::v1::JobRecord NewRecord(const v1::Job& job, const std::string& request_id
 // A run begins; whoever ran it before is out.
 void BeginRun(store::v1::JobRecord& record, const std::string& holder);
 
-// A stage of the run did something.
-void AddStageRecord(store::v1::JobRecord& record, const StageRecord& stage);
+// Stages of the run did something.
+void AddStageRecords(store::v1::JobRecord& record, std::span<const StageRecord> stages);
 
-// The one moment at which the job ends.
+// The one moment at which the job ends, with what its stages did last.
 void EndJob(store::v1::JobRecord& record, const JobEnd& end);
 
 // The run ends, the job does not. Remembered as an event when there is a reason.

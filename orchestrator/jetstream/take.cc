@@ -45,23 +45,24 @@ absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Take(const TakeFilter
 }
 
 absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::TakeFrom(const Lane& lane, int& passed_over) {
-  if (!lane.batch_id.empty()) {
-    const absl::StatusOr<v1::BatchState> state = StateOfLane(lane);
-    if (!state.ok()) return state.status();
-    // Those of cancelled ones are handed out to be ended.
-    if (*state == v1::BATCH_STATE_PAUSED) return nullptr;
-  }
+  const absl::StatusOr<v1::BatchState> state = StateOfLane(lane);
+  if (!state.ok()) return state.status();
+  if (*state == v1::BATCH_STATE_PAUSED) return nullptr;
+  // Those of a cancelled batch are handed out to be ended. Of one that is cancelled from now on, whoever cancels it
+  // sees to the jobs that run.
+  const bool cancelled = *state == v1::BATCH_STATE_CANCELLED;
   for (; passed_over < kPassedOverAtOnce; ++passed_over) {
     const absl::StatusOr<std::optional<Handed>> handed = lanes_.Next(lane);
     if (!handed.ok()) return handed.status();
     if (!handed->has_value()) return nullptr;
-    absl::StatusOr<std::unique_ptr<Lease>> lease = Begin(lane, **handed);
+    absl::StatusOr<std::unique_ptr<Lease>> lease = Begin(lane, **handed, cancelled);
     if (!lease.ok() || *lease != nullptr) return lease;
   }
   return nullptr;
 }
 
 absl::StatusOr<v1::BatchState> JetStreamWorkQueue::StateOfLane(const Lane& lane) {
+  if (lane.batch_id.empty()) return v1::BATCH_STATE_ACTIVE;
   const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(lane.batch_id);
   if (absl::IsNotFound(batch.status())) return v1::BATCH_STATE_ACTIVE;
   if (!batch.ok()) return batch.status();
@@ -74,7 +75,8 @@ void JetStreamWorkQueue::Acknowledge(const Handed& handed, const std::string& ho
 }
 
 // The right to run the job of a message; null when it needs no run.
-absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Begin(const Lane& lane, const Handed& handed) {
+absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Begin(const Lane& lane, const Handed& handed,
+                                                                 bool batch_cancelled) {
   while (true) {
     absl::StatusOr<RevisedJob> job = parts_->GetJob(handed.job_id);
     if (absl::IsNotFound(job.status())) {
@@ -82,7 +84,7 @@ absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Begin(const Lane& lan
       return nullptr;
     }
     if (!job.ok()) return job.status();
-    const absl::StatusOr<bool> may_run = MayRun(lane, handed, job->value);
+    const absl::StatusOr<bool> may_run = MayRun(handed, job->value, batch_cancelled);
     if (!may_run.ok()) return may_run.status();
     if (!*may_run) return nullptr;
     auto hold = std::make_shared<Hold>();
@@ -103,8 +105,8 @@ absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Begin(const Lane& lan
 }
 
 // Acknowledges the message and repeats what may be missing when the job of it needs no run.
-absl::StatusOr<bool> JetStreamWorkQueue::MayRun(const Lane& lane, const Handed& handed,
-                                                const store::v1::JobRecord& record) {
+absl::StatusOr<bool> JetStreamWorkQueue::MayRun(const Handed& handed, const store::v1::JobRecord& record,
+                                                bool batch_cancelled) {
   if (HasEnded(record)) {
     if (absl::Status status = ends_.Publish(std::span(&record.job(), 1)); !status.ok()) return status;
     Acknowledge(handed, "+ACK");
@@ -116,13 +118,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::MayRun(const Lane& lane, const Handed& 
     Acknowledge(handed, "+ACK");
     return false;
   }
-  bool cancelled = record.cancel_requested();
-  if (!cancelled && !lane.batch_id.empty()) {
-    const absl::StatusOr<v1::BatchState> state = StateOfLane(lane);
-    if (!state.ok()) return state.status();
-    cancelled = *state == v1::BATCH_STATE_CANCELLED;
-  }
-  if (!cancelled) return true;
+  if (!record.cancel_requested() && !batch_cancelled) return true;
   const absl::StatusOr<RevisedJob> ended =
       parts_->ChangeJob(handed.job_id, [&](store::v1::JobRecord& now) -> absl::StatusOr<bool> {
         if (HasEnded(now)) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages that describe the room: brief, room, zones, objects, style, constraints, cleaning.
 #include "absl/strings/ascii.h"
+#include "orchestrator/pipeline/lent_request.h"
 #include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage.h"
 #include "worker_runtime/files/sha256.h"
@@ -8,29 +9,30 @@
 namespace flair::orchestrator {
 namespace {
 
-// A request with what most language requests begin with.
+// What most language requests begin with.
 template <typename Request>
-Request Begin(const StageRun& run, std::string_view stage) {
-  Request request;
-  request.set_request_id(RequestId(run, stage));
-  *request.mutable_brief() = Input(run, v1::ARTIFACT_KIND_BRIEF).brief();
-  *request.mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
-  return request;
+void Begin(const StageRun& run, std::string_view stage, LentRequest<Request>& request) {
+  request->set_request_id(RequestId(run, stage));
+  request.Lend(&Request::unsafe_arena_set_allocated_brief, Input(run, v1::ARTIFACT_KIND_BRIEF).brief());
+  *request->mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
 }
 
 template <typename Request>
-Request BeginWithPlan(const StageRun& run, std::string_view stage) {
-  Request request = Begin<Request>(run, stage);
-  *request.mutable_room() = Input(run, v1::ARTIFACT_KIND_ROOM).room();
-  *request.mutable_zone_plan() = Input(run, v1::ARTIFACT_KIND_ZONE_PLAN).zone_plan();
-  return request;
+void LendRoom(const StageRun& run, LentRequest<Request>& request) {
+  request.Lend(&Request::unsafe_arena_set_allocated_room, Input(run, v1::ARTIFACT_KIND_ROOM).room());
 }
 
 template <typename Request>
-Request BeginWithObjects(const StageRun& run, std::string_view stage) {
-  Request request = BeginWithPlan<Request>(run, stage);
-  *request.mutable_object_list() = Input(run, v1::ARTIFACT_KIND_OBJECT_LIST).object_list();
-  return request;
+void BeginWithPlan(const StageRun& run, std::string_view stage, LentRequest<Request>& request) {
+  Begin(run, stage, request);
+  LendRoom(run, request);
+  request.Lend(&Request::unsafe_arena_set_allocated_zone_plan, Input(run, v1::ARTIFACT_KIND_ZONE_PLAN).zone_plan());
+}
+
+template <typename Request>
+void LendObjects(const StageRun& run, LentRequest<Request>& request) {
+  request.Lend(&Request::unsafe_arena_set_allocated_object_list,
+               Input(run, v1::ARTIFACT_KIND_OBJECT_LIST).object_list());
 }
 
 }  // namespace
@@ -54,7 +56,9 @@ absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run) {
 }
 
 absl::StatusOr<v1::Artifact> RunRoom(const StageRun& run) {
-  auto response = run.clients.DescribeRoom(Begin<v1::DescribeRoomRequest>(run, "room"), run.call);
+  LentRequest<v1::DescribeRoomRequest> request;
+  Begin(run, "room", request);
+  auto response = run.clients.DescribeRoom(*request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_room() = std::move(*response->mutable_room());
@@ -64,9 +68,10 @@ absl::StatusOr<v1::Artifact> RunRoom(const StageRun& run) {
 }
 
 absl::StatusOr<v1::Artifact> RunZones(const StageRun& run) {
-  auto request = Begin<v1::PlanZonesRequest>(run, "zones");
-  *request.mutable_room() = Input(run, v1::ARTIFACT_KIND_ROOM).room();
-  auto response = run.clients.PlanZones(request, run.call);
+  LentRequest<v1::PlanZonesRequest> request;
+  Begin(run, "zones", request);
+  LendRoom(run, request);
+  auto response = run.clients.PlanZones(*request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_zone_plan() = std::move(*response->mutable_zone_plan());
@@ -76,7 +81,9 @@ absl::StatusOr<v1::Artifact> RunZones(const StageRun& run) {
 }
 
 absl::StatusOr<v1::Artifact> RunObjects(const StageRun& run) {
-  auto response = run.clients.ListObjects(BeginWithPlan<v1::ListObjectsRequest>(run, "objects"), run.call);
+  LentRequest<v1::ListObjectsRequest> request;
+  BeginWithPlan(run, "objects", request);
+  auto response = run.clients.ListObjects(*request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_object_list() = std::move(*response->mutable_object_list());
@@ -86,7 +93,10 @@ absl::StatusOr<v1::Artifact> RunObjects(const StageRun& run) {
 }
 
 absl::StatusOr<v1::Artifact> RunStyle(const StageRun& run) {
-  auto response = run.clients.ChooseStyle(BeginWithObjects<v1::ChooseStyleRequest>(run, "style"), run.call);
+  LentRequest<v1::ChooseStyleRequest> request;
+  BeginWithPlan(run, "style", request);
+  LendObjects(run, request);
+  auto response = run.clients.ChooseStyle(*request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_style_sheet() = std::move(*response->mutable_style_sheet());
@@ -96,8 +106,10 @@ absl::StatusOr<v1::Artifact> RunStyle(const StageRun& run) {
 }
 
 absl::StatusOr<v1::Artifact> RunConstraints(const StageRun& run) {
-  auto response =
-      run.clients.ListConstraints(BeginWithObjects<v1::ListConstraintsRequest>(run, "constraints"), run.call);
+  LentRequest<v1::ListConstraintsRequest> request;
+  BeginWithPlan(run, "constraints", request);
+  LendObjects(run, request);
+  auto response = run.clients.ListConstraints(*request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_raw_constraint_list() = std::move(*response->mutable_constraint_list());
@@ -107,13 +119,14 @@ absl::StatusOr<v1::Artifact> RunConstraints(const StageRun& run) {
 }
 
 absl::StatusOr<v1::Artifact> RunCleaning(const StageRun& run) {
-  v1::CleanConstraintsRequest request;
-  request.set_request_id(RequestId(run, "cleaning"));
-  *request.mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
-  *request.mutable_room() = Input(run, v1::ARTIFACT_KIND_ROOM).room();
-  *request.mutable_object_list() = Input(run, v1::ARTIFACT_KIND_OBJECT_LIST).object_list();
-  *request.mutable_constraint_list() = Input(run, v1::ARTIFACT_KIND_RAW_CONSTRAINT_LIST).raw_constraint_list();
-  auto response = run.clients.CleanConstraints(request, run.call);
+  LentRequest<v1::CleanConstraintsRequest> request;
+  request->set_request_id(RequestId(run, "cleaning"));
+  *request->mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
+  LendRoom(run, request);
+  LendObjects(run, request);
+  request.Lend(&v1::CleanConstraintsRequest::unsafe_arena_set_allocated_constraint_list,
+               Input(run, v1::ARTIFACT_KIND_RAW_CONSTRAINT_LIST).raw_constraint_list());
+  auto response = run.clients.CleanConstraints(*request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_constraint_list() = std::move(*response->mutable_constraint_list());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages that make and draw the layout: translation, solve, render.
+#include "orchestrator/pipeline/lent_request.h"
 #include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage.h"
 #include "worker_runtime/files/sha256.h"
@@ -9,16 +10,16 @@ namespace {
 
 absl::StatusOr<v1::Artifact> Draw(const StageRun& run, std::string_view stage, const v1::RenderOptions& options) {
   const v1::Artifact& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT);
-  v1::RenderRequest request;
-  request.set_request_id(RequestId(run, stage));
-  *request.mutable_solved_layout() = layout.solved_layout();
-  *request.mutable_options() = options;
+  LentRequest<v1::RenderRequest> request;
+  request->set_request_id(RequestId(run, stage));
+  request.Lend(&v1::RenderRequest::unsafe_arena_set_allocated_solved_layout, layout.solved_layout());
+  *request->mutable_options() = options;
   // Not the job's own id: the same layout must give the same picture, whoever asks for it. The layout's id leads to it.
-  request.set_job_id(layout.id());
+  request->set_job_id(layout.id());
   // The ids that lead from the layout to its brief cover both.
-  request.set_brief_text(run.spec.brief().text());
-  request.set_brief_seed(run.spec.brief().seed());
-  auto response = run.clients.Render(request, run.call);
+  request->set_brief_text(run.spec.brief().text());
+  request->set_brief_seed(run.spec.brief().seed());
+  auto response = run.clients.Render(*request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_preview() = std::move(*response->mutable_preview());
@@ -58,16 +59,20 @@ absl::StatusOr<std::string> TranslationOptions(const StageRun& run) {
 }
 
 absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run) {
-  v1::TranslateRequest request;
-  request.ParseFromString(run.options);
-  *request.mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
-  request.set_request_id(RequestId(run, "translation"));
-  *request.mutable_room() = Input(run, v1::ARTIFACT_KIND_ROOM).room();
-  *request.mutable_zone_plan() = Input(run, v1::ARTIFACT_KIND_ZONE_PLAN).zone_plan();
-  *request.mutable_object_list() = Input(run, v1::ARTIFACT_KIND_OBJECT_LIST).object_list();
-  *request.mutable_style_sheet() = Input(run, v1::ARTIFACT_KIND_STYLE_SHEET).style_sheet();
-  *request.mutable_constraint_list() = Input(run, v1::ARTIFACT_KIND_CONSTRAINT_LIST).constraint_list();
-  auto response = run.clients.Translate(request, run.call);
+  using Request = v1::TranslateRequest;
+  LentRequest<Request> request;
+  request->ParseFromArray(run.options.data(), static_cast<int>(run.options.size()));
+  *request->mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
+  request->set_request_id(RequestId(run, "translation"));
+  request.Lend(&Request::unsafe_arena_set_allocated_room, Input(run, v1::ARTIFACT_KIND_ROOM).room());
+  request.Lend(&Request::unsafe_arena_set_allocated_zone_plan, Input(run, v1::ARTIFACT_KIND_ZONE_PLAN).zone_plan());
+  request.Lend(&Request::unsafe_arena_set_allocated_object_list,
+               Input(run, v1::ARTIFACT_KIND_OBJECT_LIST).object_list());
+  request.Lend(&Request::unsafe_arena_set_allocated_style_sheet,
+               Input(run, v1::ARTIFACT_KIND_STYLE_SHEET).style_sheet());
+  request.Lend(&Request::unsafe_arena_set_allocated_constraint_list,
+               Input(run, v1::ARTIFACT_KIND_CONSTRAINT_LIST).constraint_list());
+  auto response = run.clients.Translate(*request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_layout_graph() = std::move(*response->mutable_layout_graph());
@@ -85,14 +90,15 @@ std::string AskedOfSolver(const v1::JobSpec& spec) {
 }
 
 absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run) {
-  v1::SolveRequest request;
-  request.set_request_id(RequestId(run, "solve"));
-  *request.mutable_layout_graph() = Input(run, v1::ARTIFACT_KIND_LAYOUT_GRAPH).layout_graph();
-  request.mutable_options()->ParseFromString(run.options);
+  LentRequest<v1::SolveRequest> request;
+  request->set_request_id(RequestId(run, "solve"));
+  request.Lend(&v1::SolveRequest::unsafe_arena_set_allocated_layout_graph,
+               Input(run, v1::ARTIFACT_KIND_LAYOUT_GRAPH).layout_graph());
+  request->mutable_options()->ParseFromArray(run.options.data(), static_cast<int>(run.options.size()));
   if (run.spec.solve_options().has_thread_count()) {
-    request.mutable_options()->set_thread_count(run.spec.solve_options().thread_count());
+    request->mutable_options()->set_thread_count(run.spec.solve_options().thread_count());
   }
-  auto response = run.clients.Solve(request, run.call);
+  auto response = run.clients.Solve(*request, run.call);
   if (!response.ok()) return response.status();
   v1::Artifact artifact;
   *artifact.mutable_solved_layout() = std::move(*response->mutable_solved_layout());

@@ -2,7 +2,7 @@
 #include "orchestrator/pipeline/pipeline.h"
 
 #include <algorithm>
-#include <future>
+#include <latch>
 #include <optional>
 
 #include "orchestrator/batch/failure.h"
@@ -74,28 +74,52 @@ class Progress {
 
 }  // namespace
 
+// Calls `task` with 0, 1, ... count - 1, at once, and returns when all calls have.
+void Pipeline::ForAll(size_t count, const std::function<void(size_t)>& task) const {
+  // Shared with those who count down, as they may still be in there when the last one has.
+  const auto others = std::make_shared<std::latch>(static_cast<std::ptrdiff_t>(count - 1));
+  for (size_t i = 1; i < count; ++i) {
+    const auto run = [&task, others, i] {
+      task(i);
+      others->count_down();
+    };
+    if (!threads_->TrySubmit(run)) run();
+  }
+  task(0);
+  others->wait();
+}
+
 PipelineResult Pipeline::Run(Lease& lease) const {
+  StepLog steps(lease, artifacts_);
+  PipelineResult result = RunStages(lease, steps);
+  // The next run goes on from there; what cannot be stored it makes again.
+  if (!result.status.ok()) (void)steps.Store();
+  return result;
+}
+
+PipelineResult Pipeline::RunStages(Lease& lease, StepLog& steps) const {
   const v1::Job& job = lease.job();
-  StageRunner runner(queue_, artifacts_, clients_, clock_, options_, lease);
+  StageRunner runner(queue_, artifacts_, clients_, clock_, options_, lease, steps);
   Progress progress(job.spec());
   for (std::vector<int> ready = progress.Ready(); !ready.empty(); ready = progress.Ready()) {
     const std::vector<v1::StageTiming> timings = progress.Timings();
     const v1::ModelUsage usage = progress.ModelUsage();
     // Stages that share a budget go one after the other, so that each knows what the others left of it.
     if (job.spec().model_options().has_budget()) ready.resize(1);
-    const auto run = [&](int index) { return runner.Run(index, progress.InputsOf(index), timings, usage); };
-    std::vector<std::future<absl::StatusOr<Output>>> others;
-    for (size_t i = 1; i < ready.size(); ++i) others.push_back(std::async(std::launch::async, run, ready[i]));
-    std::vector<absl::StatusOr<Output>> outputs;
-    outputs.push_back(run(ready[0]));
-    for (auto& other : others) outputs.push_back(other.get());
+    std::vector<absl::StatusOr<Output>> outputs(ready.size());
+    ForAll(ready.size(),
+           [&](size_t i) { outputs[i] = runner.Run(ready[i], progress.InputsOf(ready[i]), timings, usage); });
     for (size_t i = 0; i < ready.size(); ++i) {
       // Of several failures the first in stage order counts, whichever came first.
       if (!outputs[i].ok()) return {outputs[i].status(), std::string(Stages()[ready[i]].name)};
       progress.Set(ready[i], *std::move(outputs[i]));
     }
   }
-  return {OfStore(artifacts_.Flush(progress.Artifacts())), "report"};
+  absl::StatusOr<std::vector<StageRecord>> last = steps.TakeLast();
+  absl::Status status = last.status();
+  if (status.ok()) status = artifacts_.Flush(progress.Artifacts());
+  if (!status.ok()) return {OfStore(status), "report"};
+  return {absl::OkStatus(), "report", *std::move(last)};
 }
 
 }  // namespace flair::orchestrator

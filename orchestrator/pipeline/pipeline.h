@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -11,7 +14,9 @@
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/pipeline/backoff_policy.h"
 #include "orchestrator/pipeline/stage_clients.h"
+#include "orchestrator/pipeline/step_log.h"
 #include "worker_runtime/clock/clock.h"
+#include "worker_runtime/executor/bounded_executor.h"
 
 namespace flair::orchestrator {
 
@@ -28,6 +33,8 @@ struct PipelineOptions {
 struct PipelineResult {
   absl::Status status;
   std::string stage;
+  // What its stages did that is not stored yet, when all is well: for JobEnd.
+  std::vector<StageRecord> records = {};
 };
 
 // Runs the stages of a job, as many at once as their inputs allow, and stores what each makes before the next begins. A
@@ -38,18 +45,30 @@ class Pipeline {
  public:
   Pipeline(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, const runtime::Clock& clock,
            PipelineOptions options)
-      : queue_(queue), artifacts_(artifacts), clients_(clients), clock_(clock), options_(std::move(options)) {}
+      : queue_(queue),
+        artifacts_(artifacts),
+        clients_(clients),
+        clock_(clock),
+        options_(std::move(options)),
+        threads_(std::make_unique<runtime::BoundedExecutor>(kSideStages, kSideStages)) {}
 
   // Runs the job of the lease, which it neither ends nor returns; its cancellation stops the running calls. When all is
-  // well, its artifacts are flushed. ABORTED when the lease was lost.
+  // well, its artifacts are flushed; otherwise what its stages did is recorded. ABORTED when the lease was lost.
   PipelineResult Run(Lease& lease) const;
 
  private:
+  // Stages of all jobs that run beside another one of their job. Their threads start when first needed.
+  static constexpr int kSideStages = 1000;
+
+  PipelineResult RunStages(Lease& lease, StepLog& steps) const;
+  void ForAll(size_t count, const std::function<void(size_t)>& task) const;
+
   WorkQueue& queue_;
   ArtifactStore& artifacts_;
   StageClients& clients_;
   const runtime::Clock& clock_;
   const PipelineOptions options_;
+  const std::unique_ptr<runtime::BoundedExecutor> threads_;
 };
 
 }  // namespace flair::orchestrator

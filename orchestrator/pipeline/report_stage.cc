@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "orchestrator/pipeline/lent_request.h"
 #include "orchestrator/pipeline/stage.h"
 
 namespace flair::orchestrator {
@@ -7,12 +8,12 @@ namespace {
 // What the optimizer finds in its layout, looking at it as at anybody's; what it said when it solved, when that is all
 // it can tell.
 absl::StatusOr<v1::EvaluateResponse> Evaluate(const StageRun& run, const v1::SolvedLayout& layout) {
-  v1::EvaluateRequest request;
-  request.set_request_id(RequestId(run, "report"));
-  *request.mutable_layout_graph() = layout.graph();
-  *request.mutable_placements() = layout.placements();
-  *request.mutable_options() = run.spec.solve_options();
-  absl::StatusOr<v1::EvaluateResponse> response = run.clients.Evaluate(request, run.call);
+  LentRequest<v1::EvaluateRequest> request;
+  request->set_request_id(RequestId(run, "report"));
+  request.Lend(&v1::EvaluateRequest::unsafe_arena_set_allocated_layout_graph, layout.graph());
+  *request->mutable_placements() = layout.placements();
+  *request->mutable_options() = run.spec.solve_options();
+  absl::StatusOr<v1::EvaluateResponse> response = run.clients.Evaluate(*request, run.call);
   if (!absl::IsUnimplemented(response.status())) return response;
   v1::EvaluateResponse said;
   *said.mutable_edge_outcomes() = layout.edge_outcomes();

@@ -21,8 +21,9 @@ struct StageRun {
   const v1::JobSpec& spec;
   // By kind, see Input(); a stage sees only its own inputs.
   std::span<const v1::Artifact* const> inputs;
-  // What the stage's `options` or `asked` function returned.
-  std::string options;
+  // What the stage's `options` or `asked` function returned, and its digest; both empty while that function runs.
+  std::string_view options;
+  std::string_view options_digest;
   // What this program was built from; for the artifacts that it makes itself.
   const std::string& build;
   // What the stages before it took; for the report.

@@ -30,8 +30,6 @@ absl::Status CheckAnswer(const Stage& stage, const v1::Artifact& artifact) {
                                          artifact.producer().program(), std::string(status.message())));
 }
 
-std::string OptionsDigest(const StageRun& run) { return run.options.empty() ? "" : runtime::Sha256Hex(run.options); }
-
 std::vector<std::string> InputIds(const StageRun& run) {
   std::vector<std::string> ids;
   for (const v1::Artifact* input : run.inputs) ids.push_back(input->id());
@@ -41,13 +39,13 @@ std::vector<std::string> InputIds(const StageRun& run) {
 }  // namespace
 
 StageRunner::StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, const runtime::Clock& clock,
-                         const PipelineOptions& options, Lease& lease)
+                         const PipelineOptions& options, Lease& lease, StepLog& steps)
     : queue_(queue),
       artifacts_(artifacts),
       clients_(clients),
       clock_(clock),
       options_(options),
-      lease_(lease),
+      steps_(steps),
       job_(lease.job()),
       cancellation_(lease.cancellation()) {
   for (const v1::JobEvent& event : lease.history()) {
@@ -65,14 +63,18 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
     return TakeFromEarlierJob(stage_index);
   }
   StageClients::Call no_deadline;
-  StageRun run{job_.id(), job_.spec(), inputs, "", options_.build, timings, model_usage, clients_, no_deadline};
+  StageRun run{job_.id(), job_.spec(), inputs, "", "", options_.build, timings, model_usage, clients_, no_deadline};
+  std::string options;
   if (stage.options != nullptr) {
-    absl::StatusOr<std::string> options = Retry<std::string>(stage.options, run);
-    if (!options.ok()) return options.status();
-    run.options = *std::move(options);
+    absl::StatusOr<std::string> found = Retry<std::string>(stage.options, run);
+    if (!found.ok()) return found.status();
+    options = *std::move(found);
   } else if (stage.asked != nullptr) {
-    run.options = stage.asked(job_.spec());
+    options = stage.asked(job_.spec());
   }
+  const std::string options_digest = options.empty() ? "" : runtime::Sha256Hex(options);
+  run.options = options;
+  run.options_digest = options_digest;
   const absl::StatusOr<Revision> revision = Retry<Revision>(
       [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
   if (!revision.ok()) return revision.status();
@@ -91,7 +93,7 @@ std::string StageRunner::KeyOf(const Stage& stage, const StageRun& run, const Re
   // A replay uses nothing again but what it made itself before it was interrupted. The same holds for what a worker
   // made that does not say which it is.
   const bool of_this_job_only = run.spec.has_replay() || !revision.has_value();
-  return ResultKey(stage.name, revision.value_or(""), OptionsDigest(run), InputIds(run),
+  return ResultKey(stage.name, revision.value_or(""), run.options_digest, InputIds(run),
                    of_this_job_only ? run.job_id : "");
 }
 
@@ -113,26 +115,27 @@ absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, c
   const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
   // Somebody watches a job that stands alone; in a batch it would be half of all that is stored.
   if (job_.batch_id().empty()) {
-    const absl::Status status = Record(stage_index, Event(v1::JOB_EVENT_KIND_STAGE_STARTED, stage), "");
+    const absl::Status status = Record({Event(v1::JOB_EVENT_KIND_STAGE_STARTED, stage), stage_index, ""}, {});
     if (!status.ok()) return status;
   }
   const absl::Duration start = clock_.Elapsed();
   absl::StatusOr<v1::Artifact> artifact = Make(stage, run, revision);
   if (!artifact.ok()) return artifact.status();
   // The first stage is made from what it is asked; that is its content.
-  if (!run.inputs.empty()) artifact->set_options_digest(OptionsDigest(run));
+  if (!run.inputs.empty()) artifact->set_options_digest(std::string(run.options_digest));
   const std::vector<std::string> input_ids = InputIds(run);
   artifact->mutable_made_from_ids()->Assign(input_ids.begin(), input_ids.end());
-  absl::StatusOr<v1::ArtifactRef> ref = artifacts_.Put(*artifact);
-  if (!ref.ok()) return OfStore(ref.status());
+  SealedArtifact sealed = SealArtifact(*artifact);
   v1::JobEvent event = Event(v1::JOB_EVENT_KIND_STAGE_FINISHED, stage);
   event.set_message(Summarize(*artifact));
   if (const std::string models = SummarizeModels(*artifact); !models.empty()) {
     event.set_message(fmt::format("{}  ({})", event.message(), models));
   }
-  *event.mutable_artifact() = *ref;
+  *event.mutable_artifact() = sealed.ref;
   *event.mutable_duration() = ToProto(clock_.Elapsed() - start);
-  if (absl::Status status = Record(stage_index, event, KeyOf(stage, run, revision)); !status.ok()) return status;
+  const bool paid_for = !artifact->model_calls().empty();
+  const absl::Status status = Record({event, stage_index, KeyOf(stage, run, revision)}, std::move(sealed), paid_for);
+  if (!status.ok()) return status;
   Output output{*std::move(artifact), {}};
   output.timing.set_stage(std::string(stage.name));
   *output.timing.mutable_duration() = event.duration();
@@ -148,8 +151,8 @@ absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Res
   for (int attempt = 0;; ++attempt) {
     StageClients::Call call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
     runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
-    StageRun current{run.job_id,  run.spec,        run.inputs,  run.options, run.build,
-                     run.timings, run.model_usage, run.clients, call};
+    StageRun current{run.job_id, run.spec,    run.inputs,      run.options, run.options_digest,
+                     run.build,  run.timings, run.model_usage, run.clients, call};
     absl::StatusOr<Result> result = cancellation_.cancelled()
                                         ? absl::StatusOr<Result>(absl::CancelledError("the job was cancelled"))
                                         : function(current);
@@ -199,14 +202,17 @@ absl::StatusOr<StageRunner::Output> StageRunner::Reuse(int stage_index, const v1
   event.set_message(Summarize(output.artifact));
   *event.mutable_artifact() = ref;
   *event.mutable_duration() = ToProto(clock_.Elapsed() - start);
-  if (absl::Status status = Record(stage_index, event, ""); !status.ok()) return status;
+  if (absl::Status status = Record({event, stage_index, ""}, {}); !status.ok()) return status;
   *output.timing.mutable_duration() = event.duration();
   output.timing.set_reused(true);
   return output;
 }
 
-absl::Status StageRunner::Record(int stage_index, const v1::JobEvent& event, const std::string& result_key) const {
-  return OfStore(lease_.Record({event, stage_index, result_key}));
+absl::Status StageRunner::Record(StageRecord record, std::optional<SealedArtifact> artifact, bool paid_for) const {
+  // Somebody watches a job that stands alone; and no money is spent twice.
+  const bool at_once = job_.batch_id().empty() || paid_for;
+  return OfStore(steps_.Add(std::move(record), std::move(artifact),
+                            at_once ? StepLog::Urgency::kAtOnce : StepLog::Urgency::kMayWait));
 }
 
 v1::JobEvent StageRunner::Event(v1::JobEventKind kind, const Stage& stage) const {

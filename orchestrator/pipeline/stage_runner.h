@@ -12,6 +12,7 @@
 #include "flair/v1/job.pb.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/pipeline/stage.h"
+#include "orchestrator/pipeline/step_log.h"
 
 namespace flair::orchestrator {
 
@@ -20,7 +21,7 @@ namespace flair::orchestrator {
 class StageRunner {
  public:
   StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, const runtime::Clock& clock,
-              const PipelineOptions& options, Lease& lease);
+              const PipelineOptions& options, Lease& lease, StepLog& steps);
 
   struct Output {
     v1::Artifact artifact;
@@ -40,7 +41,7 @@ class StageRunner {
   absl::StatusOr<Output> MakeAndStore(int stage_index, const StageRun& run, Revision revision) const;
   absl::StatusOr<Output> Reuse(int stage_index, const v1::ArtifactRef& ref) const;
   absl::StatusOr<Output> TakeFromEarlierJob(int stage_index) const;
-  absl::Status Record(int stage_index, const v1::JobEvent& event, const std::string& result_key) const;
+  absl::Status Record(StageRecord record, std::optional<SealedArtifact> artifact, bool paid_for = false) const;
   v1::JobEvent Event(v1::JobEventKind kind, const Stage& stage) const;
 
   WorkQueue& queue_;
@@ -48,7 +49,7 @@ class StageRunner {
   StageClients& clients_;
   const runtime::Clock& clock_;
   const PipelineOptions& options_;
-  Lease& lease_;
+  StepLog& steps_;
   const v1::Job& job_;
   runtime::Cancellation& cancellation_;
   // The last event with which each stage ended in an earlier run, so that it is not told twice.

@@ -18,11 +18,18 @@ std::string IdField(std::string_view id) { return std::string(kIdField, sizeof k
 
 }  // namespace
 
-std::string SealArtifact(v1::Artifact& artifact) {
-  artifact.clear_id();
-  const std::string content = runtime::CanonicalBytes(artifact);
-  artifact.set_id(runtime::Sha256Hex(content));
-  return IdField(artifact.id()) + content;
+SealedArtifact SealArtifact(v1::Artifact& artifact) {
+  // The bytes with an id of zeros, whose place the digest of what follows then takes.
+  artifact.set_id(std::string(kIdLength, '0'));
+  SealedArtifact sealed;
+  sealed.bytes = runtime::CanonicalBytes(artifact);
+  constexpr size_t kContent = sizeof kIdField + kIdLength;
+  artifact.set_id(runtime::Sha256Hex(std::string_view(sealed.bytes).substr(kContent)));
+  sealed.bytes.replace(sizeof kIdField, kIdLength, artifact.id());
+  sealed.ref.set_id(artifact.id());
+  sealed.ref.set_kind(KindOf(artifact));
+  sealed.ref.set_size_bytes(static_cast<int64_t>(sealed.bytes.size()));
+  return sealed;
 }
 
 bool AreBytesOf(std::string_view bytes, std::string_view id) {

@@ -12,8 +12,15 @@ namespace flair::orchestrator {
 // The id that belongs to the artifact's content and origin: SHA-256 of its canonical bytes with `id` empty.
 std::string ComputeArtifactId(v1::Artifact artifact);
 
-// Gives the artifact its id and returns its canonical bytes: ComputeArtifactId without doing anything twice.
-std::string SealArtifact(v1::Artifact& artifact);
+// An artifact as it is stored.
+struct SealedArtifact {
+  v1::ArtifactRef ref;
+  // Canonical.
+  std::string bytes;
+};
+
+// Gives the artifact its id and serializes it: ComputeArtifactId without doing anything twice.
+SealedArtifact SealArtifact(v1::Artifact& artifact);
 
 // True when these are the canonical bytes of the artifact with that id.
 bool AreBytesOf(std::string_view bytes, std::string_view id);

@@ -25,6 +25,13 @@ class Connection : public std::enable_shared_from_this<Connection> {
   const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
   const std::string& address() const { return worker_.address; }
 
+  // How to call the worker; of one and the same service each time, which is the stage's.
+  template <typename Service>
+  typename Service::Stub& StubOf() {
+    std::call_once(calls_made_, [this] { calls_ = Service::NewStub(channel_); });
+    return *static_cast<typename Service::Stub*>(calls_.get());
+  }
+
   // Once.
   void Open();
 
@@ -50,6 +57,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   const std::shared_ptr<grpc::Channel> channel_;
   const bool watched_;
   const std::unique_ptr<v1::WorkerService::Stub> stub_;
+  std::once_flag calls_made_;
+  // The stub of the stage's service; what knows how to delete it is shared_ptr's alone.
+  std::shared_ptr<void> calls_;
   std::mutex mutex_;
   // The one that counts; answers to earlier ones, of a connection that was lost since, do not.
   std::shared_ptr<Question> question_;

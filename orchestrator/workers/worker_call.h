@@ -35,7 +35,6 @@ class WorkerCall {
   struct Attempt {
     Place place;
     std::shared_ptr<Connection> connection;
-    std::unique_ptr<typename Service::Stub> stub;
     grpc::ClientContext context;
     std::unique_ptr<grpc::ClientAsyncResponseReaderInterface<Response>> reader;
     Response response;
@@ -62,7 +61,8 @@ class WorkerCall {
         if (std::optional<Place> second = workers_.pool().TryTake(taken)) Begin(*second);
       } else if (winner == nullptr && VerdictOf(ended->status) == Verdict::kGood) {
         winner = ended;
-        CancelAll();
+        // To cancel what has ended is work too.
+        if (running_ > 0) CancelAll();
       }
     }
     events_.Shutdown();
@@ -86,9 +86,8 @@ class WorkerCall {
       return;
     }
     if (call_.deadline() != absl::InfiniteFuture()) attempt.context.set_deadline(absl::ToChronoTime(call_.deadline()));
-    attempt.stub = Service::NewStub(attempt.connection->channel());
-    attempt.reader =
-        (static_cast<typename Service::StubInterface&>(*attempt.stub).*method_)(&attempt.context, request_, &events_);
+    typename Service::StubInterface& stub = attempt.connection->template StubOf<Service>();
+    attempt.reader = (stub.*method_)(&attempt.context, request_, &events_);
     attempt.reader->StartCall();
     attempt.reader->Finish(&attempt.response, &attempt.grpc_status, &attempt);
     ++running_;

@@ -112,6 +112,39 @@ TEST_P(JobsContract, WhatARunRecordsIsSeenByAll) {
   EXPECT_FALSE(other->FindResult("another-key")->has_value());
 }
 
+TEST_P(JobsContract, StepsAreStoredTogetherAndTheLastWithTheEnd) {
+  WatchedQueue queue = Open();
+  ASSERT_TRUE(queue->CreateJob(NewJob("job-1"), "r1").ok());
+  const auto lease = queue.Take();
+  ASSERT_NE(lease, nullptr);
+  ASSERT_TRUE(lease->RecordAll({}).ok());
+  const std::vector<orchestrator::StageRecord> first = {StageMade(*lease, "brief", 0, 'a', "key-of-brief"),
+                                                        StageMade(*lease, "room", 1, 'b', "key-of-room")};
+  ASSERT_TRUE(lease->RecordAll(first).ok());
+  EXPECT_EQ(queue->GetJob("job-1")->stage(), "room");
+  orchestrator::JobEnd end;
+  end.stage = "report";
+  end.time = absl::FromUnixSeconds(1'800'000'100);
+  end.records = {StageMade(*lease, "solve", 8, 'c', "key-of-solve")};
+  ASSERT_TRUE(lease->End(end).ok());
+  EXPECT_TRUE(absl::IsAborted(lease->RecordAll(first)));
+  const auto job = queue->GetJob("job-1");
+  ASSERT_TRUE(job.ok());
+  EXPECT_EQ(job->state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(job->stage(), "report");
+  ASSERT_THAT(job->artifacts(), SizeIs(3));
+  EXPECT_EQ(job->artifacts(2).id(), ArtifactId('c'));
+  const auto events = queue->EventsAfter("job-1", 0, 10);
+  ASSERT_THAT(*events, SizeIs(4));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(events->at(static_cast<size_t>(i)).sequence(), i + 1);
+  EXPECT_EQ(events->at(2).stage(), "solve");
+  EXPECT_EQ(events->at(3).kind(), v1::JOB_EVENT_KIND_ENDED);
+  for (const char* key : {"key-of-brief", "key-of-room", "key-of-solve"}) {
+    const auto result = queue->FindResult(key);
+    EXPECT_TRUE(result.ok() && result->has_value()) << key;
+  }
+}
+
 TEST_P(JobsContract, AJobEndsOnce) {
   WatchedQueue queue = Open();
   ASSERT_TRUE(queue->CreateJob(NewJob("job-1"), "r1").ok());
