@@ -18,7 +18,7 @@ class ArtifactStore {
  public:
   virtual ~ArtifactStore() = default;
 
-  // Stores those of which no good copy is there already. They survive the end of any process. RESOURCE_EXHAUSTED when
+  // Stores those of which no good copy is there already; others count as stored anew. They survive the end of any process. RESOURCE_EXHAUSTED when
   // there is no room, UNAVAILABLE when the store cannot be reached; then some of them may be there.
   virtual absl::Status PutAll(std::span<const SealedArtifact> artifacts) = 0;
 
@@ -36,6 +36,12 @@ class ArtifactStore {
   // Returns when these survive a loss of power too, as far as the store's machines go. Those that are gone are left
   // out: who needs them finds out by Get.
   virtual absl::Status Flush(std::span<const v1::ArtifactRef> artifacts) = 0;
+
+  // A mark in the order in which artifacts are stored: what is stored from now on comes after it.
+  virtual absl::StatusOr<int64_t> Mark() = 0;
+
+  // Deletes those that were last stored before the mark; passes over those that are not there. Returns how many went.
+  virtual absl::StatusOr<int64_t> Delete(std::span<const std::string> ids, int64_t mark) = 0;
 };
 
 }  // namespace flair::orchestrator

@@ -10,7 +10,7 @@
 namespace flair::orchestrator {
 namespace {
 
-// A job whose runs end again and again without a failure takes its process with it.
+// A job whose runs end with their process again and again, and come no further, is what ends it.
 constexpr int kLostRunLimit = 20;
 constexpr std::chrono::seconds kRepeatDelay(1);
 
@@ -22,15 +22,6 @@ int FailedRuns(const Lease& lease) {
     if (event.kind() == v1::JOB_EVENT_KIND_WAITING) ++failed;
   }
   return failed;
-}
-
-// Runs that ended with their process, as far as the counts tell.
-int LostRuns(const Lease& lease) {
-  int ended = 0;
-  for (const v1::JobEvent& event : lease.history()) {
-    ended += event.kind() == v1::JOB_EVENT_KIND_WAITING || event.kind() == v1::JOB_EVENT_KIND_ENDED ? 1 : 0;
-  }
-  return lease.job().attempt_count() - 1 - ended;
 }
 
 }  // namespace
@@ -129,10 +120,10 @@ void JobRunner::RunJob(Lease& lease) {
     ++counts_.running_count;
     if (stopping_) lease.cancellation().Cancel();
   }
-  const int lost = LostRuns(lease);
+  const int lost = lease.lost_run_count();
   if (lost >= kLostRunLimit) {
     const absl::Status error = absl::InternalError(
-        fmt::format("{} runs of the job ended with the process that ran it; it is not begun again", lost));
+        fmt::format("{} runs of the job in a row ended with the process that ran it; it is not begun again", lost));
     End(lease, {v1::JOB_STATE_FAILED, lease.job().stage(), error, v1::FAILURE_KIND_WORKER, clock_.Now()});
   } else {
     Settle(lease, pipeline_.Run(lease));
@@ -147,10 +138,11 @@ void JobRunner::Settle(Lease& lease, const PipelineResult& result) {
     End(lease, {v1::JOB_STATE_SUCCEEDED, result.stage, {}, v1::FAILURE_KIND_UNSPECIFIED, clock_.Now(), result.records});
   } else if (lease.cancel_requested() && !lease.lost()) {
     End(lease, {v1::JOB_STATE_CANCELLED, result.stage, {}, v1::FAILURE_KIND_UNSPECIFIED, clock_.Now()});
-  } else if (!lease.lost() && !stopping()) {
+  } else if (!lease.lost() && !stopping() && !IsArtifactGone(result.status)) {
     Fail(lease, result);
   }
-  // Otherwise another run has it, or it is given back by the lease's end; after a crash, the queue finds out.
+  // Otherwise another run has it, or it is given back by the lease's end and makes what is gone again; after a crash,
+  // the queue finds out.
 }
 
 void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
@@ -181,12 +173,12 @@ void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
 // Until it is stored: a full disk or a queue that cannot be reached does not lose the end of a job.
 void JobRunner::End(Lease& lease, const JobEnd& end) {
   absl::Status stored = lease.End(end);
-  while (!stored.ok() && !lease.lost()) {
+  while (!stored.ok() && !lease.lost() && !IsArtifactGone(stored)) {
     Complain(fmt::format("cannot store how a job ended: {}; tries again until it can", std::string(stored.message())));
     if (!WaitBeforeRepeat()) return;
     stored = lease.End(end);
   }
-  if (lease.lost()) return;
+  if (!stored.ok()) return;
   std::lock_guard lock(mutex_);
   if (end.state == v1::JOB_STATE_SUCCEEDED) ++counts_.succeeded_count;
   if (end.state == v1::JOB_STATE_FAILED) ++counts_.failed_count;

@@ -50,7 +50,16 @@ class Lease {
   // What happened in earlier runs.
   virtual const std::vector<v1::JobEvent>& history() const = 0;
 
+  // Runs just before this one that ended without End or Return, each with its process, and stored no artifact.
+  virtual int lost_run_count() const = 0;
+
+  // To be called before artifacts of these events are stored: from now on nobody deletes them. Errors as RecordAll, which
+  // does the same for those that were left out.
+  virtual absl::Status Announce(std::span<const StageRecord> records) = 0;
+
   // Stores the events, in this order, and all that they stand for, or nothing: the job's stage, artifacts, results.
+  // ArtifactIsGone when an artifact may have been deleted with the last other job that had it, since this run stored or
+  // found it: the next run makes it again. The same holds for End.
   virtual absl::Status RecordAll(std::span<const StageRecord> records) = 0;
   absl::Status Record(const StageRecord& record) { return RecordAll(std::span(&record, 1)); }
 

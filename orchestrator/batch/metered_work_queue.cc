@@ -37,10 +37,12 @@ class MeteredLease final : public Lease {
 
   const v1::Job& job() const override { return inner_->job(); }
   const std::vector<v1::JobEvent>& history() const override { return inner_->history(); }
+  int lost_run_count() const override { return inner_->lost_run_count(); }
   runtime::Cancellation& cancellation() override { return inner_->cancellation(); }
   bool cancel_requested() override { return inner_->cancel_requested(); }
   bool lost() override { return inner_->lost(); }
 
+  absl::Status Announce(std::span<const StageRecord> records) override { return inner_->Announce(records); }
   absl::Status RecordAll(std::span<const StageRecord> records) override {
     absl::Status status = inner_->RecordAll(records);
     if (status.ok()) CountStages(records);
@@ -149,6 +151,18 @@ class MeteredWorkQueue final : public WorkQueue {
   absl::Status CancelBatch(const std::string& batch_id, absl::Time now) override {
     return inner_->CancelBatch(batch_id, now);
   }
+  absl::StatusOr<Deleted> DeleteJob(const std::string& job_id, ArtifactStore& artifacts) override {
+    return CountDeleted(inner_->DeleteJob(job_id, artifacts), "job_id", job_id);
+  }
+  absl::StatusOr<Deleted> DeleteBatch(const std::string& batch_id, int job_limit, ArtifactStore& artifacts) override {
+    return CountDeleted(inner_->DeleteBatch(batch_id, job_limit, artifacts), "batch_id", batch_id);
+  }
+  absl::StatusOr<Deleted> FinishDeletions(ArtifactStore& artifacts) override {
+    return CountDeleted(inner_->FinishDeletions(artifacts), "job_id", "");
+  }
+  absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) override {
+    return inner_->EndedBefore(time, after, limit);
+  }
   absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) override {
     return inner_->FindResult(key);
   }
@@ -175,6 +189,15 @@ class MeteredWorkQueue final : public WorkQueue {
   absl::StatusOr<std::vector<v1::OrchestratorStatus>> Orchestrators() override { return inner_->Orchestrators(); }
 
  private:
+  // Counts and says what was deleted of `what`.
+  absl::StatusOr<Deleted> CountDeleted(absl::StatusOr<Deleted> deleted, std::string_view what, const std::string& id) {
+    if (!deleted.ok() || (deleted->job_count == 0 && deleted->artifact_count == 0)) return deleted;
+    metrics_.CountDeleted(*deleted);
+    Log(*logger_, spdlog::level::info, "deleted",
+        {{what, id}, {"job_count", deleted->job_count}, {"artifact_count", deleted->artifact_count}});
+    return deleted;
+  }
+
   QueueMetrics metrics_;
   const runtime::Clock& clock_;
   const std::shared_ptr<spdlog::logger> logger_;

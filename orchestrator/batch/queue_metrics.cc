@@ -26,6 +26,12 @@ constexpr MetricFamily kEnded{.kind = MetricKind::kCounter,
                               .name = "flair_jobs_ended_total",
                               .help = "Jobs that a run of this orchestrator ended; failure is the kind of failure.",
                               .labels = {"state", "failure"}};
+constexpr MetricFamily kDeletedJobs{.kind = MetricKind::kCounter,
+                                    .name = "flair_jobs_deleted_total",
+                                    .help = "Jobs that this orchestrator deleted, asked to or after a time."};
+constexpr MetricFamily kDeletedArtifacts{.kind = MetricKind::kCounter,
+                                         .name = "flair_artifacts_deleted_total",
+                                         .help = "Artifacts that it deleted with them, since no other job had them."};
 constexpr MetricFamily kRuns{.kind = MetricKind::kCounter,
                              .name = "flair_job_runs_total",
                              .help =
@@ -146,6 +152,11 @@ void QueueMetrics::CountEnd(const v1::Job& job, const JobEnd& end) {
   if (end.state == v1::JOB_STATE_FAILED && !end.stage.empty())
     metrics_.GetCounter(kStages, {end.stage, "failed"}).Add();
   job_duration_.Observe(SecondsSince(job.create_time(), end.time));
+}
+
+void QueueMetrics::CountDeleted(const Deleted& deleted) {
+  metrics_.GetCounter(kDeletedJobs).Add(static_cast<double>(deleted.job_count));
+  metrics_.GetCounter(kDeletedArtifacts).Add(static_cast<double>(deleted.artifact_count));
 }
 
 void QueueMetrics::SetStatus(const v1::OrchestratorStatus& status) {

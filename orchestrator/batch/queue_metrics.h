@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flair/v1/orchestrator_service.pb.h"
+#include "orchestrator/batch/deletion.h"
 #include "orchestrator/batch/lease.h"
 #include "worker_runtime/metrics/metrics.h"
 
@@ -33,6 +34,7 @@ class QueueMetrics {
   void CountStage(const v1::JobEvent& event);
   // A run ended its job.
   void CountEnd(const v1::Job& job, const JobEnd& end);
+  void CountDeleted(const Deleted& deleted);
   // What the process last said of itself, and how many jobs wait.
   void SetStatus(const v1::OrchestratorStatus& status);
   void SetQueued(int64_t job_count) { queued_ = static_cast<double>(job_count); }

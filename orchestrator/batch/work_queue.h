@@ -15,6 +15,8 @@
 #include "flair/store/v1/job_record.pb.h"
 #include "flair/v1/job.pb.h"
 #include "flair/v1/orchestrator_service.pb.h"
+#include "orchestrator/batch/artifact_store.h"
+#include "orchestrator/batch/deletion.h"
 #include "orchestrator/batch/lease.h"
 
 namespace flair::orchestrator {
@@ -97,6 +99,24 @@ class WorkQueue {
 
   // Closes the batch for ever and asks for the end of its jobs.
   virtual absl::Status CancelBatch(const std::string& batch_id, absl::Time now) = 0;
+
+  // ---- Forgetting it. `artifacts` is where the jobs' artifacts are; those that no other job has are deleted. Whoever is
+  // killed in between leaves nothing that looks whole and is not; asked again, or by FinishDeletions, it goes on.
+
+  // Forgets an alone standing job that has ended; its request may make another one. NOT_FOUND when unknown,
+  // FAILED_PRECONDITION as CheckDeletable.
+  virtual absl::StatusOr<Deleted> DeleteJob(const std::string& job_id, ArtifactStore& artifacts) = 0;
+
+  // Forgets at most about `job_limit` jobs of a batch that has ended, those at the last places first, and with the last
+  // of them the batch. What is left in between is a cancelled batch. Errors as DeleteJob.
+  virtual absl::StatusOr<Deleted> DeleteBatch(const std::string& batch_id, int job_limit, ArtifactStore& artifacts) = 0;
+
+  // Ends what a process that died had begun to delete; but batches, which still are there.
+  virtual absl::StatusOr<Deleted> FinishDeletions(ArtifactStore& artifacts) = 0;
+
+  // Alone standing jobs that ended before `time`, and batches that came to their end before it. A page of them: looks at
+  // `limit` or so, from where an earlier page said that the next begins; the first one when `after` is empty.
+  virtual absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) = 0;
 
   // ---- Doing it
 

@@ -19,7 +19,9 @@ constexpr absl::Duration kManyAnswers = absl::Seconds(4);
 bool MeansNoRoom(int code) {
   return code == 10002 || code == 10023 || code == 10028 || code == 10047 || code == 10077 || code == 10053;
 }
-bool MeansNotFound(int code) { return code == 10014 || code == 10037 || code == 10059; }
+bool MeansNotFound(int code) {
+  return code == 10014 || code == 10037 || code == 10043 || code == 10057 || code == 10059;
+}
 constexpr int kWrongLastSequence = 10071;
 constexpr int kNoSuitablePeers = 10005;
 constexpr int kReplicasNeedCluster = 10074;

@@ -99,4 +99,23 @@ std::vector<absl::StatusOr<uint64_t>> Bucket::UpdateAll(std::span<const Change> 
   return revisions;
 }
 
+std::vector<absl::StatusOr<bool>> Bucket::RemoveAll(std::span<const Revision> revisions) {
+  std::vector<std::pair<std::string, json>> calls;
+  for (const Revision& revision : revisions) {
+    // A key has one message, the latest: an earlier one is gone.
+    calls.emplace_back("STREAM.MSG.DELETE." + stream_, json{{"seq", revision.revision}, {"no_erase", true}});
+  }
+  std::vector<absl::StatusOr<bool>> removed;
+  for (const absl::StatusOr<json>& answer : api_.CallAll(calls)) {
+    if (answer.ok() || absl::IsNotFound(answer.status())) {
+      removed.emplace_back(answer.ok());
+    } else {
+      removed.emplace_back(answer.status());
+    }
+  }
+  return removed;
+}
+
+absl::StatusOr<bool> Bucket::Remove(const Revision& revision) { return RemoveAll(std::span(&revision, 1)).front(); }
+
 }  // namespace flair::orchestrator

@@ -48,6 +48,14 @@ class Bucket {
   // Many updates of different keys at once; each ends as Update.
   std::vector<absl::StatusOr<uint64_t>> UpdateAll(std::span<const Change> changes);
 
+  struct Revision {
+    std::string key;
+    uint64_t revision = 0;
+  };
+  // Removes values without a trace: those that still have that revision. False where that is not so.
+  std::vector<absl::StatusOr<bool>> RemoveAll(std::span<const Revision> revisions);
+  absl::StatusOr<bool> Remove(const Revision& revision);
+
   // A request that writes a value only if the key has none; ABORTED when it has (JetStreamApi::PublishAll).
   NatsRequest NewRequest(std::string_view key, std::string value) const;
 

@@ -11,13 +11,6 @@
 namespace flair::orchestrator {
 namespace {
 
-std::string RequestKey(const std::string& owner, RequestKind kind, const std::string& request_id,
-                       const std::string& id) {
-  const char* token = kind == RequestKind::kJob ? ".single." : ".batch.";
-  // What nobody asked for by a request is its own.
-  return OwnerToken(owner) + token + runtime::Sha256Hex(request_id.empty() ? id : request_id);
-}
-
 absl::Status CheckPlaces(std::span<const v1::Job> jobs, const v1::Batch& batch) {
   int64_t place = batch.job_count();
   for (const v1::Job& job : jobs) {
@@ -40,26 +33,36 @@ absl::Status CheckPlaces(std::span<const v1::Job> jobs, const v1::Batch& batch) 
 
 // The id under a request's key, which is made to be `id` when there is none.
 absl::StatusOr<std::string> JetStreamWorkQueue::IdOfRequest(const std::string& key, const std::string& id) {
-  const absl::StatusOr<uint64_t> made = parts_->requests.Update(key, id, 0);
-  if (made.ok()) return id;
-  if (!absl::IsAborted(made.status())) return made.status();
-  const absl::StatusOr<Bucket::Entry> known = parts_->requests.Get(key);
-  if (!known.ok()) return known.status();
-  return known->value;
+  while (true) {
+    const absl::StatusOr<uint64_t> made = parts_->requests.Update(key, id, 0);
+    if (made.ok()) return id;
+    if (!absl::IsAborted(made.status())) return made.status();
+    const absl::StatusOr<Bucket::Entry> known = parts_->requests.Get(key);
+    // What it made has been forgotten just now.
+    if (absl::IsNotFound(known.status())) continue;
+    if (!known.ok()) return known.status();
+    return known->value;
+  }
 }
 
 absl::StatusOr<v1::Job> JetStreamWorkQueue::CreateJob(const v1::Job& job, const std::string& request_id) {
-  const absl::StatusOr<std::string> id = IdOfRequest(RequestKey(job.owner(), RequestKind::kJob, request_id, job.id()), job.id());
-  if (!id.ok()) return id.status();
+  const std::string key = RequestKey(job.owner(), RequestKind::kJob, request_id, job.id());
   store::v1::JobRecord record = NewRecord(job, request_id);
-  record.mutable_job()->set_id(*id);
-  const absl::StatusOr<uint64_t> made = parts_->jobs.Update(*id, runtime::CanonicalBytes(record), 0);
-  if (absl::IsAborted(made.status())) {
+  while (true) {
+    const absl::StatusOr<std::string> id = IdOfRequest(key, job.id());
+    if (!id.ok()) return id.status();
+    record.mutable_job()->set_id(*id);
+    const absl::StatusOr<uint64_t> made = parts_->jobs.Update(*id, runtime::CanonicalBytes(record), 0);
+    if (made.ok()) break;
+    if (!absl::IsAborted(made.status())) return made.status();
     absl::StatusOr<RevisedJob> known = parts_->GetJob(*id);
-    if (!known.ok()) return known.status();
-    record = std::move(known->value);
-  } else if (!made.ok()) {
-    return made.status();
+    if (known.ok()) {
+      record = std::move(known->value);
+      break;
+    }
+    if (!absl::IsNotFound(known.status())) return known.status();
+    // It is being forgotten: the request may make another one.
+    if (absl::Status status = RemoveRequest(key, *id); !status.ok()) return status;
   }
   // Again for a job that was made before and has never run: who made it may not have come so far.
   if (record.job().state() == v1::JOB_STATE_QUEUED && record.job().attempt_count() == 0) {
@@ -69,18 +72,21 @@ absl::StatusOr<v1::Job> JetStreamWorkQueue::CreateJob(const v1::Job& job, const 
 }
 
 absl::StatusOr<store::v1::BatchRecord> JetStreamWorkQueue::CreateBatch(const store::v1::BatchRecord& batch) {
-  const absl::StatusOr<std::string> id =
-      IdOfRequest(RequestKey(batch.batch().owner(), RequestKind::kBatch, batch.request_id(), batch.batch().id()),
-                  batch.batch().id());
-  if (!id.ok()) return id.status();
+  const std::string key =
+      RequestKey(batch.batch().owner(), RequestKind::kBatch, batch.request_id(), batch.batch().id());
   store::v1::BatchRecord record = batch;
-  record.mutable_batch()->set_id(*id);
-  const absl::StatusOr<uint64_t> made = parts_->batches.Update(*id, runtime::CanonicalBytes(record), 0);
-  if (made.ok()) return record;
-  if (!absl::IsAborted(made.status())) return made.status();
-  absl::StatusOr<RevisedBatch> known = parts_->GetBatch(*id);
-  if (!known.ok()) return known.status();
-  return std::move(known->value);
+  while (true) {
+    const absl::StatusOr<std::string> id = IdOfRequest(key, batch.batch().id());
+    if (!id.ok()) return id.status();
+    record.mutable_batch()->set_id(*id);
+    const absl::StatusOr<uint64_t> made = parts_->batches.Update(*id, runtime::CanonicalBytes(record), 0);
+    if (made.ok()) return record;
+    if (!absl::IsAborted(made.status())) return made.status();
+    absl::StatusOr<RevisedBatch> known = parts_->GetBatch(*id);
+    if (known.ok()) return std::move(known->value);
+    // The last step of its deletion is being made just now.
+    if (!absl::IsNotFound(known.status())) return known.status();
+  }
 }
 
 absl::StatusOr<bool> JetStreamWorkQueue::HasRequest(RequestKind kind, const std::string& owner,

@@ -58,6 +58,14 @@ absl::Status Ends::Remove(const v1::Job& job) {
   return absl::IsNotFound(removed) ? absl::OkStatus() : removed;
 }
 
+absl::StatusOr<std::string> Ends::LastOf(const std::string& batch_id) {
+  const absl::StatusOr<json> last = parts_.api.Call("STREAM.MSG.GET." + parts_.names.ends_stream(),
+                                                    json{{"last_by_subj", parts_.names.End(batch_id, "*", "*", "*")}});
+  if (absl::IsNotFound(last.status())) return "";
+  if (!last.ok()) return last.status();
+  return std::string(TokenAt(last->value("message", json::object()).value("subject", ""), kJobToken));
+}
+
 absl::StatusOr<int64_t> Ends::CountAll(const v1::Batch& batch) {
   const std::string all = parts_.names.End(batch.id(), "*", "*", "*");
   if (batch.job_count() <= kListed) {

@@ -32,6 +32,12 @@ class Ends {
   absl::Status Count(v1::Batch& batch);
   absl::StatusOr<int64_t> CountAll(const v1::Batch& batch);
 
+  // The job of the batch that ended last; empty when none has.
+  absl::StatusOr<std::string> LastOf(const std::string& batch_id);
+
+  // Under which the end of the job is.
+  std::string SubjectOf(const v1::Job& job) const;
+
   absl::StatusOr<std::vector<BatchEnd>> After(const std::string& batch_id, int64_t sequence, int limit);
 
   // The jobs that ended so, by id, those with larger ids first.
@@ -41,7 +47,6 @@ class Ends {
   // The numbers of state and failure kind, as in subjects.
   using Outcome = std::pair<std::string, std::string>;
   absl::StatusOr<std::map<Outcome, int64_t>> CountOutcomes(const v1::Batch& batch);
-  std::string SubjectOf(const v1::Job& job) const;
   absl::StatusOr<std::vector<BatchEnd>> Read(const std::string& filter, int64_t sequence, int limit);
 
   QueueParts& parts_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,6 +21,9 @@ constexpr size_t kPieceBytes = 512 * 1024;
 constexpr size_t kPiecesAtOnce = 16;
 // What a manifest may say, against damaged ones: 4 GiB.
 constexpr int kMostPieces = 8192;
+
+// Artifacts that are deleted at once; they are in memory then.
+constexpr size_t kDeletedAtOnce = 16;
 
 constexpr std::string_view kWhole = "whole\n";
 constexpr std::string_view kPieces = "pieces ";
@@ -56,18 +60,11 @@ absl::Status JetStreamArtifacts::PutAll(std::span<const SealedArtifact> artifact
       return acks[i].status();
     }
   }
+  // Also where it is there: who deletes it, since nobody had it, sees that it is wanted again.
   for (const SealedArtifact* artifact : others) {
-    if (absl::Status status = PutOne(*artifact); !status.ok()) return status;
+    if (absl::Status status = Write(artifact->ref.id(), artifact->bytes); !status.ok()) return status;
   }
   return absl::OkStatus();
-}
-
-absl::Status JetStreamArtifacts::PutOne(const SealedArtifact& artifact) {
-  const std::string& id = artifact.ref.id();
-  const absl::StatusOr<std::string> known = Read(id);
-  if (known.ok() && *known == artifact.bytes) return absl::OkStatus();
-  if (!known.ok() && !absl::IsNotFound(known.status()) && !absl::IsDataLoss(known.status())) return known.status();
-  return Write(id, artifact.bytes);
 }
 
 absl::Status JetStreamArtifacts::Write(const std::string& id, const std::string& bytes) {
@@ -118,6 +115,46 @@ absl::StatusOr<v1::Artifact> JetStreamArtifacts::Get(const std::string& id) {
   v1::Artifact artifact;
   if (!AreBytesOf(*bytes, id) || !artifact.ParseFromString(*bytes)) return Damaged(id);
   return artifact;
+}
+
+absl::StatusOr<int64_t> JetStreamArtifacts::Mark() {
+  const absl::StatusOr<uint64_t> last = parts_->reader.LastSequence(artifacts_.stream());
+  if (!last.ok()) return last.status();
+  return static_cast<int64_t>(*last);
+}
+
+absl::StatusOr<int64_t> JetStreamArtifacts::Delete(std::span<const std::string> ids, int64_t mark) {
+  int64_t deleted = 0;
+  for (size_t first = 0; first < ids.size(); first += kDeletedAtOnce) {
+    const absl::StatusOr<int64_t> some = DeleteSome(ids.subspan(first, std::min(kDeletedAtOnce, ids.size() - first)),
+                                                    static_cast<uint64_t>(std::max<int64_t>(0, mark)));
+    if (!some.ok()) return some.status();
+    deleted += *some;
+  }
+  return deleted;
+}
+
+absl::StatusOr<int64_t> JetStreamArtifacts::DeleteSome(std::span<const std::string> ids, uint64_t mark) {
+  std::vector<Bucket::Revision> removals;
+  const std::vector<absl::StatusOr<Bucket::Entry>> entries = artifacts_.GetAll(ids);
+  for (size_t i = 0; i < ids.size(); ++i) {
+    if (absl::IsNotFound(entries[i].status())) continue;
+    if (!entries[i].ok()) return entries[i].status();
+    if (entries[i]->revision > mark) continue;
+    // The value that says how many pieces there are goes last, as it came.
+    if (entries[i]->value.starts_with(kPieces)) {
+      const nlohmann::json pieces = {{"filter", artifacts_.SubjectOf(ids[i] + ".*")}, {"seq", mark + 1}};
+      const absl::Status purged = parts_->api.Call("STREAM.PURGE." + artifacts_.stream(), pieces).status();
+      if (!purged.ok()) return purged;
+    }
+    removals.push_back({ids[i], entries[i]->revision});
+  }
+  int64_t deleted = 0;
+  for (const absl::StatusOr<bool>& removed : artifacts_.RemoveAll(removals)) {
+    if (!removed.ok()) return removed.status();
+    deleted += *removed ? 1 : 0;
+  }
+  return deleted;
 }
 
 }  // namespace flair::orchestrator

@@ -20,10 +20,13 @@ class JetStreamArtifacts final : public ArtifactStore {
   absl::StatusOr<v1::Artifact> Get(const std::string& id) override;
   // The servers have what they have said yes to, on replica_count of them; they write to their disks by themselves.
   absl::Status Flush(std::span<const v1::ArtifactRef>) override { return absl::OkStatus(); }
+  // Sequences of the bucket's stream.
+  absl::StatusOr<int64_t> Mark() override;
+  absl::StatusOr<int64_t> Delete(std::span<const std::string> ids, int64_t mark) override;
 
  private:
   absl::StatusOr<std::string> Read(const std::string& id);
-  absl::Status PutOne(const SealedArtifact& artifact);
+  absl::StatusOr<int64_t> DeleteSome(std::span<const std::string> ids, uint64_t mark);
   absl::Status Write(const std::string& id, const std::string& bytes);
 
   const std::unique_ptr<QueueParts> parts_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -25,6 +26,8 @@ JetStreamLease::JetStreamLease(QueueParts& parts, Ends& ends, LeaseKeeper& keepe
       hold_(std::move(hold)),
       job_(record.value.job()),
       history_(record.value.events().begin(), record.value.events().end()),
+      lost_run_count_(record.value.lost_run_count() - 1),
+      users_(parts),
       record_(std::move(record)) {
   hold_->cancel_requested = record_.value.cancel_requested();
   keeper_.Add(hold_);
@@ -43,6 +46,8 @@ absl::Status JetStreamLease::Refused() {
 // Takes over what others wrote into the record, which is no more than that they want the end.
 absl::Status JetStreamLease::ReadAgain() {
   absl::StatusOr<RevisedJob> now = parts_.GetJob(job_.id());
+  // It was cancelled, and forgotten with its batch.
+  if (absl::IsNotFound(now.status())) return Refused();
   if (!now.ok()) return now.status();
   if (now->value.holder() != hold_->holder) return Refused();
   record_ = *std::move(now);
@@ -79,15 +84,41 @@ absl::Status JetStreamLease::Close(const std::function<void(store::v1::JobRecord
   return status;
 }
 
+absl::Status JetStreamLease::Announce(std::span<const StageRecord> records) {
+  std::lock_guard lock(mutex_);
+  return hold_->lost || done_ ? Refused() : BecomeUser(records);
+}
+
+// Nobody deletes these artifacts from now on. What is to be used again and has no user is going just now.
+absl::Status JetStreamLease::BecomeUser(std::span<const StageRecord> records) {
+  std::vector<ArtifactUsers::Use> uses;
+  for (const StageRecord& record : records) {
+    const std::string& id = record.event.artifact().id();
+    if (!id.empty() && !used_.contains(id)) uses.push_back({id, record.result_key});
+  }
+  if (uses.empty()) return absl::OkStatus();
+  ArtifactUsers::User user;
+  user.set_id(job_.batch_id().empty() ? job_.id() : job_.batch_id());
+  user.set_owner_token(OwnerToken(job_.owner()));
+  const absl::StatusOr<std::vector<std::string>> unused = users_.Add(uses, user);
+  if (!unused.ok()) return unused.status();
+  for (const StageRecord& record : records) {
+    const std::string& id = record.event.artifact().id();
+    const bool reused = record.event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED;
+    if (reused && std::ranges::find(*unused, id) != unused->end()) return ArtifactIsGone(id);
+  }
+  for (const ArtifactUsers::Use& use : uses) used_.insert(use.artifact_id);
+  return absl::OkStatus();
+}
+
 // What others may find by the artifact: it is there, whoever holds the job now.
 absl::Status JetStreamLease::Index(std::span<const StageRecord> records) {
+  if (absl::Status status = BecomeUser(records); !status.ok()) return status;
   std::vector<NatsRequest> entries;
   for (const StageRecord& record : records) {
-    if (!record.event.has_artifact()) continue;
-    const std::string artifact = runtime::CanonicalBytes(record.event.artifact());
-    const auto add = [&](const std::string& key) { entries.push_back({parts_.index.SubjectOf(key), artifact, {}}); };
-    if (!record.result_key.empty()) add("result." + record.result_key);
-    if (!job_.owner().empty()) add("owned." + OwnerToken(job_.owner()) + "." + record.event.artifact().id());
+    if (record.result_key.empty() || !record.event.has_artifact()) continue;
+    entries.push_back(
+        {parts_.index.SubjectOf("result." + record.result_key), runtime::CanonicalBytes(record.event.artifact()), {}});
   }
   if (entries.empty()) return absl::OkStatus();
   if (entries.size() == 1) return parts_.api.Publish(entries.front()).status();

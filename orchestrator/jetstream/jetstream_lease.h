@@ -4,11 +4,13 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "orchestrator/batch/lease.h"
+#include "orchestrator/jetstream/artifact_users.h"
 #include "orchestrator/jetstream/ends.h"
 #include "orchestrator/jetstream/lease_keeper.h"
 #include "orchestrator/jetstream/queue_parts.h"
@@ -25,6 +27,8 @@ class JetStreamLease final : public Lease {
 
   const v1::Job& job() const override { return job_; }
   const std::vector<v1::JobEvent>& history() const override { return history_; }
+  int lost_run_count() const override { return lost_run_count_; }
+  absl::Status Announce(std::span<const StageRecord> records) override;
   absl::Status RecordAll(std::span<const StageRecord> records) override;
   absl::Status End(const JobEnd& end) override;
   absl::Status Return(absl::Duration delay, const std::string& reason) override;
@@ -37,6 +41,7 @@ class JetStreamLease final : public Lease {
   absl::Status Close(const std::function<void(store::v1::JobRecord&)>& change, const std::function<bool()>& more);
   absl::Status ReadAgain();
   absl::Status Refused();
+  absl::Status BecomeUser(std::span<const StageRecord> records);
   absl::Status Index(std::span<const StageRecord> records);
 
   QueueParts& parts_;
@@ -46,9 +51,13 @@ class JetStreamLease final : public Lease {
   const std::shared_ptr<Hold> hold_;
   const v1::Job job_;
   const std::vector<v1::JobEvent> history_;
+  const int lost_run_count_;
+  ArtifactUsers users_;
 
   std::mutex mutex_;
   RevisedJob record_;
+  // Artifacts that this run uses.
+  std::set<std::string> used_;
   bool done_ = false;
 };
 

@@ -15,6 +15,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "orchestrator/batch/work_queue.h"
+#include "orchestrator/jetstream/artifact_users.h"
 #include "orchestrator/jetstream/batch_care.h"
 #include "orchestrator/jetstream/ends.h"
 #include "orchestrator/jetstream/lanes.h"
@@ -40,6 +41,11 @@ class JetStreamWorkQueue final : public WorkQueue {
   absl::StatusOr<bool> Retry(const std::string& job_id) override;
   absl::Status SetBatchState(const std::string& batch_id, v1::BatchState state) override;
   absl::Status CancelBatch(const std::string& batch_id, absl::Time now) override;
+
+  absl::StatusOr<Deleted> DeleteJob(const std::string& job_id, ArtifactStore& artifacts) override;
+  absl::StatusOr<Deleted> DeleteBatch(const std::string& batch_id, int job_limit, ArtifactStore& artifacts) override;
+  absl::StatusOr<Deleted> FinishDeletions(ArtifactStore& artifacts) override;
+  absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) override;
 
   absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) override;
   absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) override;
@@ -69,6 +75,22 @@ class JetStreamWorkQueue final : public WorkQueue {
   absl::Status AddRecords(const std::string& batch_id, std::span<const v1::Job> jobs);
   absl::Status CompareSpecs(std::span<const v1::Job> jobs);
   absl::Status PutIntoQueue(std::span<const v1::Job> jobs);
+
+  // delete.cc
+  std::string NoteKey(const std::string& owner, const std::string& id) const;
+  absl::Status RemoveNote(const std::string& owner, const std::string& id);
+  absl::Status RemoveRequest(const std::string& key, const std::string& id);
+  absl::StatusOr<int64_t> DeleteArtifacts(std::span<const std::string> ids, const std::string& user_id,
+                                          ArtifactStore& artifacts);
+  absl::StatusOr<Deleted> ForgetJob(const std::string& job_id, const std::string& owner, ArtifactStore& artifacts);
+  absl::StatusOr<RevisedBatch> BeginToDelete(const std::string& batch_id);
+  absl::StatusOr<int64_t> ForgetPlaces(const std::string& batch_id, int64_t first, int64_t end);
+  absl::Status DeleteDoomed(const std::string& batch_id, int64_t all, int64_t job_limit, ArtifactStore& artifacts,
+                            Deleted& deleted);
+  absl::Status ForgetBatch(const store::v1::BatchRecord& record);
+
+  // ended.cc
+  absl::StatusOr<bool> BatchEndedBefore(absl::Time time, const std::string& batch_id);
 
   // take.cc
   absl::StatusOr<std::unique_ptr<Lease>> TakeFrom(const Lane& lane, int& passed_over);
@@ -102,6 +124,7 @@ class JetStreamWorkQueue final : public WorkQueue {
   Ends ends_;
   Lanes lanes_;
   BatchCare care_;
+  ArtifactUsers users_;
   std::unique_ptr<LeaseKeeper> keeper_;
   std::atomic<int64_t> next_run_ = 1;
 

@@ -3,6 +3,7 @@
 
 #include <google/protobuf/util/time_util.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace flair::orchestrator {
@@ -63,6 +64,7 @@ void BeginRun(store::v1::JobRecord& record, const std::string& holder) {
   v1::Job& job = *record.mutable_job();
   job.set_state(v1::JOB_STATE_RUNNING);
   job.set_attempt_count(job.attempt_count() + 1);
+  record.set_lost_run_count(record.lost_run_count() + 1);
   record.set_holder(holder);
   record.clear_not_before_time();
 }
@@ -70,7 +72,11 @@ void BeginRun(store::v1::JobRecord& record, const std::string& holder) {
 void AddStageRecords(store::v1::JobRecord& record, std::span<const StageRecord> stages) {
   for (const StageRecord& stage : stages) {
     record.mutable_job()->set_stage(stage.event.stage());
-    if (stage.event.has_artifact()) Attach(record, stage.stage_index, stage.event.artifact());
+    if (stage.event.has_artifact()) {
+      Attach(record, stage.stage_index, stage.event.artifact());
+      // This run, which counts as lost until it says otherwise.
+      record.set_lost_run_count(1);
+    }
     AddEvent(record, stage.event);
   }
 }
@@ -92,6 +98,7 @@ void EndJob(store::v1::JobRecord& record, const JobEnd& end) {
 void ReturnJob(store::v1::JobRecord& record, absl::Time not_before, const std::string& reason) {
   record.mutable_job()->set_state(v1::JOB_STATE_QUEUED);
   record.clear_holder();
+  record.set_lost_run_count(std::max(0, record.lost_run_count() - 1));
   if (not_before != absl::InfinitePast()) *record.mutable_not_before_time() = ToTimestamp(not_before);
   if (!reason.empty()) AddEvent(record, v1::JOB_EVENT_KIND_WAITING, reason);
 }
@@ -104,6 +111,7 @@ void RetryJob(store::v1::JobRecord& record) {
   job.clear_failure_kind();
   job.clear_end_time();
   record.clear_cancel_requested();
+  record.clear_lost_run_count();
   AddEvent(record, v1::JOB_EVENT_KIND_RETRIED, "");
 }
 

@@ -140,6 +140,7 @@ absl::Status JetStreamWorkQueue::VisitRequests(
     for (const StreamReader::Message& message : *messages) {
       if (!more()) break;
       const std::string key(parts_->requests.KeyOf(message.subject));
+      if (TokenAt(key, kKindToken) == kDeleting) continue;
       if (absl::Status status = visit(std::string(TokenAt(key, kKindToken)), message.content); !status.ok()) {
         return status;
       }
@@ -210,10 +211,7 @@ absl::StatusOr<int64_t> JetStreamWorkQueue::CountOpen(const std::string& owner) 
 
 absl::StatusOr<bool> JetStreamWorkQueue::OwnsArtifact(const std::string& owner, const std::string& artifact_id) {
   if (!IsToken(artifact_id)) return false;
-  const absl::Status found = parts_->index.Get("owned." + OwnerToken(owner) + "." + artifact_id).status();
-  if (absl::IsNotFound(found)) return false;
-  if (!found.ok()) return found;
-  return true;
+  return users_.IsOwnedBy(OwnerToken(owner), artifact_id);
 }
 
 absl::StatusOr<std::optional<v1::ArtifactRef>> JetStreamWorkQueue::FindResult(const std::string& key) {

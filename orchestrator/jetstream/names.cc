@@ -38,6 +38,12 @@ std::string_view TokenAt(std::string_view subject, int place) {
   return subject.substr(0, subject.find('.'));
 }
 
+std::string RequestKey(const std::string& owner, RequestKind kind, const std::string& request_id,
+                       const std::string& id) {
+  const char* token = kind == RequestKind::kJob ? ".single." : ".batch.";
+  return OwnerToken(owner) + token + runtime::Sha256Hex(request_id.empty() ? id : request_id);
+}
+
 absl::Duration LeaseOf(const config::v1::QueueConfig& config) {
   return absl::Seconds(config.has_lease_seconds() ? config.lease_seconds() : 30);
 }

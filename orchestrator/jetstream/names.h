@@ -6,6 +6,7 @@
 
 #include "absl/time/time.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
+#include "orchestrator/batch/work_queue.h"
 
 namespace flair::orchestrator {
 
@@ -17,8 +18,8 @@ namespace flair::orchestrator {
 //   stream NAME-ends       jobs of batches that have ended, the latest end of each
 //     NAME.ends.BATCH.STATE.KIND.JOB  STATE and KIND: the numbers of JobState and FailureKind
 //   buckets NAME-jobs (JobRecord by job), NAME-batches (BatchRecord by batch), NAME-requests (ids by
-//   OWNER.single.REQUEST and OWNER.batch.REQUEST, in the order in which they were made), NAME-index (result.KEY;
-//   owned.OWNER.ARTIFACT), NAME-status (OrchestratorStatus, forgotten soon), NAME-artifacts (see artifacts.h) subject
+//   OWNER.single.REQUEST and OWNER.batch.REQUEST, in the order in which they were made; OWNER.deleting.ID, see delete.cc),
+//   NAME-index (result.KEY: ArtifactRef; users.ARTIFACT: ArtifactUsers; doomed.BATCH.PLACE: see delete.cc), NAME-status (OrchestratorStatus, forgotten soon), NAME-artifacts (see artifacts.h) subject
 //   NAME.news      hints, which may be lost; see news.h
 // A bucket is a stream KV_BUCKET with subjects $KV.BUCKET.KEY, as NATS's own tools know them.
 class QueueNames {
@@ -59,6 +60,13 @@ bool IsToken(std::string_view text);
 
 // The token at a place of a subject, from 0; empty when there is none.
 std::string_view TokenAt(std::string_view subject, int place);
+
+// The kind of a note in the bucket of requests; see delete.cc.
+inline constexpr char kDeleting[] = "deleting";
+
+// The key of a request in its bucket. What nobody asked for by a request is its own: by its id.
+std::string RequestKey(const std::string& owner, RequestKind kind, const std::string& request_id,
+                       const std::string& id);
 
 absl::Duration LeaseOf(const config::v1::QueueConfig& config);
 

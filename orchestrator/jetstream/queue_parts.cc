@@ -65,7 +65,13 @@ QueueParts::QueueParts(std::unique_ptr<NatsConnection> opened, const config::v1:
 
 absl::StatusOr<RevisedJob> QueueParts::ParseJob(const std::string& job_id,
                                                 const absl::StatusOr<Bucket::Entry>& entry) const {
-  return Parse<store::v1::JobRecord>(entry, "job_id", job_id);
+  absl::StatusOr<RevisedJob> job = Parse<store::v1::JobRecord>(entry, "job_id", job_id);
+  if (job.ok() && job->value.deleting()) return Parse<store::v1::JobRecord>(absl::NotFoundError(""), "job_id", job_id);
+  return job;
+}
+
+absl::StatusOr<RevisedJob> QueueParts::GetAnyJob(const std::string& job_id) {
+  return Parse<store::v1::JobRecord>(IsToken(job_id) ? jobs.Get(job_id) : absl::NotFoundError(""), "job_id", job_id);
 }
 
 absl::StatusOr<RevisedJob> QueueParts::GetJob(const std::string& job_id) {

@@ -35,7 +35,8 @@ class QueueParts {
   QueueParts(std::unique_ptr<NatsConnection> connection, const config::v1::QueueConfig& config,
              const runtime::Clock& clock);
 
-  // NOT_FOUND when unknown, also when it cannot be an id.
+  // NOT_FOUND when unknown, also when it cannot be an id; a job that is being forgotten is known to GetAnyJob only.
+  absl::StatusOr<RevisedJob> GetAnyJob(const std::string& job_id);
   absl::StatusOr<RevisedJob> GetJob(const std::string& job_id);
   absl::StatusOr<RevisedBatch> GetBatch(const std::string& batch_id);
   // What GetAll gave.

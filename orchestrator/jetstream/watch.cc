@@ -36,7 +36,8 @@ JetStreamWorkQueue::JetStreamWorkQueue(std::unique_ptr<QueueParts> parts)
       process_(RandomName()),
       ends_(*parts_),
       lanes_(*parts_),
-      care_(*parts_, ends_, lanes_) {}
+      care_(*parts_, ends_, lanes_),
+      users_(*parts_) {}
 
 absl::Status JetStreamWorkQueue::Start() {
   absl::StatusOr<std::unique_ptr<NatsInbox>> news = parts_->connection->Subscribe(parts_->names.news_subject());

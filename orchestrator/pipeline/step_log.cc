@@ -34,6 +34,8 @@ absl::StatusOr<std::vector<StageRecord>> StepLog::TakeLast() {
 absl::StatusOr<std::vector<StageRecord>> StepLog::TakeKept() {
   work_ = absl::ZeroDuration();
   std::vector<StageRecord> records = std::exchange(kept_, {});
+  // Nobody deletes what is stored before it is recorded.
+  if (absl::Status status = lease_.Announce(records); !status.ok()) return status;
   if (absl::Status status = artifacts_.PutAll(std::exchange(kept_artifacts_, {})); !status.ok()) return status;
   return records;
 }

@@ -17,6 +17,8 @@ class RememberingLease final : public Lease {
  public:
   const v1::Job& job() const override { return job_; }
   const std::vector<v1::JobEvent>& history() const override { return history_; }
+  int lost_run_count() const override { return 0; }
+  absl::Status Announce(std::span<const StageRecord>) override { return absl::OkStatus(); }
   absl::Status RecordAll(std::span<const StageRecord> records) override {
     if (!answer.ok() || records.empty()) return answer;
     std::string write;
@@ -51,6 +53,8 @@ class RememberingStore final : public ArtifactStore {
   }
   absl::StatusOr<v1::Artifact> Get(const std::string&) override { return absl::NotFoundError(""); }
   absl::Status Flush(std::span<const v1::ArtifactRef>) override { return absl::OkStatus(); }
+  absl::StatusOr<int64_t> Mark() override { return 0; }
+  absl::StatusOr<int64_t> Delete(std::span<const std::string>, int64_t) override { return 0; }
 
   absl::Status answer;
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -13,12 +14,13 @@
 #include "orchestrator/batch/event_hub.h"
 #include "orchestrator/batch/job_runner.h"
 #include "orchestrator/batch/metered_work_queue.h"
-#include "orchestrator/workers/stage_workers.h"
+#include "orchestrator/batch/sweeper.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/service/open_stores.h"
 #include "orchestrator/service/orchestrator_handlers.h"
 #include "orchestrator/service/status_reporter.h"
 #include "orchestrator/service/watches.h"
+#include "orchestrator/workers/stage_workers.h"
 #include "worker_runtime/grpc/authorization.h"
 #include "worker_runtime/grpc/status.h"
 #include "worker_runtime/grpc/unary_call.h"
@@ -54,6 +56,11 @@ JobRunnerOptions MakeRunnerOptions(const config::v1::OrchestratorConfig& config)
   return options;
 }
 
+std::optional<absl::Duration> KeepEnded(const config::v1::OrchestratorConfig& config) {
+  if (!config.has_keep_ended_seconds()) return std::nullopt;
+  return absl::Seconds(config.keep_ended_seconds());
+}
+
 // What of the status never changes.
 v1::OrchestratorStatus Introduce(const config::v1::OrchestratorConfig& config, const runtime::WorkerContext& worker) {
   char host[256] = "";
@@ -87,13 +94,15 @@ class Service final : public OrchestratorService {
         runner_(*stores_.queue, pipeline_, worker.clock, *worker.logger, MakeRunnerOptions(config)),
         handlers_(*stores_.queue, *stores_.artifacts, runner_, worker.clock, QueuedJobLimit(config),
                   [this] { return Status(); }),
-        watches_(hub_, worker) {
+        watches_(hub_, worker),
+        sweeper_(*stores_.queue, *stores_.artifacts, worker.clock, *worker.logger, KeepEnded(config)) {
     stores_.queue->Listen({[this] { runner_.Wake(); }, [this](const std::string& id) { hub_.Notify(id); },
                            [this](const std::string& id) { hub_.Notify(id); }});
     // Who runs only what it is asked for is no part of a cluster.
     if (config.has_queue() || !config.requested_jobs_only()) {
       reporter_ = std::make_unique<StatusReporter>(*stores_.queue, [this] { return Status(); }, *worker.logger);
     }
+    sweeper_.Start();
   }
 
   ~Service() override {
@@ -102,6 +111,7 @@ class Service final : public OrchestratorService {
   }
 
   void Stop() override {
+    sweeper_.Stop();
     watches_.Stop();
     runner_.Stop();
   }
@@ -125,6 +135,8 @@ class Service final : public OrchestratorService {
   FLAIR_SERVE(ResumeBatch)
   FLAIR_SERVE(CancelBatch)
   FLAIR_SERVE(RetryBatch)
+  FLAIR_SERVE(DeleteJob)
+  FLAIR_SERVE(DeleteBatch)
 #undef FLAIR_SERVE
 
   grpc::ServerWriteReactor<v1::WatchJobResponse>* WatchJob(grpc::CallbackServerContext* context,
@@ -205,6 +217,7 @@ class Service final : public OrchestratorService {
   OrchestratorHandlers handlers_;
   Watches watches_;
   std::unique_ptr<StatusReporter> reporter_;
+  Sweeper sweeper_;
 };
 
 }  // namespace
@@ -234,6 +247,9 @@ void CheckOrchestratorConfig(const config::v1::OrchestratorConfig& config, runti
   checker.Range("queued_job_limit", config.queued_job_limit(), 0, 10000000);
   if (config.has_stage_deadline_seconds()) {
     checker.Range("stage_deadline_seconds", config.stage_deadline_seconds(), 0.001, 86400);
+  }
+  if (config.has_keep_ended_seconds()) {
+    checker.Range("keep_ended_seconds", config.keep_ended_seconds(), 60, 315360000);
   }
   CheckStageConfig(config, checker);
   CheckQueueExposure(config, checker);

@@ -47,6 +47,8 @@ class OrchestratorHandlers {
   absl::StatusOr<v1::PauseBatchResponse> PauseBatch(const v1::PauseBatchRequest& request, const Caller& caller);
   absl::StatusOr<v1::ResumeBatchResponse> ResumeBatch(const v1::ResumeBatchRequest& request, const Caller& caller);
   absl::StatusOr<v1::CancelBatchResponse> CancelBatch(const v1::CancelBatchRequest& request, const Caller& caller);
+  absl::StatusOr<v1::DeleteJobResponse> DeleteJob(const v1::DeleteJobRequest& request, const Caller& caller);
+  absl::StatusOr<v1::DeleteBatchResponse> DeleteBatch(const v1::DeleteBatchRequest& request, const Caller& caller);
   absl::StatusOr<v1::RetryBatchResponse> RetryBatch(const v1::RetryBatchRequest& request, const Caller& caller);
 
   // What the caller may see of a job or a batch, whose counts by state are left out; NOT_FOUND for what is another's.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/store/artifact_files.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -28,6 +31,9 @@ std::optional<std::string> ReadFile(const std::string& path) {
   bytes.resize(static_cast<size_t>(file.gcount()));
   return bytes;
 }
+
+// When the file was last stored, nanoseconds since 1970.
+int64_t TimeOf(const struct stat& info) { return int64_t{info.st_mtim.tv_sec} * 1'000'000'000 + info.st_mtim.tv_nsec; }
 
 }  // namespace
 
@@ -55,7 +61,8 @@ absl::Status ArtifactFiles::PutAll(std::span<const SealedArtifact> artifacts) {
 
 absl::Status ArtifactFiles::PutOne(const SealedArtifact& artifact) const {
   const std::string path = PathOf(artifact.ref.id());
-  if (ReadFile(path) == artifact.bytes) return absl::OkStatus();
+  // Who deletes it, since nobody had it, sees that it is wanted again. It may be gone just now.
+  if (ReadFile(path) == artifact.bytes && ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0) == 0) return absl::OkStatus();
   const std::string folder = std::filesystem::path(path).parent_path();
   std::error_code error;
   if (!std::filesystem::exists(folder, error)) std::filesystem::create_directories(folder, error);
@@ -69,6 +76,36 @@ absl::Status ArtifactFiles::Flush(std::span<const v1::ArtifactRef> artifacts) {
     if (IsArtifactId(artifact.id())) paths.push_back(PathOf(artifact.id()));
   }
   return runtime::FlushFiles(paths);
+}
+
+absl::StatusOr<int64_t> ArtifactFiles::Mark() {
+  std::string path = folder_ + "/mark-XXXXXX";
+  const int file = ::mkstemp(path.data());
+  if (file < 0) return absl::UnavailableError(fmt::format("{}: cannot be made: {}", path, std::strerror(errno)));
+  ::unlink(path.c_str());
+  // The clock of a file system stands still for some milliseconds; of two files with one time nobody knows the order.
+  struct stat info = {};
+  ::fstat(file, &info);
+  const int64_t mark = TimeOf(info);
+  while (::futimens(file, nullptr) == 0 && ::fstat(file, &info) == 0 && TimeOf(info) == mark) ::usleep(500);
+  ::close(file);
+  return mark;
+}
+
+absl::StatusOr<int64_t> ArtifactFiles::Delete(std::span<const std::string> ids, int64_t mark) {
+  int64_t deleted = 0;
+  for (const std::string& id : ids) {
+    if (!IsArtifactId(id)) continue;
+    const std::string path = PathOf(id);
+    struct stat info = {};
+    if (::stat(path.c_str(), &info) == 0 && TimeOf(info) > mark) continue;
+    if (::unlink(path.c_str()) == 0) {
+      ++deleted;
+    } else if (errno != ENOENT) {
+      return absl::UnavailableError(fmt::format("{}: cannot be deleted: {}", path, std::strerror(errno)));
+    }
+  }
+  return deleted;
 }
 
 absl::StatusOr<v1::Artifact> ArtifactFiles::Get(const std::string& id) {

@@ -32,7 +32,8 @@ JobStore::JobStore(std::string path, std::unique_ptr<Database> database, OwnerLo
       events_(*database_),
       artifacts_(*database_),
       batches_(*database_),
-      statuses_(*database_) {}
+      statuses_(*database_),
+      deletions_(*database_) {}
 
 absl::Status JobStore::ReleaseDeadOwners() {
   absl::StatusOr<std::vector<std::string>> owners = jobs_.Owners();

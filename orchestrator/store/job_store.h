@@ -9,6 +9,7 @@
 #include "orchestrator/store/artifact_table.h"
 #include "orchestrator/store/batch_table.h"
 #include "orchestrator/store/database.h"
+#include "orchestrator/store/deletion_table.h"
 #include "orchestrator/store/event_table.h"
 #include "orchestrator/store/job_table.h"
 #include "orchestrator/store/owner_lock.h"
@@ -33,6 +34,7 @@ class JobStore {
   ArtifactTable& artifacts() { return artifacts_; }
   BatchTable& batches() { return batches_; }
   StatusTable& statuses() { return statuses_; }
+  DeletionTable& deletions() { return deletions_; }
 
   // Makes RUNNING jobs whose process has died QUEUED again.
   absl::Status ReleaseDeadOwners();
@@ -50,6 +52,7 @@ class JobStore {
   ArtifactTable artifacts_;
   BatchTable batches_;
   StatusTable statuses_;
+  DeletionTable deletions_;
 };
 
 }  // namespace flair::orchestrator

@@ -142,7 +142,9 @@ absl::StatusOr<bool> JobTable::AnyDelayPassed(absl::Time now) {
 absl::StatusOr<bool> JobTable::Claim(const std::string& id, const std::string& owner) {
   const auto lock = database_.lock();
   Statement update = database_.Prepare(
-      "UPDATE jobs SET state = 2, owner = ?, attempt_count = attempt_count + 1, not_before_us = 0 "
+      "UPDATE jobs SET state = 2, owner = ?, attempt_count = attempt_count + 1, not_before_us = 0, "
+      "lost_run_count = lost_run_count + 1, "
+      "deletions_seen = (SELECT coalesce(max(seq), 0) FROM sqlite_sequence WHERE name = 'deleted_artifacts') "
       "WHERE id = ? AND state = 1");
   return ChangesOne(update.Bind(owner).Bind(id));
 }
@@ -164,15 +166,25 @@ absl::Status JobTable::Release(const std::string& owner) {
   return database_.Prepare("UPDATE jobs SET state = 1, owner = '' WHERE state = 2 AND owner = ?").Bind(owner).Run();
 }
 
-absl::StatusOr<bool> JobTable::SetStage(const JobHold& hold, const std::string& stage) {
+absl::StatusOr<int> JobTable::LostRunCount(const std::string& id) {
   const auto lock = database_.lock();
-  Statement update = database_.Prepare("UPDATE jobs SET stage = ?" IF_HELD);
-  return ChangesOne(BindHold(update.Bind(stage), hold));
+  Statement select = database_.Prepare("SELECT lost_run_count - (state = 2) FROM jobs WHERE id = ?");
+  const absl::StatusOr<int64_t> count = Number(select.Bind(id));
+  if (!count.ok()) return count.status();
+  return static_cast<int>(*count);
+}
+
+absl::StatusOr<bool> JobTable::SetStage(const JobHold& hold, const std::string& stage, bool made_something) {
+  const auto lock = database_.lock();
+  // 1: this run, which is counted as lost until it says otherwise.
+  Statement update = database_.Prepare("UPDATE jobs SET stage = ?, lost_run_count = iif(?, 1, lost_run_count)" IF_HELD);
+  return ChangesOne(BindHold(update.Bind(stage).Bind(int64_t{made_something}), hold));
 }
 
 absl::StatusOr<bool> JobTable::Requeue(const JobHold& hold, absl::Time not_before) {
   const auto lock = database_.lock();
-  Statement update = database_.Prepare("UPDATE jobs SET state = 1, owner = '', not_before_us = ?" IF_HELD);
+  Statement update = database_.Prepare(
+      "UPDATE jobs SET state = 1, owner = '', lost_run_count = lost_run_count - 1, not_before_us = ?" IF_HELD);
   const int64_t not_before_us = not_before == absl::InfinitePast() ? 0 : absl::ToUnixMicros(not_before);
   return ChangesOne(BindHold(update.Bind(not_before_us), hold));
 }
@@ -197,7 +209,7 @@ absl::StatusOr<bool> JobTable::Retry(const std::string& id) {
   const auto lock = database_.lock();
   Statement update = database_.Prepare(
       "UPDATE jobs SET state = 1, error = '', error_code = 0, failure_kind = 0, end_time_us = 0, not_before_us = 0, "
-      "cancel_requested = 0 WHERE id = ? AND state = 4");
+      "cancel_requested = 0, lost_run_count = 0 WHERE id = ? AND state = 4");
   return ChangesOne(update.Bind(id));
 }
 

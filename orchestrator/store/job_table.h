@@ -63,9 +63,12 @@ class JobTable {
   // Makes the RUNNING jobs of a dead owner QUEUED again.
   absl::Status Release(const std::string& owner);
 
+  // Runs before the one that goes on, in a row, that ended without a word and stored nothing.
+  absl::StatusOr<int> LostRunCount(const std::string& id);
+
   // For the run that holds a RUNNING job; false, and nothing done, when another one does or none: its stage; QUEUED
   // again, not before some time; ended with job.state(), stage, error, failure_kind and end_time.
-  absl::StatusOr<bool> SetStage(const JobHold& hold, const std::string& stage);
+  absl::StatusOr<bool> SetStage(const JobHold& hold, const std::string& stage, bool made_something);
   absl::StatusOr<bool> Requeue(const JobHold& hold, absl::Time not_before);
   absl::StatusOr<bool> End(const JobHold& hold, const v1::Job& job);
 

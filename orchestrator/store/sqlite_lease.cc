@@ -4,16 +4,18 @@
 #include <fmt/format.h>
 #include <google/protobuf/util/time_util.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace flair::orchestrator {
 
-SqliteLease::SqliteLease(SqliteWorkQueue& queue, v1::Job job, std::vector<v1::JobEvent> history,
+SqliteLease::SqliteLease(SqliteWorkQueue& queue, v1::Job job, std::vector<v1::JobEvent> history, int lost_run_count,
                          std::shared_ptr<runtime::Cancellation> cancellation)
     : queue_(queue),
       store_(*queue.store_),
       job_(std::move(job)),
       history_(std::move(history)),
+      lost_run_count_(lost_run_count),
       cancellation_(std::move(cancellation)),
       hold_{job_.id(), store_.owner(), job_.attempt_count()} {}
 
@@ -33,6 +35,10 @@ absl::Status SqliteLease::Append(std::span<const StageRecord> records) {
   absl::Status status;
   for (const StageRecord& record : records) {
     v1::JobEvent event = record.event;
+    if (status.ok() && event.has_artifact()) {
+      const absl::StatusOr<bool> deleted = store_.deletions().WasDeleted(event.artifact().id(), job_.id());
+      status = deleted.ok() && *deleted ? ArtifactIsGone(event.artifact().id()) : deleted.status();
+    }
     if (status.ok()) status = store_.events().Append(event);
     if (status.ok() && event.has_artifact()) {
       status = store_.artifacts().Attach(job_.id(), record.stage_index, event.artifact());
@@ -44,16 +50,35 @@ absl::Status SqliteLease::Append(std::span<const StageRecord> records) {
   return status;
 }
 
+void SqliteLease::SettleDeletions(std::span<const StageRecord> records) {
+  for (const StageRecord& record : records) {
+    const std::string& id = record.event.artifact().id();
+    const absl::StatusOr<bool> deleted = store_.deletions().WasDeleted(id, job_.id());
+    if (deleted.ok() && *deleted) (void)store_.deletions().SetDeleted(id);
+  }
+}
+
+absl::Status SqliteLease::Write(Transaction::Durability durability, std::span<const StageRecord> records,
+                                const std::function<absl::Status()>& change) {
+  absl::Status status;
+  {
+    auto transaction = Transaction::Begin(store_.database(), durability);
+    if (!transaction.ok()) return transaction.status();
+    status = change();
+    if (status.ok()) status = transaction->Commit();
+  }
+  if (IsArtifactGone(status)) SettleDeletions(records);
+  return status;
+}
+
 absl::Status SqliteLease::RecordAll(std::span<const StageRecord> records) {
   if (records.empty()) return absl::OkStatus();
-  {
-    auto transaction = Transaction::Begin(store_.database());
-    if (!transaction.ok()) return transaction.status();
-    absl::Status status = CheckHeld(store_.jobs().SetStage(hold_, records.back().event.stage()));
-    if (status.ok()) status = Append(records);
-    if (status.ok()) status = transaction->Commit();
-    if (!status.ok()) return status;
-  }
+  const absl::Status status = Write(Transaction::Durability::kProcessCrash, records, [&] {
+    const bool made_something = std::ranges::any_of(records, [](const auto& it) { return it.event.has_artifact(); });
+    absl::Status held = CheckHeld(store_.jobs().SetStage(hold_, records.back().event.stage(), made_something));
+    return held.ok() ? Append(records) : held;
+  });
+  if (!status.ok()) return status;
   queue_.Tell(job_.id());
   return absl::OkStatus();
 }
@@ -66,15 +91,12 @@ absl::Status SqliteLease::End(const JobEnd& end) {
   job.set_error_code(static_cast<int>(end.error.code()));
   job.set_failure_kind(end.failure_kind);
   *job.mutable_end_time() = google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(end.time));
-  {
-    auto transaction = Transaction::Begin(store_.database(), Transaction::Durability::kPowerLoss);
-    if (!transaction.ok()) return transaction.status();
-    absl::Status status = CheckHeld(store_.jobs().End(hold_, job));
-    if (status.ok()) status = Append(end.records);
-    if (status.ok()) status = queue_.AppendEnded(job);
-    if (status.ok()) status = transaction->Commit();
-    if (!status.ok()) return status;
-  }
+  const absl::Status status = Write(Transaction::Durability::kPowerLoss, end.records, [&] {
+    absl::Status ended = CheckHeld(store_.jobs().End(hold_, job));
+    if (ended.ok()) ended = Append(end.records);
+    return ended.ok() ? queue_.AppendEnded(job) : ended;
+  });
+  if (!status.ok()) return status;
   done_ = true;
   queue_.Tell(job_.id());
   if (!job_.batch_id().empty()) queue_.TellOfBatch(job_.batch_id());
@@ -82,22 +104,18 @@ absl::Status SqliteLease::End(const JobEnd& end) {
 }
 
 absl::Status SqliteLease::Return(absl::Duration delay, const std::string& reason) {
-  {
-    auto transaction = Transaction::Begin(store_.database());
-    if (!transaction.ok()) return transaction.status();
-    const absl::Time not_before = delay > absl::ZeroDuration() ? queue_.clock_.Now() + delay : absl::InfinitePast();
-    absl::Status status = CheckHeld(store_.jobs().Requeue(hold_, not_before));
-    if (status.ok() && !reason.empty()) {
-      v1::JobEvent event;
-      event.set_job_id(job_.id());
-      event.set_kind(v1::JOB_EVENT_KIND_WAITING);
-      event.set_message(reason);
-      event.set_state(v1::JOB_STATE_QUEUED);
-      status = store_.events().Append(event);
-    }
-    if (status.ok()) status = transaction->Commit();
-    if (!status.ok()) return status;
-  }
+  const absl::Time not_before = delay > absl::ZeroDuration() ? queue_.clock_.Now() + delay : absl::InfinitePast();
+  const absl::Status status = Write(Transaction::Durability::kProcessCrash, {}, [&] {
+    absl::Status held = CheckHeld(store_.jobs().Requeue(hold_, not_before));
+    if (!held.ok() || reason.empty()) return held;
+    v1::JobEvent event;
+    event.set_job_id(job_.id());
+    event.set_kind(v1::JOB_EVENT_KIND_WAITING);
+    event.set_message(reason);
+    event.set_state(v1::JOB_STATE_QUEUED);
+    return store_.events().Append(event);
+  });
+  if (!status.ok()) return status;
   done_ = true;
   queue_.Tell(job_.id());
   queue_.TellOfWork();

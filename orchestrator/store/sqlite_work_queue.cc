@@ -31,6 +31,7 @@ absl::StatusOr<std::unique_ptr<Lease>> SqliteWorkQueue::Take(const TakeFilter& f
   std::string id;
   v1::Job job;
   std::vector<v1::JobEvent> history;
+  int lost_run_count = 0;
   {
     auto transaction = Transaction::Begin(store_->database());
     if (!transaction.ok()) return transaction.status();
@@ -45,6 +46,9 @@ absl::StatusOr<std::unique_ptr<Lease>> SqliteWorkQueue::Take(const TakeFilter& f
     auto events = store_->events().After(id, 0, 10000);
     if (!events.ok()) return events.status();
     history = *std::move(events);
+    const absl::StatusOr<int> lost = store_->jobs().LostRunCount(id);
+    if (!lost.ok()) return lost.status();
+    lost_run_count = *lost;
     if (absl::Status status = transaction->Commit(); !status.ok()) return status;
   }
   auto cancellation = std::make_shared<runtime::Cancellation>();
@@ -53,7 +57,7 @@ absl::StatusOr<std::unique_ptr<Lease>> SqliteWorkQueue::Take(const TakeFilter& f
     held_[id] = cancellation;
     if (!job.batch_id().empty()) last_batch_ = job.batch_id();
   }
-  auto lease = std::make_unique<SqliteLease>(*this, std::move(job), std::move(history), cancellation);
+  auto lease = std::make_unique<SqliteLease>(*this, std::move(job), std::move(history), lost_run_count, cancellation);
   if (lease->cancel_requested()) cancellation->Cancel();
   return lease;
 }

@@ -35,6 +35,11 @@ class SqliteWorkQueue final : public WorkQueue {
   absl::Status SetBatchState(const std::string& batch_id, v1::BatchState state) override;
   absl::Status CancelBatch(const std::string& batch_id, absl::Time now) override;
 
+  absl::StatusOr<Deleted> DeleteJob(const std::string& job_id, ArtifactStore& artifacts) override;
+  absl::StatusOr<Deleted> DeleteBatch(const std::string& batch_id, int job_limit, ArtifactStore& artifacts) override;
+  absl::StatusOr<Deleted> FinishDeletions(ArtifactStore& artifacts) override;
+  absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) override;
+
   absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) override;
   absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) override;
 
@@ -66,6 +71,8 @@ class SqliteWorkQueue final : public WorkQueue {
   absl::StatusOr<bool> EndWaitingJob(const std::string& job_id, const std::string& batch_id, absl::Time time);
   absl::Status CloseForEver(const std::string& batch_id);
   absl::Status AppendEnded(const v1::Job& job);
+  absl::Status DeleteUnlessHad(const std::string& artifact_id, ArtifactStore& artifacts, int64_t& deleted_count);
+  absl::StatusOr<Deleted> RemoveLastJobs(const std::string& batch_id, int64_t limit);
 
   void Tell(const std::string& job_id);
   void TellOfBatch(const std::string& batch_id);

@@ -231,10 +231,10 @@ TEST_F(JobStoreTest, RefusesWritesOfARunThatHasBeenSuperseded) {
   ASSERT_TRUE(*jobs_.Claim("j1", "me"));
   ASSERT_TRUE(*jobs_.Requeue({"j1", "me", 1}, absl::InfinitePast()));
   ASSERT_TRUE(*jobs_.Claim("j1", "me"));
-  EXPECT_FALSE(*jobs_.SetStage({"j1", "me", 1}, "room"));
+  EXPECT_FALSE(*jobs_.SetStage({"j1", "me", 1}, "room", true));
   EXPECT_FALSE(*jobs_.End({"j1", "me", 1}, NewJob("j1")));
-  EXPECT_FALSE(*jobs_.SetStage({"j1", "other", 2}, "room"));
-  EXPECT_TRUE(*jobs_.SetStage({"j1", "me", 2}, "room"));
+  EXPECT_FALSE(*jobs_.SetStage({"j1", "other", 2}, "room", true));
+  EXPECT_TRUE(*jobs_.SetStage({"j1", "me", 2}, "room", true));
 }
 
 TEST(JobStore, BringsAStoreOfTheFirstVersionUpToDate) {
