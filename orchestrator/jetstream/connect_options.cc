@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 #include <nats/nats.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -132,6 +135,11 @@ absl::StatusOr<NatsOptionsPtr> MakeConnectOptions(const config::v1::QueueConfig&
     if (absl::Status status = SetTls(made, *tls); !status.ok()) return status;
   }
   if (!config.credentials_path().empty()) {
+    // cnats reads it when it connects, and then says no more than that it could not.
+    if (::access(config.credentials_path().c_str(), R_OK) != 0) {
+      return absl::InvalidArgumentError(
+          fmt::format("queue.credentials_path: cannot read {}: {}", config.credentials_path(), std::strerror(errno)));
+    }
     if (absl::Status status =
             CheckFile(natsOptions_SetUserCredentialsFromFiles(made, config.credentials_path().c_str(), nullptr),
                       "queue.credentials_path", config.credentials_path());
@@ -140,26 +148,6 @@ absl::StatusOr<NatsOptionsPtr> MakeConnectOptions(const config::v1::QueueConfig&
     }
   }
   return options;
-}
-
-absl::Status DescribeConnectError(const config::v1::QueueConfig& config, int code) {
-  const auto status = static_cast<natsStatus>(code);
-  const char* last = nats_GetLastError(nullptr);
-  const std::string why = last != nullptr && *last != '\0' ? last : natsStatus_GetText(status);
-  if (status == NATS_CONNECTION_AUTH_FAILED || status == NATS_NOT_PERMITTED) {
-    return absl::UnauthenticatedError(
-        fmt::format("queue.credentials_path: {} refuses the credentials ({})", config.address(), why));
-  }
-  if (status == NATS_SSL_ERROR || status == NATS_SECURE_CONNECTION_REQUIRED ||
-      status == NATS_SECURE_CONNECTION_WANTED) {
-    return absl::UnauthenticatedError(
-        fmt::format("queue.address: no trusted connection to {} ({}); check runtime.tls and the servers' certificates",
-                    config.address(), why));
-  }
-  return absl::UnavailableError(
-      fmt::format("queue.address: no server answers at {} ({}); start one with JetStream (nats-server --jetstream "
-                  "--store_dir FOLDER) or correct the address",
-                  config.address(), why));
 }
 
 }  // namespace flair::orchestrator

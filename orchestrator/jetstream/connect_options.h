@@ -29,7 +29,4 @@ absl::Status CheckQueueConfig(const config::v1::QueueConfig& config, const confi
 absl::StatusOr<NatsOptionsPtr> MakeConnectOptions(const config::v1::QueueConfig& config,
                                                   const config::v1::TlsConfig* tls);
 
-// Why a first connection failed (`status`: a natsStatus), in a sentence that says what to look at.
-absl::Status DescribeConnectError(const config::v1::QueueConfig& config, int status);
-
 }  // namespace flair::orchestrator

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "orchestrator/jetstream/connect_error.h"
 #include "orchestrator/jetstream/connect_options.h"
 
 namespace flair::orchestrator {
@@ -89,7 +90,7 @@ absl::StatusOr<std::unique_ptr<NatsConnection>> NatsConnection::Open(const confi
   if (!options.ok()) return options.status();
   natsConnection* connection = nullptr;
   const natsStatus status = natsConnection_Connect(&connection, options->get());
-  if (status != NATS_OK) return DescribeConnectError(config, status);
+  if (status != NATS_OK) return DescribeConnectError(config, tls, status);
   return std::unique_ptr<NatsConnection>(new NatsConnection(connection, ShownAddress(config)));
 }
 
