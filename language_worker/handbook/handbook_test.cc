@@ -172,5 +172,45 @@ TEST(LoadHandbook, SaysWhereAFolderIsWrong) {
   EXPECT_NE(std::string(handbook.status().message()).find("/nonexistent"), std::string::npos);
 }
 
+TEST(HandbookPeople, EveryoneHasADeskAndAChairAtIt) {
+  const Answers team = Ask("An office for six people, 8 m x 6 m.");
+  EXPECT_EQ(team.room.room_type(), "team office");
+  EXPECT_EQ(team.Count("desk"), 6);
+  EXPECT_EQ(team.Count("office chair"), 6);
+  EXPECT_EQ(Ask("A home office of 20 m2 with two desks.").Count("office chair"), 2);
+}
+
+TEST(HandbookPeople, ATableHasTheSeatsThatWereAskedForAndDesksKeepTheirs) {
+  const Answers a = Ask("A home office, 7 m x 6 m, with a meeting table for eight.");
+  EXPECT_EQ(a.Count("conference table"), 1);
+  EXPECT_EQ(a.Count("round dining table"), 0);
+  EXPECT_EQ(a.Count("office chair"), 9);
+  int at_desk = 0, round_table = 0;
+  for (const v1::Sentence& sentence : a.cleaned.sentences()) {
+    at_desk += sentence.text().ends_with("office chair is next to the front of the desk.") ? 1 : 0;
+    if (sentence.text().find("surround the conference table") != std::string::npos) {
+      round_table = sentence.subject_ids_size();
+    }
+  }
+  EXPECT_EQ(at_desk, 1);
+  EXPECT_EQ(round_table, 9) << "eight chairs and the table";
+}
+
+TEST(HandbookPeople, MakeARoomLargerWhenItsSizeIsNotGiven) {
+  EXPECT_GT(FloorArea(Ask("A dining room for 12 people.").room), 1.3 * FloorArea(Ask("A dining room.").room));
+  EXPECT_NEAR(FloorArea(Ask("A dining room of 20 m2 for 12 people.").room), 20, 0.5);
+}
+
+TEST(Handbook, SaysWhatItDidNotUnderstand) {
+  const auto codes = [](const Answers& a) {
+    std::set<std::string> codes;
+    for (const v1::Diagnostic& remark : a.room.diagnostics()) codes.insert(remark.code());
+    return codes;
+  };
+  EXPECT_TRUE(codes(Ask("A bedroom, 4m x 5m, with a proofing cabinet.")).contains("words_not_known"));
+  EXPECT_TRUE(codes(Ask("Ein Schlafzimmer mit einem Doppelbett, 4 m x 5 m.")).contains("language_not_known"));
+  EXPECT_EQ(codes(Ask("A bedroom that is 4m x 5m with a desk and two nightstands.")), std::set<std::string>());
+}
+
 }  // namespace
 }  // namespace flair::language

@@ -169,6 +169,7 @@ class ProgramMaker {
         if (item.furniture != wish.furniture) continue;
         item.count = wish.count;
         item.requested = true;
+        if (list == &program_.floor_items) SeatAt(*wish.furniture, wish.count, wish.seats, std::string(item.zone));
         return;
       }
     }
@@ -184,6 +185,7 @@ class ProgramMaker {
     const std::string zone = HasZone(makes.name()) ? makes.name() : HomeOf(*wish.furniture);
     ReplaceRivals(*wish.furniture, zone);
     program_.floor_items.insert(program_.floor_items.begin(), {wish.furniture, nullptr, wish.count, zone, true, 0});
+    SeatAt(*wish.furniture, wish.count, wish.seats, zone);
     for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
       if (Contains(companion.furniture())) continue;
       const hb::Furniture* furniture = handbook_.FindFurniture(companion.furniture());
@@ -193,12 +195,43 @@ class ProgramMaker {
     }
   }
 
-  // A wished-for primary takes the place of the usual one of its zone: a bunk bed comes instead of the double bed.
+  // Every one of several desks has its chair, every table of a zone of its own the seats that belong to it, or as many
+  // as were asked for.
+  void SeatAt(const hb::Furniture& furniture, int count, int seats, const std::string& zone) {
+    for (const hb::ObjectEntry& companion : furniture.companions()) {
+      const hb::Furniture* seat = handbook_.FindFurniture(companion.furniture());
+      if (seat == nullptr || !IsSeat(*seat)) continue;
+      const int wanted = count * (seats > 0 ? seats : std::max(1, companion.count()));
+      const auto there = std::ranges::find_if(
+          program_.floor_items, [&](const ProgramItem& item) { return item.furniture == seat && item.zone == zone; });
+      if (there == program_.floor_items.end()) {
+        if (IsWished(*seat)) continue;
+        program_.floor_items.push_back({seat, &companion, wanted, zone, false, companion.drop_order()});
+      } else if (!there->requested) {
+        there->count = seats > 0 || count > 1 ? wanted : std::max(there->count, wanted);
+      }
+      return;
+    }
+  }
+
+  static bool IsSeat(const hb::Furniture& furniture) {
+    return furniture.category() == "chair" || furniture.category() == "stool";
+  }
+
+  bool IsWished(const hb::Furniture& furniture) const {
+    return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == &furniture; });
+  }
+
+  // A wished-for primary takes the place of the usual one of its zone: a bunk bed comes instead of the double bed. So
+  // does what makes such a zone by itself, and whoever sat at the usual one goes as well.
   void ReplaceRivals(const hb::Furniture& furniture, const std::string& zone_name) {
+    const bool makes_it = furniture.makes_zone().name() == zone_name;
     for (const hb::ZoneSpec& zone : program_.zones) {
-      if (zone.name() != zone_name || !Has(zone.primaries(), furniture.name())) continue;
+      if (zone.name() != zone_name || !(makes_it || Has(zone.primaries(), furniture.name()))) continue;
       std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
-        return !item.requested && item.zone == zone_name && item.furniture->category() == furniture.category();
+        if (item.requested || item.zone != zone_name) return false;
+        const bool same = item.furniture->category() == furniture.category();
+        return same || (makes_it && (Has(zone.primaries(), item.furniture->name()) || IsSeat(*item.furniture)));
       });
     }
   }
@@ -228,10 +261,15 @@ class ProgramMaker {
     Remove(name);
   }
 
+  // The class that there is one of for each person, and the seats at each of it.
   void CountPeople() {
     if (!facts_.people || program_.archetype->per_person().empty()) return;
-    for (ProgramItem& item : program_.floor_items) {
-      if (item.furniture->name() == program_.archetype->per_person() && !item.requested) item.count = *facts_.people;
+    for (std::size_t i = 0; i < program_.floor_items.size(); ++i) {
+      ProgramItem& item = program_.floor_items[i];
+      if (item.furniture->name() != program_.archetype->per_person() || item.requested) continue;
+      item.count = *facts_.people;
+      SeatAt(*item.furniture, item.count, 0, std::string(item.zone));
+      return;
     }
   }
 

@@ -2,14 +2,16 @@
 #include "language_worker/handbook/reading/brief_facts.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 
+#include "language_worker/handbook/reading/unknown_things.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 namespace {
+
+constexpr int kMostPeople = 40;
 
 // One way to say something, and what is then meant.
 template <typename T>
@@ -58,12 +60,19 @@ class BriefReader {
     ReadFurniture();
     ReadThemesAndStyles();
     ReadNeeds();
+    facts_.reads_as_english = facts_.archetype_named || ReadsAsEnglish(tokens_);
+    if (facts_.reads_as_english) facts_.not_known = UnknownThings(tokens_, used_);
     return std::move(facts_);
   }
 
  private:
   void Use(std::size_t start, std::size_t length) {
     std::fill_n(used_.begin() + static_cast<std::ptrdiff_t>(start), length, true);
+  }
+
+  void UseAll(std::string_view phrase) {
+    const Phrase words(phrase);
+    for (std::size_t i = 0; i < tokens_.size(); ++i) Use(i, words.MatchAt(tokens_, i));
   }
 
   void ReadArchetype() {
@@ -113,7 +122,9 @@ class BriefReader {
       if (IsRefused(i)) {
         AddOnce(facts_.refusals, furniture);
       } else {
-        AddWish(*furniture, CountBefore(i));
+        const int seats = furniture->companions().empty() ? 0 : SeatsAfter(i + length);
+        AddWish(*furniture, CountBefore(i), seats);
+        if (seats > 0) Use(i + length, 2);  // these are the table's, not the room's
         TakeColourBefore(i, *furniture);
       }
       Use(i, length);
@@ -145,13 +156,27 @@ class BriefReader {
     }
   }
 
-  void AddWish(const hb::Furniture& furniture, int count) {
+  void AddWish(const hb::Furniture& furniture, int count, int seats) {
     for (Wish& wish : facts_.wishes) {
       if (wish.furniture != &furniture) continue;
       wish.count = std::max(wish.count, count);
+      wish.seats = std::max(wish.seats, seats);
       return;
     }
-    facts_.wishes.push_back({&furniture, count});
+    facts_.wishes.push_back({&furniture, count, seats});
+  }
+
+  // Of "a table for eight", "a table for 8 people": eight. 0 when nothing of the kind stands there.
+  int SeatsAfter(std::size_t i) const {
+    if (i + 1 >= tokens_.size() || tokens_[i].text != "for") return 0;
+    const Token& token = tokens_[i + 1];
+    if (token.text == "a" || token.text == "an") return 0;
+    const int number = token.kind == Token::Kind::kNumber ? static_cast<int>(std::min(token.number, 1e6))
+                                                          : NumberWord(token.text).value_or(0);
+    const bool ends = i + 2 == tokens_.size() || tokens_[i + 2].kind == Token::Kind::kSign ||
+                      CountsPeople(tokens_[i + 2].text) || tokens_[i + 2].text == "and" ||
+                      tokens_[i + 2].text == "with";
+    return ends && number <= kMostPeople ? number : 0;
   }
 
   // "no tv", "without a desk", "no tv or desk".
@@ -202,8 +227,13 @@ class BriefReader {
       const auto [colour, length] = LongestAt(colours, tokens_, i, /*plural=*/false);
       if (length == 0 || used_[i]) continue;
       AddOnce(facts_.colours, colour);
+      Use(i, length);
       i += length - 1;
     }
+    for (const hb::Theme* theme : facts_.themes) {
+      for (const std::string& keyword : theme->keywords()) UseAll(keyword);
+    }
+    for (const hb::Style* style : facts_.styles) UseAll(style->name());
   }
 
   void ReadNeeds() {
@@ -222,28 +252,24 @@ class BriefReader {
       });
       if (!overridden) facts_.needs.push_back(need);
     }
+    for (const hb::Need* need : found) {
+      for (const std::string& keyword : need->keywords()) UseAll(keyword);
+    }
   }
 
   // "for 6", "for six guests": a number after "for" that ends a phrase or counts people.
   void ReadPeople() {
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
-      if (tokens_[i].text != "for") continue;
+      if (tokens_[i].text != "for" || used_[i]) continue;
       const Token& token = tokens_[i + 1];
       const std::optional<int> named = token.text == "a" || token.text == "an" ? std::nullopt : NumberWord(token.text);
       const int number =
           token.kind == Token::Kind::kNumber ? static_cast<int>(std::min(token.number, 1e6)) : named.value_or(0);
       const bool ends = i + 2 == tokens_.size() || tokens_[i + 2].kind == Token::Kind::kSign;
-      if (number < 1 || number > 40 || !(ends || CountsPeople(tokens_[i + 2].text))) continue;
+      if (number < 1 || number > kMostPeople || !(ends || CountsPeople(tokens_[i + 2].text))) continue;
       facts_.people = number;
       return;
     }
-  }
-
-  static bool CountsPeople(std::string_view word) {
-    constexpr std::array<std::string_view, 12> kPeople = {"people", "person",  "guest",     "friend",
-                                                          "adult",  "child",   "children",  "kid",
-                                                          "diner",  "student", "colleague", "player"};
-    return std::any_of(kPeople.begin(), kPeople.end(), [&](std::string_view one) { return MatchesWord(word, one); });
   }
 
   bool Applies(const hb::Need& need, int& people) const {
@@ -252,10 +278,22 @@ class BriefReader {
     if (!need.also_keywords().empty() && !OccursAny(need.also_keywords())) return false;
     for (const std::string& keyword : need.keywords()) {
       int number = 0;
-      if (!Phrase(keyword).Occurs(tokens_, &number)) continue;
+      if (!OccursFree(Phrase(keyword), number)) continue;
       if (number > 0 && need.min_people() > 0 && number < need.min_people()) continue;
       if (number > 0 && need.max_people() > 0 && number > need.max_people()) continue;
       people = number;
+      return true;
+    }
+    return false;
+  }
+
+  // Whether it occurs without a number that belongs to something else.
+  bool OccursFree(const Phrase& phrase, int& number) const {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      int found = 0;
+      const std::size_t length = phrase.MatchAt(tokens_, i, true, &found);
+      if (length == 0 || (found > 0 && used_[i])) continue;
+      number = found;
       return true;
     }
     return false;

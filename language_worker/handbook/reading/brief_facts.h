@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace flair::language {
 struct Wish {
   const hb::Furniture* furniture = nullptr;
   int count = 1;
+  int seats = 0;  // "a table for eight": that many can sit at each; 0 when it is not said
 };
 
 // What a brief says, as far as the handbook knows the words. Pointers go into the handbook and are never null.
@@ -31,6 +33,8 @@ struct BriefFacts {
   std::vector<const hb::NamedColour*> colours;  // of the room
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
   std::optional<int> people;
+  std::vector<std::string> not_known;  // things asked for that the handbook has no word for: "proofing cabinet"
+  bool reads_as_english = true;        // false: most likely another language
 };
 
 // Reads a brief. The same text and handbook give the same facts. Errors as ReadSize.

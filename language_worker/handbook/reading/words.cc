@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/handbook/reading/words.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -116,6 +117,13 @@ bool MatchesWord(std::string_view word, std::string_view stem) {
   const std::string_view cut = stem.substr(0, stem.size() - 1);
   return has(stem, "s") || has(stem, "es") || (stem.back() == 'y' && has(cut, "ies")) ||
          (stem.back() == 'f' && has(cut, "ves"));
+}
+
+bool CountsPeople(std::string_view word) {
+  constexpr std::array<std::string_view, 16> kPeople = {
+      "people", "person",  "guest",     "friend", "adult", "child",    "children", "kid",
+      "diner",  "student", "colleague", "player", "pupil", "employee", "worker",   "visitor"};
+  return std::any_of(kPeople.begin(), kPeople.end(), [&](std::string_view one) { return MatchesWord(word, one); });
 }
 
 Phrase::Phrase(std::string_view text) {

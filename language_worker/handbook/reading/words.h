@@ -27,6 +27,9 @@ std::optional<int> NumberWord(std::string_view word);
 // Whether `word` is `stem`, or a plural of it in -s, -es, -ies or -ves. A stem that ends in '*' stands for any ending.
 bool MatchesWord(std::string_view word, std::string_view stem);
 
+// Whether "six WORD" counts those whom the room is for: people, guests, children ...
+bool CountsPeople(std::string_view word);
+
 // Phrases looked for in a text, as words; "{n}" in a phrase matches a number.
 class Phrase {
  public:

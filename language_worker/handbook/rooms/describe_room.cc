@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "fmt/format.h"
 #include "language_worker/handbook/objects/fit_floor.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
@@ -40,6 +41,34 @@ OpeningPlan PlanOpenings(const BriefFacts& facts, const hb::Archetype& archetype
   return plan;
 }
 
+void Remark(v1::Severity severity, const char* code, const std::string& message, v1::Room& room) {
+  v1::Diagnostic& diagnostic = *room.add_diagnostics();
+  diagnostic.set_severity(severity);
+  diagnostic.set_code(code);
+  diagnostic.set_message(message);
+}
+
+// What of the brief went unheard.
+void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::Room& room) {
+  if (!facts.archetype_named) {
+    Remark(v1::SEVERITY_WARNING, "room_type_assumed",
+           "The brief names no kind of room that the handbook knows; it is furnished as a " + archetype.name() + ".",
+           room);
+  }
+  if (!facts.reads_as_english) {
+    Remark(v1::SEVERITY_WARNING, "language_not_known",
+           "The brief does not read as English, the one language of the handbook; what it asks for was largely not "
+           "understood. A language model understands others.",
+           room);
+  }
+  if (!facts.not_known.empty()) {
+    Remark(v1::SEVERITY_WARNING, "words_not_known",
+           fmt::format("The handbook has no word for \"{}\"; nothing was made of it. A language model may.",
+                       fmt::join(facts.not_known, "\", \"")),
+           room);
+  }
+}
+
 }  // namespace
 
 absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& handbook) {
@@ -55,17 +84,8 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
   const Choice choice(brief.seed(), brief.text());
   SetFloor(ReadShape(Tokenize(brief.text()), handbook), facts->size, size, choice, room);
   AddOpenings(PlanOpenings(*facts, archetype, FloorArea(room)), choice, room);
-  const auto note = [&](const char* code, const std::string& message) {
-    v1::Diagnostic& diagnostic = *room.add_diagnostics();
-    diagnostic.set_severity(v1::SEVERITY_NOTE);
-    diagnostic.set_code(code);
-    diagnostic.set_message(message);
-  };
-  if (!size.assumption.empty()) note("size_assumed", size.assumption);
-  if (!facts->archetype_named) {
-    note("room_type_assumed",
-         "The brief names no kind of room that the handbook knows; it is furnished as a " + archetype.name() + ".");
-  }
+  if (!size.assumption.empty()) Remark(v1::SEVERITY_NOTE, "size_assumed", size.assumption, room);
+  RemarkOnBrief(*facts, archetype, room);
   return room;
 }
 

@@ -19,6 +19,23 @@ void SidesOf(double area_m2, double ratio, bool deeper, RoomSize& size) {
   size.depth_m = deeper ? longer_m : shorter_m;
 }
 
+// How much larger a room is for more people than it usually has: each takes a place of their own and shares the ways.
+double CrowdFactor(const BriefFacts& facts, const hb::Archetype& archetype) {
+  constexpr double kShareOfPlaces = 0.6;
+  if (!facts.people || archetype.per_person().empty()) return 1;
+  const double usual_m2 = archetype.width_m().typical() * archetype.depth_m().typical();
+  for (const hb::Band& band : archetype.bands()) {
+    if (band.max_area_m2() > 0 && usual_m2 >= band.max_area_m2()) continue;
+    for (const hb::ObjectEntry& entry : band.objects()) {
+      if (entry.furniture() != archetype.per_person()) continue;
+      const double usual = std::max(1, entry.count());
+      return 1 + kShareOfPlaces * std::max(0.0, *facts.people / usual - 1);
+    }
+    break;
+  }
+  return 1;
+}
+
 double Low(const hb::Extent& extent) { return extent.min() > 0 ? extent.min() : extent.typical(); }
 double High(const hb::Extent& extent) { return extent.max() > 0 ? extent.max() : extent.typical(); }
 
@@ -50,6 +67,7 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook) {
     size.assumption = fmt::format("Only one side is given; the other is taken as {:g} m.", other_m);
   } else {
     const bool named = archetype.name() != handbook.fallback_archetype().name();
+    area_factor *= CrowdFactor(facts, archetype);
     SidesOf(width_m * depth_m * area_factor, asked.side_ratio.value_or(usual_ratio), deeper, size);
     if (area_factor <= 2.5 && !asked.side_ratio && named) {
       size.width_m = std::clamp(size.width_m, Low(archetype.width_m()), High(archetype.width_m()));

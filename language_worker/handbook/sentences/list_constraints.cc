@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "language_worker/handbook/program/room_program.h"
@@ -71,11 +72,13 @@ class ConstraintLister {
   using Relations = std::vector<const hb::Relation*>;
 
   // Objects of one name that are attached in the same way: with a host or without, in the middle of its top or at its
-  // edge.
+  // edge, on the floor of the same zone: the chairs at the meeting table are others than those at the desks.
   void WriteParts(const std::string& name, const Group& group) {
-    std::map<std::pair<bool, bool>, Group> parts;
+    std::map<std::tuple<bool, bool, std::string>, Group> parts;
     for (const v1::Object* object : group) {
-      parts[{object->host_id().empty(), !TakesCentre(objects_, *object)}].push_back(object);
+      const bool on_floor = object->kind() == v1::OBJECT_KIND_FLOOR;
+      parts[{object->host_id().empty(), !TakesCentre(objects_, *object), on_floor ? object->zone_id() : ""}].push_back(
+          object);
     }
     for (const auto& [attachment, part] : parts) WriteGroup(name, part);
   }

@@ -83,12 +83,30 @@ bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) c
     if (groups_.count(name) == 0) return false;
   }
   for (const std::string& name : condition.without()) {
-    if (groups_.count(name) > 0) return false;
+    if (groups_.count(name) == 0) continue;
+    // Elsewhere in the room it is no matter for those whose partner is at hand: the chair at its desk does not mind the
+    // meeting table.
+    const bool elsewhere = !IsInZoneOf(*group.front(), name) && HasPartnerInZone(relation, *group.front());
+    if (!elsewhere) return false;
   }
   if (!condition.zones().empty() && !Has(condition.zones(), ZoneName(*group.front()))) return false;
   return !condition.needs_window() ||
          std::any_of(room_.openings().begin(), room_.openings().end(),
                      [](const auto& opening) { return opening.kind() == v1::OPENING_KIND_WINDOW; });
+}
+
+bool SentenceWriter::IsInZoneOf(const v1::Object& object, const std::string& name) const {
+  const auto group = groups_.find(name);
+  return group != groups_.end() &&
+         std::any_of(group->second.begin(), group->second.end(), [&](const v1::Object* other) {
+           return other->id() != object.id() && other->zone_id() == object.zone_id();
+         });
+}
+
+bool SentenceWriter::HasPartnerInZone(const hb::Relation& relation, const v1::Object& object) const {
+  if (object.role() == v1::OBJECT_ROLE_TERTIARY) return false;
+  const std::vector<std::string> names = WithSubstitutes(relation.targets(), program_);
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return IsInZoneOf(object, name); });
 }
 
 bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const {

@@ -37,6 +37,10 @@ class SentenceWriter {
 
  private:
   bool Applies(const hb::Relation& relation, const Group& group) const;
+  // Whether another object of that name stands in the zone of `object`.
+  bool IsInZoneOf(const v1::Object& object, const std::string& name) const;
+  // Whether one of the relation's targets does. Never for what hangs or stands on something.
+  bool HasPartnerInZone(const hb::Relation& relation, const v1::Object& object) const;
   // The partners of the relation: false when it asks for some and there are none.
   bool FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const;
   v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets,
