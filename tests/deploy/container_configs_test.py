@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The configs that containers mount, with the real programs: mutual TLS everywhere, NATS with storage, tokens."""
 
-import json
 import os
 import re
 import shutil
 import subprocess
 import tempfile
-import time
+import threading
 import unittest
 from pathlib import Path
 
@@ -25,7 +24,9 @@ class Cluster:
         self.folder = folder
         self.addresses: dict[str, str] = {}
         self._processes: list[subprocess.Popen] = []
-        subprocess.run([ROOT / "deploy/secrets/make", folder / "secrets"], check=True, stdout=subprocess.DEVNULL)
+
+    def start(self) -> None:
+        subprocess.run([ROOT / "deploy/secrets/make", self.folder / "secrets"], check=True, stdout=subprocess.DEVNULL)
         self._start_nats()
         for name, program in (("language", "language"), ("restarts", "optimizer"), ("optimizer", "optimizer"),
                               ("translator", "translator"), ("renderer", "renderer"), ("orchestrator", "orchestrator")):
@@ -71,18 +72,20 @@ class Cluster:
         text = self._config("nats", "nats.conf").replace("port: 4222", 'listen: "127.0.0.1:-1"')
         text = text.replace('"/data"', f'"{self.folder}/nats"').replace('http: "127.0.0.1:0"', 'http: "127.0.0.1:-1"')
         config = self.folder / "nats.conf"
-        config.write_text(text + f'\nports_file_dir: "{self.folder}"\n', encoding="utf-8")
-        with open(self.folder / "nats.log", "w", encoding="utf-8") as log:
-            process = subprocess.Popen([NATS, "--config", config], stdout=log, stderr=log,
-                                       env={**os.environ, "SERVER_NAME": "nats-0"})
+        config.write_text(text, encoding="utf-8")
+        process = subprocess.Popen([NATS, "--config", config], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                                   text=True, env={**os.environ, "SERVER_NAME": "nats-0"})
         self._processes.append(process)
-        ports = self.folder / f"nats-server_{process.pid}.ports"
-        while not (ports.exists() and ports.stat().st_size > 0):
-            if process.poll() is not None:
-                raise AssertionError(f"NATS did not start: {(self.folder / 'nats.log').read_text(encoding='utf-8')}")
-            time.sleep(0.02)
-        address = json.loads(ports.read_text(encoding="utf-8"))["nats"][0]
-        self.addresses["nats-0.nats"] = f"127.0.0.1:{address.rsplit(':', 1)[1]}"
+        said = ""
+        for line in process.stderr:
+            said += line
+            if address := re.search(r"Listening for client connections on (\S+)", line):
+                self.addresses["nats-0.nats"] = address[1]
+            if "Server is ready" in line:
+                # Read on: a full pipe would hold it up.
+                threading.Thread(target=process.stderr.read).start()
+                return
+        raise AssertionError(f"NATS did not start: {said}")
 
 
 class ContainerConfigs(unittest.TestCase):
@@ -92,6 +95,7 @@ class ContainerConfigs(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.cluster = Cluster(Path(folder.name))
         cls.addClassCleanup(cls.cluster.stop)
+        cls.cluster.start()
 
     def test_a_client_with_certificate_and_token_designs_a_room(self) -> None:
         out = self.cluster.folder / "bedroom"
