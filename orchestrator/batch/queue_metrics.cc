@@ -102,7 +102,7 @@ QueueMetrics::QueueMetrics(runtime::Metrics& metrics)
       wait_(metrics.GetHistogram(kWait)),
       run_duration_(metrics.GetHistogram(kRunDuration)),
       job_duration_(metrics.GetHistogram(kJobDuration)) {
-  for (const MetricFamily* family : {&kCreated, &kEnded, &kRuns, &kStages, &kStageDuration}) metrics.Declare(*family);
+  for (const MetricFamily* family : {&kCreated, &kEnded, &kDeletedJobs, &kDeletedArtifacts, &kRuns, &kStages, &kStageDuration}) metrics.Declare(*family);
   watched_.push_back(metrics.Watch(kQueued, {}, [this] { return queued_.load(); }));
   watched_.push_back(metrics.Watch(kRunningLimit, {}, [this] {
     std::lock_guard lock(mutex_);

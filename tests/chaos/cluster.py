@@ -22,6 +22,7 @@ class Shape:
     others: int = 2  # language, translator, renderer: so many of each
     jobs_at_once: int = 4  # of one orchestrator
     lease_seconds: float = 5
+    keep_ended_seconds: float = 0  # what has ended is deleted after so long; never when 0
     wired: bool = False  # every orchestrator's connections can be cut
 
 
@@ -106,6 +107,8 @@ class Cluster:
         text += f"running_job_limit: {self._shape.jobs_at_once}\nstage_deadline_seconds: 30\n"
         # A worker that is killed all the time is no reason to give up on a job.
         text += "attempt_limit: 100\nstage_calls { recovery_seconds: 0.5 }\n"
+        if self._shape.keep_ended_seconds:
+            text += f"keep_ended_seconds: {self._shape.keep_ended_seconds}\n"
         if nats_count:
             servers = self._reached(number, "nats", "nats").replace("127", "nats://127")
             text += f'queue {{ address: "{servers}" replica_count: {nats_count} '
