@@ -56,7 +56,7 @@ bool IsValue(std::string_view digits) {
          std::all_of(digits.begin(), digits.end(), [](char c) { return c <= 'F'; });
 }
 
-// Six hex digits, or three behind "#".
+// Six hex digits, or behind "#" three, or eight of which the last two say how opaque it is.
 std::optional<Value> FindHex(std::string_view text) {
   for (size_t begin = 0; begin < text.size(); ++begin) {
     const bool marked = text[begin] == '#';
@@ -66,11 +66,11 @@ std::optional<Value> FindHex(std::string_view text) {
     while (end < text.size() && IsHexDigit(text[end])) ++end;
     const bool cut = end < text.size() && std::isalnum(static_cast<unsigned char>(text[end])) != 0;
     const std::string_view digits = text.substr(first, end - first);
-    if (inside || cut || (digits.size() != 6 && !(marked && digits.size() == 3))) continue;
+    if (inside || cut || (digits.size() != 6 && !(marked && (digits.size() == 3 || digits.size() == 8)))) continue;
     if (!marked && !IsValue(digits)) continue;
     Value value{{}, begin, end};
     for (size_t i = 0; i < 3; ++i) {
-      value.triple[i] = digits.size() == 6 ? HexValue(digits.substr(2 * i, 2)) : 17 * HexValue(digits.substr(i, 1));
+      value.triple[i] = digits.size() >= 6 ? HexValue(digits.substr(2 * i, 2)) : 17 * HexValue(digits.substr(i, 1));
     }
     return value;
   }
@@ -98,6 +98,16 @@ std::string NameIn(std::string_view text) {
   return llm::CutBytes(std::string(text), kLongestName);
 }
 
+// The handbook's colour of that name, else of the end of it: "deep forest green" is a forest green, or a green.
+const hb::NamedColour* FindNamed(std::string_view name, const Handbook& handbook) {
+  std::string rest = PlainName(name);
+  while (!rest.empty()) {
+    if (const hb::NamedColour* const named = handbook.FindColour(rest)) return named;
+    rest.erase(0, std::min(rest.find(' '), rest.size() - 1) + 1);
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::optional<v1::Colour> ReadColour(std::string_view written, const Handbook& handbook) {
@@ -108,7 +118,7 @@ std::optional<v1::Colour> ReadColour(std::string_view written, const Handbook& h
   if (!value) value = FindTriple(text);
   if (!value) {
     const std::string name = NameIn(text.substr(0, text.find('#')));
-    const hb::NamedColour* named = handbook.FindColour(PlainName(name));
+    const hb::NamedColour* named = FindNamed(name, handbook);
     if (named == nullptr) return std::nullopt;
     colour = ToColour(*named);
     colour.set_name(name);

@@ -29,6 +29,7 @@ TEST(ColourText, NameAndValueAreReadHoweverTheyStand) {
   }
   EXPECT_EQ(Read("warm white #fee"), "warm white 255 238 238");
   EXPECT_EQ(Read("#102030"), " 16 32 48");
+  EXPECT_EQ(Read("smoke #10203080"), "smoke 16 32 48");
 }
 
 TEST(ColourText, WordsOfHexDigitsAreNoValues) {
@@ -40,6 +41,7 @@ TEST(ColourText, WordsOfHexDigitsAreNoValues) {
 
 TEST(ColourText, ANameAloneIsTheHandbooksAndOthersAreNone) {
   EXPECT_EQ(Read("sage green #GGGGGG").substr(0, 10), "sage green");
+  EXPECT_EQ(Read("a deep mysterious sage green").substr(0, 28), "a deep mysterious sage green");
   for (const char* text : {"mystery", "mystery #12", "", "{", "{}", "#", "rgb(300, 1, 2)", "rgb", "42", "null"}) {
     EXPECT_EQ(Read(text), "none") << text;
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -47,6 +48,11 @@ std::string BaseOf(const std::string& id) {
 bool Alike(const v1::Object& a, const v1::Object& b) {
   return a.name() == b.name() && a.zone_id() == b.zone_id() && a.role() == b.role() && a.kind() == b.kind() &&
          a.width_m() == b.width_m() && a.depth_m() == b.depth_m();
+}
+
+// Whether an id can tell a name: ids have Latin letters alone.
+bool IsInItsId(const std::string& name) {
+  return std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x80 && std::isalpha(c) != 0; });
 }
 
 std::string SizeText(const v1::Room& room) {
@@ -111,6 +117,7 @@ std::string GroupsText(const std::vector<ObjectGroup>& groups) {
     if (group.objects.size() > 1) {
       names = fmt::format("{} to {}, together {}", first.id(), group.objects.back()->id(), group.name);
     }
+    if (!IsInItsId(first.name())) names += " " + llm::QuoteData(first.name());
     text += fmt::format("{}- {}{} ({}): {} x {} x {} m", text.empty() ? "" : "\n", names,
                         first.role() == v1::OBJECT_ROLE_PRIMARY ? "*" : "",
                         first.zone_id().empty() ? "room" : first.zone_id(), Rounded(first.width_m()),

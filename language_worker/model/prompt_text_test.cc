@@ -107,6 +107,14 @@ TEST(PromptText, EqualObjectsAreOneLine) {
   EXPECT_EQ(GroupObjects(list, /*floor_only=*/false).size(), 4U);
 }
 
+TEST(PromptText, ANameThatNoIdTellsIsToldBesideIt) {
+  v1::ObjectList list;
+  list.add_objects()->set_id("object");
+  list.mutable_objects(0)->set_name("双人床");
+  EXPECT_THAT(GroupsText(GroupObjects(list, /*floor_only=*/true)),
+              ::testing::StartsWith("- object \"双人床\" (room): "));
+}
+
 TEST(PromptText, AnswersNameGroupsAndSingleObjects) {
   const v1::ObjectList list = Chairs();
   const std::vector<ObjectGroup> groups = GroupObjects(list, /*floor_only=*/true);

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "language_worker/model/furniture_index.h"
 #include "language_worker/recorded/object_names.h"
 #include "language_worker/recorded/prompt_lines.h"
 
@@ -252,13 +253,15 @@ class CallMatcher {
 
 bool IsOfAWall(std::string_view type) { return type == "against_wall" || type == "near_wall" || type == "in_corner"; }
 
-// Which of the three passes a call is for, by its objects: items, several, or one.
+// Which of the three passes a call is for, by its objects: items, several, or one. Rugs are items, whatever they were
+// listed with.
 enum class CallKind { kIntra, kInter, kTertiary };
 
 CallKind KindOf(const v1::ConstraintEdge& edge, const RecordedRoom& room) {
   KeySet items, pieces;
   for (const v1::Object& object : room.graph.object_list().objects()) {
-    (object.role() == v1::OBJECT_ROLE_TERTIARY ? items : pieces).insert(object.id());
+    const bool item = object.role() == v1::OBJECT_ROLE_TERTIARY || IsRugName(object.name());
+    (item ? items : pieces).insert(object.id());
   }
   int count = 0;
   for (const v1::Argument& argument : edge.arguments()) {

@@ -61,17 +61,37 @@ std::string SurfaceOf(std::string_view title) {
   return "";
 }
 
+std::string FirstSentence(std::string_view text) {
+  const std::vector<std::string> sentences = SplitSentences(text);
+  return sentences.empty() ? "" : sentences.front();
+}
+
 // The text up to its first sentence's end, and at most so many words.
 std::string FirstWords(std::string_view text, size_t count) {
-  const std::vector<std::string> sentences = SplitSentences(text);
-  if (sentences.empty()) return "";
-  const std::vector<Word> words = ReadWords(sentences.front());
-  if (words.size() <= count) return sentences.front();
-  return sentences.front().substr(0, words[count - 1].end);
+  const std::string sentence = FirstSentence(text);
+  const std::vector<Word> words = ReadWords(sentence);
+  return words.size() <= count ? sentence : sentence.substr(0, words[count - 1].end);
+}
+
+// The material in a whole sentence, such as "Hardwood floors enhance the room."; empty when the text is no sentence, or
+// names none.
+std::string MaterialSaid(std::string_view text) {
+  static const KeySet kVerbs = {"is",    "are",  "be",    "enhance", "create", "feature", "add", "provide",
+                                "offer", "give", "bring", "have",    "has",    "will",    "let", "should"};
+  const std::vector<Word> words = ReadWords(text);
+  if (std::none_of(words.begin(), words.end(), [](const Word& word) { return kVerbs.contains(word.key); })) return "";
+  for (size_t i = 0; i < words.size(); ++i) {
+    const std::string two = i + 1 < words.size() ? words[i].key + " " + words[i + 1].key : "";
+    if (kMaterialColours.contains(two)) return two;
+    if (kMaterialColours.contains(words[i].key)) return words[i].key;
+    if (words[i].key == "paint" || words[i].key == "painted") return "paint";
+  }
+  return "";
 }
 
 // "Dark oak wood." as a material: up to the first sign.
 std::string AsMaterial(const std::string& text) {
+  if (std::string said = MaterialSaid(FirstSentence(text)); !said.empty()) return said;
   std::string material = text.substr(0, text.find_first_of(".;("));
   while (!material.empty() && material.back() == ' ') material.pop_back();
   return llm::CutBytes(material, kLongestMaterial);
@@ -177,9 +197,11 @@ class Reader {
     for (const std::string* text : {&properties.material, &properties.style, &properties.rest}) {
       if (look.colour.hex.empty()) look.colour = FindColour(*text, handbook_);
     }
-    look.material = AsMaterial(!properties.material.empty() ? properties.material
-                               : !properties.rest.empty()   ? FirstWords(properties.rest, 6)
-                                                            : FirstWords(properties.style, 6));
+    const std::string& other = properties.rest.empty() ? properties.style : properties.rest;
+    const std::string said = MaterialSaid(FirstSentence(other));
+    look.material = !properties.material.empty() ? AsMaterial(properties.material)
+                    : !said.empty()              ? said
+                                                 : AsMaterial(FirstWords(other, 6));
     look.description = FirstWords(!properties.style.empty() ? properties.style : properties.rest, kDescriptionWords);
     return !(properties.colour + properties.material + properties.style + properties.rest).empty();
   }

@@ -57,6 +57,8 @@ class Transfer {
   void AddHeaders();
   size_t TakeHeader(std::string_view line);
   size_t TakeBody(std::string_view piece);
+  // Of the answer, by HTTP; 0 when there is none yet.
+  int HttpStatus() const;
   absl::Status ErrorOf(CURLcode code) const;
 
   HttpRequest request_;
@@ -69,6 +71,8 @@ class Transfer {
   std::unique_ptr<curl_slist, CleanUp> header_list_;
   HttpResponse response_;
   int64_t body_byte_count_ = 0;
+  // Since the first piece of the body.
+  int status_ = 0;
   ReadRound* round_ = nullptr;
   int64_t header_byte_count_ = 0;
   // Why the transfer was ended from our side.

@@ -46,6 +46,7 @@ TEST(WeakerDialect, UnderstandsWhatServersSay) {
       {"Invalid schema for response_format 'zones': In context=(), 'minItems' is not permitted.",
        {.schema_limits = false}},
       {"Unrecognized request argument supplied: seed", {.seed = false}},
+      {"extra_forbidden seed: Extra inputs are not permitted", {.seed = false}},
       {"Invalid JSON payload received. Unknown name \"seed\": Cannot find field.", {.seed = false}},
       {"Unrecognized request argument supplied: stream_options", {.stream_usage = false}},
       {"Unsupported value: 'messages[0].role' does not support 'system' with this model.", {.system_role = false}},

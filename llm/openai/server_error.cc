@@ -148,6 +148,10 @@ ServerError ReadServerError(std::string_view body) {
   if (error != nullptr && error->is_string())
     return {.message = error->get<std::string>(), .type = "", .code = "", .param = ""};
   if (error == nullptr || !error->is_object()) error = &root;
+  // FastAPI's list, wrapped once more.
+  if (const json* const message = Field(*error, "message"); message != nullptr && message->is_object()) {
+    if (const json* const detail = Field(*message, "detail")) return ReadDetail(*detail);
+  }
   ServerError read{.message = TextOf(Field(*error, "message")),
                    .type = TextOf(Field(*error, "type")),
                    .code = TextOf(Field(*error, "code")),

@@ -174,6 +174,32 @@ BENCHMARK(Call)
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
 
+// A connection for each call. With the system's certificates the test's is not trusted, which is found out when the
+// handshake is nearly over; it shows what loading them takes.
+void NewTlsConnection(benchmark::State& state) {
+  const bool system_trust = state.range(0) != 0;
+  const TestCertificate certificate = MakeTestCertificate();
+  Script script = LongAnswers();
+  script.exchanges.front().end = flair::testing::ConnectionEnd::kClose;
+  ServerProcess server(script, certificate, 0);
+  HttpLoop loop;
+  const HttpOptions http = system_trust ? HttpOptions() : Trusting(certificate);
+  OpenAiClient client(Options(server, false), loop, http);
+  runtime::CallContext call;
+  const ChatRequest request = LongQuestion();
+  for (auto _ : state) {
+    if (AskAndWait(client, request, call).ok() == system_trust) state.SkipWithError("unexpected trust");
+  }
+  if (!http.ca_path.empty()) unlink(http.ca_path.c_str());
+}
+BENCHMARK(NewTlsConnection)
+    ->ArgName("system_trust")
+    ->Arg(0)
+    ->Arg(1)
+    ->Iterations(20)
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+
 double ResidentMegabytes() {
   std::ifstream status("/proc/self/status");
   std::string word;
