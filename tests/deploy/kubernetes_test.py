@@ -53,13 +53,21 @@ class Kubernetes(unittest.TestCase):
         for path in list(KUBERNETES.rglob("kustomization.yaml")) + list((ROOT / "deploy/config").rglob("kustomization.yaml")):
             kustomization = load_all(path)[0]
             used = kustomization.get("resources", []) + kustomization.get("components", [])
-            used += [patch["path"] for patch in kustomization.get("patches", [])]
+            used += [patch["path"] for patch in kustomization.get("patches", []) if "path" in patch]
             for maker in kustomization.get("configMapGenerator", []):
                 used += [file.split("=")[-1] for file in maker["files"]]
             for name in used:
                 self.assertTrue((path.parent / name).exists(), f"{path}: {name}")
             there = {file.name for file in path.parent.glob("*.*")} - {"kustomization.yaml"}
             self.assertEqual(there - set(used), set(), path)
+
+    def test_nobody_else_says_how_many_there_are_of_what_is_scaled(self):
+        folder = KUBERNETES / "components/autoscaling"
+        scaled = {item["spec"]["scaleTargetRef"]["name"] for item in load_all(folder / "scaled_objects.yaml")}
+        self.assertLessEqual(scaled, WORKLOADS.keys())
+        patch = load_all(folder / "kustomization.yaml")[0]["patches"][0]
+        self.assertIn("remove, path: /spec/replicas", patch["patch"])
+        self.assertEqual(set(patch["target"]["name"].split("|")), scaled)
 
     def test_pods_listen_where_services_and_probes_look(self):
         for name, workload in WORKLOADS.items():
