@@ -3,10 +3,10 @@
 // grammar was written; 24 further ones were labelled, measured and then looked at four at a time (docs/benchmarks.md
 // has the figures of before they were looked at), 13 more later, 22 invented ones too. Of four held-out rooms one,
 // 63_living_dining, was opened later and is now a development room; nobody has looked at the sentences of the other
-// three. invented_rooms_5.jsonl is held out as well. FLAIR_SHOW_MISSES=1 prints what is wrong in all but the held-out
-// ones; their sum is printed only with FLAIR_SHOW_HELD_OUT=1: who sees it at each run develops by it. A sentence is
-// correct when every part of it gets all calls of one accepted reading and nothing else is made, or nothing at all
-// where nothing is to be made.
+// three. invented_rooms_5.jsonl and invented_rooms_7.jsonl are held out as well. FLAIR_SHOW_MISSES=1 prints what is
+// wrong in all but the held-out ones; their sum is printed only with FLAIR_SHOW_HELD_OUT=1: who sees it at each run
+// develops by it. A sentence is correct when every part of it gets all calls of one accepted reading and nothing else
+// is made, or nothing at all where nothing is to be made.
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
@@ -131,6 +131,23 @@ TEST(Accuracy, OfInventedSentencesThatWereMeasuredAndThenLookedAt) {
 TEST(Accuracy, OfHardSentencesThatWereMeasuredAndThenLookedAt) {
   const Measured measured = Measure("invented_rooms_4.jsonl", false);
   EXPECT_GE(measured.correct_share(), 0.89);
+  EXPECT_EQ(measured.score.silent, 0);
+}
+
+// Rooms of other kinds, a shop, a clinic, a gym, a kitchen with an island..., in the plain manner of such a model,
+// labelled before the grammar read them: 89 % correct when they were measured first.
+TEST(Accuracy, OfRoomsOfOtherKindsThatWereMeasuredAndThenLookedAt) {
+  const Measured measured = Measure("invented_rooms_6.jsonl", false);
+  EXPECT_GE(measured.correct_share(), 0.97);
+  EXPECT_GE(measured.score.recall(), 0.97);
+  EXPECT_GE(measured.score.precision(), 0.97);
+  EXPECT_EQ(measured.score.silent, 0);
+}
+
+// Other sentences of the same rooms, drawn by hash and never looked at.
+TEST(Accuracy, OfRoomsOfOtherKindsThatNobodyLookedAt) {
+  const Measured measured = Measure("invented_rooms_7.jsonl", true);
+  EXPECT_GE(measured.correct_share(), 0.91);
   EXPECT_EQ(measured.score.silent, 0);
 }
 

@@ -98,12 +98,22 @@ class Reader {
     return phrase;
   }
 
+  // After "a", "one of the".
+  bool AnyIsMeant() const {
+    size_t before = at_;
+    if (before > 0 && tokens_[before - 1].IsWord("the")) --before;
+    if (before > 0 && tokens_[before - 1].IsWord("of")) --before;
+    if (before == at_) return at_ > 0 && IsOneOf(tokens_[at_ - 1], {"a", "an", "one"});
+    return before > 0 && tokens_[before - 1].IsWord("one");
+  }
+
   void PushName(const SceneNames::Found& found) {
     RawTerm raw;
     raw.term.kind = Term::Kind::kMention;
     raw.term.mention.references = {found.reference};
     const Phrase area = Lexicon::Get().Find(tokens_, at_ + found.length);
     raw.term.mention.references.front().area = area.length > 0 && area.word_class == WordClass::kArea;
+    raw.term.mention.references.front().any = AnyIsMeant();
     Push(std::move(raw), found.length);
   }
 
@@ -202,6 +212,12 @@ class Reader {
       case WordClass::kFiller:
         if (EndsSideClear(phrase)) {
           push_word("keep_clear");
+          break;
+        }
+        // "..., and both should": the two that were spoken of last.
+        if (tokens_[at_].IsWord("both") && at_ + 1 < tokens_.size() && IsOneOf(tokens_[at_ + 1], {"should", "must"})) {
+          reference.name = "both";
+          push_reference(RefKind::kPronoun);
           break;
         }
         at_ += phrase.length;

@@ -68,7 +68,8 @@ class BracketReader {
       const Term& term = terms_[i - 1].term;
       const bool way = term.kind == Term::Kind::kMention && term.mention.references.front().name == "paths";
       if (way || term.IsWord("space") || term.IsWord("pull_out") || term.IsWord("keep_clear") ||
-          term.IsWord("accessible") || term.IsWord("away_from") || term.IsWord("clear_of") || term.IsWord("around")) {
+          term.IsWord("accessible") || term.IsWord("away_from") || term.IsWord("clear_of") || term.IsWord("around") ||
+          term.IsWord("all_sides") || term.IsWord("in_front") || term.IsWord("behind")) {
         return true;
       }
     }

@@ -86,10 +86,11 @@ bool Composer::IsWalkIn(const Placed& placed) const {
 }
 
 bool Composer::HasDoors(const Placed& placed) const {
-  return IsWalkIn(placed) || EndsWithOneOf(object(placed.object).name(),
-                                           {"wardrobe", "cabinet", "cupboard", "closet", "armoire", "locker",
-                                            "sideboard", "refrigerator", "fridge", "oven", "pantry", "hutch", "dresser",
-                                            "drawer", "nightstand", "dishwasher", "washer", "dryer"});
+  return IsWalkIn(placed) ||
+         EndsWithOneOf(object(placed.object).name(),
+                       {"wardrobe", "cabinet", "cupboard", "closet",  "armoire", "locker", "sideboard",  "refrigerator",
+                        "fridge",   "oven",    "pantry",   "hutch",   "dresser", "drawer", "nightstand", "dishwasher",
+                        "washer",   "dryer",   "cooler",   "freezer", "kiln",    "safe",   "case",       "booth"});
 }
 
 bool Composer::HasFeature(const std::string& kind) const {

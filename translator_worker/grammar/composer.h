@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -130,6 +131,10 @@ class Composer {
   // "The chairs" under a heading of chairs are these.
   void KeepSeveralSubjects(std::vector<int>& objects) const;
   void KeepZone(std::vector<int>& objects, const Placed& mover) const;
+  // "Each chair near a desk", as many desks as chairs: one each.
+  void PairUp(const std::vector<Placed>& movers, const std::vector<Placed>& targets);
+  // Whether the mover was paired up with another target than this.
+  bool IsOfAnother(const std::string& mover, const std::string& target) const;
   // "The TV screen" of a TV stand is the stand where floor objects are spoken of.
   Placed PieceFor(const Placed& placed) const;
   // Chosen only after the sentences about floor objects are written: nothing there can be placed by it.
@@ -155,6 +160,8 @@ class Composer {
   std::vector<Placed> earlier_topic_;
   // What something was related to last: "space around the bed, so the desk and the wardrobe are not close to it".
   std::vector<Placed> named_;
+  // By id, who was paired up with whom in the fact that is being read.
+  std::map<std::string, std::string> partners_;
   std::vector<Placed> pair_movers_;
   std::vector<Placed> pair_targets_;
   std::vector<Call> calls_;

@@ -106,12 +106,13 @@ void Composer::CompleteSide(const std::string& side) {
 }
 
 bool Composer::CompleteClearance(double least_m) {
-  if (calls_.empty() || calls_.back().type != "accessible") return false;
-  for (const v1::Argument& argument : calls_.back().arguments) {
-    if (argument.name() == "min_clearance_m") return false;
+  // "The chairs need space behind them (0.6 m)": of each of them.
+  size_t first = calls_.size();
+  while (first > 0 && calls_[first - 1].type == "accessible" && Find(calls_[first - 1], "min_clearance_m") == nullptr) {
+    --first;
   }
-  calls_.back().Number("min_clearance_m", least_m);
-  return true;
+  for (size_t i = first; i < calls_.size(); ++i) calls_[i].Number("min_clearance_m", least_m);
+  return first < calls_.size();
 }
 
 bool Composer::AddSides(const std::vector<std::string>& sides) {
@@ -147,11 +148,17 @@ bool Composer::IsPlacedCloser(const Call& call) const {
   });
 }
 
+bool Composer::IsOfAnother(const std::string& mover, const std::string& target) const {
+  const auto partner = partners_.find(mover);
+  return partner != partners_.end() && partner->second != target;
+}
+
 bool Composer::Emit(Call call) {
   const v1::ConstraintType* type = catalog_.Find(call.type);
   if (type == nullptr) return false;
   const bool relates = call.arguments.size() > 1 && call.arguments[1].value().has_text() &&
                        (call.arguments[1].name() == "target" || call.arguments[1].name() == "host");
+  if (relates && IsOfAnother(call.arguments[0].value().text(), call.arguments[1].value().text())) return true;
   if (relates && call.arguments[0].value().text() == call.arguments[1].value().text()) {
     Refuse("unknown_sentence", "nothing can be related to itself; name two objects");
     return true;

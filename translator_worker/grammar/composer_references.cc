@@ -41,6 +41,7 @@ bool Composer::ChosenLater(int index) const {
 
 std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either) {
   std::vector<Target> result;
+  partners_.clear();
   for (const Reference& reference : mention.references) {
     Target target;
     target.kind = reference.kind;
@@ -67,12 +68,19 @@ std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<
       default:
         target.objects = Resolve(reference, movers, true);
         if (target.objects.empty()) continue;
+        if (reference.any) PairUp(movers, target.objects);
         if (reference.kind != RefKind::kZone) target.kind = RefKind::kObjects;
     }
     result.push_back(std::move(target));
     if (mention.either && first_of_either) break;
   }
   return result;
+}
+
+void Composer::PairUp(const std::vector<Placed>& movers, const std::vector<Placed>& targets) {
+  if (targets.size() < 2 || movers.size() % targets.size() != 0) return;
+  const size_t each = movers.size() / targets.size();
+  for (size_t i = 0; i < movers.size(); ++i) partners_[id(movers[i])] = id(targets[i / each]);
 }
 
 bool Composer::RefuseUnnamed(const Mention& mention) {
@@ -109,6 +117,10 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
           meant = named_;
         }
       }
+      if (reference.name == "both" && !target && !pair_targets_.empty()) {
+        meant = pair_movers_;
+        meant.insert(meant.end(), pair_targets_.begin(), pair_targets_.end());
+      }
       // "Beside the chair, 0.2 m from the side": from the chair's.
       if (target && bare_side && !movers.empty() && !pair_targets_.empty() &&
           (Contains(pair_movers_, movers.front().object) || IsLikePairMover(movers.front()))) {
@@ -122,6 +134,8 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
     }
     case RefKind::kObjects:
       objects = Choose(reference, movers);
+      // "Near a desk" of several is near one of them.
+      if (target && reference.any && movers.size() < 2 && !objects.empty()) objects.resize(1);
       break;
     case RefKind::kGroup:
       objects = Group(reference.name, movers);
@@ -176,7 +190,8 @@ bool Composer::IsLikePairMover(const Placed& mover) const {
 
 std::vector<int> Composer::Choose(const Reference& reference, const std::vector<Placed>& movers) {
   std::vector<int> candidates = reference.candidates;
-  if (reference.ordinal > 0) {
+  const bool any = reference.any && !movers.empty();
+  if (reference.ordinal > 0 && !any) {
     if (reference.ordinal <= static_cast<int>(candidates.size())) return {candidates[reference.ordinal - 1]};
     Refuse("names_absent_object",
            fmt::format("there is no {}. {}; there are {}", reference.ordinal, reference.name, candidates.size()));
@@ -190,7 +205,7 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
     }
   }
   if (movers.empty() && (reference.plural || reference.each)) KeepSeveralSubjects(candidates);
-  if (candidates.size() < 2 || reference.plural || reference.each) return candidates;
+  if (candidates.size() < 2 || ((reference.plural || reference.each) && !any)) return candidates;
   // Singular with several of the name: those that the sentence is about, then those of one name, then of the same zone.
   const auto keep = [&](auto&& wanted) {
     std::vector<int> kept;
@@ -222,6 +237,7 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
 
 std::vector<int> Composer::Group(const std::string& name, const std::vector<Placed>& movers) const {
   std::vector<int> result;
+  if (name == "kind") return result;
   for (int i = 0; i < request_.object_list().objects_size(); ++i) {
     const v1::Object& candidate = object(i);
     if (candidate.kind() != v1::OBJECT_KIND_FLOOR || candidate.role() == v1::OBJECT_ROLE_TERTIARY ||

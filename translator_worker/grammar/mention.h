@@ -36,6 +36,8 @@ struct Reference {
   std::string side;
   bool plural = false;
   bool each = false;
+  // "A desk", "one of the desks": any one of those that bear the name.
+  bool any = false;
   // "Its bed": the one that belongs to what is spoken of.
   bool own = false;
   // "The shower area": the place about the object.

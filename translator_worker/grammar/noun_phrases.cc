@@ -194,12 +194,13 @@ class Grouper {
         continue;
       }
       if (raw.role == Role::kOrdinal) {
+        if (other && raw.ordinal == 1) continue;  // "the second one"
         ordinal = raw.ordinal;
-        other = raw.term.end - raw.term.begin > 6;
+        other = raw.ordinal > 1;
         if (other) other_term = raw.term;
         continue;
       }
-      if (other && !IsMention(raw)) NameTheOther(other_term, out);
+      if (other && !IsMention(raw)) NameTheOther(other_term, ordinal, out);
       other = false;
       // "Water splash and sockets": what follows a vague thing belongs to it.
       if (raw.role == Role::kNone && raw.term.kind == Term::Kind::kUnknown && !out.empty() && IsVague(out.back())) {
@@ -212,8 +213,13 @@ class Grouper {
         if (each && raw.side_first) reference.side = BothOf(reference.side);
         if (ordinal > 0) reference.ordinal = ordinal;
         if ((IsThing(raw) || IsFeature(raw) || reference.kind == RefKind::kWall) && !out.empty() &&
-            out.back().role == Role::kNone && AdjectiveLike(out.back().term))
+            out.back().role == Role::kNone && AdjectiveLike(out.back().term)) {
           out.pop_back();
+          // "Flammable objects": which those are, nobody knows.
+          const bool unnamed = reference.kind == RefKind::kGroup && !reference.each &&
+                               (reference.name == "all" || reference.name == "others");
+          if (unnamed) reference.name = "kind";
+        }
         each = false;
         ordinal = 0;
       } else if (raw.term.kind != Term::Kind::kUnknown || raw.role != Role::kNone) {
@@ -233,16 +239,16 @@ class Grouper {
     in_ = std::move(out);
   }
 
-  // "One chair on the left and the other on the right": the second of them.
-  static void NameTheOther(const Term& term, std::vector<RawTerm>& out) {
+  // "One chair on the left and the other on the right", "the second one": the second of them.
+  static void NameTheOther(const Term& term, int ordinal, std::vector<RawTerm>& out) {
     for (size_t i = out.size(); i > 0; --i) {
       if (!IsThing(out[i - 1])) continue;
       const Reference& reference = out[i - 1].term.mention.references.back();
-      if (reference.ordinal != 1 || reference.candidates.size() < 2) continue;
+      if (reference.ordinal != ordinal - 1 || reference.candidates.size() < 2) continue;
       RawTerm named = out[i - 1];
       named.term.begin = term.begin;
       named.term.end = term.end;
-      named.term.mention.references.back().ordinal = 2;
+      named.term.mention.references.back().ordinal = ordinal;
       out.push_back(std::move(named));
       return;
     }

@@ -45,7 +45,7 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
 }
 
 bool SpaceBefore(const std::vector<Token>& tokens, size_t end) {
-  static constexpr std::array<std::string_view, 5> kSpaces = {"space", "room", "clearance", "gap", "distance"};
+  static constexpr std::array<std::string_view, 6> kSpaces = {"space", "room", "clearance", "gap", "distance", "area"};
   constexpr size_t kFar = 12;
   const auto last = tokens.begin() + static_cast<long>(end);
   return std::any_of(last - static_cast<long>(std::min(end, kFar)), last, [](const Token& token) {
@@ -57,11 +57,14 @@ bool SpaceBefore(const std::vector<Token>& tokens, size_t end) {
 void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
   static constexpr std::array<std::string_view, 4> kAdjectives = {"accessible", "unobstructed", "unblocked",
                                                                   "reachable"};
-  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
-    const bool adjective = std::find(kAdjectives.begin(), kAdjectives.end(), tokens[i].text) != kAdjectives.end();
+  static constexpr std::array<std::string_view, 3> kOpen = {"clear", "free", "open"};
+  for (size_t i = 0; i + 1 < tokens.size(); ++i) {
+    const bool open = std::find(kOpen.begin(), kOpen.end(), tokens[i].text) != kOpen.end();
+    const bool adjective =
+        open || std::find(kAdjectives.begin(), kAdjectives.end(), tokens[i].text) != kAdjectives.end();
     size_t side = i + 1;
     while (side < tokens.size() && (tokens[side].IsWord("long") || tokens[side].IsWord("short"))) ++side;
-    if (!adjective || side + 1 >= tokens.size() || tokens[side + 1].IsMark(':')) continue;
+    if (!adjective || side >= tokens.size() || (side + 1 < tokens.size() && tokens[side + 1].IsMark(':'))) continue;
     // "Space on one accessible side", "near the accessible side": which side, not that it is to be got at.
     const bool at_side =
         i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at") || tokens[i - 2].IsWord("along"));
@@ -73,8 +76,11 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
       continue;
     }
     const bool end = tokens[side].IsWord("front") || tokens[side].IsWord("back");
-    const bool after_article = i > 0 && (tokens[i - 1].IsWord("an") || tokens[i - 1].IsWord("a"));
-    if (!tokens[side].IsWord("side") && !tokens[side].IsWord("sides") && !(end && after_article)) continue;
+    if (end && side + 1 < tokens.size() && tokens[side + 1].IsWord("side")) ++side;
+    const bool after_article = i == 0 || tokens[i - 1].IsWord("an") || tokens[i - 1].IsWord("a");
+    const bool named = !open && (tokens[side].IsWord("side") || tokens[side].IsWord("sides"));
+    if (!named && !(end && after_article)) continue;
+    if (open) tokens[i].text = "accessible";
     std::rotate(tokens.begin() + static_cast<long>(i), tokens.begin() + static_cast<long>(i) + 1,
                 tokens.begin() + static_cast<long>(side) + 1);
     i = side;

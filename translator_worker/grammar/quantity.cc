@@ -217,7 +217,7 @@ class Joiner {
 
   // Takes a qualifier off the sentence when a length follows it; it then waits for that length.
   bool Qualify() {
-    if (WordAt(at_, "between") && Peek(at_ + 1) && in_[at_ + 1].kind == Token::Kind::kNumber && LengthAfter(at_ + 1)) {
+    if (WordAt(at_, "between") && RangeAt(at_ + 1)) {
       pending_between_ = true;
       ++at_;
       return true;
@@ -233,6 +233,15 @@ class Joiner {
       return true;
     }
     return false;
+  }
+
+  // "0.8 and 1.2 m", "half a metre and one metre", "20-40 cm".
+  bool RangeAt(size_t index) const {
+    const std::optional<Read> first = NumberAt(index);
+    if (!first) return false;
+    if (!WordAt(first->next, "and")) return in_[index].kind == Token::Kind::kNumber && LengthAfter(index);
+    const std::optional<Read> second = NumberAt(first->next + 1);
+    return second && second->has_unit;
   }
 
   // "Pushed up to a wall" bounds no length.

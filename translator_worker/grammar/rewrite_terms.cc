@@ -142,6 +142,32 @@ void DropSofteningOfNear(std::vector<Term>& terms) {
   terms = std::move(kept);
 }
 
+// "Close to, but not in front of, the shelf", "beside and parallel to the desk": both are said of it.
+void ShareTarget(std::vector<Term>& terms) {
+  const auto relates = [](const Term& term) {
+    return term.IsWord("near") || term.IsWord("next_to") || term.IsWord("behind") || term.IsWord("in_front_of") ||
+           term.IsWord("facing") || term.IsWord("opposite") || term.IsWord("parallel") || term.IsWord("left_of") ||
+           term.IsWord("right_of") || term.IsWord("perpendicular") || term.IsWord("against");
+  };
+  const auto soft = [](const Term& term) { return term.kind == Term::Kind::kSoft; };
+  std::vector<Term> shared;
+  size_t skipped = terms.size();
+  for (size_t i = 0; i < terms.size(); ++i) {
+    if (i == skipped) continue;
+    shared.push_back(terms[i]);
+    size_t next = i + 1;
+    while (next < terms.size() && soft(terms[next])) ++next;
+    if (!relates(terms[i]) || next == i + 1) continue;
+    if (next < terms.size() && terms[next].IsWord("not")) ++next;
+    if (next + 1 >= terms.size() || !relates(terms[next])) continue;
+    const size_t target = next + (soft(terms[next + 1]) ? 2 : 1);
+    if (target >= terms.size() || terms[target].kind != Term::Kind::kMention) continue;
+    shared.push_back(terms[target]);
+    if (target == next + 2) skipped = next + 1;
+  }
+  terms = std::move(shared);
+}
+
 // "Space in front of at least 0.8 m": of the figure, not of a thing.
 void EndFrontBeforeFigure(std::vector<Term>& terms) {
   for (size_t i = 0; i + 1 < terms.size(); ++i) {
@@ -210,7 +236,10 @@ void DropLabel(std::vector<Term>& terms) {
 // "Avoid [X] in front of windows" and "X not in front of windows" are one form: the second.
 void MoveNotBehindSubject(std::vector<Term>& terms) {
   for (size_t i = 0; i + 2 < terms.size(); ++i) {
-    if (terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kMention && terms[i + 2].kind == Term::Kind::kWord) {
+    const bool relates =
+        terms[i + 2].kind == Term::Kind::kWord || (terms[i + 2].kind == Term::Kind::kDistance && i + 3 < terms.size() &&
+                                                   (terms[i + 3].IsWord("of") || terms[i + 3].IsWord("near")));
+    if (terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kMention && relates) {
       std::swap(terms[i], terms[i + 1]);
     }
   }
@@ -225,6 +254,7 @@ void RewriteTerms(std::vector<Term>& terms) {
   DropLabel(terms);
   TakeExamples(terms);
   TakeFirstPlace(terms);
+  ShareTarget(terms);
   DropToBesideNot(terms);
   DropCenteredBesideRelation(terms);
   MoveNotBehindSubject(terms);

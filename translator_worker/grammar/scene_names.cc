@@ -2,7 +2,9 @@
 #include "translator_worker/grammar/scene_names.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <string_view>
 
 #include "absl/strings/str_join.h"
 #include "translator_worker/grammar/furniture_words.h"
@@ -29,6 +31,13 @@ bool IsNumber(const std::string& word) {
 }
 
 int NumberOf(const std::string& word) { return IsNumber(word) ? std::atoi(word.c_str()) : 0; }
+
+// What is named for where it is used, not for what it carries: "counter stool", "desk lamp".
+bool IsSeatOrLamp(const std::string& word) {
+  static constexpr std::array<std::string_view, 9> kWords = {"chair", "stool", "bench", "seat",  "lamp",
+                                                             "light", "rug",   "mat",   "pillow"};
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
 
 // "nightstand 2" is a nightstand.
 std::vector<std::string> WithoutNumber(std::vector<std::string> words) {
@@ -64,9 +73,10 @@ SceneNames::SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1
     for (const std::string& name : group) names_[name];
   }
   for (const std::string& name : FurnitureNames()) names_[name];
-  // "TV" alone means the TV stand when there is no television.
+  // "TV" alone means the TV stand when there is no television, but no counter is a counter stool.
   for (int i = 0; i < objects.objects_size(); ++i) {
-    const std::vector<std::string> words = SingularWords(objects.objects(i).name());
+    const std::vector<std::string> words = WithoutNumber(SingularWords(objects.objects(i).name()));
+    if (words.empty() || IsSeatOrLamp(words.back())) continue;
     for (size_t length = words.size() - (words.empty() ? 0 : 1); length > 0; --length) {
       const std::vector<std::string> front(words.begin(), words.begin() + static_cast<long>(length));
       if (names_.count(absl::StrJoin(front, " ")) != 0 && front.front() != "storage")
@@ -111,8 +121,26 @@ SceneNames::Found SceneNames::Find(const std::vector<Token>& tokens, size_t at) 
   return best.length > 0 ? best : FindZoneByUse(tokens, at);
 }
 
+// "Locker doors", "kiln door": a part of what its name begins with that word.
+SceneNames::Found SceneNames::FindOwnerOfPart(const std::vector<Token>& tokens, size_t at) const {
+  static constexpr std::array<std::string_view, 4> kParts = {"door", "doors", "drawer", "drawers"};
+  Found found;
+  if (at + 1 >= tokens.size() || std::find(kParts.begin(), kParts.end(), tokens[at + 1].text) == kParts.end())
+    return found;
+  for (int i = 0; i < objects_.objects_size(); ++i) {
+    const std::vector<std::string> words = SingularWords(objects_.objects(i).name());
+    if (words.size() > 1 && words.front() == Singular(tokens[at].text)) found.reference.candidates.push_back(i);
+  }
+  if (found.reference.candidates.empty()) return found;
+  found.reference.kind = RefKind::kObjects;
+  found.reference.name = tokens[at].text;
+  found.length = 1;
+  return found;
+}
+
 SceneNames::Found SceneNames::FindObject(const std::vector<Token>& tokens, size_t at) const {
   Found found = FindObjectByWords(tokens, at);
+  if (found.length == 0) found = FindOwnerOfPart(tokens, at);
   TakeNumber(tokens, at, found);
   return found;
 }

@@ -49,6 +49,7 @@ class SceneNames {
   void Add(const std::vector<std::string>& words, int object, int rank);
   void AddNamesOf(int object, int rank);
   Found FindObject(const std::vector<Token>& tokens, size_t at) const;
+  Found FindOwnerOfPart(const std::vector<Token>& tokens, size_t at) const;
   Found FindInZone(const std::vector<Token>& tokens, size_t at) const;
   // "Nightstand 2": keeps the one with that number.
   void TakeNumber(const std::vector<Token>& tokens, size_t at, Found& found) const;

@@ -228,7 +228,11 @@ bool IsStowedAtTimes(const Analysis& analysis) {
 Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
                               const v1::Sentence& sentence) {
   Composer composer(request, names, catalog, sentence);
-  const Analysis analysis = Analyse(sentence.text(), names);
+  Analysis analysis = Analyse(sentence.text(), names);
+  // "Installed to the right of the sink": only small things hang.
+  if (sentence.scope() != v1::SENTENCE_SCOPE_TERTIARY) {
+    std::erase_if(analysis.terms, [](const Term& term) { return term.IsWord("hanging"); });
+  }
   Translation result;
   result.weight_factor = analysis.wish ? 0.5 : 1;
   if (SpeaksOfArrangement(analysis)) {

@@ -7,6 +7,21 @@
 #include "fmt/format.h"
 
 namespace flair::translator {
+namespace {
+
+// The one side that the last call about the object names; empty when there is none.
+std::string SideSpokenOf(const Composer& composer, const std::string& id) {
+  for (size_t i = composer.calls().size(); i > 0; --i) {
+    const Call& call = composer.calls()[i - 1];
+    if (call.arguments.size() < 2 || call.arguments[0].value().text() != id) continue;
+    const v1::Argument& second = call.arguments[1];
+    if (second.name() == "side") return second.value().text();
+    if (second.name() == "sides" && second.value().texts().items_size() == 1) return second.value().texts().items(0);
+  }
+  return "";
+}
+
+}  // namespace
 
 std::vector<std::string> SidesOf(Composer& composer, const Placed& placed) {
   const std::string& word = placed.side;
@@ -22,6 +37,10 @@ std::vector<std::string> SidesOf(Composer& composer, const Placed& placed) {
     return {options[0]};
   };
   if (word == "sides") return lateral;
+  if (word == "other") {
+    const std::string other = OppositeSide(SideSpokenOf(composer, object.id()));
+    return other.empty() ? one(lateral) : std::vector<std::string>{other};
+  }
   if (word == "side" || word == "lateral_one") return one(lateral);
   if (word == "axial") return axial;
   if (word == "opposite_two") {

@@ -143,7 +143,10 @@ class Tokenizer {
 
   void Apostrophe() {
     const bool after_word = !tokens_.empty() && at_ > 0 && IsLetter(text_[at_ - 1]);
-    if (after_word && Next(1) == 's' && !IsLetter(Next(2))) {
+    if (after_word && Next(1) == 's' && !IsLetter(Next(2)) && ShortensIs()) {
+      Push(Token::Kind::kWord, "is", at_, at_ + 2);
+      at_ += 2;
+    } else if (after_word && Next(1) == 's' && !IsLetter(Next(2))) {
       Push(Token::Kind::kWord, "'s", at_, at_ + 2);
       at_ += 2;
     } else if (after_word && text_[at_ - 1] == 's' && Next(1) == ' ') {
@@ -155,6 +158,12 @@ class Tokenizer {
     } else {
       ++at_;
     }
+  }
+
+  // "There's", "it's": "is", never whose it is.
+  bool ShortensIs() const {
+    const std::string& word = tokens_.back().text;
+    return word == "there" || word == "it" || word == "that" || word == "this";
   }
 
   // "0.3m - 0.5m", "0.3 - 0.5m": a number, or one and its unit.

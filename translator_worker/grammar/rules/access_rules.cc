@@ -170,6 +170,11 @@ void MoreSpace(const Match&, std::string_view tag, Composer& composer) {
     composer.Refuse("unknown_sentence", "nothing says what is there");
 }
 
+// "Legroom underneath": inside of the piece nothing is kept free.
+void SpaceUnderneath(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "free space can be asked for beside an object, not under it");
+}
+
 // "Its top and front are accessible": the front is.
 void Unreachable(const Match& match, std::string_view, Composer& composer) {
   Mention sides;
@@ -193,6 +198,9 @@ std::vector<Rule> AccessRules() {
       {"A.side D space? swing_open", SpaceAt, "named"},
       {"A.side D of? space? swing_open", SpaceAt, "named"},
       {"A? D of? in_front_of C.pronoun", SpaceAt, "front"},
+      {"A? D to in_front_of C.pronoun", SpaceAt, "front"},
+      {"A? space? legroom under B?", SpaceUnderneath},
+      {"A? space? D? of? legroom ,? of? D? space? ,? in_front?", SpaceAt, "front"},
       {"D keep_clear behind B.object", SpaceAt, "back"},
       {"D keep_clear in_front_of B.object", SpaceAt, "front"},
       {"D keep_clear around B.object", SpaceAt, "around"},

@@ -12,7 +12,9 @@ Call Two(const char* type, const Placed& mover, const Placed& other, Composer& c
 }
 
 void EmitFacing(const Placed& mover, const Placed& other, bool both, Composer& composer) {
-  if (composer.IsWall(mover)) {
+  if (composer.IsCeiling(mover)) {
+    composer.EmitFirst({Two("ceiling_above", mover, other, composer)});
+  } else if (composer.IsWall(mover)) {
     composer.EmitFirst({Two("on_wall_facing", mover, other, composer)});
   } else if (both) {
     composer.EmitFirst({Two("facing", mover, other, composer).Flag("both", true)});
@@ -139,6 +141,10 @@ void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
           composer.EmitFirst(
               {Call("rug_under_forward").Text("rug", composer.id(mover)).Text("object", composer.id(other))});
           composer.rug_placed = true;
+          continue;
+        }
+        if (composer.IsWall(mover)) {
+          composer.EmitFirst({Two("on_wall_near", mover, other, composer)});
           continue;
         }
         Call call = Two("in_front_of", mover, other, composer);

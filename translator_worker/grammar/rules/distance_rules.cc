@@ -260,6 +260,8 @@ std::vector<Rule> DistanceRules() {
       {"A? not crowd B", AwayFrom},
       {"A.object to B.object ,? D", AwayFrom},
       {"A? D clear_of B.object", AwayFrom},
+      {"A? clear_of B.object next_to? D", AwayFrom},
+      {"A? not? space? D? space? between both_ways ,? D?", ApartFromEachOther},
       {"A? D clear_of B.wall", AwayFrom},
       {"A? D clear_of B.feature", AwayFrom},
       {"A.object apart/away B.object away_from/and C.object", Separates},

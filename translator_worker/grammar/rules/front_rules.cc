@@ -41,6 +41,10 @@ std::vector<Rule> FrontRules() {
       {"A.group not in_front", SpaceBefore},
       {"A.group not D of/near B.side", NothingNear},
       {"A.group not D of/near B.object", NothingWithin},
+      {"C.vague not near B.side", NothingNear},
+      {"C.vague not D of/near B.side", NothingNear},
+      {"C.vague not D of/near B.object", NothingWithin},
+      {"C.vague not in_front_of B.thing", NothingInFront},
   };
 }
 

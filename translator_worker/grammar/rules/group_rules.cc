@@ -82,6 +82,27 @@ void Row(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "The desks stand back to back".
+void BackToBack(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> all = composer.Movers(match.a);
+  if (match.b != nullptr) {
+    const std::vector<Placed> others = composer.TargetObjects(*match.b, all);
+    all.insert(all.end(), others.begin(), others.end());
+  } else if (all.size() < 2) {
+    all = composer.subjects();
+  }
+  if (all.size() != 2) {
+    composer.Refuse("unknown_sentence", "two objects can stand back to back; name them");
+    return;
+  }
+  composer.EmitFirst({Call("next_to")
+                          .Text("object", composer.id(all[0]))
+                          .Text("target", composer.id(all[1]))
+                          .Text("object_side", "back")
+                          .Text("target_side", "back")});
+  composer.SetPair({all[0]}, {all[1]});
+}
+
 void NearEachOther(const Match& match, std::string_view, Composer& composer) {
   std::vector<Placed> movers = composer.Movers(match.a);
   if (movers.size() < 2) movers = composer.subjects();
@@ -115,8 +136,10 @@ std::vector<Rule> GroupRules() {
       {"A? side_by_side", Row},
       {"A? side_by_side ,? side_by_side", Row},
       {"A? next_to both_ways", Row},
+      {"A? back_to_back B?", BackToBack},
       {"A? near both_ways", NearEachOther},
       {"A? against both_ways", Touching},
+      {"A.list against", Touching},
       {"A.list together ,? D?", NearEachOther},
       {"A? next_to both_ways ,? side_by_side", Row},
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Walls and the ceiling: pictures above beds, lamps above tables.
 #include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
@@ -48,7 +49,7 @@ void OnWallNear(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
-// "Needs a wall behind it".
+// "Needs a wall behind it", "a wall at its back".
 void WallBehind(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.b);
   if (!movers.empty() && !composer.IsFloor(movers.front())) {
@@ -56,7 +57,9 @@ void WallBehind(const Match& match, std::string_view tag, Composer& composer) {
     return;
   }
   for (const Placed& mover : movers) {
-    composer.EmitFirst({Call("against_wall").Text("object", composer.id(mover)).Text("side", "back")});
+    const std::string side = OneSide(composer, mover);
+    composer.EmitFirst(
+        {Call("against_wall").Text("object", composer.id(mover)).Text("side", side.empty() ? "back" : side)});
   }
 }
 
@@ -69,6 +72,7 @@ void NotInCorner(const Match&, std::string_view, Composer& composer) {
 std::vector<Rule> HangingRules() {
   return {
       {"C.wall behind B.pronoun", WallBehind},
+      {"C.wall on/next_to/behind B.side", WallBehind},
       {"hanging? on? C.wall ,? centered? D? above/behind B", Above},
       {"hanging? on? C.wall ,? near/next_to/left_of/right_of/to_side/in_front_of B", OnWallNear},
       {"A? hanging? centered? D? above B", Above},

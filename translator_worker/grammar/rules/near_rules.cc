@@ -140,6 +140,13 @@ void AccessToFeature(const Match& match, std::string_view, Composer& composer) {
 void NextTo(const Match& match, std::string_view, Composer& composer) {
   if (composer.RefuseUnnamed(*match.b)) return;
   const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::string& side = match.b->references.front().side;
+  const bool several_sides = side == "sides" || side == "long_both" || side == "short_both" || side == "all";
+  // "Three chairs along each long side of the table".
+  if (several_sides && movers.size() > 1 && composer.IsFloor(movers.front())) {
+    Flank(movers, composer.TargetObjects(*match.b, movers), composer);
+    return;
+  }
   for (const Target& target : composer.Targets(*match.b, movers)) {
     for (const Placed& mover : movers) {
       if (composer.IsWall(mover) || target.kind == RefKind::kWall) {
@@ -225,6 +232,7 @@ std::vector<Rule> NearRules() {
       {"B.feature near/next_to A.object", Near},
       {"B.feature near/next_to A.object accessible/keep_clear", Near},
       {"B.feature near", Near},
+      {"B.feature behind/near/next_to A.pronoun", Near},
       {"B.feature D", FeatureWithin},
       {"A? near/access_to next_to/on B.object", Near},
       {"B.feature at_sides considered?", Near},
@@ -241,7 +249,7 @@ std::vector<Rule> NearRules() {
       {"nearby B", Near},
       {"A? next_to B", NextTo},
       {"A? along B.thing", NextTo},
-      {"A? on B.feature", Near},
+      {"A? on/along B.feature", Near},
       {"A? D? left_of B ,? D? apart/away?", AtSide, "left"},
       {"A? D? right_of B ,? D? apart/away?", AtSide, "right"},
       {"A? D? behind B ,? D? apart/away?", AtSide, "back"},

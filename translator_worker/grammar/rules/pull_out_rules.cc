@@ -50,6 +50,7 @@ std::vector<Rule> PullOutRules() {
       {"A? space? pull_out ,? not block B", PullOut},
       {"space for/to? pull_out", PullOut},
       {"space for A ,? to? pull_out D", PullOut},
+      {"space ,? D? space? for/to? pull_out A.object", PullOut},
       {"A? space? D? space? pull_out away_from C", PullOut},
       {"clear_of B pull_out", PullOut},
       {"D space? for A pull_out", PullOut},

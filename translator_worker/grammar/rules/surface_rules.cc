@@ -13,6 +13,11 @@ void OnOne(const Placed& mover, const Placed& host, std::string_view corner, Com
     composer.EmitFirst({Call("on").Text("object", id).Text("target", below)});
   } else if (composer.IsRug(host) && composer.rug_placed) {
     return;  // "under the sofa, with the chairs on it": the rug's own place says it
+  } else if (composer.IsTertiaryRug(host) && composer.IsFloor(mover)) {
+    // "So that the front legs of the sofa rest on it".
+    composer.EmitFirst(
+        {Call(mover.side == "front" ? "rug_under_forward" : "rug_under_center").Text("rug", below).Text("object", id)});
+    composer.rug_placed = true;
   } else if (composer.IsRug(host)) {
     composer.EmitFirst({Call("on").Text("object", id).Text("target", below)});
   } else if (!corner.empty() && composer.IsFloor(mover) && composer.IsFloor(host) &&
@@ -59,6 +64,7 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
     InAreaOf(movers, hosts, composer);
     return;
   }
+  if (tag == "any" && match.c != nullptr && match.c->references.front().side == "back") tag = "back_left";
   const auto several = [](const std::string& side) {
     return side == "sides" || side == "long_both" || side == "short_both" || side == "all";
   };
