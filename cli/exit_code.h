@@ -39,12 +39,21 @@ absl::Status BrokenPromises(const std::string& message);
 // What stands for a code that no status code stands for.
 absl::Status EndWith(ExitCode code, const std::string& message);
 
+// The codes for `flair --help`, a line or two each.
 inline constexpr char kExitCodeHelp[] =
-    "Exit codes: 0 done, 1 failed, 2 the request or an argument is not right, 3 a service cannot be reached\n"
-    "            or speaks another version,\n"
-    "            4 a file or folder cannot be read or written, 5 an artifact is corrupt, 6 the language model failed:\n"
-    "            it cannot be reached, refuses the key, its budget is spent, or its answers are of no use,\n"
-    "            7 what was compared is not the same, 8 a server breaks a promise of its stage,\n"
-    "            9 jobs of a batch failed, or lines of it were rejected, 10 the batch was cancelled, 130 interrupted.";
+    "Exit codes:\n"
+    "  0    done\n"
+    "  1    failed otherwise: a bug, or a broken installation\n"
+    "  2    the request or an argument is not right, or what it names is not there\n"
+    "  3    a service cannot be reached, is full, or speaks another version\n"
+    "  4    a file or folder cannot be read or written\n"
+    "  5    an artifact is corrupt\n"
+    "  6    the language model: it cannot be reached, refuses the key, its budget is\n"
+    "       spent, or its answers are of no use\n"
+    "  7    what was compared is not the same\n"
+    "  8    a server breaks a promise of its stage\n"
+    "  9    jobs of a batch failed, or lines of it were rejected\n"
+    "  10   the batch was cancelled\n"
+    "  130  interrupted";
 
 }  // namespace flair::cli

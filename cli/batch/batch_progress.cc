@@ -6,6 +6,7 @@
 
 #include "absl/strings/ascii.h"
 #include "cli/batch/result_row.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -69,7 +70,7 @@ std::string StandingText(const BatchStanding& standing, size_t width) {
   if (batch.running_count() > 0) parts.push_back(fmt::format("{} running", batch.running_count()));
   if (batch.failed_count() > 0) parts.push_back("failed: " + FailuresText(batch));
   if (batch.cancelled_count() > 0) parts.push_back(fmt::format("{} cancelled", batch.cancelled_count()));
-  if (standing.rejected_count > 0) parts.push_back(fmt::format("{} lines rejected", standing.rejected_count));
+  if (standing.rejected_count > 0) parts.push_back(Counted(standing.rejected_count, "line") + " rejected");
   if (standing.submitting) parts.push_back("submitting");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : "  ") + part;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cli/output/counted.h"
 #include "cli/output/printable.h"
 #include "cli/output/text_table.h"
 #include "fmt/format.h"
@@ -107,13 +108,6 @@ std::string Figure(double value) {
   return value >= 1000 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
-std::string Shortened(const std::string& text) {
-  if (text.size() <= kShownOfError) return Printable(text);
-  size_t end = kShownOfError - 3;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return Printable(text.substr(0, end)) + "...";
-}
-
 }  // namespace
 
 absl::StatusOr<BatchReport> MakeBatchReport(ResultsFile& results) {
@@ -126,7 +120,7 @@ absl::StatusOr<BatchReport> MakeBatchReport(ResultsFile& results) {
 }
 
 std::string BatchOutcomeText(const BatchReport& report) {
-  std::string text = fmt::format("{} jobs: {} succeeded", report.job_count, report.succeeded_count);
+  std::string text = fmt::format("{}: {} succeeded", Counted(report.job_count, "job"), report.succeeded_count);
   const std::pair<int64_t, const char*> others[] = {{report.failed_count, "failed"},
                                                     {report.cancelled_count, "cancelled"},
                                                     {report.waiting_count, "have not ended"},
@@ -134,12 +128,14 @@ std::string BatchOutcomeText(const BatchReport& report) {
   for (const auto& [count, words] : others) {
     if (count > 0) text += fmt::format(", {} {}", count, words);
   }
-  if (report.rejected_count > 0) text += fmt::format("; {} lines rejected (rejected.jsonl)", report.rejected_count);
+  if (report.rejected_count > 0)
+    text += fmt::format("; {} rejected (rejected.jsonl)", Counted(report.rejected_count, "line"));
   text += "\n";
   for (const FailureSummary& failure : report.failures) {
     text += fmt::format("{:>7} {}, such as job {}{}: {}: {}\n", failure.count, failure.kind, failure.batch_index,
                         failure.line > 0 ? fmt::format(" (line {})", failure.line) : "",
-                        failure.stage.empty() ? "no stage" : failure.stage, Shortened(failure.error));
+                        failure.stage.empty() ? "no stage" : failure.stage,
+                        Shortened(PrintableLine(failure.error), kShownOfError));
   }
   return text;
 }
@@ -151,12 +147,13 @@ std::string BatchReportText(const BatchReport& report) {
   if (!report.last_time.empty()) text += fmt::format("from {} to {} UTC\n", report.first_time, report.last_time);
   const int64_t held = report.satisfied_count + report.violated_count;
   if (held > 0) {
-    text += fmt::format("{} of {} constraints hold ({:.1f} %)\n", report.satisfied_count, held,
+    text += fmt::format("{} of {} ({:.1f} %)\n", report.satisfied_count,
+                        Counted(held, "constraint holds", "constraints hold"),
                         100.0 * static_cast<double>(report.satisfied_count) / static_cast<double>(held));
   }
   if (report.model_calls > 0) {
-    text += fmt::format("{} calls of models, {} + {} tokens, {:.4f} USD\n", report.model_calls, report.input_tokens,
-                        report.output_tokens, report.cost_usd);
+    text += fmt::format("{} of models, {} + {} tokens, {:.4f} USD\n", Counted(report.model_calls, "call"),
+                        report.input_tokens, report.output_tokens, report.cost_usd);
   }
   if (report.size_bytes > 0)
     text += fmt::format("{:.1f} MiB kept\n", static_cast<double>(report.size_bytes) / (1 << 20));

@@ -8,6 +8,7 @@
 #include "cli/batch/batch_monitor.h"
 #include "cli/batch/collector.h"
 #include "cli/exit_code.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 
@@ -86,21 +87,20 @@ absl::Status Summarize(BatchSession& session, const v1::Batch& batch, BatchFolde
 
 absl::Status EndOf(const BatchReport& report, const std::string& name) {
   if (report.failed_count > 0) {
-    return EndWith(kExitSomeFailed, fmt::format("{} of {} jobs failed; more: flair batch report {}; again: flair batch "
-                                                "retry {}",
-                                                report.failed_count, report.job_count, name, name));
+    return EndWith(kExitSomeFailed,
+                   fmt::format("{} of {} failed; more: flair batch report {}; again: flair batch retry {}",
+                               report.failed_count, Counted(report.job_count, "job"), name, name));
   }
   if (report.not_fetched_count > 0) {
-    return EndWith(kExitSomeFailed,
-                   fmt::format("the results of {} jobs could not be fetched; again: flair batch watch {}",
-                               report.not_fetched_count, name));
+    return EndWith(kExitSomeFailed, fmt::format("the results of {} could not be fetched; again: flair batch watch {}",
+                                                Counted(report.not_fetched_count, "job"), name));
   }
   if (report.rejected_count > 0) {
-    return EndWith(kExitSomeFailed,
-                   fmt::format("{} lines were rejected; {}/rejected.jsonl says why", report.rejected_count, name));
+    return EndWith(kExitSomeFailed, fmt::format("{} rejected; {}/rejected.jsonl says why",
+                                                Counted(report.rejected_count, "line was", "lines were"), name));
   }
   if (report.cancelled_count > 0) {
-    return EndWith(kExitSomeFailed, fmt::format("{} jobs were cancelled", report.cancelled_count));
+    return EndWith(kExitSomeFailed, Counted(report.cancelled_count, "job was cancelled", "jobs were cancelled"));
   }
   return absl::OkStatus();
 }

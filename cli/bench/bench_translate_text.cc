@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cli/output/counted.h"
 #include "cli/output/text_table.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
@@ -84,7 +85,7 @@ std::string TranslateScoreText(const TranslateScore& score, double cpu_ms) {
   text += table.Header();
   for (const auto& [name, tally] : lists) text += table.Row(Cells(name, tally));
   text += table.Row(Cells("all", score.all));
-  if (score.silent > 0) text += fmt::format("{} sentences gave neither a call nor a remark\n", score.silent);
+  if (score.silent > 0) text += Counted(score.silent, "sentence") + " gave neither a call nor a remark\n";
   return text + fmt::format("{:.1f} % of {} labels correct, {:.3f} ms of CPU a label\n", 100 * score.all.CorrectShare(),
                             score.all.Total(), cpu_ms / std::max(1, score.all.Total()));
 }

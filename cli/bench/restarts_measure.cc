@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/bench/statistics.h"
+#include "cli/output/counted.h"
 #include "cli/output/text_table.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
@@ -113,8 +114,8 @@ std::string RestartsTable(const std::vector<RestartsMeasure>& measures) {
                        fmt::format("{:.1f}", 100 * room.HitShare()), fmt::format("{:.2f}", 1e3 * Mean(room.cpu_s))});
   }
   const TextTable curve({"restarts", "rooms at their best %", "mean cost above it", "median CPU ms"}, 8, 9);
-  text += fmt::format("\n{} room{}; {:.1f} % of single restarts reach the best\n\n", measures.size(),
-                      measures.size() == 1 ? "" : "s", 100 * MeanHitShare(measures));
+  text += fmt::format("\n{}; {:.1f} % of single restarts reach the best\n\n", Counted(std::ssize(measures), "room"),
+                      100 * MeanHitShare(measures));
   text += curve.Header();
   for (const CurvePoint& point : Curve(measures)) {
     text += curve.Row({fmt::format("{}", point.restarts), fmt::format("{:.1f}", 100 * point.rooms_found),

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "cli/bench/statistics.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -18,8 +19,6 @@ std::vector<double> Collect(const Measures& measures, const Figure& figure) {
   for (const SolveMeasure& measure : measures) values.push_back(figure(measure));
   return values;
 }
-
-const char* Plural(size_t count) { return count == 1 ? "" : "s"; }
 
 double HeldShare(const Quality& quality) {
   return static_cast<double>(quality.held) / std::max(1, quality.held + quality.missed);
@@ -61,10 +60,9 @@ std::string BesideRecorded(const Measures& all) {
   std::copy_if(all.begin(), all.end(), std::back_inserter(paired),
                [](const SolveMeasure& m) { return m.recorded.has_value(); });
   if (paired.empty()) return "";
-  const TextTable table(
-      {fmt::format("mean over {} room{} with a recorded layout", paired.size(), Plural(paired.size())), "ours",
-       "recorded", "ratio", "ours no worse in"},
-      46, 9);
+  const TextTable table({fmt::format("mean over {} with a recorded layout", Counted(std::ssize(paired), "room")),
+                         "ours", "recorded", "ratio", "ours no worse in"},
+                        46, 9);
   std::string text = table.Header();
   const auto row = [&](const std::string& name, bool less_is_better, const std::function<double(const Quality&)>& of) {
     const double ours = Mean(Collect(paired, [&](const SolveMeasure& m) { return of(m.quality); }));
@@ -74,8 +72,7 @@ std::string BesideRecorded(const Measures& all) {
       return less_is_better ? difference <= 1e-9 : difference >= -1e-9;
     });
     text += table.Row({name, fmt::format("{:.4f}", ours), fmt::format("{:.4f}", theirs),
-                       theirs > 0 ? fmt::format("{:.3f}", ours / theirs) : "",
-                       fmt::format("{} room{}", no_worse, Plural(static_cast<size_t>(no_worse)))});
+                       theirs > 0 ? fmt::format("{:.3f}", ours / theirs) : "", Counted(no_worse, "room")});
   };
   row("share of constraints that hold, by our terms", false, HeldShare);
   for (const MetricColumn& column : kMetrics) {
@@ -131,11 +128,12 @@ std::string SolveSummary(const Measures& measures, double memory_before_MiB) {
   const double restarts = Mean(Collect(measures, [](const SolveMeasure& m) { return m.restart_count(); }));
   const double evaluations = Mean(Collect(measures, [](const SolveMeasure& m) { return m.evaluation_count(); }));
   std::string text = fmt::format(
-      "\n{} room{}: CPU median {:.3f} s, mean {:.3f} s, 95th percentile {:.3f} s, most {:.3f} s\n"
-      "restarts {:.1f}, evaluations {:.0f} k a room; {} of {} constraints hold ({:.1f} %)\n"
+      "\n{}: CPU median {:.3f} s, mean {:.3f} s, 95th percentile {:.3f} s, most {:.3f} s\n"
+      "restarts {:.1f}, evaluations {:.0f} k a room; {} of {} ({:.1f} %)\n"
       "memory of the process: {:.1f} MiB before the first solve, {:.1f} MiB at most\n\n",
-      measures.size(), Plural(measures.size()), Quantile(cpu_s, 0.5), Mean(cpu_s), Quantile(cpu_s, 0.95),
-      Quantile(cpu_s, 1), restarts, 1e-3 * evaluations, held, held + missed, 100.0 * held / std::max(1, held + missed),
+      Counted(std::ssize(measures), "room"), Quantile(cpu_s, 0.5), Mean(cpu_s), Quantile(cpu_s, 0.95),
+      Quantile(cpu_s, 1), restarts, 1e-3 * evaluations, held,
+      Counted(held + missed, "constraint holds", "constraints hold"), 100.0 * held / std::max(1, held + missed),
       memory_before_MiB, PeakMemory_MiB());
   const TextTable stages({"stage", "CPU ms", "share", "runs", "evals k"}, 10, 8);
   text += "mean per room\n" + stages.Header();

@@ -15,6 +15,8 @@
 #include "cli/exit_code.h"
 #include "cli/input/option_path.h"
 #include "cli/input/render_flags.h"
+#include "cli/input/value_checks.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"
 
@@ -148,44 +150,46 @@ absl::Status Submit(const BatchArguments& arguments) {
   std::error_code ignored;
   std::filesystem::remove(copy, ignored);  // of standard input, which is given again where it is needed again
   if (status.ok() && arguments.submit_only && !arguments.quiet) {
-    fmt::print(stderr, "{} jobs submitted, {} lines rejected; to collect: flair batch watch {}\n",
-               submission.submitted_count(), submission.rejected_count(), arguments.out);
+    fmt::print(stderr, "{} submitted, {} rejected; to collect: flair batch watch {}\n",
+               Counted(submission.submitted_count(), "job"), Counted(submission.rejected_count(), "line"),
+               arguments.out);
   }
   return status;
 }
 
 void AddSpecFlags(CLI::App& command, BatchArguments& arguments) {
   constexpr char kGroup[] = "For lines that do not say otherwise";
-  command.add_option("--seed", arguments.seed, "Seed (0)")
-      ->type_name("N")
-      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1).description(""))
-      ->group(kGroup);
+  command.add_option("--seed", arguments.seed, "Seed (0)")->type_name("N")->check(Seed())->group(kGroup);
   command
       .add_option("--seeds", arguments.seed_count,
                   "Jobs of each line, with the seeds N, N + 1, ... of its own one, 1 to 500 (1)")
       ->type_name("COUNT")
-      ->check(CLI::Range(1, 500).description(""))
+      ->check(WholeNumber(1, 500))
       ->group(kGroup);
   command.add_option("--view", arguments.views, "Pictures: plan, birdseye, perspective, with a comma between (plan)")
       ->type_name("A,B")
       ->delimiter(',')
       ->allow_extra_args(false)  // what follows is the file
       ->group(kGroup);
-  command.add_option("--size", arguments.size_px, "Longer side of the pictures, pixels, 256 to 8192")
+  command
+      .add_option("--size", arguments.size_px,
+                  "Longer side of the pictures in pixels, 256 to 8192 (plan 1600, views 1024)")
       ->type_name("PX")
-      ->check(CLI::Range(256, 8192).description(""))
+      ->check(WholeNumber(256, 8192))
       ->group(kGroup);
   command.add_option("--variants", arguments.variants, "Layouts that differ visibly, 1 to 32 (1)")
       ->type_name("K")
-      ->check(CLI::Range(1, 32).description(""))
+      ->check(WholeNumber(1, 32))
       ->group(kGroup);
-  command.add_option("--restarts", arguments.restarts, "Most restarts per stage of the solver, 1 to 10000")
+  command
+      .add_option("--restarts", arguments.restarts,
+                  "Most restarts per stage of the solver, 1 to 10000 (by the stage's size)")
       ->type_name("N")
-      ->check(CLI::Range(1, 10000).description(""))
+      ->check(WholeNumber(1, 10000))
       ->group(kGroup);
   command.add_option("--threads", arguments.threads, "Threads of each solve, 1 to 256 (1); changes no result")
       ->type_name("N")
-      ->check(CLI::Range(1, 256).description(""))
+      ->check(WholeNumber(1, 256))
       ->group(kGroup);
   command.add_option("--set", arguments.options, "Any other option, as for flair replay: optimizer.path_width=0.7")
       ->type_name("NAME=VALUE")
@@ -207,9 +211,10 @@ void AddResultFlags(CLI::App& command, BatchArguments& arguments) {
       .add_option("--shards", arguments.shard_size,
                   "Tar files of so many jobs, 1 to 1000000, instead of a folder for each job")
       ->type_name("JOBS")
-      ->check(CLI::Range(1, 1000000).description(""));
-  command.add_option("--name", arguments.name,
-                     "What you call the batch (the file's name); another name, another batch");
+      ->check(WholeNumber(1, 1000000));
+  command
+      .add_option("--name", arguments.name, "What you call the batch (the file's name); another name, another batch")
+      ->type_name("NAME");
   command.add_flag("--submit-only", arguments.submit_only, "Submit the lines and do not wait for results");
 }
 
@@ -227,16 +232,14 @@ void AddBatch(CLI::App& program, absl::Status& result) {
   command->add_flag("-q,--quiet", arguments->quiet, "Say nothing unless something is wrong");
   AddBatchActions(*command, result);
   command->footer(
-      "A line is a sentence, or a JSON object with the fields of a Brief and id, variants, views, solve, render, "
-      "models:\n"
+      "A line is a sentence, or a JSON object with the fields of a Brief and id, variants, views, solve, "
+      "render, models:\n"
       "    A bedroom that is 4m x 5m.\n"
-      "    {\"id\": \"k17\", \"text\": \"A small kitchen.\", \"seed\": 4, \"views\": [\"plan\", \"birdseye\"]}\n"
+      "    {\"id\": \"k17\", \"text\": \"A small kitchen.\", \"views\": [\"plan\", \"birdseye\"]}\n"
       "DIR gets a folder for each job under jobs/ (or shards/), results.db with a row for each job, and "
-      "rejected.jsonl\n"
-      "with the lines that are no briefs. After ^C or a crash the same command goes on where it was; the same file "
-      "with\n"
-      "the same options is the same batch. ID is the batch's id, the beginning of it, or DIR. See docs/batches.md.\n" +
-      std::string(kExitCodeHelp));
+      "rejected.jsonl with the lines that are no briefs. After ^C or a crash the same command goes on where "
+      "it was; the same file with the same options is the same batch. ID is the batch's id, the beginning "
+      "of it, or DIR. See docs/batches.md.");
   command->callback([arguments, command, &result] {
     if (!command->get_subcommands().empty()) return;
     if (arguments->briefs.empty()) throw CLI::RequiredError("BRIEFS, or one of the subcommands,");

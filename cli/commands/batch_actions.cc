@@ -15,7 +15,9 @@
 #include "cli/batch/kept_files.h"
 #include "cli/commands/batch_flags.h"
 #include "cli/exit_code.h"
+#include "cli/input/value_checks.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/counted.h"
 #include "cli/output/printable.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
@@ -60,7 +62,7 @@ void ShowBatch(const v1::Batch& batch, bool json) {
   if (batch.failed_count() > 0) line("failed", fmt::format("{}: {}", batch.failed_count(), FailuresText(batch)));
   if (batch.cancelled_count() > 0) line("cancelled", std::to_string(batch.cancelled_count()));
   if (batch.open_count() > 0) {
-    line("to do", fmt::format("{}, of which {} run", batch.open_count(), batch.running_count()));
+    line("to do", fmt::format("{}, of which {}", batch.open_count(), Counted(batch.running_count(), "runs", "run")));
   }
   line("created", TimeText(batch.create_time()));
 }
@@ -124,7 +126,7 @@ absl::Status Retry(const ActionArguments& arguments, const NamedBatch& named, Ba
     return absl::OkStatus();
   }
   const std::string name = named.folder.empty() ? named.batch.id() + " --out DIR" : named.folder.string();
-  fmt::print("{} jobs wait again{}\n", response->retried_count(),
+  fmt::print("{} again{}\n", Counted(response->retried_count(), "job waits", "jobs wait"),
              response->retried_count() > 0 ? "; to run and collect them: flair batch watch " + name : "");
   return absl::OkStatus();
 }
@@ -258,23 +260,27 @@ void AddStateChange(CLI::App& batch, absl::Status& result, const char* name, con
 }
 
 void AddWatch(CLI::App& batch, absl::Status& result) {
-  const Added watch =
-      Add(batch, "watch", "Collect its results, here or on another machine, until it has ended.", true, true);
+  const Added watch = Add(
+      batch, "watch", "Collect the results of a batch, here or on another machine, until it has ended.", true, true);
   watch.command->add_option("-o,--out", watch.arguments->out, "Folder for the results (DIR, when that is ID)")
       ->type_name("DIR");
-  watch.command->add_option("--keep", watch.arguments->kept, "Files of each job, see flair batch --help")
+  watch.command
+      ->add_option("--keep", watch.arguments->kept,
+                   "Files of each job, see flair batch --help (layout,pictures,report)")
       ->type_name("A,B");
-  watch.command->add_option("--shards", watch.arguments->shard_size, "Tar files of so many jobs")
+  watch.command
+      ->add_option("--shards", watch.arguments->shard_size,
+                   "Tar files of so many jobs, 1 to 1000000, instead of a folder for each job")
       ->type_name("JOBS")
-      ->check(CLI::Range(1, 1000000).description(""));
+      ->check(WholeNumber(1, 1000000));
   watch.command->add_flag("-q,--quiet", watch.arguments->quiet, "Say nothing unless something is wrong");
-  watch.command->footer("Where jobs wait in this machine's own store, watching runs them.\n" +
-                        std::string(kExitCodeHelp));
+  watch.command->footer("Where jobs wait in this machine's own store, watching runs them.");
   OnCall(watch, result, true, Watch);
 }
 
 void AddRetry(CLI::App& batch, absl::Status& result) {
-  const Added retry = Add(batch, "retry", "Let failed jobs run again, from the results that they have.", true, false);
+  const Added retry =
+      Add(batch, "retry", "Let failed jobs of a batch run again, from the results that they have.", true, false);
   retry.command
       ->add_option("--kind", retry.arguments->kinds,
                    "Only failures of this kind: input, language, translation, infeasible, worker, timeout, store")
@@ -293,7 +299,8 @@ void AddRetry(CLI::App& batch, absl::Status& result) {
 
 void AddReport(CLI::App& batch, absl::Status& result) {
   const Added report =
-      Add(batch, "report", "Failures, measures, times, tokens; of a DIR without asking anybody.", true, false);
+      Add(batch, "report", "Failures, measures, times and tokens of a batch; of a DIR without asking anybody.", true,
+          false);
   report.command
       ->add_option("--csv", report.arguments->csv, "Also write a row for each job, with the columns of results.db")
       ->type_name("FILE");
@@ -305,9 +312,9 @@ void AddReport(CLI::App& batch, absl::Status& result) {
 
 void AddList(CLI::App& batch, absl::Status& result) {
   const Added list = Add(batch, "list", "Batches, newest first.", false, false);
-  list.command->add_option("-n,--count", list.arguments->count, "Most batches to list")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100000));
+  list.command->add_option("-n,--count", list.arguments->count, "Most batches to list, 1 to 100000 (20)")
+      ->type_name("N")
+      ->check(WholeNumber(1, 100000));
   list.command->callback([arguments = list.arguments, &result] {
     Interruption interruption;
     const absl::StatusOr<BatchWay> way = OpenBatchWay(arguments->flags, false, std::nullopt, interruption);
@@ -319,15 +326,16 @@ void AddList(CLI::App& batch, absl::Status& result) {
 }  // namespace
 
 void AddBatchActions(CLI::App& batch, absl::Status& result) {
-  OnCall(Add(batch, "status", "How it stands.", true, false), result, false,
+  OnCall(Add(batch, "status", "How a batch stands.", true, false), result, false,
          [](const ActionArguments& arguments, const NamedBatch& named, const BatchWay&, Interruption&) {
            ShowBatch(named.batch, arguments.json);
            return absl::OkStatus();
          });
   AddWatch(batch, result);
-  AddStateChange(batch, result, "pause", "Begin no more of its jobs; running ones go on.", &BatchSession::PauseBatch);
+  AddStateChange(batch, result, "pause", "Begin no more jobs of a batch; running ones go on.",
+                 &BatchSession::PauseBatch);
   AddStateChange(batch, result, "resume", "Let a paused batch go on.", &BatchSession::ResumeBatch);
-  AddStateChange(batch, result, "cancel", "End it and all of its jobs.", &BatchSession::CancelBatch);
+  AddStateChange(batch, result, "cancel", "End a batch and all of its jobs.", &BatchSession::CancelBatch);
   AddRetry(batch, result);
   AddReport(batch, result);
   AddList(batch, result);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/input/connection_flags.h"
+#include "cli/input/value_checks.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -35,7 +36,7 @@ void AddBatchFlags(CLI::App& command, BatchFlags& flags, bool runs_jobs) {
       .add_option("--parallel", flags.parallel,
                   "Jobs at once in this process, 1 to 256 (cores; with --engine none: others run them)")
       ->type_name("N")
-      ->check(CLI::Range(1, 256).description(""));
+      ->check(WholeNumber(1, 256));
   AddStageFlags(command, flags.stages);
   AddLlmFlags(command, flags.llm);
 }

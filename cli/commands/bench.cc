@@ -14,6 +14,8 @@
 #include "cli/bench/statistics.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input/value_checks.h"
+#include "cli/output/counted.h"
 #include "cli/output/layout_artifact.h"
 #include "cli/output/output_folder.h"
 #include "evaluation/readers/flairgpt_layout.h"
@@ -139,7 +141,8 @@ absl::Status BenchSolve(const BenchArguments& arguments) {
                arguments.out);
   }
   if (failures.empty()) return absl::OkStatus();
-  return absl::UnknownError(fmt::format("{} of {} problems could not be measured", failures.size(), files->size()));
+  return absl::UnknownError(
+      fmt::format("{} of {} could not be measured", failures.size(), Counted(std::ssize(*files), "problem")));
 }
 
 }  // namespace
@@ -155,20 +158,16 @@ void AddBench(CLI::App& program, absl::Status& result) {
       ->type_name("DIR");
   command->add_option("--json", arguments->json, "All figures, for programs")->type_name("FILE");
   command->add_option("--only", arguments->only, "These problems only, by file name without ending")->type_name("NAME");
-  command->add_option("--threads", arguments->threads, "1 to 256; changes no result")
+  command->add_option("--threads", arguments->threads, "Threads of the solver, 1 to 256 (1); changes no result")
       ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 256));
-  command->add_option("--repeat", arguments->repeats, "Solves of each problem; the median counts")
+      ->check(WholeNumber(1, 256));
+  command->add_option("--repeat", arguments->repeats, "Solves of each problem, 1 to 1000 (1); the median counts")
       ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--seed", arguments->seed, "Another seed, another layout")
-      ->capture_default_str()
-      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1));
-  command->add_option("--restarts", arguments->restarts, "Most restarts per stage, 1 to 10000")
+      ->check(WholeNumber(1, 1000));
+  command->add_option("--seed", arguments->seed, "Another seed, another layout (0)")->type_name("N")->check(Seed());
+  command->add_option("--restarts", arguments->restarts, "Most restarts per stage, 1 to 10000 (by the stage's size)")
       ->type_name("N")
-      ->check(CLI::Range(1, 10000));
+      ->check(WholeNumber(1, 10000));
   command->callback([arguments, &result] { result = BenchSolve(*arguments); });
 }
 

@@ -8,6 +8,8 @@
 #include "cli/commands/commands.h"
 #include "cli/input/design_folders.h"
 #include "cli/input/layout_file.h"
+#include "cli/input/value_checks.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
 
@@ -58,9 +60,10 @@ absl::Status BenchRender(BenchRenderArguments arguments) {
     }
     measures.push_back(*std::move(measure));
   }
-  fmt::print("{} rooms, {} repeats, views of {} px with {} paths per pixel on {} threads\n{}", measures.size(),
-             arguments.bench.repeat_count, arguments.bench.view_size_px, arguments.bench.sample_count,
-             arguments.bench.thread_count, RenderTable(measures));
+  fmt::print("{}, {}, views of {} px with {} per pixel on {}\n{}", Counted(std::ssize(measures), "room"),
+             Counted(arguments.bench.repeat_count, "repeat"), arguments.bench.view_size_px,
+             Counted(arguments.bench.sample_count, "path"), Counted(arguments.bench.thread_count, "thread"),
+             RenderTable(measures));
   std::fflush(stdout);
   if (arguments.json.empty()) return absl::OkStatus();
   return WriteOutputFile(arguments.json, RenderJson(measures, arguments.bench));
@@ -73,22 +76,22 @@ void AddBenchRender(CLI::App& program, absl::Status& result) {
   CLI::App* command = program.get_subcommand("bench")->add_subcommand(
       "render", "Draw the layouts of a folder: CPU of plans, bird's-eye views and scenes.");
   command->add_option("DIR", arguments->folder, "Folder of designs, at any depth")->required();
-  command->add_option("--repeat", arguments->bench.repeat_count, "Times each; the quickest counts")
+  command
+      ->add_option("--repeat", arguments->bench.repeat_count,
+                   "Times that each is drawn, 1 to 100 (3); the quickest counts")
       ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100));
-  command->add_option("--size", arguments->bench.view_size_px, "Pixels of the bird's-eye view")
+      ->check(WholeNumber(1, 100));
+  command
+      ->add_option("--size", arguments->bench.view_size_px,
+                   "Longer side of the bird's-eye view in pixels, 256 to 4096 (1024)")
       ->type_name("PX")
-      ->capture_default_str()
-      ->check(CLI::Range(256, 4096));
-  command->add_option("--samples", arguments->bench.sample_count, "Its paths of light per pixel")
+      ->check(WholeNumber(256, 4096));
+  command->add_option("--samples", arguments->bench.sample_count, "Its paths of light per pixel, 1 to 4096 (16)")
       ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 4096));
-  command->add_option("--threads", arguments->bench.thread_count, "Its threads")
+      ->check(WholeNumber(1, 4096));
+  command->add_option("--threads", arguments->bench.thread_count, "Its threads, 1 to 256 (2)")
       ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 256));
+      ->check(WholeNumber(1, 256));
   command->add_flag("--no-views", arguments->no_views, "Leave the views out");
   command->add_flag("--list", arguments->list, "Every room, a line each");
   command->add_option("--json", arguments->json, "Write all figures there")->type_name("FILE");

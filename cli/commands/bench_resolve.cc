@@ -5,6 +5,8 @@
 
 #include "cli/bench/resolve_bench.h"
 #include "cli/commands/commands.h"
+#include "cli/input/value_checks.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -46,7 +48,8 @@ absl::Status BenchResolve(const BenchResolveArguments& arguments) {
   if (!all.empty()) fmt::print("{}", ResolveTable(all));
   std::fflush(stdout);
   if (failures == 0) return absl::OkStatus();
-  return absl::UnknownError(fmt::format("{} of {} problems could not be measured", failures, files->size()));
+  return absl::UnknownError(
+      fmt::format("{} of {} could not be measured", failures, Counted(std::ssize(*files), "problem")));
 }
 
 }  // namespace
@@ -57,14 +60,16 @@ void AddBenchResolve(CLI::App& program, absl::Status& result) {
       "resolve", "Edit solved layouts of a folder's problems: times, moves, constraints that hold.");
   command->add_option("DIR", arguments->problems, "Folder (or file) of graphs, layouts or recorded FlairGPT problems")
       ->required();
-  command->add_option("--per-kind", arguments->per_kind, "Objects and constraints of a room to edit in each way")
+  command
+      ->add_option("--per-kind", arguments->per_kind,
+                   "Objects and constraints of a room to edit in each way, 1 to 1000 (4)")
       ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--compare-every", arguments->compare_every, "Compare every Nth edit with a solve from nothing")
+      ->check(WholeNumber(1, 1000));
+  command
+      ->add_option("--compare-every", arguments->compare_every,
+                   "Compare every Nth edit with a solve from nothing, 0 to 1000000 (0: none)")
       ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1000000));
+      ->check(WholeNumber(0, 1000000));
   command->add_flag("--list", arguments->list, "Every edit, a line each");
   command->callback([arguments, &result] { result = BenchResolve(*arguments); });
 }

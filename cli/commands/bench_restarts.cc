@@ -5,6 +5,8 @@
 
 #include "cli/bench/restarts_measure.h"
 #include "cli/commands/commands.h"
+#include "cli/input/value_checks.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
 
@@ -45,7 +47,8 @@ absl::Status BenchRestarts(const BenchRestartsArguments& arguments) {
     }
   }
   if (failures == 0) return absl::OkStatus();
-  return absl::UnknownError(fmt::format("{} of {} problems could not be measured", failures, files->size()));
+  return absl::UnknownError(
+      fmt::format("{} of {} could not be measured", failures, Counted(std::ssize(*files), "problem")));
 }
 
 }  // namespace
@@ -56,13 +59,11 @@ void AddBenchRestarts(CLI::App& program, absl::Status& result) {
       "restarts", "After how many restarts the best primary layout of many is found.");
   command->add_option("DIR", arguments->problems, "Folder (or file) of graphs, layouts or recorded FlairGPT problems")
       ->required();
-  command->add_option("--restarts", arguments->restarts, "Of the primary stage of each problem, 1 to 10000")
+  command
+      ->add_option("--restarts", arguments->restarts, "Restarts of the primary stage of each problem, 1 to 10000 (64)")
       ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 10000));
-  command->add_option("--seed", arguments->seed, "Other restarts")
-      ->capture_default_str()
-      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1));
+      ->check(WholeNumber(1, 10000));
+  command->add_option("--seed", arguments->seed, "Other restarts (0)")->type_name("N")->check(Seed());
   command->add_option("--json", arguments->json, "Curve and every restart, for programs")->type_name("FILE");
   command->callback([arguments, &result] { result = BenchRestarts(*arguments); });
 }

@@ -12,6 +12,7 @@
 #include "cli/embedded/embedded_services.h"
 #include "cli/input/connection_flags.h"
 #include "cli/input/llm_flags.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "fmt/format.h"
@@ -95,7 +96,8 @@ absl::Status BenchTranslate(const BenchTranslateArguments& arguments) {
     if (!status.ok()) return status;
   }
   if (labels->failures.empty()) return absl::OkStatus();
-  return absl::InvalidArgumentError(fmt::format("{} lines of labels could not be measured", labels->failures.size()));
+  return absl::InvalidArgumentError(fmt::format(
+      "{} could not be measured", Counted(std::ssize(labels->failures), "line of labels", "lines of labels")));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/input/message_words.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/catalog_text.h"
 #include "fmt/format.h"
@@ -23,7 +24,10 @@ absl::Status Catalog(const CatalogArguments& arguments) {
   if (!arguments.type.empty()) {
     const optimizer::ConstraintFacts* const facts = optimizer::FindConstraint(arguments.type);
     if (facts == nullptr) {
-      return absl::NotFoundError(fmt::format("\"{}\" is not a constraint; flair catalog lists them", arguments.type));
+      std::vector<std::string> names;
+      for (const v1::ConstraintType& type : catalog.types()) names.push_back(type.name());
+      return absl::NotFoundError(fmt::format("\"{}\" is not a constraint{}; flair catalog lists them", arguments.type,
+                                             DidYouMean(arguments.type, names)));
     }
     for (const v1::ConstraintType& type : catalog.types()) {
       if (type.name() == facts->name) fmt::print("{}", arguments.json ? ToJson(type) : TypeText(type));

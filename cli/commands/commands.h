@@ -7,38 +7,46 @@
 
 namespace flair::cli {
 
+// All commands in their groups, with what they share: how --help looks, and the flags of connections.
+void AddCommands(CLI::App& program, absl::Status& result);
+
 void AddDesign(CLI::App& program, absl::Status& result);
-void AddInspect(CLI::App& program, absl::Status& result);
-void AddDiff(CLI::App& program, absl::Status& result);
-void AddCompare(CLI::App& program, absl::Status& result);
-void AddGraph(CLI::App& program, absl::Status& result);
-void AddExplain(CLI::App& program, absl::Status& result);
-void AddJobs(CLI::App& program, absl::Status& result);
 void AddBatch(CLI::App& program, absl::Status& result);
+void AddJobs(CLI::App& program, absl::Status& result);
 void AddReplay(CLI::App& program, absl::Status& result);
+
+void AddInspect(CLI::App& program, absl::Status& result);
+void AddExplain(CLI::App& program, absl::Status& result);
+void AddDiff(CLI::App& program, absl::Status& result);
+void AddGraph(CLI::App& program, absl::Status& result);
 void AddRender(CLI::App& program, absl::Status& result);
-void AddResolve(CLI::App& program, absl::Status& result);
+void AddContactSheet(CLI::App& program, absl::Status& result);
+
 void AddSolve(CLI::App& program, absl::Status& result);
-void AddTop(CLI::App& program, absl::Status& result);
+void AddResolve(CLI::App& program, absl::Status& result);
+void AddCompare(CLI::App& program, absl::Status& result);
+
 void AddImport(CLI::App& program, absl::Status& result);
 // Into the command that AddImport makes.
 void AddImportAnswers(CLI::App& import, absl::Status& result);
 void AddExport(CLI::App& program, absl::Status& result);
 // Into the command that AddExport makes.
 void AddExportScene(CLI::App& exports, absl::Status& result);
-void AddContactSheet(CLI::App& program, absl::Status& result);
+
+void AddCatalog(CLI::App& program, absl::Status& result);
+void AddProtocol(CLI::App& program, absl::Status& result);
+void AddPrompts(CLI::App& program, absl::Status& result);
+void AddContract(CLI::App& program, absl::Status& result);
 void AddBench(CLI::App& program, absl::Status& result);
 // After AddBench.
 void AddBenchRender(CLI::App& program, absl::Status& result);
 void AddBenchResolve(CLI::App& program, absl::Status& result);
 void AddBenchRestarts(CLI::App& program, absl::Status& result);
 void AddBenchTranslate(CLI::App& program, absl::Status& result);
-void AddCatalog(CLI::App& program, absl::Status& result);
-void AddContract(CLI::App& program, absl::Status& result);
+
+void AddTop(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
 void AddHealth(CLI::App& program, absl::Status& result);
-void AddPrompts(CLI::App& program, absl::Status& result);
 void AddToken(CLI::App& program, absl::Status& result);
-void AddProtocol(CLI::App& program, absl::Status& result);
 
 }  // namespace flair::cli

@@ -12,6 +12,8 @@
 #include "cli/input/artifact_source.h"
 #include "cli/input/design_folders.h"
 #include "cli/input/solve_flags.h"
+#include "cli/input/value_checks.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/printable.h"
 #include "cli/progress/slow_note.h"
@@ -77,8 +79,9 @@ absl::Status DrawPicture(const CompareArguments& arguments, const Contest& conte
     plans.plans.push_back(
         {trial.layout,
          fmt::format("{}   {}", LetterOf(i), arguments.optimizers[i]),
-         fmt::format("{} {} · {} of {} constraints hold · OOB {:.2f} % · OOR {:.2f} % · {:.1f} s",
-                     trial.producer.program(), trial.producer.method(), trial.held_count, trial.verdicts.size(),
+         fmt::format("{} {} · {} of {} · OOB {:.2f} % · OOR {:.2f} % · {:.1f} s", trial.producer.program(),
+                     trial.producer.method(), trial.held_count,
+                     Counted(std::ssize(trial.verdicts), "constraint holds", "constraints hold"),
                      trial.layout.metrics().oob_percent(), trial.layout.metrics().oor_percent(), trial.seconds),
          {}});
   }
@@ -133,8 +136,8 @@ absl::Status CompareFolder(const CompareArguments& arguments, const v1::SolveOpt
     fmt::print("{}", Printable(ContestsTable(contests, arguments.optimizers)));
   }
   if (contests.size() == folders->size()) return absl::OkStatus();
-  return absl::Status(last.code(), fmt::format("{} of {} graphs could not be compared",
-                                               folders->size() - contests.size(), folders->size()));
+  return absl::Status(last.code(), fmt::format("{} of {} could not be compared", folders->size() - contests.size(),
+                                               Counted(std::ssize(*folders), "graph")));
 }
 
 absl::Status Compare(const CompareArguments& arguments) {
@@ -174,23 +177,21 @@ void AddCompare(CLI::App& program, absl::Status& result) {
                    "HOST:PORT, or own for the one in this program; for each of two to eight")
       ->type_name("WHICH");
   command->add_flag("--all", arguments->all, "List also the constraints that hold with all of them");
-  command->add_option("--format", arguments->format, "text or json (text)")
+  command->add_option("--format", arguments->format, "How: text or json (text)")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"text", "json"}).description(""));
+      ->check(OneOf({"text", "json"}));
   command->add_option("--picture", arguments->picture, "The plans side by side; png jpg tif svg pdf")
       ->type_name("FILE");
   command->add_option("--size", arguments->size_px, "Longer side of the picture in pixels, 256 to 8192 (2400)")
       ->type_name("PX")
-      ->check(CLI::Range(256, 8192).description(""));
+      ->check(WholeNumber(256, 8192));
   AddSolveFlags(*command, arguments->solve);
   AddSourceFlags(*command, arguments->source);
   AddRendererFlags(*command, arguments->renderer);
   command->footer(
-      "Whoever places the objects, this program judges: costs, verdicts and measures are those of its own evaluation "
-      "of\n"
-      "the answer. Of constraints whose type it does not know it shows what the optimizer says, marked *.\n"
-      "A folder gives a line per design below it (graph.pb) and optimizer, and medians.\n" +
-      std::string(kExitCodeHelp));
+      "Whoever places the objects, this program judges: costs, verdicts and measures are those of its own "
+      "evaluation of the answer. Of constraints whose type it does not know it shows what the optimizer "
+      "says, marked *. A folder gives a line per design below it (graph.pb) and optimizer, and medians.");
   command->callback([arguments, &result] { result = Compare(*arguments); });
 }
 

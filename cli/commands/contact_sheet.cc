@@ -9,12 +9,15 @@
 
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
-#include "cli/input/design_folders.h"
 #include "cli/input/artifact_file.h"
+#include "cli/input/design_folders.h"
 #include "cli/input/files.h"
 #include "cli/input/layout_file.h"
 #include "cli/input/render_flags.h"
+#include "cli/input/value_checks.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
+#include "cli/output/printable.h"
 #include "cli/progress/slow_note.h"
 #include "cli/session/renderer_client.h"
 #include "fmt/format.h"
@@ -46,30 +49,18 @@ std::string Metrics(const v1::SolvedLayout& layout) {
     held += outcome.status() == v1::OUTCOME_STATUS_SATISFIED ? 1 : 0;
   std::string text;
   if (layout.edge_outcomes_size() > 0)
-    text = fmt::format("{} of {} constraints hold, ", held, layout.edge_outcomes_size());
-  const int zones = layout.graph().zone_plan().zones_size();
-  return text + fmt::format("OOB {:.2f} %, OOR {:.2f} %, {} zone{}", layout.metrics().oob_percent(),
-                            layout.metrics().oor_percent(), zones, zones == 1 ? "" : "s");
-}
-
-// At most `most` characters of valid UTF-8.
-std::string Cut(const std::string& text, size_t most) {
-  std::string cut;
-  size_t count = 0;
-  for (const char c : text) {
-    const bool begins = (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    if (begins && ++count > most) break;
-    cut += c;
-  }
-  return cut;
+    text =
+        fmt::format("{} of {}, ", held, Counted(layout.edge_outcomes_size(), "constraint holds", "constraints hold"));
+  return text + fmt::format("OOB {:.2f} %, OOR {:.2f} %, {}", layout.metrics().oob_percent(),
+                            layout.metrics().oor_percent(), Counted(layout.graph().zone_plan().zones_size(), "zone"));
 }
 
 // Leaves room for the metrics.
-std::string Shortened(const std::string& title) {
-  std::string cut = Cut(title, 48);
-  const bool is_whole = cut.size() == title.size();
-  while (is_whole && cut.ends_with('.')) cut.pop_back();
-  return is_whole ? cut : cut + "…";
+std::string RemarkOf(const std::string& title) {
+  constexpr size_t kMost = 49;
+  std::string remark = Shortened(title, kMost);
+  while (remark.ends_with('.')) remark.pop_back();
+  return remark;
 }
 
 class Sheet {
@@ -85,13 +76,13 @@ class Sheet {
     if (layout.ok()) {
       const v1::SolvedLayout& solved = layout->artifact.solved_layout();
       const std::string& title = solved.graph().room().title();
-      tile.set_remark(title.empty() ? Metrics(solved) : Shortened(title) + ". " + Metrics(solved));
+      tile.set_remark(title.empty() ? Metrics(solved) : RemarkOf(title) + ". " + Metrics(solved));
     }
-    tile.set_caption(Cut(name, 200));
+    tile.set_caption(Shortened(name, 200));
     const absl::Status filled = Fill(folder, layout, tile);
     if (!filled.ok()) {
       tile.clear_picture();
-      tile.set_remark(Cut(std::string(filled.message()), 400));
+      tile.set_remark(Shortened(std::string(filled.message()), 400));
     }
     return tile;
   }
@@ -145,7 +136,7 @@ class Sheet {
 absl::StatusOr<v1::ContactSheetOptions> MakeOptions(const ContactSheetArguments& arguments, size_t count) {
   v1::ContactSheetOptions options;
   options.set_request_id("flair-contact-sheet");
-  options.set_title(Cut(arguments.title, 200));
+  options.set_title(Shortened(arguments.title, 200));
   options.set_tile_count(static_cast<int>(count));
   if (arguments.tile_px) options.set_tile_px(*arguments.tile_px);
   const absl::StatusOr<v1::PreviewFormat> format = FormatOfFile(arguments.out);
@@ -183,7 +174,7 @@ absl::Status MakeContactSheet(const ContactSheetArguments& arguments) {
   if (!response.ok()) return response.status();
   if (absl::Status status = WriteOutputFile(arguments.out, response->sheet().image()); !status.ok()) return status;
   for (const v1::Diagnostic& diagnostic : response->diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
-  fmt::print(stderr, "{}: {} tile{}, {} x {} px\n", arguments.out, designs->size(), designs->size() == 1 ? "" : "s",
+  fmt::print(stderr, "{}: {}, {} x {} px\n", arguments.out, Counted(std::ssize(*designs), "tile"),
              response->sheet().width_px(), response->sheet().height_px());
   return absl::OkStatus();
 }
@@ -201,7 +192,7 @@ void AddContactSheet(CLI::App& program, absl::Status& result) {
   command->add_option("--title", arguments->title, "Its heading")->type_name("TEXT");
   command->add_option("--tile", arguments->tile_px, "Width of a tile, 64 to 1024 (480, or what fits 8192 px)")
       ->type_name("PX")
-      ->check(CLI::Range(64, 1024));
+      ->check(WholeNumber(64, 1024));
   CLI::Option* picture =
       command
           ->add_option("--picture", arguments->picture,
@@ -212,10 +203,8 @@ void AddContactSheet(CLI::App& program, absl::Status& result) {
       ->excludes(picture);
   AddRendererFlags(*command, arguments->renderer);
   command->footer(
-      "Below each tile: its folder and room, constraints that hold, furniture out of bounds (OOB) and overlapping "
-      "(OOR)\n"
-      "in percent of the room, zones. What cannot be drawn shows why in its place.\n" +
-      std::string(kExitCodeHelp));
+      "Below each tile: its folder and room, constraints that hold, furniture out of bounds (OOB) and "
+      "overlapping (OOR) in percent of the room, zones. What cannot be drawn shows why in its place.");
   command->callback([arguments, &result] { result = MakeContactSheet(*arguments); });
 }
 

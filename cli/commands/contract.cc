@@ -8,6 +8,8 @@
 #include "cli/contract/report.h"
 #include "cli/exit_code.h"
 #include "cli/input/connection_flags.h"
+#include "cli/input/value_checks.h"
+#include "cli/output/counted.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "fmt/format.h"
 
@@ -79,7 +81,7 @@ absl::Status Test(const contract::Stage& stage, const ContractArguments& argumen
   const int broken = contract::BrokenCount(results);
   if (broken == 0) return absl::OkStatus();
   return BrokenPromises(
-      fmt::format("{} breaks {} of the {} promises that were put to it", arguments.target, broken, results.size()));
+      fmt::format("{} breaks {} of {} put to it", arguments.target, broken, Counted(std::ssize(results), "promise")));
 }
 
 absl::Status Contract(const ContractArguments& arguments) {
@@ -98,25 +100,30 @@ absl::Status Contract(const ContractArguments& arguments) {
 void AddContract(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<ContractArguments>();
   CLI::App* command = program.add_subcommand(
-      "contract", "Puts every promise of a stage to a server and says which it keeps and which it breaks.");
+      "contract", "Put every promise of a stage to a server and say which it keeps and which it breaks.");
   std::vector<std::string> names;
   for (const contract::Stage& stage : contract::AllStages()) names.push_back(stage.name);
-  command->add_option("STAGE", arguments->stage, "What the server is")->check(CLI::IsMember(names));
+  command->add_option("STAGE", arguments->stage, fmt::format("What the server is: {}", fmt::join(names, ", ")))
+      ->check(OneOf(names));
   command->add_option("--target", arguments->target, "The server, HOST:PORT or unix:PATH")->type_name("ADDRESS");
   command->add_option("--only", arguments->only, "Checks whose name contains this")->type_name("TEXT");
-  command->add_option("--patience", arguments->patience_s, "Seconds that a call may take before the server is silent")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
-  command->add_option("--max-message-mib", arguments->max_message_mib, "The largest message that the server takes, MiB")
-      ->check(CLI::Range(4, 1024))
-      ->capture_default_str();
+  command
+      ->add_option("--patience", arguments->patience_s,
+                   "Seconds that a call may take before the server is silent, 0.1 to 3600 (20)")
+      ->type_name("S")
+      ->check(Number(0.1, 3600.0));
+  command
+      ->add_option("--max-message-mib", arguments->max_message_mib,
+                   "The largest message that the server takes, 4 to 1024 MiB (32)")
+      ->type_name("MIB")
+      ->check(WholeNumber(4, 1024));
   CLI::Option* const list = command->add_flag("--list", arguments->list, "Say what is promised, without a server");
   CLI::Option* const json = command->add_flag("--json", arguments->json, "As JSON; progress goes to standard error");
-  command->add_flag("--markdown", arguments->markdown, "With --list: as docs/contract.md")->needs(list)->excludes(json);
+  command->add_flag("--markdown", arguments->markdown, "As docs/contract.md")->needs(list)->excludes(json);
   command->footer(
-      "Optional promises are put only to servers that claim them (GetWorkerResponse.capabilities). An orchestrator is\n"
-      "given real jobs, which stay in its store.\n"
-      "Ends with 0 when all promises are kept, 8 when one is broken, 3 when nobody answers at the address.");
+      "Optional promises are put only to servers that claim them (GetWorkerResponse.capabilities). An "
+      "orchestrator is given real jobs, which stay in its store. Ends with 0 when all promises are kept, 8 "
+      "when one is broken, 3 when nobody answers at the address.");
   command->callback([arguments, &result] {
     result = Contract(*arguments);
     std::fflush(stdout);

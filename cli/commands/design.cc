@@ -12,7 +12,9 @@
 #include "cli/input/one_line.h"
 #include "cli/input/room_file.h"
 #include "cli/input/stage_flags.h"
+#include "cli/input/value_checks.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/counted.h"
 #include "cli/output/design_files.h"
 #include "cli/output/models_text.h"
 #include "cli/output/output_folder.h"
@@ -72,7 +74,8 @@ absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
 
 void ShowUsage(const v1::ModelUsage& usage) {
   if (usage.call_count() == 0) return;
-  fmt::print(stderr, "{:<12} {} calls, {}\n", "models", usage.call_count(), orchestrator::SummarizeUsage(usage));
+  fmt::print(stderr, "{:<12} {}, {}\n", "models", Counted(usage.call_count(), "call"),
+             orchestrator::SummarizeUsage(usage));
 }
 
 // What a design that failed has cost in the stages that it finished; says nothing when that cannot be known.
@@ -158,7 +161,7 @@ void AddDesign(CLI::App& program, absl::Status& result) {
       ->type_name("DIR");
   command->add_option("--seed", arguments->seed, "Another seed, another design; the same seed, the same bytes (0)")
       ->type_name("N")
-      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1).description(""));
+      ->check(Seed());
   command
       ->add_option("--brief", arguments->brief,
                    "A whole Brief as .json, text or artifact: own room, zones, objects, constraints; TEXT goes before "
@@ -168,17 +171,19 @@ void AddDesign(CLI::App& program, absl::Status& result) {
       ->type_name("FILE");
   command->add_option("--size", arguments->size_px, "Longer side of plan.png in pixels, 256 to 8192 (1600)")
       ->type_name("PX")
-      ->check(CLI::Range(256, 8192));
+      ->check(WholeNumber(256, 8192));
   command
       ->add_option("--view", arguments->views, "Further pictures in DIR: birdseye, perspective, with a comma between")
       ->type_name("A,B")
       ->delimiter(',');
   command->add_option("--threads", arguments->threads, "Threads of the solver, 1 to 256 (all cores); changes no result")
       ->type_name("N")
-      ->check(CLI::Range(1, 256));
-  command->add_option("--restarts", arguments->restarts, "Most restarts per stage of the solver, 1 to 10000")
+      ->check(WholeNumber(1, 256));
+  command
+      ->add_option("--restarts", arguments->restarts,
+                   "Most restarts per stage of the solver, 1 to 10000 (by the stage's size)")
       ->type_name("N")
-      ->check(CLI::Range(1, 10000));
+      ->check(WholeNumber(1, 10000));
   command->add_option("--orchestrator", arguments->orchestrator, "Use the services of this one instead of own ones")
       ->type_name("HOST:PORT");
   AddStageFlags(*command, arguments->stages);
@@ -187,11 +192,9 @@ void AddDesign(CLI::App& program, absl::Status& result) {
   CLI::Option* json = command->add_flag("--json", arguments->json, "Events as JSON lines on standard output");
   command->add_flag("-q,--quiet", arguments->quiet, "Say nothing unless something is wrong")->excludes(json);
   command->footer(
-      "DIR gets plan.png, the pictures of --view, report.md and each stage's artifact as .pb and .json. It is written\n"
-      "when all is done, whole or not at all; files of other names in it stay. Run again after an interruption: "
-      "finished\n"
-      "stages are not redone.\n" +
-      std::string(kExitCodeHelp));
+      "DIR gets plan.png, the pictures of --view, report.md and each stage's artifact as .pb and .json. It "
+      "is written when all is done, whole or not at all; files of other names in it stay. Run again after "
+      "an interruption: finished stages are not redone.");
   command->callback([arguments, text, &result] {
     if (text->count() == 0 && arguments->brief.empty()) throw CLI::RequiredError("TEXT or --brief");
     result = Design(*arguments);

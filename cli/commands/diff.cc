@@ -10,6 +10,8 @@
 #include "cli/exit_code.h"
 #include "cli/input/artifact_source.h"
 #include "cli/input/render_flags.h"
+#include "cli/input/value_checks.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/printable.h"
 #include "cli/session/plans_beside.h"
@@ -34,9 +36,9 @@ std::string MeasuresOf(const v1::SolvedLayout& layout) {
   for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
     held += outcome.status() == v1::OUTCOME_STATUS_SATISFIED ? 1 : 0;
   }
-  return fmt::format("{} of {} constraints hold, OOB {:.2f} %, OOR {:.2f} %, cost {:.2f}", held,
-                     layout.edge_outcomes_size(), layout.metrics().oob_percent(), layout.metrics().oor_percent(),
-                     layout.total_cost());
+  return fmt::format("{} of {}, OOB {:.2f} %, OOR {:.2f} %, cost {:.2f}", held,
+                     Counted(layout.edge_outcomes_size(), "constraint holds", "constraints hold"),
+                     layout.metrics().oob_percent(), layout.metrics().oor_percent(), layout.total_cost());
 }
 
 // The picture without its plans.
@@ -88,28 +90,27 @@ absl::Status Diff(const DiffArguments& arguments) {
 void AddDiff(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<DiffArguments>();
   CLI::App* command = program.add_subcommand("diff", "Tell what differs between two artifacts of a kind, by meaning.");
-  command->add_option("A", arguments->a, fmt::format("Before: {}", kSourceHelp))->required();
-  command->add_option("B", arguments->b, "After: another of the same kind")->required();
-  command->add_option("--format", arguments->format, "text or json (text)")
+  command->add_option("A", arguments->a, fmt::format("An artifact: {}", kSourceHelp))->required();
+  command->add_option("B", arguments->b, "Another of the same kind, which came after it")->required();
+  command->add_option("--format", arguments->format, "How: text or json (text)")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"text", "json"}).description(""));
+      ->check(OneOf({"text", "json"}));
   command
       ->add_option("--picture", arguments->picture,
                    "Layouts: both plans in one picture, the differences marked; png jpg tif svg pdf")
       ->type_name("FILE");
   command->add_option("--size", arguments->size_px, "Longer side of the picture in pixels, 256 to 8192 (2400)")
       ->type_name("PX")
-      ->check(CLI::Range(256, 8192).description(""));
+      ->check(WholeNumber(256, 8192));
   AddSourceFlags(*command, arguments->source);
   AddRendererFlags(*command, arguments->renderer);
   command->footer(
-      "Things are the same when they mean the same: sentences by their words, calls by what they say, objects by id "
-      "or\n"
-      "name. + added, - removed, ~ changed, < better (costs less, holds now), > worse.\n"
-      "Ends with 0 when the contents are the same, whoever made them, and with 7 when they differ. Examples:\n"
+      "Things are the same when they mean the same: sentences by their words, calls by what they say, "
+      "objects by id or name. + added, - removed, ~ changed, < better (costs less, holds now), > worse. "
+      "Ends with 0 when the contents are the same, whoever made them, and with 7 when they differ. "
+      "Examples:\n"
       "  flair diff out/a/layout.pb out/b/layout.pb --picture difference.png\n"
-      "  flair diff out/a/constraints_raw.pb out/a/constraints.pb\n" +
-      std::string(kExitCodeHelp));
+      "  flair diff out/a/constraints_raw.pb out/a/constraints.pb");
   command->callback([arguments, &result] { result = Diff(*arguments); });
 }
 

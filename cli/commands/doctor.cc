@@ -16,6 +16,7 @@
 #include "cli/exit_code.h"
 #include "cli/input/connection_flags.h"
 #include "cli/input/llm_flags.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/session/renderer_client.h"
 #include "flair/v1/language_service.grpc.pb.h"
@@ -184,8 +185,7 @@ absl::Status Examine(const DoctorArguments& arguments) {
   for (const std::string& address : arguments.addresses) LookAtAddress(address, findings);
   std::fflush(stdout);
   if (findings.problems() == 0) return absl::OkStatus();
-  return absl::InternalError(
-      fmt::format("{} problem{} found", findings.problems(), findings.problems() == 1 ? "" : "s"));
+  return absl::InternalError(Counted(findings.problems(), "problem") + " found");
 }
 
 }  // namespace

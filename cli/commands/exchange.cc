@@ -7,6 +7,7 @@
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/files.h"
+#include "cli/output/counted.h"
 #include "cli/output/layout_artifact.h"
 #include "cli/output/output_folder.h"
 #include "evaluation/readers/flairgpt_layout.h"
@@ -23,8 +24,6 @@ struct ExchangeArguments {
   std::string out;
   std::string name;
 };
-
-std::string Counted(int count, const char* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
 
 absl::Status ImportFlairGpt(const ExchangeArguments& arguments) {
   const absl::StatusOr<std::string> text = ReadFile(arguments.in);
@@ -85,7 +84,7 @@ void AddExport(CLI::App& program, absl::Status& result) {
   CLI::App* command = program.add_subcommand("export", "Layouts in the formats of other systems, and as 3D scenes.");
   command->require_subcommand(1);
   CLI::App* flairgpt = command->add_subcommand("flairgpt", "Poses as the released implementation writes them.");
-  flairgpt->add_option("LAYOUT", arguments->in, "layout.pb or layout.json")->required();
+  flairgpt->add_option("LAYOUT", arguments->in, "A layout: layout.pb or layout.json of a design")->required();
   flairgpt->add_option("-o,--out", arguments->out, "Where the .json goes")->required()->type_name("FILE");
   flairgpt->add_option("--name", arguments->name, "Name of the problem; that of FILE when left out");
   flairgpt->callback([arguments, &result] { result = ExportFlairGpt(*arguments); });

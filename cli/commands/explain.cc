@@ -65,8 +65,9 @@ void AddExplain(CLI::App& program, absl::Status& result) {
                     "Every demand of every object, held or not; else what has a reason and what is not met");
   command->add_flag("--json", arguments->json, "As JSON, with every demand");
   command->footer(
-      "By zone: where each object stands, the sentences that put it there with their reasons, what is not met and by\n"
-      "how much (\"!\"), what follows from its place, and what was left out.\n\n"
+      "By zone: where each object stands, the sentences that put it there with their reasons, what is not "
+      "met and by how much (\"!\"), what follows from its place, and what was left out.\n"
+      "\n"
       "Try: flair explain out/bedroom/layout.pb --object desk_1");
   command->callback([arguments, &result] {
     result = Explain(*arguments);

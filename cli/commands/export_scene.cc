@@ -7,6 +7,7 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/layout_file.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/progress/slow_note.h"
 #include "cli/session/renderer_client.h"
@@ -43,7 +44,8 @@ absl::Status ExportScene(const ExportSceneArguments& arguments, v1::SceneFormat 
   if (!response.ok()) return response.status();
   if (absl::Status status = WriteOutputFile(arguments.out, response->scene()); !status.ok()) return status;
   for (const v1::Diagnostic& diagnostic : response->diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
-  fmt::print(stderr, "{}: {} objects, {} KiB\n", arguments.out, layout->artifact.solved_layout().placements_size(),
+  fmt::print(stderr, "{}: {}, {} KiB\n", arguments.out,
+             Counted(layout->artifact.solved_layout().placements_size(), "object"),
              (response->scene().size() + 1023) / 1024);
   return absl::OkStatus();
 }
@@ -65,7 +67,7 @@ absl::Status WriteMeshes(const ExportSceneArguments& arguments) {
     const absl::Status written = WriteOutputFile(std::filesystem::path(arguments.meshes) / file.path, file.bytes);
     if (!written.ok()) return written;
   }
-  fmt::print(stderr, "{}: {} files\n", arguments.meshes, files->size());
+  fmt::print(stderr, "{}: {}\n", arguments.meshes, Counted(std::ssize(*files), "file"));
   return absl::OkStatus();
 }
 
@@ -88,23 +90,21 @@ void AddExportScene(CLI::App& exports, absl::Status& result) {
   auto scene = std::make_shared<ExportSceneArguments>();
   CLI::App* command = exports.add_subcommand(
       "scene", "The furnished room in three dimensions, for Blender, Unity, Unreal and browsers.");
-  command->add_option("LAYOUT", scene->layout, "layout.pb or layout.json")->required();
+  command->add_option("LAYOUT", scene->layout, "A layout: layout.pb or layout.json of a design")->required();
   command->add_option("-o,--out", scene->out, "Where the scene goes")->required()->type_name("FILE");
   command->add_option("--format", scene->format, "glb, which is binary glTF 2.0 (glb)")->type_name("FORMAT");
   AddRendererFlags(*command, scene->renderer);
-  command->footer(kExitCodeHelp);
   command->callback([scene, &result] { result = ExportGlb(*scene); });
 
   auto state = std::make_shared<ExportSceneArguments>();
   command = exports.add_subcommand("sceneeval", "SceneState JSON, as the benchmark SceneEval reads it.");
-  command->add_option("LAYOUT", state->layout, "layout.pb or layout.json")->required();
+  command->add_option("LAYOUT", state->layout, "A layout: layout.pb or layout.json of a design")->required();
   command->add_option("-o,--out", state->out, "Where the .json goes")->required()->type_name("FILE");
   command
       ->add_option("--meshes", state->meshes,
                    "Write the models that the JSON names there too, as ID/ID.glb and ID/data.json")
       ->type_name("DIR");
   AddRendererFlags(*command, state->renderer);
-  command->footer(kExitCodeHelp);
   command->callback([state, &result] { result = ExportSceneState(*state); });
 }
 

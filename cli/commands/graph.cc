@@ -9,6 +9,7 @@
 #include "cli/graph/dot_text.h"
 #include "cli/graph/run_dot.h"
 #include "cli/input/artifact_source.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/progress/slow_note.h"
 #include "fmt/format.h"
@@ -52,8 +53,8 @@ absl::Status Graph(const GraphArguments& arguments) {
     if (!bytes.ok()) return bytes.status();
   }
   if (absl::Status status = WriteOutputFile(arguments.out, *bytes); !status.ok()) return status;
-  fmt::print(stderr, "{}: {} nodes, {} links, {} groups\n", arguments.out, diagram->nodes.size(), diagram->links.size(),
-             diagram->groups.size());
+  fmt::print(stderr, "{}: {}, {}, {}\n", arguments.out, Counted(std::ssize(diagram->nodes), "node"),
+             Counted(std::ssize(diagram->links), "link"), Counted(std::ssize(diagram->groups), "group"));
   return absl::OkStatus();
 }
 
@@ -70,13 +71,10 @@ void AddGraph(CLI::App& program, absl::Status& result) {
       ->type_name("FILE");
   AddSourceFlags(*command, arguments->source);
   command->footer(
-      "Boxes in a colour are zones, as on the plan. Calls about one object alone are rows in it; those between two "
-      "are\n"
-      "links; those of a group have a box of their own. Green holds, red does not, dashed grey was dropped. In an "
-      "SVG,\n"
-      "the sentence behind a call shows under the pointer. Graphviz draws (apt-get install graphviz); .dot needs "
-      "none.\n" +
-      std::string(kExitCodeHelp));
+      "Boxes in a colour are zones, as on the plan. Calls about one object alone are rows in it; those "
+      "between two are links; those of a group have a box of their own. Green holds, red does not, dashed "
+      "grey was dropped. In an SVG, the sentence behind a call shows under the pointer. Graphviz draws "
+      "(apt-get install graphviz); .dot needs none.");
   command->callback([arguments, &result] { result = Graph(*arguments); });
 }
 

@@ -5,6 +5,7 @@
 #include "cli/commands/commands.h"
 #include "cli/contract/common_services.h"
 #include "cli/input/connection_flags.h"
+#include "cli/input/value_checks.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 
@@ -18,9 +19,6 @@ struct HealthArguments {
 };
 
 absl::Status Health(const HealthArguments& arguments) {
-  if (!(arguments.patience_s > 0 && arguments.patience_s <= 600)) {
-    return absl::InvalidArgumentError(fmt::format("--patience {}: expected seconds in (0, 600]", arguments.patience_s));
-  }
   const absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
   if (!options.ok()) return options.status();
   const auto channel = runtime::MakeChannel(arguments.address, arguments.service, *options);
@@ -52,10 +50,13 @@ void AddHealth(CLI::App& program, absl::Status& result) {
       ->type_name("ADDRESS");
   command->add_option("--service", arguments->service,
                       "One service of it in full, such as flair.v1.OptimizerService; otherwise the whole server");
-  command->add_option("--patience", arguments->patience_s, "Seconds to wait for an answer")->capture_default_str();
+  command->add_option("--patience", arguments->patience_s, "Seconds to wait for an answer, 0.1 to 600 (3)")
+      ->type_name("S")
+      ->check(Number(0.1, 600));
   command->footer(
-      "Ends with 0 when it serves, with 3 when it does not or cannot be reached, with 2 when it has no such service.\n"
-      "Any gRPC server that has grpc.health.v1.Health can be asked. Made for health checks: reads no files, quick.");
+      "Ends with 0 when it serves, with 3 when it does not or cannot be reached, with 2 when it has no such "
+      "service. Any gRPC server that has grpc.health.v1.Health can be asked. Made for health checks: reads "
+      "no files, quick.");
   command->callback([arguments, &result] { result = Health(*arguments); });
 }
 

@@ -14,6 +14,7 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/files.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "language_worker/handbook/loading/load_handbook.h"
@@ -144,15 +145,16 @@ void ShowEnd(const ImportAnswersArguments& arguments, const language::ImportedAn
   for (const v1::ModelCall& call : imported.calls) {
     tokens += call.usage().input_token_count() + call.usage().output_token_count();
   }
-  fmt::print(stderr, "{}: {} objects, {} sentences; {} of {} lines converted, the others are in {}\n", arguments.out,
-             imported.objects.objects_size(), imported.constraints.sentences_size(), all.converted, all.lines,
+  fmt::print(stderr, "{}: {}, {}; {} of {} converted, the others are in {}\n", arguments.out,
+             Counted(imported.objects.objects_size(), "object"),
+             Counted(imported.constraints.sentences_size(), "sentence"), all.converted, Counted(all.lines, "line"),
              kRemarksFile);
   for (const auto& [step, conversion] : imported.conversions) {
     if (!step.starts_with("translation.") || conversion.lines == 0) continue;
-    fmt::print(stderr, "{}: {} of {} recorded calls belong to a sentence\n", step, conversion.converted,
-               conversion.lines);
+    fmt::print(stderr, "{}: {} of {} to a sentence\n", step, conversion.converted,
+               Counted(conversion.lines, "recorded call belongs", "recorded calls belong"));
   }
-  fmt::print(stderr, "{} questions, about {} tokens\n", imported.calls.size(), tokens);
+  fmt::print(stderr, "{}, about {}\n", Counted(std::ssize(imported.calls), "question"), Counted(tokens, "token"));
   fmt::print(stderr, "next       flair design --brief {0}/{1} --replay {0}{2} --out DIR\n", arguments.out, kBriefFile,
              arguments.no_calls ? " --stand-in" : "");
 }
@@ -201,10 +203,9 @@ void AddImportAnswers(CLI::App& import, absl::Status& result) {
   command->add_flag("--no-calls", arguments->no_calls,
                     "Leave the translation to the grammar: design with --stand-in then");
   command->footer(
-      "DIR gets one file for each question with its answer, brief.json, and remarks.txt with every line of the\n"
-      "recorded texts that has no place in a typed answer, and why. The answers belong to the prompts, the handbook "
-      "and\n"
-      "the catalogue of this version.");
+      "DIR gets one file for each question with its answer, brief.json, and remarks.txt with every line of "
+      "the recorded texts that has no place in a typed answer, and why. The answers belong to the prompts, "
+      "the handbook and the catalogue of this version.");
   command->callback([arguments, &result] { result = ImportAnswersOf(*arguments); });
 }
 

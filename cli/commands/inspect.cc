@@ -118,10 +118,10 @@ void AddInspect(CLI::App& program, absl::Status& result) {
   CLI::App* command = program.add_subcommand("inspect", "Show an artifact or job: what it is, who made it from what.");
   command
       ->add_option("ARTIFACT", arguments->source,
-                   std::string(kSourceHelp) + ", or a JOB alone: its state and artifacts")
+                   fmt::format("An artifact: {}; or a JOB alone: its state and artifacts", kSourceHelp))
       ->required();
   CLI::Option* format =
-      command->add_option("--format", arguments->format, "text, a summary (the default); json or textproto, all of it")
+      command->add_option("--format", arguments->format, "How: text, a summary; json or textproto, all of it (text)")
           ->type_name("FORMAT");
   command->add_flag("--json", arguments->json, "As --format json")->excludes(format);
   CLI::Option* field =
@@ -142,8 +142,8 @@ void AddInspect(CLI::App& program, absl::Status& result) {
       ->type_name("FILE");
   AddSourceFlags(*command, arguments->from);
   command->footer(
-      "JSON and textproto may be changed by hand; give the file to any command that reads artifacts. It is checked,\n"
-      "faults are told with file and line, and it gets an id of its own, made from the one it was.\n"
+      "JSON and textproto may be changed by hand; give the file to any command that reads artifacts. It is "
+      "checked, faults are told with file and line, and it gets an id of its own, made from the one it was. "
       "Ends with 5 when the id is not the digest of the bytes, with 2 when the content is not valid.");
   command->callback([arguments, &result] { result = Inspect(*arguments); });
 }

@@ -6,7 +6,10 @@
 
 #include "absl/time/time.h"
 #include "cli/commands/commands.h"
+#include "cli/input/value_checks.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/counted.h"
+#include "cli/output/printable.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
 
@@ -31,12 +34,8 @@ std::string TimeText(const google::protobuf::Timestamp& time) {
   return absl::FormatTime("%Y-%m-%d %H:%M:%S", value, absl::LocalTimeZone());
 }
 
-std::string Shortened(const std::string& text) {
-  if (text.size() <= 60) return text;
-  size_t end = 57;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return text.substr(0, end) + "…";
-}
+// Of a brief, in the list.
+constexpr size_t kShownOfText = 60;
 
 // "20260521T134501123456-3fa2c1 from solve"; empty when it is no replay.
 std::string ReplayText(const v1::Job& job) {
@@ -47,11 +46,11 @@ std::string ReplayText(const v1::Job& job) {
 
 void ShowJob(const v1::Job& job) {
   fmt::print("{:<11}{}\n{:<11}{}{}\n{:<11}{}\n{:<11}{}\n{:<11}{}\n", "job", job.id(), "state", StateName(job.state()),
-             job.stage().empty() ? "" : " at " + job.stage(), "asked for", job.spec().brief().text(), "seed",
-             job.spec().brief().seed(), "created", TimeText(job.create_time()));
+             job.stage().empty() ? "" : " at " + job.stage(), "asked for", PrintableLine(job.spec().brief().text()),
+             "seed", job.spec().brief().seed(), "created", TimeText(job.create_time()));
   if (job.spec().has_replay()) fmt::print("{:<11}{}\n", "replay of", ReplayText(job));
   if (job.has_end_time()) fmt::print("{:<11}{}\n", "ended", TimeText(job.end_time()));
-  if (!job.error().empty()) fmt::print("{:<11}{}\n", "error", job.error());
+  if (!job.error().empty()) fmt::print("{:<11}{}\n", "error", Printable(job.error()));
   fmt::print("{:<11}{}\n", "artifacts", job.artifacts_size());
 }
 
@@ -63,7 +62,7 @@ absl::Status List(Session& session, const JobsArguments& arguments) {
       fmt::print("{}\n", ToJsonLine(job));
     } else {
       fmt::print("{}  {:<9}  {}  {}{}\n", job.id(), StateName(job.state()), TimeText(job.create_time()),
-                 Shortened(job.spec().brief().text()),
+                 Shortened(PrintableLine(job.spec().brief().text()), kShownOfText),
                  job.spec().has_replay() ? "  (replay of " + ReplayText(job) + ")" : "");
     }
   }
@@ -88,26 +87,44 @@ absl::Status ListArtifacts(Session& session, const JobsArguments& arguments) {
     if (arguments.json) {
       fmt::print("{}\n", ToJsonLine(ref));
     } else {
-      fmt::print("{:<20} {}  {} bytes\n", KindName(ref.kind()), ref.id(), ref.size_bytes());
+      fmt::print("{:<20} {}  {}\n", KindName(ref.kind()), ref.id(), Counted(ref.size_bytes(), "byte"));
     }
+  }
+  return absl::OkStatus();
+}
+
+absl::Status Delete(Session& session, const JobsArguments& arguments) {
+  const absl::StatusOr<v1::DeleteJobResponse> deleted = session.DeleteJob(arguments.id);
+  if (!deleted.ok()) return deleted.status();
+  if (arguments.json) {
+    fmt::print("{}\n", ToJsonLine(*deleted));
+  } else {
+    fmt::print("deleted job {} and {} that no other job had\n", arguments.id,
+               Counted(deleted->deleted_artifact_count(), "artifact"));
   }
   return absl::OkStatus();
 }
 
 using JobsAction = std::function<absl::Status(Session&, const JobsArguments&)>;
 
+void AddCallFlags(CLI::App& command, JobsArguments& arguments) {
+  command.add_option("--orchestrator", arguments.orchestrator, "Ask this one instead of the local store")
+      ->type_name("HOST:PORT");
+  command.add_flag("--json", arguments.json, "One JSON object per line");
+}
+
+void AddCount(CLI::App& command, JobsArguments& arguments) {
+  command.add_option("-n,--count", arguments.count, "Most jobs to list, 1 to 100000 (20)")
+      ->type_name("N")
+      ->check(WholeNumber(1, 100000));
+}
+
 void AddAction(CLI::App& jobs, const std::shared_ptr<JobsArguments>& arguments, absl::Status& result,
                const std::string& name, const std::string& help, bool takes_id, const JobsAction& action) {
   CLI::App* command = jobs.add_subcommand(name, help);
   if (takes_id) command->add_option("ID", arguments->id, "Id of the job, as flair jobs prints it")->required();
-  command->add_option("--orchestrator", arguments->orchestrator, "Ask this one instead of the local store")
-      ->type_name("HOST:PORT");
-  command->add_flag("--json", arguments->json, "One JSON object per line");
-  if (!takes_id) {
-    command->add_option("-n,--count", arguments->count, "Most jobs to list")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
-  }
+  AddCallFlags(*command, *arguments);
+  if (!takes_id) AddCount(*command, *arguments);
   command->callback([arguments, &result, action] {
     absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments->orchestrator);
     result = session.ok() ? action(**session, *arguments) : session.status();
@@ -126,10 +143,12 @@ void AddJobs(CLI::App& program, absl::Status& result) {
             [](Session& session, const JobsArguments& a) { return Report(session.GetJob(a.id), a.json); });
   AddAction(*jobs, arguments, result, "cancel", "End a job.", true,
             [](Session& session, const JobsArguments& a) { return Report(session.CancelJob(a.id), a.json); });
+  AddAction(*jobs, arguments, result, "delete",
+            "Forget a job that has ended, with the artifacts that no other job has. Files that it wrote stay.", true,
+            Delete);
   AddAction(*jobs, arguments, result, "artifacts", "What a job has stored.", true, ListArtifacts);
-  jobs->add_option("--orchestrator", arguments->orchestrator, "Ask this one instead of the local store")
-      ->type_name("HOST:PORT");
-  jobs->add_flag("--json", arguments->json, "One JSON object per line");
+  AddCallFlags(*jobs, *arguments);
+  AddCount(*jobs, *arguments);
   jobs->callback([jobs, arguments, &result] {
     if (!jobs->get_subcommands().empty()) return;
     absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments->orchestrator);

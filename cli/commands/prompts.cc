@@ -71,8 +71,8 @@ void AddPrompts(CLI::App& program, absl::Status& result) {
   CLI::App* command = program.add_subcommand("prompts", "Write the prompts for language models, to change them.");
   command->add_option("-o,--out", arguments->out, "Folder to write them to")->required()->type_name("DIR");
   command->footer(
-      "Keep the files that you change and remove the rest: the installed ones serve then, also those of later "
-      "versions.");
+      "Keep the files that you change and remove the rest: the installed ones serve then, also those of "
+      "later versions.");
   command->callback([arguments, &result] { result = WritePrompts(*arguments); });
 }
 

@@ -80,7 +80,7 @@ absl::Status Render(const RenderArguments& arguments) {
 void AddRender(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* command = program.add_subcommand("render", "Draw a layout: a plan to scale, or a ray-traced view.");
-  command->add_option("LAYOUT", arguments->layout, "layout.pb or layout.json of a design")->required();
+  command->add_option("LAYOUT", arguments->layout, "A layout: layout.pb or layout.json of a design")->required();
   command
       ->add_option(
           "-o,--out", arguments->out,
@@ -96,11 +96,11 @@ void AddRender(CLI::App& program, absl::Status& result) {
   command->add_flag("--no-annotations", arguments->no_annotations, "Write none beside an .exr")->excludes(annotations);
   AddRendererFlags(*command, arguments->renderer);
   command->footer(
-      "Files are written whole or not at all, and the same layout and options give the same bytes. Examples:\n"
+      "Files are written whole or not at all, and the same layout and options give the same bytes. "
+      "Examples:\n"
       "  flair render out/layout.pb --out plan.pdf --paper a4 --scale 1:50 --layers all\n"
       "  flair render out/layout.pb --view birdseye --out room.png --samples 64\n"
-      "  flair render out/layout.pb --view perspective --out room.exr --size 512\n" +
-      std::string(kExitCodeHelp));
+      "  flair render out/layout.pb --view perspective --out room.exr --size 512");
   command->callback([arguments, &result] { result = Render(*arguments); });
 }
 

@@ -10,6 +10,7 @@
 #include "cli/input/option_path.h"
 #include "cli/input/stage_flags.h"
 #include "cli/output/design_files.h"
+#include "cli/output/wrapped_text.h"
 #include "cli/progress/progress.h"
 #include "cli/replay/comparison_text.h"
 #include "cli/session/finished_job.h"
@@ -205,11 +206,15 @@ void AddReplay(CLI::App& program, absl::Status& result) {
       command->add_flag("--json", arguments->json, "Events, then the comparison, as JSON lines on standard output");
   command->add_flag("-q,--quiet", arguments->quiet, "One line only")->excludes(json);
   std::string names;
-  for (const OptionName& option : OptionNames()) names += fmt::format("  {:<42}{}\n", option.name, option.values);
+  for (const OptionName& option : OptionNames()) {
+    constexpr size_t kValues = 44, kLine = 80;
+    const std::string margin(kValues, ' ');
+    names += fmt::format("  {:<42}{}\n", option.name, Wrapped(option.values, kLine, margin, kValues));
+  }
   command->footer(
       "Ends with 0 when all stages give the same content again, or another where --set asks for it; with 7 "
-      "when one\ndiffers that should not.\n\nNames for --set:\n" +
-      names + std::string(kExitCodeHelp));
+      "when one differs that should not.\n\nNames for --set:\n" +
+      names);
   command->callback([arguments, &result] { result = Replay(*arguments); });
 }
 

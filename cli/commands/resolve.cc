@@ -8,6 +8,7 @@
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_source.h"
 #include "cli/input/text_message.h"
+#include "cli/input/value_checks.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/layout_remarks.h"
 #include "cli/output/output_folder.h"
@@ -101,22 +102,25 @@ absl::Status Resolve(const ResolveArguments& arguments) {
 void AddResolve(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<ResolveArguments>();
   CLI::App* command = program.add_subcommand("resolve", "Change a layout and solve again what the change affects.");
-  command->add_option("LAYOUT", arguments->layout, "layout.pb or layout.json, digits of its id, or JOB/solve")
+  command
+      ->add_option("LAYOUT", arguments->layout,
+                   "A layout: layout.pb or layout.json of a design, digits of its id, or JOB/solve")
       ->required();
   AddSourceFlags(*command, arguments->source);
   command->add_option("-o,--out", arguments->out, "Where the layout (.pb) goes")->required()->type_name("FILE");
   command->add_option("--edit", arguments->edits, "A change, see below; may be given often")->type_name("TEXT");
   command->add_option("--edits", arguments->edits_file, "Changes as protobuf text: edits { ... }, after all --edit")
       ->type_name("FILE");
-  command->add_option("--seed", arguments->seed, "Another seed, another layout")
-      ->capture_default_str()
-      ->check(CLI::Range(int64_t{0}, (int64_t{1} << 53) - 1));
+  command->add_option("--seed", arguments->seed, "Another seed, another layout (0)")->type_name("N")->check(Seed());
   command->add_flag("--leave-out", arguments->leave_out, "Leave out what does not fit");
   command->add_option("--optimizer", arguments->optimizer, "Use this one instead of an own one")
       ->type_name("HOST:PORT");
   command->footer(
-      "Changes: move desk 1.2 0.5 90 | pin bed | unpin bed | resize wardrobe 1.5x0.6x2.1 | remove plant_1 |\n"
-      "  add lamp 0.4x0.4x1.5 near sofa | weight e17 3 | drop e17 | edge against_wall object=desk side=back\n"
+      "Changes:\n"
+      "  move desk 1.2 0.5 90        pin bed        unpin bed       remove plant_1\n"
+      "  resize wardrobe 1.5x0.6x2.1                add lamp 0.4x0.4x1.5 near sofa\n"
+      "  weight e17 3                drop e17\n"
+      "  edge against_wall object=desk side=back\n"
       "Metres and degrees; a heading of 0 faces north. What is moved is pinned.");
   command->callback([arguments, &result] { result = Resolve(*arguments); });
 }

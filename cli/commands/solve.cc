@@ -133,7 +133,7 @@ void AddSolve(CLI::App& program, absl::Status& result) {
   CLI::App* command = program.add_subcommand("solve", "Place the objects of a graph again.");
   command
       ->add_option("GRAPH", arguments->graph,
-                   "graph.pb or graph.json of a design, digits of its id, or JOB/translation; may be edited")
+                   "A graph: graph.pb or graph.json of a design, digits of its id, or JOB/translation; may be edited")
       ->required();
   AddSourceFlags(*command, arguments->source);
   command->add_option("-o,--out", arguments->out, "Where the layout (.pb) goes; variants beside it, as FILE-2, FILE-3")

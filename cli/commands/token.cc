@@ -10,6 +10,7 @@
 
 #include "absl/strings/escaping.h"
 #include "cli/commands/commands.h"
+#include "cli/input/value_checks.h"
 #include "flair/config/v1/token_list.pb.h"
 #include "fmt/format.h"
 #include "google/protobuf/text_format.h"
@@ -79,20 +80,27 @@ void AddToken(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<TokenArguments>();
   CLI::App* token = program.add_subcommand("token", "Tokens of those who may call an orchestrator.");
   token->require_subcommand(1);
-  CLI::App* command = token->add_subcommand("new", "Makes a token, and its entry for the file in tokens_path.");
+  CLI::App* command = token->add_subcommand("new", "Make a token, and its entry for the file in tokens_path.");
   command->add_option("NAME", arguments->name, "Whom it is for; jobs are kept under this name")->required();
   command
       ->add_option("--token-out", arguments->out,
                    "Write the token to a new file that only you can read, instead of the screen")
       ->type_name("FILE");
-  command->add_option("--open-jobs", arguments->open_job_limit,
-                      "Most jobs that may wait or run at once; no limit when 0");
-  command->add_option("--calls-per-minute", arguments->calls_per_minute_limit, "Most calls a minute; no limit when 0");
+  command
+      ->add_option("--open-jobs", arguments->open_job_limit,
+                   "Most jobs that may wait or run at once, 0 to 1000000 (0: no limit)")
+      ->type_name("N")
+      ->check(WholeNumber(0, 1000000));
+  command
+      ->add_option("--calls-per-minute", arguments->calls_per_minute_limit,
+                   "Most calls a minute, 0 to 1000000 (0: no limit)")
+      ->type_name("N")
+      ->check(WholeNumber(0, 1000000));
   command->add_flag("--operator", arguments->is_operator, "May see and do everything, whoever owns it");
   command->footer(
       "The entry goes to standard output, the token to standard error:\n"
       "  flair token new alice --token-out alice.token >> tokens.textproto\n"
-      "  flair jobs --orchestrator HOST:PORT --tls-authority authority.pem --token-file alice.token\n"
+      "  flair jobs --orchestrator HOST:PORT --tls --token-file alice.token\n"
       "A running orchestrator reads the file again within seconds (docs/security.md).");
   command->callback([arguments, &result] { result = New(*arguments); });
 }

@@ -9,6 +9,7 @@
 
 #include "absl/time/clock.h"
 #include "cli/commands/commands.h"
+#include "cli/input/value_checks.h"
 #include "cli/session/session.h"
 #include "cli/top/cluster_client.h"
 #include "cli/top/terminal_screen.h"
@@ -132,9 +133,9 @@ void AddTop(CLI::App& program, absl::Status& result) {
   top->add_option("--orchestrator", arguments->orchestrator,
                   "Ask this one, which knows all of its queue, instead of the local store")
       ->type_name("HOST:PORT");
-  top->add_option("--interval", arguments->interval_seconds, "Seconds between looks")
-      ->capture_default_str()
-      ->check(CLI::Range(0.05, 3600.0));
+  top->add_option("--interval", arguments->interval_seconds, "Seconds between looks, 0.05 to 3600 (2)")
+      ->type_name("S")
+      ->check(Number(0.05, 3600.0));
   top->add_flag("--once", arguments->once, "Print once, after two looks");
   top->add_flag("--json", arguments->json, "One JSON object per line and look");
   top->callback([arguments, &result] {

@@ -66,7 +66,7 @@ TEST(Trial, ATypeThatWeDoNotKnowKeepsTheOptimizersVerdictAndIsMarked) {
   EXPECT_EQ(trial->unknown_count, 1);
   const Contest contest{.name = "g", .graph = request.layout_graph(), .seed = 5, .trials = {*trial, *trial}};
   EXPECT_THAT(ContestText(contest, {"own", "theirs"}, true),
-              AllOf(HasSubstr("g: 1 objects, 2 constraints, seed 5"), HasSubstr("holds*"),
+              AllOf(HasSubstr("g: 1 object, 2 constraints, seed 5"), HasSubstr("holds*"),
                     HasSubstr("* by the optimizer's own account: our catalogue does not have the type of 1")));
 }
 

@@ -6,6 +6,7 @@
 #include "cli/bench/statistics.h"
 #include "cli/diff/content_difference.h"
 #include "cli/output/call_text.h"
+#include "cli/output/counted.h"
 #include "cli/output/text_table.h"
 #include "fmt/format.h"
 
@@ -86,8 +87,9 @@ std::string VerdictLines(const Contest& contest, const TextTable& table, bool al
 std::string LetterOf(size_t optimizer) { return std::string(1, static_cast<char>('A' + optimizer)); }
 
 std::string ContestText(const Contest& contest, const std::vector<std::string>& optimizers, bool all) {
-  std::string text = fmt::format("{}: {} objects, {} constraints, seed {}\n", contest.name,
-                                 contest.graph.object_list().objects_size(), contest.graph.edges_size(), contest.seed);
+  std::string text =
+      fmt::format("{}: {}, {}, seed {}\n", contest.name, Counted(contest.graph.object_list().objects_size(), "object"),
+                  Counted(contest.graph.edges_size(), "constraint"), contest.seed);
   for (size_t i = 0; i < optimizers.size(); ++i) {
     const v1::Producer& producer = contest.trials[i].producer;
     text += fmt::format("  {}  {}: {} {} {}\n", LetterOf(i), optimizers[i], producer.program(), producer.method(),
@@ -98,8 +100,8 @@ std::string ContestText(const Contest& contest, const std::vector<std::string>& 
   text += "\n" + table.Header() + VerdictLines(contest, table, all);
   const bool is_any_unknown = std::ranges::any_of(contest.trials, [](const Trial& t) { return t.unknown_count > 0; });
   if (is_any_unknown) {
-    text += fmt::format("* by the optimizer's own account: our catalogue does not have the type of {} constraints\n",
-                        contest.trials.front().unknown_count);
+    text += fmt::format("* by the optimizer's own account: our catalogue does not have the type of {}\n",
+                        Counted(contest.trials.front().unknown_count, "constraint"));
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include "cli/diff/content_difference.h"
 #include "cli/diff/pairing.h"
 #include "cli/diff/place_change.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -107,10 +108,9 @@ void CompareLayouts(const v1::SolvedLayout& a, const v1::SolvedLayout& b, Differ
   const auto stage = [](const v1::StageOutcome& outcome) {
     return outcome.zone_id().empty() ? outcome.stage() : outcome.stage() + " " + outcome.zone_id();
   };
-  AddSection(CompareThings(
-                 "stages of the solve", a.stage_outcomes(), b.stage_outcomes(),
-                 MatchThings(a.stage_outcomes(), b.stage_outcomes(), stage), stage,
-                 [](const v1::StageOutcome& outcome) { return fmt::format("{} restarts", outcome.restart_count()); }),
+  AddSection(CompareThings("stages of the solve", a.stage_outcomes(), b.stage_outcomes(),
+                           MatchThings(a.stage_outcomes(), b.stage_outcomes(), stage), stage,
+                           [](const v1::StageOutcome& outcome) { return Counted(outcome.restart_count(), "restart"); }),
              difference.sections);
 }
 

@@ -76,12 +76,6 @@ TEST(AboutIt, LeavesOtherSentencesAlone) {
   EXPECT_EQ(AboutIt("the", desk, {}), "the");
 }
 
-TEST(Wrapped, KeepsFiguresWithTheirUnitAndLosesNoWord) {
-  EXPECT_EQ(Wrapped("at most 0.50 m away", 13, "  "), "at most\n  0.50 m away");
-  EXPECT_EQ(Wrapped("unbreakable word", 4, ""), "unbreakable\nword");
-  EXPECT_EQ(Wrapped("", 10, ""), "");
-}
-
 TEST(Standing, NamesWallsCornersAndNeighbours) {
   EXPECT_EQ(Placed("6x4 room; bed 1.6x2 at 2,1,0", "bed"),
             "stands with its back to the south wall, 1.20 m from its west end");

@@ -9,6 +9,8 @@
 
 #include "cli/explain/call_words.h"
 #include "cli/explain/sentence_words.h"
+#include "cli/output/counted.h"
+#include "cli/output/wrapped_text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -201,8 +203,10 @@ std::string CountText(const LayoutNote& note) {
   if (count.missed > 0) wrong.push_back(fmt::format("{} not met", count.missed));
   if (count.dropped > 0) wrong.push_back(fmt::format("{} left out of account", count.dropped));
   if (count.not_understood > 0) wrong.push_back(fmt::format("{} not understood", count.not_understood));
-  if (wrong.empty()) return fmt::format("All {} demands hold.", count.all());
-  return fmt::format("Of {} demands {} hold; {} (marked \"!\").", count.all(), count.held, Joined(wrong));
+  if (wrong.empty())
+    return count.all() == 1 ? "Its one demand holds." : fmt::format("All {} demands hold.", count.all());
+  return fmt::format("Of {} {}; {} (marked \"!\").", Counted(count.all(), "demand"),
+                     Counted(count.held, "holds", "hold"), Joined(wrong));
 }
 
 std::string ListText(const char* title, const std::vector<std::string>& items, const NoteStyle& style) {

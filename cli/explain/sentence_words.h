@@ -17,8 +17,4 @@ std::string AboutIt(std::string_view sentence, const std::vector<std::string>& n
 // First letter in upper case.
 std::string Capital(std::string text);
 
-// Lines of at most `width` characters, each after the first begun with `indent`; words longer than that stand alone,
-// and figures stay with their unit.
-std::string Wrapped(std::string_view text, size_t width, std::string_view indent);
-
 }  // namespace flair::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "absl/strings/str_replace.h"
+#include "cli/output/printable.h"
 #include "fmt/format.h"
 #include "renderer_worker/drawing/colour.h"
 
@@ -66,19 +67,10 @@ std::string Quoted(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string Shortened(const std::string& text) {
-  std::string cut;
-  size_t letters = 0;
-  for (const char c : text) {
-    if ((static_cast<unsigned char>(c) & 0xC0) != 0x80 && ++letters > kMostLetters) return cut + "…";
-    cut += c;
-  }
-  return cut;
-}
-
 std::string CallLine(const DiagramCall& call) {
   const Look look = LookOf(call.status);
-  return fmt::format("<FONT COLOR=\"{}\">{} {}</FONT>", look.colour, look.sign, Html(Shortened(call.words)));
+  return fmt::format("<FONT COLOR=\"{}\">{} {}</FONT>", look.colour, look.sign,
+                     Html(Shortened(call.words, kMostLetters)));
 }
 
 std::string Tooltips(const std::vector<DiagramCall>& calls) {
@@ -113,7 +105,8 @@ std::string NodeLine(const DiagramNode& node, int index) {
   }
   std::string facts;
   if (!node.facts.empty()) {
-    facts = fmt::format("<BR/><FONT POINT-SIZE=\"8\" COLOR=\"{}\">{}</FONT>", kSoft, Html(Shortened(node.facts)));
+    facts = fmt::format("<BR/><FONT POINT-SIZE=\"8\" COLOR=\"{}\">{}</FONT>", kSoft,
+                        Html(Shortened(node.facts, kMostLetters)));
   }
   const bool is_object = node.kind == DiagramKind::kObject;
   const std::string label = fmt::format(
@@ -121,7 +114,7 @@ std::string NodeLine(const DiagramNode& node, int index) {
       "STYLE=\"{}\">"
       "<TR><TD><B>{}</B>{}</TD></TR>{}{}</TABLE>",
       is_object ? "1.2" : "1", is_object ? kInk : kSoft, FillOf(node.kind), is_object ? "ROUNDED" : "",
-      Html(Shortened(node.name)), facts, rows.empty() ? "" : "<HR/>", rows);
+      Html(Shortened(node.name, kMostLetters)), facts, rows.empty() ? "" : "<HR/>", rows);
   return fmt::format("n{} [label=<{}>, tooltip={}];\n", index, label, Quoted(node.name + "\n" + node.facts));
 }
 

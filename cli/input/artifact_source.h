@@ -25,8 +25,7 @@ struct SourceFlags {
 void AddSourceFlags(CLI::App& command, SourceFlags& flags);
 
 // For the help of an argument that names an artifact.
-inline constexpr char kSourceHelp[] =
-    "an artifact: a file (.pb, .json or .textproto), the first 6 or more digits of its id, or JOB/STAGE";
+inline constexpr char kSourceHelp[] = "a file (.pb, .json or .textproto), 6 or more digits of its id, or JOB/STAGE";
 
 // INVALID_ARGUMENT for an address that is none.
 absl::StatusOr<std::unique_ptr<ArtifactShelf>> OpenShelf(const SourceFlags& flags);

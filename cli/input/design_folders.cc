@@ -12,8 +12,12 @@ namespace fs = std::filesystem;
 
 absl::StatusOr<std::vector<fs::path>> FindFoldersWith(const fs::path& root, const std::string& name, size_t most) {
   std::error_code error;
-  if (!fs::is_directory(root, error))
+  if (!fs::exists(root, error) && !error) {
+    return absl::NotFoundError(fmt::format("{}: no such folder; give one of designs", root.string()));
+  }
+  if (!fs::is_directory(root, error)) {
     return FileError(fmt::format("{}: is no folder; give one of designs", root.string()));
+  }
   std::vector<fs::path> found;
   if (fs::is_regular_file(root / name, error)) found.push_back(root);
   error.clear();
@@ -25,7 +29,7 @@ absl::StatusOr<std::vector<fs::path>> FindFoldersWith(const fs::path& root, cons
     if (found.size() > most) break;
   }
   if (error) return FileError(fmt::format("{}: cannot be listed: {}", root.string(), error.message()));
-  if (found.empty()) return FileError(fmt::format("{}: no folder in it holds a {}", root.string(), name));
+  if (found.empty()) return absl::NotFoundError(fmt::format("{}: no folder in it holds a {}", root.string(), name));
   if (found.size() > most) {
     return absl::InvalidArgumentError(
         fmt::format("{}: holds more than {} designs; give a part of them", root.string(), most));

@@ -11,7 +11,7 @@
 namespace flair::cli {
 
 // `root` and the folders below it, at any depth, that hold a file called `name`, sorted; links to folders are not
-// followed. FAILED_PRECONDITION when there is none or `root` is no folder that can be listed, INVALID_ARGUMENT when
+// followed. NOT_FOUND when there is none, FAILED_PRECONDITION when `root` cannot be listed, INVALID_ARGUMENT when
 // there are more than `most`.
 absl::StatusOr<std::vector<std::filesystem::path>> FindFoldersWith(const std::filesystem::path& root,
                                                                    const std::string& name, size_t most);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/input/engine_flags.h"
 
+#include "cli/input/value_checks.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -24,7 +25,7 @@ void AddEngineFlags(CLI::App& command, EngineFlags& flags) {
   command
       .add_option("--replicas", flags.replica_count, "Copies of everything when the queue is first made: 1, 3, 5 (1)")
       ->type_name("N")
-      ->check(CLI::IsMember({1, 3, 5}).description(""))
+      ->check(OneOf({"1", "3", "5"}))
       ->group(kGroup);
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/input/value_checks.h"
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/wrappers/priced_llm_client.h"
@@ -151,15 +152,15 @@ void AddModelFlags(CLI::App& command, ModelFlags& flags) {
   const std::string group = "Language model";
   command.add_option("--max-calls", flags.calls, "Most questions to the model, 0 to 100000; the design fails after")
       ->type_name("N")
-      ->check(CLI::Range(0, 100000).description(""))
+      ->check(WholeNumber(0, 100000))
       ->group(group);
   command.add_option("--max-tokens", flags.tokens, "Most tokens of questions and answers, 0 to 10^9")
       ->type_name("N")
-      ->check(CLI::Range(int64_t{0}, int64_t{1000000000}).description(""))
+      ->check(WholeNumber(0, 1000000000))
       ->group(group);
-  command.add_option("--max-usd", flags.usd, "Most US dollars, by the prices of the --llm file")
+  command.add_option("--max-usd", flags.usd, "Most US dollars, 0 to 1000000, by the prices of the --llm file")
       ->type_name("USD")
-      ->check(CLI::Range(0.0, 1e6).description(""))
+      ->check(Number(0.0, 1e6))
       ->group(group);
   command
       .add_flag("--stand-in", flags.stand_in,

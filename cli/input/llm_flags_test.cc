@@ -41,7 +41,7 @@ class ReadLlm : public ::testing::Test {
     return std::string(config.status().message());
   }
 
-  const std::string path_ = fmt::format("{}/llm_{}.textproto", testing::TempDir(), getpid());
+  const std::string path_ = fmt::format("{}/llm_{}.textproto", ::testing::TempDir(), getpid());
 };
 
 TEST_F(ReadLlm, WithoutFlagsThereIsNoModel) {
@@ -122,7 +122,7 @@ TEST_F(ReadLlm, TheConfigsOfTheDocumentationAreRight) {
     EXPECT_FALSE(Good({.file = FileWith(text.substr(start, text.find("```", start) - start))}).model().empty());
     ++count;
   }
-  EXPECT_EQ(count, 5);
+  EXPECT_GE(count, 5);
 }
 
 TEST_F(ReadLlm, ALimitInDollarsWantsAPrice) {

@@ -137,7 +137,7 @@ std::string InFlags(const std::string& message) {
 }  // namespace
 
 void AddRenderFlags(CLI::App& command, RenderFlags& flags) {
-  command.add_option("--view", flags.view, "plan, birdseye or perspective (plan)")->type_name("VIEW");
+  command.add_option("--view", flags.view, "What is drawn: plan, birdseye or perspective (plan)")->type_name("VIEW");
   command.add_option("--size", flags.size_px, "Longer side in pixels, 256 to 8192 (plan 1600, views 1024)")
       ->type_name("PX");
   command.add_option("--dpi", flags.dpi, "Plans: dots per inch of paper, 36 to 1200, instead of --size")

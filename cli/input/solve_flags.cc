@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cli/input/text_message.h"
+#include "cli/input/value_checks.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -42,40 +43,33 @@ absl::Status SetField(const char* flag, const std::string& text, google::protobu
   return absl::OkStatus();
 }
 
-// Like CLI::Range, without repeating the range in the help.
-template <typename Number>
-CLI::Validator Within(Number least, Number most) {
-  return CLI::Range(least, most).description("");
-}
-
 }  // namespace
 
 void AddSolveFlags(CLI::App& command, SolveFlags& flags) {
-  command.add_option("--seed", flags.seed, "Another seed, another layout (0)")
-      ->type_name("N")
-      ->check(Within(int64_t{0}, (int64_t{1} << 53) - 1));
+  command.add_option("--seed", flags.seed, "Another seed, another layout (0)")->type_name("N")->check(Seed());
   command.add_option("--restarts", flags.restarts, "Restarts per stage, 1 to 10000 (by the stage's size)")
       ->type_name("N")
-      ->check(Within(1, 10000));
-  command.add_option("--threads", flags.threads, "1 to 256 (all cores); changes no result")
+      ->check(WholeNumber(1, 10000));
+  command.add_option("--threads", flags.threads, "Threads of the solver, 1 to 256 (all cores); changes no result")
       ->type_name("N")
-      ->check(Within(1, 256));
+      ->check(WholeNumber(1, 256));
   command.add_option("--variants", flags.variants, "Layouts that differ visibly, 1 to 32 (1), best first")
       ->type_name("K")
-      ->check(Within(1, 32));
+      ->check(WholeNumber(1, 32));
   command
-      .add_option("--path-width", flags.path_width_m, "Of the way from the door to everything, metres, 0 to 2 (0.6)")
+      .add_option("--path-width", flags.path_width_m,
+                  "Width of the way from the door to everything in metres, 0 to 2 (0.6)")
       ->type_name("M")
-      ->check(Within(0.0, 2.0));
+      ->check(Number(0.0, 2.0));
   command
       .add_option("--misfits", flags.misfits, "What does not fit: keep it where it is least bad, or leave-out (keep)")
       ->type_name("HOW")
-      ->check(CLI::IsMember({"keep", "leave-out"}).description(""));
+      ->check(OneOf({"keep", "leave-out"}));
   command
       .add_option("--time-limit", flags.time_limit_s,
-                  "End with the best layout after so many seconds; results then vary")
+                  "End with the best layout after so many seconds, 0.001 to 1000000; results then vary")
       ->type_name("S")
-      ->check(Within(1e-3, 1e6));
+      ->check(Number(1e-3, 1e6));
   command.add_flag("--contradictions", flags.contradictions, "Find the constraints that cannot hold together");
   command.add_option("--lambda", flags.lambdas, "A factor of the paper: no_overlap=5, balanced=10, ...")
       ->type_name("NAME=VALUE");

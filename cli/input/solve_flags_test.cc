@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string FileWith(const std::string& text) {
-  const std::string path = fmt::format("{}/options_{}.txt", testing::TempDir(), getpid());
+  const std::string path = fmt::format("{}/options_{}.txt", ::testing::TempDir(), getpid());
   std::ofstream(path) << text;
   return path;
 }

@@ -8,6 +8,7 @@
 #include "cli/inspect/columns.h"
 #include "cli/inspect/content_text.h"
 #include "cli/output/call_text.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 
@@ -105,7 +106,7 @@ std::string CleanedText(const v1::ConstraintList& list, const v1::ConstraintList
   std::string text = fmt::format(
       "{:<11}{}\n", "before",
       raw == nullptr ? "not known: the list before cleaning was not found; ids of its sentences stand for them"
-                     : fmt::format("{} sentences; after: {}", raw->sentences_size(), list.sentences_size()));
+                     : fmt::format("{}; after: {}", Counted(raw->sentences_size(), "sentence"), list.sentences_size()));
   if (list.cleaning_steps().empty()) text += fmt::format("{:<11}nothing was to clean\n", "cleaning");
   for (const v1::CleaningStep& step : list.cleaning_steps()) {
     text += fmt::format("\n{}: {}\n", ActionText(step.action()), step.reason());
@@ -115,11 +116,12 @@ std::string CleanedText(const v1::ConstraintList& list, const v1::ConstraintList
 }
 
 std::string GraphText(const v1::LayoutGraph& graph, const ContentStyle& style) {
-  std::string text = fmt::format("{:<11}{}, {} objects, {} zones; {} sentences, {} calls for {}\n", "problem",
-                                 graph.room().room_type().empty() ? "room" : graph.room().room_type(),
-                                 graph.object_list().objects_size(), graph.zone_plan().zones_size(),
-                                 graph.constraint_list().sentences_size(), graph.edges_size(),
-                                 graph.catalog_library().empty() ? "no named library" : graph.catalog_library());
+  std::string text = fmt::format(
+      "{:<11}{}, {}, {}; {}, {} for {}\n", "problem",
+      graph.room().room_type().empty() ? "room" : graph.room().room_type(),
+      Counted(graph.object_list().objects_size(), "object"), Counted(graph.zone_plan().zones_size(), "zone"),
+      Counted(graph.constraint_list().sentences_size(), "sentence"), Counted(graph.edges_size(), "call"),
+      graph.catalog_library().empty() ? "no named library" : graph.catalog_library());
   CallsOf calls(graph);
   Columns table({"id", "sentence", "edge", "call"});
   for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {

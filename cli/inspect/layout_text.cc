@@ -10,6 +10,7 @@
 #include "cli/inspect/columns.h"
 #include "cli/inspect/content_text.h"
 #include "cli/output/call_text.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "orchestrator/pipeline/summary.h"
@@ -156,8 +157,8 @@ std::string LayoutText(const v1::SolvedLayout& layout, const ContentStyle& style
   if (!layout.runner_ups().empty()) {
     std::vector<std::string> costs;
     for (const v1::RunnerUp& other : layout.runner_ups()) costs.push_back(fmt::format("{:.4f}", other.cost()));
-    text +=
-        fmt::format("{:<11}{} others nearly as good, of cost {}\n", "runner-ups", costs.size(), ListNames(costs, 8));
+    text += fmt::format("{:<11}{} nearly as good, of cost {}\n", "runner-ups", Counted(std::ssize(costs), "other"),
+                        ListNames(costs, 8));
   }
   text += PosesText(layout, style) + OffendersText(layout, style) + DroppedText(layout, style);
   if (!layout.contradictions().empty()) {
@@ -194,7 +195,7 @@ std::string ReportText(const v1::Report& report, const ContentStyle& style) {
       fmt::format("{:<11}{} hold, {} do not, {} dropped, {} not understood\n", "sentences", counts.satisfied_count(),
                   counts.violated_count(), counts.dropped_count(), counts.untranslated_count());
   if (report.has_model_usage()) {
-    text += fmt::format("{:<11}{} calls, {}\n", "models", report.model_usage().call_count(),
+    text += fmt::format("{:<11}{}, {}\n", "models", Counted(report.model_usage().call_count(), "call"),
                         orchestrator::SummarizeUsage(report.model_usage()));
   }
   Columns table({"stage", ">seconds", ""});

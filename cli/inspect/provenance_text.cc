@@ -4,6 +4,7 @@
 
 #include "cli/inspect/columns.h"
 #include "cli/inspect/provenance.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "nlohmann/json.hpp"
@@ -43,12 +44,11 @@ std::string ChoicesText(const ProvenanceStep& step) {
   std::vector<std::string> parts;
   if (!step.options_digest.empty()) parts.push_back("options " + Short(step.options_digest));
   if (!step.seeds.empty()) {
-    parts.push_back(fmt::format("seed{} {}", step.seeds.size() == 1 ? "" : "s", fmt::join(step.seeds, ", ")));
+    parts.push_back(fmt::format("{} {}", step.seeds.size() == 1 ? "seed" : "seeds", fmt::join(step.seeds, ", ")));
   }
   if (step.model_call_count > 0) {
-    parts.push_back(fmt::format("{} call{} of {}, prompts {}", step.model_call_count,
-                                step.model_call_count == 1 ? "" : "s", fmt::join(step.models, ", "),
-                                fmt::join(step.prompt_versions, ", ")));
+    parts.push_back(fmt::format("{} of {}, prompts {}", Counted(step.model_call_count, "call"),
+                                fmt::join(step.models, ", "), fmt::join(step.prompt_versions, ", ")));
   }
   return fmt::format("{}", fmt::join(parts, "; "));
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/output/artifact_text.h"
+#include "cli/output/counted.h"
 #include "cli/output/printable.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/model_budget.h"
@@ -13,21 +14,13 @@
 namespace flair::cli {
 namespace {
 
-// Safe in a table cell.
-std::string Cell(std::string text) {
-  for (char& c : text) {
-    if (c == '|' || c == '\n') c = '/';
-  }
-  return text;
-}
-
 std::string CostText(const v1::ModelUsage& usage) {
   return usage.cost_usd() > 0 ? fmt::format("{:.4f} USD", usage.cost_usd()) : "";
 }
 
 std::string TableRow(const std::string& stage, const std::string& models, int repairs, const v1::ModelUsage& usage) {
-  return fmt::format("| {} | {} | {} | {} | {}{} | {} | {} |\n", stage, Cell(models), usage.call_count(), repairs,
-                     usage.estimated() ? "about " : "", usage.input_token_count(), usage.output_token_count(),
+  return fmt::format("| {} | {} | {} | {} | {}{} | {} | {} |\n", stage, MarkdownCell(models), usage.call_count(),
+                     repairs, usage.estimated() ? "about " : "", usage.input_token_count(), usage.output_token_count(),
                      CostText(usage));
 }
 
@@ -54,7 +47,8 @@ std::string FaultList(const ArtifactsByKind& artifacts) {
   std::string text;
   for (const auto& [kind, artifact] : artifacts) {
     for (const v1::ModelCall& call : artifact.model_calls()) {
-      for (const std::string& fault : call.faults()) text += fmt::format("- {}: {}\n", call.step(), Cell(fault));
+      for (const std::string& fault : call.faults())
+        text += fmt::format("- {}: {}\n", call.step(), MarkdownCell(fault));
     }
   }
   return text.empty() ? "" : "\nWhat was wrong with answers, and mended, asked again or left out:\n\n" + text;
@@ -63,7 +57,7 @@ std::string FaultList(const ArtifactsByKind& artifacts) {
 std::string StandIns(const v1::Report& report) {
   std::string text;
   for (const v1::Diagnostic& remark : report.diagnostics()) {
-    if (remark.code() == "stand_in") text += fmt::format("- {}\n", Cell(remark.message()));
+    if (remark.code() == "stand_in") text += fmt::format("- {}\n", MarkdownCell(remark.message()));
   }
   return text.empty() ? "" : "\nWithout the model:\n\n" + text;
 }
@@ -98,7 +92,7 @@ std::string ModelCallLines(const v1::Artifact& artifact) {
     text += fmt::format("{:<11}{}: {}, {}", text.empty() ? "asked" : "", call.step(), call.model(),
                         orchestrator::SummarizeUsage(call.usage()));
     if (!call.faults().empty()) {
-      text += fmt::format(", {} fault{}", call.faults_size(), call.faults_size() == 1 ? "" : "s");
+      text += ", " + Counted(call.faults_size(), "fault");
     }
     text += '\n';
   }

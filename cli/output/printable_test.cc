@@ -13,5 +13,15 @@ TEST(Printable, LeavesNothingThatSteersATerminal) {
   EXPECT_EQ(Printable("two\nlines\tand größe, ✓"), "two\nlines\tand größe, ✓");
 }
 
+TEST(PrintableLine, IsOneLine) { EXPECT_EQ(PrintableLine("a\nb\tc\x1b"), "a b c "); }
+
+TEST(Shortened, CutsBetweenCharactersAndSaysSo) {
+  EXPECT_EQ(Shortened("größe", 5), "größe");
+  EXPECT_EQ(Shortened("größer", 5), "größ…");
+  EXPECT_EQ(Shortened("😀😀😀", 2), "😀…");
+  EXPECT_EQ(Shortened("ab", 1), "…");
+  EXPECT_EQ(Shortened("ab", 0), "");
+}
+
 }  // namespace
 }  // namespace flair::cli

@@ -7,6 +7,7 @@
 
 #include "cli/output/design_files.h"
 #include "cli/output/models_text.h"
+#include "cli/output/printable.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -15,14 +16,6 @@ namespace {
 const v1::Artifact& Get(const ArtifactsByKind& artifacts, v1::ArtifactKind kind) {
   const auto found = artifacts.find(kind);
   return found == artifacts.end() ? v1::Artifact::default_instance() : found->second;
-}
-
-// Safe in a table cell.
-std::string Cell(std::string text) {
-  for (char& c : text) {
-    if (c == '|' || c == '\n') c = '/';
-  }
-  return text;
 }
 
 double Seconds(const google::protobuf::Duration& duration) {
@@ -38,7 +31,7 @@ std::string Heading(const v1::Room& room, const v1::Brief& brief, const v1::Prev
   }
   return fmt::format(
       "# {}\n\nAsked for: \"{}\" (seed {}).\n\nA {} of {:.4g} m x {:.4g} m, {:.4g} m high.\n\n![plan]({})\n", title,
-      Cell(brief.text()), brief.seed(), room.room_type(), width, depth, room.height_m(), PictureName(preview));
+      MarkdownCell(brief.text()), brief.seed(), room.room_type(), width, depth, room.height_m(), PictureName(preview));
 }
 
 std::string Verdict(const v1::Report& report, const v1::SolvedLayout& layout) {
@@ -95,7 +88,7 @@ std::string ObjectText(const v1::SolvedLayout& layout, const v1::StyleSheet& sty
     if (reason.empty() && why.empty()) reason = object.description();
     if (!reason.empty()) why += (why.empty() ? "" : "; ") + reason;
     text += fmt::format("| {} | {} | {:.2f} x {:.2f} x {:.2f} | {} | {} |\n", object.id(), object.zone_id(),
-                        object.width_m(), object.depth_m(), object.height_m(), Cell(finish), Cell(why));
+                        object.width_m(), object.depth_m(), object.height_m(), MarkdownCell(finish), MarkdownCell(why));
   }
   return text;
 }
@@ -121,8 +114,8 @@ std::string SentenceOutcome(const v1::Sentence& sentence, const v1::SolvedLayout
 std::string SentenceText(const v1::SolvedLayout& layout, const v1::ConstraintList& constraints) {
   std::string text = "\n## Reasons, sentence by sentence\n\n| | sentence | why |\n| --- | --- | --- |\n";
   for (const v1::Sentence& sentence : constraints.sentences()) {
-    text += fmt::format("| {} | {} | {} |\n", Cell(SentenceOutcome(sentence, layout)), Cell(sentence.text()),
-                        Cell(sentence.reason()));
+    text += fmt::format("| {} | {} | {} |\n", MarkdownCell(SentenceOutcome(sentence, layout)),
+                        MarkdownCell(sentence.text()), MarkdownCell(sentence.reason()));
   }
   return text;
 }

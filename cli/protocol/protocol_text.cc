@@ -6,7 +6,7 @@
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
-#include "absl/strings/str_split.h"
+#include "cli/output/wrapped_text.h"
 #include "cli/protocol/protocol.h"
 #include "fmt/format.h"
 
@@ -21,23 +21,11 @@ using google::protobuf::ServiceDescriptor;
 
 constexpr size_t kLineLength = 100;
 
-// Words in lines of at most kLineLength, each with `indent` before it.
-std::string Wrapped(const std::string& words, size_t indent) {
-  std::string text;
-  std::string line;
-  for (const absl::string_view word : absl::StrSplit(words, ' ', absl::SkipEmpty())) {
-    if (!line.empty() && indent + line.size() + 1 + word.size() > kLineLength) {
-      absl::StrAppend(&text, std::string(indent, ' '), line, "\n");
-      line.clear();
-    }
-    absl::StrAppend(&line, line.empty() ? "" : " ", word);
-  }
-  return line.empty() ? text : absl::StrCat(text, std::string(indent, ' '), line, "\n");
-}
-
 template <typename Declaration>
 std::string Comment(const Declaration& declaration, size_t indent) {
-  return Wrapped(absl::StrJoin(CommentOf(declaration), " "), indent);
+  const std::string margin(indent, ' ');
+  const std::string text = Wrapped(absl::StrJoin(CommentOf(declaration), " "), kLineLength, margin, indent);
+  return text.empty() ? "" : absl::StrCat(margin, text, "\n");
 }
 
 template <typename Declaration>

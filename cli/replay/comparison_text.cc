@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "absl/strings/str_join.h"
+#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 
@@ -36,7 +37,7 @@ std::string Finding(const StageComparison& stage) {
   if (stage.content.has_value()) {
     text = stage.content->InWords();
     const int more = stage.content->field_count - 1;
-    if (more > 0) text += fmt::format(", and {} more field{}", more, more == 1 ? "" : "s");
+    if (more > 0) text += ", and " + Counted(more, "more field");
   }
   const bool made_twice = stage.agreement == Agreement::kDiffers || stage.agreement == Agreement::kSameContent;
   if (made_twice && !stage.input.empty())
@@ -92,14 +93,14 @@ std::string ComparisonSummary(const std::vector<StageComparison>& stages) {
   const auto parted = static_cast<int>(std::ranges::count_if(stages, &StageComparison::Parts));
   const int same = count(Agreement::kSameBytes);
   std::vector<std::string> parts;
-  if (same > 0) parts.push_back(fmt::format("{} stage{} agree{}", same, same == 1 ? "" : "s", same == 1 ? "s" : ""));
+  if (same > 0) parts.push_back(Counted(same, "stage agrees", "stages agree"));
   if (const int n = count(Agreement::kSameContent); n > 0)
-    parts.push_back(fmt::format("{} agree{} in content only", n, n == 1 ? "s" : ""));
+    parts.push_back(Counted(n, "agrees in content only", "agree in content only"));
   if (const int n = count(Agreement::kTaken); n > 0) parts.push_back(fmt::format("{} taken", n));
-  if (asked > 0) parts.push_back(fmt::format("{} differ{} as asked", asked, asked == 1 ? "s" : ""));
+  if (asked > 0) parts.push_back(Counted(asked, "differs as asked", "differ as asked"));
   if (const StageComparison* part = FirstToPart(stages); part != nullptr) {
     parts.push_back(
-        fmt::format("{} differ{}, first \"{}\"{}", parted, parted == 1 ? "s" : "", part->stage, LikelyCause(*part)));
+        fmt::format("{}, first \"{}\"{}", Counted(parted, "differs", "differ"), part->stage, LikelyCause(*part)));
   }
   return absl::StrJoin(parts, ", ");
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/input/render_flags.h"
+#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/progress/slow_note.h"
 #include "fmt/format.h"
@@ -71,7 +72,7 @@ absl::Status DrawPlansBeside(const PlansBeside& plans) {
   if (!response.ok()) return response.status();
   if (absl::Status status = WriteOutputFile(plans.picture, response->preview().image()); !status.ok()) return status;
   for (const v1::Diagnostic& diagnostic : response->diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
-  fmt::print(stderr, "{}: {} plans\n", plans.picture, plans.plans.size());
+  fmt::print(stderr, "{}: {}\n", plans.picture, Counted(std::ssize(plans.plans), "plan"));
   return absl::OkStatus();
 }
 

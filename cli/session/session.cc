@@ -57,6 +57,12 @@ absl::Status Session::Explain(const absl::Status& status) const {
                                             address_, std::string(status.message())));
 }
 
+absl::Status Session::ExplainOfJob(const std::string& id, const absl::Status& status) const {
+  if (!absl::IsNotFound(status)) return status;
+  return absl::NotFoundError(fmt::format("{}: no such job {}; flair jobs lists them", id,
+                                         embedded() ? "in the store " + DefaultStorePath() : "at " + address_));
+}
+
 template <typename Request, typename Response>
 absl::StatusOr<Response> Session::Ask(
     grpc::Status (v1::OrchestratorService::StubInterface::*method)(grpc::ClientContext*, const Request&, Response*),
@@ -80,7 +86,7 @@ absl::StatusOr<v1::Job> Session::GetJob(const std::string& id) {
   v1::GetJobRequest request;
   request.set_job_id(id);
   auto response = Ask(&v1::OrchestratorService::StubInterface::GetJob, request);
-  if (!response.ok()) return response.status();
+  if (!response.ok()) return ExplainOfJob(id, response.status());
   return response->job();
 }
 
@@ -88,8 +94,16 @@ absl::StatusOr<v1::Job> Session::CancelJob(const std::string& id) {
   v1::CancelJobRequest request;
   request.set_job_id(id);
   auto response = Ask(&v1::OrchestratorService::StubInterface::CancelJob, request);
-  if (!response.ok()) return response.status();
+  if (!response.ok()) return ExplainOfJob(id, response.status());
   return response->job();
+}
+
+absl::StatusOr<v1::DeleteJobResponse> Session::DeleteJob(const std::string& id) {
+  v1::DeleteJobRequest request;
+  request.set_job_id(id);
+  auto response = Ask(&v1::OrchestratorService::StubInterface::DeleteJob, request);
+  if (!response.ok()) return ExplainOfJob(id, response.status());
+  return *std::move(response);
 }
 
 absl::StatusOr<std::vector<v1::Job>> Session::ListJobs(int count) {

@@ -25,6 +25,7 @@ class Session {
   absl::StatusOr<v1::Job> CreateJob(const v1::JobSpec& spec);
   absl::StatusOr<v1::Job> GetJob(const std::string& id);
   absl::StatusOr<v1::Job> CancelJob(const std::string& id);
+  absl::StatusOr<v1::DeleteJobResponse> DeleteJob(const std::string& id);
   // Newest first, at most `count`.
   absl::StatusOr<std::vector<v1::Job>> ListJobs(int count);
   absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id);
@@ -45,6 +46,8 @@ class Session {
                                const Request& request);
   // Says where nobody answered.
   absl::Status Explain(const absl::Status& status) const;
+  // The same for a call about one job, which may not be there.
+  absl::Status ExplainOfJob(const std::string& id, const absl::Status& status) const;
 
   std::unique_ptr<EmbeddedServices> services_;
   const std::shared_ptr<grpc::Channel> channel_;

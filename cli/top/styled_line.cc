@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/output/printable.h"
+#include "cli/output/wrapped_text.h"
 
 namespace flair::cli {
 namespace {
@@ -19,12 +20,6 @@ std::string_view First(std::string_view text, int count) {
     --count;
   }
   return text.substr(0, end);
-}
-
-std::string OneLine(std::string_view text) {
-  std::string line = Printable(std::string(text));
-  std::replace_if(line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
-  return line;
 }
 
 std::string_view Code(Style style) {
@@ -45,19 +40,15 @@ std::string_view Code(Style style) {
 }
 
 std::string Fitted(std::string_view text, int width) {
-  const std::string line = OneLine(text);
-  if (CharacterCount(line) <= width) return line;
-  return width < 1 ? "" : std::string(First(line, width - 1)) + "…";
+  return Shortened(PrintableLine(std::string(text)), static_cast<size_t>(std::max(0, width)));
 }
 
 }  // namespace
 
-int CharacterCount(std::string_view text) {
-  return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) { return !Continues(c); }));
-}
+int CharacterCount(std::string_view text) { return static_cast<int>(ColumnsOf(text)); }
 
 StyledLine& StyledLine::Add(std::string_view text, Style style) {
-  const std::string line = OneLine(text);
+  const std::string line = PrintableLine(std::string(text));
   const std::string_view fitting = First(line, width_ - used_);
   if (fitting.empty()) return *this;
   used_ += CharacterCount(fitting);

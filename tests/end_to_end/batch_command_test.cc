@@ -119,7 +119,7 @@ TEST_F(BatchCommand, BadLinesAreToldAndTheExitCodeSaysSo) {
            "A bathroom.\n{\"txt\": \"A room.\"}\n\n{\"text\": \"A room.\", \"variants\": 0}\n");
   const Finished run = Flair(Submission("out"));
   EXPECT_EQ(run.exit_code, 9);
-  EXPECT_THAT(run.err, AllOf(HasSubstr("1 jobs: 1 succeeded; 2 lines rejected"), HasSubstr("2 lines were rejected; ")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("1 job: 1 succeeded; 2 lines rejected"), HasSubstr("2 lines were rejected; ")));
   const std::string rejected = ReadAll(folder_ / "out/rejected.jsonl");
   EXPECT_THAT(rejected, AllOf(HasSubstr("\"line\":2,"), HasSubstr("did you mean text?"), HasSubstr("\"line\":4,")));
 }
@@ -188,15 +188,14 @@ TEST_F(BatchCommand, FailedJobsAreToldByKindAndRunAgainWhenAsked) {
   WriteAll(folder_ / "answers/identity", "a model\n");
   const Finished run = Flair(Submission("out", {"--replay", folder_ / "answers"}));
   EXPECT_EQ(run.exit_code, 9) << run.err;
-  EXPECT_THAT(run.err,
-              AllOf(HasSubstr("1 jobs: 0 succeeded, 1 failed\n      1 language, such as job 0 (line 1): room:"),
-                    HasSubstr("flair batch retry ")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("1 job: 0 succeeded, 1 failed\n      1 language, such as job 0 (line 1): room:"),
+                             HasSubstr("flair batch retry ")));
   EXPECT_THAT(Batch({"retry", "--kind", "worker", folder_ / "out"}).out, HasSubstr("0 jobs wait again"));
-  EXPECT_THAT(Batch({"retry", folder_ / "out", "--job", "0"}).out, HasSubstr("1 jobs wait again; "));
+  EXPECT_THAT(Batch({"retry", folder_ / "out", "--job", "0"}).out, HasSubstr("1 job waits again; "));
   const Finished watch = Batch({"watch", folder_ / "out"});  // with the handbook
   EXPECT_EQ(watch.exit_code, 0) << watch.err;
   EXPECT_EQ(Layouts("out").size(), 1u);
-  EXPECT_THAT(Batch({"report", folder_ / "out"}).out, HasSubstr("1 jobs: 1 succeeded\n"));
+  EXPECT_THAT(Batch({"report", folder_ / "out"}).out, HasSubstr("1 job: 1 succeeded\n"));
 }
 
 TEST_F(BatchCommand, AnOrchestratorElsewhereGivesTheSameBytesToWhoeverCollects) {
@@ -252,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Wrong{"NoFile", {"batch", "@none", "--out", "@out"}, 2, "no such file; should be a file with a brief a line"},
         Wrong{"Folder", {"batch", "@.", "--out", "@out"}, 4, "is a folder"},
-        Wrong{"NoOut", {"batch", "@briefs"}, 2, "--out is required"},
+        Wrong{"NoOut", {"batch", "@briefs"}, 2, "--out: missing"},
         Wrong{"OutIsAFile", {"batch", "@briefs", "--out", "@briefs"}, 4, "is a file; --out takes a folder"},
         Wrong{"Keep", {"batch", "@briefs", "--out", "@out", "--keep", "layuot"}, 2, "did you mean layout?"},
         Wrong{"View", {"batch", "@briefs", "--out", "@out", "--view", "top"}, 2, "top"},

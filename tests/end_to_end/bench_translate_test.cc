@@ -56,7 +56,7 @@ TEST_F(BenchTranslate, BadLinesAreNamedAndTheRestIsMeasured) {
   EXPECT_EQ(run.exit_code, cli::kExitBadInput);
   EXPECT_THAT(run.out, HasSubstr("100.0 % of 1 labels correct"));
   EXPECT_THAT(run.err, HasSubstr(path + ":2: gold: unknown function ind_dance"));
-  EXPECT_THAT(run.err, HasSubstr("1 lines of labels could not be measured"));
+  EXPECT_THAT(run.err, HasSubstr("1 line of labels could not be measured"));
 }
 
 TEST_F(BenchTranslate, FilesWithoutLabelsAreRefused) {

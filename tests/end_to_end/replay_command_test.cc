@@ -167,7 +167,7 @@ TEST_F(ReplayCommand, RefusesWhatMakesNoSense) {
     std::vector<std::string> arguments;
     const char* error;
   } cases[] = {
-      {{"nothing"}, "no job \"nothing\" in this store"},
+      {{"nothing"}, "nothing: no such job in the store "},
       {{job, "--from", "sole"}, "--from sole: there is no such stage; one of brief, room"},
       {{job, "--set", "optimizer.restart=5"}, "there is no such option; one of optimizer.seed, optimizer.restarts"},
       {{job, "--set", "optimizer.restarts=0"}, "--set optimizer.max_restart_count: 0 is outside [1, 10000]"},

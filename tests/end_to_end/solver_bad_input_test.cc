@@ -131,10 +131,11 @@ TEST_F(SolverBadInput, Solve) {
   refused({"@graph.pb", "--out", "/proc/flair/new.pb"}, cli::kExitFiles, "/proc");
   refused({"@graph.pb", "--out", "@empty"}, cli::kExitFiles, "@empty: is a folder");
   refused({"@graph.pb", "--out", "@new.pb", "--restarts", "0"}, cli::kExitBadInput,
-          "--restarts: Value 0 not in range 1 to");
+          "--restarts: 0: expected a whole number, 1 to");
   refused({"@graph.pb", "--out", "@new.pb", "--variants", "33"}, cli::kExitBadInput,
-          "--variants: Value 33 not in range");
-  refused({"@graph.pb", "--out", "@new.pb", "--seed", "-1"}, cli::kExitBadInput, "--seed: Value -1 not in range");
+          "--variants: 33: expected a whole number, 1 to 32");
+  refused({"@graph.pb", "--out", "@new.pb", "--seed", "-1"}, cli::kExitBadInput,
+          "--seed: -1: expected a whole number, 0 to");
   refused({"@graph.pb", "--out", "@new.pb", "--lambda", "zone=nan"}, cli::kExitBadInput,
           "--lambda: zone=nan: should be");
   refused({"@graph.pb", "--out", "@new.pb", "--options", "@options.txt"}, cli::kExitBadInput,
