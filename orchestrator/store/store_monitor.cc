@@ -12,7 +12,7 @@ namespace flair::orchestrator {
 namespace {
 
 constexpr int kLookAnywayMs = 1000;
-constexpr int kBurstMs = 5;
+constexpr int kBurstMs = 20;
 
 // Empties the queue of a non-blocking inotify file; true when one of the events came from `watch`.
 bool Drain(int file, int watch) {

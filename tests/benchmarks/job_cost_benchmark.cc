@@ -140,10 +140,10 @@ void BM_JobOfTheProgram(benchmark::State& state, Setting setting) {
   state.counters["user_ms/job"] = user_ms;
   state.counters["system_ms/job"] = system_ms;
 }
-// Each repetition has a program of its own.
-BENCHMARK_CAPTURE(BM_JobOfTheProgram, memory, Setting::kMemory)->UseRealTime()->Iterations(1)->Repetitions(5);
-BENCHMARK_CAPTURE(BM_JobOfTheProgram, disk, Setting::kDisk)->UseRealTime()->Iterations(1)->Repetitions(5);
-BENCHMARK_CAPTURE(BM_JobOfTheProgram, jetstream, Setting::kJetStream)->UseRealTime()->Iterations(1)->Repetitions(5);
+// Each repetition (--benchmark_repetitions=5) has a program of its own.
+BENCHMARK_CAPTURE(BM_JobOfTheProgram, memory, Setting::kMemory)->UseRealTime()->Iterations(1);
+BENCHMARK_CAPTURE(BM_JobOfTheProgram, disk, Setting::kDisk)->UseRealTime()->Iterations(1);
+BENCHMARK_CAPTURE(BM_JobOfTheProgram, jetstream, Setting::kJetStream)->UseRealTime()->Iterations(1);
 
 }  // namespace
 }  // namespace flair::orchestrator
