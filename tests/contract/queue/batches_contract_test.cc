@@ -56,6 +56,24 @@ TEST_P(BatchesContract, ARequestMakesOneBatch) {
   EXPECT_TRUE(absl::IsNotFound(queue->GetBatch("b2").status()));
 }
 
+TEST_P(BatchesContract, WhetherARequestMadeSomethingIsKnownEverywhere) {
+  using enum orchestrator::RequestKind;
+  WatchedQueue queue = Open();
+  WatchedQueue other = Open();
+  store::v1::BatchRecord batch = NewBatch("b1");
+  batch.mutable_batch()->set_owner("ada");
+  batch.set_request_id("ada/r1");
+  v1::Job job = NewJob("job-1");
+  job.set_owner("ada");
+  EXPECT_FALSE(queue->HasRequest(kBatch, "ada", "ada/r1").value());
+  ASSERT_TRUE(queue->CreateBatch(batch).ok());
+  EXPECT_TRUE(other->HasRequest(kBatch, "ada", "ada/r1").value());
+  EXPECT_FALSE(other->HasRequest(kJob, "ada", "ada/r1").value());
+  ASSERT_TRUE(queue->CreateJob(job, "ada/r2").ok());
+  EXPECT_TRUE(other->HasRequest(kJob, "ada", "ada/r2").value());
+  EXPECT_FALSE(other->HasRequest(kJob, "ada", "ada/r3").value());
+}
+
 TEST_P(BatchesContract, JobsAreAddedByPlace) {
   WatchedQueue queue = Open();
   ASSERT_TRUE(queue->CreateBatch(NewBatch("b1")).ok());
