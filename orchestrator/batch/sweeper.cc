@@ -7,7 +7,7 @@ namespace flair::orchestrator {
 namespace {
 
 // Jobs and batches that are looked at, and jobs of a batch that are deleted, in one step.
-constexpr int kEntriesPerStep = 100;
+constexpr size_t kEntriesPerStep = 100;
 constexpr int kJobsPerStep = 400;
 
 constexpr absl::Duration kPause = absl::Milliseconds(100);
@@ -52,12 +52,13 @@ void Sweeper::Run() {
 absl::StatusOr<Deleted> Sweeper::Step() {
   absl::StatusOr<Deleted> deleted = queue_.FinishDeletions(artifacts_);
   if (!deleted.ok() || !keep_ended_.has_value()) return deleted;
-  const absl::StatusOr<EndedPage> page = queue_.EndedBefore(clock_.Now() - *keep_ended_, next_, kEntriesPerStep);
+  const absl::StatusOr<EndedPage> page =
+      queue_.EndedBefore(clock_.Now() - *keep_ended_, next_, static_cast<int>(kEntriesPerStep));
   if (!page.ok()) return page.status();
   if (absl::Status status = DeleteAll(*page, *deleted); !status.ok()) return status;
   // A page that was left before its end is looked at again.
   if (deleted->done) next_ = page->next;
-  deleted->done = deleted->done && next_.empty();
+  deleted->done = deleted->done && next_.empty() && page->job_ids.size() < kEntriesPerStep;
   return deleted;
 }
 

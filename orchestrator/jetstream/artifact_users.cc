@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "worker_runtime/files/sha256.h"
@@ -132,51 +133,55 @@ absl::StatusOr<std::vector<ArtifactUsers::Use>> ArtifactUsers::AddToKnown(std::s
 absl::StatusOr<std::vector<std::string>> ArtifactUsers::Remove(std::span<const std::string> artifact_ids,
                                                                const std::string& user_id) {
   std::vector<std::string> free;
-  std::vector<std::string> left(artifact_ids.begin(), artifact_ids.end());
-  while (!left.empty()) {
-    const std::span<const std::string> some = std::span(left).first(std::min(left.size(), kUsersAtOnce));
-    absl::StatusOr<std::vector<Known>> read = Read(some);
-    if (!read.ok()) return read.status();
-    std::vector<std::string> again;
-    std::vector<Bucket::Change> changes;
-    std::vector<std::string> changed;
-    std::vector<Known> unused;
-    size_t place = 0;
-    for (Known& known : *read) {
-      // Those in between have no users.
-      for (; some[place] != known.artifact_id; ++place) free.push_back(some[place]);
-      ++place;
-      if (!RemoveUser(known.users, user_id)) continue;
-      if (known.users.users().empty() && !known.users.kept_for_good()) {
-        unused.push_back(std::move(known));
-        continue;
-      }
-      changes.push_back({UsersKey(known.artifact_id), runtime::CanonicalBytes(known.users), known.revision});
-      changed.push_back(known.artifact_id);
+  for (size_t first = 0; first < artifact_ids.size(); first += kUsersAtOnce) {
+    const auto some = artifact_ids.subspan(first, std::min(kUsersAtOnce, artifact_ids.size() - first));
+    std::vector<std::string> left(some.begin(), some.end());
+    // Again for those that somebody else has changed meanwhile.
+    while (!left.empty()) {
+      const absl::StatusOr<std::vector<std::string>> again = RemoveFrom(left, user_id, free);
+      if (!again.ok()) return again.status();
+      left = *again;
     }
-    for (; place < some.size(); ++place) free.push_back(some[place]);
-
-    const std::vector<absl::StatusOr<uint64_t>> revisions = parts_.index.UpdateAll(changes);
-    for (size_t i = 0; i < changed.size(); ++i) {
-      if (absl::IsAborted(revisions[i].status())) {
-        again.push_back(changed[i]);
-      } else if (!revisions[i].ok()) {
-        return revisions[i].status();
-      }
-    }
-    // First nobody finds them any more; whoever found one before that becomes its user, or sees that it has none.
-    if (absl::Status status = RemoveResults(unused); !status.ok()) return status;
-    std::vector<Bucket::Revision> removals;
-    for (const Known& known : unused) removals.push_back({UsersKey(known.artifact_id), known.revision});
-    const std::vector<absl::StatusOr<bool>> removed = parts_.index.RemoveAll(removals);
-    for (size_t i = 0; i < unused.size(); ++i) {
-      if (!removed[i].ok()) return removed[i].status();
-      (*removed[i] ? free : again).push_back(unused[i].artifact_id);
-    }
-    again.insert(again.end(), left.begin() + static_cast<std::ptrdiff_t>(some.size()), left.end());
-    left = std::move(again);
   }
   return free;
+}
+
+absl::StatusOr<std::vector<std::string>> ArtifactUsers::RemoveFrom(std::span<const std::string> artifact_ids,
+                                                                   const std::string& user_id,
+                                                                   std::vector<std::string>& free) {
+  absl::StatusOr<std::vector<Known>> read = Read(artifact_ids);
+  if (!read.ok()) return read.status();
+  std::set<std::string> without_users(artifact_ids.begin(), artifact_ids.end());
+  std::vector<Known> unused;
+  std::vector<Known> used;
+  for (Known& known : *read) {
+    without_users.erase(known.artifact_id);
+    if (!RemoveUser(known.users, user_id)) continue;
+    const bool stays = !known.users.users().empty() || known.users.kept_for_good();
+    (stays ? used : unused).push_back(std::move(known));
+  }
+  free.insert(free.end(), without_users.begin(), without_users.end());
+  std::vector<Bucket::Change> changes;
+  for (const Known& known : used) {
+    changes.push_back({UsersKey(known.artifact_id), runtime::CanonicalBytes(known.users), known.revision});
+  }
+  std::vector<std::string> again;
+  const std::vector<absl::StatusOr<uint64_t>> revisions = parts_.index.UpdateAll(changes);
+  for (size_t i = 0; i < used.size(); ++i) {
+    if (revisions[i].ok()) continue;
+    if (!absl::IsAborted(revisions[i].status())) return revisions[i].status();
+    again.push_back(used[i].artifact_id);
+  }
+  // First nobody finds them any more; whoever found one before that becomes its user, or sees that it has none.
+  if (absl::Status status = RemoveResults(unused); !status.ok()) return status;
+  std::vector<Bucket::Revision> removals;
+  for (const Known& known : unused) removals.push_back({UsersKey(known.artifact_id), known.revision});
+  const std::vector<absl::StatusOr<bool>> removed = parts_.index.RemoveAll(removals);
+  for (size_t i = 0; i < unused.size(); ++i) {
+    if (!removed[i].ok()) return removed[i].status();
+    (*removed[i] ? free : again).push_back(unused[i].artifact_id);
+  }
+  return again;
 }
 
 absl::Status ArtifactUsers::RemoveResults(std::span<const Known> unused) {

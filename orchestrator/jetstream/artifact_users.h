@@ -44,9 +44,12 @@ class ArtifactUsers {
     store::v1::ArtifactUsers users;
     uint64_t revision = 0;
   };
-  // Those that have users; of the others, those in the order in which they were asked for.
+  // Those that have users.
   absl::StatusOr<std::vector<Known>> Read(std::span<const std::string> artifact_ids);
   absl::StatusOr<std::vector<Use>> AddToKnown(std::span<const Use> uses, const User& user);
+  // Adds those that nobody uses then to `free`; returns those that somebody else has changed meanwhile.
+  absl::StatusOr<std::vector<std::string>> RemoveFrom(std::span<const std::string> artifact_ids,
+                                                      const std::string& user_id, std::vector<std::string>& free);
   absl::Status RemoveResults(std::span<const Known> unused);
 
   QueueParts& parts_;

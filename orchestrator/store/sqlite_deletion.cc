@@ -79,6 +79,10 @@ absl::StatusOr<Deleted> SqliteWorkQueue::RemoveLastJobs(const std::string& batch
 
 absl::StatusOr<Deleted> SqliteWorkQueue::FinishDeletions(ArtifactStore& artifacts) {
   Deleted deleted;
+  // Most of the time nothing waits, and nobody else is made to.
+  const auto any = store_->deletions().Pending(1);
+  if (!any.ok()) return any.status();
+  deleted.done = any->empty();
   while (!deleted.done) {
     auto transaction = Transaction::Begin(store_->database());
     if (!transaction.ok()) return transaction.status();
@@ -109,12 +113,10 @@ absl::Status SqliteWorkQueue::DeleteUnlessHad(const std::string& artifact_id, Ar
 
 absl::StatusOr<EndedPage> SqliteWorkQueue::EndedBefore(absl::Time time, const std::string& after, int limit) {
   EndedPage page;
-  // Those that stand alone are found at once, and are deleted before they are asked for again.
-  if (after.empty()) {
-    absl::StatusOr<std::vector<std::string>> jobs = store_->deletions().JobsEndedBefore(time, limit);
-    if (!jobs.ok()) return jobs.status();
-    page.job_ids = *std::move(jobs);
-  }
+  // Those that stand alone are found at once, and are deleted before the next page is asked for.
+  absl::StatusOr<std::vector<std::string>> jobs = store_->deletions().JobsEndedBefore(time, limit);
+  if (!jobs.ok()) return jobs.status();
+  page.job_ids = *std::move(jobs);
   const auto closed = store_->deletions().ClosedBatches(after, limit);
   if (!closed.ok()) return closed.status();
   for (const std::string& id : *closed) {

@@ -219,5 +219,75 @@ TEST_P(DeletionContract, SeveralMayDeleteTheSameAtOnce) {
   EXPECT_TRUE(absl::IsNotFound(artifacts_->Get(IdOf("own-of-b1-00000007")).status()));
 }
 
+// A store whose calls that delete fail from one of them on.
+class FailingStore final : public ArtifactStore {
+ public:
+  FailingStore(ArtifactStore& store, int calls) : store_(store), calls_(calls) {}
+  absl::Status PutAll(std::span<const orchestrator::SealedArtifact> artifacts) override {
+    return store_.PutAll(artifacts);
+  }
+  absl::StatusOr<v1::Artifact> Get(const std::string& id) override { return store_.Get(id); }
+  absl::Status Flush(std::span<const v1::ArtifactRef> artifacts) override { return store_.Flush(artifacts); }
+  absl::StatusOr<int64_t> Mark() override {
+    if (--calls_ < 0) return absl::UnavailableError("no store");
+    return store_.Mark();
+  }
+  absl::StatusOr<int64_t> Delete(std::span<const std::string> ids, int64_t mark) override {
+    if (--calls_ < 0) return absl::UnavailableError("no store");
+    return store_.Delete(ids, mark);
+  }
+
+ private:
+  ArtifactStore& store_;
+  int calls_;
+};
+
+TEST_P(DeletionContract, WhatAFailureLeftIsFinishedLater) {
+  WatchedQueue queue = Open();
+  for (int calls = 0; calls < 3; ++calls) {
+    const std::string id = "job-" + std::to_string(calls);
+    RunAlone(queue, id, {"own-of-" + id, "shared"});
+    FailingStore failing(*artifacts_, calls);
+    const auto deleted = queue->DeleteJob(id, failing);
+    // Whatever came of it, nobody sees a job that is not whole.
+    EXPECT_TRUE(absl::IsNotFound(queue->GetJob(id).status()));
+    EXPECT_THAT(*queue->ListJobs({}), IsEmpty());
+    ASSERT_TRUE(queue->FinishDeletions(*artifacts_).ok());
+    EXPECT_TRUE(absl::IsNotFound(artifacts_->Get(IdOf("own-of-" + id)).status())) << deleted.status();
+    EXPECT_TRUE(absl::IsNotFound(artifacts_->Get(IdOf("shared")).status()));
+  }
+  EXPECT_EQ(queue->FinishDeletions(*artifacts_)->artifact_count, 0);
+}
+
+TEST_P(DeletionContract, AProcessThatIsKilledLeavesABatchThatIsWhole) {
+  WatchedQueue queue = Open();
+  RunBatch(queue, "b1", 450, {"own", "shared"});
+  RunAlone(queue, "job-1", {"shared"});
+  std::vector<std::string> arguments = form_->ChildArguments();
+  arguments.emplace_back("b1");
+  for (const char* step : {"step 0", "step 1", "step 2", "step 0", "step 1"}) {
+    Process child(std::string(FLAIR_BINARY_DIR) + "/test_bin/flair_queue_child", arguments);
+    // Killed while it works at the step, wherever it is.
+    (void)child.WaitForLine(step);
+    child.Signal(SIGKILL);
+    const auto batch = queue->FindBatch("b1");
+    if (absl::IsNotFound(batch.status())) break;
+    ASSERT_TRUE(batch.ok()) << batch.status();
+    ExpectWhole(queue, "b1", batch->job_count());
+  }
+  for (bool done = false; !done;) {
+    const auto some = queue->DeleteBatch("b1", 1000, *artifacts_);
+    ASSERT_TRUE(some.ok() || absl::IsNotFound(some.status())) << some.status();
+    done = !some.ok() || some->done;
+  }
+  ASSERT_TRUE(queue->FinishDeletions(*artifacts_).ok());
+  for (int64_t i = 0; i < 450; ++i) {
+    const std::string own = "own-of-" + orchestrator::BatchJobId("b1", i);
+    EXPECT_TRUE(absl::IsNotFound(artifacts_->Get(IdOf(own)).status())) << own;
+  }
+  EXPECT_TRUE(artifacts_->Get(IdOf("shared")).ok());
+  EXPECT_THAT(*queue->ListBatches({}), IsEmpty());
+}
+
 }  // namespace
 }  // namespace flair::testing

@@ -216,6 +216,44 @@ TEST_F(JetStreamFailures, ConsumersOfEndedBatchesGo) {
   EXPECT_TRUE(EndAs(*lease, v1::JOB_STATE_SUCCEEDED).ok());
 }
 
+TEST_F(JetStreamFailures, NothingIsLeftOfWhatIsDeleted) {
+  Serve(1);
+  const auto queue = Open();
+  const auto artifacts = orchestrator::OpenJetStreamArtifacts(config_, nullptr, runtime::SystemClock());
+  ASSERT_TRUE(artifacts.ok()) << artifacts.status();
+  const auto run = [&](const std::string& text) {
+    const auto lease = queue->Take();
+    ASSERT_NE(lease, nullptr);
+    v1::Artifact artifact;
+    artifact.mutable_brief()->set_text(text);
+    const auto ref = (*artifacts)->Put(artifact);
+    ASSERT_TRUE(ref.ok()) << ref.status();
+    orchestrator::StageRecord record = StageMade(*lease, "brief", 0, 'a', "key-of-" + lease->job().id());
+    *record.event.mutable_artifact() = *ref;
+    ASSERT_TRUE(lease->Record(record).ok());
+    ASSERT_TRUE(EndAs(*lease, v1::JOB_STATE_FAILED, v1::FAILURE_KIND_WORKER).ok());
+  };
+  Make(*queue, "b1", 3);
+  ASSERT_TRUE((*queue)->CreateJob(NewJob("job-1"), "r1").ok());
+  // One of several pieces, one of several jobs.
+  for (const std::string& text :
+       {std::string(1'500'000, 'x'), std::string("own"), std::string("own"), std::string("own")}) {
+    run(text);
+  }
+  ASSERT_TRUE((*queue)->Retry("b1-00000001").value());
+  run("again");
+  ASSERT_TRUE((*queue)->DeleteJob("job-1", **artifacts).ok());
+  ASSERT_TRUE((*queue)->DeleteBatch("b1", 1000, **artifacts)->done);
+  const auto all_gone = [&] {
+    for (const char* stream : {"flair-queue", "flair-ends", "KV_flair-jobs", "KV_flair-batches", "KV_flair-requests",
+                               "KV_flair-index", "KV_flair-artifacts"}) {
+      if (Ask(std::string("STREAM.INFO.") + stream, nullptr)["state"]["messages"] != 0) return false;
+    }
+    return Ask("CONSUMER.NAMES.flair-queue", json::object())["consumers"] == json({"single"});
+  };
+  EXPECT_TRUE(queue->WaitUntil(all_gone)) << Ask("STREAM.LIST", json::object()).dump(2);
+}
+
 TEST_F(JetStreamFailures, AFullServerRefusesAndKeepsWhatItHas) {
   Serve(1, {.config = "", .jetstream = "max_file_store: 1MB"});
   const auto queue = Open();

@@ -256,6 +256,31 @@ TEST_P(JobsContract, AJobOfAProcessThatIsKilledGoesOn) {
   EXPECT_TRUE(EndAs(*lease, v1::JOB_STATE_SUCCEEDED).ok());
 }
 
+TEST_P(JobsContract, RunsCountAsLostInARowAndOnlyWhereNothingWasSaid) {
+  WatchedQueue queue = Open();
+  ASSERT_TRUE(queue->CreateJob(NewJob("job-1"), "r1").ok());
+  // An orchestrator that stops gives back what it runs.
+  for (int i = 0; i < 3; ++i) {
+    const auto lease = queue.Take();
+    ASSERT_NE(lease, nullptr);
+    EXPECT_EQ(lease->lost_run_count(), 0);
+  }
+  // One that is killed does not; what it stored before is progress.
+  for (int killed = 1; killed <= 2; ++killed) {
+    Process child(std::string(FLAIR_BINARY_DIR) + "/test_bin/flair_queue_child", form_->ChildArguments());
+    ASSERT_EQ(child.WaitForLine("took "), "job-1");
+    child.Signal(SIGKILL);
+    const auto lease = queue.Take();
+    ASSERT_NE(lease, nullptr);
+    EXPECT_EQ(lease->lost_run_count(), 1);
+    EXPECT_EQ(lease->job().attempt_count(), 3 + 2 * killed);
+  }
+  const auto lease = queue.Take();
+  ASSERT_NE(lease, nullptr);
+  EXPECT_EQ(lease->lost_run_count(), 1);
+  EXPECT_TRUE(EndAs(*lease, v1::JOB_STATE_SUCCEEDED).ok());
+}
+
 TEST_P(JobsContract, AllOutlivesTheProcesses) {
   {
     WatchedQueue queue = Open();
