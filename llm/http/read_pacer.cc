@@ -21,7 +21,8 @@ bool HasMore(int fd) {
 }  // namespace
 
 absl::Duration ReadPause(absl::Duration elapsed) {
-  return std::clamp(elapsed / 3, absl::Milliseconds(8), absl::Milliseconds(250));
+  const absl::Duration most = std::clamp(elapsed / 20, absl::Milliseconds(250), absl::Seconds(2));
+  return std::clamp(elapsed / 2, absl::Milliseconds(16), most);
 }
 
 void ReadPacer::Watch(int fd, bool readable, bool writable) {

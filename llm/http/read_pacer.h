@@ -11,10 +11,11 @@
 
 namespace flair::llm {
 
-// How long a socket is left alone that brought a part of an answer, `elapsed` after it was last added or written to: a
-// third of that, at least 8 ms, at most 250 ms. An answer is known that much later at most, on average half of it. A
-// model sends a small piece every few milliseconds for many seconds, and waking up for a piece costs many times what
-// reading it does: an answer of a second is read fifteen times, each second more four times.
+// How long a socket is left alone that brought a part of an answer, `elapsed` after it was last added or written to: half
+// of that, at least 16 ms, at most 250 ms or, when more, a twentieth of it, never more than 2 s. An answer is known that
+// much later at most, on average half of it. A model sends a small piece every few milliseconds for many seconds, and
+// waking up for a piece costs many times what reading it does: an answer of a second is read eleven times, one of twenty
+// seconds some fifty times.
 absl::Duration ReadPause(absl::Duration elapsed);
 
 // Watches sockets on an event loop, with these pauses. The first bytes of an answer, what a connection needs before

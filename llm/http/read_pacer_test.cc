@@ -14,11 +14,13 @@
 namespace flair::llm {
 namespace {
 
-TEST(ReadPause, IsAThirdOfTheTimeSoFar) {
-  EXPECT_EQ(ReadPause(absl::ZeroDuration()), absl::Milliseconds(8));
-  EXPECT_EQ(ReadPause(absl::Milliseconds(90)), absl::Milliseconds(30));
+TEST(ReadPause, IsHalfOfTheTimeSoFarThenATwentieth) {
+  EXPECT_EQ(ReadPause(absl::ZeroDuration()), absl::Milliseconds(16));
+  EXPECT_EQ(ReadPause(absl::Milliseconds(90)), absl::Milliseconds(45));
   EXPECT_EQ(ReadPause(absl::Seconds(1)), absl::Milliseconds(250));
-  EXPECT_EQ(ReadPause(absl::Hours(1)), absl::Milliseconds(250));
+  EXPECT_EQ(ReadPause(absl::Seconds(5)), absl::Milliseconds(250));
+  EXPECT_EQ(ReadPause(absl::Seconds(20)), absl::Seconds(1));
+  EXPECT_EQ(ReadPause(absl::Hours(1)), absl::Seconds(2));
 }
 
 // Counted as the client would: a read, then the next as soon as allowed.
@@ -29,8 +31,8 @@ int ReadCount(absl::Duration first, absl::Duration last) {
 }
 
 TEST(ReadPause, FewReadsAreEnoughForALongAnswer) {
-  EXPECT_LE(ReadCount(absl::Milliseconds(1), absl::Seconds(1)), 16);
-  EXPECT_LE(ReadCount(absl::Milliseconds(500), absl::Seconds(20)), 90);
+  EXPECT_LE(ReadCount(absl::Milliseconds(1), absl::Seconds(1)), 11);
+  EXPECT_LE(ReadCount(absl::Milliseconds(500), absl::Seconds(20)), 55);
 }
 
 // A pair of sockets, one of them read by a pacer in pieces of up to 16 KiB until a piece ends in '.'.
