@@ -21,7 +21,8 @@ absl::StatusOr<v1::Room> ReadRoom(const std::filesystem::path& path) {
     case v1::Artifact::kSolvedLayout:
       return artifact.solved_layout().graph().room();
     default:
-      return absl::InvalidArgumentError(fmt::format("{}: an artifact without a room", path.string()));
+      return absl::InvalidArgumentError(
+          fmt::format("{}: an artifact without a room; should be room.pb or room.json of a design", path.string()));
   }
 }
 
