@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair batch status, watch, pause, resume, cancel, retry, report, list.
+// flair batch status, watch, pause, resume, cancel, retry, delete, report, list.
 #include "cli/commands/batch_actions.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 #include "absl/strings/str_join.h"
 #include "absl/time/time.h"
+#include "cli/batch/batch_deletion.h"
 #include "cli/batch/batch_progress.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/collector.h"
@@ -39,6 +40,8 @@ struct ActionArguments {
   std::vector<std::string> jobs;
   // report
   std::string csv;
+  // delete
+  bool yes = false;
   // list
   int count = 20;
   bool json = false;
@@ -84,6 +87,8 @@ absl::Status List(const ActionArguments& arguments, BatchSession& batches) {
   for (const v1::Batch& listed : *all) {
     // The list itself need not have the counts.
     const absl::StatusOr<v1::Batch> counted = batches.GetBatch(listed.id());
+    // Deleted just now.
+    if (absl::IsNotFound(counted.status())) continue;
     if (!counted.ok()) return counted.status();
     const v1::Batch& batch = *counted;
     if (arguments.json) {
@@ -297,6 +302,19 @@ void AddRetry(CLI::App& batch, absl::Status& result) {
          });
 }
 
+void AddDelete(CLI::App& batch, absl::Status& result) {
+  const Added deletion =
+      Add(batch, "delete",
+          "Forget a batch that has ended, its jobs, and the artifacts that no other job has; what was "
+          "collected in a DIR stays.",
+          true, false);
+  deletion.command->add_flag("-y,--yes", deletion.arguments->yes, "Do not ask");
+  OnCall(deletion, result, false,
+         [](const ActionArguments& arguments, const NamedBatch& named, const BatchWay& way, Interruption&) {
+           return DeleteWholeBatch(named.batch, *way.batches, {.yes = arguments.yes, .json = arguments.json});
+         });
+}
+
 void AddReport(CLI::App& batch, absl::Status& result) {
   const Added report =
       Add(batch, "report", "Failures, measures, times and tokens of a batch; of a DIR without asking anybody.", true,
@@ -337,6 +355,7 @@ void AddBatchActions(CLI::App& batch, absl::Status& result) {
   AddStateChange(batch, result, "resume", "Let a paused batch go on.", &BatchSession::ResumeBatch);
   AddStateChange(batch, result, "cancel", "End a batch and all of its jobs.", &BatchSession::CancelBatch);
   AddRetry(batch, result);
+  AddDelete(batch, result);
   AddReport(batch, result);
   AddList(batch, result);
 }

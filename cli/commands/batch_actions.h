@@ -6,7 +6,7 @@
 
 namespace flair::cli {
 
-// What is done with a batch that is there: status, watch, pause, resume, cancel, retry, report, list.
+// What is done with a batch that is there: status, watch, pause, resume, cancel, retry, delete, report, list.
 void AddBatchActions(CLI::App& batch, absl::Status& result);
 
 }  // namespace flair::cli

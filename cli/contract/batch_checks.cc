@@ -206,6 +206,37 @@ Finding RetryTakesOnlyFailures(Target& target) {
   });
 }
 
+Finding DeletedBatchesAreGone(Target& target) {
+  return OfABatch(target, 3, [&target](const std::string& id) {
+    const std::string sent = "WatchBatch of three jobs, DeleteBatch until it is done, GetBatch";
+    if (const auto ends = Watch(target, id); !ends.ok()) return Broken(sent, StatusText(ends.status()), "three ends");
+    int64_t jobs = 0;
+    for (bool done = false; !done;) {
+      const auto deleted = target.Ask<v1::DeleteBatchResponse>(About<v1::DeleteBatchRequest>(id));
+      if (!deleted.ok()) return Broken(sent, StatusText(deleted.status()), "what was deleted");
+      if (!deleted->done() && deleted->deleted_job_count() == 0 && deleted->deleted_artifact_count() == 0) {
+        return Broken(sent, "nothing deleted, and not done", "every call to go on");
+      }
+      jobs += deleted->deleted_job_count();
+      done = deleted->done();
+    }
+    if (jobs != 3) return Broken(sent, fmt::format("{} jobs deleted", jobs), "three");
+    const absl::Status known = target.Ask<v1::GetBatchResponse>(About<v1::GetBatchRequest>(id)).status();
+    if (absl::IsNotFound(known)) return Kept();
+    return Broken(sent, known.ok() ? "a batch" : StatusText(known), "NOT_FOUND");
+  });
+}
+
+Finding OpenBatchesAreNotDeleted(Target& target) {
+  return Given<v1::CreateBatchResponse>(
+      target, "CreateBatch of an open batch", OpenBatch(target), [&](const v1::CreateBatchResponse& created) {
+        const auto request = About<v1::DeleteBatchRequest>(created.batch().id());
+        const absl::Status deleted = target.Ask<v1::DeleteBatchResponse>(request).status();
+        if (absl::IsFailedPrecondition(deleted)) return Kept();
+        return Broken("DeleteBatch of an open batch", deleted.ok() ? "OK" : StatusText(deleted), "FAILED_PRECONDITION");
+      });
+}
+
 }  // namespace
 
 void AddBatchChecks(Checks& checks) {
@@ -218,6 +249,8 @@ void AddBatchChecks(Checks& checks) {
   checks.push_back({"A paused batch waits and goes on", Promise::kMessages, PausedJobsWait});
   checks.push_back({"CancelBatch ends all jobs for ever", Promise::kCallers, CancelEndsAllJobs});
   checks.push_back({"RetryBatch takes failures only", Promise::kRepetition, RetryTakesOnlyFailures});
+  checks.push_back({"DeleteBatch deletes jobs and batch", Promise::kCallers, DeletedBatchesAreGone});
+  checks.push_back({"DeleteBatch leaves an open batch alone", Promise::kErrors, OpenBatchesAreNotDeleted});
 }
 
 }  // namespace flair::contract

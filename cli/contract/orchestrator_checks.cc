@@ -217,6 +217,48 @@ Finding ListsNewestFirst(Target& target) {
   });
 }
 
+Finding DeletedJobsAreGone(Target& target) {
+  return OfAJob(target, [&target](const Done& done) {
+    const std::string sent = "DeleteJob of an ended job, GetJob, GetArtifact of its report, DeleteJob again";
+    v1::DeleteJobRequest request;
+    request.set_job_id(done.job.id());
+    const auto deleted = target.Ask<v1::DeleteJobResponse>(request);
+    if (!deleted.ok()) return Broken(sent, StatusText(deleted.status()), "what was deleted");
+    // The report names the job: no other one has it.
+    if (deleted->deleted_artifact_count() < 1) return Broken(sent, "no artifact deleted", "its report at least");
+    v1::GetJobRequest job;
+    job.set_job_id(done.job.id());
+    v1::GetArtifactRequest artifact;
+    for (const v1::ArtifactRef& ref : done.job.artifacts()) {
+      if (ref.kind() == v1::ARTIFACT_KIND_REPORT) artifact.set_artifact_id(ref.id());
+    }
+    for (const absl::Status& status :
+         {target.Ask<v1::GetJobResponse>(job).status(), target.Ask<v1::GetArtifactResponse>(artifact).status(),
+          target.Ask<v1::DeleteJobResponse>(request).status()}) {
+      if (!absl::IsNotFound(status))
+        return Broken(sent, status.ok() ? "OK" : StatusText(status), "NOT_FOUND each time");
+    }
+    return Kept();
+  });
+}
+
+Finding RequestsOfDeletedJobsAreFree(Target& target) {
+  const v1::CreateJobRequest create = NewJob(target);
+  const std::string sent = "CreateJob, WatchJob, DeleteJob, and CreateJob with the same request_id";
+  return Given<v1::CreateJobResponse>(target, sent, create, [&](const v1::CreateJobResponse& first) {
+    if (const auto events = Watch(target, first.job().id()); !events.ok()) {
+      return Broken(sent, StatusText(events.status()), "its events");
+    }
+    v1::DeleteJobRequest request;
+    request.set_job_id(first.job().id());
+    return Given<v1::DeleteJobResponse>(target, sent, request, [&](const v1::DeleteJobResponse&) {
+      return Given<v1::CreateJobResponse>(target, sent, create, [&](const v1::CreateJobResponse& second) {
+        return second.job().id() != first.job().id() ? Kept() : Broken(sent, "the deleted job", "another job");
+      });
+    });
+  });
+}
+
 }  // namespace
 
 Sample OrchestratorSample() {
@@ -243,6 +285,9 @@ void AddOrchestratorChecks(Checks& checks) {
   checks.push_back({"A repeated CreateJob gets the first job", Promise::kRepetition, RepeatsGetTheFirstJob});
   checks.push_back({"A request_id with another spec is refused", Promise::kRepetition, OtherSpecsAreRefused});
   checks.push_back({"CancelJob ends a job, and again changes nothing", Promise::kCallers, CancelEndsAJob});
+  checks.push_back({"DeleteJob deletes a job and its artifacts", Promise::kCallers, DeletedJobsAreGone});
+  checks.push_back(
+      {"After DeleteJob, its request makes another job", Promise::kRepetition, RequestsOfDeletedJobsAreFree});
   checks.push_back({"ListJobs goes from the newest to older ones, page by page", Promise::kMessages, ListsNewestFirst});
   AddBatchChecks(checks);
   AddOrchestratorRefusals(checks);

@@ -61,12 +61,14 @@ void AddOrchestratorRefusals(Checks& checks) {
   artifact.set_artifact_id(kNowhere);
   AddUnknown<v1::GetJobResponse>(WithJob<v1::GetJobRequest>(), checks);
   AddUnknown<v1::CancelJobResponse>(WithJob<v1::CancelJobRequest>(), checks);
+  AddUnknown<v1::DeleteJobResponse>(WithJob<v1::DeleteJobRequest>(), checks);
   AddUnknown<v1::GetBatchResponse>(WithBatch<v1::GetBatchRequest>(), checks);
   AddUnknown<v1::AddToBatchResponse>(WithBatch<v1::AddToBatchRequest>(), checks);
   AddUnknown<v1::PauseBatchResponse>(WithBatch<v1::PauseBatchRequest>(), checks);
   AddUnknown<v1::ResumeBatchResponse>(WithBatch<v1::ResumeBatchRequest>(), checks);
   AddUnknown<v1::CancelBatchResponse>(WithBatch<v1::CancelBatchRequest>(), checks);
   AddUnknown<v1::RetryBatchResponse>(WithBatch<v1::RetryBatchRequest>(), checks);
+  AddUnknown<v1::DeleteBatchResponse>(WithBatch<v1::DeleteBatchRequest>(), checks);
   AddUnknown<v1::GetArtifactResponse>(artifact, checks);
   checks.push_back({"WatchJob of an id that is not there is NOT_FOUND", Promise::kErrors, WatchOfNoJob});
 

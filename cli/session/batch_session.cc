@@ -117,6 +117,12 @@ absl::StatusOr<v1::Batch> BatchSession::CancelBatch(const std::string& id) {
   return AskOfBatch(&Stub::CancelBatch, id);
 }
 
+absl::StatusOr<v1::DeleteBatchResponse> BatchSession::DeleteBatch(const std::string& id) {
+  v1::DeleteBatchRequest request;
+  request.set_batch_id(id);
+  return Ask(&Stub::DeleteBatch, request);
+}
+
 absl::StatusOr<std::vector<v1::Batch>> BatchSession::ListBatches(int count) {
   std::vector<v1::Batch> batches;
   v1::ListBatchesRequest request;

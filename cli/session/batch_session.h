@@ -42,6 +42,8 @@ class BatchSession {
   absl::StatusOr<v1::Batch> ResumeBatch(const std::string& id);
   absl::StatusOr<v1::Batch> CancelBatch(const std::string& id);
   absl::StatusOr<v1::RetryBatchResponse> RetryBatch(const v1::RetryBatchRequest& request);
+  // One step of it.
+  absl::StatusOr<v1::DeleteBatchResponse> DeleteBatch(const std::string& id);
   absl::StatusOr<v1::GetClusterResponse> GetCluster();
   absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id);
 
