@@ -92,7 +92,7 @@ void AddExportScene(CLI::App& exports, absl::Status& result) {
       "scene", "The furnished room in three dimensions, for Blender, Unity, Unreal and browsers.");
   command->add_option("LAYOUT", scene->layout, "A layout: layout.pb or layout.json of a design")->required();
   command->add_option("-o,--out", scene->out, "Where the scene goes")->required()->type_name("FILE");
-  command->add_option("--format", scene->format, "glb, which is binary glTF 2.0 (glb)")->type_name("FORMAT");
+  command->add_option("--format", scene->format, "How: glb, which is binary glTF 2.0 (glb)")->type_name("FORMAT");
   AddRendererFlags(*command, scene->renderer);
   command->callback([scene, &result] { result = ExportGlb(*scene); });
 
