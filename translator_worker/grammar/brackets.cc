@@ -100,14 +100,14 @@ class BracketReader {
 
   // The side word of this sentence that leaves open which one is meant; null when there is none. Only the last word
   // counts, unless the bracket says what is usual: "one side is accessible for seating (typically the front)".
-  std::string* OpenSide() {
+  std::string* OpenSide(bool of_sentence = false) {
     const auto leaves_open = [](const RawTerm& raw) {
       const std::string& side = raw.term.lemma;
       return raw.role == RawTerm::Role::kSide && (side == "side" || side == "long_one" || side == "short_one" ||
                                                   side == "two_any" || side == "opposite_two");
     };
-    const bool anywhere =
-        Is(at_ + 1, "typically") || Is(at_ + 1, "usually") || Is(at_ + 1, "preferably") || Is(at_ + 1, "ideally");
+    const bool anywhere = of_sentence || Is(at_ + 1, "typically") || Is(at_ + 1, "usually") ||
+                          Is(at_ + 1, "preferably") || Is(at_ + 1, "ideally");
     for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
       if (leaves_open(terms_[i - 1])) return &terms_[i - 1].term.lemma;
       if (!anywhere) break;
@@ -119,7 +119,7 @@ class BracketReader {
   bool TakeLength() {
     const size_t side = at_ + (Is(at_ + 1, "the") ? 2 : 1);
     if (side + 1 != end_ || !tokens_[side].text.starts_with("length")) return false;
-    if (std::string* const open = OpenSide(); open != nullptr) *open = tokens_[side].text;
+    if (std::string* const open = OpenSide(true); open != nullptr) *open = tokens_[side].text;
     return true;
   }
 

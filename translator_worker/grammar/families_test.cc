@@ -152,5 +152,30 @@ TEST(Families, ThePartOfAPieceIsNotTheRooms) {
   EXPECT_EQ(Read("Should not block the door.", {"shower"}), "clear_of_feature(object=shower, feature=door)");
 }
 
+TEST(Families, TwoRelationsShareWhatTheyRelateTo) {
+  ExpectAll("sideboard", "near(object=sideboard, target=wardrobe); accessible(object=wardrobe, sides=[front])",
+            {"Close to but not obstructing the wardrobe.", "Should be near, but must not block, the wardrobe."});
+}
+
+TEST(Families, AnyOneOfSeveralIsOne) {
+  ExpectAll("sideboard", "near(object=sideboard, target=chair_1)",
+            {"Should be near a dining chair.", "Within reach of one of the dining chairs."});
+}
+
+TEST(Families, LegroomIsInFront) {
+  ExpectAll("table", "accessible(object=table, sides=[front], min_clearance_m=0.5)",
+            {"Allow legroom of 0.5m.", "Needs 0.5m of legroom.", "Should have 0.5m leg room in front."});
+  EXPECT_EQ(Read("Should have legroom underneath.", {"table"}), "");
+}
+
+TEST(Families, TheOtherSideIsOppositeTheOneSpokenOf) {
+  EXPECT_EQ(Read("The right side should be against the wall and the other side accessible.", {"bed"}),
+            "against_wall(object=bed, side=right); accessible(object=bed, sides=[left])");
+}
+
+TEST(Families, KindsThatNobodyNamesMoveNothing) {
+  ExpectAll("bed", "", {"Avoid proximity to flammable objects.", "Keep away from electrical equipment."});
+}
+
 }  // namespace
 }  // namespace flair::translator

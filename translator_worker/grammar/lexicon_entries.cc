@@ -178,7 +178,7 @@ side axial: both faces | both of its faces | front and (back|rear) [sides] | (ba
 side sides: arms | armrests | [both|the|two|either|each] sides | both [of its] sides | left and right [sides] | left and right side | (each|either) side | (left and right|right and left) sides | both ends | ends | lateral sides
 side opposite_two: [on|at] [at least] two opposite sides
 side lateral_one: [either] [the|its] (left or right|right or left) side | [either] [the|its] (left or the right|right or the left) side
-side side: side | [the] (arm|armrest) | [at least] one side | [at least] one of [its|the] sides | (left or right|right or left) | a side | any side | at least one of its sides | one [free|open] side | one end
+side side: one or more sides | one or both sides | side | [the] (arm|armrest) | [at least] one side | [at least] one of [its|the] sides | (left or right|right or left) | a side | any side | at least one of its sides | one [free|open] side | one end
 side sides: (either|each) (end|arm)
 side back: headboards | backrests | headrests | (tank|cistern|rear facing|wall) side
 side front: front (legs|feet|half) | (player|customer|customers|guest|visitor|public|viewing|ladder|client) (side|end)

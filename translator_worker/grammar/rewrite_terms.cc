@@ -147,7 +147,7 @@ void ShareTarget(std::vector<Term>& terms) {
   const auto relates = [](const Term& term) {
     return term.IsWord("near") || term.IsWord("next_to") || term.IsWord("behind") || term.IsWord("in_front_of") ||
            term.IsWord("facing") || term.IsWord("opposite") || term.IsWord("parallel") || term.IsWord("left_of") ||
-           term.IsWord("right_of") || term.IsWord("perpendicular") || term.IsWord("against");
+           term.IsWord("right_of") || term.IsWord("perpendicular") || term.IsWord("to_side") || term.IsWord("against");
   };
   const auto soft = [](const Term& term) { return term.kind == Term::Kind::kSoft; };
   std::vector<Term> shared;
@@ -158,8 +158,9 @@ void ShareTarget(std::vector<Term>& terms) {
     size_t next = i + 1;
     while (next < terms.size() && soft(terms[next])) ++next;
     if (!relates(terms[i]) || next == i + 1) continue;
-    if (next < terms.size() && terms[next].IsWord("not")) ++next;
-    if (next + 1 >= terms.size() || !relates(terms[next])) continue;
+    const bool denied = next < terms.size() && terms[next].IsWord("not");
+    if (denied) ++next;
+    if (next + 1 >= terms.size() || !(relates(terms[next]) || (denied && terms[next].IsWord("block")))) continue;
     const size_t target = next + (soft(terms[next + 1]) ? 2 : 1);
     if (target >= terms.size() || terms[target].kind != Term::Kind::kMention) continue;
     shared.push_back(terms[target]);

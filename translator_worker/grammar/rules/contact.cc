@@ -64,7 +64,16 @@ void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::
 
 void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets, Composer& composer) {
   if (movers.empty()) composer.Refuse("unknown_sentence", "nothing says what stands there; name the objects");
+  const auto moves = [&](const Placed& target) {
+    return std::any_of(movers.begin(), movers.end(),
+                       [&](const Placed& mover) { return mover.object == target.object; });
+  };
   for (const Placed& target : targets) {
+    // "Two on each long side", of chairs: of what, nothing says.
+    if (moves(target)) {
+      composer.Refuse("unknown_sentence", "nothing stands at its own sides; name what it stands at");
+      continue;
+    }
     if (movers.size() > 2 && composer.IsFloor(movers.front())) {
       std::vector<std::string> ids;
       for (const Placed& mover : movers) ids.push_back(composer.id(mover));

@@ -33,6 +33,12 @@ void AwayFrom(const Match& match, std::string_view tag, Composer& composer) {
     for (const Placed& mover : movers) KeepFreeBeside(mover, match.distance, composer);
     return;
   }
+  // "0.5 m of clearance from the back": free space there.
+  const bool own_side = what.kind == RefKind::kPronoun && what.name.empty() && !what.side.empty();
+  if (own_side && distance != nullptr && composer.calls().empty()) {
+    for (const Placed& mover : movers) KeepFreeBeside({mover.object, what.side}, distance, composer);
+    return;
+  }
   for (const Target& target : composer.Targets(*match.b, movers, false)) {
     for (const Placed& mover : movers) KeepAway(mover, target, distance, composer);
   }

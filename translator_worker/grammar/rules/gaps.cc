@@ -165,6 +165,10 @@ void BetweenOrAnything(const Match& match, std::string_view tag, Composer& compo
 // "between the lamp and the walls".
 void BetweenAndWall(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.b)) {
+    if (IsPlainSide(mover.side) && match.distance != nullptr && match.distance->min_m) {
+      KeepFreeBeside(mover, match.distance, composer);
+      continue;
+    }
     KeepAway(mover, {RefKind::kWall, {}, match.c->references.front().name}, match.distance, composer);
   }
 }

@@ -27,6 +27,17 @@ void PullOut(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Chairs need space to be pulled out on the long sides": of the table that is spoken of.
+void PullOutAtSides(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& subject : composer.subjects()) {
+    if (composer.IsChair(subject)) continue;
+    for (const Reference& reference : match.c->references) {
+      KeepSpace({{subject.object, reference.side}}, match.distance, composer);
+    }
+  }
+  if (composer.calls().empty()) PullOut({match.a, match.b, nullptr, match.distance, match.length}, "", composer);
+}
+
 // "Space for a chair" at a desk is in front of it.
 void ChairSpace(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
@@ -53,6 +64,7 @@ std::vector<Rule> PullOutRules() {
       {"space ,? D? space? for/to? pull_out A.object", PullOut},
       {"A? space? D? space? pull_out away_from C", PullOut},
       {"clear_of B pull_out", PullOut},
+      {"A? space? D? space? pull_out on/at_sides/along/away_from C.side", PullOutAtSides},
       {"D space? for A pull_out", PullOut},
       {"D space? for A pull_out away_from C", PullOut},
       {"space for A.object", ChairSpace},

@@ -16,6 +16,12 @@ bool IsPlainSide(const Mention& mention) {
 void Against(const Match& match, std::string_view, Composer& composer) {
   if (composer.RefuseUnnamed(*match.b)) return;
   std::vector<Placed> movers = composer.Movers(match.a);
+  // "The chairs are against the sides of the table".
+  const Reference& what = match.b->references.front();
+  if (what.kind == RefKind::kObjects && what.side == "sides" && movers.size() > 2) {
+    Flank(movers, composer.TargetObjects(*match.b, movers), composer);
+    return;
+  }
   for (const Target& target : composer.Targets(*match.b, movers)) {
     for (Placed mover : movers) {
       if (match.c != nullptr && IsPlainSide(*match.c)) mover.side = match.c->references.front().side;
