@@ -162,6 +162,14 @@ grpc::Status FakeBatchService::GetBatch(grpc::ServerContext*, const v1::GetBatch
   return grpc::Status::OK;
 }
 
+grpc::Status FakeBatchService::DeleteBatch(grpc::ServerContext*, const v1::DeleteBatchRequest*,
+                                           v1::DeleteBatchResponse* response) {
+  response->set_deleted_job_count(10);
+  response->set_deleted_artifact_count(20);
+  response->set_done(--deletion_steps_ == 0);
+  return grpc::Status::OK;
+}
+
 // Ends with what there is: as if all had ended.
 grpc::Status FakeBatchService::WatchBatch(grpc::ServerContext*, const v1::WatchBatchRequest* request,
                                           grpc::ServerWriter<v1::WatchBatchResponse>* writer) {

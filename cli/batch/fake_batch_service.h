@@ -3,6 +3,7 @@
 
 #include <grpcpp/server.h>
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -31,6 +32,9 @@ class FakeBatchService final : public v1::OrchestratorService::Service {
   // Specs with this text are INVALID_ARGUMENT.
   void Refuse(const std::string& text) { refused_text_ = text; }
 
+  // Calls that the deletion of a batch takes: each deletes 10 jobs and 20 artifacts.
+  void SetDeletionSteps(int steps) { deletion_steps_ = steps; }
+
   // ---- What it saw
 
   std::vector<v1::JobSpec> specs();
@@ -42,6 +46,7 @@ class FakeBatchService final : public v1::OrchestratorService::Service {
 
   grpc::Status CreateBatch(grpc::ServerContext*, const v1::CreateBatchRequest*, v1::CreateBatchResponse*) override;
   grpc::Status AddToBatch(grpc::ServerContext*, const v1::AddToBatchRequest*, v1::AddToBatchResponse*) override;
+  grpc::Status DeleteBatch(grpc::ServerContext*, const v1::DeleteBatchRequest*, v1::DeleteBatchResponse*) override;
   grpc::Status GetBatch(grpc::ServerContext*, const v1::GetBatchRequest*, v1::GetBatchResponse*) override;
   grpc::Status WatchBatch(grpc::ServerContext*, const v1::WatchBatchRequest*,
                           grpc::ServerWriter<v1::WatchBatchResponse>*) override;
@@ -64,6 +69,7 @@ class FakeBatchService final : public v1::OrchestratorService::Service {
   std::vector<grpc::Status> artifact_faults_;
   std::string refused_text_;
   int artifact_calls_ = 0;
+  std::atomic<int> deletion_steps_ = 1;
   std::unique_ptr<grpc::Server> server_;
   std::shared_ptr<grpc::Channel> channel_;
 };
