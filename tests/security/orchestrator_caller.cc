@@ -118,6 +118,9 @@ std::map<std::string, absl::Status> OrchestratorCaller::AskAbout(const std::stri
   replay.mutable_spec()->mutable_brief()->set_text("A bedroom that is 3m x 4m.");
   replay.mutable_spec()->mutable_replay()->set_job_id(job_id);
   answers["CreateJob with replay"] = Ask(&Stub::CreateJob, replay).status();
+  // Last, since somebody may be allowed to.
+  answers["DeleteJob"] = Ask(&Stub::DeleteJob, OfJob<v1::DeleteJobRequest>(job_id)).status();
+  answers["DeleteBatch"] = Ask(&Stub::DeleteBatch, OfBatch<v1::DeleteBatchRequest>(batch_id)).status();
   return answers;
 }
 

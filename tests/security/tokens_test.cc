@@ -40,7 +40,7 @@ TEST_F(Tokens, NothingIsAnsweredWithoutOne) {
     OrchestratorCaller stranger = Caller(token);
     auto answers = stranger.AskAbout("j", "b", std::string(64, 'a'));
     answers.merge(stranger.AskForAny());
-    EXPECT_EQ(answers.size(), 17u);
+    EXPECT_EQ(answers.size(), 19u);
     for (const auto& [rpc, status] : answers) {
       EXPECT_EQ(status.code(), absl::StatusCode::kUnauthenticated) << rpc << " with \"" << token << "\": " << status;
       EXPECT_THAT(std::string(status.message()), Not(HasSubstr("nobody"))) << rpc;
