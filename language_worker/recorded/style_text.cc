@@ -76,8 +76,9 @@ std::string FirstWords(std::string_view text, size_t count) {
 // The material in a whole sentence, such as "Hardwood floors enhance the room."; empty when the text is no sentence, or
 // names none.
 std::string MaterialSaid(std::string_view text) {
-  static const KeySet kVerbs = {"is",    "are",  "be",    "enhance", "create", "feature", "add", "provide",
-                                "offer", "give", "bring", "have",    "has",    "will",    "let", "should"};
+  static const KeySet kVerbs = {"is",      "are",    "be",     "enhance", "create", "feature", "add",
+                                "provide", "offer",  "give",   "bring",   "have",   "has",     "will",
+                                "let",     "should", "prefer", "choose",  "use"};
   const std::vector<Word> words = ReadWords(text);
   if (std::none_of(words.begin(), words.end(), [](const Word& word) { return kVerbs.contains(word.key); })) return "";
   for (size_t i = 0; i < words.size(); ++i) {
@@ -85,6 +86,7 @@ std::string MaterialSaid(std::string_view text) {
     if (kMaterialColours.contains(two)) return two;
     if (kMaterialColours.contains(words[i].key)) return words[i].key;
     if (words[i].key == "paint" || words[i].key == "painted") return "paint";
+    if (words[i].key == "wallpaper") return "wallpaper";
   }
   return "";
 }
