@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Several files are compiled as one, because most of the time of compiling a file is spent on what it includes. In a library
+# names at file level are unique, and CMake puts the files together as they come. Tests name what they need as suits
+# each of them (Solve, Read, kGood): files of a test with a name in common are told apart here, when CMake runs, so a name that
+# is new may want another run of cmake. -DCMAKE_UNITY_BUILD=OFF compiles each file alone.
+
+# flair_own_names(RESULT FILE): what FILE defines at file level, as far as one sees without reading C++: functions, types,
+# aliases and constants.
+function(flair_own_names result file)
+  file(READ ${file} text)
+  set(start "\n[A-Za-z][^\n(=;{}\\[]*[ *&]")
+  string(REGEX MATCHALL "${start}[A-Za-z0-9_]+\\(" functions "\n${text}")
+  string(REGEX MATCHALL "\n(class|struct|enum|enum class|using) [A-Za-z0-9_]+ [={:]" types "\n${text}")
+  string(REGEX MATCHALL "(\n|, )(const|constexpr|inline|static)?[^\n(=;{}\\[]*k[A-Z][A-Za-z0-9_]*( = |{|\\()" constants "\n${text}")
+  set(names "")
+  foreach(definition IN LISTS functions types constants)
+    string(REGEX REPLACE "( [={:]| = |[({])$" "" definition "${definition}")
+    string(REGEX MATCH "[A-Za-z0-9_]+$" name "${definition}")
+    list(APPEND names ${name})
+  endforeach()
+  list(REMOVE_DUPLICATES names)
+  set(${result} ${names} PARENT_SCOPE)
+endfunction()
+
+# flair_compile_together(TARGET): puts the target's files into groups of which each is compiled as one file.
+function(flair_compile_together target)
+  if(NOT CMAKE_UNITY_BUILD)
+    return()
+  endif()
+  get_target_property(files ${target} SOURCES)
+  set(group_count 0)
+  foreach(file IN LISTS files)
+    if(NOT file MATCHES "\\.cc$" OR IS_ABSOLUTE ${file})
+      continue()
+    endif()
+    flair_own_names(own ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+    set(group 0)
+    while(group LESS group_count)
+      set(both ${own} ${names_${group}})
+      list(LENGTH both count)
+      list(REMOVE_DUPLICATES both)
+      list(LENGTH both count_once)
+      if(count EQUAL count_once AND size_${group} LESS CMAKE_UNITY_BUILD_BATCH_SIZE)
+        break()
+      endif()
+      math(EXPR group "${group} + 1")
+    endwhile()
+    if(group EQUAL group_count)
+      set(names_${group} "")
+      set(size_${group} 0)
+      math(EXPR group_count "${group_count} + 1")
+    endif()
+    list(APPEND names_${group} ${own})
+    math(EXPR size_${group} "${size_${group}} + 1")
+    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${target}_${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
