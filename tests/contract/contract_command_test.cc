@@ -31,7 +31,7 @@ TEST(ContractCommand, ABrokenPromiseIsTheEndAndSaysWhatWouldBeRight) {
   EXPECT_THAT(run.out, HasSubstr("sent     Solve with no objects"));
   EXPECT_THAT(run.out, HasSubstr("got      OK"));
   EXPECT_THAT(run.out, HasSubstr("right is INVALID_ARGUMENT"));
-  EXPECT_THAT(run.err, HasSubstr("breaks 1 of the 3 promises"));
+  EXPECT_THAT(run.err, HasSubstr("breaks 1 of 3 promises"));
 }
 
 TEST(ContractCommand, JsonIsAloneOnStandardOutput) {

@@ -196,7 +196,7 @@ TEST_F(SolverBadInput, Bench) {
   ExpectRefused({"bench", "solve", "@problems", "--out", "@hall.json"}, cli::kExitFiles, "--out: @hall.json: ");
   ExpectRefused({"bench", "solve", "@problems", "--only", "attic"}, cli::kExitBadInput,
                 "--only: attic: no such problem in the folder; there are hall");
-  ExpectRefused({"bench"}, cli::kExitBadInput, "subcommand");
+  ExpectRefused({"bench"}, cli::kExitBadInput, "which command?");
 }
 
 TEST_F(SolverBadInput, Catalog) {
