@@ -18,7 +18,7 @@ struct BatchPlace {
   std::string orchestrator;
   // The local store; empty when it is elsewhere.
   std::string store;
-  // Of a queue in JetStream; see EngineFlags.
+  // Of a queue in JetStream, without credentials; see EngineFlags.
   std::string engine;
   std::string queue;
   std::string artifacts;

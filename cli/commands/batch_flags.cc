@@ -6,11 +6,19 @@
 #include "cli/input/connection_flags.h"
 #include "cli/input/value_checks.h"
 #include "fmt/format.h"
+#include "orchestrator/jetstream/connect_options.h"
 
 namespace flair::cli {
 namespace {
 
 constexpr int kSearchedBatches = 10000;
+
+// For people and files: without a user, password or token that an address may hold.
+std::string ShownEngine(const BatchFlags& flags) {
+  config::v1::QueueConfig queue;
+  queue.set_address(flags.engine.address);
+  return orchestrator::ShownAddress(queue);
+}
 
 std::string RemedyOf(const BatchFlags& flags, bool runs_jobs) {
   if (!runs_jobs || (flags.orchestrator.empty() && (flags.engine.address.empty() || flags.parallel.has_value()))) {
@@ -22,7 +30,7 @@ std::string RemedyOf(const BatchFlags& flags, bool runs_jobs) {
   return fmt::format(
       "start flair-orchestrator with queue {{ address: \"{}\" }} in its config, or give --parallel N to "
       "run jobs here",
-      flags.engine.address);
+      ShownEngine(flags));
 }
 
 }  // namespace
@@ -72,7 +80,7 @@ absl::StatusOr<BatchWay> OpenBatchWay(const BatchFlags& flags, bool runs_jobs, c
 
 void FillPlace(const BatchFlags& flags, BatchPlace& place) {
   place.orchestrator = flags.orchestrator;
-  place.engine = flags.engine.address;
+  place.engine = ShownEngine(flags);
   place.queue = flags.engine.queue;
   place.artifacts = flags.engine.artifacts;
   const bool local = place.orchestrator.empty() && place.engine.empty();

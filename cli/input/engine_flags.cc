@@ -32,9 +32,8 @@ void AddEngineFlags(CLI::App& command, EngineFlags& flags) {
 absl::Status CheckEngineFlags(const EngineFlags& flags, const std::string& orchestrator) {
   if (!flags.address.empty() && !orchestrator.empty()) {
     return absl::InvalidArgumentError(fmt::format(
-        "--engine {0}: not with --orchestrator {1}, which uses the queue of its own config; set there: queue "
-        "{{ address: \"{0}\" }}",
-        flags.address, orchestrator));
+        "--engine: not with --orchestrator {}, which uses the queue of its own config; set queue.address there",
+        orchestrator));
   }
   if (!flags.address.empty()) return absl::OkStatus();
   const char* flag = nullptr;

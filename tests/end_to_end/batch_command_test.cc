@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"TwoPlaces",
               {"batch", "@briefs", "--out", "@out", "--engine", "nats://h:1", "--orchestrator", "h:1"},
               2,
-              "--engine nats://h:1: not with --orchestrator h:1"},
+              "--engine: not with --orchestrator h:1"},
         Wrong{"QueueAlone", {"batch", "@briefs", "--out", "@out", "--queue", "q"}, 2, "--queue: belongs to a queue"},
         Wrong{"NobodyThere",
               {"batch", "@briefs", "--out", "@out", "--orchestrator", "127.0.0.1:1"},
