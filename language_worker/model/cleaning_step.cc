@@ -12,6 +12,7 @@
 #include "language_worker/handbook/cleaning/clean_constraints.h"
 #include "language_worker/model/cleaning_changes.h"
 #include "language_worker/model/prompt_text.h"
+#include "llm/answers/counted.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
 
@@ -156,7 +157,8 @@ v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const CleaningA
   v1::ConstraintList cleaned = Changer(list, words).Apply(changes);
   if (too_many) {
     AddDiagnostic(v1::SEVERITY_WARNING, "removals_refused",
-                  fmt::format("The model would have removed {} of {} sentences; they stay.", removed, sentences.size()),
+                  fmt::format("The model would have removed {} of {}; they stay.", removed,
+                              llm::Counted(static_cast<int64_t>(sentences.size()), "sentence")),
                   cleaned);
   }
   return cleaned;

@@ -51,6 +51,26 @@ void AddInter(const InterAnswer& answer, const std::vector<ObjectGroup>& groups,
   }
 }
 
+// The handbook's sentences of a scope.
+void AddUsual(const v1::ConstraintList& usual, v1::SentenceScope scope, v1::ConstraintList& list) {
+  for (const v1::Sentence& sentence : usual.sentences()) {
+    if (sentence.scope() == scope) AddSentence(sentence, list);
+  }
+}
+
+// OK when there are answers to go on with: all, or one where the handbook may stand in for the other.
+absl::Status FailureOf(const std::vector<absl::StatusOr<llm::Reply>>& replies, const llm::Conversation& conversation) {
+  absl::Status failure;
+  size_t failed = 0;
+  for (const absl::StatusOr<llm::Reply>& reply : replies) {
+    if (reply.ok()) continue;
+    if (!conversation.MayStandIn(reply.status())) return reply.status();
+    failure = failure.ok() ? reply.status() : BothFailed(failure, reply.status());
+    ++failed;
+  }
+  return failed == replies.size() ? failure : absl::OkStatus();
+}
+
 // A sentence with an object that there is not is of no use.
 std::vector<llm::Fault> CheckInter(const InterAnswer& answer) {
   std::vector<llm::Fault> faults;
@@ -85,13 +105,18 @@ absl::StatusOr<v1::ConstraintList> AskConstraints(const ObjectsRequest& request,
       questions.back().check = llm::CheckOf<InterAnswer>([](InterAnswer& answer) { return CheckInter(answer); });
     }
     const std::vector<absl::StatusOr<llm::Reply>> replies = conversation.AskAll(questions);
-    for (const absl::StatusOr<llm::Reply>& reply : replies) {
-      if (!reply.ok()) return reply.status();
-    }
+    if (absl::Status failure = FailureOf(replies, conversation); !failure.ok()) return failure;
     const ObjectWords words(objects, request.room);
-    AddIntra(replies[0]->As<IntraAnswer>(), groups, words, list);
-    if (replies.size() > 1) AddInter(replies[1]->As<InterAnswer>(), groups, words, list);
-    for (size_t i = 0; i < replies.size(); ++i) AddFaults(questions[i].step, replies[i]->faults, list);
+    for (size_t i = 0; i < replies.size(); ++i) {
+      if (!replies[i].ok()) {
+        AddUsual(*usual, i == 0 ? v1::SENTENCE_SCOPE_INTRA : v1::SENTENCE_SCOPE_INTER, list);
+        AddStandIn(replies[i].status(), list);
+        continue;
+      }
+      if (i == 0) AddIntra(replies[i]->As<IntraAnswer>(), groups, words, list);
+      if (i == 1) AddInter(replies[i]->As<InterAnswer>(), groups, words, list);
+      AddFaults(questions[i].step, replies[i]->faults, list);
+    }
     if (list.sentences().empty()) {
       return absl::DataLossError(
           "step \"constraints\": the model's answers have no usable sentence, also after a repair");

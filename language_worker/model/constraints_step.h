@@ -8,8 +8,9 @@
 
 namespace flair::language {
 
-// Step D i and ii with a model, both asked at once, and the tertiaries' placements as sentences. Errors as
-// Conversation::Ask.
+// Step D i and ii with a model, both asked at once, and the tertiaries' placements as sentences. Where the handbook
+// may stand in and one of the two answers is of no use, its sentences take the place of that one's, with a remark.
+// Errors as Conversation::Ask.
 absl::StatusOr<v1::ConstraintList> AskConstraints(const ObjectsRequest& request, const v1::ObjectList& objects,
                                                   const ModelTools& tools, llm::Conversation& conversation);
 

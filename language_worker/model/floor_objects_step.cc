@@ -135,6 +135,7 @@ absl::StatusOr<v1::ObjectList> AskFloorObjects(const ObjectsRequest& request, co
   }
   question.check = llm::CheckOf<FloorObjectsAnswer>(
       [&](FloorObjectsAnswer& answer) { return CheckFloorObjects(request, tools, answer); });
+  question.judge_lengths = JudgeOf<FloorObjectsAnswer>(request, tools);
   const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
   if (!reply.ok()) return reply.status();
   if (reply->As<FloorObjectsAnswer>().objects().empty()) {

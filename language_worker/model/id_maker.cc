@@ -22,12 +22,13 @@ std::string BaseOf(std::string_view name, std::string_view fallback) {
 
 }  // namespace
 
-std::string IdMaker::Make(std::string_view name, std::string_view fallback) {
-  std::string base = BaseOf(name, fallback);
-  if (taken_.insert(base).second) return base;
+std::string IdMaker::Make(std::string_view name, std::string_view fallback) { return MakeLike(BaseOf(name, fallback)); }
+
+std::string IdMaker::MakeLike(const std::string& id) {
+  if (taken_.insert(id).second) return id;
   for (int number = 2;; ++number) {
-    std::string id = fmt::format("{}_{}", base, number);
-    if (taken_.insert(id).second) return id;
+    std::string numbered = fmt::format("{}_{}", id, number);
+    if (taken_.insert(numbered).second) return numbered;
   }
 }
 

@@ -17,6 +17,12 @@ class IdMaker {
   // Ids for `count` equal things: "dining_chair_1" and so on, or as Make for a single one.
   std::vector<std::string> MakeSeveral(std::string_view name, int count, std::string_view fallback);
 
+  // This id, made elsewhere, or one like it when it is taken.
+  std::string MakeLike(const std::string& id);
+
+  // For an id that was made elsewhere.
+  void Take(const std::string& id) { taken_.insert(id); }
+
  private:
   std::set<std::string, std::less<>> taken_;
 };

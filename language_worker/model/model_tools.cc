@@ -37,6 +37,10 @@ llm::Question MakeQuestion(const ModelTools& tools, std::string step, std::strin
           .answer = &answer};
 }
 
+absl::Status BothFailed(const absl::Status& first, const absl::Status& second) {
+  return absl::Status(first.code(), fmt::format("{}; {}", std::string(first.message()), std::string(second.message())));
+}
+
 absl::Status UnusableResult(std::string_view step, const absl::Status& status) {
   return absl::DataLossError(fmt::format("step \"{}\": what the model answered makes no good artifact: {}", step,
                                          std::string(status.message())));

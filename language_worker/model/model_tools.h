@@ -40,7 +40,8 @@ void AddDiagnostic(v1::Severity severity, std::string code, std::string message,
   diagnostic.set_message(std::move(message));
 }
 
-// Adds a remark for every fault that an answer had to the end: "left_out" for elements that were, else "model_answer".
+// Adds a remark for every fault that an answer had to the end: "left_out" for elements that were, "unit_assumed" for
+// lengths that were not in metres, else "model_answer".
 template <typename WithDiagnostics>
 void AddFaults(std::string_view step, const std::vector<llm::Fault>& faults, WithDiagnostics& to) {
   constexpr int kMost = 40;
@@ -53,13 +54,24 @@ void AddFaults(std::string_view step, const std::vector<llm::Fault>& faults, Wit
                     to);
       return;
     }
-    const bool wrong = fault.kind == llm::FaultKind::kWrong;
-    AddDiagnostic(wrong ? v1::SEVERITY_WARNING : v1::SEVERITY_NOTE, wrong ? "left_out" : "model_answer",
+    const bool wrong = fault.kind == llm::FaultKind::kWrong, unit = fault.kind == llm::FaultKind::kUnit;
+    AddDiagnostic(wrong || unit ? v1::SEVERITY_WARNING : v1::SEVERITY_NOTE,
+                  wrong ? "left_out" : (unit ? "unit_assumed" : "model_answer"),
                   "The model's answer to \"" + std::string(step) + "\": " + fault.Sentence() +
                       (wrong ? "; it was left out." : "."),
                   to);
   }
 }
+
+// The remark for what the handbook answered after the model had failed.
+template <typename WithDiagnostics>
+void AddStandIn(const absl::Status& failure, WithDiagnostics& to) {
+  AddDiagnostic(v1::SEVERITY_WARNING, "stand_in",
+                "The handbook answered instead of the model: " + std::string(failure.message()), to);
+}
+
+// The failure of a stage of which two steps failed.
+absl::Status BothFailed(const absl::Status& first, const absl::Status& second);
 
 // An error for a result that the model's answer was turned into and that does not validate after all.
 absl::Status UnusableResult(std::string_view step, const absl::Status& status);

@@ -4,8 +4,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace flair::language {
+namespace {
+
+// Whether a length is at most so many times as large as a class gets, and at least as small as that allows.
+bool IsWithin(double value_m, const hb::Extent& extent, double factor) {
+  const double low_m = extent.min() > 0 ? extent.min() : extent.typical();
+  const double high_m = extent.max() > 0 ? extent.max() : extent.typical();
+  return high_m <= 0 || (value_m <= factor * high_m && value_m >= low_m / factor);
+}
+
+// Longer and shorter side of a class: width and depth of an object may be meant the other way round.
+std::pair<const hb::Extent&, const hb::Extent&> SidesOf(const hb::Furniture& furniture) {
+  const hb::Extent &width = furniture.width_m(), &depth = furniture.depth_m();
+  if (width.typical() >= depth.typical()) return {width, depth};
+  return {depth, width};
+}
+
+}  // namespace
 
 bool FitsFloor(const ObjectSize& size, const FloorExtent& floor) {
   return std::max(size.width_m, size.depth_m) <= std::max(floor.width_m, floor.depth_m) &&
@@ -15,19 +33,27 @@ bool FitsFloor(const ObjectSize& size, const FloorExtent& floor) {
 std::string OddSize(const ObjectSize& size, const hb::Furniture* furniture) {
   if (furniture == nullptr) return "";
   constexpr double kFactor = 2.5;
+  const auto [longer, shorter] = SidesOf(*furniture);
   const auto odd = [](double value_m, const hb::Extent& extent) {
-    const double low = extent.min() > 0 ? extent.min() : extent.typical();
-    const double high = extent.max() > 0 ? extent.max() : extent.typical();
-    return value_m > 0 && high > 0 && (value_m > kFactor * high || value_m < low / kFactor);
+    return value_m > 0 && !IsWithin(value_m, extent, kFactor);
   };
-  // Width and depth may be meant the other way round.
-  const double along_m = std::max(size.width_m, size.depth_m), across_m = std::min(size.width_m, size.depth_m);
-  const bool wide = furniture->width_m().typical() >= furniture->depth_m().typical();
-  const hb::Extent& longer = wide ? furniture->width_m() : furniture->depth_m();
-  const hb::Extent& shorter = wide ? furniture->depth_m() : furniture->width_m();
-  if (!odd(along_m, longer) && !odd(across_m, shorter)) return "";
+  if (!odd(std::max(size.width_m, size.depth_m), longer) && !odd(std::min(size.width_m, size.depth_m), shorter)) {
+    return "";
+  }
   return fmt::format("is {}; a {} usually measures {:g} m x {:g} m", FootprintText(size), furniture->name(),
                      furniture->width_m().typical(), furniture->depth_m().typical());
+}
+
+llm::LengthEvidence EvidenceOf(const ObjectSize& size, const hb::Furniture* furniture, const FloorExtent& floor) {
+  if (furniture == nullptr) return {};
+  constexpr double kFactor = 1.3;
+  const auto [longer, shorter] = SidesOf(*furniture);
+  const bool fits = FitsFloor(size, floor);
+  llm::LengthEvidence evidence{.known = 3};
+  if (fits && IsWithin(std::max(size.width_m, size.depth_m), longer, kFactor)) ++evidence.plausible;
+  if (fits && IsWithin(std::min(size.width_m, size.depth_m), shorter, kFactor)) ++evidence.plausible;
+  if (IsWithin(size.height_m, furniture->height_m(), kFactor)) ++evidence.plausible;
+  return evidence;
 }
 
 std::string FootprintText(const ObjectSize& size) { return fmt::format("{:g} m x {:g} m", size.width_m, size.depth_m); }

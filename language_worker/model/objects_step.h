@@ -7,7 +7,8 @@
 
 namespace flair::language {
 
-// Steps C i to iii with a model: floor objects first, then what completes them. Errors as Conversation::Ask.
+// Steps C i to iii with a model: floor objects first, then what completes them. Where the handbook may stand in and one
+// of the two answers is of no use, it answers that one alone, with a remark. Errors as Conversation::Ask.
 absl::StatusOr<v1::ObjectList> AskObjects(const ObjectsRequest& request, const ModelTools& tools,
                                           llm::Conversation& conversation);
 

@@ -70,14 +70,16 @@ void AddSentence(const std::string& text, v1::SentenceScope scope, double weight
   }
 }
 
+void AddSentence(const v1::Sentence& sentence, v1::ConstraintList& list) {
+  AddSentence(sentence.text(), sentence.scope(), sentence.weight(),
+              {sentence.subject_ids().begin(), sentence.subject_ids().end()}, list);
+}
+
 void AddPlacements(const v1::ObjectList& objects, const v1::ConstraintList& usual, v1::ConstraintList& list) {
   for (const v1::Object& object : objects.objects()) {
     if (object.role() != v1::OBJECT_ROLE_TERTIARY) continue;
     if (object.placement().empty()) {
-      for (const v1::Sentence& sentence : PlacingSentences(object, usual)) {
-        AddSentence(sentence.text(), sentence.scope(), sentence.weight(),
-                    {sentence.subject_ids().begin(), sentence.subject_ids().end()}, list);
-      }
+      for (const v1::Sentence& sentence : PlacingSentences(object, usual)) AddSentence(sentence, list);
       continue;
     }
     std::vector<std::string> subjects = {object.id()};

@@ -17,6 +17,9 @@ namespace flair::language {
 void AddSentence(const std::string& text, v1::SentenceScope scope, double weight,
                  const std::vector<std::string>& subjects, v1::ConstraintList& list);
 
+// Adds one that comes from another list.
+void AddSentence(const v1::Sentence& sentence, v1::ConstraintList& list);
+
 // Adds the sentences that say where the tertiaries go: as their lister placed them, else as in `usual`.
 void AddPlacements(const v1::ObjectList& objects, const v1::ConstraintList& usual, v1::ConstraintList& list);
 

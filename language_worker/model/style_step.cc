@@ -11,6 +11,7 @@
 #include "language_worker/handbook/styling/style_choice.h"
 #include "language_worker/model/colour_text.h"
 #include "language_worker/model/prompt_text.h"
+#include "llm/answers/counted.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
 
@@ -116,10 +117,10 @@ void Complete(const v1::StyleSheet& other, v1::StyleSheet& sheet) {
   }
   if (sheet.palette().empty()) *sheet.mutable_palette() = other.palette();
   if (taken > 0) {
-    AddDiagnostic(
-        v1::SEVERITY_NOTE, "style_completed",
-        fmt::format("The model said nothing of {} surfaces and objects; they look as the handbook has it.", taken),
-        sheet);
+    AddDiagnostic(v1::SEVERITY_NOTE, "style_completed",
+                  fmt::format("The model said nothing of {} among surfaces and objects; {} as the handbook has it.",
+                              llm::Counted(taken, "thing"), llm::Form(taken, "it looks", "they look")),
+                  sheet);
   }
 }
 

@@ -210,6 +210,7 @@ absl::Status AskTertiaries(const ObjectsRequest& request, const ModelTools& tool
   question.choices["flair.model.v1.TertiaryAnswer.at"] = GroupChoices(groups);
   question.check = llm::CheckOf<TertiariesAnswer>(
       [&](TertiariesAnswer& answer) { return CheckTertiaries(request, tools, list, answer); });
+  question.judge_lengths = JudgeOf<TertiariesAnswer>(request, tools);
   const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
   if (!reply.ok()) return reply.status();
   v1::ObjectList all = list;

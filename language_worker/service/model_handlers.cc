@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/service/model_handlers.h"
 
-#include <fmt/format.h>
-
-#include <string>
 #include <utility>
 
 #include "language_worker/handbook/cleaning/clean_constraints.h"
@@ -68,12 +65,10 @@ absl::StatusOr<Response> ModelHandlers::Answer(const Request& request, runtime::
   const bool stood_in = !answer.ok();
   if (stood_in) {
     const absl::Status failure = answer.status();
-    if (!request.model_options().stand_in_allowed() || !llm::Conversation::IsModelFailure(failure)) return failure;
+    if (!conversation.MayStandIn(failure)) return failure;
     answer = stand_in();
     if (!answer.ok()) return answer.status();
-    AddDiagnostic(v1::SEVERITY_WARNING, "stand_in",
-                  fmt::format("The handbook answered instead of the model: {}", std::string(failure.message())),
-                  *answer);
+    AddStandIn(failure, *answer);
   }
   Response response;
   *(response.*part)() = *std::move(answer);

@@ -15,8 +15,9 @@
 namespace flair::language {
 
 // Answers the six requests of the language phase with a model. Each validates its request, returns what the brief
-// itself brings, else asks one step; when that fails for the model's sake and the request allows it, the handbook
-// answers and a remark "stand_in" says so. Thread-safe; every call blocks its thread until the model has answered.
+// itself brings, else asks the model; a step that fails for the model's sake, and nothing else, is answered by the
+// handbook where the request allows that, and a remark "stand_in" says so. Thread-safe; every call blocks its thread
+// until the model has answered.
 class ModelHandlers {
  public:
   // `handbook` must outlive it.

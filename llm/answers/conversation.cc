@@ -7,6 +7,7 @@
 #include <set>
 
 #include "llm/answers/answer_schema.h"
+#include "llm/answers/counted.h"
 #include "llm/answers/read_answer.h"
 #include "llm/answers/utf8.h"
 
@@ -152,19 +153,22 @@ absl::Status Conversation::CheckBudget(std::span<Turn* const> turns) const {
   }
   int64_t estimate = 0;
   for (const Turn* turn : turns) estimate += EstimateTokens(turn->request);
-  if (budget.has_call_count() && static_cast<int64_t>(calls_.size() + turns.size()) > budget.call_count()) {
-    return absl::FailedPreconditionError(
-        fmt::format("the budget of {} calls is spent: {} were made and {} more are needed", budget.call_count(),
-                    calls_.size(), turns.size()));
+  // The request's budget is what its job has left.
+  const int64_t needed = static_cast<int64_t>(turns.size());
+  const int64_t calls_left = budget.call_count() - static_cast<int64_t>(calls_.size());
+  if (budget.has_call_count() && needed > calls_left) {
+    return absl::FailedPreconditionError(fmt::format("the budget of calls is spent: {} more {} needed, {} {} left",
+                                                     needed, Form(needed, "is", "are"), calls_left,
+                                                     Form(calls_left, "is", "are")));
   }
-  if (budget.has_token_count() && tokens + estimate > budget.token_count()) {
+  const int64_t tokens_left = std::max<int64_t>(0, budget.token_count() - tokens);
+  if (budget.has_token_count() && estimate > tokens_left) {
     return absl::FailedPreconditionError(
-        fmt::format("the budget of {} tokens is spent: {} were consumed and about {} more are needed",
-                    budget.token_count(), tokens, estimate));
+        fmt::format("the budget of tokens is spent: about {} more are needed, {} {} left", estimate, tokens_left,
+                    Form(tokens_left, "is", "are")));
   }
   if (budget.has_cost_usd() && cost_usd >= budget.cost_usd()) {
-    return absl::FailedPreconditionError(
-        fmt::format("the budget of {} US dollars is spent: {:.6f} were", budget.cost_usd(), cost_usd));
+    return absl::FailedPreconditionError("the budget of US dollars is spent: nothing is left");
   }
   return absl::OkStatus();
 }
@@ -203,8 +207,8 @@ void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
   const bool unread = !faults.empty() && faults.front().path.empty() && faults.front().kind == FaultKind::kWrong;
   if (answer.finish == FinishReason::kLength && answer.text.empty()) {
     faults.front().text =
-        fmt::format("is empty after {} tokens, the most that it may have, thoughts included (max_output_token_count)",
-                    answer.usage.output_token_count);
+        fmt::format("is empty after {}, the most that it may have, thoughts included (max_output_token_count)",
+                    Counted(answer.usage.output_token_count, "token"));
   }
   if (answer.finish == FinishReason::kRefused && unread) {
     faults.front().text = fmt::format("is a refusal: {}", Quoted(answer.text));
@@ -213,6 +217,7 @@ void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
   if (turn.part) {
     of_answer = TakePart(faults, turn);
   } else {
+    if (!unread && question.judge_lengths) TakeUnit(answer.text, faults, turn);
     turn.read_fault_count = faults.size();
     // What could not be read at all need not be judged.
     if (!unread && question.check) AddChecked(question.check(*turn.reply.answer), faults);
@@ -222,6 +227,18 @@ void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
   if (options_.texts_omitted()) LeaveOutQuotations(of_answer);
   Record(turn, answer, of_answer);
   turn.first_answer = answer.text;
+}
+
+void Conversation::TakeUnit(std::string_view answer, std::vector<Fault>& faults, Turn& turn) {
+  const Question& question = *turn.question;
+  UnitReading reading = ReadInClearUnit(answer, question.choices, *question.answer, question.judge_lengths);
+  if (reading.unit == nullptr) return;
+  turn.reply.answer = std::move(reading.answer);
+  faults = std::move(reading.faults);
+  faults.push_back({"",
+                    fmt::format("gives its lengths in {}, as it seems; all of them in metres would be right; converted",
+                                reading.unit->name),
+                    FaultKind::kUnit});
 }
 
 std::vector<Fault> Conversation::TakePart(const std::vector<Fault>& read, Turn& turn) {
@@ -267,8 +284,8 @@ void Conversation::PrepareRepair(Turn& turn) const {
       {Role::kUser, prompts_.Fill(turn.part ? "repair_part" : "repair", {{"faults", faults}})});
 }
 
-bool Conversation::IsModelFailure(const absl::Status& status) {
-  return absl::IsAborted(status) || absl::IsDataLoss(status);
+bool Conversation::MayStandIn(const absl::Status& failure) const {
+  return options_.stand_in_allowed() && (absl::IsAborted(failure) || absl::IsDataLoss(failure));
 }
 
 }  // namespace flair::llm

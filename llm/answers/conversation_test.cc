@@ -20,6 +20,7 @@ using model::v1::ZonesAnswer;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::MatchesRegex;
 
 const char* const kGood = R"({"zones":[{"name":"sleeping","purpose":"Sleep."}]})";
 const char* const kOneBad = R"({"zones":[{"name":"sleeping","purpose":"Sleep."},{"name":"dressing"}]})";
@@ -216,7 +217,7 @@ TEST_F(ConversationTest, UselessAnswersEndWithTheStepAndTheFaults) {
   EXPECT_EQ(
       reply.status().message(),
       "step \"zones\": the model's answer is of no use, also after a repair: is empty; one JSON object would be right");
-  EXPECT_TRUE(Conversation::IsModelFailure(reply.status()));
+  EXPECT_FALSE(talk.MayStandIn(reply.status())) << "nobody allowed it";
   EXPECT_THAT(talk.calls()[0].faults(), ElementsAre("is a refusal: \"I'm sorry.\""));
 }
 
@@ -278,22 +279,24 @@ TEST_F(ConversationTest, QuestionsAreAskedTogetherAndRepairedEachOnItsOwn) {
 }
 
 TEST_F(ConversationTest, BudgetsEndItBeforeTheCallThatExceedsThem) {
+  options_.set_stand_in_allowed(true);
   const auto ask = [&](const char* what) {
     client_.Answer("zones", kOneBad);
     Conversation talk = Talk();
     const auto reply = talk.Ask(Ask());
     EXPECT_EQ(reply.status().code(), absl::StatusCode::kFailedPrecondition) << what;
-    EXPECT_FALSE(Conversation::IsModelFailure(reply.status()));
+    EXPECT_FALSE(talk.MayStandIn(reply.status()));
     return std::string(reply.status().message());
   };
   options_.mutable_budget()->set_call_count(1);
-  EXPECT_EQ(ask("calls"), "step \"zones\": the budget of 1 calls is spent: 1 were made and 1 more are needed");
+  EXPECT_EQ(ask("calls"), "step \"zones\": the budget of calls is spent: 1 more is needed, 0 are left");
   options_.mutable_budget()->clear_call_count();
   options_.mutable_budget()->set_token_count(20);
-  EXPECT_THAT(ask("tokens"), HasSubstr("the budget of 20 tokens is spent: 0 were consumed and about"));
+  EXPECT_THAT(ask("tokens"),
+              MatchesRegex(".*the budget of tokens is spent: about [0-9]+ more are needed, 20 are left"));
   options_.mutable_budget()->clear_token_count();
   options_.mutable_budget()->set_cost_usd(0);
-  EXPECT_THAT(ask("money"), HasSubstr("the budget of 0 US dollars is spent"));
+  EXPECT_THAT(ask("money"), HasSubstr("the budget of US dollars is spent: nothing is left"));
   EXPECT_EQ(client_.requests().size(), 1U) << "only the first had a call left";
 }
 
@@ -322,11 +325,12 @@ TEST_F(ConversationTest, ItsSeedGoesWithQuestionAndRepair) {
 }
 
 TEST_F(ConversationTest, AQuestionThatTheServerDoesNotTakeIsTheModelsFailure) {
+  options_.set_stand_in_allowed(true);
   client_.Answer("zones", absl::InvalidArgumentError("HTTP 400, context too long"));
   Conversation talk = Talk();
   const absl::Status status = talk.Ask(Ask()).status();
   EXPECT_EQ(status, absl::AbortedError("step \"zones\": HTTP 400, context too long"));
-  EXPECT_TRUE(Conversation::IsModelFailure(status));
+  EXPECT_TRUE(talk.MayStandIn(status));
 }
 
 TEST_F(ConversationTest, AnAnswerWithoutTextBecauseOfItsLimitSaysSo) {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -14,9 +12,10 @@
 #include "llm/answers/answer_lines.h"
 #include "llm/answers/answer_members.h"
 #include "llm/answers/answer_root.h"
+#include "llm/answers/counted.h"
 #include "llm/answers/extract_json.h"
 #include "llm/answers/field_facts.h"
-#include "llm/answers/quantity.h"
+#include "llm/answers/read_number.h"
 
 namespace flair::llm {
 namespace {
@@ -28,13 +27,6 @@ using nlohmann::json;
 
 constexpr int kMostItems = 1000;
 constexpr int kMostCharacters = 400;
-
-std::string Shown(const json& value) {
-  if (value.is_string()) return Quoted(value.get_ref<const std::string&>());
-  if (value.is_object()) return "an object";
-  if (value.is_array()) return fmt::format("a list of {}", value.size());
-  return value.dump();
-}
 
 // One line without space around it; line ends and other control characters become spaces.
 std::string OneLine(const std::string& text) {
@@ -63,15 +55,9 @@ bool CutTo(int most, std::string& text) {
   return false;
 }
 
-// A number, also as a text, without a unit of its own.
-std::optional<double> PlainNumber(const json& value) {
-  if (value.is_number()) return value.get<double>();
-  return value.is_string() ? ReadQuantity(value.get_ref<const std::string&>(), "") : std::nullopt;
-}
-
 class Reader {
  public:
-  explicit Reader(const FieldChoices& choices) : choices_(choices) {}
+  Reader(const FieldChoices& choices, const LengthUnit* bare_unit) : choices_(choices), bare_unit_(bare_unit) {}
 
   std::vector<Fault> TakeFaults() { return std::move(faults_); }
 
@@ -141,7 +127,7 @@ class Reader {
     const int most = facts.max_items() > 0 ? facts.max_items() : kMostItems;
     const int count = static_cast<int>(list.size());
     if (count < facts.min_items()) {
-      Wrong(path, fmt::format("has {} elements; at least {}", count, facts.min_items()));
+      Wrong(path, fmt::format("has {}; at least {}", Counted(count, "element"), facts.min_items()));
     } else if (count > most) {
       faults_.push_back(
           {path, fmt::format("has {} elements; at most {}, the first are taken", count, most), FaultKind::kDoubtful});
@@ -168,7 +154,11 @@ class Reader {
         SetBool(ReadBool(value, field, path), field, message);
         break;
       default:
-        SetNumber(ReadNumber(value, field, path), field, message);
+        if (IsNoNumber(value) && (field.has_optional_keyword() || FactsOf(field).has_when_absent())) {
+          ReadNothing(field, path, message);
+        } else {
+          SetNumber(ReadNumber(value, field, path, bare_unit_, faults_), field, message);
+        }
     }
   }
 
@@ -212,35 +202,6 @@ class Reader {
     return false;
   }
 
-  std::optional<double> ReadNumber(const json& value, const FieldDescriptor& field, const std::string& path) {
-    const model::v1::FieldFacts& facts = FactsOf(field);
-    std::optional<double> number;
-    if (value.is_number()) number = value.get<double>();
-    if (value.is_string()) number = ReadQuantity(value.get_ref<const std::string&>(), facts.unit());
-    const bool whole = IsWhole(field);
-    const NumberRange range = RangeOf(field);
-    if (number && std::isfinite(*number) && (!whole || *number == std::floor(*number)) && *number >= range.least &&
-        *number <= range.most) {
-      return number;
-    }
-    std::string fault = fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_));
-    const std::optional<double> length_m = number && facts.unit() == "m" ? LengthMeant(*number, range) : std::nullopt;
-    if (length_m) {
-      faults_.push_back({path, fmt::format("{}; taken as {}", fault, *length_m), FaultKind::kDoubtful});
-    } else {
-      Wrong(path, std::move(fault));
-    }
-    return length_m;
-  }
-
-  // The metres that a number beyond all metres is in centimetres, or beyond those in millimetres.
-  static std::optional<double> LengthMeant(double number, const NumberRange& range_m) {
-    constexpr double kMostCentimetres = 1000;
-    if (!(number > range_m.most)) return std::nullopt;
-    const double length_m = number <= kMostCentimetres ? number / 100 : number / 1000;
-    return length_m >= range_m.least && length_m <= range_m.most ? std::optional(length_m) : std::nullopt;
-  }
-
   static void SetText(const std::string& text, const FieldDescriptor& field, ProtoMessage& message) {
     const Reflection& reflection = *message.GetReflection();
     if (field.is_repeated()) {
@@ -274,13 +235,15 @@ class Reader {
   }
 
   const FieldChoices& choices_;
+  const LengthUnit* const bare_unit_;
   std::vector<Fault> faults_;
 };
 
 }  // namespace
 
-std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, ProtoMessage& message) {
-  Reader reader(choices);
+std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, ProtoMessage& message,
+                            const LengthUnit* bare_unit) {
+  Reader reader(choices, bare_unit);
   reader.ReadRoot(AnswerRoot(value, *message.GetDescriptor()), message);
   return reader.TakeFaults();
 }
@@ -292,7 +255,8 @@ ExtractedJson ExtractAnswer(std::string_view answer, const google::protobuf::Des
   return ExtractJson(answer, keys);
 }
 
-std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, ProtoMessage& message) {
+std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, ProtoMessage& message,
+                              const LengthUnit* bare_unit) {
   ExtractedJson extracted = ExtractAnswer(answer, *message.GetDescriptor());
   if (extracted.value.is_discarded()) {
     extracted.value = AnswerOfLines(answer, *message.GetDescriptor(), choices);
@@ -300,7 +264,7 @@ std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choic
     extracted.faults = {{"", "has lines instead of JSON", FaultKind::kMended}};
   }
   std::vector<Fault> faults = std::move(extracted.faults);
-  for (Fault& fault : ReadJson(extracted.value, choices, message)) faults.push_back(std::move(fault));
+  for (Fault& fault : ReadJson(extracted.value, choices, message, bare_unit)) faults.push_back(std::move(fault));
   return faults;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/answers/read_answer.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -63,9 +64,10 @@ TEST(ReadAnswer, TakesWhatCertainlyMeansTheSame) {
 }
 
 TEST(ReadAnswer, ARootMayBeWrappedOrBeItsOnlyList) {
-  for (const std::string text : {R"({"zones_answer":{"zones":[{"name":"a","purpose":"b"}]}})",
-                                 R"({"notes":"Done.","plan":{"zones":[{"name":"a","purpose":"b"}]},"x":{"y":1}})",
-                                 R"([{"name":"a","purpose":"b"}])", R"({"zones":{"name":"a","purpose":"b"}})"}) {
+  for (const std::string& text :
+       std::vector<std::string>{R"({"zones_answer":{"zones":[{"name":"a","purpose":"b"}]}})",
+                                R"({"notes":"Done.","plan":{"zones":[{"name":"a","purpose":"b"}]},"x":{"y":1}})",
+                                R"([{"name":"a","purpose":"b"}])", R"({"zones":{"name":"a","purpose":"b"}})"}) {
     ZonesAnswer answer;
     EXPECT_THAT(Sentences(ReadAnswer(text, {}, answer)), IsEmpty()) << text;
     EXPECT_EQ(answer.zones_size(), 1) << text;
@@ -74,7 +76,7 @@ TEST(ReadAnswer, ARootMayBeWrappedOrBeItsOnlyList) {
 
 TEST(ReadAnswer, AListMayBeByNamesGroupedOrAlone) {
   const std::string bed = R"("width_m":1.6,"depth_m":2,"height_m":0.5)";
-  for (const std::string text : {
+  for (const std::string& text : std::vector<std::string>{
            R"([{"name":"bed","zone":"sleeping",)" + bed + "}]",
            R"({"name":"bed","zone":"sleeping",)" + bed + "}",
            R"({"objects":{"bed":{"zone":"sleeping",)" + bed + "}}}",
@@ -97,9 +99,11 @@ TEST(ReadAnswer, AListMayBeByNamesGroupedOrAlone) {
 }
 
 TEST(ReadAnswer, SizesMayBeApartInOtherUnitsAndUnderOtherNames) {
-  for (const std::string size :
-       {R"("size":{"width":1.6,"depth":2,"height":0.5})", R"("width_cm":160,"length_cm":200,"height_cm":50)",
-        R"x("width_mm":"1600","Length":"200cm","Height (m)":".5")x"}) {
+  for (
+      const std::string size :
+      {R"("size":{"width":1.6,"depth":2,"height":0.5})", R"("width_cm":160,"length_cm":200,"height_cm":50)",
+       R"x("width_mm":"1600","Length":"200cm","Height (m)":".5")x",
+       R"("width_m":{"value":160,"unit":"cm"},"depth_m":{"unit":"m","value":"2"},"height_m":{"value":0.5,"unit":"metres"})"}) {
     FloorObjectsAnswer answer;
     const std::string text = R"({"objects":[{"name":"bed","zone":"the sleeping area","quantity":1,)" + size + "}]}";
     EXPECT_THAT(Sentences(ReadAnswer(text, kZones, answer)), IsEmpty()) << text;
@@ -107,6 +111,19 @@ TEST(ReadAnswer, SizesMayBeApartInOtherUnitsAndUnderOtherNames) {
     EXPECT_NEAR(answer.objects(0).width_m(), 1.6, 1e-12);
     EXPECT_NEAR(answer.objects(0).depth_m(), 2, 1e-12);
     EXPECT_NEAR(answer.objects(0).height_m(), 0.5, 1e-12);
+  }
+}
+
+TEST(ReadAnswer, ANumberThatNeedNotBeThereMayBeSaidNotToBe) {
+  for (const char* word : {"N/A", "none", "", " - ", "Unknown"}) {
+    FloorObjectsAnswer answer;
+    const auto faults = ReadAnswer(fmt::format(R"({{"objects":[{{"name":"bed","zone":"sleeping","count":"{0}",)"
+                                               R"("width_m":1.6,"depth_m":2,"height_m":"{0}"}}]}})",
+                                               word),
+                                   kZones, answer);
+    EXPECT_EQ(answer.objects(0).count(), 1) << word;
+    EXPECT_THAT(Sentences(faults), ElementsAre(HasSubstr("count: is missing; taken as 1"),
+                                               HasSubstr("height_m: is \"" + std::string(word))));
   }
 }
 
@@ -124,11 +141,12 @@ TEST(ReadAnswer, LinesWithoutAnyJsonAreReadWhereLinesWereAskedFor) {
 
 TEST(ReadAnswer, AnElementMayBeALine) {
   const FieldChoices ids = {{"flair.model.v1.SentenceCallsAnswer.id", {{"s1", "s2"}, {}}}};
-  for (const std::string text : {R"x({"sentences":["s1: near(a, b)","s2: none(why: light)"]})x",
-                                 R"x(["- s1 = near(a, b)","[s2] none(why: light)"])x",
-                                 R"x({"sentences":[{"id":"s1","calls":["near(a, b)"]},"S2 none(why: light)"]})x",
-                                 R"x({"sentences":{"s1":"near(a, b)","s2":["none(why: light)"]}})x",
-                                 R"x({"sentences":"s1: near(a, b)\n\n\"s2\": none(why: light)"})x"}) {
+  for (const std::string& text :
+       std::vector<std::string>{R"x({"sentences":["s1: near(a, b)","s2: none(why: light)"]})x",
+                                R"x(["- s1 = near(a, b)","[s2] none(why: light)"])x",
+                                R"x({"sentences":[{"id":"s1","calls":["near(a, b)"]},"S2 none(why: light)"]})x",
+                                R"x({"sentences":{"s1":"near(a, b)","s2":["none(why: light)"]}})x",
+                                R"x({"sentences":"s1: near(a, b)\n\n\"s2\": none(why: light)"})x"}) {
     CallsAnswer answer;
     EXPECT_THAT(Sentences(ReadAnswer(text, ids, answer)), IsEmpty()) << text;
     ASSERT_EQ(answer.sentences_size(), 2) << text;
@@ -137,8 +155,9 @@ TEST(ReadAnswer, AnElementMayBeALine) {
     EXPECT_EQ(answer.sentences(1).id(), "s2") << text;
     EXPECT_THAT(answer.sentences(1).calls(), ElementsAre("none(why: light)")) << text;
   }
-  for (const std::string text : {R"x({"sentences":[""]})x", R"x({"sentences":["near(a)"]})x", R"x({"sentences":[7]})x",
-                                 R"x({"sentences":[": - ["]})x", R"x({"sentences":[null]})x"}) {
+  for (const std::string& text :
+       std::vector<std::string>{R"x({"sentences":[""]})x", R"x({"sentences":["near(a)"]})x", R"x({"sentences":[7]})x",
+                                R"x({"sentences":[": - ["]})x", R"x({"sentences":[null]})x"}) {
     CallsAnswer answer;
     EXPECT_THAT(Sentences(ReadAnswer(text, ids, answer)), ElementsAre(HasSubstr("sentences[0]"))) << text;
   }
@@ -215,7 +234,8 @@ TEST(ReadAnswer, AnEmptyListIsMissedWhereOneElementIsNeeded) {
 }
 
 TEST(ReadAnswer, AnObjectWithNothingThatWasAskedForIsNoAnswer) {
-  for (const std::string text : {"{}", R"({"error":{"code":529}})", R"({"error":"overloaded"})"}) {
+  for (const std::string& text :
+       std::vector<std::string>{"{}", R"({"error":{"code":529}})", R"({"error":"overloaded"})"}) {
     FloorObjectsAnswer answer;
     EXPECT_THAT(Sentences(ReadAnswer(text, kZones, answer)),
                 ElementsAre("has none of what was asked for; an object with objects, left_out would be right"))

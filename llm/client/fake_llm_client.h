@@ -29,6 +29,12 @@ class FakeLlmClient final : public LlmClient {
     script_[step].push_back(std::move(answer));
   }
 
+  // Takes back what was scripted for the step and not yet asked for.
+  void Forget(const std::string& step) {
+    const std::lock_guard lock(mutex_);
+    script_.erase(step);
+  }
+
   void Ask(const ChatRequest& request, runtime::CallContext&, AnswerCallback done) override {
     absl::StatusOr<ChatAnswer> answer = absl::NotFoundError("nothing is scripted for step \"" + request.step + "\"");
     {

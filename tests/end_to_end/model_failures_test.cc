@@ -89,6 +89,20 @@ TEST_F(ModelFailures, AnswersThatStayUselessFailTheStepOrAreStoodInFor) {
               AllOf(HasSubstr("Without the model:"), HasSubstr("The handbook answered instead of the model")));
 }
 
+TEST_F(ModelFailures, OfTwoStepsOfAStageTheOneThatFailedIsStoodInFor) {
+  Script script = DesignScript();
+  ExchangeOf("objects.tertiary", script).answer = {{"text", "That is enough furniture."}};
+  AddFirst("objects.tertiary", script).answer = {{"text", "No."}};
+  ScriptedServer server(script);
+  const Finished run = Design({"--llm", Config(server), "--stand-in"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(Report(), HasSubstr("The handbook answered instead of the model: step \"objects.tertiary\": "));
+  const std::string objects = RunProgram("flair", {"inspect", Path("out/objects.pb")}).out;
+  EXPECT_THAT(objects, AllOf(HasSubstr("nightstand_1"), HasSubstr("It would block the way to the wardrobe.")))
+      << "the model's furniture and what it left out";
+  EXPECT_THAT(RequestsOf("constraints.intra", server).front().body, HasSubstr("nightstand"));
+}
+
 TEST_F(ModelFailures, AServerThatIsDownEndsTheDesignWithItsAddress) {
   WriteAll(folder_ / "llm.textproto",
            "base_url: \"http://127.0.0.1:1/v1\" model: \"m\" retry { attempt_limit: 3 first_delay_seconds: 0.001 }");
@@ -98,7 +112,7 @@ TEST_F(ModelFailures, AServerThatIsDownEndsTheDesignWithItsAddress) {
   const Finished run = Design({"--llm", config, "--stand-in"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(Report(), AllOf(HasSubstr("The handbook answered instead of the model"),
-                              HasSubstr("sentences were read by the grammar, as the model failed")));
+                              HasSubstr("read by the grammar, as the model failed")));
   EXPECT_THAT(Report(), Not(HasSubstr("| stage | model |"))) << "nobody answered";
   const std::string zones = RunProgram("flair", {"inspect", Path("out/zones.pb")}).out;
   EXPECT_THAT(zones, HasSubstr("flair-language, handbook"));
@@ -106,10 +120,10 @@ TEST_F(ModelFailures, AServerThatIsDownEndsTheDesignWithItsAddress) {
 
 TEST_F(ModelFailures, ASpentBudgetEndsTheDesignAndNamesTheLimit) {
   const std::string prices = "prices { model: \"scripted\" input_usd: 1000 output_usd: 1000 }";
-  for (const auto& [flag, value, about] :
-       std::vector<std::array<std::string, 3>>{{"--max-calls", "2", "the budget of 0 calls is spent"},
-                                               {"--max-tokens", "1200", "tokens is spent"},
-                                               {"--max-usd", "0.3", "US dollars is spent"}}) {
+  for (const auto& [flag, value, about] : std::vector<std::array<std::string, 3>>{
+           {"--max-calls", "2", "the budget of calls is spent: 1 more is needed, 0 are left"},
+           {"--max-tokens", "1200", "tokens is spent"},
+           {"--max-usd", "0.3", "US dollars is spent"}}) {
     ScriptedServer server(DesignScript());
     ExpectFailed(Design({"--llm", Config(server, prices), flag, value}), 6, about);
     std::filesystem::remove_all(folder_ / "home");
@@ -123,7 +137,7 @@ TEST_F(ModelFailures, ADesignThatSpentItsBudgetGoesOnWithAnother) {
   ScriptedServer server(script);
   const std::string config = Config(server);
   const Finished spent = Design({"--llm", config, "--max-calls", "3"});
-  ExpectFailed(spent, 6, "the budget of 1 calls is spent: 1 were made");
+  ExpectFailed(spent, 6, "the budget of calls is spent: 1 more is needed, 0 are left");
   EXPECT_THAT(spent.err, HasSubstr("\nmodels       2 calls, ")) << "of the stages that ended well";
   EXPECT_EQ(server.requests().size(), 3u);
   const Finished run = Design({"--llm", config, "--max-calls", "9"});

@@ -11,6 +11,7 @@
 #include "flair/model/v1/calls_answers.pb.h"
 #include "fmt/format.h"
 #include "llm/answers/conversation.h"
+#include "llm/answers/counted.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/quote.h"
 #include "translator_worker/grammar/scene_names.h"
@@ -118,8 +119,10 @@ class Run {
     v1::Diagnostic& remark = remarks_.emplace_back();
     remark.set_severity(v1::SEVERITY_WARNING);
     remark.set_code("stand_in");
-    remark.set_message(fmt::format("{} sentences were read by the grammar, as the model failed: {}",
-                                   portion.sentences.size(), std::string(failure.message())));
+    const int64_t count = static_cast<int64_t>(portion.sentences.size());
+    remark.set_message(fmt::format("{} {} read by the grammar, as the model failed: {}",
+                                   llm::Counted(count, "sentence"), llm::Form(count, "was", "were"),
+                                   std::string(failure.message())));
   }
 
   v1::LayoutGraph Graph() {
@@ -248,7 +251,7 @@ absl::StatusOr<v1::TranslateResponse> ModelTranslator::Translate(const v1::Trans
   for (size_t i = 0; i < portions.size(); ++i) {
     if (replies[i].ok()) {
       run.Take(portions[i], *replies[i]);
-    } else if (request.model_options().stand_in_allowed() && llm::Conversation::IsModelFailure(replies[i].status())) {
+    } else if (conversation.MayStandIn(replies[i].status())) {
       run.StandIn(portions[i], replies[i].status());
     } else {
       return replies[i].status();
