@@ -106,6 +106,21 @@ TEST(Handbook, FindsItsOwnRoomByEveryName) {
   }
 }
 
+TEST(Handbook, ARoomWithoutASizeHasRoomForWhatIsAskedFor) {
+  for (const char* text : {"A small office with four desks and a meeting table with six chairs.",
+                           "A bedroom with three double beds and two wardrobes.",
+                           "A living room with a billiard table, three sofas and a grand piano."}) {
+    for (const std::int64_t seed : {0, 1, 7}) {
+      const Answers a = Ask(text, seed);
+      ExpectSound(a);
+      for (const v1::Omission& omission : a.objects.omissions()) EXPECT_FALSE(omission.requested()) << omission.name();
+    }
+  }
+  // The usual one where that is enough.
+  EXPECT_EQ(FloorArea(Ask("A bedroom with a double bed and a wardrobe.").room), FloorArea(Ask("A bedroom.").room));
+  EXPECT_LT(FloorArea(Ask("A small bedroom with a double bed.").room), FloorArea(Ask("A bedroom.").room));
+}
+
 TEST(Handbook, SameSeedSameAnswerOtherSeedsOtherDesigns) {
   std::set<std::string> rooms;
   for (std::int64_t seed = 0; seed < 8; ++seed) {
@@ -208,6 +223,7 @@ TEST(Handbook, SaysWhatItDidNotUnderstand) {
     return codes;
   };
   EXPECT_TRUE(codes(Ask("A bedroom, 4m x 5m, with a proofing cabinet.")).contains("words_not_known"));
+  EXPECT_TRUE(codes(Ask("A dining room, 9m x 9m, with a hundred stools.")).contains("too_many_asked"));
   EXPECT_TRUE(codes(Ask("Ein Schlafzimmer mit einem Doppelbett, 4 m x 5 m.")).contains("language_not_known"));
   EXPECT_EQ(codes(Ask("A bedroom that is 4m x 5m with a desk and two nightstands.")), std::set<std::string>());
 }

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "language_worker/handbook/objects/fit_floor.h"
 #include "language_worker/handbook/objects/tertiaries.h"
@@ -34,28 +36,31 @@ class ObjectLister {
         style_(facts, handbook, choice),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)) {}
 
-  v1::ObjectList List() {
+  void ListFloor() {
     std::vector<LeftOut> left_out;
-    const std::vector<SizedItem> sized = FitFloor(program_, handbook_, ExtentOf(room_), left_out);
-    AddFloorObjects(sized);
-    const v1::ObjectList floor_objects = list_;
-    const std::vector<HostedPiece> pieces = ShareOut(program_, floor_objects, room_, handbook_);
-    for (const HostedPiece& piece : pieces) AddTertiary(piece);
-    NameObjects();
-    for (const ProgramItem& item : program_.tertiary_items) {
-      const bool there =
-          std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return piece.item == &item; });
-      if (item.requested && !there)
-        left_out.push_back({item.furniture->name(), "nothing in the room can carry it", true});
-    }
-    for (const LeftOut& left : left_out) {
-      v1::Omission& omission = *list_.add_omissions();
-      omission.set_name(left.name);
-      omission.set_reason(left.reason);
-      omission.set_requested(left.requested);
-    }
-    return std::move(list_);
+    AddFloorObjects(FitFloor(program_, handbook_, ExtentOf(room_), left_out));
+    TellLeftOut(left_out);
   }
+
+  // What completes these floor objects, but nothing of a class that is `there` already.
+  void ListTertiaries(const v1::ObjectList& floor_objects, const std::set<std::string>& there) {
+    const std::vector<HostedPiece> pieces = ShareOut(program_, floor_objects, room_, handbook_);
+    for (const HostedPiece& piece : pieces) {
+      if (!there.contains(piece.item->furniture->name())) AddTertiary(piece);
+    }
+    NameObjects();
+    std::vector<LeftOut> left_out;
+    for (const ProgramItem& item : program_.tertiary_items) {
+      const std::string& name = item.furniture->name();
+      const bool listed =
+          there.contains(name) ||
+          std::any_of(pieces.begin(), pieces.end(), [&](const HostedPiece& piece) { return piece.item == &item; });
+      if (item.requested && !listed) left_out.push_back({name, "nothing in the room can carry it", true});
+    }
+    TellLeftOut(left_out);
+  }
+
+  v1::ObjectList& list() { return list_; }
 
  private:
   std::string ZoneId(const std::string& name) const {
@@ -64,6 +69,15 @@ class ObjectLister {
       if (zone.id() == id) return id;
     }
     return zones_.zones_size() > 0 ? zones_.zones(0).id() : "";
+  }
+
+  void TellLeftOut(const std::vector<LeftOut>& left_out) {
+    for (const LeftOut& left : left_out) {
+      v1::Omission& omission = *list_.add_omissions();
+      omission.set_name(left.name);
+      omission.set_reason(left.reason);
+      omission.set_requested(left.requested);
+    }
   }
 
   // Floor objects have their final ids from the start, because tertiaries name them as hosts.
@@ -177,14 +191,46 @@ class ObjectLister {
   int drawn_ = 0;
 };
 
+// Makes a lister for the brief and has it list.
+template <typename List>
+absl::StatusOr<v1::ObjectList> Listed(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
+                                      const Handbook& handbook, const List& list) {
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
+  if (!facts.ok()) return facts.status();
+  const Choice choice(brief.seed(), brief.text());
+  ObjectLister lister(*facts, room, zones, handbook, choice);
+  list(lister);
+  return std::move(lister.list());
+}
+
 }  // namespace
 
 absl::StatusOr<v1::ObjectList> ListObjects(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
                                            const Handbook& handbook) {
-  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
-  if (!facts.ok()) return facts.status();
-  const Choice choice(brief.seed(), brief.text());
-  return ObjectLister(*facts, room, zones, handbook, choice).List();
+  return Listed(brief, room, zones, handbook, [](ObjectLister& lister) {
+    lister.ListFloor();
+    lister.ListTertiaries(v1::ObjectList(lister.list()), {});
+  });
+}
+
+absl::StatusOr<v1::ObjectList> ListFloorObjects(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
+                                                const Handbook& handbook) {
+  return Listed(brief, room, zones, handbook, [](ObjectLister& lister) { lister.ListFloor(); });
+}
+
+absl::StatusOr<v1::ObjectList> ListTertiaries(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
+                                              const v1::ObjectList& objects, const Handbook& handbook) {
+  v1::ObjectList floor_objects;
+  std::set<std::string> there;
+  for (const v1::Object& object : objects.objects()) {
+    if (object.role() == v1::OBJECT_ROLE_TERTIARY) {
+      there.insert(object.name());
+    } else {
+      *floor_objects.add_objects() = object;
+    }
+  }
+  return Listed(brief, room, zones, handbook,
+                [&](ObjectLister& lister) { lister.ListTertiaries(floor_objects, there); });
 }
 
 }  // namespace flair::language

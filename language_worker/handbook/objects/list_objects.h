@@ -15,4 +15,14 @@ namespace flair::language {
 absl::StatusOr<v1::ObjectList> ListObjects(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
                                            const Handbook& handbook);
 
+// Steps C i and ii alone.
+absl::StatusOr<v1::ObjectList> ListFloorObjects(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
+                                                const Handbook& handbook);
+
+// Step C iii alone: the tertiaries that complete objects which came from elsewhere and bear the names of the handbook's
+// classes where they are of one. Nothing of a class that is among their tertiaries already. Ids are unique among the
+// tertiaries only.
+absl::StatusOr<v1::ObjectList> ListTertiaries(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
+                                              const v1::ObjectList& objects, const Handbook& handbook);
+
 }  // namespace flair::language

@@ -2,6 +2,7 @@
 #include "language_worker/handbook/reading/brief_facts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -157,6 +158,10 @@ class BriefReader {
   }
 
   void AddWish(const hb::Furniture& furniture, int count, int seats) {
+    if (count > kMostOfAKind) {
+      AddOnce(facts_.too_many, &furniture);
+      count = kMostOfAKind;
+    }
     for (Wish& wish : facts_.wishes) {
       if (wish.furniture != &furniture) continue;
       wish.count = std::max(wish.count, count);
@@ -195,9 +200,8 @@ class BriefReader {
       const std::size_t at = i - back;
       const Token& token = tokens_[at];
       if (token.kind == Token::Kind::kNumber) {
-        return token.number >= 1 && token.number <= 40 && token.number == static_cast<int>(token.number)
-                   ? static_cast<int>(token.number)
-                   : 1;
+        const double number = std::min(token.number, 1e6);
+        return number >= 1 && number == std::floor(number) ? static_cast<int>(number) : 1;
       }
       for (const hb::CountWord& word : handbook_.contents().count_words()) {
         for (const std::string& text : word.words()) {

@@ -20,12 +20,16 @@ struct Wish {
   int seats = 0;  // "a table for eight": that many can sit at each; 0 when it is not said
 };
 
+// More of one class in a room are not furnished by hand.
+inline constexpr int kMostOfAKind = 40;
+
 // What a brief says, as far as the handbook knows the words. Pointers go into the handbook and are never null.
 struct BriefFacts {
   SizeRequest size;
   const hb::Archetype* archetype = nullptr;
-  bool archetype_named = false;  // false: the fallback, or a guess from hints
-  std::vector<Wish> wishes;      // in the order of the text, one per class
+  bool archetype_named = false;                // false: the fallback, or a guess from hints
+  std::vector<Wish> wishes;                    // in the order of the text, one per class
+  std::vector<const hb::Furniture*> too_many;  // of which more than kMostOfAKind are asked for
   std::vector<const hb::Furniture*> refusals;
   std::vector<const hb::Theme*> themes;
   std::vector<const hb::Need*> needs;

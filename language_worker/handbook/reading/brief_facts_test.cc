@@ -67,6 +67,19 @@ TEST(ReadBrief, CountsPeople) {
   EXPECT_FALSE(Read("A bedroom for a vampire").people.has_value());
 }
 
+TEST(ReadBrief, LargeNumbersMayBeWords) {
+  EXPECT_EQ(WishCount(Read("A dining room with forty dining chairs"), "dining chair"), 40);
+  EXPECT_EQ(WishCount(Read("A library with twenty-four bookshelves and thirteen desks"), "bookshelf"), 24);
+  EXPECT_EQ(WishCount(Read("A library with twenty four bookshelves and thirteen desks"), "desk"), 13);
+  EXPECT_EQ(WishCount(Read("A hall with a hundred stools"), "stool"), 40);
+  EXPECT_EQ(Read("A hall with a hundred stools").too_many.size(), 1u);
+  EXPECT_TRUE(Read("A hall with forty stools").too_many.empty());
+  EXPECT_EQ(Read("A classroom for twenty-five pupils").people, 25);
+  EXPECT_NEAR(*Read("A bedroom of twenty square metres").size.area_m2, 20, 1e-9);
+  EXPECT_NEAR(*Read("A hall of a hundred square metres").size.area_m2, 100, 1e-9);
+  EXPECT_NEAR(*Read("A hall of two hundred square metres").size.area_m2, 200, 1e-9);
+}
+
 TEST(ReadBrief, AKingBedMakesNoKing) {
   EXPECT_TRUE(Read("a bedroom with a king bed").themes.empty());
   EXPECT_FALSE(Read("a bedroom for a king").themes.empty());

@@ -33,6 +33,30 @@ bool SizeOwner::IsOfAThing(std::size_t start, std::size_t end) const {
   return ThingFollows(end) || ThingPrecedes(start);
 }
 
+bool SizeOwner::IsWordOfAThing(std::size_t start, std::size_t end) const {
+  return IsOfAThing(start, end) || IsWithinAThing(start, end) || IsInWhatTheRoomHas(start, end);
+}
+
+// "baby grand".
+bool SizeOwner::IsWithinAThing(std::size_t start, std::size_t end) const {
+  constexpr std::size_t kLongestName = 4;
+  for (std::size_t first = start - std::min(start, kLongestName - 1); first <= start; ++first) {
+    if (ThingAt(first) >= end - first && ThingAt(first) > end - start) return true;
+  }
+  return false;
+}
+
+// What comes after "with" or "for", up to a comma, is not the room, unless it says so.
+bool SizeOwner::IsInWhatTheRoomHas(std::size_t start, std::size_t end) const {
+  for (std::size_t i = end; i < end + 3 && IsWord(i) && !Among(kStops, tokens_[i].text); ++i) {
+    if (RoomAt(i)) return false;
+  }
+  for (std::size_t i = start; i > 0 && IsWord(i - 1); --i) {
+    if (Among(kHaving, tokens_[i - 1].text) || tokens_[i - 1].text == "for") return true;
+  }
+  return false;
+}
+
 // "… solid oak desk": a thing within the next three words, and no "desk area" or "piano room".
 bool SizeOwner::ThingFollows(std::size_t end) const {
   for (std::size_t i = end; i < end + 3 && IsWord(i) && !Among(kStops, tokens_[i].text); ++i) {

@@ -20,12 +20,18 @@ class SizeOwner {
   // Whether the size in tokens [start, end) is that of a thing, as far as the words around it say.
   bool IsOfAThing(std::size_t start, std::size_t end) const;
 
+  // The same for a word of size, such as "large": "a large wardrobe", "with large windows", "for a little girl", and
+  // the "grand" of a grand piano.
+  bool IsWordOfAThing(std::size_t start, std::size_t end) const;
+
  private:
   struct Names {
     std::vector<Phrase> rooms;
     std::vector<Phrase> things;
   };
 
+  bool IsWithinAThing(std::size_t start, std::size_t end) const;
+  bool IsInWhatTheRoomHas(std::size_t start, std::size_t end) const;
   bool ThingFollows(std::size_t end) const;
   bool ThingPrecedes(std::size_t start) const;
   bool RoomAt(std::size_t i) const;

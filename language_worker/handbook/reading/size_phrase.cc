@@ -178,10 +178,21 @@ void ReadSingle(const Reader& reader, const SizeOwner& owner, std::size_t i, Siz
   }
 }
 
-void ReadSizeWords(const std::vector<Token>& tokens, const hb::Handbook& handbook, SizeRequest& size) {
+// Whether the word is said of the room.
+bool IsSaid(const std::string& word, const std::vector<Token>& tokens, const SizeOwner& owner) {
+  const Phrase phrase(word);
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const std::size_t length = phrase.MatchAt(tokens, i);
+    if (length > 0 && !owner.IsWordOfAThing(i, i + length)) return true;
+  }
+  return false;
+}
+
+void ReadSizeWords(const std::vector<Token>& tokens, const hb::Handbook& handbook, const SizeOwner& owner,
+                   SizeRequest& size) {
   for (const hb::SizeWord& entry : handbook.size_words()) {
     const bool said = std::any_of(entry.words().begin(), entry.words().end(),
-                                  [&](const std::string& word) { return Phrase(word).Occurs(tokens); });
+                                  [&](const std::string& word) { return IsSaid(word, tokens, owner); });
     if (!said) continue;
     if (entry.area_factor() > 0) size.area_factor = entry.area_factor();
     // The "square" of "20 square metres" says nothing about the shape.
@@ -237,7 +248,7 @@ absl::StatusOr<SizeRequest> ReadSize(const std::vector<Token>& tokens, const hb:
     if (single.width_m && !size.width_m) size.width_m = single.width_m;
     if (single.depth_m && !size.depth_m) size.depth_m = single.depth_m;
   }
-  ReadSizeWords(tokens, handbook, size);
+  ReadSizeWords(tokens, handbook, owner, size);
   if (absl::Status status = Check(size); !status.ok()) return status;
   return size;
 }

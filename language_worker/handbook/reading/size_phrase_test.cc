@@ -96,6 +96,24 @@ TEST(ReadSize, LeavesTheSizesOfThingsInTheRoomAlone) {
   }
 }
 
+TEST(ReadSize, SizeWordsOfThingsAndPeopleAreNotTheRooms) {
+  hb::Handbook handbook = Things();
+  handbook.mutable_size_words(0)->add_words("grand");
+  handbook.mutable_size_words(0)->add_words("little");
+  handbook.mutable_furniture(4)->add_synonyms("baby grand");
+  for (const char* text :
+       {"a bedroom with a small desk", "A bedroom, small desk and sofa", "a music room with a grand piano",
+        "a living room with a baby grand", "a living room with small windows", "a bedroom for a little girl",
+        "a bedroom with a bed and a small aquarium", "a bedroom with a sofa that is small"}) {
+    EXPECT_EQ(ReadSize(Tokenize(text), handbook)->area_factor, 1) << text;
+  }
+  for (const char* text : {"a small bedroom with a desk", "a bedroom that is small", "a bedroom, small and bright",
+                           "a bedroom for two, small", "a small bedroom for a little girl", "small",
+                           "a small solid bedroom with a grand piano", "a sofa and a desk in a small room"}) {
+    EXPECT_EQ(ReadSize(Tokenize(text), handbook)->area_factor, 0.75) << text;
+  }
+}
+
 TEST(ReadSize, FindsTheRoomsSizeBesideThoseOfThings) {
   for (const char* text : {"A bedroom with a 1.6m x 2m bed, 4m x 5m", "A 4m x 5m bedroom with a 0.6m x 0.4m desk",
                            "A bedroom of 4m x 5m with a bed", "a boutique of 4m x 5m", "a 4 x 5 m piano room",

@@ -65,6 +65,47 @@ Token ReadNumber(const std::string& text, std::size_t& i) {
   return {Token::Kind::kNumber, digits, std::strtod(digits.c_str(), nullptr), false};
 }
 
+template <std::size_t n>
+int NumberOf(const std::array<std::string_view, n>& names, std::string_view word) {
+  return static_cast<int>(std::find(names.begin(), names.end(), word) - names.begin());
+}
+
+// "forty", "twenty-five", "twenty five", "a hundred" as numbers, as if written in digits; up to twelve they stay words.
+std::vector<Token> WithLargeNumbers(const std::vector<Token>& tokens) {
+  constexpr std::array<std::string_view, 7> kTeens = {"thirteen",  "fourteen", "fifteen", "sixteen",
+                                                      "seventeen", "eighteen", "nineteen"};
+  constexpr std::array<std::string_view, 8> kTens = {"twenty", "thirty",  "forty",  "fifty",
+                                                     "sixty",  "seventy", "eighty", "ninety"};
+  constexpr std::array<std::string_view, 9> kUnits = {"one", "two",   "three", "four", "five",
+                                                      "six", "seven", "eight", "nine"};
+  // 1 to 9, or 0 for any other word.
+  const auto ones_of = [&](std::string_view word) { return (NumberOf(kUnits, word) + 1) % 10; };
+  std::vector<Token> result;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const bool glued = tokens[i].glued;
+    int number = 0;
+    if (const int teen = NumberOf(kTeens, tokens[i].text); teen < 7) number = 13 + teen;
+    if (const int ten = NumberOf(kTens, tokens[i].text); ten < 8) {
+      number = 20 + 10 * ten;
+      const std::size_t next = i + (i + 1 < tokens.size() && tokens[i + 1].text == "-" ? 2 : 1);
+      if (const int ones = next < tokens.size() ? ones_of(tokens[next].text) : 0; ones > 0) {
+        number += ones;
+        i = next;
+      }
+    } else if (tokens[i].text == "hundred") {
+      const std::string before = result.empty() ? "" : result.back().text;
+      number = 100 * std::max(1, ones_of(before));
+      if (before == "a" || ones_of(before) > 0) result.pop_back();
+    }
+    if (number == 0) {
+      result.push_back(tokens[i]);
+    } else {
+      result.push_back({Token::Kind::kNumber, std::to_string(number), static_cast<double>(number), glued});
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Token> Tokenize(std::string_view text) {
@@ -91,7 +132,7 @@ std::vector<Token> Tokenize(std::string_view text) {
     }
     if (tokens.size() > before) tokens.back().glued = glued;
   }
-  return tokens;
+  return WithLargeNumbers(tokens);
 }
 
 std::optional<int> NumberWord(std::string_view word) {

@@ -18,7 +18,8 @@ struct Token {
   bool glued = false;  // no space before it
 };
 
-// Splits UTF-8 text. Bytes that belong to no word or number become signs. Linear in the length of the text.
+// Splits UTF-8 text. Bytes that belong to no word or number become signs. Number words from thirteen on are numbers, as
+// if written in digits. Linear in the length of the text.
 std::vector<Token> Tokenize(std::string_view text);
 
 // "one" to "twelve", "a", "an", "both", "pair" and the like; nothing for other words.

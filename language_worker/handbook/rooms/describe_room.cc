@@ -61,6 +61,12 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
            "understood. A language model understands others.",
            room);
   }
+  for (const hb::Furniture* furniture : facts.too_many) {
+    Remark(v1::SEVERITY_WARNING, "too_many_asked",
+           fmt::format("More of \"{}\" are asked for than the {} of a kind that the handbook takes; {} are taken.",
+                       furniture->name(), kMostOfAKind, kMostOfAKind),
+           room);
+  }
   if (!facts.not_known.empty()) {
     Remark(v1::SEVERITY_WARNING, "words_not_known",
            fmt::format("The handbook has no word for \"{}\"; nothing was made of it. A language model may.",
@@ -76,12 +82,12 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
   const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
   if (!facts.ok()) return facts.status();
   const hb::Archetype& archetype = EffectiveArchetype(*facts, handbook);
-  const RoomSize size = ChooseRoomSize(*facts, handbook);
+  const Choice choice(brief.seed(), brief.text());
+  const RoomSize size = ChooseRoomSize(*facts, handbook, choice);
   v1::Room room;
   room.set_room_type(archetype.name());
   room.set_title(TitleOf(brief.text()));
   room.set_height_m(size.height_m);
-  const Choice choice(brief.seed(), brief.text());
   SetFloor(ReadShape(Tokenize(brief.text()), handbook), facts->size, size, choice, room);
   AddOpenings(PlanOpenings(*facts, archetype, FloorArea(room)), choice, room);
   if (!size.assumption.empty()) Remark(v1::SEVERITY_NOTE, "size_assumed", size.assumption, room);

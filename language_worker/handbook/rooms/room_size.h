@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "language_worker/handbook/choosing/choice.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 
@@ -20,7 +21,8 @@ struct RoomSize {
 // To 5 cm: lengths of walls are no finer.
 inline double RoundToStep(double length_m) { return std::round(length_m * 20) / 20; }
 
-// The size that the brief gives, completed by the archetype's usual one.
-RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook);
+// The size that the brief gives, completed by the archetype's usual one, or a larger one where that is too small for
+// what the brief asks for.
+RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const Choice& choice);
 
 }  // namespace flair::language
