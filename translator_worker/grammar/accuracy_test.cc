@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How well the grammar reads what real models wrote, against labels made by hand. Ten rooms were looked at while the
 // grammar was written; 24 further ones were labelled, measured and then looked at four at a time (docs/benchmarks.md
-// has the figures of before they were looked at), 13 more later, 22 invented ones too. Of four held-out rooms one,
+// has the figures of before they were looked at), 13 more later, invented ones too. Of four held-out rooms one,
 // 63_living_dining, was opened later and is now a development room; nobody has looked at the sentences of the other
-// three. invented_rooms_5.jsonl and invented_rooms_7.jsonl are held out as well. FLAIR_SHOW_MISSES=1 prints what is
+// three. invented_rooms_5.jsonl, _7 and _9 are held out as well. FLAIR_SHOW_MISSES=1 prints what is
 // wrong in all but the held-out ones; their sum is printed only with FLAIR_SHOW_HELD_OUT=1: who sees it at each run
 // develops by it. A sentence is correct when every part of it gets all calls of one accepted reading and nothing else
 // is made, or nothing at all where nothing is to be made.
@@ -40,8 +40,7 @@ void ShowMiss(const LabelledRoom& room, const LabelledSentence& labelled, const 
   for (const v1::ConstraintEdge& edge : edges) std::cout << "   made " << ToText(edge) << "\n";
   for (const v1::Diagnostic& diagnostic : graph.diagnostics()) {
     if (diagnostic.subject_id() == labelled.sentence.id()) {
-      std::cout << "   " << diagnostic.code() << ": "
-                << diagnostic.message().substr(labelled.sentence.text().size() + 2) << "\n";
+      std::cout << "   " << diagnostic.code() << ": " << diagnostic.message() << "\n";
     }
   }
 }
@@ -148,6 +147,23 @@ TEST(Accuracy, OfRoomsOfOtherKindsThatWereMeasuredAndThenLookedAt) {
 TEST(Accuracy, OfRoomsOfOtherKindsThatNobodyLookedAt) {
   const Measured measured = Measure("invented_rooms_7.jsonl", true);
   EXPECT_GE(measured.correct_share(), 0.91);
+  EXPECT_EQ(measured.score.silent, 0);
+}
+
+// Twelve rooms of yet other kinds, a chapel, a server room, a courtroom..., in many ways of speaking: relative clauses,
+// shared figures and heads, passives, one of several. 81 % correct when they were measured first.
+TEST(Accuracy, OfManyWaysOfSpeakingThatWereMeasuredAndThenLookedAt) {
+  const Measured measured = Measure("invented_rooms_8.jsonl", false);
+  EXPECT_GE(measured.correct_share(), 0.96);
+  EXPECT_GE(measured.score.recall(), 0.97);
+  EXPECT_GE(measured.score.precision(), 0.95);
+  EXPECT_EQ(measured.score.silent, 0);
+}
+
+// Other sentences of the same twelve, drawn by hash and never looked at.
+TEST(Accuracy, OfManyWaysOfSpeakingThatNobodyLookedAt) {
+  const Measured measured = Measure("invented_rooms_9.jsonl", true);
+  EXPECT_GE(measured.correct_share(), 0.81);
   EXPECT_EQ(measured.score.silent, 0);
 }
 

@@ -128,8 +128,8 @@ class Composer {
   bool IsLikePairMover(const Placed& mover) const;
   // Those that the heading names, when there are any.
   void KeepSubjects(std::vector<int>& objects) const;
-  // "The chairs" under a heading of chairs are these.
-  void KeepSeveralSubjects(std::vector<int>& objects) const;
+  // "The chairs" under a heading of chairs are these, under one of a table those that belong to it.
+  void KeepThoseSpokenOf(const Reference& reference, std::vector<int>& objects) const;
   void KeepZone(std::vector<int>& objects, const Placed& mover) const;
   // "Each chair near a desk", as many desks as chairs: one each.
   void PairUp(const std::vector<Placed>& movers, const std::vector<Placed>& targets);

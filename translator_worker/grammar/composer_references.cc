@@ -2,7 +2,6 @@
 // The part of Composer that finds what noun phrases refer to.
 #include <algorithm>
 
-#include "absl/strings/str_join.h"
 #include "fmt/format.h"
 #include "translator_worker/grammar/composer.h"
 
@@ -186,105 +185,6 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
 bool Composer::IsLikePairMover(const Placed& mover) const {
   return !pair_movers_.empty() && !Contains(pair_targets_, mover.object) &&
          object(pair_movers_.front().object).name() == object(mover.object).name();
-}
-
-std::vector<int> Composer::Choose(const Reference& reference, const std::vector<Placed>& movers) {
-  std::vector<int> candidates = reference.candidates;
-  const bool any = reference.any && !movers.empty();
-  if (reference.ordinal > 0 && !any) {
-    if (reference.ordinal <= static_cast<int>(candidates.size())) return {candidates[reference.ordinal - 1]};
-    Refuse("names_absent_object",
-           fmt::format("there is no {}. {}; there are {}", reference.ordinal, reference.name, candidates.size()));
-    return {};
-  }
-  const auto weak_subject = [&](int index) { return Contains(subjects_, index); };
-  if ((!reference.full || (scope() == v1::SENTENCE_SCOPE_INTRA && movers.empty())) &&
-      std::none_of(candidates.begin(), candidates.end(), weak_subject)) {
-    for (const int index : reference.weak_candidates) {
-      if (weak_subject(index) && !reference.plural) return {index};
-    }
-  }
-  if (movers.empty() && (reference.plural || reference.each)) KeepSeveralSubjects(candidates);
-  if (candidates.size() < 2 || ((reference.plural || reference.each) && !any)) return candidates;
-  // Singular with several of the name: those that the sentence is about, then those of one name, then of the same zone.
-  const auto keep = [&](auto&& wanted) {
-    std::vector<int> kept;
-    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept), wanted);
-    if (!kept.empty()) candidates = kept;
-  };
-  keep([&](int index) { return !Contains(movers, index); });
-  keep([&](int index) { return Contains(subjects_, index); });
-  const auto one_name = [&] {
-    return std::all_of(candidates.begin(), candidates.end(),
-                       [&](int i) { return object(i).name() == object(candidates[0]).name(); });
-  };
-  if (candidates.size() == 1) return candidates;
-  if (subjects_.empty()) keep([&](int index) { return object(index).role() == v1::OBJECT_ROLE_PRIMARY; });
-  const std::vector<Placed>& speaker = movers.empty() ? topic_ : movers;
-  if (!speaker.empty()) {
-    const std::string& zone = object(speaker.front().object).zone_id();
-    const std::string& host = object(speaker.front().object).host_id();
-    keep([&](int index) { return object(index).id() == host; });
-    if (candidates.size() > 1) keep([&](int index) { return object(index).zone_id() == zone; });
-  }
-  keep([&](int index) { return object(index).role() != v1::OBJECT_ROLE_TERTIARY; });
-  if (one_name()) return candidates;
-  std::vector<std::string> ids;
-  for (const int index : candidates) ids.push_back(object(index).id());
-  Refuse("ambiguous_object", fmt::format("\"{}\" may be {}; say which", reference.name, absl::StrJoin(ids, ", ")));
-  return {};
-}
-
-std::vector<int> Composer::Group(const std::string& name, const std::vector<Placed>& movers) const {
-  std::vector<int> result;
-  if (name == "kind") return result;
-  for (int i = 0; i < request_.object_list().objects_size(); ++i) {
-    const v1::Object& candidate = object(i);
-    if (candidate.kind() != v1::OBJECT_KIND_FLOOR || candidate.role() == v1::OBJECT_ROLE_TERTIARY ||
-        candidate.walk_over())
-      continue;
-    const bool seat = IsSeat({i, ""});
-    const bool hot = IsHot({i, ""});
-    if (name == "others" && (Contains(movers, i) || Contains(topic_, i))) continue;
-    if (name == "primary" && candidate.role() != v1::OBJECT_ROLE_PRIMARY) continue;
-    if (name == "seating" && !seat) continue;
-    if (name == "heat" && !hot) continue;
-    result.push_back(i);
-  }
-  return result;
-}
-
-std::vector<Placed> Composer::Primaries() const {
-  constexpr size_t kMost = 6;
-  std::vector<Placed> result;
-  for (int i = 0; i < request_.object_list().objects_size(); ++i) {
-    if (object(i).role() == v1::OBJECT_ROLE_PRIMARY && object(i).kind() == v1::OBJECT_KIND_FLOOR)
-      result.push_back({i, ""});
-  }
-  if (result.size() > kMost) result.clear();
-  return result;
-}
-
-void Composer::KeepSubjects(std::vector<int>& objects) const {
-  std::vector<int> kept;
-  for (const int index : objects) {
-    if (Contains(subjects_, index)) kept.push_back(index);
-  }
-  if (!kept.empty()) objects = kept;
-}
-
-void Composer::KeepSeveralSubjects(std::vector<int>& objects) const {
-  std::vector<int> kept = objects;
-  KeepSubjects(kept);
-  if (kept.size() > 1) objects = kept;
-}
-
-void Composer::KeepZone(std::vector<int>& objects, const Placed& mover) const {
-  std::vector<int> same;
-  for (const int index : objects) {
-    if (object(index).zone_id() == object(mover.object).zone_id()) same.push_back(index);
-  }
-  if (!same.empty()) objects = same;
 }
 
 }  // namespace flair::translator

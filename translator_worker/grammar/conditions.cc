@@ -2,15 +2,10 @@
 #include "translator_worker/grammar/conditions.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <string_view>
 
 namespace flair::translator {
 namespace {
-
-bool IsOneOf(const Token& token, std::initializer_list<std::string_view> words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return token.IsWord(word); });
-}
 
 // "..., especially if the bed is tall", "... unless it is used for a lamp": what stands before holds anyhow.
 bool IsAside(const std::vector<Token>& tokens, size_t at, size_t length) {

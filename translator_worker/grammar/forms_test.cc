@@ -220,5 +220,43 @@ TEST(Forms, AccessToAnAreaAndEmptySpaceBetweenThingsAreRefused) {
   EXPECT_EQ(Read("The desk should not hinder movement around the daybed."), "");
 }
 
+TEST(Forms, ClausesLeaveToOthersWhatTheyShare) {
+  EXPECT_EQ(Read("Close to sockets, which must not be covered.", {"desk"}, v1::SENTENCE_SCOPE_INTRA),
+            "close_to_feature(object=desk, feature=socket); clear_of_feature(object=desk, feature=socket)");
+  EXPECT_EQ(Read("The chair is in front of the desk, which it faces.", {"chair", "desk"}),
+            "in_front_of(object=chair, target=desk); facing(object=chair, target=desk)");
+  EXPECT_EQ(Read("The chair, which is beside the desk, must be at least 1 m from the daybed.", {"chair", "desk"}),
+            "next_to(object=chair, target=desk); away_from(object=chair, target=daybed, min_distance_m=1.0)");
+  EXPECT_EQ(Read("1 m is kept free in front of and behind the desk.", {"desk"}, v1::SENTENCE_SCOPE_INTRA),
+            "accessible(object=desk, sides=[\"front\"], min_clearance_m=1.0); "
+            "accessible(object=desk, sides=[\"back\"], min_clearance_m=1.0)");
+  EXPECT_EQ(Read("0.8 m of space on the left as well as on the right.", {"desk"}, v1::SENTENCE_SCOPE_INTRA),
+            "accessible(object=desk, sides=[\"left\",\"right\"], min_clearance_m=0.8)");
+}
+
+TEST(Forms, WhatMustNotBeBlockedIsToBeGotAt) {
+  EXPECT_EQ(Read("Must never be obstructed.", {"desk"}, v1::SENTENCE_SCOPE_INTRA),
+            "accessible(object=desk, sides=[\"front\"])");
+  EXPECT_EQ(Read("Must not be in the door's way.", {"desk"}, v1::SENTENCE_SCOPE_INTRA),
+            "clear_of_feature(object=desk, feature=door)");
+}
+
+TEST(Forms, HowCloseIsNoSideAndWhoseSideIsSaidFirst) {
+  EXPECT_EQ(Read("Right by the door.", {"desk"}, v1::SENTENCE_SCOPE_INTRA),
+            "close_to_feature(object=desk, feature=door)");
+  EXPECT_EQ(Read("The chair is to the right of the desk, and the TV stand is to its left.", {"chair", "desk"}),
+            "next_to(object=chair, target=desk, target_side=right); "
+            "next_to(object=tv_stand, target=desk, target_side=left)");
+  EXPECT_EQ(Read("The desk is to the left of the daybed, at most 0.5 m from it.", {"desk", "daybed"}),
+            "next_to(object=desk, target=daybed, target_side=left); "
+            "near(object=desk, target=daybed, max_distance_m=0.5)");
+}
+
+TEST(Forms, TheLastAndTheFirstOneAreOfTheirKind) {
+  EXPECT_EQ(Read("The desk is beside the last bench.", {"desk"}), "next_to(object=desk, target=bench_w)");
+  EXPECT_EQ(Read("The second bench is to the right of the first one.", {"bench_r", "bench_w"}),
+            "next_to(object=bench_w, target=bench_r, target_side=right)");
+}
+
 }  // namespace
 }  // namespace flair::translator

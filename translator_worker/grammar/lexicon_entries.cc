@@ -7,7 +7,7 @@ namespace flair::translator {
 // space continues the entry. The first entry wins when a phrase stands in two of the same length.
 std::string_view LexiconEntries() {
   return R"(
-relation against: [pushed|placed|set|positioned|backed|standing] [right|hard|close|tight] up (against|to) | right against | (pushed|moved) [right] [up] to | (placed|set|positioned|standing|sitting) flush against | connected with | (installed|mounted|fixed|positioned|placed|set) against | [tucked|pushed|pressed|butted|lean|leans|leaning|rest|rests|resting|sits|stands|backs] [right|up|flush|snug|snugly|tight] against | (pushed|set|moved) back against | (pushed|set|placed|pressed) flat against | flat against | flush (with|to) | backed (onto|against|by) | backs onto
+relation against: pulled up (to|against) | (hug|hugs|hugging) | [pushed|placed|set|positioned|backed|standing] [right|hard|close|tight] up (against|to) | right against | (pushed|moved) [right] [up] to | (placed|set|positioned|standing|sitting) flush against | connected with | (installed|mounted|fixed|positioned|placed|set) against | [tucked|pushed|pressed|butted|lean|leans|leaning|rest|rests|resting|sits|stands|backs] [right|up|flush|snug|snugly|tight] against | (pushed|set|moved) back against | (pushed|set|placed|pressed) flat against | flat against | flush (with|to) | backed (onto|against|by) | backs onto
   | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | (secure|secured|anchor|anchored|fasten|fastened|fix|fixed|attach|attached|bolted|screwed) (to|onto) | (join|joins|meet|meets|adjoin) [up with|with]
 relation against: (lined up|lining up|in a row|side by side) against | (squeezed|shoved|jammed|crammed|propped|stood|abutted|nestled|nudged|squared) [up|in] against | in [direct] contact with | touching against
 relation along: along | alongside | lined up along | runs along | running along
@@ -27,9 +27,9 @@ relation next_to: next to | beside | adjacent to | directly adjacent to | immedi
   | by | at
 relation to_side: (at|on|by|near|to) (one|either|the far|the other|each) end of | (to|on|at) the other side of | (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
 relation side_by_side: [stand|placed|arranged|positioned] side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
-  | form (a|one) row | lined up
+  | (form|forms|forming) (a|one) [single|straight|continuous|neat|tidy] (row|line|bank) | (arranged|placed|set up|aligned|standing|stand) in (a|one) [single|straight|continuous|neat] (row|line) | lined up
 relation back_to_back: [placed|standing|stand] back to back [with|to|against]
-relation together: (form|forms|forming|create|creates|creating|make|making) (a|one) [seating|conversation] (group|cluster|grouping|ensemble|area) | (cramped|crammed|crowded|squeezed|packed|pushed) together | in (close|immediate) proximity | close together | (grouped|placed|kept) together
+relation together: (go|goes|belong|belongs|stay|stays) together | (form|forms|forming|create|creates|creating|make|making) (a|one) [seating|conversation] (group|cluster|grouping|ensemble|area) | (cramped|crammed|crowded|squeezed|packed|pushed) together | in (close|immediate) proximity | close together | (grouped|placed|kept) together
 relation each_side_of: (one|two) per side of | per side of | (stand|stands|standing|sit|sits|sitting) on (each|either|both|opposite) (side|sides) of | on (each|either|both) (side|sides) of | at (each|either) side of | on opposite sides of
   | flanking | flank | flanks | one on each side of | on both sides of | at both sides of | to (each|either) side of
 relation left_of: (should|must|can|may|to) be left of | (to|on|at) [the] left [hand] [side] of | left of | immediately left of
@@ -73,11 +73,11 @@ relation facing_each_other: (opposite|across from) (each other|one another) | (f
 relation opposite: opposite | opposite to | opposite from | across from | directly across [from] | on the opposite side of
 relation same_direction: (face|faces|facing) [in] the same (direction|way) (as|like) | same (direction|orientation|way) (as|like) | oriented the same way as
 relation parallel: parallel [to|with] | is parallel to | run parallel to | runs parallel to
-relation perpendicular: perpendicular to | at [a] right (angle|angles) to | perpendicular | form [a] right angle [with|to] | forms a right angle (with|to) | at 90 degrees to | at a 90 degree angle to | square to
+relation perpendicular: perpendicular to | at [a] right (angle|angles) to | perpendicular | form [a] right angle [with|to] | forms a right angle (with|to) | [turned|rotated|oriented|set|placed|standing] at (90|ninety) degrees to | [turned|rotated|oriented|set|placed] at a (90|ninety|right) degree angle (to|with) | at a 90 degree angle to | square to
 relation not_angle: at [a|an] (45|30|60) [degree|degrees] angle (to|with) | at an angle [to] | diagonally | diagonal | at a 45 degree angle
 relation not_angle: (diagonal|diagonally) (across|opposite) [from|to] | kitty corner (to|from) | (at|on) a (slight|small) angle [to]
 relation crowd: crowded by | crowd | crowds | crowding
-relation away_from: [well|stand|stands|stay|stays|keep|remain|remains] well clear (of|from) | (stand|stands|standing) clear (of|from) | as far [away] as possible from | [kept|keep] out of reach (of|from) | clear distance from
+relation away_from: across the room from | [well|stand|stands|stay|stays|keep|remain|remains] well clear (of|from) | (stand|stands|standing) clear (of|from) | as far [away] as possible from | [kept|keep] out of reach (of|from) | clear distance from
 relation away_from: from (the|its) (center|centre|middle|centerline|centreline) to [any|the] | (distinct|isolated|detached|secluded) from | far enough [away] from | [slightly|well] off [of] | stand apart from | removed from | remote from | away from | far from | far away from | [a|at a] [safe|reasonable|good|fair|some|comfortable|certain|suitable|sufficient|adequate|proper] distance (from|to) | apart from | separate from | from the [outer|front|back|near|nearest|closest] (edge|edges) of
   | separated from | distant from | distance from | [well] (clear away|apart) from | from | safe distance | at a (distance|remove) from | at a [safe|good|reasonable] distance | gap from | spaced from | distanced from | a gap from
 relation no_gap: (no|zero|without [a|any]) (gap|gaps|space|spacing) [in between]
@@ -102,7 +102,8 @@ relation accessible: passable | accessible (at|to|for) a (depth|distance|width) 
 relation power_access: (power|electrical|electric|electricity|socket|outlet) (access|connection|connections|accessibility)
 relation accessible_from: [be] possible to (get to|reach|walk up to) (it|them) (from|on|at) | accessibility (from|on|at) | (can|could|may|should|must|to) be [easily] (reached|accessed|approached|used) (from|on|at) | (easy|possible) to (reach|access|approach|use) (from|on|at) | approachable (from|on|at|along) | [easily|conveniently|readily|quickly] (reached|reachable) from | readily accessible from | accessible (side|sides) | (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
 relation accessible_from: [be] [able to] (work|working|operate|operated|serve|served|treat|approach|approached) (from|along|on|at)
-relation access_to: availability of | access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | power from | plugged into | plug into | [easy] access from
+relation across: across
+relation access_to: (get|getting) at | availability of | access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | power from | plugged into | plug into | [easy] access from
 relation allow_access_to: [to|and] (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to
 relation pull_out: [to] (pull|move|slide|push|pulling|moving|sliding) (it|them|the chair|the chairs|chairs|a chair|the stool|the stools) (out|back|in and out|in or out) | [enough|sufficient|adequate|ample] (room|space|clearance) to (move|slide|push|roll|pull) [it|them] (back|out|in and out|in) [from] | [be] (moved|pulled|pushed|slid|rolled) (in|out|in and out|in or out|in out|out and in|in and back) [from (it|underneath)] | [to] [be] moved back | [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | [to] pulling [it] (out|back) | [to] [be] (roll|rolled|rolling|slid|slide|sliding|moved|scoot|pushed) (out|back|backwards|backward|in and out) | back out | pull it out | movement space | allow movement space | move back
 relation pull_out: [to] [be] (drawn|pulled|slid|rolled|moved) (up|out|back|forward)
@@ -141,11 +142,11 @@ relation edge: [near|at|by|on|along] [the|an|its] edge | [on|at|near|by|towards|
 relation edge: [slightly] off (center|centre) | (on|at|to) (either|each) end of
 relation towards_back: [and] (towards|toward) the (back|rear|wall|back side|back edge) [of] | at the back edge of | [positioned] (towards|toward) the wall
 relation towards_back: (toward|towards|near) its (back|rear) [edge|side]
-relation into_room: (angled|oriented|orientated|directed|pointed|pointing|positioned) (into|to|towards|toward) [the] [center|centre|middle|rest|inside] [of] the room | (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | [a|the] [good|clear|full] (view|overview) of [the] [whole|entire|main] room | [a|the] [good|clear|full|comfortable|wide] (view|viewing angle|overview|visibility) (over|across|of|into) [of] [the] [whole|entire|main|rest of the] room | overlooking the [whole|entire|rest of the] room | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the [whole|entire|main] (area|space) | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the rest of the (room|space|area) | facing inward | facing inwards | view of the [main|entire|whole] room
+relation into_room: (face|faces|facing|look|looks|looking) into | (angled|oriented|orientated|directed|pointed|pointing|positioned) (into|to|towards|toward) [the] [center|centre|middle|rest|inside] [of] the room | (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | [a|the] [good|clear|full] (view|overview) of [the] [whole|entire|main] room | [a|the] [good|clear|full|comfortable|wide] (view|viewing angle|overview|visibility) (over|across|of|into) [of] [the] [whole|entire|main|rest of the] room | overlooking the [whole|entire|rest of the] room | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the [whole|entire|main] (area|space) | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the rest of the (room|space|area) | facing inward | facing inwards | view of the [main|entire|whole] room
 relation into_room: (overlooks|overlook|surveys|commands) the [whole|entire|rest of the] room
 relation hanging: (nailed|pinned|fastened|secured|anchored|tacked|taped|clipped|screwed|attached|fixed|affixed|strung|draped) [to|on|onto|across|along|from] | hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
 relation both_ways: each other | one another
-relation freestanding: freestanding | free standing
+relation freestanding: (stand|stands|standing) free (in|within) the (room|space) | freestanding | free standing
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
 relation on_wall_of: on the (wall|walls) of
@@ -167,9 +168,9 @@ wish: if (any|applicable|present|they exist|it exists) | if available | if one i
   | where (space|room) (allows|permits) | (if|when|where) (feasible|practical|appropriate|suitable|convenient|allowed) | if it fits
   | (if|as long as|provided|provided that|so long as) (this|it|that|doing so) (does not|will not|would not) (violate|conflict with|contradict|affect|break|compromise|interfere with) [any] [of] [the] other (constraints|requirements|rules|needs|conditions|guidelines)
   | as far as possible | whenever possible | if there is (space|room)
-purpose: than | for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | rather than | such as | like | depending | even
+purpose: than | for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | such as | like | depending | even
 condition: not [necessarily] need to | need not | not necessarily | not (necessary|required|needed|essential) | is optional | no need | if | unless | only if | in the event
-not: (refrain|refrains|refraining) from | (take|taking) care not to | so as not to | not | nowhere | neither | hardly | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | don
+not: rather than | (refrain|refrains|refraining) from | (take|taking) care not to | so as not to | not | nowhere | neither | hardly | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | don
 side front: front [side|edge|face|end|part] | front and center | foot [end] | footboard | fronts | front sides
 side back: back [side|edge|end|part] | rear [side|edge] | headboard | head [end|side] | backrest | backs | back sides | headrest
 side left: left [hand] [side|edge|end] | left hand side
@@ -197,7 +198,7 @@ feature window: (window|windows) access | opening of [the] (window|windows) | (w
 feature socket: (plug|plug in|electricity|outlet) (point|points) | charging (point|points|station|stations) | (wall|power|electrical|electric) (plug|plugs|connection|connections|access point|access points|receptacle|receptacles) | (wall|walls) with [a|the|any] (socket|sockets|outlet|outlets) | electrical and gas (outlets|sockets) | [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plugs) | (wall|power|electrical|electric|mains|electricity) (plug|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
 place wall: [one or] two walls | [one of the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby|side|rear|exterior|interior|outer|inner|outside|inside|dry|structural|load bearing] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
 place ceiling: ceiling | ceilings
-place room: [whole|entire|main] (room|bedroom|living room|dining room|kitchen|office|study|bathroom|studio|space|workshop|workroom|hall|library|gym|nursery) | floor plan | room 's space | center of attention | layout
+place room: [whole|entire|main] (room|bedroom|living room|dining room|kitchen|office|study|bathroom|studio|space|workshop|workroom|hall|library|gym|nursery|shop|store|chapel|church|cellar|bakery|salon|clinic|surgery|pharmacy|boutique|gallery|lounge|attic|basement|laboratory|lab|cafe|restaurant) | floor plan | room 's space | center of attention | layout
 place floor: floor | ground
 area area: spots | area | zone | region | section | space | nook | spot | area 's | zones | areas | arrangement | group | station | location
 group all: nothing | [all|each|every|any|no] [of the] (object|objects|item|items|piece|pieces|furniture|equipment) [of] [furniture|equipment] | (pieces|piece|items|item) of furniture | whatever [is|stands] (opposite|across from|in front of|next to|beside|behind) it | whatever [is|stands] (there|opposite|behind|beside|in front) | furniture pieces | furniture | all furniture | furnishings | each piece | anything | everything | large furniture
@@ -212,6 +213,7 @@ pronoun them: [the|these|those|of these|of the] (pieces|objects) [of furniture] 
 quantity each: neither_one | either of [the] | none of the |any of the | each | every | each of the | every one of the | all | all the | both | both of the | all of the | any | each one of the | either | two | three | four | five | six | eight | both the | all four | all six | the two | the four | the three | the six | pair of | a pair of
 ordinal 1: first | one
 ordinal 2: second | the other
+ordinal 99: last | rearmost
 ordinal 3: third
 ordinal 4: fourth
 ordinal 5: fifth

@@ -21,6 +21,9 @@ enum class RefKind {
   kVague,   // paths, lighting, comfort: nothing that a layout call is about
 };
 
+// The ordinal of "the last".
+inline constexpr int kLast = 99;
+
 // One member of a noun phrase.
 struct Reference {
   RefKind kind = RefKind::kPronoun;
@@ -42,7 +45,7 @@ struct Reference {
   bool own = false;
   // "The shower area": the place about the object.
   bool area = false;
-  // "first" is 1; 0 when not numbered.
+  // "first" is 1, "last" is kLast; 0 when not numbered.
   int ordinal = 0;
 };
 

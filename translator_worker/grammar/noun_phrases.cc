@@ -118,6 +118,15 @@ class Grouper {
     return reference.kind == RefKind::kObjects && reference.candidates.size() == 2 && !reference.plural;
   }
 
+  // "The front of the captain's desk": whose it is, at either of its two terms.
+  bool IsPossessor(size_t i) const {
+    const auto unknown = [&](size_t at) {
+      return Peek(at) && in_[at].role == Role::kNone && in_[at].term.kind == Term::Kind::kUnknown;
+    };
+    const auto ending = [&](size_t at) { return Peek(at) && in_[at].role == Role::kPossessive; };
+    return (unknown(i) && ending(i + 1)) || (ending(i) && i > 0 && unknown(i - 1));
+  }
+
   bool IsComma(size_t i) const {
     return Peek(i) && in_[i].role == Role::kNone && in_[i].term.kind == Term::Kind::kSoft && in_[i].term.lemma == ",";
   }
@@ -157,7 +166,8 @@ class Grouper {
     raw.term.end = in_[next - 1].term.end;
     size_t owner = next + 1;
     while (Peek(next) && IsOf(in_[next]) && Peek(owner) &&
-           (in_[owner].role == Role::kEach || in_[owner].role == Role::kOrdinal || IsLeftOrRightOne(owner))) {
+           (in_[owner].role == Role::kEach || in_[owner].role == Role::kOrdinal || IsLeftOrRightOne(owner) ||
+            IsPossessor(owner))) {
       ++owner;
     }
     if (Peek(next) && IsOf(in_[next]) && Peek(owner) && (IsThing(in_[owner]) || IsMention(in_[owner]))) {
@@ -194,9 +204,9 @@ class Grouper {
         continue;
       }
       if (raw.role == Role::kOrdinal) {
-        if (other && raw.ordinal == 1) continue;  // "the second one"
+        if (other && raw.ordinal == 1) continue;  // "the second one", "the first one"
         ordinal = raw.ordinal;
-        other = raw.ordinal > 1;
+        other = raw.ordinal > 1 || other || Earlier(ordinal, out) != nullptr;
         if (other) other_term = raw.term;
         continue;
       }
@@ -239,19 +249,25 @@ class Grouper {
     in_ = std::move(out);
   }
 
-  // "One chair on the left and the other on the right", "the second one": the second of them.
-  static void NameTheOther(const Term& term, int ordinal, std::vector<RawTerm>& out) {
+  // The thing spoken of before that "the other", "the second one", "the first one" is another of.
+  static const RawTerm* Earlier(int ordinal, const std::vector<RawTerm>& out) {
     for (size_t i = out.size(); i > 0; --i) {
       if (!IsThing(out[i - 1])) continue;
       const Reference& reference = out[i - 1].term.mention.references.back();
-      if (reference.ordinal != ordinal - 1 || reference.candidates.size() < 2) continue;
-      RawTerm named = out[i - 1];
-      named.term.begin = term.begin;
-      named.term.end = term.end;
-      named.term.mention.references.back().ordinal = ordinal;
-      out.push_back(std::move(named));
-      return;
+      const bool fits = ordinal == 1 ? reference.ordinal > 1 : reference.ordinal == ordinal - 1;
+      if (fits && reference.candidates.size() > 1) return &out[i - 1];
     }
+    return nullptr;
+  }
+
+  static void NameTheOther(const Term& term, int ordinal, std::vector<RawTerm>& out) {
+    const RawTerm* const earlier = Earlier(ordinal, out);
+    if (earlier == nullptr) return;
+    RawTerm named = *earlier;
+    named.term.begin = term.begin;
+    named.term.end = term.end;
+    named.term.mention.references.back().ordinal = ordinal;
+    out.push_back(std::move(named));
   }
 
   // "Each long side".

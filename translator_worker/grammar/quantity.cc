@@ -74,13 +74,17 @@ class Joiner {
       }
       if (value == 0.5 && (WordAt(next, "a") || WordAt(next, "an"))) ++next;
     }
-    if (WordAt(next, "and") && WordAt(next + 1, "a") && WordAt(next + 2, "half")) {
+    const auto half_more = [&] {
+      if (!WordAt(next, "and") || !WordAt(next + 1, "a") || !WordAt(next + 2, "half")) return;
       value += 0.5;
       next += 3;
-    }
+    };
+    half_more();
     const std::optional<double> unit = UnitAt(next);
     if (!unit) return Read{value, next, false};
-    return Read{value * *unit, next + 1, true};
+    ++next;
+    half_more();  // "a metre and a half"
+    return Read{value * *unit, next, true};
   }
 
   bool Length() {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "translator_worker/grammar/rewrite_clauses.h"
+
 namespace flair::translator {
 namespace {
 
@@ -249,6 +251,7 @@ void MoveNotBehindSubject(std::vector<Term>& terms) {
 }  // namespace
 
 void RewriteTerms(std::vector<Term>& terms) {
+  RewriteClauses(terms);
   DropRepeatedWords(terms);
   DropSofteningOfNear(terms);
   DropWhatIsBlocked(terms);
@@ -256,6 +259,7 @@ void RewriteTerms(std::vector<Term>& terms) {
   TakeExamples(terms);
   TakeFirstPlace(terms);
   ShareTarget(terms);
+  ShareFigure(terms);
   DropToBesideNot(terms);
   DropCenteredBesideRelation(terms);
   MoveNotBehindSubject(terms);

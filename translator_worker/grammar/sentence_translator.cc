@@ -92,12 +92,21 @@ class Walk {
       hit.rule->build(hit.match, hit.rule->tag, composer_);
     }
     at_ += hit.match.length;
+    PassRepeatedPartner();
     after_or_ = at_ < terms_.size() && terms_[at_].IsWord("or");
     if (after_or_) {
       calls_at_or_ = before;
       ++at_;
     }
     return true;
+  }
+
+  // "To the left of the table, at most 0.5 m from it": the partner of the figure is named once more.
+  void PassRepeatedPartner() {
+    if (at_ == 0 || at_ + 1 >= terms_.size() || terms_[at_ - 1].kind != Term::Kind::kDistance) return;
+    if (!terms_[at_].IsWord("away_from") || terms_[at_ + 1].kind != Term::Kind::kMention) return;
+    const Reference& first = terms_[at_ + 1].mention.references.front();
+    if (first.kind == RefKind::kPronoun && first.side.empty() && !composer_.pair_targets().empty()) at_ += 2;
   }
 
   // "Away from the shelf and at least 1 m from the stool": the figure is for the stool.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "translator_worker/grammar/token.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <utility>
@@ -230,5 +231,9 @@ class Tokenizer {
 }  // namespace
 
 std::vector<Token> Tokenize(std::string_view text) { return Tokenizer(text).Run(); }
+
+bool IsOneOf(const Token& token, std::initializer_list<std::string_view> words) {
+  return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return token.IsWord(word); });
+}
 
 }  // namespace flair::translator

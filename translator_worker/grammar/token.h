@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,5 +30,7 @@ struct Token {
 // plain forms, "doesn't" becomes "does" "not", other characters outside ASCII separate words. Lengths are not joined
 // yet, see JoinQuantities.
 std::vector<Token> Tokenize(std::string_view text);
+
+bool IsOneOf(const Token& token, std::initializer_list<std::string_view> words);
 
 }  // namespace flair::translator

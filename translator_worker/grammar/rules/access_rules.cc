@@ -67,6 +67,13 @@ void AccessFromSide(const Match& match, std::string_view, Composer& composer) {
   KeepSpace(sided, match.distance, composer);
 }
 
+// "Must open fully", of the piece that the sentence is about, when nothing else was said.
+void OpensFully(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed>& topic = composer.topic();
+  if (!composer.calls().empty() || topic.empty() || composer.scope() != v1::SENTENCE_SCOPE_INTRA) return;
+  KeepSpace(topic, match.distance, composer);
+}
+
 // "All sides where chairs stand are accessible", "the front is clear of obstacles".
 void OfMovers(const Match& match, std::string_view, Composer& composer) {
   KeepSpace(composer.Movers(match.a), match.distance, composer);
@@ -205,6 +212,9 @@ std::vector<Rule> AccessRules() {
       {"D keep_clear in_front_of B.object", SpaceAt, "front"},
       {"D keep_clear around B.object", SpaceAt, "around"},
       {"D keep_clear at_sides", SpaceAt, "sides"},
+      {"behind B.object ,? D keep_clear", SpaceAt, "back"},
+      {"in_front_of B.object ,? D keep_clear", SpaceAt, "front"},
+      {"around B.object ,? D keep_clear", SpaceAt, "around"},
       {"A.object? accessible/keep_clear", Accessible},
       {"A.object? accessible/keep_clear ,? D space?", Accessible},
       {"A.object? keep_clear/accessible ,? space D", Accessible},
@@ -212,7 +222,7 @@ std::vector<Rule> AccessRules() {
       {"A.object? accessible_from ,? B.side ,? D space?", Accessible},
       {"A.object? accessible_from ,? B.side ,? space D", Accessible},
       {"A.object? accessible B.side D?", Accessible},
-      {"A.object? accessible on/at_sides B.side D?", Accessible},
+      {"A.object? accessible on/at_sides/next_to B.side D?", Accessible},
       {"A.object? accessible away_from B.side D?", Accessible},
       {"A.object? accessible_from ,? around", SpaceAt, "around"},
       {"A.object? accessible_from B.object", AccessibleFrom},
@@ -311,6 +321,7 @@ std::vector<Rule> AccessRules() {
       {"A.vague accessible", Unreachable},
       {"accessible_from A.vague", Unreachable},
       {"A swing_open", SpaceAt, "named"},
+      {"swing_open", OpensFully},
       {"A? swing_open on/at_sides B.side", AccessToSide},
       {"A.object? space D? for/to swing_open ,? C.feature?", SpaceAt, "named"},
       {"space for? A swing_open", SpaceAt, "named"},

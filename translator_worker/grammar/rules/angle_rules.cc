@@ -59,15 +59,47 @@ void Facing(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
-void EachOther(const Match& match, std::string_view, Composer& composer) {
-  std::vector<Placed> all = composer.Movers(match.a);
-  if (all.size() < 2) all = composer.subjects();
-  if (all.size() != 2) {
-    composer.Refuse("unknown_sentence", "two objects can face each other; name them");
+// "On opposite long sides of the table": at its two sides. "On the opposite side": facing it.
+void OnOpposite(const Match& match, std::string_view tag, Composer& composer) {
+  const std::string& side = match.b->references.front().side;
+  if (side != "sides" && side != "long_both" && side != "short_both") {
+    Facing(match, tag, composer);
     return;
   }
-  EmitFacing(all[0], all[1], true, composer);
-  composer.SetPair({all[0]}, {all[1]});
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  Flank(movers, composer.TargetObjects(*match.b, movers), composer);
+}
+
+// Two groups of which each member is meant with each of the other: two objects, or "the racks and the desk".
+struct TwoGroups {
+  std::vector<Placed> first;
+  std::vector<Placed> second;
+};
+
+// Both empty, with a remark, when it is not two.
+TwoGroups GroupsOf(const Match& match, Composer& composer) {
+  if (match.a != nullptr && match.a->references.size() == 2) {
+    TwoGroups groups;
+    for (const size_t i : {0, 1}) {
+      Mention one;
+      one.references = {match.a->references[i]};
+      (i == 0 ? groups.first : groups.second) = composer.Movers(&one);
+    }
+    if (!groups.first.empty() && !groups.second.empty()) return groups;
+  }
+  std::vector<Placed> all = composer.Movers(match.a);
+  if (all.size() < 2) all = composer.subjects();
+  if (all.size() == 2) return {{all[0]}, {all[1]}};
+  composer.Refuse("unknown_sentence", "two objects can face each other; name them");
+  return {};
+}
+
+void EachOther(const Match& match, std::string_view, Composer& composer) {
+  const TwoGroups groups = GroupsOf(match, composer);
+  for (const Placed& one : groups.first) {
+    for (const Placed& other : groups.second) EmitFacing(one, other, true, composer);
+  }
+  if (!groups.first.empty()) composer.SetPair(groups.first, groups.second);
 }
 
 // "on the wall opposite X".
@@ -114,8 +146,12 @@ void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
     }
     return;
   }
-  // "Keep 0.6 m in front of the wardrobe": free space, when nobody else is spoken of.
-  const bool may_be_own = match.a == nullptr && match.distance != nullptr;
+  // "Keep 0.6 m in front of the wardrobe": free space, when nobody else is spoken of. "Parallel to the oven and 1.5 m
+  // in front of it": of the oven.
+  const bool of_partner = match.distance != nullptr && match.distance->exact &&
+                          composer.scope() == v1::SENTENCE_SCOPE_INTER && !composer.pair_targets().empty() &&
+                          !composer.calls().empty() && match.b->references.front().name == "it";
+  const bool may_be_own = match.a == nullptr && match.distance != nullptr && !of_partner;
   for (const Target& target : composer.Targets(*match.b, may_be_own ? std::vector<Placed>{} : movers)) {
     if (target.kind == RefKind::kFeature) {
       for (const Placed& mover : movers) {
@@ -199,14 +235,13 @@ void ParallelPairs(const Match& match, std::string_view tag, Composer& composer)
 }
 
 void NotFacingPair(const Match& match, std::string_view, Composer& composer) {
-  std::vector<Placed> all = composer.Movers(match.a);
-  if (all.size() < 2) all = composer.subjects();
-  if (all.size() != 2) {
-    composer.Refuse("unknown_sentence", "two objects can face each other; name them");
-    return;
+  const TwoGroups groups = GroupsOf(match, composer);
+  for (const Placed& one : groups.first) {
+    for (const Placed& other : groups.second) {
+      composer.EmitFirst({Two("not_facing", one, other, composer)});
+      composer.EmitFirst({Two("not_facing", other, one, composer)});
+    }
   }
-  composer.EmitFirst({Two("not_facing", all[0], all[1], composer)});
-  composer.EmitFirst({Two("not_facing", all[1], all[0], composer)});
 }
 
 void Angle(const Match& match, std::string_view, Composer& composer) {
@@ -232,6 +267,7 @@ std::vector<Rule> AngleRules() {
       {"A? not facing/opposite B", Facing, "not"},
       {"A? facing_away B", Facing, "not"},
       {"A? opposite B", Facing},
+      {"A? on opposite B.side", OnOpposite},
       {"A? facing_each_other", EachOther},
       {"A? facing both_ways", EachOther},
       {"A? opposite both_ways", EachOther},
@@ -252,6 +288,7 @@ std::vector<Rule> AngleRules() {
       {"A? perpendicular B", Direction, "perpendicular"},
       {"A? not_angle B", Angle},
       {"A? into_room", IntoRoom},
+      {"A? into_room B.object", Facing},
   };
 }
 

@@ -39,6 +39,13 @@ void AwayFrom(const Match& match, std::string_view tag, Composer& composer) {
     for (const Placed& mover : movers) KeepFreeBeside({mover.object, what.side}, distance, composer);
     return;
   }
+  // "Used from both long sides": they are to be got at.
+  const bool several =
+      what.side == "sides" || what.side == "all" || what.side == "three" || what.side.ends_with("both");
+  if (own_side && several && composer.calls().empty()) {
+    for (const Placed& mover : movers) KeepFreeBeside({mover.object, what.side}, nullptr, composer);
+    return;
+  }
   for (const Target& target : composer.Targets(*match.b, movers, false)) {
     for (const Placed& mover : movers) KeepAway(mover, target, distance, composer);
   }
@@ -196,6 +203,8 @@ std::vector<Rule> WalkwayRules() {
       {"B.feature away_from", FeatureAway},
       {"B.feature away_from/near D", FeatureAway},
       {"B.feature D apart/away", FeatureAway},
+      {"B.feature D away_from A.thing", FeatureAway},
+      {"across D C.vague?", ApartFromEachOther},
       {"B.feature apart/away", FeatureAway},
       {"C.vague of? ,? D space?", Ways},
       {"D of? space? C.vague", Ways},
@@ -230,6 +239,7 @@ std::vector<Rule> DistanceRules() {
       {"A? not along/to_side B.feature", AwayFrom},
       {"A? not? space D? between ,? B ,? D?", Between},
       {"A? D of? space? ,? between B", Between},
+      {"between B ,? D keep_clear/accessible", Between},
       {"A? space? D? space? between B or C.group", BetweenOrAnything},
       {"space between B minimal", Between, "touching"},
       {"apart/away between B", Between},

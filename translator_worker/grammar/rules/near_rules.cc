@@ -139,8 +139,14 @@ void AccessToFeature(const Match& match, std::string_view, Composer& composer) {
 
 void NextTo(const Match& match, std::string_view, Composer& composer) {
   if (composer.RefuseUnnamed(*match.b)) return;
-  const std::vector<Placed> movers = composer.Movers(match.a);
   const std::string& side = match.b->references.front().side;
+  // "People stand at three sides of the bench" that is spoken of.
+  if (match.a == nullptr && !side.empty() && composer.scope() == v1::SENTENCE_SCOPE_INTRA &&
+      IsOwnPart(*match.b, composer)) {
+    KeepSpace({{composer.topic().front().object, side}}, match.distance, composer);
+    return;
+  }
+  const std::vector<Placed> movers = composer.Movers(match.a);
   const bool several_sides = side == "sides" || side == "long_both" || side == "short_both" || side == "all";
   // "Three chairs along each long side of the table".
   if (several_sides && movers.size() > 1 && composer.IsFloor(movers.front())) {
@@ -246,6 +252,7 @@ std::vector<Rule> NearRules() {
       {"A? access_to B.feature", AccessToFeature},
       {"A? access_to B.object", Near, "access"},
       {"A? accessible access_to? B.feature", Near},
+      {"A? near for next_to/near B", Near},
       {"nearby B", Near},
       {"A? space for B.object near/next_to", Near},
       {"A? next_to B", NextTo},

@@ -101,6 +101,11 @@ void RugUnder(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
   for (const Placed& mover : movers) {
     if (targets.empty()) return;
+    // "Tucks under the front of the desk": there it stands.
+    if (!targets.front().side.empty() && composer.IsFloor(mover) && !composer.IsRug(mover)) {
+      OnSide(mover, targets.front(), composer);
+      continue;
+    }
     const std::string& id = composer.id(mover);
     const std::string& target = composer.id(targets.front());
     if (!composer.IsFloor(targets.front())) continue;

@@ -97,7 +97,12 @@ bool AddToScore(const LabelledSentence& labelled, const std::vector<v1::Constrai
     refuse = false;
     int best_met = -1;
     int best_size = 1;
+    bool may_refuse = false;
     for (const json& alternative : alternatives) {
+      if (alternative.empty()) {
+        may_refuse = true;  // a careful reader may refuse as well
+        continue;
+      }
       const int count = static_cast<int>(std::count_if(alternative.begin(), alternative.end(), met));
       const int size = static_cast<int>(alternative.size());
       if (count * best_size > best_met * size) {
@@ -105,6 +110,7 @@ bool AddToScore(const LabelledSentence& labelled, const std::vector<v1::Constrai
         best_size = size;
       }
     }
+    if (may_refuse && best_met < best_size) continue;
     score.labelled_calls += best_size;
     score.met_calls += best_met;
     right = right && best_met == best_size;

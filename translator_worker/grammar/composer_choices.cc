@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of Composer that chooses which objects of a name, a kind or a group are meant.
+#include <algorithm>
+#include <iterator>
+
+#include "absl/strings/str_join.h"
+#include "fmt/format.h"
+#include "translator_worker/grammar/composer.h"
+
+namespace flair::translator {
+namespace {
+
+bool IsAmong(const std::vector<Placed>& list, int object) {
+  return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
+}
+
+}  // namespace
+
+std::vector<int> Composer::Choose(const Reference& reference, const std::vector<Placed>& movers) {
+  std::vector<int> candidates = reference.candidates;
+  const bool any = reference.any && !movers.empty();
+  if (reference.ordinal == kLast && !any && !candidates.empty()) return {candidates.back()};
+  if (reference.ordinal > 0 && !any) {
+    if (reference.ordinal <= static_cast<int>(candidates.size())) return {candidates[reference.ordinal - 1]};
+    Refuse("names_absent_object",
+           fmt::format("there is no {}. {}; there are {}", reference.ordinal, reference.name, candidates.size()));
+    return {};
+  }
+  const auto weak_subject = [&](int index) { return IsAmong(subjects_, index); };
+  if ((!reference.full || (scope() == v1::SENTENCE_SCOPE_INTRA && movers.empty())) &&
+      std::none_of(candidates.begin(), candidates.end(), weak_subject)) {
+    for (const int index : reference.weak_candidates) {
+      if (weak_subject(index) && !reference.plural) return {index};
+    }
+  }
+  if (reference.plural || reference.each) KeepThoseSpokenOf(reference, candidates);
+  if (candidates.size() < 2 || ((reference.plural || reference.each) && !any)) return candidates;
+  // Singular with several of the name: those that the sentence is about, then those of one name, then of the same zone.
+  const auto keep = [&](auto&& wanted) {
+    std::vector<int> kept;
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept), wanted);
+    if (!kept.empty()) candidates = kept;
+  };
+  keep([&](int index) { return !IsAmong(movers, index); });
+  keep([&](int index) { return IsAmong(subjects_, index); });
+  const auto one_name = [&] {
+    return std::all_of(candidates.begin(), candidates.end(),
+                       [&](int i) { return object(i).name() == object(candidates[0]).name(); });
+  };
+  if (candidates.size() == 1) return candidates;
+  if (subjects_.empty()) keep([&](int index) { return object(index).role() == v1::OBJECT_ROLE_PRIMARY; });
+  const std::vector<Placed>& speaker = movers.empty() ? topic_ : movers;
+  if (!speaker.empty()) {
+    const std::string& zone = object(speaker.front().object).zone_id();
+    const std::string& host = object(speaker.front().object).host_id();
+    keep([&](int index) { return object(index).id() == host; });
+    if (candidates.size() > 1) keep([&](int index) { return object(index).zone_id() == zone; });
+  }
+  keep([&](int index) { return object(index).role() != v1::OBJECT_ROLE_TERTIARY; });
+  // "They face the table" of a zone with a main table and a side table.
+  if (!one_name()) keep([&](int index) { return object(index).role() == v1::OBJECT_ROLE_PRIMARY; });
+  if (one_name()) return candidates;
+  std::vector<std::string> ids;
+  for (const int index : candidates) ids.push_back(object(index).id());
+  Refuse("ambiguous_object", fmt::format("\"{}\" may be {}; say which", reference.name, absl::StrJoin(ids, ", ")));
+  return {};
+}
+
+std::vector<int> Composer::Group(const std::string& name, const std::vector<Placed>& movers) const {
+  std::vector<int> result;
+  if (name == "kind") return result;
+  for (int i = 0; i < request_.object_list().objects_size(); ++i) {
+    const v1::Object& candidate = object(i);
+    if (candidate.kind() != v1::OBJECT_KIND_FLOOR || candidate.role() == v1::OBJECT_ROLE_TERTIARY ||
+        candidate.walk_over())
+      continue;
+    const bool seat = IsSeat({i, ""});
+    const bool hot = IsHot({i, ""});
+    if (name == "others" && (IsAmong(movers, i) || IsAmong(topic_, i))) continue;
+    if (name == "primary" && candidate.role() != v1::OBJECT_ROLE_PRIMARY) continue;
+    if (name == "seating" && !seat) continue;
+    if (name == "heat" && !hot) continue;
+    result.push_back(i);
+  }
+  return result;
+}
+
+std::vector<Placed> Composer::Primaries() const {
+  constexpr size_t kMost = 6;
+  std::vector<Placed> result;
+  for (int i = 0; i < request_.object_list().objects_size(); ++i) {
+    if (object(i).role() == v1::OBJECT_ROLE_PRIMARY && object(i).kind() == v1::OBJECT_KIND_FLOOR)
+      result.push_back({i, ""});
+  }
+  if (result.size() > kMost) result.clear();
+  return result;
+}
+
+void Composer::KeepSubjects(std::vector<int>& objects) const {
+  std::vector<int> kept;
+  for (const int index : objects) {
+    if (IsAmong(subjects_, index)) kept.push_back(index);
+  }
+  if (!kept.empty()) objects = kept;
+}
+
+void Composer::KeepThoseSpokenOf(const Reference& reference, std::vector<int>& objects) const {
+  std::vector<int> kept = objects;
+  KeepSubjects(kept);
+  const bool named = std::any_of(objects.begin(), objects.end(), [&](int index) { return IsAmong(subjects_, index); });
+  if (named) {
+    // "Each chair" under a heading that names one of them: the kind, not this one.
+    if (kept.size() > 1 || !reference.each) objects = kept;
+    return;
+  }
+  if (subjects_.empty() || objects.size() < 2) return;
+  // "Chairs" under a heading of stools are these.
+  const auto seat = [&](int index) { return IsChair({index, ""}); };
+  if (std::all_of(objects.begin(), objects.end(), seat)) {
+    std::vector<int> seats;
+    for (const Placed& subject : subjects_) {
+      if (IsChair(subject)) seats.push_back(subject.object);
+    }
+    if (seats.size() > 1) {
+      objects = seats;
+      return;
+    }
+  }
+  // "The chairs" under a heading of a table are its own, else those of its zone.
+  const auto keep = [&](auto&& wanted) {
+    std::vector<int> chosen;
+    std::copy_if(objects.begin(), objects.end(), std::back_inserter(chosen), wanted);
+    if (chosen.size() > 1) objects = chosen;
+  };
+  const std::string& host = id(subjects_.front());
+  keep([&](int index) { return object(index).host_id() == host; });
+  keep([&](int index) { return object(index).zone_id() == object(subjects_.front().object).zone_id(); });
+}
+
+void Composer::KeepZone(std::vector<int>& objects, const Placed& mover) const {
+  std::vector<int> same;
+  for (const int index : objects) {
+    if (object(index).zone_id() == object(mover.object).zone_id()) same.push_back(index);
+  }
+  if (!same.empty()) objects = same;
+}
+
+}  // namespace flair::translator

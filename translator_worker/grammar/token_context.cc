@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/token_context.h"
+
+#include <algorithm>
+
+namespace flair::translator {
+
+bool VerbFollows(const TokenContext& context) {
+  const auto& [tokens, at, names, terms] = context;
+  if (at == 0 || tokens[at - 1].IsMark('.') || tokens[at - 1].IsWord("to")) return true;
+  if (terms.empty()) return false;
+  const RawTerm& before = terms.back();
+  if (before.role == RawTerm::Role::kModal || before.term.IsWord("not")) {
+    return before.term.end == tokens[at - 1].end;
+  }
+  return before.role == RawTerm::Role::kNone && before.term.kind == Term::Kind::kMention;
+}
+
+bool NounFollows(const TokenContext& context, size_t at) {
+  if (at >= context.tokens.size()) return false;
+  return context.names.Find(context.tokens, at).length > 0 ||
+         Lexicon::Get().Find(context.tokens, at).word_class == WordClass::kFeature;
+}
+
+Phrase FindPhrase(const TokenContext& context) {
+  const Phrase phrase = Lexicon::Get().Find(context.tokens, context.at);
+  for (size_t k = 1; k < phrase.length; ++k) {
+    const SceneNames::Found name = context.names.Find(context.tokens, context.at + k);
+    const Phrase inner = Lexicon::Get().Find(context.tokens, context.at + k);
+    const bool of_feature = (phrase.word_class == WordClass::kPlace || phrase.lemma == "into_room") &&
+                            inner.word_class == WordClass::kFeature && inner.length > 1;
+    // "Along a side wall" is not "along" and "a side".
+    const bool of_wall =
+        phrase.word_class == WordClass::kSide && inner.word_class == WordClass::kPlace && inner.length > 1;
+    const size_t length = std::max(name.length, of_feature || of_wall ? inner.length : 0);
+    if (length > 1 && k + length > phrase.length) return Lexicon::Get().Find(context.tokens, context.at, k);
+  }
+  return phrase;
+}
+
+bool AnyIsMeant(const TokenContext& context) {
+  const auto& [tokens, at, names, terms] = context;
+  size_t before = at;
+  if (before > 0 && tokens[before - 1].IsWord("the")) --before;
+  if (before > 0 && tokens[before - 1].IsWord("of")) --before;
+  if (before == at) return at > 0 && IsOneOf(tokens[at - 1], {"a", "an", "one"});
+  return before > 0 && tokens[before - 1].IsWord("one");
+}
+
+bool EndsSideClear(const TokenContext& context, const Phrase& phrase) {
+  const auto& [tokens, at, names, terms] = context;
+  if (phrase.word_class != WordClass::kFiller || phrase.length != 1 || terms.empty()) return false;
+  const Token& token = tokens[at];
+  if (token.IsWord("accessibility") && terms.back().role == RawTerm::Role::kSide) return true;
+  if (!IsOneOf(token, {"clear", "free", "open"})) return false;
+  const size_t modals = terms.back().role == RawTerm::Role::kModal ? 1 : 0;
+  if (terms.size() <= modals) return false;
+  const RawTerm& what = terms[terms.size() - 1 - modals];
+  const bool thing = what.role == RawTerm::Role::kNone && what.term.kind == Term::Kind::kMention;
+  if (what.role != RawTerm::Role::kSide && !thing) return false;
+  return at + 1 == tokens.size() || tokens[at + 1].IsMark('.') || tokens[at + 1].IsMark(',') ||
+         IsOneOf(tokens[at + 1], {"for", "to", "so", "by"});
+}
+
+bool ReachedFromSide(const TokenContext& context, const Phrase& phrase) {
+  const std::vector<Token>& tokens = context.tokens;
+  size_t next = context.at + phrase.length;
+  if (!tokens[next - 1].IsWord("from")) return false;
+  while (next < tokens.size() && IsOneOf(tokens[next], {"the", "its"})) ++next;
+  if (next >= tokens.size()) return false;
+  const Phrase side = Lexicon::Get().Find(tokens, next);
+  return side.word_class == WordClass::kSide && side.length > 0;
+}
+
+bool TellsWhichOne(const TokenContext& context, const Phrase& phrase) {
+  const auto& [tokens, at, names, terms] = context;
+  if (phrase.lemma == "around" && at + 1 < tokens.size() && tokens[at + 1].kind == Token::Kind::kDistance) return true;
+  if (phrase.length != 1 || at == 0) return false;
+  if (IsOneOf(tokens[at], {"adjacent", "nearby"})) {
+    return IsOneOf(tokens[at - 1], {"between", "any", "of", "the", "from", "two", "other"}) &&
+           NounFollows(context, at + 1);
+  }
+  return tokens[at].IsWord("central") && tokens[at - 1].IsWord("the") &&
+         (NounFollows(context, at + 1) || NounFollows(context, at + 2));
+}
+
+SceneNames::Found FindNameWithSharedHead(const TokenContext& context) {
+  const auto& [tokens, at, names, terms] = context;
+  const size_t other = at + 2;
+  if (other >= tokens.size() || tokens[at].kind != Token::Kind::kWord || !IsOneOf(tokens[at + 1], {"and", "or"}))
+    return {};
+  const SceneNames::Found last = names.Find(tokens, other);
+  if (last.length < 2 || !last.reference.plural) return {};
+  SceneNames::Found found = names.Find({tokens[at], tokens[other + last.length - 1]}, 0);
+  if (found.length != 2 || found.reference.kind != RefKind::kObjects) return {};
+  found.length = 1;
+  found.reference.plural = false;
+  return found;
+}
+
+}  // namespace flair::translator
