@@ -18,8 +18,9 @@ class ArtifactStore {
  public:
   virtual ~ArtifactStore() = default;
 
-  // Stores those of which no good copy is there already; others count as stored anew. They survive the end of any process. RESOURCE_EXHAUSTED when
-  // there is no room, UNAVAILABLE when the store cannot be reached; then some of them may be there.
+  // Stores those of which no good copy is there already; others count as stored anew. They survive the end of any
+  // process. RESOURCE_EXHAUSTED when there is no room, UNAVAILABLE when the store cannot be reached; then some of them
+  // may be there.
   virtual absl::Status PutAll(std::span<const SealedArtifact> artifacts) = 0;
 
   // Gives one artifact its id, stores it and names it.

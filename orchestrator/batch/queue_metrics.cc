@@ -102,7 +102,16 @@ QueueMetrics::QueueMetrics(runtime::Metrics& metrics)
       wait_(metrics.GetHistogram(kWait)),
       run_duration_(metrics.GetHistogram(kRunDuration)),
       job_duration_(metrics.GetHistogram(kJobDuration)) {
-  for (const MetricFamily* family : {&kCreated, &kEnded, &kDeletedJobs, &kDeletedArtifacts, &kRuns, &kStages, &kStageDuration}) metrics.Declare(*family);
+  for (const MetricFamily* family :
+       {&kCreated, &kEnded, &kDeletedJobs, &kDeletedArtifacts, &kRuns, &kStages, &kStageDuration})
+    metrics.Declare(*family);
+  // Of a count that begins with one a rate does not see the first.
+  for (const v1::JobState state : {v1::JOB_STATE_SUCCEEDED, v1::JOB_STATE_CANCELLED}) {
+    metrics.GetCounter(kEnded, {NameOf(state), NameOf(v1::FAILURE_KIND_UNSPECIFIED)});
+  }
+  for (int kind = v1::FailureKind_MIN + 1; kind <= v1::FailureKind_MAX; ++kind) {
+    metrics.GetCounter(kEnded, {NameOf(v1::JOB_STATE_FAILED), NameOf(static_cast<v1::FailureKind>(kind))});
+  }
   watched_.push_back(metrics.Watch(kQueued, {}, [this] { return queued_.load(); }));
   watched_.push_back(metrics.Watch(kRunningLimit, {}, [this] {
     std::lock_guard lock(mutex_);

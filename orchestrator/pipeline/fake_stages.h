@@ -13,7 +13,7 @@ namespace flair::orchestrator {
 
 // Stages for tests: small valid answers that depend on the brief's text, every call counted, and a hook that may fail
 // or hold a call. Thread-safe.
-class FakeStages final : public StageClients {
+class FakeStages : public StageClients {
  public:
   // Called first in every call with the RPC's name; its error is the answer.
   using Hook = std::function<absl::Status(std::string_view rpc, Call& call)>;

@@ -47,21 +47,18 @@ Stage MakeViewStage() {
 
 }  // namespace
 
-// The catalogue decides what can be translated to, so it counts as the options: another optimizer, another graph. They
-// are kept as the request that they are sent in.
-absl::StatusOr<std::string> TranslationOptions(const StageRun& run) {
-  auto response = run.clients.ListConstraintTypes({}, run.call);
-  if (!response.ok()) return response.status();
-  v1::TranslateRequest request;
-  *request.mutable_catalog() = std::move(*response->mutable_catalog());
-  *request.mutable_model_options() = DecidingOptions(run.spec.model_options());
-  return runtime::CanonicalBytes(request);
+// The catalogue decides what can be translated to, so it counts as an option: another optimizer, another graph.
+absl::StatusOr<StageOptions> TranslationOptions(const StageRun& run) {
+  absl::StatusOr<std::shared_ptr<const SharedCatalog>> catalog = run.catalogs.Get(run.clients, run.call);
+  if (!catalog.ok()) return catalog.status();
+  std::string bytes = (*catalog)->digest + runtime::CanonicalBytes(DecidingOptions(run.spec.model_options()));
+  return StageOptions{std::move(bytes), *std::move(catalog)};
 }
 
 absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run) {
   using Request = v1::TranslateRequest;
   LentRequest<Request> request;
-  request->ParseFromArray(run.options.data(), static_cast<int>(run.options.size()));
+  request.Lend(&Request::unsafe_arena_set_allocated_catalog, run.catalog->catalog);
   *request->mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
   request->set_request_id(RequestId(run, "translation"));
   request.Lend(&Request::unsafe_arena_set_allocated_room, Input(run, v1::ARTIFACT_KIND_ROOM).room());

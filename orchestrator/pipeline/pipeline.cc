@@ -99,7 +99,7 @@ PipelineResult Pipeline::Run(Lease& lease) const {
 
 PipelineResult Pipeline::RunStages(Lease& lease, StepLog& steps) const {
   const v1::Job& job = lease.job();
-  StageRunner runner(queue_, artifacts_, clients_, clock_, options_, lease, steps);
+  StageRunner runner(queue_, artifacts_, clients_, catalogs_, clock_, options_, lease, steps);
   Progress progress(job.spec());
   for (std::vector<int> ready = progress.Ready(); !ready.empty(); ready = progress.Ready()) {
     const std::vector<v1::StageTiming> timings = progress.Timings();

@@ -13,6 +13,7 @@
 #include "orchestrator/batch/artifact_store.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/pipeline/backoff_policy.h"
+#include "orchestrator/pipeline/catalog_cache.h"
 #include "orchestrator/pipeline/stage_clients.h"
 #include "orchestrator/pipeline/step_log.h"
 #include "worker_runtime/clock/clock.h"
@@ -68,6 +69,7 @@ class Pipeline {
   StageClients& clients_;
   const runtime::Clock& clock_;
   const PipelineOptions options_;
+  mutable CatalogCache catalogs_;
   const std::unique_ptr<runtime::BoundedExecutor> threads_;
 };
 

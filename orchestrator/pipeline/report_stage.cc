@@ -51,7 +51,7 @@ void AddDiagnostics(const google::protobuf::RepeatedPtrField<v1::Diagnostic>& fr
 }  // namespace
 
 // A report belongs to one job and is never used for another.
-absl::StatusOr<std::string> ReportOptions(const StageRun& run) { return run.job_id; }
+absl::StatusOr<StageOptions> ReportOptions(const StageRun& run) { return StageOptions{run.job_id, nullptr}; }
 
 absl::StatusOr<v1::Artifact> RunReport(const StageRun& run) {
   const v1::SolvedLayout& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT).solved_layout();

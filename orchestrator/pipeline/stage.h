@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "flair/v1/artifact.pb.h"
 #include "flair/v1/job.pb.h"
 #include "flair/v1/model_call.pb.h"
+#include "orchestrator/pipeline/catalog_cache.h"
 #include "orchestrator/pipeline/stage_clients.h"
 
 namespace flair::orchestrator {
@@ -31,7 +33,18 @@ struct StageRun {
   // What models consumed in them.
   const v1::ModelUsage& model_usage;
   StageClients& clients;
+  CatalogCache& catalogs;
   StageClients::Call& call;
+  // What the stage's `options` function found; null while that runs and where there is none.
+  const SharedCatalog* catalog = nullptr;
+};
+
+// What decides a stage's result besides its inputs.
+struct StageOptions {
+  // Canonical.
+  std::string bytes;
+  // Null where none is needed.
+  std::shared_ptr<const SharedCatalog> catalog;
 };
 
 // One step of the way from a brief to a report: a pure function of its inputs and options, made by one RPC, so that it
@@ -44,8 +57,8 @@ struct Stage {
   std::vector<v1::ArtifactKind> inputs;
   // Canonical bytes of the part of a job's spec that decides the result; null when none does.
   std::string (*asked)(const v1::JobSpec&);
-  // Canonical bytes of all options that decide the result; null when they are what is asked.
-  absl::StatusOr<std::string> (*options)(const StageRun&);
+  // All options that decide the result; null when they are what is asked.
+  absl::StatusOr<StageOptions> (*options)(const StageRun&);
   // The artifact with content and producer.
   absl::StatusOr<v1::Artifact> (*run)(const StageRun&);
   // Whether a job has the stage; null when every job has.
@@ -85,11 +98,11 @@ absl::StatusOr<v1::Artifact> RunObjects(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunStyle(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunConstraints(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunCleaning(const StageRun& run);
-absl::StatusOr<std::string> TranslationOptions(const StageRun& run);
+absl::StatusOr<StageOptions> TranslationOptions(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunRender(const StageRun& run);
-absl::StatusOr<std::string> ReportOptions(const StageRun& run);
+absl::StatusOr<StageOptions> ReportOptions(const StageRun& run);
 absl::StatusOr<v1::Artifact> RunReport(const StageRun& run);
 
 // A stage that draws a further view; `number` counts from 0.

@@ -38,11 +38,12 @@ std::vector<std::string> InputIds(const StageRun& run) {
 
 }  // namespace
 
-StageRunner::StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, const runtime::Clock& clock,
-                         const PipelineOptions& options, Lease& lease, StepLog& steps)
+StageRunner::StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, CatalogCache& catalogs,
+                         const runtime::Clock& clock, const PipelineOptions& options, Lease& lease, StepLog& steps)
     : queue_(queue),
       artifacts_(artifacts),
       clients_(clients),
+      catalogs_(catalogs),
       clock_(clock),
       options_(options),
       steps_(steps),
@@ -63,18 +64,20 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
     return TakeFromEarlierJob(stage_index);
   }
   StageClients::Call no_deadline;
-  StageRun run{job_.id(), job_.spec(), inputs, "", "", options_.build, timings, model_usage, clients_, no_deadline};
-  std::string options;
+  StageRun run{job_.id(), job_.spec(), inputs,   "",        "",         options_.build,
+               timings,   model_usage, clients_, catalogs_, no_deadline};
+  StageOptions options;
   if (stage.options != nullptr) {
-    absl::StatusOr<std::string> found = Retry<std::string>(stage.options, run);
+    absl::StatusOr<StageOptions> found = Retry<StageOptions>(stage.options, run);
     if (!found.ok()) return found.status();
     options = *std::move(found);
   } else if (stage.asked != nullptr) {
-    options = stage.asked(job_.spec());
+    options.bytes = stage.asked(job_.spec());
   }
-  const std::string options_digest = options.empty() ? "" : runtime::Sha256Hex(options);
-  run.options = options;
+  const std::string options_digest = options.bytes.empty() ? "" : runtime::Sha256Hex(options.bytes);
+  run.options = options.bytes;
   run.options_digest = options_digest;
+  run.catalog = options.catalog.get();
   const absl::StatusOr<Revision> revision = Retry<Revision>(
       [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
   if (!revision.ok()) return revision.status();
@@ -151,8 +154,9 @@ absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Res
   for (int attempt = 0;; ++attempt) {
     StageClients::Call call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
     runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
-    StageRun current{run.job_id, run.spec,    run.inputs,      run.options, run.options_digest,
-                     run.build,  run.timings, run.model_usage, run.clients, call};
+    StageRun current{run.job_id,         run.spec,     run.inputs,  run.options,
+                     run.options_digest, run.build,    run.timings, run.model_usage,
+                     run.clients,        run.catalogs, call,        run.catalog};
     absl::StatusOr<Result> result = cancellation_.cancelled()
                                         ? absl::StatusOr<Result>(absl::CancelledError("the job was cancelled"))
                                         : function(current);

@@ -20,8 +20,8 @@ namespace flair::orchestrator {
 // several threads at once, for different stages. The arguments outlive it.
 class StageRunner {
  public:
-  StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, const runtime::Clock& clock,
-              const PipelineOptions& options, Lease& lease, StepLog& steps);
+  StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, CatalogCache& catalogs,
+              const runtime::Clock& clock, const PipelineOptions& options, Lease& lease, StepLog& steps);
 
   struct Output {
     v1::Artifact artifact;
@@ -47,6 +47,7 @@ class StageRunner {
   WorkQueue& queue_;
   ArtifactStore& artifacts_;
   StageClients& clients_;
+  CatalogCache& catalogs_;
   const runtime::Clock& clock_;
   const PipelineOptions& options_;
   StepLog& steps_;

@@ -6,8 +6,8 @@
 namespace flair::orchestrator {
 namespace {
 
-// Work of a job that a crash may take with it, beside the stages that run. A write takes about a hundredth of it.
-constexpr absl::Duration kWorkKeptBack = absl::Milliseconds(100);
+// Work of a job that a crash may take with it, beside the stages that run. A write takes less than a hundredth of it.
+constexpr absl::Duration kWorkKeptBack = absl::Milliseconds(500);
 
 }  // namespace
 

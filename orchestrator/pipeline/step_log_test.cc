@@ -95,10 +95,10 @@ TEST(StepLog, ManyShortStepsAreWorthAWriteTogether) {
   RememberingStore artifacts(lease);
   StepLog steps(lease, artifacts);
   int added = 0;
-  for (; lease.writes.empty() && added < 100; ++added) EXPECT_TRUE(steps.Add(Step("s", 4), {}, kMayWait).ok());
-  // Of 100 ms at most a step's worth more.
+  for (; lease.writes.empty() && added < 100; ++added) EXPECT_TRUE(steps.Add(Step("s", 20), {}, kMayWait).ok());
+  // Of 500 ms at most a step's worth more.
   EXPECT_EQ(added, 26);
-  EXPECT_TRUE(steps.Add(Step("s", 4), {}, kMayWait).ok());
+  EXPECT_TRUE(steps.Add(Step("s", 20), {}, kMayWait).ok());
   EXPECT_EQ(lease.writes.size(), 1u);
 }
 

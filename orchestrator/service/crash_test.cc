@@ -9,8 +9,8 @@
 #include <map>
 #include <string>
 
-#include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/job_store.h"
+#include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/temporary_folder.h"
 
 namespace flair::orchestrator {
@@ -78,7 +78,7 @@ std::string NameOf(const v1::Job& job) { return job.spec().brief().text() + (job
 // The artifacts but the report of every job, by its name.
 std::map<std::string, std::vector<std::string>> ReadArtifacts(const std::string& path) {
   auto store = *JobStore::Open(path);
-  ArtifactFiles files(path + "/artifacts");
+  const auto artifacts_of = *LocalArtifacts::Open(path + "/artifacts");
   std::map<std::string, std::vector<std::string>> artifacts;
   const std::vector<v1::Job> jobs = *store->jobs().List({.limit = 1000});
   for (const v1::Job& job : jobs) {
@@ -87,7 +87,7 @@ std::map<std::string, std::vector<std::string>> ReadArtifacts(const std::string&
     EXPECT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error();
     EXPECT_EQ(job.artifacts_size(), 11);
     for (const v1::ArtifactRef& ref : job.artifacts()) {
-      EXPECT_TRUE(files.Get(ref.id()).ok());
+      EXPECT_TRUE(artifacts_of->Get(ref.id()).ok());
       if (ref.kind() != v1::ARTIFACT_KIND_REPORT) ids.push_back(ref.id());
     }
     int ends = 0;

@@ -12,6 +12,7 @@
 #include "orchestrator/jetstream/connect_options.h"
 #include "orchestrator/jetstream/open.h"
 #include "orchestrator/store/artifact_files.h"
+#include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "worker_runtime/security/local_address.h"
 
@@ -53,7 +54,7 @@ absl::StatusOr<std::unique_ptr<ArtifactStore>> OpenArtifactStore(const config::v
                                                                  const runtime::Clock& clock) {
   const std::string& address = config.artifact_store();
   if (address.starts_with("folder:")) return ArtifactFiles::Open(address.substr(7));
-  if (address.empty() && !config.has_queue()) return ArtifactFiles::Open(config.store_path() + "/artifacts");
+  if (address.empty() && !config.has_queue()) return LocalArtifacts::Open(config.store_path() + "/artifacts");
   if (!address.empty() && address != "jetstream:") {
     return absl::InvalidArgumentError(
         fmt::format("artifact_store: \"{}\" is no store; expected \"folder:PATH\" or \"jetstream:\"", address));

@@ -7,7 +7,7 @@
 #include "orchestrator/pipeline/fake_stages.h"
 #include "orchestrator/service/embedded_for_test.h"
 #include "orchestrator/service/fake_workers.h"
-#include "orchestrator/store/artifact_files.h"
+#include "orchestrator/store/artifact_rows.h"
 #include "orchestrator/store/temporary_folder.h"
 #include "worker_runtime/executor/test_gate.h"
 
@@ -190,7 +190,11 @@ TEST_F(OrchestratorServiceTest, HandsOutArtifactsAndNoticesDamage) {
   v1::GetArtifactRequest request;
   request.set_artifact_id(orchestrator_->GetJob(job.id())->artifacts(1).id());
   EXPECT_EQ(orchestrator_->Ask(&Stub::GetArtifact, request)->artifact().room().room_type(), "bedroom");
-  std::ofstream(ArtifactFiles(folder_.path() + "/artifacts").PathOf(request.artifact_id())) << "x";
+  SealedArtifact damaged;
+  damaged.ref.set_id(request.artifact_id());
+  damaged.bytes = "x";
+  const SealedArtifact* const all[] = {&damaged};
+  ASSERT_TRUE((*ArtifactRows::Open(folder_.path() + "/artifacts/small.db"))->PutAll(all).ok());
   EXPECT_EQ(orchestrator_->Ask(&Stub::GetArtifact, request).status().code(), absl::StatusCode::kDataLoss);
 }
 

@@ -38,6 +38,11 @@ int64_t TimeOf(const struct stat& info) { return int64_t{info.st_mtim.tv_sec} * 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<ArtifactStore>> ArtifactFiles::Open(const std::string& folder) {
+  if (absl::Status status = MakeFolder(folder); !status.ok()) return status;
+  return std::make_unique<ArtifactFiles>(folder);
+}
+
+absl::Status ArtifactFiles::MakeFolder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || ::access(folder.c_str(), W_OK) != 0) {
@@ -45,7 +50,7 @@ absl::StatusOr<std::unique_ptr<ArtifactStore>> ArtifactFiles::Open(const std::st
                                               error ? "made" : "written to",
                                               error ? error.message() : std::strerror(errno)));
   }
-  return std::make_unique<ArtifactFiles>(folder);
+  return absl::OkStatus();
 }
 
 std::string ArtifactFiles::PathOf(const std::string& id) const {
@@ -116,12 +121,18 @@ absl::StatusOr<v1::Artifact> ArtifactFiles::Get(const std::string& id) {
   const std::string path = PathOf(id);
   const std::optional<std::string> bytes = ReadFile(path);
   if (!bytes.has_value()) return absl::NotFoundError(fmt::format("artifact {}: not in this store", id));
-  v1::Artifact artifact;
-  if (!AreBytesOf(*bytes, id) || !artifact.ParseFromString(*bytes)) {
-    return absl::DataLossError(
-        fmt::format("{}: damaged: its {} bytes are not those of the artifact with that id", path, bytes->size()));
+  return ParseArtifact(*bytes, id, path);
+}
+
+std::vector<std::string> ArtifactFiles::FindIds(const std::string& prefix) const {
+  std::vector<std::string> ids;
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::path(PathOf(prefix)).parent_path();
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string id = entry.path().stem().string();
+    if (IsArtifactId(id) && id.starts_with(prefix)) ids.push_back(id);
   }
-  return artifact;
+  return ids;
 }
 
 }  // namespace flair::orchestrator

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -20,6 +21,7 @@ class ArtifactFiles final : public ArtifactStore {
 
   // Makes the folder. UNAVAILABLE when that is not possible or it cannot be written to.
   static absl::StatusOr<std::unique_ptr<ArtifactStore>> Open(const std::string& folder);
+  static absl::Status MakeFolder(const std::string& folder);
 
   absl::Status PutAll(std::span<const SealedArtifact> artifacts) override;
   absl::StatusOr<v1::Artifact> Get(const std::string& id) override;
@@ -29,6 +31,9 @@ class ArtifactFiles final : public ArtifactStore {
   absl::StatusOr<int64_t> Delete(std::span<const std::string> ids, int64_t mark) override;
 
   std::string PathOf(const std::string& id) const;
+
+  // Ids of files that begin so; `prefix` has two characters at least.
+  std::vector<std::string> FindIds(const std::string& prefix) const;
 
  private:
   absl::Status PutOne(const SealedArtifact& artifact) const;

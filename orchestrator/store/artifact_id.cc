@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/store/artifact_id.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "worker_runtime/files/sha256.h"
@@ -35,6 +37,13 @@ SealedArtifact SealArtifact(v1::Artifact& artifact) {
 bool AreBytesOf(std::string_view bytes, std::string_view id) {
   const std::string field = IdField(id);
   return bytes.starts_with(field) && runtime::Sha256Hex(bytes.substr(field.size())) == id;
+}
+
+absl::StatusOr<v1::Artifact> ParseArtifact(const std::string& bytes, std::string_view id, std::string_view place) {
+  v1::Artifact artifact;
+  if (AreBytesOf(bytes, id) && artifact.ParseFromString(bytes)) return artifact;
+  return absl::DataLossError(
+      fmt::format("{}: damaged: its {} bytes are not those of the artifact with that id", place, bytes.size()));
 }
 
 std::string ComputeArtifactId(v1::Artifact artifact) {

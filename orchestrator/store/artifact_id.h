@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
 
 namespace flair::orchestrator {
@@ -24,6 +25,9 @@ SealedArtifact SealArtifact(v1::Artifact& artifact);
 
 // True when these are the canonical bytes of the artifact with that id.
 bool AreBytesOf(std::string_view bytes, std::string_view id);
+
+// The artifact of stored bytes. DATA_LOSS, naming `place`, when they are not those of the artifact with that id.
+absl::StatusOr<v1::Artifact> ParseArtifact(const std::string& bytes, std::string_view id, std::string_view place);
 
 // Which content it has; UNSPECIFIED when it has none.
 v1::ArtifactKind KindOf(const v1::Artifact& artifact);

@@ -13,9 +13,10 @@ namespace {
 
 // How long to wait for another process that writes.
 constexpr int kBusyTimeoutMs = 20000;
+constexpr int kWalRetryMs = 5;
 
 absl::Status ToStatus(sqlite3* connection, int code) {
-  const std::string message = fmt::format("job store: {}", sqlite3_errmsg(connection));
+  const std::string message = fmt::format("store: {}", sqlite3_errmsg(connection));
   switch (code & 0xff) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
@@ -94,6 +95,16 @@ absl::StatusOr<bool> Statement::Step() {
   return Error();
 }
 
+absl::StatusOr<std::vector<std::string>> Statement::Texts() {
+  std::vector<std::string> texts;
+  while (true) {
+    absl::StatusOr<bool> row = Step();
+    if (!row.ok()) return row.status();
+    if (!*row) return texts;
+    texts.push_back(Text(0));
+  }
+}
+
 absl::Status Statement::Run() {
   while (true) {
     absl::StatusOr<bool> row = Step();
@@ -114,14 +125,19 @@ absl::Status Statement::Error() const {
   return ToStatus(connection_, code_ == SQLITE_OK ? sqlite3_errcode(connection_) : code_);
 }
 
-absl::StatusOr<std::unique_ptr<Database>> Database::Open(const std::string& path) {
+Database::Schema Database::JobSchema() { return kMigrations; }
+
+absl::StatusOr<std::unique_ptr<Database>> Database::Open(const std::string& path, Schema schema) {
   sqlite3* connection = nullptr;
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
   const int code = sqlite3_open_v2(path.c_str(), &connection, flags, nullptr);
   std::unique_ptr<Database> database(new Database(connection));
   absl::Status status = code == SQLITE_OK ? database->Configure() : ToStatus(connection, code);
-  if (status.ok()) status = database->Migrate();
-  if (!status.ok()) return absl::Status(status.code(), fmt::format("{}: {}", path, std::string(status.message())));
+  if (status.ok()) status = database->Migrate(schema);
+  if (!status.ok()) {
+    const char* right = absl::IsDataLoss(status) ? "; put a good copy in its place, or move it away to begin anew" : "";
+    return absl::Status(status.code(), fmt::format("{}: {}{}", path, std::string(status.message()), right));
+  }
   return database;
 }
 
@@ -131,9 +147,9 @@ Database::~Database() {
 }
 
 absl::Status Database::Configure() {
-  sqlite3_busy_timeout(connection_, kBusyTimeoutMs);
   sqlite3_extended_result_codes(connection_, 1);
-  if (absl::Status status = Execute("PRAGMA journal_mode = WAL"); !status.ok()) return status;
+  if (absl::Status status = EnterWal(); !status.ok()) return status;
+  sqlite3_busy_timeout(connection_, kBusyTimeoutMs);
   // 16 MiB: a page that many jobs change is written back once for all of them.
   if (absl::Status status = Execute("PRAGMA wal_autocheckpoint = 4000"); !status.ok()) return status;
   // 16 MiB: keys of results are digests, so that each of them is on a page of its own.
@@ -141,9 +157,18 @@ absl::Status Database::Configure() {
   return Execute("PRAGMA synchronous = NORMAL");
 }
 
-// Each step of the schema's history runs once per file; a new one is added at the end, old ones never change.
-absl::Status Database::Migrate() {
-  constexpr int64_t kVersion = std::size(kMigrations);
+// While another process makes the same new file, SQLite would wait for it in all statements but this one.
+absl::Status Database::EnterWal() {
+  int code = SQLITE_BUSY;
+  for (int waited_ms = 0; waited_ms < kBusyTimeoutMs && (code & 0xff) == SQLITE_BUSY; waited_ms += kWalRetryMs) {
+    if (waited_ms > 0) sqlite3_sleep(kWalRetryMs);
+    code = sqlite3_exec(connection_, "PRAGMA journal_mode = WAL", nullptr, nullptr, nullptr);
+  }
+  return code == SQLITE_OK ? absl::OkStatus() : ToStatus(connection_, code);
+}
+
+absl::Status Database::Migrate(Schema schema) {
+  const auto newest = static_cast<int64_t>(schema.size());
   absl::StatusOr<Transaction> transaction = Transaction::Begin(*this);
   if (!transaction.ok()) return transaction.status();
   int64_t version = 0;
@@ -153,15 +178,15 @@ absl::Status Database::Migrate() {
     if (!row.ok()) return row.status();
     version = statement.Int(0);
   }
-  if (version > kVersion) {
-    return absl::FailedPreconditionError(fmt::format(
-        "the job store has version {}, this program knows up to {}; use the newer Flair", version, kVersion));
+  if (version > newest) {
+    return absl::FailedPreconditionError(
+        fmt::format("the store has version {}, this program knows up to {}; use the newer Flair", version, newest));
   }
-  if (version == kVersion) return absl::OkStatus();
-  for (int64_t i = version; i < kVersion; ++i) {
-    if (absl::Status status = Execute(std::string(kMigrations[i])); !status.ok()) return status;
+  if (version == newest) return absl::OkStatus();
+  for (const std::string_view step : schema.subspan(static_cast<size_t>(version))) {
+    if (absl::Status status = Execute(std::string(step)); !status.ok()) return status;
   }
-  if (absl::Status status = Execute(fmt::format("PRAGMA user_version = {}", kVersion)); !status.ok()) return status;
+  if (absl::Status status = Execute(fmt::format("PRAGMA user_version = {}", newest)); !status.ok()) return status;
   return transaction->Commit();
 }
 

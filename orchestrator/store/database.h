@@ -5,8 +5,10 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -36,6 +38,9 @@ class Statement {
   // True when there is a row to read, false after the last.
   absl::StatusOr<bool> Step();
 
+  // The first column of every row that is left.
+  absl::StatusOr<std::vector<std::string>> Texts();
+
   // For statements without rows: steps to the end.
   absl::Status Run();
 
@@ -56,9 +61,15 @@ class Statement {
 // processes may have the same file open.
 class Database {
  public:
+  // Steps of a schema's history, oldest first: each runs once per file, a new one is added at the end, old ones never
+  // change.
+  using Schema = std::span<const std::string_view>;
+  // That of jobs.db.
+  static Schema JobSchema();
+
   // Opens or makes the file and brings its schema up to date. UNAVAILABLE when it cannot be opened or written,
   // FAILED_PRECONDITION when a newer version of Flair made it, DATA_LOSS when it is no database.
-  static absl::StatusOr<std::unique_ptr<Database>> Open(const std::string& path);
+  static absl::StatusOr<std::unique_ptr<Database>> Open(const std::string& path, Schema schema = JobSchema());
   ~Database();
 
   [[nodiscard]] std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
@@ -78,7 +89,8 @@ class Database {
   absl::Status SetFlushedAtOnce(bool at_once);
   explicit Database(sqlite3* connection) : connection_(connection) {}
   absl::Status Configure();
-  absl::Status Migrate();
+  absl::Status EnterWal();
+  absl::Status Migrate(Schema schema);
 
   sqlite3* connection_;
   bool flushed_at_once_ = false;

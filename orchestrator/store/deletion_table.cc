@@ -9,16 +9,6 @@ absl::Status DeletionTable::Run(std::string_view sql, const std::string& id) {
   return database_.Prepare(sql).Bind(id).Run();
 }
 
-absl::StatusOr<std::vector<std::string>> DeletionTable::Ids(Statement& select) {
-  std::vector<std::string> ids;
-  while (true) {
-    absl::StatusOr<bool> row = select.Step();
-    if (!row.ok()) return row.status();
-    if (!*row) return ids;
-    ids.push_back(select.Text(0));
-  }
-}
-
 absl::Status DeletionTable::RemoveJob(const std::string& job_id) {
   const auto lock = database_.lock();
   const auto artifacts = ArtifactTable(database_).OfJob(job_id);
@@ -49,7 +39,7 @@ absl::StatusOr<std::vector<std::string>> DeletionTable::Pending(int limit) {
   const auto lock = database_.lock();
   Statement select =
       database_.Prepare("SELECT artifact_id FROM deleted_artifacts WHERE pending = 1 ORDER BY sequence LIMIT ?");
-  return Ids(select.Bind(limit));
+  return select.Bind(limit).Texts();
 }
 
 absl::StatusOr<bool> DeletionTable::IsHad(const std::string& artifact_id) {
@@ -90,13 +80,13 @@ absl::StatusOr<std::vector<std::string>> DeletionTable::JobsEndedBefore(absl::Ti
   const auto lock = database_.lock();
   Statement select = database_.Prepare(
       "SELECT id FROM jobs WHERE batch_id = '' AND state > 2 AND end_time_us < ? ORDER BY end_time_us, id LIMIT ?");
-  return Ids(select.Bind(absl::ToUnixMicros(time)).Bind(limit));
+  return select.Bind(absl::ToUnixMicros(time)).Bind(limit).Texts();
 }
 
 absl::StatusOr<std::vector<std::string>> DeletionTable::ClosedBatches(const std::string& after, int limit) {
   const auto lock = database_.lock();
   Statement select = database_.Prepare("SELECT id FROM batches WHERE id > ? AND open = 0 ORDER BY id LIMIT ?");
-  return Ids(select.Bind(after).Bind(limit));
+  return select.Bind(after).Bind(limit).Texts();
 }
 
 absl::StatusOr<absl::Time> DeletionTable::LastEndOf(const std::string& batch_id) {

@@ -50,7 +50,6 @@ class DeletionTable {
 
  private:
   absl::Status Run(std::string_view sql, const std::string& id);
-  absl::StatusOr<std::vector<std::string>> Ids(Statement& select);
 
   Database& database_;
 };

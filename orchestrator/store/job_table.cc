@@ -89,13 +89,7 @@ absl::StatusOr<std::vector<std::string>> JobTable::IdsOf(const std::string& batc
   Statement select = database_.Prepare(
       "SELECT id FROM jobs WHERE batch_id != '' AND batch_id = ? AND state = ? ORDER BY failure_kind, id LIMIT ?");
   select.Bind(batch_id).Bind(state).Bind(limit);
-  std::vector<std::string> ids;
-  while (true) {
-    absl::StatusOr<bool> row = select.Step();
-    if (!row.ok()) return row.status();
-    if (!*row) return ids;
-    ids.push_back(select.Text(0));
-  }
+  return select.Texts();
 }
 
 absl::StatusOr<int64_t> JobTable::CountQueued() {
@@ -152,13 +146,7 @@ absl::StatusOr<bool> JobTable::Claim(const std::string& id, const std::string& o
 absl::StatusOr<std::vector<std::string>> JobTable::Owners() {
   const auto lock = database_.lock();
   Statement select = database_.Prepare("SELECT DISTINCT owner FROM jobs WHERE state = 2 ORDER BY owner");
-  std::vector<std::string> owners;
-  while (true) {
-    absl::StatusOr<bool> row = select.Step();
-    if (!row.ok()) return row.status();
-    if (!*row) return owners;
-    owners.push_back(select.Text(0));
-  }
+  return select.Texts();
 }
 
 absl::Status JobTable::Release(const std::string& owner) {

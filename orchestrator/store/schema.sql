@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Version 1 of the job store. Times are microseconds since 1970 UTC. Messages are serialized protobufs of flair.v1.
--- States and kinds are the numbers of their enums. Artifacts themselves are files; see artifact_files.h.
+-- States and kinds are the numbers of their enums. Artifacts themselves are not here; see local_artifacts.h.
 
 -- One row per job. Ids sort by age.
 CREATE TABLE jobs (

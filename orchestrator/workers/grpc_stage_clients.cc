@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -21,9 +19,6 @@ namespace {
 // Workers that one call may lose, or fail at on trial, before that is its answer: a request that ends every worker must
 // not end them all.
 constexpr size_t kTriedLimit = 3;
-
-// Optimizers of more revisions than this are not at work at once.
-constexpr size_t kCatalogsKept = 4;
 
 template <typename Service>
 class Stage {
@@ -125,24 +120,9 @@ class GrpcStageClients final : public StageClients {
   absl::StatusOr<v1::TranslateResponse> Translate(const v1::TranslateRequest& request, Call& call) override {
     return translator_.Ask(&Translator::PrepareAsyncTranslate, request, call);
   }
-  // Every job asks for the catalogue, and an optimizer of one revision has one.
   absl::StatusOr<v1::ListConstraintTypesResponse> ListConstraintTypes(const v1::ListConstraintTypesRequest& request,
                                                                       Call& call) override {
-    if (request.with_placed_examples())
-      return optimizer_.Ask(&Optimizer::PrepareAsyncListConstraintTypes, request, call);
-    const absl::StatusOr<std::optional<std::string>> revision = optimizer_.Revision(call);
-    if (!revision.ok()) return revision.status();
-    if (revision->has_value()) {
-      std::lock_guard lock(mutex_);
-      if (const auto known = catalogs_.find(**revision); known != catalogs_.end()) return known->second;
-    }
-    auto answer = optimizer_.Ask(&Optimizer::PrepareAsyncListConstraintTypes, request, call);
-    if (answer.ok() && call.answerer()->revision.has_value()) {
-      std::lock_guard lock(mutex_);
-      if (catalogs_.size() >= kCatalogsKept) catalogs_.clear();
-      catalogs_[*call.answerer()->revision] = *answer;
-    }
-    return answer;
+    return optimizer_.Ask(&Optimizer::PrepareAsyncListConstraintTypes, request, call);
   }
   absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest& request, Call& call) override {
     return optimizer_.Ask(&Optimizer::PrepareAsyncSolve, request, call);
@@ -174,9 +154,6 @@ class GrpcStageClients final : public StageClients {
   Stage<v1::TranslatorService> translator_;
   Stage<v1::OptimizerService> optimizer_;
   Stage<v1::RendererService> renderer_;
-  std::mutex mutex_;
-  // By revision of the optimizer.
-  std::map<std::string, v1::ListConstraintTypesResponse> catalogs_;
 };
 
 }  // namespace

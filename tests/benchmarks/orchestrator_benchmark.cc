@@ -11,7 +11,7 @@
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/service/embedded_for_test.h"
 #include "orchestrator/service/fake_workers.h"
-#include "orchestrator/store/artifact_files.h"
+#include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/store/temporary_folder.h"
 #include "orchestrator/workers/stage_workers.h"
@@ -43,8 +43,8 @@ void BM_JobInThePipeline(benchmark::State& state) {
   TemporaryFolder folder;
   RecordedStages stages;
   auto queue = *SqliteWorkQueue::Open(folder.path(), runtime::SystemClock());
-  ArtifactFiles artifacts(folder.path() + "/artifacts");
-  const Pipeline pipeline(*queue, artifacts, stages, runtime::SystemClock(), {});
+  const auto artifacts = *LocalArtifacts::Open(folder.path() + "/artifacts");
+  const Pipeline pipeline(*queue, *artifacts, stages, runtime::SystemClock(), {});
   absl::Status status = QueueBatch(*queue, state.max_iterations);
   for (auto _ : state) {
     const std::unique_ptr<Lease> lease = *queue->Take({});

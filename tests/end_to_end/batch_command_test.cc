@@ -59,9 +59,12 @@ class BatchCommand : public ::testing::Test {
   std::map<std::string, std::string> Layouts(const std::string& out) const {
     std::map<std::string, std::string> layouts;
     std::error_code error;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_ / out / "jobs", error)) {
-      if (entry.path().filename() == "layout.pb") {
-        layouts[entry.path().parent_path().filename()] = runtime::Sha256Hex(ReadAll(entry.path()));
+    // A batch that runs renames folders meanwhile, at which the walk ends early.
+    for (fs::recursive_directory_iterator entry(folder_ / out / "jobs", error), end; entry != end;
+         entry.increment(error)) {
+      const fs::path& path = entry->path();
+      if (path.filename() == "layout.pb") {
+        layouts[path.parent_path().filename()] = runtime::Sha256Hex(ReadAll(path));
       }
     }
     return layouts;

@@ -31,7 +31,7 @@ class FanOut : public ::testing::Test {
 
   static std::vector<std::string> Arguments(const std::string& out, const std::string& optimizer) {
     std::vector<std::string> arguments = {"solve",      (folder_->path() / "room" / "graph.pb").string(),
-                                          "--restarts", "96",
+                                          "--restarts", "32",
                                           "--seed",     "5",
                                           "--threads",  "1",
                                           "--out",      *folder_ / (out + ".pb")};

@@ -5,8 +5,9 @@
 #include <signal.h>
 
 #include "nlohmann/json.hpp"
-#include "orchestrator/store/artifact_files.h"
+#include "orchestrator/store/artifact_rows.h"
 #include "orchestrator/store/job_store.h"
+#include "orchestrator/store/local_artifacts.h"
 #include "tests/fixtures/programs.h"
 
 namespace flair::testing {
@@ -45,13 +46,13 @@ class ReplayCommand : public ::testing::Test {
   // As if the job had been given another layout the first time.
   void MoveFirstObjectIn(const std::string& job) const {
     auto store = *orchestrator::JobStore::Open(folder_ / "home");
-    orchestrator::ArtifactFiles files(folder_ / "home" / "artifacts");
+    const auto artifacts = *orchestrator::LocalArtifacts::Open(folder_ / "home" / "artifacts");
     const std::vector<v1::ArtifactRef> refs = *store->artifacts().OfJob(job);
     for (size_t i = 0; i < refs.size(); ++i) {
       if (refs[i].kind() != v1::ARTIFACT_KIND_SOLVED_LAYOUT) continue;
-      v1::Artifact layout = *files.Get(refs[i].id());
+      v1::Artifact layout = *artifacts->Get(refs[i].id());
       layout.mutable_solved_layout()->mutable_placements(0)->set_x_m(1.25);
-      ASSERT_TRUE(store->artifacts().Attach(job, static_cast<int>(i), *files.Put(layout)).ok());
+      ASSERT_TRUE(store->artifacts().Attach(job, static_cast<int>(i), *artifacts->Put(layout)).ok());
     }
   }
 
@@ -148,14 +149,16 @@ TEST_F(ReplayCommand, AnotherBuildThatDoesTheSameIsCalledOut) {
 TEST_F(ReplayCommand, SaysWhichArtifactIsDamagedOrGone) {
   const std::string job = Design();
   const std::string objects = json::parse(ReadAll(folder_ / "out" / "objects.json"))["id"];
-  const std::filesystem::path file =
-      std::filesystem::path(folder_ / "home") / "artifacts" / objects.substr(0, 2) / (objects + ".pb");
-  ASSERT_TRUE(std::filesystem::exists(file));
-  WriteAll(file, "damaged");
+  const auto rows = *orchestrator::ArtifactRows::Open(folder_ / "home" / "artifacts/small.db");
+  orchestrator::SealedArtifact sealed;
+  sealed.ref.set_id(objects);
+  sealed.bytes = "damaged";
+  const orchestrator::SealedArtifact* const all[] = {&sealed};
+  ASSERT_TRUE(rows->PutAll(all).ok());
   const Finished damaged = Replay(job, {"--from", "solve"});
   EXPECT_EQ(damaged.exit_code, 5) << damaged.err;
   EXPECT_THAT(damaged.err, HasSubstr(objects));
-  std::filesystem::remove(file);
+  ASSERT_TRUE(*rows->Delete(objects, std::numeric_limits<int64_t>::max()));
   const Finished gone = Replay(job, {"--from", "solve"});
   EXPECT_EQ(gone.exit_code, 2) << gone.err;
   EXPECT_THAT(gone.err, HasSubstr("artifact " + objects + ": not in this store"));

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "worker_runtime/grpc/connection_trouble.h"
+
 namespace flair::runtime {
 
 grpc::Status ToGrpcStatus(const absl::Status& status) {
@@ -12,7 +14,7 @@ grpc::Status ToGrpcStatus(const absl::Status& status) {
 
 absl::Status FromGrpcStatus(const grpc::Status& status) {
   if (status.ok()) return absl::OkStatus();
-  return absl::Status(static_cast<absl::StatusCode>(status.error_code()), status.error_message());
+  return absl::Status(static_cast<absl::StatusCode>(status.error_code()), InPlainWords(status.error_message()));
 }
 
 }  // namespace flair::runtime

@@ -7,7 +7,7 @@
 
 namespace flair::runtime {
 
-// The same code and message on the other side; the codes of both are the same numbers.
+// The same code and message on the other side, but what gRPC itself says of connections in plain words (InPlainWords).
 grpc::Status ToGrpcStatus(const absl::Status& status);
 absl::Status FromGrpcStatus(const grpc::Status& status);
 

@@ -22,7 +22,8 @@ class ArtifactsContract : public QueueTest {
     return artifact;
   }
 };
-FLAIR_EVERY_FORM(ArtifactsContract);
+INSTANTIATE_TEST_SUITE_P(, ArtifactsContract, ::testing::Values(FolderForm(), SharedFolderForm(), JetStreamForm(1)),
+                         [](const ::testing::TestParamInfo<NamedForm>& form) { return form.param.name; });
 
 TEST_P(ArtifactsContract, WhatIsPutIsThereForAll) {
   const auto one = OpenStore();

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "orchestrator/jetstream/open.h"
-#include "orchestrator/store/artifact_files.h"
+#include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "tests/contract/queue/watched_queue.h"
 #include "worker_runtime/clock/clock.h"
@@ -37,9 +37,12 @@ int main(int argc, char** argv) {
   if (!queue.ok()) return 1;
   flair::testing::WatchedQueue watched(*std::move(queue));
   if (argc == 4) {
-    auto artifacts = in_folder
-                         ? flair::orchestrator::ArtifactFiles::Open(std::string(argv[2]) + "/artifacts")
-                         : flair::orchestrator::OpenJetStreamArtifacts(config, nullptr, flair::runtime::SystemClock());
+    absl::StatusOr<std::unique_ptr<flair::orchestrator::ArtifactStore>> artifacts;
+    if (in_folder) {
+      artifacts = flair::orchestrator::LocalArtifacts::Open(std::string(argv[2]) + "/artifacts");
+    } else {
+      artifacts = flair::orchestrator::OpenJetStreamArtifacts(config, nullptr, flair::runtime::SystemClock());
+    }
     return artifacts.ok() ? Delete(watched, **artifacts, argv[3]) : 1;
   }
   const auto lease = watched.Take();

@@ -3,25 +3,32 @@
 
 #include "orchestrator/jetstream/open.h"
 #include "orchestrator/store/artifact_files.h"
+#include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "tests/fixtures/nats_server.h"
 #include "worker_runtime/clock/clock.h"
 
 namespace flair::testing {
 namespace {
 
-class FolderQueue final : public QueueForm {
+class FolderQueue : public QueueForm {
  public:
   absl::StatusOr<std::unique_ptr<orchestrator::WorkQueue>> Open() override {
     return orchestrator::SqliteWorkQueue::Open(folder_.path(), runtime::SystemClock());
   }
   absl::StatusOr<std::unique_ptr<orchestrator::ArtifactStore>> OpenArtifacts() override {
-    return orchestrator::ArtifactFiles::Open(folder_ / "artifacts");
+    return orchestrator::LocalArtifacts::Open(folder_ / "artifacts");
   }
   std::vector<std::string> ChildArguments() const override { return {"folder", folder_.path()}; }
 
- private:
+ protected:
   TestFolder folder_;
+};
+
+class SharedFolderQueue final : public FolderQueue {
+ public:
+  absl::StatusOr<std::unique_ptr<orchestrator::ArtifactStore>> OpenArtifacts() override {
+    return orchestrator::ArtifactFiles::Open(folder_ / "artifacts");
+  }
 };
 
 class JetStreamQueue final : public QueueForm {
@@ -39,6 +46,7 @@ class JetStreamQueue final : public QueueForm {
     if (!servers_.ok()) return absl::InternalError(servers_.Log());
     return orchestrator::OpenJetStreamArtifacts(config_, nullptr, runtime::SystemClock());
   }
+  NatsServers* servers() override { return &servers_; }
   std::vector<std::string> ChildArguments() const override { return {"jetstream", servers_.address()}; }
 
  private:
@@ -50,6 +58,10 @@ class JetStreamQueue final : public QueueForm {
 
 NamedForm FolderForm() {
   return {"folder", [] { return std::make_unique<FolderQueue>(); }};
+}
+
+NamedForm SharedFolderForm() {
+  return {"shared_folder", [] { return std::make_unique<SharedFolderQueue>(); }};
 }
 
 NamedForm JetStreamForm(int server_count) {

@@ -12,6 +12,7 @@
 #include "absl/status/statusor.h"
 #include "orchestrator/batch/artifact_store.h"
 #include "orchestrator/batch/work_queue.h"
+#include "tests/fixtures/nats_server.h"
 
 namespace flair::testing {
 
@@ -21,6 +22,8 @@ class QueueForm {
   virtual ~QueueForm() = default;
   virtual absl::StatusOr<std::unique_ptr<orchestrator::WorkQueue>> Open() = 0;
   virtual absl::StatusOr<std::unique_ptr<orchestrator::ArtifactStore>> OpenArtifacts() = 0;
+  // Those that keep it; null when none do.
+  virtual NatsServers* servers() { return nullptr; }
   // Arguments with which flair_queue_child opens it in another process.
   virtual std::vector<std::string> ChildArguments() const = 0;
 };
@@ -31,8 +34,10 @@ struct NamedForm {
 };
 inline std::ostream& operator<<(std::ostream& out, const NamedForm& form) { return out << form.name; }
 
-// In a folder; on one server with a lease of a second; on three of them.
+// In a folder; the same with artifacts as those of several machines would share them; on one server with a lease of a
+// second; on three of them.
 NamedForm FolderForm();
+NamedForm SharedFolderForm();
 NamedForm JetStreamForm(int server_count);
 
 }  // namespace flair::testing

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "flair/v1/artifact.pb.h"
+#include "orchestrator/batch/artifact_store.h"
+#include "orchestrator/store/artifact_files.h"
+#include "orchestrator/store/artifact_rows.h"
+
+namespace flair::orchestrator {
+
+// Artifacts in a folder of this machine: small ones as rows of FOLDER/small.db, which is written and flushed once for
+// all of a job, larger ones as files (see ArtifactFiles), which a database would have to copy. What is there as a file
+// is found whatever its size. Several processes may share a folder, several machines may not: SQLite's locks do not
+// hold over a network.
+class LocalArtifacts final : public ArtifactStore {
+ public:
+  // Makes the folder. UNAVAILABLE when that is not possible or it cannot be written to, or as Database::Open.
+  static absl::StatusOr<std::unique_ptr<LocalArtifacts>> Open(const std::string& folder);
+
+  absl::Status PutAll(std::span<const SealedArtifact> artifacts) override;
+  absl::StatusOr<v1::Artifact> Get(const std::string& id) override;
+  absl::Status Flush(std::span<const v1::ArtifactRef> artifacts) override;
+  absl::StatusOr<int64_t> Mark() override;
+  absl::StatusOr<int64_t> Delete(std::span<const std::string> ids, int64_t mark) override;
+
+  // Ids that begin so, sorted. `prefix` has two characters at least.
+  absl::StatusOr<std::vector<std::string>> FindIds(const std::string& prefix);
+
+ private:
+  LocalArtifacts(const std::string& folder, std::unique_ptr<ArtifactRows> rows)
+      : files_(folder), rows_(std::move(rows)) {}
+
+  ArtifactFiles files_;
+  const std::unique_ptr<ArtifactRows> rows_;
+};
+
+}  // namespace flair::orchestrator
