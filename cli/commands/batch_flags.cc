@@ -72,7 +72,8 @@ absl::StatusOr<BatchWay> OpenBatchWay(const BatchFlags& flags, bool runs_jobs, c
   if (!session.ok()) return session.status();
   BatchWay way;
   way.batches = std::make_unique<BatchSession>(
-      (*session)->channel(), BatchSession::Options{.address = (*session)->address()}, interruption.stop());
+      (*session)->channel(),
+      BatchSession::Options{.address = (*session)->address(), .embedded = (*session)->embedded()}, interruption.stop());
   way.session = *std::move(session);
   way.remedy = RemedyOf(flags, runs_jobs);
   return way;

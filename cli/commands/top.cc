@@ -9,7 +9,9 @@
 
 #include "absl/time/clock.h"
 #include "cli/commands/commands.h"
+#include "cli/embedded/embedded_services.h"
 #include "cli/input/value_checks.h"
+#include "cli/session/no_orchestrator.h"
 #include "cli/session/session.h"
 #include "cli/top/cluster_client.h"
 #include "cli/top/terminal_screen.h"
@@ -33,43 +35,43 @@ bool MayPass(const absl::Status& status) {
          absl::IsCancelled(status);
 }
 
-absl::Status Explain(const absl::Status& status, const std::string& address) {
-  if (absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status)) {
-    return absl::UnavailableError(fmt::format("no orchestrator answers at {}: {}; is flair-orchestrator running there?",
-                                              address, std::string(status.message())));
-  }
-  if (absl::IsUnimplemented(status)) {
-    return absl::UnimplementedError(
-        fmt::format("{}: this orchestrator is too old to tell how its cluster does", address));
-  }
-  return status;
-}
-
 class Top {
  public:
   Top(const TopArguments& arguments, Session& session)
       : arguments_(arguments),
         interval_(absl::Seconds(arguments.interval_seconds)),
-        address_(session.embedded() ? "the local store" : session.address()),
+        watches_cluster_(!session.embedded()),
+        address_(watches_cluster_ ? session.address() : "the local store " + DefaultStorePath()),
         client_(session.channel()) {}
 
   absl::Status Run() {
-    if (absl::Status status = Look(); !status.ok()) return Explain(status, address_);
+    if (absl::Status status = Look(); !status.ok()) return Explain(status);
     if (arguments_.json && !arguments_.once) return Stream();
     return arguments_.once || !TerminalScreen::IsThere() ? PrintOnce() : Live();
   }
 
  private:
+  absl::Status Explain(const absl::Status& status) const {
+    if (absl::IsUnimplemented(status)) {
+      return absl::UnimplementedError(
+          fmt::format("{}: this orchestrator is too old to tell how its cluster does", address_));
+    }
+    return watches_cluster_ ? NoOrchestrator(status, address_) : status;
+  }
+
   absl::Status Look() {
     absl::StatusOr<ClusterLook> look = client_.Look();
-    if (look.ok()) state_.See(*look);
-    return look.status();
+    if (!look.ok()) return look.status();
+    // This process works on nothing, and knows nothing of others that work on its store.
+    if (!watches_cluster_) look->cluster.clear_orchestrators();
+    state_.See(*look);
+    return absl::OkStatus();
   }
 
   // Two looks, so that there are rates.
   absl::Status PrintOnce() {
     absl::SleepFor(interval_);
-    if (absl::Status status = Look(); !status.ok()) return Explain(status, address_);
+    if (absl::Status status = Look(); !status.ok()) return Explain(status);
     if (arguments_.json) {
       fmt::print("{}\n", TopJson(state_));
     } else {
@@ -89,7 +91,7 @@ class Top {
         absl::SleepFor(interval_);
         status = Look();
       }
-      if (!status.ok()) return Explain(status, address_);
+      if (!status.ok()) return Explain(status);
     }
   }
 
@@ -109,7 +111,7 @@ class Top {
       if (event == TerminalScreen::Event::kQuit) return absl::OkStatus();
       if (event == TerminalScreen::Event::kResized) continue;
       const absl::Status status = Look();
-      if (!status.ok() && !MayPass(status)) return Explain(status, address_);
+      if (!status.ok() && !MayPass(status)) return Explain(status);
       trouble = status.ok() ? ""
                             : fmt::format("No answer for {}: {}", ShortDuration(absl::Now() - state_.time()),
                                           std::string(status.message()));
@@ -119,6 +121,7 @@ class Top {
 
   const TopArguments& arguments_;
   const absl::Duration interval_;
+  const bool watches_cluster_;
   const std::string address_;
   ClusterClient client_;
   ClusterState state_;
@@ -129,9 +132,11 @@ class Top {
 void AddTop(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<TopArguments>();
   CLI::App* top = program.add_subcommand(
-      "top", "How a cluster does, live: queue, batches, orchestrators, workers. Printed once when not on a terminal.");
+      "top",
+      "How a cluster or the local store does, live: queue, batches, orchestrators, workers. Printed once when not on "
+      "a terminal.");
   top->add_option("--orchestrator", arguments->orchestrator,
-                  "Ask this one, which knows all of its queue, instead of the local store")
+                  "Watch the cluster of this one, which knows all of its queue, instead of the local store")
       ->type_name("HOST:PORT");
   top->add_option("--interval", arguments->interval_seconds, "Seconds between looks, 0.05 to 3600 (2)")
       ->type_name("S")

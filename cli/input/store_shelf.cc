@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "cli/input/artifact_shelf.h"
 #include "fmt/format.h"
-#include "orchestrator/store/artifact_files.h"
-#include "orchestrator/store/artifact_id.h"
 #include "orchestrator/store/database.h"
 #include "orchestrator/store/job_table.h"
+#include "orchestrator/store/local_artifacts.h"
 
 namespace flair::cli {
 namespace {
@@ -17,19 +15,18 @@ namespace fs = std::filesystem;
 
 class StoreShelf final : public ArtifactShelf {
  public:
-  explicit StoreShelf(std::string folder) : folder_(std::move(folder)), files_(folder_ + "/artifacts") {}
+  explicit StoreShelf(std::string folder) : folder_(std::move(folder)) {}
 
-  absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id) override { return files_.Get(id); }
+  absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id) override {
+    const auto artifacts = Artifacts();
+    return artifacts.ok() ? (*artifacts)->Get(id) : artifacts.status();
+  }
 
   absl::StatusOr<std::vector<std::string>> FindIds(const std::string& prefix) override {
-    std::vector<std::string> ids;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(fs::path(files_.PathOf(prefix)).parent_path(), error)) {
-      const std::string id = entry.path().stem().string();
-      if (orchestrator::IsArtifactId(id) && id.starts_with(prefix)) ids.push_back(id);
-    }
-    std::sort(ids.begin(), ids.end());
-    return ids;
+    const auto artifacts = Artifacts();
+    // Nobody has designed anything yet.
+    if (absl::IsNotFound(artifacts.status())) return std::vector<std::string>();
+    return artifacts.ok() ? (*artifacts)->FindIds(prefix) : artifacts.status();
   }
 
   absl::StatusOr<v1::Job> GetJob(const std::string& id) override {
@@ -47,8 +44,21 @@ class StoreShelf final : public ArtifactShelf {
   std::string name() const override { return "the store " + folder_; }
 
  private:
+  // Makes no store where there is none.
+  absl::StatusOr<orchestrator::LocalArtifacts*> Artifacts() {
+    std::error_code error;
+    const std::string path = folder_ + "/artifacts";
+    if (!fs::is_directory(path, error)) return absl::NotFoundError(fmt::format("{} has no artifacts", name()));
+    if (artifacts_ == nullptr) {
+      auto opened = orchestrator::LocalArtifacts::Open(path);
+      if (!opened.ok()) return opened.status();
+      artifacts_ = *std::move(opened);
+    }
+    return artifacts_.get();
+  }
+
   const std::string folder_;
-  orchestrator::ArtifactFiles files_;
+  std::unique_ptr<orchestrator::LocalArtifacts> artifacts_;
   std::unique_ptr<orchestrator::Database> database_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "absl/strings/match.h"
 #include "absl/time/clock.h"
+#include "cli/session/no_orchestrator.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/client_call.h"
 
@@ -45,9 +46,7 @@ absl::Status BatchSession::Explain(const absl::Status& status) const {
         fmt::format("the orchestrator at {} knows no such batches: {}; use a flair-orchestrator of this version",
                     options_.address, std::string(status.message())));
   }
-  if (!absl::IsUnavailable(status)) return status;
-  return absl::UnavailableError(fmt::format("no orchestrator answers at {}: {}; is flair-orchestrator running there?",
-                                            options_.address, std::string(status.message())));
+  return options_.embedded ? status : NoOrchestrator(status, options_.address);
 }
 
 bool BatchSession::TryAgain(const absl::Status& status, bool is_full, absl::Time silent_since, int attempt) {

@@ -23,6 +23,8 @@ class BatchSession {
   struct Options {
     // For messages, such as "127.0.0.1:50050" or "this process".
     std::string address;
+    // In this process.
+    bool embedded = false;
     // How long somebody who has answered before may be silent.
     absl::Duration patience = absl::Minutes(2);
   };

@@ -9,6 +9,7 @@
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
 #include "cli/input/connection_flags.h"
+#include "cli/session/no_orchestrator.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -52,9 +53,7 @@ absl::StatusOr<std::unique_ptr<Session>> Session::Open(const std::string& addres
 }
 
 absl::Status Session::Explain(const absl::Status& status) const {
-  if (status.code() != absl::StatusCode::kUnavailable || embedded()) return status;
-  return absl::UnavailableError(fmt::format("no orchestrator answers at {}: {}; is flair-orchestrator running there?",
-                                            address_, std::string(status.message())));
+  return embedded() ? status : NoOrchestrator(status, address_);
 }
 
 absl::Status Session::ExplainOfJob(const std::string& id, const absl::Status& status) const {

@@ -49,6 +49,18 @@ void ClusterState::See(const ClusterLook& look) {
   SeeOrchestrators(look.cluster);
   SeeWorkers(look.cluster);
   SeeBatches(look.batches);
+  if (orchestrators_.empty()) CountBatches();
+}
+
+void ClusterState::CountBatches() {
+  for (const BatchRow& row : batches_) {
+    totals_.running_count += row.batch.running_count();
+    totals_.succeeded_count += row.batch.succeeded_count();
+    totals_.failed_count += row.batch.failed_count();
+    if (row.jobs_per_second.has_value()) {
+      totals_.jobs_per_second = totals_.jobs_per_second.value_or(0) + *row.jobs_per_second;
+    }
+  }
 }
 
 void ClusterState::SeeOrchestrators(const v1::GetClusterResponse& cluster) {

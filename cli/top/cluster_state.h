@@ -12,7 +12,7 @@
 
 namespace flair::cli {
 
-// One look.
+// One look. A store that no orchestrator serves has none; processes that work on it say nothing of themselves.
 struct ClusterLook {
   absl::Time time;
   v1::GetClusterResponse cluster;
@@ -50,9 +50,11 @@ struct BatchRow {
   int64_t ended_count() const { return int64_t{batch.job_count()} - batch.open_count(); }
 };
 
+// Of all orchestrators; without any, of the batches that have not ended.
 struct ClusterTotals {
   int64_t queued_count = 0;
   int64_t running_count = 0;
+  // Unknown when 0.
   int64_t running_limit = 0;
   int64_t succeeded_count = 0;
   int64_t failed_count = 0;
@@ -77,6 +79,7 @@ class ClusterState {
   void SeeOrchestrators(const v1::GetClusterResponse& cluster);
   void SeeWorkers(const v1::GetClusterResponse& cluster);
   void SeeBatches(const std::vector<v1::Batch>& batches);
+  void CountBatches();
 
   absl::Time time_;
   ClusterTotals totals_;

@@ -143,7 +143,7 @@ TEST(TopText, FitsATerminalOf80By24) {
               ElementsAre(AllOf(HasSubstr("flair top  127.0.0.1:50050"), SizeIs(80)),
                           "1,234 waiting  6/8 running  10 jobs/s  5,150 done  0 failed  0 retried", "",
                           "BATCH                                        ENDED  FAILED  JOBS/S",
-          "rooms.jsonl         ██░░░░░░░░  20%      200/1,000       2      10     ETA 1m20s", "",
+                          "rooms.jsonl         ██░░░░░░░░  20%      200/1,000       2      10     ETA 1m20s", "",
                           "ORCHESTRATOR                    RUNNING       DONE  FAILED RETRIED JOBS/S   SEEN",
                           "host-a-17-00ff                      3/4      5,060       0       0    6.0    now",
                           "host-b-18-00aa                      3/4         90       0       0    4.0    3 s", "",
@@ -187,10 +187,28 @@ TEST(TopText, ShowsTroubleAndColours) {
   EXPECT_THAT(text, AllOf(HasSubstr("\x1b[31mNo answer for 4 s\x1b[0m"), HasSubstr("\x1b[31mbroken\x1b[0m")));
 }
 
-TEST(TopText, AnEmptyClusterIsNoProblem) {
+TEST(TopText, OfAStoreWithoutOrchestratorsTellsItsBatchesAndHowToSeeACluster) {
+  ClusterState state;
+  for (const int seconds : {0, 10}) {
+    v1::Batch batch = Batch(100 + 10 * seconds);
+    batch.set_running_count(3);
+    ClusterLook look{kStart + absl::Seconds(seconds), {}, {batch}};
+    look.cluster.set_queued_count(797);
+    state.See(look);
+  }
+  const std::vector<std::string> lines = TopText(state, "the local store", "", {.width = 80});
+  ASSERT_THAT(lines, SizeIs(7));
+  EXPECT_EQ(lines[1], "797 waiting  3 running  10 jobs/s  198 done  2 failed  0 retried");
+  EXPECT_EQ(lines[6], "The store of this machine alone. A cluster: flair top --orchestrator HOST:PORT");
+}
+
+TEST(TopText, AnEmptyStoreIsNoProblem) {
   ClusterState state;
   state.See({kStart, {}, {}});
-  EXPECT_THAT(TopText(state, "x", "", {}), SizeIs(4));
+  EXPECT_THAT(TopText(state, "x", "", {.width = 80}),
+              ElementsAre(HasSubstr("flair top  x"), "0 waiting  0 running  - jobs/s  0 done  0 failed  0 retried", "",
+                          "No batch is open.",
+                          "The store of this machine alone. A cluster: flair top --orchestrator HOST:PORT"));
 }
 
 TEST(StyledLine, CutsByCharactersNotBytes) {

@@ -57,6 +57,11 @@ std::string BatchEnding(const BatchRow& row) {
   return row.remaining.has_value() ? "ETA " + ShortDuration(*row.remaining) : "ETA -";
 }
 
+std::string RunningText(const ClusterTotals& totals) {
+  if (totals.running_limit == 0) return Grouped(totals.running_count);
+  return fmt::format("{}/{}", totals.running_count, totals.running_limit);
+}
+
 class TopPage {
  public:
   TopPage(const ClusterState& state, const TopLayout& layout) : state_(state), layout_(layout) {}
@@ -66,7 +71,7 @@ class TopPage {
     if (!trouble.empty()) lines.push_back(Line().Add(trouble, Style::kBad).text());
     std::vector<Section> sections;
     if (!state_.batches().empty()) sections.push_back(Batches());
-    sections.push_back(Orchestrators());
+    sections.push_back(state_.orchestrators().empty() ? NoOrchestrators() : Orchestrators());
     if (!state_.workers().empty()) sections.push_back(Workers());
     Fit(sections, static_cast<int>(lines.size()));
     for (const Section& section : sections) {
@@ -91,7 +96,7 @@ class TopPage {
     const ClusterTotals& totals = state_.totals();
     StyledLine line = Line();
     line.Add(Grouped(totals.queued_count), Style::kBold).Add(" waiting  ");
-    line.Add(fmt::format("{}/{}", totals.running_count, totals.running_limit), Style::kBold).Add(" running  ");
+    line.Add(RunningText(totals), Style::kBold).Add(" running  ");
     line.Add(RateText(totals.jobs_per_second), Style::kBold).Add(" jobs/s  ");
     line.Add(Grouped(totals.succeeded_count)).Add(" done  ");
     line.Add(fmt::format("{} failed", Grouped(totals.failed_count)), BadUnlessZero(totals.failed_count));
@@ -122,6 +127,14 @@ class TopPage {
                                  .Right(BatchEnding(row), 14)
                                  .text());
     }
+    return section;
+  }
+
+  Section NoOrchestrators() const {
+    const std::string hint = "The store of this machine alone. A cluster: flair top --orchestrator HOST:PORT";
+    Section section;
+    section.heading = Line().Add(state_.batches().empty() ? "No batch is open." : hint).text();
+    if (state_.batches().empty()) section.rows.push_back(Line().Add(hint, Style::kDim).text());
     return section;
   }
 
