@@ -49,13 +49,21 @@ class Cluster:
             self._make_program("orchestrator", i, self._orchestrator_config(i, nats_count))
 
     def __enter__(self) -> "Cluster":
+        try:
+            self._start()
+        except BaseException:
+            # Nobody leaves what was not entered.
+            self.__exit__()
+            raise
+        return self
+
+    def _start(self) -> None:
         for kind in ("nats", "language", "optimizer", "renderer", "translator", "orchestrator"):
             members = self.of_kind(kind)
             for server in members:
                 server.start()
             for server in members:
                 server.wait_until_up()
-        return self
 
     def __exit__(self, *_: object) -> None:
         for server in reversed(self.servers):
@@ -110,20 +118,20 @@ class Cluster:
         if self._shape.keep_ended_seconds:
             text += f"keep_ended_seconds: {self._shape.keep_ended_seconds}\n"
         if nats_count:
-            servers = self._reached(number, "nats", "nats").replace("127", "nats://127")
+            servers = "nats://" + self._reached(number, "nats", "nats").replace(",", ",nats://")
             text += f'queue {{ address: "{servers}" replica_count: {nats_count} '
             text += f"lease_seconds: {self._shape.lease_seconds} }}\n"
         return text
 
     def _make_nats(self, count: int) -> None:
-        ports = [(free_port(), free_port(), free_port()) for _ in range(count)]
-        routes = ", ".join(f'"nats://127.0.0.1:{cluster}"' for _, _, cluster in ports)
-        for i, (client, monitor, cluster) in enumerate(ports):
+        ports = [[free_port() for _ in range(4)] for _ in range(count)]
+        routes = ", ".join(f'"nats://127.0.0.1:{cluster}"' for *_, cluster in ports)
+        for i, (client, monitor, profile, cluster) in enumerate(ports):
             name = f"nats_{i}"
             config = self._folder / f"{name}.conf"
             text = f'server_name: {name}\nlisten: "127.0.0.1:{client}"\nhttp: "127.0.0.1:{monitor}"\nmax_payload: 4MB\n'
-            text += f'jetstream {{ store_dir: "{self._folder / name}", max_file_store: 10GB }}\n'
+            text += f'prof_port: {profile}\njetstream {{ store_dir: "{self._folder / name}", max_file_store: 10GB }}\n'
             if count > 1:
                 text += f'cluster {{ name: chaos, listen: "127.0.0.1:{cluster}", routes: [{routes}], no_advertise: true }}\n'
             config.write_text(text)
-            self.servers.append(NatsServer(name, f"127.0.0.1:{client}", monitor, config, self._folder))
+            self.servers.append(NatsServer(name, f"127.0.0.1:{client}", monitor, profile, config, self._folder))

@@ -2,6 +2,7 @@
 """Servers as child processes that are killed, frozen and started again at the same address."""
 
 import os
+import re
 import shutil
 import signal
 import socket
@@ -109,9 +110,11 @@ class Server:
 class NatsServer(Server):
     """A server of NATS with storage; up when it says that it is healthy, which in a cluster takes the others too."""
 
-    def __init__(self, name: str, address: str, monitor_port: int, config: Path, folder: Path) -> None:
+    def __init__(self, name: str, address: str, monitor_port: int, profile_port: int, config: Path, folder: Path) -> None:
         super().__init__("nats", name, address, [NATS, "--config", str(config)], folder)
-        self._monitor = f"http://{address.rsplit(':', 1)[0]}:{monitor_port}/healthz"
+        host = address.rsplit(":", 1)[0]
+        self._monitor = f"http://{host}:{monitor_port}/healthz"
+        self._heap = f"http://{host}:{profile_port}/debug/pprof/heap?gc=1&debug=1"
 
     def healthy(self) -> bool:
         try:
@@ -119,3 +122,12 @@ class NatsServer(Server):
                 return answer.status == 200
         except (urllib.error.URLError, OSError):
             return False
+
+    def live_bytes(self) -> int | None:
+        """What its heap holds once garbage is collected, which this does; nothing when it does not answer."""
+        try:
+            with urllib.request.urlopen(self._heap, timeout=10) as answer:
+                found = re.search(r"^# HeapAlloc = (\d+)$", answer.read().decode(), re.MULTILINE)
+        except (urllib.error.URLError, OSError):
+            return None
+        return int(found[1]) if found else None

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whether a batch is what it would have been without any fault."""
 
+import time
+
+import grpc
+
 from flair import v1
 
 from batch import Orchestrators
@@ -52,6 +56,20 @@ def ends_of(orchestrators: Orchestrators, job_id: str) -> int:
     """How often the job's own events say that it ended."""
     events = orchestrators.stub().WatchJob(v1.WatchJobRequest(job_id=job_id), timeout=30)
     return sum(response.event.kind == v1.JobEventKind.JOB_EVENT_KIND_ENDED for response in events)
+
+
+def not_gone(orchestrators: Orchestrators, batch_id: str, keep_s: float) -> list[str]:
+    """A batch that ended and is there long after it should have been deleted; waits until it is not."""
+    end = time.monotonic() + 2 * keep_s + 60
+    while time.monotonic() < end:
+        try:
+            orchestrators.ask("GetBatch", v1.GetBatchRequest(batch_id=batch_id))
+        except grpc.RpcError as error:
+            if error.code() == grpc.StatusCode.NOT_FOUND:
+                return []
+            raise
+        time.sleep(0.2)
+    return [f"batch {batch_id}, which ended before, is there still"]
 
 
 def unreadable(orchestrators: Orchestrators, artifacts: Artifacts) -> list[str]:
