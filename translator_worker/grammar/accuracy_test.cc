@@ -160,17 +160,32 @@ TEST(Accuracy, OfManyWaysOfSpeakingThatWereMeasuredAndThenLookedAt) {
   EXPECT_EQ(measured.score.silent, 0);
 }
 
-// Other sentences of the same twelve, drawn by hash and never looked at.
-TEST(Accuracy, OfManyWaysOfSpeakingThatNobodyLookedAt) {
-  const Measured measured = Measure("invented_rooms_9.jsonl", true);
+// Other sentences of the same twelve, sealed until 83.6 % of them were correct, and then looked at.
+TEST(Accuracy, OfManyWaysOfSpeakingThatWereSealed) {
+  const Measured measured = Measure("invented_rooms_9.jsonl", false);
   EXPECT_GE(measured.correct_share(), 0.81);
   EXPECT_EQ(measured.score.silent, 0);
 }
 
-// As hard as those before, labelled with them, and never looked at: what the mending of those brought for others.
-TEST(Accuracy, OfHardSentencesThatNobodyLookedAt) {
-  const Measured measured = Measure("invented_rooms_5.jsonl", true);
+// As hard as invented_rooms_4.jsonl, sealed until 77.8 % of them were correct, and then looked at.
+TEST(Accuracy, OfHardSentencesThatWereSealed) {
+  const Measured measured = Measure("invented_rooms_5.jsonl", false);
   EXPECT_GE(measured.correct_share(), 0.75);
+  EXPECT_EQ(measured.score.silent, 0);
+}
+
+// Written statement by statement after the rules of the labels: a choir's room, a laundrette, a school library, a
+// nursery school.
+TEST(Accuracy, OfSentencesWrittenAfterTheRulesOfTheLabels) {
+  const Measured measured = Measure("invented_rooms_10.jsonl", false);
+  EXPECT_GE(measured.correct_share(), 0.5);
+  EXPECT_EQ(measured.score.silent, 0);
+}
+
+// Seven rooms of other kinds, labelled before any of the sentences above were gone through, and never looked at.
+TEST(Accuracy, OfSevenMoreRoomsThatNobodyLookedAt) {
+  const Measured measured = Measure("invented_rooms_11.jsonl", true);
+  EXPECT_GE(measured.correct_share(), 0.5);
   EXPECT_EQ(measured.score.silent, 0);
 }
 

@@ -31,6 +31,7 @@ std::vector<Rule> NearRules();
 std::vector<Rule> PathRules();
 std::vector<Rule> PullOutRules();
 std::vector<Rule> RoomRules();
+std::vector<Rule> SpaceRules();
 std::vector<Rule> SurfaceRules();
 std::vector<Rule> WalkwayRules();
 std::vector<Rule> WallRules();
