@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from processes import BIN, NatsServer, Server, free_port
+from processes import BIN, NatsServer, Server, free_address
 from wires import Link, Wires
 
 ENGINES = ("sqlite", "jetstream", "jetstream3")
@@ -94,7 +94,7 @@ class Cluster:
 
     def _make_program(self, kind: str, number: int, more: str) -> None:
         name = f"{kind}_{number}"
-        address = f"127.0.0.1:{free_port()}"
+        address = free_address()
         config = self._folder / f"{name}.textproto"
         threads = self._shape.optimizer_threads if kind == "optimizer" else 0
         config.write_text(f'runtime {{ listen_address: "{address}" drain_seconds: 5 worker_thread_count: {threads} }}\n{more}')
@@ -124,14 +124,16 @@ class Cluster:
         return text
 
     def _make_nats(self, count: int) -> None:
-        ports = [[free_port() for _ in range(4)] for _ in range(count)]
-        routes = ", ".join(f'"nats://127.0.0.1:{cluster}"' for *_, cluster in ports)
-        for i, (client, monitor, profile, cluster) in enumerate(ports):
+        addresses = [[free_address() for _ in range(4)] for _ in range(count)]
+        routes = ", ".join(f'"nats://{cluster}"' for *_, cluster in addresses)
+        for i, (client, monitor, profile, cluster) in enumerate(addresses):
             name = f"nats_{i}"
             config = self._folder / f"{name}.conf"
-            text = f'server_name: {name}\nlisten: "127.0.0.1:{client}"\nhttp: "127.0.0.1:{monitor}"\nmax_payload: 4MB\n'
-            text += f'prof_port: {profile}\njetstream {{ store_dir: "{self._folder / name}", max_file_store: 10GB }}\n'
+            text = f'server_name: {name}\nlisten: "{client}"\nhttp: "{monitor}"\nmax_payload: 4MB\n'
+            # At the host of `listen`.
+            text += f'prof_port: {profile.rsplit(":", 1)[1]}\n'
+            text += f'jetstream {{ store_dir: "{self._folder / name}", max_file_store: 10GB }}\n'
             if count > 1:
-                text += f'cluster {{ name: chaos, listen: "127.0.0.1:{cluster}", routes: [{routes}], no_advertise: true }}\n'
+                text += f'cluster {{ name: chaos, listen: "{cluster}", routes: [{routes}], no_advertise: true }}\n'
             config.write_text(text)
-            self.servers.append(NatsServer(name, f"127.0.0.1:{client}", monitor, profile, config, self._folder))
+            self.servers.append(NatsServer(name, client, monitor, profile, config, self._folder))

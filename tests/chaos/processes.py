@@ -16,11 +16,25 @@ BIN = Path(os.environ["FLAIR_BIN"])
 NATS = shutil.which("nats-server", path=f"{os.environ.get('PATH', '')}:/usr/sbin") or "nats-server"
 
 
-def free_port(host: str = "127.0.0.1") -> int:
-    """A port that nobody listened on a moment ago; the server keeps it over its restarts."""
-    with socket.socket() as probe:
-        probe.bind((host, 0))
-        return probe.getsockname()[1]
+def _own_host() -> str:
+    """An address of this machine for servers of this process alone: what others do at 127.0.0.1 takes no port there."""
+    number = os.getpid()
+    return f"127.{64 + (number >> 16) % 64}.{number >> 8 & 255}.{number & 255}"
+
+
+HOST = _own_host()
+_given: set[int] = set()
+
+
+def free_address() -> str:
+    """One where nobody listens, given once; a server keeps it over its restarts."""
+    while True:
+        with socket.socket() as probe:
+            probe.bind((HOST, 0))
+            port = probe.getsockname()[1]
+        if port not in _given:
+            _given.add(port)
+            return f"{HOST}:{port}"
 
 
 class Server:
@@ -110,11 +124,10 @@ class Server:
 class NatsServer(Server):
     """A server of NATS with storage; up when it says that it is healthy, which in a cluster takes the others too."""
 
-    def __init__(self, name: str, address: str, monitor_port: int, profile_port: int, config: Path, folder: Path) -> None:
+    def __init__(self, name: str, address: str, monitor: str, profile: str, config: Path, folder: Path) -> None:
         super().__init__("nats", name, address, [NATS, "--config", str(config)], folder)
-        host = address.rsplit(":", 1)[0]
-        self._monitor = f"http://{host}:{monitor_port}/healthz"
-        self._heap = f"http://{host}:{profile_port}/debug/pprof/heap?gc=1&debug=1"
+        self._monitor = f"http://{monitor}/healthz"
+        self._heap = f"http://{profile}/debug/pprof/heap?gc=1&debug=1"
 
     def healthy(self) -> bool:
         try:

@@ -5,7 +5,7 @@ import asyncio
 import contextlib
 import threading
 
-from processes import free_port
+from processes import free_address
 
 _READ_BYTES = 1 << 16
 
@@ -47,8 +47,8 @@ class Link:
 
     async def add(self, target: str) -> None:
         host, port = target.rsplit(":", 1)
-        address = f"127.0.0.1:{free_port()}"
-        self.addresses.append(address)
+        self.addresses.append(free_address())
+        own_host, own_port = self.addresses[-1].rsplit(":", 1)
 
         async def carry(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
             # Whoever is killed or cut off leaves errors here; to both ends they are the end of the connection.
@@ -62,7 +62,7 @@ class Link:
                     for end in ends:
                         end.cancel()
 
-        self._servers.append(await asyncio.start_server(carry, "127.0.0.1", int(address.rsplit(":", 1)[1])))
+        self._servers.append(await asyncio.start_server(carry, own_host, int(own_port)))
 
     async def _pump(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         with contextlib.suppress(OSError):

@@ -86,7 +86,7 @@ class Cluster:
             said += line
             if address := re.search(r"Listening for client connections on (\S+)", line):
                 self.addresses["nats-0.nats"] = address[1]
-            if "Server is ready" in line:
+            if "Server is ready" in said and "nats-0.nats" in self.addresses:
                 # Read on: a full pipe would hold it up.
                 self._readers.append(threading.Thread(target=process.stderr.read))
                 self._readers[-1].start()
