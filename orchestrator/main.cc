@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair-orchestrator: serves OrchestratorService.
-#include <malloc.h>
-
 #include "absl/synchronization/mutex.h"
 #include "orchestrator/service/make_orchestrator_service.h"
 #include "worker_runtime/bootstrap/build_name.h"
@@ -20,20 +18,12 @@ absl::Status Assemble(const config::v1::OrchestratorConfig& config, runtime::Wor
   return absl::OkStatus();
 }
 
-// Pictures come and go with every job: memory of their size is kept for the next one, not given back to the kernel and
-// asked for again page by page.
-void KeepMemory() {
-  mallopt(M_MMAP_THRESHOLD, 4 << 20);
-  mallopt(M_TRIM_THRESHOLD, 8 << 20);
-}
-
 }  // namespace
 }  // namespace flair::orchestrator
 
 int main(int argc, char** argv) {
   // Debian's absl looks for deadlocks at each lock that gRPC takes, under one lock of its own.
   absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
-  flair::orchestrator::KeepMemory();
   return flair::runtime::Run<flair::config::v1::OrchestratorConfig>(
       argc, argv,
       {"flair-orchestrator", "Serves flair.v1.OrchestratorService: runs briefs through the stages.",
