@@ -8,6 +8,7 @@
 #include <map>
 
 #include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
 #include "orchestrator/pipeline/backoff_policy.h"
 #include "orchestrator/workers/test_worker.h"
 #include "worker_runtime/executor/test_gate.h"
@@ -16,6 +17,10 @@ namespace flair::orchestrator {
 namespace {
 
 using ::testing::HasSubstr;
+
+// Addresses that nobody else listens at or calls from, so that a port there is free when it is wanted, and again.
+constexpr char kOwnHost[] = "127.0.9.1";
+constexpr char kOtherOwnHost[] = "127.0.9.2";
 
 absl::Status Answer(runtime::CallContext&) { return absl::OkStatus(); }
 
@@ -130,7 +135,7 @@ TEST_F(StageWorkersTest, SpreadsCallsOverAllThatAreListed) {
 }
 
 TEST_F(StageWorkersTest, AWorkerThatGoesAndComesBackIsNoticed) {
-  auto a = std::make_unique<TestWorker>();
+  auto a = std::make_unique<TestWorker>(Answer, TestWorkerOptions{.listen_address = absl::StrCat(kOwnHost, ":0")});
   TestWorker b;
   const std::string address = a->address();
   Start(address + "," + b.address());
@@ -153,23 +158,23 @@ TEST_F(StageWorkersTest, ACallWhoseWorkerDiesIsMadeOfAnother) {
 }
 
 TEST_F(StageWorkersTest, WorkersOfANameJoinAndLeave) {
-  TestWorker first;
+  TestWorker first(Answer, {.listen_address = absl::StrCat(kOwnHost, ":0")});
   const std::string port = first.address().substr(first.address().rfind(':') + 1);
   Start("dns:///optimizers:" + port);
   EXPECT_THAT(std::string(Solve().status().message()), HasSubstr("its name has no address"));
   SetAddresses(absl::UnavailableError("no name server"));
   while (!absl::StrContains(std::string(Solve().status().message()), "no name server")) std::this_thread::yield();
-  SetAddresses(std::vector<std::string>{"127.0.0.1"});
+  SetAddresses(std::vector<std::string>{kOwnHost});
   WaitForState(first.address(), v1::WORKER_STATE_READY);
   EXPECT_EQ(*Solve(), first.address());
   EXPECT_EQ(looked_up_, "optimizers");
-  TestWorker second(Answer, {.listen_address = "127.0.0.2:" + port});
-  ASSERT_EQ(second.address(), "127.0.0.2:" + port);
-  SetAddresses(std::vector<std::string>{"127.0.0.1", "127.0.0.2"});
+  TestWorker second(Answer, {.listen_address = absl::StrCat(kOtherOwnHost, ":", port)});
+  ASSERT_EQ(second.address(), absl::StrCat(kOtherOwnHost, ":", port));
+  SetAddresses(std::vector<std::string>{kOwnHost, kOtherOwnHost});
   SolveUntilAllAnswer({first.address(), second.address()});
   SetAddresses(absl::UnavailableError("no name server"));
   SolveUntilAllAnswer({first.address(), second.address()});  // What cannot be told changes nothing.
-  SetAddresses(std::vector<std::string>{"127.0.0.2"});
+  SetAddresses(std::vector<std::string>{kOtherOwnHost});
   while (!StatusOf(first.address()).address().empty()) std::this_thread::yield();
   for (int i = 0; i < 10; ++i) EXPECT_EQ(*Solve(), second.address());
 }
@@ -236,22 +241,37 @@ TEST_F(StageWorkersTest, AWorkerThatNeverAnswersIsBroken) {
   config_.mutable_stage_calls()->set_failure_limit(2);
   TestWorker hanging(Hang);
   Start(hanging.address());
-  for (int i = 0; i < 2; ++i)
+  // On a busy machine a call may be late before it reaches anybody, which speaks against nobody.
+  int calls = 0;
+  for (; StatusOf(hanging.address()).state() != v1::WORKER_STATE_BROKEN; ++calls) {
     EXPECT_EQ(Solve(absl::Milliseconds(50)).status().code(), absl::StatusCode::kDeadlineExceeded);
-  EXPECT_EQ(StatusOf(hanging.address()).state(), v1::WORKER_STATE_BROKEN);
+  }
+  EXPECT_GE(calls, 2);
 }
 
 TEST_F(StageWorkersTest, ACallThatTakesItsTimeIsMadeOfASecondWorkerAndNoThird) {
   config_.mutable_stage_calls()->set_hedge_seconds(0.02);
   TestWorker hanging(Hang), also_hanging(Hang), third(Hang);
   Start(hanging.address() + "," + also_hanging.address() + "," + third.address());
-  EXPECT_EQ(Solve(absl::Milliseconds(500)).status().code(), absl::StatusCode::kDeadlineExceeded);
-  EXPECT_EQ(hanging.calls() + also_hanging.calls() + third.calls(), 2);
+  const auto calls = [&] { return hanging.calls() + also_hanging.calls() + third.calls(); };
+  StageCall call;
+  auto answer = std::async(std::launch::async, [&] { return workers_->clients().Solve({}, call).status(); });
+  while (calls() < 2) std::this_thread::yield();
+  // Many times as long as the second was waited for.
+  EXPECT_EQ(answer.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout);
+  EXPECT_EQ(calls(), 2);
+  call.cancellation().Cancel();
+  EXPECT_EQ(answer.get().code(), absl::StatusCode::kCancelled);
 }
 
 TEST_F(StageWorkersTest, TheFirstAnswerCountsAndTheOtherCallIsCancelled) {
   config_.mutable_stage_calls()->set_hedge_seconds(0.02);
-  TestWorker hanging(Hang), quick;
+  TestWorker hanging(Hang);
+  // Whichever is called first, the other is asked as well.
+  TestWorker quick([&](runtime::CallContext& call) {
+    while (hanging.calls() == 0 && !call.cancelled()) std::this_thread::yield();
+    return absl::OkStatus();
+  });
   Start(hanging.address() + "," + quick.address());
   for (int i = 0; i < 10; ++i) EXPECT_EQ(*Solve(), quick.address());
   EXPECT_GE(hanging.calls(), 1) << "or the test shows nothing";
@@ -299,7 +319,8 @@ TEST_F(StageWorkersTest, AnswersSayWhichRevisionTheyAreOf) {
 }
 
 TEST_F(StageWorkersTest, AWorkerThatWasReplacedIsOfItsNewRevision) {
-  auto worker = std::make_unique<TestWorker>(Answer, TestWorkerOptions{.revision = "old"});
+  auto worker = std::make_unique<TestWorker>(
+      Answer, TestWorkerOptions{.revision = "old", .listen_address = absl::StrCat(kOwnHost, ":0")});
   const std::string address = worker->address();
   Start(address);
   StageCall call;
