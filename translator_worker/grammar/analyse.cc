@@ -144,7 +144,8 @@ class Reader {
         return;
       case WordClass::kPronoun:
         // "The two beds": how many, not whatever was spoken of.
-        if (phrase.length > 1 && NounFollows(Context(), at_ + phrase.length)) {
+        if (phrase.length > 1 &&
+            (NounFollows(Context(), at_ + phrase.length) || SideFollows(Context(), at_ + phrase.length))) {
           raw.role = RawTerm::Role::kEach;
         } else {
           BecomeReference(RefKind::kPronoun, phrase.lemma, raw);

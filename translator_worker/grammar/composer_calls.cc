@@ -30,10 +30,13 @@ const v1::ArgumentValue* Find(const Call& call, std::string_view name) {
   return nullptr;
 }
 
-// Whether both keep space at one object, `vague` without and `precise` with a figure, at some of the same sides.
+// Whether both keep space at one object, `vague` without a figure or with a lesser one ("drawers extend 0.5 m, so keep
+// 0.9 m"), at some of the sides of `precise`.
 bool IsSameSpace(const Call& vague, const Call& precise) {
   if (vague.type != "accessible" || precise.type != "accessible") return false;
-  if (Find(vague, "min_clearance_m") != nullptr || Find(precise, "min_clearance_m") == nullptr) return false;
+  const v1::ArgumentValue* const little = Find(vague, "min_clearance_m");
+  const v1::ArgumentValue* const much = Find(precise, "min_clearance_m");
+  if (much == nullptr || (little != nullptr && little->number() >= much->number())) return false;
   const v1::ArgumentValue* const few = Find(vague, "sides");
   const v1::ArgumentValue* const many = Find(precise, "sides");
   if (few == nullptr || many == nullptr || vague.arguments[0].value().text() != precise.arguments[0].value().text()) {
@@ -61,6 +64,17 @@ const std::string& TextOf(const Call& call, std::string_view name) {
   static const std::string kNone;
   const v1::ArgumentValue* const value = Find(call, name);
   return value != nullptr ? value->text() : kNone;
+}
+
+// "On the right of the stand, so that its left side touches it": one contact. Adds the side of `more` to `call`.
+bool JoinContacts(Call& call, const Call& more) {
+  if (call.type != "next_to" || more.type != "next_to" || call.arguments.size() != 3 || more.arguments.size() != 3 ||
+      TextOf(call, "object") != TextOf(more, "object") || TextOf(call, "target") != TextOf(more, "target") ||
+      call.arguments[2].name() == more.arguments[2].name()) {
+    return false;
+  }
+  call.arguments.push_back(more.arguments[2]);
+  return true;
 }
 
 // A part of the room instead of a place at some piece.
@@ -195,7 +209,7 @@ bool Composer::Emit(Call call) {
       return TellsLittle(other) && TextOf(other, "object") == TextOf(call, "object");
     });
   }
-  if (!calls_.empty() && JoinSides(calls_.back(), call)) return true;
+  if (!calls_.empty() && (JoinSides(calls_.back(), call) || JoinContacts(calls_.back(), call))) return true;
   for (Call& other : calls_) {
     if (Includes(other, call)) return true;
     if (Includes(call, other)) {

@@ -32,6 +32,11 @@ size_t NextStop(const std::vector<Token>& tokens, size_t at) {
 std::optional<size_t> LeaveOutCondition(const std::vector<Token>& tokens, size_t at, size_t length,
                                         std::vector<RawTerm>& terms) {
   if (!terms.empty() && IsAside(tokens, at, length)) return NextStop(tokens, at);
+  // "Close to the kiln so that pots do not have to be carried far": a reason holds no condition.
+  const bool in_reason =
+      std::any_of(terms.rbegin(), std::find_if(terms.rbegin(), terms.rend(), IsStop),
+                  [](const RawTerm& raw) { return raw.term.kind == Term::Kind::kPurpose && raw.term.lemma == "so"; });
+  if (in_reason && IsOneOf(tokens[at], {"do", "does", "not"})) return NextStop(tokens, at);
   const auto after = [&](auto&& ends) {
     size_t begin = terms.size();
     while (begin > 0 && !ends(terms[begin - 1])) --begin;
@@ -49,7 +54,9 @@ std::optional<size_t> LeaveOutCondition(const std::vector<Token>& tokens, size_t
   });
   size_t next = at;
   while (next + 1 < tokens.size() && !BeginsClause(tokens, next)) ++next;
-  if (!main_clause || next + 2 >= tokens.size()) return std::nullopt;
+  // "It does not have to be against a wall, but must ...": what is not asked for goes, the rest stays.
+  const bool needless = IsOneOf(tokens[at], {"do", "does", "not", "need", "no"});
+  if ((!main_clause && !needless) || next + 2 >= tokens.size()) return std::nullopt;
   terms.resize(begin);
   return next;
 }

@@ -10,6 +10,7 @@ std::string_view LexiconEntries() {
 relation against: pulled up (to|against) | (hug|hugs|hugging) | [pushed|placed|set|positioned|backed|standing] [right|hard|close|tight] up (against|to) | right against | (pushed|moved) [right] [up] to | (placed|set|positioned|standing|sitting) flush against | connected with | (installed|mounted|fixed|positioned|placed|set) against | [tucked|pushed|pressed|butted|lean|leans|leaning|rest|rests|resting|sits|stands|backs] [right|up|flush|snug|snugly|tight] against | (pushed|set|moved) back against | (pushed|set|placed|pressed) flat against | flat against | flush (with|to) | backed (onto|against|by) | backs onto
   | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | (secure|secured|anchor|anchored|fasten|fastened|fix|fixed|attach|attached|bolted|screwed) (to|onto) | (join|joins|meet|meets|adjoin) [up with|with]
 relation against: (lined up|lining up|in a row|side by side) against | (squeezed|shoved|jammed|crammed|propped|stood|abutted|nestled|nudged|squared) [up|in] against | in [direct] contact with | touching against
+relation along: line | lines | lining
 relation along: along | alongside | lined up along | runs along | running along
 relation not_aligned: (avoid|not) aligning
 relation aligned: (line|lines|lining) up with | aligned with | align with | aligns with | in line with | lined up with | aligned | aligned to
@@ -22,10 +23,12 @@ relation near: [at|within|only] [a] short distance (from|to|of) | [within] [easy
   | (in|within) [a|an] (comfortable|short|reasonable|walking|easy|convenient|close|small|serving|reaching|conversational|conversation|accessible|practical) distance (of|from|to) | within [easy|arm 's|close] reach from | within easy reach | within arm 's reach
   | convenient to | (closer|nearer) to | nearer | as close as possible to | grouped with | paired with | grouped near | at arm 's length from
 relation near: (benefit|benefits|benefiting) from | [take|takes|taking] advantage of | (make|makes|making) [good] use of | (pair|pairs|pairing) [up] with | in the (neighbourhood|neighborhood|immediate vicinity) of | (accessible|reachable) by
+relation near: (reachable|accessible|usable) (by|for|to) [a|the] (person|people|user|someone|somebody|anyone|anybody|guests|visitors|whoever) [who (sits|is sitting|is seated|lies|is lying|stands|works)|sits|works|sitting|seated|lying|standing|working] (on|in|at)
+relation near: [within] [easy] reach (of|for) (a person|people|someone|somebody|anyone|the user|guests) (who sits|who is sitting|sitting|seated|lying|standing|working) (on|in|at)
 relation nearby: have nearby access to
 relation next_to: next to | beside | adjacent to | directly adjacent to | immediately next to | adjacent | alongside of | side by side with
   | by | at
-relation to_side: (at|on|by|near|to) (one|either|the far|the other|each) end of | (to|on|at) the other side of | (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
+relation to_side: (at|on|by|near|to) (one|either|the far|the other) end of | (to|on|at) the other side of | (to|on|at) the (left or right|right or left) [side] of | (to|at|by) (the|one|either) side of | against the matching side of | to [one of] the sides of
 relation side_by_side: [stand|placed|arranged|positioned] side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
   | (form|forms|forming) (a|one) [single|straight|continuous|neat|tidy] (row|line|bank) | (arranged|placed|set up|aligned|standing|stand) in (a|one) [single|straight|continuous|neat] (row|line) | lined up
 relation back_to_back: [placed|standing|stand] back to back [with|to|against]
@@ -34,16 +37,22 @@ relation each_side_of: (one|two) per side of | per side of | (stand|stands|stand
   | flanking | flank | flanks | one on each side of | on both sides of | at both sides of | to (each|either) side of
 relation left_of: (should|must|can|may|to) be left of | (to|on|at) [the] left [hand] [side] of | left of | immediately left of
 relation right_of: (to|on|at) [the] right [hand] [side] of | right of | immediately right of
-relation foot_of: (at|by|near|against|below|beyond|beneath) the foot [end] of | at the end of
+relation foot_of: (at|by|near|against|below|beyond|beneath) the foot [end] of
+relation end_of: at the end of
+relation left_of: (to|on|at) [the|its] (immediate|direct|far|near) left [hand] [side|end] of
+relation right_of: (to|on|at) [the|its] (immediate|direct|far|near) right [hand] [side|end] of
 relation head_of: (at|by|near) the head [end] of
 relation left_of: (on|at|to|along) [its|the] left [hand] (side|end|edge) of
 relation right_of: (on|at|to|along) [its|the] right [hand] (side|end|edge) of
+relation behind_user: behind (the|a|any) (user|person|occupant|sitter|operator|worker|reader|student|player)
 relation behind: behind | in back of | at the back of | at the rear of | to the rear of
 relation in_front_of: (at|in) the front of | [of] (open|free|clear|unobstructed) (area|zone) in front of | right in front of | in front of | (centered|centred|central|centrally) in front of | [directly] before | ahead of | in the front of
 relation in_front_of: (lined up|lining up|in a row) in front of
 relation in_front: (open|free|clear|unobstructed) (area|zone) in front | in front | at the front
 relation at_sides: (on|at|to|by|along) (each|either) (side|end) | (on|at|to|by) (both|each|either) (end|ends) | along both sides | (on|at|to) (both|each|the|either) sides | on either side | on each side | at the sides | on both sides
 relation all_sides: from (each|every) side | from (any|all|every) (angle|angles|direction|directions)
+relation each_side_of: on opposing sides of
+relation each_side_of: (at|on|by|to) (each|both) (end|ends) of
 relation each_side_of: (to|on|at) the left and [the|to the|on the] right [hand] [side|sides] of
 relation at_sides: (to|on|at) (the|its) left and (to|on|at) (the|its) right | to (the|its) left and right
 relation all_sides: all the way (around|round) | (sit|sits|seated|stand|stands|walk|gather) (on|at|from) [all|every] [four] (side|sides) | on all (accessible|open) sides | on all [four] sides [of] | on every side [of] | at all sides [of] | from all sides
@@ -66,13 +75,17 @@ relation facing: [be] [able to] (see|watch|sees) | (look|looks|looking) straight
   | pointed (towards|toward|at) | pointing (towards|toward|at) | [a|an] [clear|good|direct|unobstructed|direct] (view|visibility|line of sight) (of|to|from|onto)
   | in [the] view of | in [direct] [line of] sight of | for view of | overlooking | orient (towards|toward|to) | turn (towards|toward|to) | [clear] line of sight (from|to)
   | has a view of | in [full] view from | within view of | (directed|oriented|orientated|turned|pointed|angled) (towards|toward|at|to)
+relation facing: (keep|keeping) (an eye|watch) (on|over) | monitor | monitoring | supervise | supervising | oversee | overseeing | observe | observing
+relation seen: visible | seen | viewable | in view | in sight
 relation visible_from: [clearly|easily|directly|fully|readily] (viewable|visible|seen|viewed|watched) [clearly|easily|directly] from | (visibility|visible) from
 relation facing: (look|looks|looking|view|views) (over|across|out over) | (aimed|aiming|trained|focused|focussed|shining|shone|directed) (at|on|onto|towards|toward)
 relation facing_away: [to] (face|faces|facing|faced|turned|oriented|pointed|pointing) [directly] away from
 relation facing_each_other: (opposite|across from) (each other|one another) | (face|facing) each other | face one another | facing one another
 relation opposite: opposite | opposite to | opposite from | across from | directly across [from] | on the opposite side of
+relation same_direction: (face|faces|facing|oriented|orientated|point|points|pointing|turned|look|looking) [in] the same (way|direction)
 relation same_direction: (face|faces|facing) [in] the same (direction|way) (as|like) | same (direction|orientation|way) (as|like) | oriented the same way as
 relation parallel: parallel [to|with] | is parallel to | run parallel to | runs parallel to
+relation perpendicular: (at|in|form|forms|forming|make|makes|making) [a] right (angle|angles) | at right angles [to|with]
 relation perpendicular: perpendicular to | at [a] right (angle|angles) to | perpendicular | form [a] right angle [with|to] | forms a right angle (with|to) | [turned|rotated|oriented|set|placed|standing] at (90|ninety) degrees to | [turned|rotated|oriented|set|placed] at a (90|ninety|right) degree angle (to|with) | at a 90 degree angle to | square to
 relation not_angle: at [a|an] (45|30|60) [degree|degrees] angle (to|with) | at an angle [to] | diagonally | diagonal | at a 45 degree angle
 relation not_angle: (diagonal|diagonally) (across|opposite) [from|to] | kitty corner (to|from) | (at|on) a (slight|small) angle [to]
@@ -83,7 +96,9 @@ relation away_from: from (the|its) (center|centre|middle|centerline|centreline) 
 relation no_gap: (no|zero|without [a|any]) (gap|gaps|space|spacing) [in between]
 relation apart: (separated|spaced|divided) by | [set|placed|kept] apart by | (some|enough|adequate|sufficient|clear) separation | separate | separated | distinct | apart | [spaced|set] apart [from each other] | in (different|separate|distinct) (areas|parts|corners|sections) [of the room] | separating | separates | (on|at) opposite ends of the room | (on|at) (opposite|different|other) (sides|ends|walls) of the room | on different sides | away from each other | from each other | from one another
 relation away: away | off
+relation away: out of reach
 relation not_prevent: (not|never|nor) (prevent|stop|keep|hamper) | without (preventing|stopping)
+relation block: (reduce|reduces|reducing|hinder|impede|restrict|limit|obstruct|block) [the] access (through|to|into|from)
 relation block: (block|blocks|blocking|obstruct|obstructs|obstructing|hinder|hindering|restrict|limit|limiting|reduce|reducing) [the] [natural] (light|sunlight|daylight|airflow|view|ventilation) [coming|entering|flowing] (from|through|of|in from|to) | bumped into | struck | knocked [over|into] | (overlap|overlaps|overlapping|conflict|conflicts|conflicting) with | hamper | hampers | hampering | hampered | hindered | impeded | obscured | restricted | inhibit | inhibits | inhibiting | disturb | disturbs | disrupt | disrupts | bump into | bumps into | bumping into | crash into | knock into | (block|obstruct|hinder|impede|hamper|restrict) [the] (path|way|route) (to|of) | get in the way | (block|obstruct) or limit [access (to|of)] | limit access (to|of) | limits access (to|of) | obstruct [the] (front|side) access (to|of) | block [the] (front|side) access (to|of) | (block|blocks|blocking|obstruct|obstructing|restrict) [direct|easy|the] access (to or from|to and from|to|of) | restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
   | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | covered | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
   | block [the] (view|views|light|access|opening|swing|use|view or access|access or view) (to|of|from|through|for) | block light from | block or cover | (block|obstruct) [the] [natural] (light|view) [coming] from
@@ -94,14 +109,20 @@ relation block: (narrow|narrows|narrowing|constrict|constricts|constricting|comp
 relation clear_of: [be|is|are|remain|remains] clear of | out of the way of | unobstructed by | free of | free from | [stays|stay|keep|keeps|kept|keeping] clear (of|from) | leave [enough] (space|clearance|room) for | outside [of]
   | clear for | out of
 relation clear_of: (kept|keep|keeping|remain|remains|remaining|left|leave|stay|stays) (free|clear) of
+relation clear_of: (out of|outside|outside of|clear of|away from) [the] [opening] (path|way|swing|arc|radius|range|sweep|line) of
 relation wall_placement: wall placement | (placement|positioning) (against|along) [a|the] wall
 relation keep_clear: (kept|keep|remains|remain|left|leave|leaves|be) (clear|free|unobstructed|unblocked|open) | unobstructed | unblocked | not obstructed | stays (clear|free)
 relation keep_front_clear: [the] (area|space|zone|floor space|floor area) in front of
 relation accessible: passable | accessible (at|to|for) a (depth|distance|width) of | accessible | fully accessible | easily accessible | reachable | easy to (reach|access|get to) | approachable | accessibly | (unobstructed|easy|convenient|clear|full|direct) access
   | accessed | accessed easily | access is (needed|possible) | can be reached | be reached | free access | access
+relation power_access: plugged in | (plug|plugging) in
 relation power_access: (power|electrical|electric|electricity|socket|outlet) (access|connection|connections|accessibility)
 relation accessible_from: [be] possible to (get to|reach|walk up to) (it|them) (from|on|at) | accessibility (from|on|at) | (can|could|may|should|must|to) be [easily] (reached|accessed|approached|used) (from|on|at) | (easy|possible) to (reach|access|approach|use) (from|on|at) | approachable (from|on|at|along) | [easily|conveniently|readily|quickly] (reached|reachable) from | readily accessible from | accessible (side|sides) | (accessible|accessed|reachable|approached|used|usable) (from|on|at|along) | access (from|on|at|along)
+relation accessible_from: (reach|access|approach|get to|get at|use|serve) (it|them) (from|on|at)
+relation accessible_from: [be] [able to] (work|operate) on (it|them) from
 relation accessible_from: [be] [able to] (work|working|operate|operated|serve|served|treat|approach|approached) (from|along|on|at)
+relation reach: [be] able to (reach|get to)
+relation step_back: [be] [able to] (step|stepping|steps) back
 relation across: across
 relation access_to: (get|getting) at | availability of | access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | power from | plugged into | plug into | [easy] access from
 relation allow_access_to: [to|and] (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to
@@ -143,9 +164,11 @@ relation edge: [slightly] off (center|centre) | (on|at|to) (either|each) end of
 relation towards_back: [and] (towards|toward) the (back|rear|wall|back side|back edge) [of] | at the back edge of | [positioned] (towards|toward) the wall
 relation towards_back: (toward|towards|near) its (back|rear) [edge|side]
 relation into_room: (face|faces|facing|look|looks|looking) into | (angled|oriented|orientated|directed|pointed|pointing|positioned) (into|to|towards|toward) [the] [center|centre|middle|rest|inside] [of] the room | (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | [a|the] [good|clear|full] (view|overview) of [the] [whole|entire|main] room | [a|the] [good|clear|full|comfortable|wide] (view|viewing angle|overview|visibility) (over|across|of|into) [of] [the] [whole|entire|main|rest of the] room | overlooking the [whole|entire|rest of the] room | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the [whole|entire|main] (area|space) | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the rest of the (room|space|area) | facing inward | facing inwards | view of the [main|entire|whole] room
+relation into_room: (point|points) (to|towards|toward) the (center|centre|middle|rest|inside) of the room | take in the (whole|entire|rest of the) room
 relation into_room: (overlooks|overlook|surveys|commands) the [whole|entire|rest of the] room
 relation hanging: (nailed|pinned|fastened|secured|anchored|tacked|taped|clipped|screwed|attached|fixed|affixed|strung|draped) [to|on|onto|across|along|from] | hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
 relation both_ways: each other | one another
+relation hide: hide | hides | hiding
 relation freestanding: (stand|stands|standing) free (in|within) the (room|space) | freestanding | free standing
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
@@ -163,20 +186,30 @@ filler: putting | setting | locating | installing | arranging | stationing | par
   | some of the | one of | all of the | accessible location | spot | surface space | do | does | did | get | gets | getting | eg | ie | physically | visually | typically | centrally aligned | facilitate
   | measuring | size | sized | (in|of) size | free of charge | still | yet | please | should the | together | aligned in | evenly | equally | symmetric | symmetrical | symmetrically | neatly
   | installed hanging | in position | in place | extends | extend | extending | centre on | floor level | placements | plenty of | between them and | other | of clearance
+filler: pushing | shoving | cramming | squeezing | forcing | (push|pushed|pushing|shove|shoved|shoving|move|moved|moving) up | belong | belongs | (on|by) (its|their) own | by (itself|themselves)
+filler: (get|getting) (in|on) and (out|off) [of]
 modal: is to | are to | (should|must|can|may|shall|to|needs to|need to) be left | should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
 wish: if (any|applicable|present|they exist|it exists) | if available | if one is available | (if|where|when|provided) [the|your] (layout|space|room|design|plan|area) (permits|allows) [it] | if permitted | it is (recommended|advisable|best|preferable) (to|that) [have] | recommended | advisable | ideal to have | ideal to | ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
   | where (space|room) (allows|permits) | (if|when|where) (feasible|practical|appropriate|suitable|convenient|allowed) | if it fits
   | (if|as long as|provided|provided that|so long as) (this|it|that|doing so) (does not|will not|would not) (violate|conflict with|contradict|affect|break|compromise|interfere with) [any] [of] [the] other (constraints|requirements|rules|needs|conditions|guidelines)
   | as far as possible | whenever possible | if there is (space|room)
 purpose: than | for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | such as | like | depending | even
+condition: [do|does] not (have|need) to
 condition: not [necessarily] need to | need not | not necessarily | not (necessary|required|needed|essential) | is optional | no need | if | unless | only if | in the event
+not: under no circumstances | in no case | no part of | on no account | at no time | by no means | in no way
 not: rather than | (refrain|refrains|refraining) from | (take|taking) care not to | so as not to | not | nowhere | neither | hardly | no | avoid | avoids | avoiding | without | never | prevent | prevents | preventing | cannot | minimize | minimise | nor | none of | do not | neither | don
+side front: [the] side with (the|its|their) (door|doors|drawer|drawers|shelves|screen|opening) | keyboard side
 side front: front [side|edge|face|end|part] | front and center | foot [end] | footboard | fronts | front sides
 side back: back [side|edge|end|part] | rear [side|edge] | headboard | head [end|side] | backrest | backs | back sides | headrest
+side left: left [hand] (short|shorter|long|longer|narrow) (side|end|edge)
 side left: left [hand] [side|edge|end] | left hand side
+side right: right [hand] (short|shorter|long|longer|narrow) (side|end|edge)
 side right: right [hand] [side|edge|end] | right hand side
 side axial: both faces | both of its faces | front and (back|rear) [sides] | (back|rear) and front [sides]
 side sides: arms | armrests | [both|the|two|either|each] sides | both [of its] sides | left and right [sides] | left and right side | (each|either) side | (left and right|right and left) sides | both ends | ends | lateral sides
+side long_both: [two] (opposite|opposing) (long|longer) (sides|edges)
+side short_both: [two] (opposite|opposing) (short|shorter) (sides|edges|ends)
+side opposite_two: [on|at] [two] opposing sides
 side opposite_two: [on|at] [at least] two opposite sides
 side lateral_one: [either] [the|its] (left or right|right or left) side | [either] [the|its] (left or the right|right or the left) side
 side side: one or more sides | one or both sides | side | [the] (arm|armrest) | [at least] one side | [at least] one of [its|the] sides | (left or right|right or left) | a side | any side | at least one of its sides | one [free|open] side | one end
@@ -188,12 +221,14 @@ side other: [the|its] (other|opposite|remaining) [long|short] side
 side long_one: either [of the|of its] (long|longer|longest) (side|sides|edge|edges) | [at least|on] (one|a) [of its|of the|of their] (long|longer|longest|lengthwise) (side|sides|edge|edges) | (long|longer|longest) (side|edge) | (one|a) length
 side long_both: [both] lengths | [both|the|two|on both|all] (long|longer|longest) (sides|edges)
 side short_one: [at least] (one|a) [of its|of the] (short|shorter) (side|sides|edge|edges) | (short|shorter) (side|edge) | one width
-side short_both: [both|the|two] (short|shorter) (sides|edges)
+side short_both: [both|the|two] (short|shorter) (sides|edges|ends)
 side two_any: [at least] two adjacent sides | [at least|on at least] two [of its] sides
 side three: [all|the] sides (not against|away from|not touching|not facing|facing away from|other than) [the|a|any] (wall|walls) | [all|the] sides that are not against [the|a|any] (wall|walls) | [at least] three [of its] sides
 side all: (each|all|any) of (its|the) [four] sides | each and every side | all directions | every direction | all angles | all [of its|of the] [four] sides | all four sides | every side | all around sides | (each|all) of its sides | all [its] [four] sides
+feature door: one with [a|the|any] (door|doors)
 feature door: (room|bathroom|bedroom|kitchen|office|studio|building|house|bathhouse) (entry|entrance|exit|door|doorway|entryway) | (emergency|fire) (exit|exits|door|doors) | (egress|ingress) [point|points|route|routes] | (doors|door) swing (path|paths|arc|zone|radius) | entry (door|doors|zone|space|path|paths) | opening of [the] (door|doors) | (door|doors) (openings|entryways) | room 's (entrance|entry|door|doorway|exit) | (wall|walls) with [a|the] (door|doors) | [bedroom|entrance|entry|main|room|front] (door|doors|doorway|doorways) | [the] (entrance|entry|entryway|entryways|entrances|exit|exits|access point|entry point|entry points|doorframe|threshold) [door|way] | (door|door 's) (swing|swings|opening|area|clearance|path|frame|arc)
   | doors 's (swing|swings) | swing[ing] of [the] (door|doors) | swings | entry area | entrance area | doors swings | door swing area | passage door | entry to the room | entry and exit [points] | line of entry
+feature window: one with [a|the|any] (window|windows)
 feature window: (window|windows) access | opening of [the] (window|windows) | (wall|walls) with [a|the|any] (window|windows) | window (wall|walls) | window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
 feature socket: (plug|plug in|electricity|outlet) (point|points) | charging (point|points|station|stations) | (wall|power|electrical|electric) (plug|plugs|connection|connections|access point|access points|receptacle|receptacles) | (wall|walls) with [a|the|any] (socket|sockets|outlet|outlets) | electrical and gas (outlets|sockets) | [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plugs) | (wall|power|electrical|electric|mains|electricity) (plug|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
 place wall: [one or] two walls | [one of the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby|side|rear|exterior|interior|outer|inner|outside|inside|dry|structural|load bearing] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room

@@ -87,7 +87,7 @@ class ListJoiner {
       // "... near the desk and the armchair should face the sofa": a new clause, not a list.
       if (relation_seen && !after_between_ && !BeginsClause(i) && Peek(next + 1) && in_[next + 1].role == Role::kModal)
         return i;
-      if (relation_seen && (BeginsFact(next) || IsNewSubject(next))) return i;
+      if (relation_seen && (BeginsFact(next) || IsNewSubject(next) || IsOwnSideAfterFeature(i, next))) return i;
       Mention merged = std::move(in_[i].term.mention);
       for (Reference reference : in_[next].term.mention.references) {
         const Reference& before = merged.references.back();
@@ -118,6 +118,12 @@ class ListJoiner {
     const Reference& reference = in_[next].term.mention.references.back();
     return reference.kind == RefKind::kPronoun && !reference.name.empty() && reference.side.empty() &&
            !after_between_ && !after_away_;
+  }
+
+  // "Close to a socket and its back to the wall": whose side it is, the socket does not say.
+  bool IsOwnSideAfterFeature(size_t i, size_t next) const {
+    const Reference& reference = in_[next].term.mention.references.back();
+    return IsFeature(in_[i]) && reference.kind == RefKind::kPronoun && !reference.side.empty();
   }
 
   // "Chair 1 to the left of the table and chair 2 to its right": another of what was spoken of first, and a relation.

@@ -101,7 +101,8 @@ class Grouper {
 
   // "The wardrobe's doors", "its door": of a piece that is named or spoken of.
   static bool HasParts(const Reference& reference) {
-    return reference.kind == RefKind::kObjects || (reference.kind == RefKind::kPronoun && reference.name == "it");
+    return reference.kind == RefKind::kObjects ||
+           (reference.kind == RefKind::kPronoun && (reference.name == "it" || reference.name == "them"));
   }
 
   // "The doors of the wardrobe" are its front.
@@ -220,7 +221,9 @@ class Grouper {
       if (IsMention(raw)) {
         Reference& reference = raw.term.mention.references.back();
         reference.each = reference.each || each;
-        if (each && raw.side_first) reference.side = BothOf(reference.side);
+        // "Both the front and one side" are two, no two of a kind.
+        const bool one_side = raw.term.mention.references.size() == 1;
+        if (each && raw.side_first && one_side) reference.side = BothOf(reference.side);
         if (ordinal > 0) reference.ordinal = ordinal;
         if ((IsThing(raw) || IsFeature(raw) || reference.kind == RefKind::kWall) && !out.empty() &&
             out.back().role == Role::kNone && AdjectiveLike(out.back().term)) {

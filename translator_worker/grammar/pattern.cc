@@ -69,6 +69,8 @@ bool Pattern::Fits(const Element& element, const Term& term) const {
 
 void Pattern::Step(std::span<const Term> terms, size_t at, size_t element, Match match, Match& best) const {
   if (element == elements_.size()) {
+    // A comma at the end belongs to what follows.
+    while (at > 0 && terms[at - 1].kind == Term::Kind::kSoft) --at;
     match.length = at;
     if (at > best.length) best = match;
     return;

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include "translator_worker/grammar/clause_tokens.h"
+#include "translator_worker/grammar/lexicon.h"
+
 namespace flair::translator {
 namespace {
 
@@ -17,6 +20,12 @@ void DropAdverbs(std::vector<Token>& tokens) {
     return token.kind == Token::Kind::kWord &&
            std::find(kAdverbs.begin(), kAdverbs.end(), token.text) != kAdverbs.end();
   });
+}
+
+Token WordLike(const Token& token, std::string_view text) {
+  Token word = token;
+  word.text = text;
+  return word;
 }
 
 // "Neither X nor Y" denies a list, "neither chair" and "neither of the chairs" deny something of each.
@@ -34,6 +43,10 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
       if (!tokens[end].IsWord("nor")) continue;
       tokens[end].text = "and";
       listed = true;
+      // "Neither beside nor opposite the sink": the second relation is denied as well.
+      const bool relates = Lexicon::Get().Find(tokens, end + 1).word_class == WordClass::kRelation;
+      if (relates && end + 1 < tokens.size() && Lexicon::Get().Find(tokens, end + 1).length > 0)
+        tokens.insert(tokens.begin() + static_cast<long>(end) + 1, WordLike(tokens[end], "not"));
     }
     if (listed) continue;
     tokens[i].text = "neither_one";
@@ -166,8 +179,8 @@ void DropLeftOver(std::vector<Token>& tokens) {
 
 // "There should be room to stand", "leave room behind it": space, not the room.
 void TakeRoomAsSpace(std::vector<Token>& tokens) {
-  static constexpr std::array<std::string_view, 16> kBefore = {
-      "be",   "is",     "have", "has",      "leave", "leaves",   "leaving", "allow",
+  static constexpr std::array<std::string_view, 17> kBefore = {
+      "with", "be",     "is",   "have",     "has",   "leave",    "leaves",  "leaving", "allow",
       "some", "enough", "need", "requires", "needs", "provides", "provide", "of"};
   static constexpr std::array<std::string_view, 9> kAfter = {"for",    "to", "in", "behind", "around",
                                                              "beside", "on", "at", "between"};
@@ -192,12 +205,6 @@ void DropRightBeforePlace(std::vector<Token>& tokens) {
   }
 }
 
-Token WordLike(const Token& token, std::string_view text) {
-  Token word = token;
-  word.text = text;
-  return word;
-}
-
 // "The sink backs onto a wall": its back is against it.
 void ReadBacksOnto(std::vector<Token>& tokens) {
   for (size_t i = 0; i + 1 < tokens.size(); ++i) {
@@ -218,7 +225,8 @@ void PutPossessorLast(std::vector<Token>& tokens) {
     const bool verb = i > 0 && IsOneOf(tokens[i - 1], {"is", "are", "be", "stands", "stand", "goes", "sits", "placed",
                                                        "located", "positioned"});
     const bool way = tokens[i].IsWord("in") && tokens[i + 2].IsWord("way");
-    const bool side = tokens[i].IsWord("to") && verb && IsOneOf(tokens[i + 2], {"left", "right"});
+    const bool ends = i + 3 == tokens.size() || tokens[i + 3].kind == Token::Kind::kPunctuation;
+    const bool side = tokens[i].IsWord("to") && (verb || ends) && IsOneOf(tokens[i + 2], {"left", "right"});
     if (!way && !side) continue;
     out.push_back(WordLike(tokens[i + 1], "the"));
     out.push_back(tokens[i + 2]);
@@ -241,6 +249,7 @@ bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
   JoinBounds(tokens);
+  PrepareClauses(tokens);
   EndReasonBeforeClause(tokens);
   DropLeftOver(tokens);
   TakePostureAsPlace(tokens);

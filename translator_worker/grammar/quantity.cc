@@ -170,9 +170,9 @@ class Joiner {
 
   // "A 0.8 m wide walkway": how much is kept free, not how wide a thing is.
   bool IsWay(size_t index) const {
-    static constexpr std::array<std::string_view, 12> kWays = {"path",     "paths",    "pathway",   "pathways",
-                                                               "walkway",  "walkways", "passage",   "aisle",
-                                                               "corridor", "gap",      "clearance", "space"};
+    static constexpr std::array<std::string_view, 17> kWays = {
+        "path", "paths",     "pathway", "pathways", "walkway", "walkways", "passage", "aisle",     "corridor",
+        "gap",  "clearance", "space",   "zone",     "area",    "strip",    "band",    "passageway"};
     while (WordAt(index, "clear") || WordAt(index, "walking") || WordAt(index, "open")) ++index;
     return Peek(index) && in_[index].kind == Token::Kind::kWord && Contains(kWays, in_[index].text);
   }

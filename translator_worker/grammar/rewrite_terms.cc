@@ -162,6 +162,8 @@ void ShareTarget(std::vector<Term>& terms) {
     if (!relates(terms[i]) || next == i + 1) continue;
     const bool denied = next < terms.size() && terms[next].IsWord("not");
     if (denied) ++next;
+    // "1 m in front of and 0.8 m behind every rack".
+    if (next < terms.size() && terms[next].kind == Term::Kind::kDistance) ++next;
     if (next + 1 >= terms.size() || !(relates(terms[next]) || (denied && terms[next].IsWord("block")))) continue;
     const size_t target = next + (soft(terms[next + 1]) ? 2 : 1);
     if (target >= terms.size() || terms[target].kind != Term::Kind::kMention) continue;
@@ -233,15 +235,46 @@ void DropLabel(std::vector<Term>& terms) {
   // "Proximity of sofa and table: the sofa is near the table" says it twice; "Sofa: near the table" does not.
   const bool names = std::any_of(terms.begin(), colon, is_object);
   if (names && (!std::any_of(terms.begin(), colon, SaysSomething) || !std::any_of(colon, reason, is_object))) return;
-  if (std::any_of(colon, reason, SaysSomething)) terms.erase(terms.begin(), colon + 1);
+  if (!std::any_of(colon, reason, SaysSomething)) return;
+  // "Back side: against a wall": the side is what stands there.
+  const auto is_own_side = [](const Term& term) {
+    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kPronoun &&
+           !term.mention.references.front().side.empty();
+  };
+  const bool of_side = colon - terms.begin() == 1 && is_own_side(terms.front()) &&
+                       !std::any_of(colon, std::find_if(colon, reason, is_stop), is_own_side);
+  terms.erase(of_side ? colon : terms.begin(), colon + 1);
 }
+
+// "Not with their backs against the wall": the backs are not.
+void JoinNotToSide(std::vector<Term>& terms) {
+  for (size_t i = 0; i + 2 < terms.size(); ++i) {
+    const bool with = terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kSoft && terms[i + 1].lemma == "with";
+    const Term& side = terms[i + 2];
+    if (with && side.kind == Term::Kind::kMention && side.mention.references.front().kind == RefKind::kPronoun &&
+        !side.mention.references.front().side.empty()) {
+      terms.erase(terms.begin() + static_cast<long>(i) + 1);
+    }
+  }
+}
+
+// "Avoid the sideboard or the shelf in front of windows", "the sideboard or the shelf should not": neither of them.
+void DenyEachOfChoice(std::vector<Term>& terms) {
+  for (size_t i = 0; i + 1 < terms.size(); ++i) {
+    if (terms[i].kind == Term::Kind::kMention && terms[i + 1].IsWord("not")) terms[i].mention.either = false;
+  }
+}
+
+bool IsTo(const Term& term) { return term.kind == Term::Kind::kPurpose && term.lemma == "to"; }
 
 // "Avoid [X] in front of windows" and "X not in front of windows" are one form: the second.
 void MoveNotBehindSubject(std::vector<Term>& terms) {
   for (size_t i = 0; i + 2 < terms.size(); ++i) {
-    const bool relates =
-        terms[i + 2].kind == Term::Kind::kWord || (terms[i + 2].kind == Term::Kind::kDistance && i + 3 < terms.size() &&
-                                                   (terms[i + 3].IsWord("of") || terms[i + 3].IsWord("near")));
+    const bool relates = terms[i + 2].kind == Term::Kind::kWord ||
+                         (terms[i + 2].kind == Term::Kind::kDistance && i + 3 < terms.size() &&
+                          (terms[i + 3].IsWord("of") || terms[i + 3].IsWord("near") ||
+                           terms[i + 3].IsWord("away_from") || terms[i + 3].IsWord("at_sides") ||
+                           terms[i + 3].IsWord("in_front") || terms[i + 3].IsWord("behind") || IsTo(terms[i + 3])));
     if (terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kMention && relates) {
       std::swap(terms[i], terms[i + 1]);
     }
@@ -262,7 +295,9 @@ void RewriteTerms(std::vector<Term>& terms) {
   ShareFigure(terms);
   DropToBesideNot(terms);
   DropCenteredBesideRelation(terms);
+  JoinNotToSide(terms);
   MoveNotBehindSubject(terms);
+  DenyEachOfChoice(terms);
   SpreadDenial(terms);
   EndFrontBeforeFigure(terms);
 }

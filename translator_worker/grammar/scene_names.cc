@@ -209,6 +209,8 @@ SceneNames::Found SceneNames::FindObjectByWords(const std::vector<Token>& tokens
   for (size_t length = 1; length <= kLongestName && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind != Token::Kind::kWord && token.kind != Token::Kind::kNumber) break;
+    // "The judge's bench" is the judge bench.
+    if (token.IsWord("'s") && length > 1) continue;
     const std::string singular = Singular(token.text);
     auto entry = names_.find(key + singular);
     key += singular + " ";

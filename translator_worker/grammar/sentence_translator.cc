@@ -129,6 +129,15 @@ class Walk {
     return before.kind == Term::Kind::kUnknown && before.lemma.size() > 3 && before.lemma.ends_with("ed");
   }
 
+  // "So that its left side touches the stand": what touches what, no reason.
+  bool TellsOwnSide() const {
+    if (at_ + 2 >= terms_.size() || terms_[at_].lemma != "so") return false;
+    const Term& side = terms_[at_ + 1];
+    const bool own = side.kind == Term::Kind::kMention && side.mention.references.front().kind == RefKind::kPronoun &&
+                     !side.mention.references.front().side.empty();
+    return own && (terms_[at_ + 2].IsWord("against") || terms_[at_ + 2].IsWord("next_to"));
+  }
+
   // Objects that are named as movers are spoken of from then on.
   void TakeTopic(const Mention& mention) {
     if (mention.references.front().kind != RefKind::kObjects) return;
@@ -144,6 +153,7 @@ class Walk {
       case Term::Kind::kPurpose:
         // "that" after a thing tells which one; "ensure that" tells nothing.
         if (reads_reasons_ && (term.lemma == "to" || term.lemma == "for" || term.lemma == "so")) break;
+        if (TellsOwnSide()) break;
         if (term.lemma != "that" || (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kMention)) in_reason_ = true;
         reasons_ = reasons_ || term.lemma == "to" || term.lemma == "for" || term.lemma == "so";
         break;

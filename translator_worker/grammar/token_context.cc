@@ -22,8 +22,19 @@ bool NounFollows(const TokenContext& context, size_t at) {
          Lexicon::Get().Find(context.tokens, at).word_class == WordClass::kFeature;
 }
 
+bool SideFollows(const TokenContext& context, size_t at) {
+  if (at >= context.tokens.size()) return false;
+  const Phrase phrase = Lexicon::Get().Find(context.tokens, at);
+  return phrase.length > 0 && phrase.word_class == WordClass::kSide;
+}
+
 Phrase FindPhrase(const TokenContext& context) {
   const Phrase phrase = Lexicon::Get().Find(context.tokens, context.at);
+  // "A socket behind it is required": it, not "it is important that".
+  const bool placed = context.at > 0 && context.tokens[context.at].IsWord("it") && phrase.length > 1 &&
+                      IsOneOf(context.tokens[context.at - 1],
+                              {"behind", "beside", "near", "around", "under", "above", "before", "by", "of", "to"});
+  if (placed) return Lexicon::Get().Find(context.tokens, context.at, 1);
   for (size_t k = 1; k < phrase.length; ++k) {
     const SceneNames::Found name = context.names.Find(context.tokens, context.at + k);
     const Phrase inner = Lexicon::Get().Find(context.tokens, context.at + k);
@@ -53,7 +64,9 @@ bool EndsSideClear(const TokenContext& context, const Phrase& phrase) {
   const Token& token = tokens[at];
   if (token.IsWord("accessibility") && terms.back().role == RawTerm::Role::kSide) return true;
   if (!IsOneOf(token, {"clear", "free", "open"})) return false;
-  const size_t modals = terms.back().role == RawTerm::Role::kModal ? 1 : 0;
+  // "Front: clear".
+  const bool colon = terms.back().role == RawTerm::Role::kNone && terms.back().term.lemma == ":";
+  const size_t modals = terms.back().role == RawTerm::Role::kModal || colon ? 1 : 0;
   if (terms.size() <= modals) return false;
   const RawTerm& what = terms[terms.size() - 1 - modals];
   const bool thing = what.role == RawTerm::Role::kNone && what.term.kind == Term::Kind::kMention;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is to be got at: accessible pieces, their sides, from where.
+#include <algorithm>
+
 #include "translator_worker/grammar/rules/keep_clear.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/rules/space.h"
@@ -8,12 +10,27 @@
 namespace flair::translator {
 namespace {
 
+// "Used from both sides, so both must be free by 1 m": of the sides that were spoken of.
+bool IsSaidOfSides(const Mention* mention, const Composer& composer) {
+  const bool they = mention == nullptr || (mention->references.front().kind == RefKind::kPronoun &&
+                                           mention->references.front().name == "both");
+  if (!they || composer.calls().empty() || composer.topic().empty()) return false;
+  const Call& last = composer.calls().back();
+  return last.type == "accessible" &&
+         std::any_of(composer.topic().begin(), composer.topic().end(),
+                     [&](const Placed& one) { return last.arguments.front().value().text() == composer.id(one); });
+}
+
 void Accessible(const Match& match, std::string_view, Composer& composer) {
   if (match.a != nullptr && match.a->references.front().name == "all") {
     composer.Refuse("not_about_layout", "access to pieces that are not named cannot be asked for; name them");
     return;
   }
   if (IsOfFeature(match.a, composer)) return;
+  if (match.b == nullptr && IsSaidOfSides(match.a, composer)) {
+    if (match.distance != nullptr) composer.CompleteClearance(match.distance->Nominal());
+    return;
+  }
   std::vector<Placed> movers = composer.Movers(match.a);
   // "From the front or side": the choice is free.
   if (match.a != nullptr && match.a->either && movers.size() > 1 && movers[0].object == movers[1].object)
@@ -144,6 +161,7 @@ std::vector<Rule> AccessRules() {
       {"A? accessible , not block B.thing", AccessibleAndNotBlocking},
       {"A? accessible , not block B.feature", AccessibleAndNotBlocking},
       {"A.object? accessible ,? not block next_to C", Accessible},
+      {"reach B.object away_from C.side", AccessFromSide},
   };
 }
 
@@ -157,6 +175,7 @@ std::vector<Rule> PathRules() {
       {"A? D? C.vague D? around B.object", PathAround, "around"},
       {"A? D? C.vague D? all_sides B.object", PathAround, "all"},
       {"A? not block C.vague around B.object", MovementAround},
+      {"A.side not block B.group", OfMovers},
   };
 }
 

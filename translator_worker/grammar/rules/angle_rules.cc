@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Directions: facing, opposite, in front of, parallel, at a right angle.
+#include <algorithm>
+
 #include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/sides.h"
@@ -30,7 +32,7 @@ void Facing(const Match& match, std::string_view tag, Composer& composer) {
     for (const Placed& mover : movers) {
       const std::string& id = composer.id(mover);
       if (target.kind == RefKind::kFeature) {
-        if (mover.side == "back" && tag != "not") {
+        if (mover.side == "back") {
           composer.Refuse("not_expressible", "no call turns a back to a door or window; say what the front faces");
         } else if (tag == "not") {
           composer.EmitFirst({Call("clear_of_feature").Text("object", id).Text("feature", target.name)});
@@ -116,9 +118,24 @@ void OnWallOpposite(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "On the opposite side of the room from the couch": far from it.
+void AcrossRoom(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Placed& mover : movers) {
+    for (const Placed& other : composer.TargetObjects(*match.c, movers)) KeepDistance(mover, other, nullptr, composer);
+  }
+}
+
 // tag "after": the figure stands after the place, so it is how far away the mover stands.
 void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
+  // "In front of the desk, 1 to 2 m from it".
+  const bool of_same = match.c != nullptr && match.c->references.front().kind == RefKind::kPronoun &&
+                       match.c->references.front().side.empty();
+  if (of_same && match.distance != nullptr) {
+    InFrontOf({match.a, match.b, nullptr, match.distance, match.length}, "after", composer);
+    return;
+  }
   // "In front of the desk, at least 1 m from the bed": the figure is for the bed.
   if (match.c != nullptr && match.distance != nullptr) {
     Match place = match;
@@ -164,7 +181,11 @@ void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
       continue;
     }
     for (const Placed& other : target.objects) {
-      const bool own = movers.empty() || (movers.size() == 1 && movers.front().object == other.object);
+      // "1 m in front of every rack", of the racks that are spoken of.
+      const bool several_own =
+          match.a == nullptr && composer.scope() == v1::SENTENCE_SCOPE_INTRA &&
+          std::any_of(movers.begin(), movers.end(), [&](const Placed& mover) { return mover.object == other.object; });
+      const bool own = movers.empty() || several_own || (movers.size() == 1 && movers.front().object == other.object);
       const bool at_least = match.distance != nullptr && !match.distance->max_m;
       if ((own && match.distance != nullptr) || (match.a == nullptr && (own || (at_least && tag != "after")))) {
         Call call = Call("accessible").Text("object", composer.id(other)).Texts("sides", {"front"});
@@ -234,7 +255,24 @@ void ParallelPairs(const Match& match, std::string_view tag, Composer& composer)
   if (movers.size() < 2) composer.Refuse("unknown_sentence", "a direction needs two objects; name them");
 }
 
+// "Behind the bench and facing the same direction": as the bench, else all of them as one of them.
+void SameDirection(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  if (movers.size() != 1 || composer.pair_targets().empty()) {
+    ParallelPairs(match, "parallel", composer);
+    return;
+  }
+  for (const Placed& other : composer.pair_targets()) {
+    composer.EmitFirst({Two("parallel", movers.front(), other, composer)});
+  }
+}
+
 void NotFacingPair(const Match& match, std::string_view, Composer& composer) {
+  // "The backs of the sofa and the table": no call is about them.
+  if (match.a != nullptr && match.a->references.front().side == "back") {
+    composer.Refuse("not_expressible", "only where fronts face can be asked for");
+    return;
+  }
   const TwoGroups groups = GroupsOf(match, composer);
   for (const Placed& one : groups.first) {
     for (const Placed& other : groups.second) {
@@ -289,6 +327,12 @@ std::vector<Rule> AngleRules() {
       {"A? not_angle B", Angle},
       {"A? into_room", IntoRoom},
       {"A? into_room B.object", Facing},
+      {"away_from A.object ,? facing B.thing", Facing},
+      {"away_from A.object ,? B.object seen", Facing},
+      {"facing B.thing away_from A.object", Facing},
+      {"A? same_direction both_ways?", SameDirection},
+      {"C.vague? away_from A.object into_room", IntoRoom},
+      {"A? on? opposite B.room away_from C.object", AcrossRoom},
   };
 }
 

@@ -62,6 +62,15 @@ void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::
   composer.SetPair({mover}, targets);
 }
 
+std::vector<Placed> OneAtEach(const Mention* mention, Composer& composer) {
+  if (mention == nullptr || mention->references.size() != 1 || mention->references.front().ordinal != 1)
+    return composer.Movers(mention);
+  Mention all = *mention;
+  all.references.front().ordinal = 0;
+  all.references.front().each = true;
+  return composer.Movers(&all);
+}
+
 void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets, Composer& composer) {
   if (movers.empty()) composer.Refuse("unknown_sentence", "nothing says what stands there; name the objects");
   const auto moves = [&](const Placed& target) {
@@ -80,17 +89,21 @@ void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets
       composer.EmitFirst({Call("surround").Text("center", composer.id(target)).Texts("objects", ids)});
       continue;
     }
-    std::string side = "left";
+    // "On opposite long sides of the table" are those two.
+    const std::vector<std::string> named = SidesOf(composer, target);
+    std::string side = named.size() == 2 ? named.front() : "left";
     for (const Placed& mover : movers) {
       if (composer.IsWall(mover)) {
         composer.EmitFirst(
             {Call("on_wall_near").Text("object", composer.id(mover)).Text("target", composer.id(target))});
         continue;
       }
+      // With its back or front to the table a chair stands as it likes.
+      const bool lateral = side == "left" || side == "right";
       composer.EmitFirst({Call("next_to")
                               .Text("object", composer.id(mover))
                               .Text("target", composer.id(target))
-                              .Text("object_side", OppositeSide(side))
+                              .MaybeText("object_side", lateral ? OppositeSide(side) : "")
                               .Text("target_side", side)});
       side = OppositeSide(side);
     }

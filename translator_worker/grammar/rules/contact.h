@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "translator_worker/grammar/composer.h"
 #include "translator_worker/grammar/distance.h"
 
@@ -16,6 +19,9 @@ void Contact(const Placed& mover, const Target& target, Composer& composer);
 // `mover` stands on the given side of each target, touching: "to the left of".
 void Beside(const Placed& mover, const std::vector<Placed>& targets, const std::string& target_side,
             Composer& composer);
+
+// Who moves in "one lamp on each side": all lamps; else what the noun phrase refers to.
+std::vector<Placed> OneAtEach(const Mention* mention, Composer& composer);
 
 // "On each side of": by turns left and right of each target, each with the facing side touching.
 void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets, Composer& composer);

@@ -162,7 +162,10 @@ void BareDistance(const Match& match, std::string_view, Composer& composer) {
 }
 
 void Ways(const Match& match, std::string_view tag, Composer& composer) {
-  if (match.c->references.front().name == "paths") {
+  // "Opposite each other with an aisle of 1.2 m": between the two.
+  const bool between =
+      composer.scope() == v1::SENTENCE_SCOPE_INTER && !composer.calls().empty() && !composer.pair_targets().empty();
+  if (match.c->references.front().name == "paths" && !between) {
     composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
   } else {
     BareDistance(match, tag, composer);
@@ -199,6 +202,7 @@ std::vector<Rule> WalkwayRules() {
       {"A.group not between B", NothingBetween},
       {"A.list D? C.vague D? between B.pronoun", DistanceOrPathBetween},
       {"B.feature not near/next_to", FeatureAway},
+      {"B.feature not near/next_to ,? D", FeatureAway},
       {"B.feature not near/next_to A.object", FeatureAway},
       {"B.feature away_from", FeatureAway},
       {"B.feature away_from/near D", FeatureAway},
@@ -206,6 +210,7 @@ std::vector<Rule> WalkwayRules() {
       {"B.feature D away_from A.thing", FeatureAway},
       {"across D C.vague?", ApartFromEachOther},
       {"B.feature apart/away", FeatureAway},
+      {"B.feature away ,? D apart/away?", FeatureAway},
       {"C.vague of? ,? D space?", Ways},
       {"D of? space? C.vague", Ways},
   };
@@ -260,14 +265,14 @@ std::vector<Rule> DistanceRules() {
       {"D away_from B", AwayFrom},
       {"A? not_closer B than D", AwayFrom},
       {"not near B", AwayFrom},
-      {"A? not behind/left_of/right_of/foot_of/each_side_of B", AwayFrom},
+      {"A? not behind/left_of/right_of/foot_of/end_of/each_side_of B", AwayFrom},
       {"A? not near/next_to/in_front_of/behind or near/next_to/in_front_of/behind B", AwayFrom},
       {"space? D? space? between B , C.wall ,? D?", BetweenAndWall},
       {"A? space? D? space? away_from B.object to C.object", FromTo},
       {"A? space? away_from B.object to C.object D", FromTo},
       {"A? space? D? space? away_from B to C.group", FromTo},
-      {"A? space? D? space? away_from B.object to_side/left_of/right_of/foot_of C.object", FromTo},
-      {"A.vague? D? space? away_from B.object to_side/left_of/right_of/foot_of C.object", FromTo},
+      {"A? space? D? space? away_from B.object to_side/left_of/right_of/foot_of/end_of C.object", FromTo},
+      {"A.vague? D? space? away_from B.object to_side/left_of/right_of/foot_of/end_of C.object", FromTo},
       {"A? space? D? space? away_from B to C.group or C.wall", FromTo},
       {"A? space? D? space? away_from B.side to C.wall", FromTo},
       {"A? space? D? space? away_from B.object edge? to C.wall", FromTo},
@@ -290,6 +295,9 @@ std::vector<Rule> DistanceRules() {
       {"A? space? D? space? away_from both_ways", ApartFromEachOther},
       {"space D? next_to/near B.feature", AwayFrom},
       {"space away_from B ,? D", AwayFrom},
+      {"A? D space? to B.feature", AwayFrom},
+      {"space D? to B.feature", AwayFrom},
+      {"A.list , D of? space?", ApartFromEachOther},
   };
 }
 

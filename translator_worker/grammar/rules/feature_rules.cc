@@ -106,6 +106,26 @@ void DoorsOpen(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+// "Should not have its back towards the door": only of fronts anything can be asked.
+void SideNotFacing(const Match& match, std::string_view tag, Composer& composer) {
+  if (match.a->references.front().side == "back") {
+    composer.Refuse("not_expressible", "no call keeps a back from a door or window; say what the front faces");
+  } else {
+    NotBlock(match, tag, composer);
+  }
+}
+
+void Hide(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "what can be seen from where cannot be asked for; say what faces what");
+}
+
+// "The doors must not be obstructed": those of the wardrobe that is spoken of, else the room's.
+void NotBlocked(const Match& match, std::string_view tag, Composer& composer) {
+  const bool own = match.b->references.front().name == "door" && composer.scope() == v1::SENTENCE_SCOPE_INTRA &&
+                   !composer.topic().empty() && composer.HasDoors(composer.topic().front());
+  own ? DoorsOpen(match, tag, composer) : KeepClear(match, tag, composer);
+}
+
 // "With socket access": sockets are reached from near them, doors and windows are kept free.
 void FeatureAccessible(const Match& match, std::string_view tag, Composer& composer) {
   const std::string& name = match.b->references.front().name;
@@ -167,6 +187,7 @@ void ViewBetween(const Match&, std::string_view, Composer& composer) {
 
 std::vector<Rule> FeatureRules() {
   return {
+      {"A.side not facing/to B.feature", SideNotFacing},
       {"A? not block B", NotBlock},
       {"A? not block next_to B.feature", NotBlock},
       {"A? not where B.feature swing_open?", NotBlock},
@@ -216,13 +237,16 @@ std::vector<Rule> FeatureRules() {
       {"A? not visible_from B", OutOfSight},
       {"A? not in_front_of/under/on/over or in_front_of/under/behind/on B.feature", NotBlock},
       {"B.feature keep_clear", KeepClear},
-      {"B.feature not block", KeepClear},
+      {"B.feature not block", NotBlocked},
       {"B.feature accessible", FeatureAccessible},
       {"B.feature accessible near/next_to A.object", FeatureAccessible},
       {"space in_front_of B.feature keep_clear?", KeepClear},
       {"keep_front_clear B keep_clear?", KeepClear},
       {"A? under B.feature", UnderWindow},
       {"A? below B.feature", UnderWindow},
+      {"A? not? hide B away_from C", Hide},
+      {"A? not? hide B?", Hide},
+      {"C.vague of? next_to/away_from B.feature", OutOfSight},
   };
 }
 

@@ -20,6 +20,13 @@ void SpaceBefore(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& owner : composer.topic()) KeepSpaceAt(owner, {"front"}, match.distance, composer);
 }
 
+// "Nothing may stand beside it".
+void NothingBeside(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& owner : composer.TargetObjects(*match.b, {})) {
+    KeepSpace({{owner.object, owner.side.empty() ? "sides" : owner.side}}, match.distance, composer);
+  }
+}
+
 // "Nothing within half a metre of its shelves".
 void NothingWithin(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& owner : composer.TargetObjects(*match.b, {})) KeepFreeBeside(owner, match.distance, composer);
@@ -45,6 +52,9 @@ std::vector<Rule> FrontRules() {
       {"C.vague not D of/near B.side", NothingNear},
       {"C.vague not D of/near B.object", NothingWithin},
       {"C.vague not in_front_of B.thing", NothingInFront},
+      {"A.group not next_to/at_sides B.thing", NothingBeside},
+      {"A.group not block around B.object", NothingNear},
+      {"A.group not block in_front_of B.thing", NothingInFront},
   };
 }
 

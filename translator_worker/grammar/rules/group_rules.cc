@@ -7,6 +7,15 @@ namespace {
 
 void EmitSurround(const std::vector<Placed>& movers, const std::vector<Placed>& centers, Composer& composer) {
   if (movers.empty() || centers.empty()) return;
+  // "Each table is surrounded by four chairs": the first four stand round the first.
+  if (centers.size() > 1 && movers.size() > centers.size() && movers.size() % centers.size() == 0) {
+    const auto each = static_cast<long>(movers.size() / centers.size());
+    for (size_t i = 0; i < centers.size(); ++i) {
+      const auto first = movers.begin() + static_cast<long>(i) * each;
+      EmitSurround({first, first + each}, {centers[i]}, composer);
+    }
+    return;
+  }
   std::vector<std::string> ids;
   for (const Placed& mover : movers) {
     if (mover.object != centers.front().object) ids.push_back(composer.id(mover));

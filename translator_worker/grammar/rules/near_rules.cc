@@ -102,6 +102,13 @@ void Near(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+// "Able to reach the basin from the couch": the basin is near the couch.
+void NearReached(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.TargetObjects(*match.b, {})) {
+    for (const Target& target : composer.Targets(*match.a, {mover})) NearOne(mover, target, nullptr, composer);
+  }
+}
+
 // "No further from the stove than 1.5 m".
 void NotFurther(const Match& match, std::string_view tag, Composer& composer) {
   const Distance most{std::nullopt, match.distance->Nominal(), false};
@@ -125,6 +132,24 @@ void FeatureWithin(const Match& match, std::string_view, Composer& composer) {
   if (composer.topic().empty()) composer.Refuse("unknown_sentence", "nothing says of what it is so far");
 }
 
+// "Close to the wall with its back".
+void NearWallWithSide(const Match& match, std::string_view, Composer& composer) {
+  for (Placed mover : composer.Movers(match.a)) {
+    mover.side = match.c->references.front().side;
+    for (const Target& target : composer.Targets(*match.b, {mover})) NearOne(mover, target, nullptr, composer);
+  }
+}
+
+// "Sockets should be available within 1 m of the station".
+void FeatureWithinOf(const Match& match, std::string_view, Composer& composer) {
+  for (const Target& target : composer.Targets(*match.b, {})) {
+    for (const Placed& mover : composer.Movers(match.a)) {
+      match.distance->max_m ? NearOne(mover, target, match.distance, composer)
+                            : KeepAway(mover, target, match.distance, composer);
+    }
+  }
+}
+
 // "Access to sockets" wants them near, "access to the door" wants it free.
 void AccessToFeature(const Match& match, std::string_view, Composer& composer) {
   const Reference& first = match.b->references.front();
@@ -137,8 +162,16 @@ void AccessToFeature(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Two chairs at each table": the first two at the first.
+void ShareOut(const std::vector<Placed>& movers, const std::vector<Placed>& targets, Composer& composer) {
+  const size_t each = movers.size() / targets.size();
+  for (size_t i = 0; i < movers.size(); ++i) {
+    Contact(movers[i], {RefKind::kObjects, {targets[i / each]}, ""}, composer);
+  }
+}
+
 void NextTo(const Match& match, std::string_view, Composer& composer) {
-  if (composer.RefuseUnnamed(*match.b)) return;
+  if (composer.RefuseUnnamed(*match.b) || KeepsOwnSides(match.a, *match.b, composer)) return;
   const std::string& side = match.b->references.front().side;
   // "People stand at three sides of the bench" that is spoken of.
   if (match.a == nullptr && !side.empty() && composer.scope() == v1::SENTENCE_SCOPE_INTRA &&
@@ -146,14 +179,20 @@ void NextTo(const Match& match, std::string_view, Composer& composer) {
     KeepSpace({{composer.topic().front().object, side}}, match.distance, composer);
     return;
   }
-  const std::vector<Placed> movers = composer.Movers(match.a);
+  std::vector<Placed> movers = composer.Movers(match.a);
   const bool several_sides = side == "sides" || side == "long_both" || side == "short_both" || side == "all";
+  if (several_sides) movers = OneAtEach(match.a, composer);
   // "Three chairs along each long side of the table".
   if (several_sides && movers.size() > 1 && composer.IsFloor(movers.front())) {
     Flank(movers, composer.TargetObjects(*match.b, movers), composer);
     return;
   }
   for (const Target& target : composer.Targets(*match.b, movers)) {
+    const size_t targets = target.objects.size();
+    if (match.b->references.front().each && targets > 1 && movers.size() > targets && movers.size() % targets == 0) {
+      ShareOut(movers, target.objects, composer);
+      continue;
+    }
     for (const Placed& mover : movers) {
       if (composer.IsWall(mover) || target.kind == RefKind::kWall) {
         NearOne(mover, target, match.distance, composer);
@@ -167,8 +206,8 @@ void NextTo(const Match& match, std::string_view, Composer& composer) {
 // Stands at a named side of the target; tag is that side.
 void AtSide(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
-  const std::vector<Placed> targets =
-      composer.TargetObjects(*match.b, match.a == nullptr ? std::vector<Placed>{} : movers);
+  const std::vector<Placed> targets = composer.TargetObjects(
+      *match.b, match.a == nullptr && match.distance != nullptr ? std::vector<Placed>{} : movers);
   // "The chairs have 0.6 m behind them".
   const bool own = match.distance != nullptr && !movers.empty() && !targets.empty() &&
                    movers.front().object == targets.front().object;
@@ -217,17 +256,15 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+// "At the end of the bed" is at its foot, of a counter at its left or right.
+void AtFoot(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> targets = composer.TargetObjects(*match.b, composer.Movers(match.a));
+  const bool has_foot = targets.empty() || composer.IsBed(targets.front()) || composer.IsSeat(targets.front());
+  AtSide(match, has_foot ? "front" : "side", composer);
+}
+
 void OnEachSide(const Match& match, std::string_view, Composer& composer) {
-  std::vector<Placed> movers;
-  if (match.a != nullptr && match.a->references.size() == 1 && match.a->references.front().ordinal == 1) {
-    // "One lamp on each side": all lamps.
-    Mention all = *match.a;
-    all.references.front().ordinal = 0;
-    all.references.front().each = true;
-    movers = composer.Movers(&all);
-  } else {
-    movers = composer.Movers(match.a);
-  }
+  const std::vector<Placed> movers = OneAtEach(match.a, composer);
   Flank(movers, composer.TargetObjects(*match.b, movers), composer);
 }
 
@@ -235,6 +272,9 @@ void OnEachSide(const Match& match, std::string_view, Composer& composer) {
 
 std::vector<Rule> NearRules() {
   return {
+      {"A? near B.wall ,? C.side", NearWallWithSide},
+      {"B.feature D of/near/away_from A.object", FeatureWithinOf},
+      {"B.feature D to A.object", FeatureWithinOf},
       {"B.feature near/next_to A.object", Near},
       {"B.feature near/next_to A.object accessible/keep_clear", Near},
       {"B.feature near", Near},
@@ -263,12 +303,15 @@ std::vector<Rule> NearRules() {
       {"A? D? right_of B ,? D? apart/away?", AtSide, "right"},
       {"A? D? behind B ,? D? apart/away?", AtSide, "back"},
       {"A? foot_of B", AtSide, "front"},
+      {"A? end_of B", AtFoot},
       {"A? head_of B", AtSide, "side"},
       {"A? D? to_side B", AtSide, "side"},
       {"B.feature considered", Near},
       {"A? each_side_of B", OnEachSide},
       {"A? , each_side_of B", OnEachSide},
       {"A? on/next_to/at_sides B.side , of B", OnEachSide},
+      {"A? reach B.object", Near, "access"},
+      {"reach B.object away_from A.object", NearReached},
   };
 }
 

@@ -2,6 +2,7 @@
 #include "translator_worker/grammar/rules/space.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "translator_worker/grammar/sides.h"
 
@@ -51,6 +52,18 @@ void KeepSpace(std::vector<Placed> placed, const Distance* distance, Composer& c
     if (sides.empty()) sides = {"front"};
     KeepSpaceAt(first, sides, distance, composer);
   }
+}
+
+bool KeepsOwnSides(const Mention* mover, const Mention& place, Composer& composer) {
+  const Reference& reference = place.references.front();
+  const std::string& side = reference.side;
+  const bool several = side == "sides" || side == "all" || side == "opposite_two" || side.ends_with("both");
+  const bool own = reference.kind == RefKind::kPronoun && reference.name.empty();
+  if (mover != nullptr || !own || !several || composer.scope() != v1::SENTENCE_SCOPE_INTRA) return false;
+  std::vector<Placed> sided;
+  for (const Placed& placed : composer.topic()) sided.push_back({placed.object, side});
+  KeepSpace(std::move(sided), nullptr, composer);
+  return true;
 }
 
 void KeepUsableSpace(const Distance* distance, Composer& composer) {

@@ -6,6 +6,7 @@
 
 #include "translator_worker/grammar/composer.h"
 #include "translator_worker/grammar/distance.h"
+#include "translator_worker/grammar/mention.h"
 
 namespace flair::translator {
 
@@ -16,6 +17,10 @@ void KeepSpaceAt(const Placed& placed, const std::vector<std::string>& sides, co
 // Free space at the sides that are named, the sides of one object in one call; at the front where none is. Of "one
 // side" the one that people use.
 void KeepSpace(std::vector<Placed> placed, const Distance* distance, Composer& composer);
+
+// "Players sit on two opposite sides", of the piece that is spoken of: its own sides are kept free. False when the
+// words say something else.
+bool KeepsOwnSides(const Mention* mover, const Mention& place, Composer& composer);
 
 // Free space where people use what is spoken of: behind chairs, at a side of beds, in front of everything else.
 void KeepUsableSpace(const Distance* distance, Composer& composer);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Free space by its place: in front, behind, at the sides, around, with or without a figure.
 #include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/rules/space.h"
 #include "translator_worker/grammar/rules/space_at.h"
 
 namespace flair::translator {
@@ -12,6 +13,13 @@ void MoreSpace(const Match&, std::string_view tag, Composer& composer) {
   if (!composer.AddSides(sides ? std::vector<std::string>{"left", "right"}
                                : std::vector<std::string>{std::string(tag)}))
     composer.Refuse("unknown_sentence", "nothing says what is there");
+}
+
+// "0.8 m behind the user": behind chairs, in front of what people sit or stand at.
+void BehindUser(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& owner : composer.Movers(match.a)) {
+    KeepSpace({{owner.object, composer.IsSeat(owner) ? "back" : "front"}}, match.distance, composer);
+  }
 }
 
 // "Legroom underneath": inside of the piece nothing is kept free.
@@ -86,8 +94,8 @@ std::vector<Rule> SpaceRules() {
       {"A.object D space? behind B.object keep_clear?", SpaceAt, "back"},
       {"A.object space D? behind B.object keep_clear?", SpaceAt, "back"},
       {"D behind B.object keep_clear", SpaceAt, "back"},
-      {"space D? foot_of B", SpaceAt, "front"},
-      {"D space? foot_of B", SpaceAt, "front"},
+      {"space D? foot_of/end_of B", SpaceAt, "front"},
+      {"D space? foot_of/end_of B", SpaceAt, "front"},
       {"space D? on/at_sides/next_to/along/each_side_of B.side keep_clear?", SpaceAt, "named"},
       {"D space? on/at_sides/next_to/along/each_side_of B.side keep_clear?", SpaceAt, "named"},
       {"on/at_sides/next_to/along/each_side_of B.side keep_clear", SpaceAt, "named"},
@@ -120,6 +128,24 @@ std::vector<Rule> SpaceRules() {
       {"A swing_open", SpaceAt, "named"},
       {"A.object? space D? for/to swing_open ,? C.feature?", SpaceAt, "named"},
       {"space for? A swing_open", SpaceAt, "named"},
+      {"C.vague? on/next_to/at_sides B.side D space?", SpaceAt, "named"},
+      {"space? D? space? to/for? step_back", SpaceAt, "front"},
+      {"step_back D? space? away_from B.object", SpaceAt, "front"},
+      {"step_back D", SpaceAt, "front"},
+      {"A? ,? space? D? space? behind_user", BehindUser},
+      {"C.vague? space? D? space? surround B.object", SpaceAt, "around"},
+      {"C.vague? space? D? space? surround B.object all_sides", SpaceAt, "all"},
+      {"C.vague not D? at_sides", SpaceAt, "sides"},
+      {"C.vague not D? in_front", SpaceAt, "front"},
+      {"C.vague not D? behind", SpaceAt, "back"},
+      {"C.vague not D? all_sides/around", SpaceAt, "all"},
+      {"C.group not D at_sides", SpaceAt, "sides"},
+      {"C.group not D in_front", SpaceAt, "front"},
+      {"C.group not D behind", SpaceAt, "back"},
+      {"C.group not D all_sides/around", SpaceAt, "all"},
+      {"A? surrounded_by D? space ,? D?", SpaceAt, "around"},
+      {"A? surrounded_by C.vague ,? D", PathAround, "around"},
+      {"A? surrounded_by D C.vague", PathAround, "around"},
   };
 }
 

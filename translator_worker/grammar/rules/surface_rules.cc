@@ -2,6 +2,7 @@
 // On and under objects: things on tables, rugs under them, chairs tucked in.
 #include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/rules/space.h"
 
 namespace flair::translator {
 namespace {
@@ -58,6 +59,7 @@ void InAreaOf(const std::vector<Placed>& movers, const std::vector<Placed>& host
 
 // tag: "" in the middle, "any" a corner, or that corner.
 void On(const Match& match, std::string_view tag, Composer& composer) {
+  if (KeepsOwnSides(match.a, *match.b, composer)) return;
   const std::vector<Placed> movers = composer.Movers(match.a);
   const std::vector<Placed> hosts = composer.TargetObjects(*match.b, movers);
   if (match.b->references.front().area && !movers.empty() && composer.IsFloor(movers.front())) {
@@ -69,7 +71,7 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
     return side == "sides" || side == "long_both" || side == "short_both" || side == "all";
   };
   if (!hosts.empty() && several(hosts.front().side) && !movers.empty() && !composer.IsSurface(movers.front())) {
-    Flank(movers, hosts, composer);
+    Flank(OneAtEach(match.a, composer), hosts, composer);
     return;
   }
   // "A view of the screen on the stand", "on the table, on the runner": the fact before has placed it.
@@ -145,6 +147,7 @@ std::vector<Rule> SurfaceRules() {
       {"A? on B.thing ,? on/facing/to/towards C.side", On, "any"},
       {"A? on B.thing ,? away_from/away to? C.side", On, "any"},
       {"A? on B.thing ,? near/next_to C.side", On, "any"},
+      {"A? on B.thing ,? corner ,? on/next_to/near C.side", On, "any"},
       {"A? on B.thing ,? corner_back_left", On, "back_left"},
       {"A? on B.thing ,? corner_back_right", On, "back_right"},
       {"A? on B.thing ,? corner_front_left", On, "front_left"},

@@ -89,7 +89,11 @@ void AlignedPair(const Match&, std::string_view, Composer& composer) {
   if (composer.pair_targets().empty()) composer.Refuse("unknown_sentence", "say with what it is aligned");
 }
 
-void SameWall(const Match&, std::string_view, Composer& composer) {
+void SameWall(const Match& match, std::string_view, Composer& composer) {
+  if (match.b != nullptr) {
+    const std::vector<Placed> movers = composer.Movers(match.a);
+    composer.SetPair(movers, composer.TargetObjects(*match.b, movers));
+  }
   composer.Refuse("not_expressible", "no call compares the walls of two objects; name the wall");
 }
 

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/clause_tokens.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace flair::translator {
+namespace {
+
+template <typename Words>
+bool IsAmong(const Words& words, const Token& token) {
+  return token.kind == Token::Kind::kWord && std::find(words.begin(), words.end(), token.text) != words.end();
+}
+
+Token Like(const Token& token, Token::Kind kind, std::string_view text) {
+  Token made = token;
+  made.kind = kind;
+  made.text = text;
+  return made;
+}
+
+bool BeginsSentence(const std::vector<Token>& tokens, size_t at) { return at == 0 || tokens[at - 1].IsMark('.'); }
+
+// "The right of the safe adjoins ...": its right side, where nothing stands before it that could be to the right.
+void TakeSideAtBeginning(std::vector<Token>& tokens) {
+  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
+    const bool side = IsOneOf(tokens[i + 1], {"left", "right"}) && tokens[i + 2].IsWord("of");
+    if (!tokens[i].IsWord("the") || !side || !BeginsSentence(tokens, i)) continue;
+    tokens.insert(tokens.begin() + static_cast<long>(i) + 2, Like(tokens[i + 1], Token::Kind::kWord, "side"));
+  }
+}
+
+// "Not so close that ...": how close.
+void TakeSoAsDegree(std::vector<Token>& tokens) {
+  for (size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].IsWord("so") && IsOneOf(tokens[i + 1], {"close", "near", "far", "tightly"})) tokens[i].text = "too";
+  }
+}
+
+// "It should not hinder anyone", "so customers are not obstructed": no piece that is kept clear.
+void DropCareForPeople(std::vector<Token>& tokens) {
+  static constexpr std::array<std::string_view, 16> kPeople = {
+      "anyone",    "anybody", "people",   "someone",  "somebody", "customers", "guests",  "users",
+      "occupants", "clients", "visitors", "children", "patients", "staff",     "workers", "others"};
+  static constexpr std::array<std::string_view, 12> kHinder = {"hinder",   "hinders",   "hindering",  "hindered",
+                                                               "obstruct", "obstructs", "obstructed", "impede",
+                                                               "impeded",  "blocked",   "disturb",    "disturbed"};
+  std::vector<Token> out;
+  for (size_t i = 0; i < tokens.size(); ++i) {
+    const bool people_hindered = i + 3 < tokens.size() && IsAmong(kPeople, tokens[i]) &&
+                                 IsOneOf(tokens[i + 1], {"is", "are", "be"}) && tokens[i + 2].IsWord("not") &&
+                                 IsAmong(kHinder, tokens[i + 3]);
+    const bool hinder_people = i + 1 < tokens.size() && IsAmong(kHinder, tokens[i]) && IsAmong(kPeople, tokens[i + 1]);
+    if (people_hindered) {
+      i += 3;
+    } else if (hinder_people) {
+      ++i;
+    } else {
+      out.push_back(std::move(tokens[i]));
+    }
+  }
+  tokens = std::move(out);
+}
+
+// "Not against a wall but at least 0.3 m from it": from the wall, when only words of measure stand between.
+void TakePartOfRoomForIt(std::vector<Token>& tokens) {
+  static constexpr std::array<std::string_view, 8> kParts = {"wall", "walls", "window", "windows",
+                                                             "door", "doors", "socket", "sockets"};
+  static constexpr std::array<std::string_view, 20> kMeasure = {
+      "but",  "and", "must", "should", "be",   "at",   "least", "away",  "from",  "kept",
+      "with", "a",   "gap",  "of",     "stay", "keep", "stand", "about", "leave", "distance"};
+  const Token* part = nullptr;
+  bool clause_ended = false;
+  for (Token& token : tokens) {
+    if (IsAmong(kParts, token)) {
+      part = &token;
+      clause_ended = false;
+      continue;
+    }
+    clause_ended = clause_ended || token.IsMark(',') || IsOneOf(token, {"but", "and"});
+    if (part != nullptr && clause_ended && IsOneOf(token, {"it", "them"}) && (&token - 1)->IsWord("from")) {
+      token.text = part->text;
+    } else if (!IsAmong(kMeasure, token) && token.kind != Token::Kind::kDistance && !token.IsMark(',')) {
+      part = nullptr;
+    }
+  }
+}
+
+// "Guests at the tables should see the piano": from the tables.
+void TakeWherePeopleAre(std::vector<Token>& tokens) {
+  static constexpr std::array<std::string_view, 12> kPeople = {"people",   "guests",   "customers", "visitors",
+                                                               "patients", "pupils",   "students",  "clients",
+                                                               "someone",  "children", "anyone",    "players"};
+  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
+    if (!BeginsSentence(tokens, i) || !IsAmong(kPeople, tokens[i])) continue;
+    const size_t place = i + (IsOneOf(tokens[i + 1], {"sitting", "seated", "standing", "lying"}) ? 2 : 1);
+    const auto end = std::find_if(tokens.begin() + static_cast<long>(place), tokens.end(), [](const Token& token) {
+      return token.IsMark('.') || IsOneOf(token, {"see", "watch", "look", "view"});
+    });
+    if (end == tokens.end() || end->IsMark('.') || !IsOneOf(tokens[place], {"at", "on", "in"})) continue;
+    tokens[place].text = "from";
+  }
+}
+
+// "1 m of floor must be free": 1 m.
+void DropOfFloor(std::vector<Token>& tokens) {
+  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
+    if (tokens[i].kind != Token::Kind::kDistance || !tokens[i + 1].IsWord("of") || !tokens[i + 2].IsWord("floor"))
+      continue;
+    const auto first = tokens.begin() + static_cast<long>(i) + 1;
+    const bool space = i + 3 < tokens.size() && IsOneOf(tokens[i + 3], {"space", "area"});
+    tokens.erase(first, first + (space ? 3 : 2));
+  }
+}
+
+// "Near a socket without standing in front of one": of a socket.
+void TakePartOfRoomForOne(std::vector<Token>& tokens) {
+  static constexpr std::array<std::string_view, 4> kParts = {"wall", "window", "door", "socket"};
+  const Token* part = nullptr;
+  for (size_t i = 0; i < tokens.size(); ++i) {
+    if (IsAmong(kParts, tokens[i])) part = &tokens[i];
+    const bool last = i + 1 == tokens.size() || tokens[i + 1].kind == Token::Kind::kPunctuation;
+    const bool after_place = i > 0 && IsOneOf(tokens[i - 1], {"of", "to", "near", "by", "beside", "under", "below"});
+    if (part != nullptr && last && after_place && tokens[i].IsWord("one")) tokens[i].text = part->text;
+  }
+}
+
+// "0.5 m from one stool to the next": between all of them.
+void TakeNextForBetween(std::vector<Token>& tokens) {
+  constexpr size_t kLongestName = 4;
+  for (size_t i = 0; i + 4 < tokens.size(); ++i) {
+    if (!tokens[i].IsWord("from") || !tokens[i + 1].IsWord("one")) continue;
+    size_t to = i + 2;
+    while (to + 2 < tokens.size() && to < i + 2 + kLongestName && !tokens[to].IsWord("to")) ++to;
+    const bool next = tokens[to].IsWord("to") && to + 2 < tokens.size() && tokens[to + 1].IsWord("the") &&
+                      IsOneOf(tokens[to + 2], {"next", "other"});
+    if (!next) continue;
+    tokens[i].text = "between";
+    tokens[i + 1].text = "all";
+    tokens.erase(tokens.begin() + static_cast<long>(to), tokens.begin() + static_cast<long>(to) + 3);
+  }
+}
+
+// "The cashier's side, i.e. the back, needs 0.9 m": as if it stood in brackets.
+void BracketNamely(std::vector<Token>& tokens) {
+  constexpr size_t kLongest = 8;
+  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
+    if (!tokens[i].IsMark(',') || !(tokens[i + 1].IsWord("ie") || tokens[i + 1].IsWord("namely"))) continue;
+    size_t end = i + 2;
+    while (end < tokens.size() && end < i + kLongest && !tokens[end].IsMark(',') && !tokens[end].IsMark('.')) ++end;
+    if (end == tokens.size() || !tokens[end].IsMark(',')) continue;
+    tokens[i].text = "(";
+    tokens[end].text = ")";
+  }
+}
+
+}  // namespace
+
+void PrepareClauses(std::vector<Token>& tokens) {
+  TakeSideAtBeginning(tokens);
+  TakeSoAsDegree(tokens);
+  DropCareForPeople(tokens);
+  TakePartOfRoomForIt(tokens);
+  TakePartOfRoomForOne(tokens);
+  TakeNextForBetween(tokens);
+  TakeWherePeopleAre(tokens);
+  DropOfFloor(tokens);
+  BracketNamely(tokens);
+}
+
+}  // namespace flair::translator
