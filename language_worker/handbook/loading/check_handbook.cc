@@ -139,6 +139,7 @@ class Checker {
     for (const auto& entry : item.tertiaries()) CheckEntry(entry);
     CheckRelations(item.relations(), true);
     Known("style", item.styles(), "styles");
+    for (const auto& rows : item.rows()) Known("furniture", rows.furniture(), "rows");
   }
 
   void CheckChanges(const hb::Changes& changes) {

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
+#include "language_worker/handbook/program/groups.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 
 namespace flair::language {
@@ -23,7 +24,10 @@ class FloorFitter {
   FloorFitter(const RoomProgram& program, const Handbook& handbook, const FloorExtent& floor,
               std::vector<LeftOut>& left_out)
       : program_(program), handbook_(handbook), floor_(floor), left_out_(left_out) {
-    for (const ProgramItem& item : program.floor_items) items_.push_back(Size(item));
+    for (const ProgramItem& item : program.floor_items) {
+      items_.push_back(Size(item));
+      asked_[item.furniture->name()] += item.count;
+    }
     MarkPrimaries();
   }
 
@@ -49,7 +53,17 @@ class FloorFitter {
       if (item.entry->depth_m() > 0) sized.depth_m = item.entry->depth_m();
       if (item.entry->height_m() > 0) sized.height_m = item.entry->height_m();
     }
+    if (item.seats > 0 && SeatsRound(furniture, sized.width_m, sized.depth_m) > 0) SizeForSeats(item, sized);
     return sized;
+  }
+
+  // A table is as long as those who sit at it need; one of several no longer.
+  static void SizeForSeats(const ProgramItem& item, SizedItem& sized) {
+    const hb::Furniture& table = *item.furniture;
+    const bool round = table.category() == "round_table";
+    const double start_m = item.count > 1 || item.seats <= 2 ? Least(table.width_m()) : sized.width_m;
+    sized.width_m = WidthForSeats(table, item.seats, start_m, sized.depth_m);
+    if (round) sized.depth_m = sized.width_m;
   }
 
   // One primary a zone: the first of the zone's list that is there, else the zone's first piece.
@@ -150,23 +164,70 @@ class FloorFitter {
     return (main ? 4 : 0) + (sized.item.requested ? 2 : 0) + (sized.primary ? 1 : 0);
   }
 
+  // Whether it goes with the piece that it is pulled up to, not by itself.
+  bool GoesWithAnother(const SizedItem& seat) const {
+    return std::any_of(items_.begin(), items_.end(), [&](const SizedItem& host) { return IsSeatAt(seat, host); });
+  }
+
+  static bool IsSeatAt(const SizedItem& seat, const SizedItem& host) {
+    return seat.item.seat_of != nullptr && seat.item.zone == host.item.zone &&
+           (seat.item.seat_of == host.item.furniture || seat.item.seat_of == host.wanted);
+  }
+
   // Leaves out the least wanted piece; none that is requested or the room's main one unless `requested`.
   bool DropOne(bool requested) {
-    if (items_.empty()) return false;
-    std::size_t victim = 0;
-    for (std::size_t i = 1; i < items_.size(); ++i) {
-      const int rank = Rank(items_[i]), worst = Rank(items_[victim]);
-      if (rank < worst || (rank == worst && items_[i].item.drop_order >= items_[victim].item.drop_order)) victim = i;
+    std::size_t victim = items_.size();
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      if (GoesWithAnother(items_[i])) continue;
+      const bool first = victim == items_.size();
+      const int rank = Rank(items_[i]), worst = first ? 0 : Rank(items_[victim]);
+      const bool later = !first && rank == worst && items_[i].item.drop_order >= items_[victim].item.drop_order;
+      if (first || rank < worst || later) victim = i;
     }
-    // The last piece stays even when it covers more than the limit: an empty room helps nobody.
-    if (items_.size() == 1 && items_[0].item.count == 1) return false;
-    SizedItem& sized = items_[victim];
-    if (!requested && Rank(sized) >= 2) return false;
-    LeaveOut(sized, 1,
-             fmt::format("it needs {:g} m x {:g} m, and furniture may cover at most {:.0f} % of a floor of {:.1f} m2",
-                         sized.width_m, sized.depth_m, 100 * kCoverLimit, floor_.area_m2));
-    if (--sized.item.count == 0) items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(victim));
+    if (victim == items_.size()) return false;
+    if (!requested && Rank(items_[victim]) >= 2) return false;
+    if (items_[victim].item.count == 1) {
+      // A table loses its chairs before it goes itself, but not the last two.
+      for (SizedItem& seat : items_) {
+        if (!IsSeatAt(seat, items_[victim]) || seat.item.count <= 2) continue;
+        LeaveOut(seat, 1, Why(seat));
+        --seat.item.count;
+        return true;
+      }
+      // The last piece stays even when it covers more than the limit: an empty room helps nobody.
+      const auto others = std::count_if(items_.begin(), items_.end(),
+                                        [&](const SizedItem& other) { return !IsSeatAt(other, items_[victim]); });
+      if (others == 1) return DropSeatsOf(victim, 0) && EraseEmpty();
+    }
+    LeaveOut(items_[victim], 1, Why(items_[victim]));
+    DropSeatsOf(victim, items_[victim].item.count - 1);
+    --items_[victim].item.count;
+    return EraseEmpty();
+  }
+
+  bool EraseEmpty() {
+    std::erase_if(items_, [](const SizedItem& sized) { return sized.item.count == 0; });
     return true;
+  }
+
+  // Keeps the seats of as many hosts; whether any went.
+  bool DropSeatsOf(std::size_t victim, int hosts_left) {
+    bool dropped = false;
+    const SizedItem host = items_[victim];
+    for (SizedItem& seat : items_) {
+      if (!IsSeatAt(seat, host)) continue;
+      const int each = (seat.item.count + host.item.count - 1) / host.item.count;
+      const int gone = std::max(0, seat.item.count - each * hosts_left);
+      LeaveOut(seat, gone, Why(seat));
+      seat.item.count -= gone;
+      dropped = dropped || gone > 0;
+    }
+    return dropped;
+  }
+
+  std::string Why(const SizedItem& sized) const {
+    return fmt::format("it needs {:g} m x {:g} m, and furniture may cover at most {:.0f} % of a floor of {:.1f} m2",
+                       sized.width_m, sized.depth_m, 100 * kCoverLimit, floor_.area_m2);
   }
 
   // Wishes of which a smaller class was taken.
@@ -181,9 +242,16 @@ class FloorFitter {
 
   void LeaveOut(const SizedItem& sized, int count, const std::string& reason) {
     const std::string& name = (sized.wanted != nullptr ? sized.wanted : sized.item.furniture)->name();
-    // Several of a kind are told once.
-    const bool told = std::any_of(left_out_.begin(), left_out_.end(), [&](const LeftOut& l) { return l.name == name; });
-    if (!told && count > 0) left_out_.push_back({name, reason, sized.item.requested});
+    if (count < 1) return;
+    // Several of a kind are told once, with their number.
+    const auto told =
+        std::find_if(left_out_.begin(), left_out_.end(), [&](const LeftOut& l) { return l.name == name; });
+    if (told != left_out_.end()) {
+      told->count = std::min(told->count + count, told->asked);
+      return;
+    }
+    const int asked = asked_.contains(name) ? asked_.at(name) : count;
+    left_out_.push_back({name, reason, sized.item.requested, count, asked});
   }
 
   const RoomProgram& program_;
@@ -191,9 +259,15 @@ class FloorFitter {
   const FloorExtent& floor_;
   std::vector<LeftOut>& left_out_;
   std::vector<SizedItem> items_;
+  std::map<std::string, int> asked_;  // by class
 };
 
 }  // namespace
+
+std::string LeftOut::Told() const {
+  if (asked < 2) return reason;
+  return count == asked ? fmt::format("all {}: {}", asked, reason) : fmt::format("{} of {}: {}", count, asked, reason);
+}
 
 FloorExtent ExtentOf(const v1::Room& room) {
   FloorExtent extent;

@@ -26,6 +26,11 @@ struct LeftOut {
   std::string name;
   std::string reason;
   bool requested = false;
+  int count = 1;  // so many
+  int asked = 1;  // of so many
+
+  // The reason, with the numbers where there were several.
+  std::string Told() const;
 };
 
 // Extent of the floor's bounding box and its area.
@@ -38,7 +43,8 @@ struct FloorExtent {
 FloorExtent ExtentOf(const v1::Room& room);
 
 // Gives the floor pieces sizes and makes them fit: shrinks them to their class's least size, takes smaller classes,
-// then leaves out pieces, those that nobody asked for first, primaries last. At most 45 % of the floor is covered.
+// then leaves out pieces, those that nobody asked for first, primaries last, and with a piece the seats that belong to
+// it. At most 45 % of the floor is covered.
 std::vector<SizedItem> FitFloor(const RoomProgram& program, const Handbook& handbook, const FloorExtent& floor,
                                 std::vector<LeftOut>& left_out);
 

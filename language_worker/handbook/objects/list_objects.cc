@@ -75,7 +75,7 @@ class ObjectLister {
     for (const LeftOut& left : left_out) {
       v1::Omission& omission = *list_.add_omissions();
       omission.set_name(left.name);
-      omission.set_reason(left.reason);
+      omission.set_reason(left.Told());
       omission.set_requested(left.requested);
     }
   }

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 
+#include "language_worker/handbook/program/groups.h"
+#include "language_worker/handbook/program/program_items.h"
+#include "language_worker/handbook/program/wishes.h"
+
 namespace flair::language {
 namespace {
-
-bool IsFloorPiece(const hb::Furniture& furniture) {
-  return !furniture.walk_over() &&
-         (furniture.kind() == hb::FURNITURE_KIND_FLOOR || furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED);
-}
 
 template <typename List>
 bool Has(const List& list, const std::string& item) {
@@ -28,10 +27,9 @@ class ProgramMaker {
   RoomProgram Make() {
     TakeBand();
     for (const hb::Changes* changes : program_.changes) Apply(*changes);
-    AddWishes();
-    RemoveRefusals();
-    CountPeople();
+    ApplyWishes(facts_, handbook_, program_);
     GiveZonesTheirPrimaries();
+    SplitIntoGroups(area_m2_, handbook_, program_);
     return std::move(program_);
   }
 
@@ -66,36 +64,16 @@ class ProgramMaker {
     if (furniture == nullptr) return;
     ProgramItem item{furniture, &entry, std::max(1, entry.count()), entry.zone(), false, entry.drop_order()};
     if (IsFloorPiece(*furniture)) {
-      if (item.zone.empty()) item.zone = HomeOf(*furniture);
+      if (item.zone.empty()) item.zone = HomeOf(*furniture, program_);
       program_.floor_items.push_back(item);
     } else {
       program_.tertiary_items.push_back(item);
     }
   }
 
-  bool HasZone(const std::string& name) const {
-    return std::any_of(program_.zones.begin(), program_.zones.end(), [&](const auto& z) { return z.name() == name; });
-  }
-
-  // The zone where a class belongs when nothing says so.
-  std::string HomeOf(const hb::Furniture& furniture) const {
-    for (const hb::ZoneSpec& zone : program_.zones) {
-      if (Has(zone.primaries(), furniture.name())) return zone.name();
-    }
-    for (const std::string& hint : furniture.zone_hints()) {
-      if (HasZone(hint)) return hint;
-    }
-    for (const hb::Relation& relation : furniture.relations()) {
-      for (const ProgramItem& item : program_.floor_items) {
-        if (Has(relation.targets(), item.furniture->name())) return item.zone;
-      }
-    }
-    return program_.zones.empty() ? "" : program_.zones.front().name();
-  }
-
   void Apply(const hb::Changes& changes) {
     for (auto* list : {&program_.floor_items, &program_.tertiary_items}) Substitute(changes, *list);
-    for (const std::string& removal : changes.removals()) Remove(removal);
+    for (const std::string& removal : changes.removals()) Remove(removal, program_);
     for (const hb::ObjectEntry& count : changes.counts()) {
       for (auto* list : {&program_.floor_items, &program_.tertiary_items}) {
         for (ProgramItem& item : *list) {
@@ -108,7 +86,7 @@ class ProgramMaker {
     std::vector<ProgramItem> usual = std::move(program_.tertiary_items);
     program_.tertiary_items.clear();
     for (const hb::ObjectEntry& entry : changes.additions()) {
-      if (!Contains(entry.furniture()) && !Lists(usual, entry.furniture())) Add(entry, "addition");
+      if (!Lists(program_, entry.furniture()) && !Lists(usual, entry.furniture())) Add(entry, "addition");
     }
     program_.tertiary_items.insert(program_.tertiary_items.end(), usual.begin(), usual.end());
     DropLast(program_.floor_items, changes.fewer_secondaries(), program_.zones.size());
@@ -134,143 +112,15 @@ class ProgramMaker {
     }
   }
 
-  void Remove(const std::string& name) {
-    for (auto* list : {&program_.floor_items, &program_.tertiary_items}) {
-      std::erase_if(*list, [&](const ProgramItem& item) { return item.furniture->name() == name; });
-    }
-  }
-
-  static bool Lists(const std::vector<ProgramItem>& items, const std::string& name) {
-    return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.furniture->name() == name; });
-  }
-
-  bool Contains(const std::string& name) const {
-    return Lists(program_.floor_items, name) || Lists(program_.tertiary_items, name);
-  }
-
   void AddZones(const hb::Changes& changes) {
     auto at = changes.zones_first() && !program_.zones.empty() ? program_.zones.begin() + 1 : program_.zones.end();
     for (const hb::ZoneSpec& zone : changes.zones()) {
-      if (!HasZone(zone.name())) at = program_.zones.insert(at, zone) + 1;
+      if (!HasZone(program_, zone.name())) at = program_.zones.insert(at, zone) + 1;
     }
   }
 
   static void DropLast(std::vector<ProgramItem>& items, int count, std::size_t least) {
     for (; count > 0 && items.size() > least; --count) items.pop_back();
-  }
-
-  void AddWishes() {
-    for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) AddWish(*wish);
-  }
-
-  void AddWish(const Wish& wish) {
-    for (auto* list : {&program_.floor_items, &program_.tertiary_items}) {
-      for (ProgramItem& item : *list) {
-        if (item.furniture != wish.furniture) continue;
-        item.count = wish.count;
-        item.requested = true;
-        if (list == &program_.floor_items) SeatAt(*wish.furniture, wish.count, wish.seats, std::string(item.zone));
-        return;
-      }
-    }
-    if (!IsFloorPiece(*wish.furniture)) {
-      program_.tertiary_items.insert(program_.tertiary_items.begin(),
-                                     {wish.furniture, nullptr, wish.count, "", true, 0});
-      return;
-    }
-    const hb::ZoneSpec& makes = wish.furniture->makes_zone();
-    if (!makes.name().empty() && !HasZone(makes.name()) && HintedZone(*wish.furniture).empty()) {
-      program_.zones.push_back(makes);
-    }
-    const std::string zone = HasZone(makes.name()) ? makes.name() : HomeOf(*wish.furniture);
-    ReplaceRivals(*wish.furniture, zone);
-    program_.floor_items.insert(program_.floor_items.begin(), {wish.furniture, nullptr, wish.count, zone, true, 0});
-    SeatAt(*wish.furniture, wish.count, wish.seats, zone);
-    for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
-      if (Contains(companion.furniture())) continue;
-      const hb::Furniture* furniture = handbook_.FindFurniture(companion.furniture());
-      if (furniture == nullptr) continue;
-      auto& list = IsFloorPiece(*furniture) ? program_.floor_items : program_.tertiary_items;
-      list.push_back({furniture, &companion, std::max(1, companion.count()), zone, false, companion.drop_order()});
-    }
-  }
-
-  // Every one of several desks has its chair, every table of a zone of its own the seats that belong to it, or as many
-  // as were asked for.
-  void SeatAt(const hb::Furniture& furniture, int count, int seats, const std::string& zone) {
-    for (const hb::ObjectEntry& companion : furniture.companions()) {
-      const hb::Furniture* seat = handbook_.FindFurniture(companion.furniture());
-      if (seat == nullptr || !IsSeat(*seat)) continue;
-      const int wanted = count * (seats > 0 ? seats : std::max(1, companion.count()));
-      const auto there = std::ranges::find_if(
-          program_.floor_items, [&](const ProgramItem& item) { return item.furniture == seat && item.zone == zone; });
-      if (there == program_.floor_items.end()) {
-        if (IsWished(*seat)) continue;
-        program_.floor_items.push_back({seat, &companion, wanted, zone, false, companion.drop_order()});
-      } else if (!there->requested) {
-        there->count = seats > 0 || count > 1 ? wanted : std::max(there->count, wanted);
-      }
-      return;
-    }
-  }
-
-  static bool IsSeat(const hb::Furniture& furniture) {
-    return furniture.category() == "chair" || furniture.category() == "stool";
-  }
-
-  bool IsWished(const hb::Furniture& furniture) const {
-    return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == &furniture; });
-  }
-
-  // A wished-for primary takes the place of the usual one of its zone: a bunk bed comes instead of the double bed. So
-  // does what makes such a zone by itself, and whoever sat at the usual one goes as well.
-  void ReplaceRivals(const hb::Furniture& furniture, const std::string& zone_name) {
-    const bool makes_it = furniture.makes_zone().name() == zone_name;
-    for (const hb::ZoneSpec& zone : program_.zones) {
-      if (zone.name() != zone_name || !(makes_it || Has(zone.primaries(), furniture.name()))) continue;
-      std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
-        if (item.requested || item.zone != zone_name) return false;
-        const bool same = item.furniture->category() == furniture.category();
-        return same || (makes_it && (Has(zone.primaries(), item.furniture->name()) || IsSeat(*item.furniture)));
-      });
-    }
-  }
-
-  std::string HintedZone(const hb::Furniture& furniture) const {
-    for (const hb::ZoneSpec& zone : program_.zones) {
-      if (Has(zone.primaries(), furniture.name()) || Has(furniture.zone_hints(), zone.name())) return zone.name();
-    }
-    return "";
-  }
-
-  void RemoveRefusals() {
-    for (const hb::Furniture* refusal : facts_.refusals) {
-      Remove(refusal->name());
-      for (const hb::ObjectEntry& companion : refusal->companions()) RemoveUnaccompanied(companion.furniture());
-    }
-  }
-
-  // Without its desk the office chair goes as well, unless another piece brings one or the brief asks for it.
-  void RemoveUnaccompanied(const std::string& name) {
-    for (const ProgramItem& item : program_.floor_items) {
-      if (item.requested && item.furniture->name() == name) return;
-      for (const hb::ObjectEntry& companion : item.furniture->companions()) {
-        if (companion.furniture() == name) return;
-      }
-    }
-    Remove(name);
-  }
-
-  // The class that there is one of for each person, and the seats at each of it.
-  void CountPeople() {
-    if (!facts_.people || program_.archetype->per_person().empty()) return;
-    for (std::size_t i = 0; i < program_.floor_items.size(); ++i) {
-      ProgramItem& item = program_.floor_items[i];
-      if (item.furniture->name() != program_.archetype->per_person() || item.requested) continue;
-      item.count = *facts_.people;
-      SeatAt(*item.furniture, item.count, 0, std::string(item.zone));
-      return;
-    }
   }
 
   // Zones whose primary is gone go as well; what stood in them moves to the first zone.
@@ -284,7 +134,7 @@ class ProgramMaker {
     if (kept.empty() && !program_.zones.empty()) kept.push_back(program_.zones.front());
     program_.zones = std::move(kept);
     for (ProgramItem& item : program_.floor_items) {
-      if (!HasZone(item.zone)) item.zone = program_.zones.front().name();
+      if (!HasZone(program_, item.zone)) item.zone = program_.zones.front().name();
     }
   }
 

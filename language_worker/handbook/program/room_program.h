@@ -19,7 +19,9 @@ struct ProgramItem {
   int count = 1;
   std::string zone;  // name; empty when it belongs to the whole room
   bool requested = false;
-  int drop_order = 0;  // higher goes first
+  int drop_order = 0;                      // higher goes first
+  int seats = 0;                           // at each, as far as it is known how many
+  const hb::Furniture* seat_of = nullptr;  // what it is pulled up to, in the same zone; null for what stands by itself
 };
 
 // What the room is to be, from the archetype, the needs, the themes and the wishes of a brief.

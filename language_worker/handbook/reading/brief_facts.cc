@@ -2,10 +2,11 @@
 #include "language_worker/handbook/reading/brief_facts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 
+#include "language_worker/handbook/reading/furniture_reader.h"
+#include "language_worker/handbook/reading/sayings.h"
 #include "language_worker/handbook/reading/unknown_things.h"
 #include "language_worker/handbook/reading/words.h"
 
@@ -13,37 +14,6 @@ namespace flair::language {
 namespace {
 
 constexpr int kMostPeople = 40;
-
-// One way to say something, and what is then meant.
-template <typename T>
-struct Saying {
-  Phrase phrase;
-  const T* meaning;
-};
-
-template <typename T>
-void AddSayings(const std::string& name, const google::protobuf::RepeatedPtrField<std::string>& others,
-                const T& meaning, std::vector<Saying<T>>& sayings) {
-  if (!name.empty()) sayings.push_back({Phrase(name), &meaning});
-  for (const std::string& other : others) sayings.push_back({Phrase(other), &meaning});
-}
-
-// The longest saying that begins at a token; of equally long ones the first.
-template <typename T>
-std::pair<const T*, std::size_t> LongestAt(const std::vector<Saying<T>>& sayings, const std::vector<Token>& tokens,
-                                           std::size_t i, bool plural) {
-  std::pair<const T*, std::size_t> best = {nullptr, 0};
-  for (const Saying<T>& saying : sayings) {
-    const std::size_t length = saying.phrase.MatchAt(tokens, i, plural);
-    if (length > best.second) best = {saying.meaning, length};
-  }
-  return best;
-}
-
-template <typename T>
-void AddOnce(std::vector<const T*>& list, const T* item) {
-  if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
-}
 
 // Reads one brief; each step marks the tokens that it has used, so that "dining room" wishes for no dining table and
 // "green room" for no greenhouse.
@@ -58,7 +28,7 @@ class BriefReader {
     if (!size.ok()) return size.status();
     facts_.size = *size;
     ReadArchetype();
-    ReadFurniture();
+    FurnitureReader(handbook_, tokens_, used_, facts_).Read();
     ReadThemesAndStyles();
     ReadNeeds();
     facts_.reads_as_english = facts_.archetype_named || ReadsAsEnglish(tokens_);
@@ -111,114 +81,6 @@ class BriefReader {
     }
   }
 
-  void ReadFurniture() {
-    std::vector<Saying<hb::Furniture>> names;
-    for (const hb::Furniture& furniture : handbook_.contents().furniture()) {
-      AddSayings(furniture.name(), furniture.synonyms(), furniture, names);
-    }
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (used_[i]) continue;
-      const auto [furniture, length] = LongestAt(names, tokens_, i, /*plural=*/true);
-      if (length == 0) continue;
-      if (IsRefused(i)) {
-        AddOnce(facts_.refusals, furniture);
-      } else {
-        const int seats = furniture->companions().empty() ? 0 : SeatsAfter(i + length);
-        AddWish(*furniture, CountBefore(i), seats);
-        if (seats > 0) Use(i + length, 2);  // these are the table's, not the room's
-        TakeColourBefore(i, *furniture);
-      }
-      Use(i, length);
-      i += length - 1;
-    }
-  }
-
-  std::vector<Saying<hb::NamedColour>> ColourSayings() const {
-    std::vector<Saying<hb::NamedColour>> colours;
-    for (const hb::NamedColour& colour : handbook_.contents().colours()) {
-      AddSayings(colour.name(), colour.synonyms(), colour, colours);
-    }
-    return colours;
-  }
-
-  // "a green armchair", "two sage green velvet armchairs": the colour is the piece's, not the room's.
-  void TakeColourBefore(std::size_t i, const hb::Furniture& furniture) {
-    const std::vector<Saying<hb::NamedColour>> colours = ColourSayings();
-    for (std::size_t back = 3; back >= 1; --back) {
-      if (back > i || used_[i - back]) continue;
-      const auto [colour, length] = LongestAt(colours, tokens_, i - back, /*plural=*/false);
-      if (length == 0 || length > back) continue;
-      for (std::size_t k = i - back + length; k < i; ++k) {
-        if (tokens_[k].kind != Token::Kind::kWord || tokens_[k].text == "and" || tokens_[k].text == "with") return;
-      }
-      facts_.object_colours.emplace_back(&furniture, colour);
-      Use(i - back, length);
-      return;
-    }
-  }
-
-  void AddWish(const hb::Furniture& furniture, int count, int seats) {
-    if (count > kMostOfAKind) {
-      AddOnce(facts_.too_many, &furniture);
-      count = kMostOfAKind;
-    }
-    for (Wish& wish : facts_.wishes) {
-      if (wish.furniture != &furniture) continue;
-      wish.count = std::max(wish.count, count);
-      wish.seats = std::max(wish.seats, seats);
-      return;
-    }
-    facts_.wishes.push_back({&furniture, count, seats});
-  }
-
-  // Of "a table for eight", "a table for 8 people": eight. 0 when nothing of the kind stands there.
-  int SeatsAfter(std::size_t i) const {
-    if (i + 1 >= tokens_.size() || tokens_[i].text != "for") return 0;
-    const Token& token = tokens_[i + 1];
-    if (token.text == "a" || token.text == "an") return 0;
-    const int number = token.kind == Token::Kind::kNumber ? static_cast<int>(std::min(token.number, 1e6))
-                                                          : NumberWord(token.text).value_or(0);
-    const bool ends = i + 2 == tokens_.size() || tokens_[i + 2].kind == Token::Kind::kSign ||
-                      CountsPeople(tokens_[i + 2].text) || tokens_[i + 2].text == "and" ||
-                      tokens_[i + 2].text == "with";
-    return ends && number <= kMostPeople ? number : 0;
-  }
-
-  // "no tv", "without a desk", "no tv or desk".
-  bool IsRefused(std::size_t i) const {
-    for (std::size_t back = 1; back <= 4 && back <= i; ++back) {
-      const std::string& word = tokens_[i - back].text;
-      if (word == "no" || word == "without" || word == "not") return true;
-      if (word == "," || word == "." || word == ";" || word == "with" || word == "but" || word == "and") return false;
-    }
-    return false;
-  }
-
-  // The number said before a noun, looking back over adjectives: "two comfortable armchairs", "2 x desk", "a pair of".
-  int CountBefore(std::size_t i) const {
-    for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
-      const std::size_t at = i - back;
-      const Token& token = tokens_[at];
-      if (token.kind == Token::Kind::kNumber) {
-        const double number = std::min(token.number, 1e6);
-        return number >= 1 && number == std::floor(number) ? static_cast<int>(number) : 1;
-      }
-      for (const hb::CountWord& word : handbook_.contents().count_words()) {
-        for (const std::string& text : word.words()) {
-          const std::size_t length = Phrase(text).MatchAt(tokens_, at, false);
-          if (length > 0 && at + length <= i && word.count() > 0) return word.count();
-        }
-      }
-      if (const std::optional<int> number = NumberWord(token.text)) {
-        // "a pair of": the article belongs to the pair, which stands after it.
-        return *number;
-      }
-      if (token.kind == Token::Kind::kSign && token.text != "-") break;
-      if (token.text == "and" || token.text == "with") break;
-    }
-    return 1;
-  }
-
   void ReadThemesAndStyles() {
     for (const hb::Theme& theme : handbook_.contents().themes()) {
       if (!theme.fallback() && OccursUnused(theme.keywords())) AddOnce(facts_.themes, &theme);
@@ -226,7 +88,7 @@ class BriefReader {
     for (const hb::Style& style : handbook_.contents().styles()) {
       if (Phrase(style.name()).Occurs(tokens_)) AddOnce(facts_.styles, &style);
     }
-    const std::vector<Saying<hb::NamedColour>> colours = ColourSayings();
+    const std::vector<Saying<hb::NamedColour>> colours = ColourSayings(handbook_);
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const auto [colour, length] = LongestAt(colours, tokens_, i, /*plural=*/false);
       if (length == 0 || used_[i]) continue;

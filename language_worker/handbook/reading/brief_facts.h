@@ -17,7 +17,8 @@ namespace flair::language {
 struct Wish {
   const hb::Furniture* furniture = nullptr;
   int count = 1;
-  int seats = 0;  // "a table for eight": that many can sit at each; 0 when it is not said
+  int seats = 0;        // "a table for eight": that many can sit at each; 0 when it is not said
+  bool counted = true;  // false: a plural without a number, so that `count` is the least
 };
 
 // More of one class in a room are not furnished by hand.
@@ -31,6 +32,7 @@ struct BriefFacts {
   std::vector<Wish> wishes;                    // in the order of the text, one per class
   std::vector<const hb::Furniture*> too_many;  // of which more than kMostOfAKind are asked for
   std::vector<const hb::Furniture*> refusals;
+  bool nothing_else = false;  // "only a bed and a wardrobe"
   std::vector<const hb::Theme*> themes;
   std::vector<const hb::Need*> needs;
   std::vector<const hb::Style*> styles;         // named directly: "scandinavian"

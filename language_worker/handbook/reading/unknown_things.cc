@@ -13,9 +13,9 @@ constexpr std::size_t kMostWords = 5;
 constexpr std::size_t kShortText = 4;
 
 // Shared with no other language that uses the Latin letters.
-constexpr std::array<std::string_view, 16> kEnglish = {"the",  "with",   "and",   "for", "that",  "my",
-                                                       "room", "should", "where", "two", "three", "from",
-                                                       "this", "want",   "need",  "of"};
+constexpr std::array<std::string_view, 17> kEnglish = {"the",  "with", "and",    "for",   "that", "my",
+                                                       "by",   "room", "should", "where", "two",  "three",
+                                                       "from", "this", "want",   "need",  "of"};
 // Behind which things are listed.
 constexpr std::array<std::string_view, 20> kBefore = {
     "with", "and",   "plus", "has",   "have", "having", "contains", "containing", "includes", "including",
@@ -53,7 +53,8 @@ class ThingFinder {
     if (used_[i] || !BeginsThing(i)) return "";
     std::size_t end = i + 1;
     while (end < tokens_.size() && Continues(end)) ++end;
-    if (end == i + 1 || end > i + 1 + kMostWords) return "";
+    // The feet and inches of a size are no thing.
+    if (end == i + 1 || end > i + 1 + kMostWords || tokens_[i + 1].kind == Token::Kind::kSign) return "";
     std::string text;
     for (std::size_t k = i + 1; k < end; ++k) {
       if (used_[k]) return "";

@@ -149,9 +149,13 @@ bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object&
 std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, const Group& group) const {
   std::vector<v1::Sentence> sentences;
   if (!Applies(relation, group)) return sentences;
-  if (relation.pairing() == hb::PAIRING_TOGETHER) {
-    Group targets;
-    if (FindTargets(relation, *group.front(), targets)) sentences.push_back(WriteOne(relation, group, targets, 0));
+  if (relation.pairing() == hb::PAIRING_TOGETHER) return WriteTogether(relation, group);
+  if (relation.pairing() == hb::PAIRING_NEIGHBOUR) return WriteNeighbours(relation, group);
+  if (relation.pairing() == hb::PAIRING_ROW_BEFORE || relation.pairing() == hb::PAIRING_FRONT_ROW) {
+    Group targets = RowBefore(*group.front());
+    const bool front = relation.pairing() == hb::PAIRING_FRONT_ROW;
+    if (targets.empty() != front || (front && !FindTargets(relation, *group.front(), targets))) return sentences;
+    sentences.push_back(WriteOne(relation, {group.front()}, targets, 0));
     return sentences;
   }
   const std::size_t count = relation.pairing() == hb::PAIRING_FIRST ? 1 : group.size();
@@ -163,6 +167,55 @@ std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, co
     sentences.push_back(WriteOne(relation, {group[i]}, targets, i));
   }
   return sentences;
+}
+
+// One sentence about all; where each of several partners has its share of them, one about each share.
+std::vector<v1::Sentence> SentenceWriter::WriteTogether(const hb::Relation& relation, const Group& group) const {
+  Group targets;
+  if (!FindTargets(relation, *group.front(), targets)) return {};
+  const bool one_partner = relation.text().find("{target}") != std::string::npos;
+  if (!one_partner || targets.size() < 2 || group.size() < 2 * targets.size()) {
+    return {WriteOne(relation, group, targets, 0)};
+  }
+  std::vector<v1::Sentence> sentences;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const std::size_t to = group.size() * (i + 1) / targets.size();
+    sentences.push_back(WriteOne(
+        relation,
+        Group(group.begin() + static_cast<std::ptrdiff_t>(from), group.begin() + static_cast<std::ptrdiff_t>(to)),
+        {targets[i]}, i));
+    from = to;
+  }
+  return sentences;
+}
+
+// To the right and to the left of the first by turns.
+std::vector<v1::Sentence> SentenceWriter::WriteNeighbours(const hb::Relation& relation, const Group& group) const {
+  std::vector<v1::Sentence> sentences;
+  for (std::size_t i = 1; i < group.size(); ++i) {
+    hb::Relation sided = relation;
+    const bool right = i % 2 == 1;
+    const std::map<std::string, std::string, std::less<>> sides = {{"side", right ? "left" : "right"},
+                                                                   {"other_side", right ? "right" : "left"}};
+    sided.set_text(Fill(relation.text(), sides));
+    sentences.push_back(WriteOne(sided, {group[i]}, {group[i < 2 ? 0 : i - 2]}, i));
+  }
+  return sentences;
+}
+
+// The objects of the same name in the nearest zone before that of `object` which has some.
+Group SentenceWriter::RowBefore(const v1::Object& object) const {
+  Group row;
+  for (const v1::Zone& zone : zones_.zones()) {
+    if (zone.id() == object.zone_id()) break;
+    Group here;
+    for (const v1::Object* other : groups_.at(object.name())) {
+      if (other->zone_id() == zone.id()) here.push_back(other);
+    }
+    if (!here.empty()) row = here;
+  }
+  return row;
 }
 
 v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets,

@@ -43,6 +43,9 @@ class SentenceWriter {
   bool HasPartnerInZone(const hb::Relation& relation, const v1::Object& object) const;
   // The partners of the relation: false when it asks for some and there are none.
   bool FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const;
+  std::vector<v1::Sentence> WriteTogether(const hb::Relation& relation, const Group& group) const;
+  std::vector<v1::Sentence> WriteNeighbours(const hb::Relation& relation, const Group& group) const;
+  Group RowBefore(const v1::Object& object) const;
   v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets,
                         std::size_t number) const;
   std::string NameOf(const v1::Object& object) const;

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/program/groups.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "language_worker/handbook/reading/furniture_reader.h"
+
+namespace flair::language {
+namespace {
+
+constexpr double kSeatM = 0.6;
+// A table grows to this many times its class's largest width before another one comes.
+constexpr double kMostGrowth = 1.6;
+constexpr int kMostGroups = 12;
+
+bool IsTable(const hb::Furniture& furniture) {
+  return furniture.category().ends_with("table") && SeatsRound(furniture, 1, 1) > 0;
+}
+
+std::string RowName(int i) {
+  constexpr std::array<const char*, 10> kOrdinals = {"first", "second",  "third",  "fourth", "fifth",
+                                                     "sixth", "seventh", "eighth", "ninth",  "tenth"};
+  const auto at = static_cast<std::size_t>(i);
+  return at < kOrdinals.size() ? fmt::format("{} row", kOrdinals[at]) : fmt::format("row {}", i + 1);
+}
+
+class Grouper {
+ public:
+  Grouper(double area_m2, const Handbook& handbook, RoomProgram& program)
+      : area_m2_(area_m2), handbook_(handbook), program_(program) {}
+
+  void Group() {
+    for (ProgramItem& seat : program_.floor_items) Attach(seat);
+    for (ProgramItem& host : program_.floor_items) SeatPeople(host);
+    for (const hb::Rows& rows : program_.archetype->rows()) SplitRows(rows);
+    for (std::size_t i = 0; i < program_.floor_items.size(); ++i) SplitTables(i);
+  }
+
+ private:
+  // Seats of a kind that comes with another piece of their zone belong to that one.
+  void Attach(ProgramItem& seat) {
+    if (seat.seat_of != nullptr) return;
+    for (const ProgramItem& host : program_.floor_items) {
+      if (host.zone != seat.zone || SeatOf(*host.furniture, handbook_) != seat.furniture) continue;
+      seat.seat_of = host.furniture;
+      return;
+    }
+  }
+
+  ProgramItem* SeatsOf(const ProgramItem& host) {
+    for (ProgramItem& item : program_.floor_items) {
+      if (item.seat_of == host.furniture && item.zone == host.zone) return &item;
+    }
+    return nullptr;
+  }
+
+  void SeatPeople(ProgramItem& host) {
+    ProgramItem* seats = SeatsOf(host);
+    if (seats == nullptr) return;
+    host.seats = (seats->count + host.count - 1) / host.count;
+    if (!IsTable(*host.furniture)) return;
+    const double largest_m = std::max(host.furniture->width_m().max(), host.furniture->width_m().typical());
+    const double width_m = host.furniture->width_m().typical(), depth_m = host.furniture->depth_m().typical();
+    if (WidthForSeats(*host.furniture, host.seats, width_m, depth_m) <= kMostGrowth * largest_m) return;
+    constexpr int kAtEach = 4;
+    host.count = (seats->count + kAtEach - 1) / kAtEach;
+    host.seats = kAtEach;
+  }
+
+  // As many side by side as the shorter side of the room takes, and all rows about as long.
+  void SplitRows(const hb::Rows& rows) {
+    constexpr double kShortSide = 0.8;  // of the side of a square of that area
+    const auto item = std::ranges::find_if(program_.floor_items,
+                                           [&](const auto& one) { return one.furniture->name() == rows.furniture(); });
+    if (item == program_.floor_items.end() || item->count < std::max(2, rows.min_count())) return;
+    const double across_m = kShortSide * std::sqrt(area_m2_) - rows.aisles_m();
+    const int most = std::max(1, static_cast<int>(across_m / item->furniture->width_m().typical()));
+    const int count = (item->count + most - 1) / most;
+    const int across = (item->count + count - 1) / count;
+    std::vector<hb::ZoneSpec> zones;
+    for (int i = 0; i < (item->count + across - 1) / across; ++i) {
+      zones.emplace_back().set_name(RowName(i));
+      if (!rows.purpose().empty()) zones.back().add_purposes(rows.purpose());
+    }
+    Split(static_cast<std::size_t>(item - program_.floor_items.begin()), across, zones);
+  }
+
+  void SplitTables(std::size_t i) {
+    const ProgramItem& host = program_.floor_items[i];
+    if (host.count < 2 || host.seats < 2 || !IsTable(*host.furniture)) return;
+    const int in_each = (host.count + kMostGroups - 1) / kMostGroups;
+    const int count = (host.count + in_each - 1) / in_each;
+    std::vector<hb::ZoneSpec> zones;
+    for (const hb::ZoneSpec& zone : program_.zones) {
+      if (zone.name() != host.zone) continue;
+      for (int g = 0; g < count; ++g) {
+        zones.push_back(zone);
+        if (g > 0) zones.back().set_name(fmt::format("{} {}", zone.name(), g + 1));
+      }
+    }
+    if (!zones.empty()) Split(i, in_each, zones);
+  }
+
+  // Shares one line of the program and its seats out over zones that take the place of its own.
+  void Split(std::size_t at, int in_each, std::vector<hb::ZoneSpec>& zones) {
+    const ProgramItem host = program_.floor_items[at];
+    const ProgramItem* seat_line = SeatsOf(host);
+    const ProgramItem seats = seat_line == nullptr ? ProgramItem{} : *seat_line;
+    std::vector<ProgramItem> lines;
+    int left = host.count, seats_left = seats.count;
+    for (hb::ZoneSpec& zone : zones) {
+      zone.clear_primaries();
+      zone.add_primaries(host.furniture->name());
+      ProgramItem line = host;
+      line.zone = zone.name();
+      line.count = std::min(in_each, left);
+      left -= line.count;
+      lines.push_back(line);
+      if (seat_line == nullptr) continue;
+      ProgramItem sitting = seats;
+      sitting.zone = zone.name();
+      sitting.count = std::min(seats_left, line.count * host.seats);
+      seats_left -= sitting.count;
+      if (sitting.count > 0) lines.push_back(sitting);
+    }
+    std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
+      return item.zone == host.zone && (item.furniture == host.furniture || item.seat_of == host.furniture);
+    });
+    for (ProgramItem& item : program_.floor_items) {
+      if (item.zone == host.zone) item.zone = zones.front().name();
+    }
+    const auto place =
+        program_.floor_items.begin() + static_cast<std::ptrdiff_t>(std::min(at, program_.floor_items.size()));
+    program_.floor_items.insert(place, lines.begin(), lines.end());
+    ReplaceZone(host.zone, zones);
+  }
+
+  void ReplaceZone(const std::string& name, const std::vector<hb::ZoneSpec>& zones) {
+    const auto zone = std::ranges::find_if(program_.zones, [&](const auto& one) { return one.name() == name; });
+    if (zone == program_.zones.end()) return;
+    const auto at = program_.zones.erase(zone);
+    program_.zones.insert(at, zones.begin(), zones.end());
+  }
+
+  const double area_m2_;
+  const Handbook& handbook_;
+  RoomProgram& program_;
+};
+
+}  // namespace
+
+int SeatsRound(const hb::Furniture& table, double width_m, double depth_m) {
+  constexpr double kPlay = 0.05, kEndM = 0.75, kRoundSeatM = 0.55;
+  if (table.category() == "round_table") {
+    return static_cast<int>(std::numbers::pi * (width_m + kPlay) / kRoundSeatM);
+  }
+  if (table.category() != "table") return 0;
+  return 2 * static_cast<int>((width_m + kPlay) / kSeatM) + (depth_m >= kEndM ? 2 : 0);
+}
+
+double WidthForSeats(const hb::Furniture& table, int seats, double start_m, double depth_m) {
+  double width_m = start_m;
+  while (SeatsRound(table, width_m, depth_m) < seats && width_m < 20) width_m += 0.1;
+  return std::round(width_m * 100) / 100;
+}
+
+void SplitIntoGroups(double area_m2, const Handbook& handbook, RoomProgram& program) {
+  Grouper(area_m2, handbook, program).Group();
+}
+
+}  // namespace flair::language

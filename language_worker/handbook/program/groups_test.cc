@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who sits where: tables with their chairs, rows that look to the front, and what goes when there is no room.
+#include "language_worker/handbook/program/groups.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/objects/list_objects.h"
+#include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/sentences/list_constraints.h"
+
+namespace flair::language {
+namespace {
+
+struct Plan {
+  v1::ObjectList objects;
+  v1::ConstraintList constraints;
+
+  int Count(const std::string& name, const std::string& zone = "") const {
+    return static_cast<int>(std::count_if(objects.objects().begin(), objects.objects().end(), [&](const auto& object) {
+      return object.name() == name && (zone.empty() || object.zone_id() == zone);
+    }));
+  }
+  const v1::Object& First(const std::string& name) const {
+    const auto found = std::find_if(objects.objects().begin(), objects.objects().end(),
+                                    [&](const auto& object) { return object.name() == name; });
+    return found == objects.objects().end() ? v1::Object::default_instance() : *found;
+  }
+  int Sentences(const std::string& part) const {
+    return static_cast<int>(
+        std::count_if(constraints.sentences().begin(), constraints.sentences().end(),
+                      [&](const auto& sentence) { return sentence.text().find(part) != std::string::npos; }));
+  }
+  std::string Omission(const std::string& name) const {
+    for (const v1::Omission& omission : objects.omissions()) {
+      if (omission.name() == name) return omission.reason();
+    }
+    return "";
+  }
+};
+
+Plan PlanFor(const std::string& text) {
+  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
+  v1::Brief brief;
+  brief.set_text(text);
+  const v1::Room room = *DescribeRoom(brief, **handbook);
+  const v1::ZonePlan zones = *PlanZones(brief, room, **handbook);
+  Plan plan;
+  plan.objects = *ListObjects(brief, room, zones, **handbook);
+  plan.constraints = *ListConstraints(brief, room, zones, plan.objects, **handbook);
+  return plan;
+}
+
+TEST(Groups, AClassroomHasRowsOfDesksThatLookToTheTeacher) {
+  const Plan plan = PlanFor("A classroom for 24 pupils.");
+  EXPECT_EQ(plan.Count("school desk"), 24);
+  EXPECT_EQ(plan.Count("school chair"), 24);
+  EXPECT_EQ(plan.Count("teacher desk"), 1);
+  const int across = plan.Count("school desk", "first_row");
+  ASSERT_GE(across, 4);
+  const int rows = (24 + across - 1) / across;
+  EXPECT_EQ(plan.Count("school chair", "first_row"), across) << "everyone sits in the row of the desk";
+  EXPECT_EQ(plan.Sentences("is 1 m in front of the"), rows - 1) << "every row behind the one before";
+  EXPECT_EQ(plan.Sentences("faces the teacher desk"), rows + 1) << "every row, and whoever teaches";
+  EXPECT_EQ(plan.Sentences("The left side of the") + plan.Sentences("The right side of the"), 24 - rows)
+      << "every one but the first of a row has a neighbour";
+  EXPECT_EQ(plan.Sentences("The teacher desk is 2 m in front of the first school desk."), 1);
+}
+
+TEST(Groups, EveryTableHasItsOwnChairs) {
+  const Plan plan = PlanFor("A café with five tables for two.");
+  EXPECT_EQ(plan.Count("dining table"), 5);
+  EXPECT_EQ(plan.Count("dining chair"), 10);
+  std::map<std::string, int> chairs;
+  for (const v1::Object& object : plan.objects.objects()) {
+    if (object.name() == "dining chair") ++chairs[object.zone_id()];
+  }
+  EXPECT_EQ(chairs.size(), 5u);
+  for (const auto& [zone, count] : chairs) EXPECT_EQ(count, 2) << zone;
+}
+
+TEST(Groups, TheChairsOfAMeetingTableDoNotStandAtTheDesks) {
+  const Plan plan = PlanFor("An office with four desks and a meeting table with six chairs.");
+  EXPECT_EQ(plan.Count("office chair", "meeting"), 6);
+  EXPECT_EQ(plan.Count("office chair", "workstation"), 4);
+  EXPECT_EQ(plan.Count("dining chair"), 0);
+}
+
+TEST(Groups, ATableIsAsLongAsThoseWhoSitAtItNeed) {
+  const v1::Object table = PlanFor("A 6 m x 8 m dining room with a table for 14.").First("dining table");
+  EXPECT_GE(table.width_m(), 3.5);
+  hb::Furniture rectangular;
+  rectangular.set_category("table");
+  EXPECT_EQ(SeatsRound(rectangular, 1.5, 0.9), 6);
+  EXPECT_EQ(SeatsRound(rectangular, 1.2, 0.6), 4) << "nobody at a narrow end";
+  EXPECT_DOUBLE_EQ(WidthForSeats(rectangular, 8, 1.5, 0.9), 1.8);
+  // More than any table takes: several.
+  const Plan restaurant = PlanFor("A restaurant for 30 guests.");
+  EXPECT_GE(restaurant.Count("dining table"), 4);
+  EXPECT_EQ(restaurant.Count("dining chair"), 30);
+}
+
+TEST(Groups, WhatDoesNotFitGoesWithItsSeatsAndIsCounted) {
+  const Plan plan = PlanFor("A 4m x 4m office with twenty desks.");
+  const int desks = plan.Count("desk");
+  EXPECT_GE(desks, 4);
+  EXPECT_LT(desks, 20);
+  EXPECT_EQ(plan.Count("office chair"), desks) << "a desk without a chair is no place to work";
+  EXPECT_EQ(plan.Omission("desk").substr(0, 9), std::to_string(20 - desks) + " of 20:");
+  EXPECT_EQ(PlanFor("A 3m x 3m bedroom with ten single beds.").Omission("single bed").substr(0, 8), "8 of 10:");
+}
+
+TEST(Groups, NothingElseMeansNothingElse) {
+  const Plan plan = PlanFor("A bedroom, only a bed and a desk.");
+  EXPECT_EQ(plan.Count("double bed"), 1);
+  EXPECT_EQ(plan.Count("office chair"), 1) << "the desk's own";
+  EXPECT_EQ(plan.Count("wardrobe") + plan.Count("dresser"), 0);
+}
+
+}  // namespace
+}  // namespace flair::language

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/program/program_items.h"
+
+#include <algorithm>
+
+namespace flair::language {
+namespace {
+
+template <typename List>
+bool Names(const List& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+}  // namespace
+
+bool IsFloorPiece(const hb::Furniture& furniture) {
+  return !furniture.walk_over() &&
+         (furniture.kind() == hb::FURNITURE_KIND_FLOOR || furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED);
+}
+
+bool Lists(const std::vector<ProgramItem>& items, const std::string& name) {
+  return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.furniture->name() == name; });
+}
+
+bool Lists(const RoomProgram& program, const std::string& name) {
+  return Lists(program.floor_items, name) || Lists(program.tertiary_items, name);
+}
+
+bool HasZone(const RoomProgram& program, const std::string& name) {
+  return std::any_of(program.zones.begin(), program.zones.end(), [&](const auto& z) { return z.name() == name; });
+}
+
+std::string HomeOf(const hb::Furniture& furniture, const RoomProgram& program) {
+  for (const hb::ZoneSpec& zone : program.zones) {
+    if (Names(zone.primaries(), furniture.name())) return zone.name();
+  }
+  for (const std::string& hint : furniture.zone_hints()) {
+    if (HasZone(program, hint)) return hint;
+  }
+  for (const hb::Relation& relation : furniture.relations()) {
+    for (const ProgramItem& item : program.floor_items) {
+      if (Names(relation.targets(), item.furniture->name())) return item.zone;
+    }
+  }
+  return program.zones.empty() ? "" : program.zones.front().name();
+}
+
+void Remove(const std::string& name, RoomProgram& program) {
+  for (auto* list : {&program.floor_items, &program.tertiary_items}) {
+    std::erase_if(*list, [&](const ProgramItem& item) { return item.furniture->name() == name; });
+  }
+}
+
+}  // namespace flair::language

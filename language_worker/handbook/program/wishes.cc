@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/program/wishes.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/program/program_items.h"
+#include "language_worker/handbook/reading/furniture_reader.h"
+
+namespace flair::language {
+namespace {
+
+template <typename List>
+bool Includes(const List& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+class WishMaker {
+ public:
+  WishMaker(const BriefFacts& facts, const Handbook& handbook, RoomProgram& program)
+      : facts_(facts), handbook_(handbook), program_(program) {}
+
+  void Apply() {
+    for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) Add(*wish);
+    RemoveRefusals();
+    CountPeople();
+    if (facts_.nothing_else) KeepWishesOnly();
+  }
+
+ private:
+  void Add(const Wish& wish) {
+    if (AddToWhatIsThere(wish, program_.floor_items) || AddToWhatIsThere(wish, program_.tertiary_items)) return;
+    if (!IsFloorPiece(*wish.furniture)) {
+      if (TakesAPlaceOnTheWall(wish)) return;
+      program_.tertiary_items.insert(program_.tertiary_items.begin(),
+                                     {wish.furniture, nullptr, wish.count, "", true, 0});
+      return;
+    }
+    const hb::ZoneSpec& makes = wish.furniture->makes_zone();
+    if (!makes.name().empty() && !HasZone(program_, makes.name()) && !HasHome(*wish.furniture)) {
+      program_.zones.push_back(makes);
+    }
+    const std::string zone = HasZone(program_, makes.name()) ? makes.name() : HomeOf(*wish.furniture, program_);
+    ReplaceRivals(*wish.furniture, zone);
+    program_.floor_items.insert(program_.floor_items.begin(),
+                                {wish.furniture, nullptr, wish.count, zone, true, 0, wish.seats});
+    SeatAt(*wish.furniture, wish.count, wish.seats, zone);
+    for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
+      if (Lists(program_, companion.furniture())) continue;
+      const hb::Furniture* furniture = handbook_.FindFurniture(companion.furniture());
+      if (furniture == nullptr) continue;
+      auto& list = IsFloorPiece(*furniture) ? program_.floor_items : program_.tertiary_items;
+      list.push_back({furniture, &companion, std::max(1, companion.count()), zone, false, companion.drop_order()});
+    }
+  }
+
+  // A blackboard hangs where the usual whiteboard would.
+  bool TakesAPlaceOnTheWall(const Wish& wish) {
+    for (ProgramItem& item : program_.tertiary_items) {
+      const bool same =
+          item.furniture->category() == wish.furniture->category() && item.furniture->kind() == wish.furniture->kind();
+      if (!same || item.requested || wish.furniture->kind() != hb::FURNITURE_KIND_WALL) continue;
+      item.furniture = wish.furniture;
+      item.count = wish.count;
+      item.requested = true;
+      return true;
+    }
+    return false;
+  }
+
+  bool AddToWhatIsThere(const Wish& wish, std::vector<ProgramItem>& items) {
+    const auto item = std::ranges::find_if(items, [&](const auto& one) { return one.furniture == wish.furniture; });
+    if (item == items.end()) return false;
+    item->count = wish.counted ? wish.count : std::max(item->count, wish.count);
+    item->requested = true;
+    item->seats = wish.seats;
+    if (&items == &program_.floor_items) {
+      SeatAt(*wish.furniture, item->count, wish.seats, std::string(item->zone));
+    } else {
+      // What is asked for finds its place first.
+      std::rotate(items.begin(), item, item + 1);
+    }
+    return true;
+  }
+
+  // Every one of several desks has its chair, every table of a zone of its own the seats that belong to it, or as many
+  // as were asked for.
+  void SeatAt(const hb::Furniture& furniture, int count, int seats, const std::string& zone) {
+    for (const hb::ObjectEntry& companion : furniture.companions()) {
+      const hb::Furniture* seat = handbook_.FindFurniture(companion.furniture());
+      if (seat == nullptr || !IsSeat(*seat)) continue;
+      const int wanted = count * (seats > 0 ? seats : std::max(1, companion.count()));
+      const auto there = std::ranges::find_if(
+          program_.floor_items, [&](const ProgramItem& item) { return item.furniture == seat && item.zone == zone; });
+      if (there == program_.floor_items.end()) {
+        if (IsWished(*seat) && seats == 0) continue;
+        program_.floor_items.push_back({seat, &companion, wanted, zone, false, companion.drop_order(), 0, &furniture});
+      } else if (!there->requested) {
+        there->count = seats > 0 || count > 1 ? wanted : std::max(there->count, wanted);
+        there->seat_of = &furniture;
+      }
+      return;
+    }
+  }
+
+  bool IsWished(const hb::Furniture& furniture) const {
+    return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == &furniture; });
+  }
+
+  // A wished-for primary takes the place of the usual one of its zone: a bunk bed comes instead of the double bed. So
+  // does what makes such a zone by itself, and whoever sat at the usual one goes as well.
+  void ReplaceRivals(const hb::Furniture& furniture, const std::string& zone_name) {
+    const bool makes_it = furniture.makes_zone().name() == zone_name;
+    for (const hb::ZoneSpec& zone : program_.zones) {
+      if (zone.name() != zone_name || !(makes_it || Includes(zone.primaries(), furniture.name()))) continue;
+      std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
+        if (item.requested || item.zone != zone_name) return false;
+        const bool same = item.furniture->category() == furniture.category();
+        return same || (makes_it && (Includes(zone.primaries(), item.furniture->name()) || IsSeat(*item.furniture)));
+      });
+    }
+  }
+
+  bool HasHome(const hb::Furniture& furniture) const {
+    return std::ranges::any_of(program_.zones, [&](const hb::ZoneSpec& zone) {
+      return Includes(zone.primaries(), furniture.name()) || Includes(furniture.zone_hints(), zone.name());
+    });
+  }
+
+  void RemoveRefusals() {
+    for (const hb::Furniture* refusal : facts_.refusals) {
+      Remove(refusal->name(), program_);
+      for (const hb::ObjectEntry& companion : refusal->companions()) RemoveUnaccompanied(companion.furniture());
+    }
+  }
+
+  // Without its desk the office chair goes as well, unless another piece brings one or the brief asks for it.
+  void RemoveUnaccompanied(const std::string& name) {
+    for (const ProgramItem& item : program_.floor_items) {
+      if (item.requested && item.furniture->name() == name) return;
+      for (const hb::ObjectEntry& companion : item.furniture->companions()) {
+        if (companion.furniture() == name) return;
+      }
+    }
+    Remove(name, program_);
+  }
+
+  // The class that there is one of for each person, and the seats at each of it. Seats at a table are the table's.
+  void CountPeople() {
+    if (!facts_.people || program_.archetype->per_person().empty()) return;
+    const auto item = std::ranges::find_if(program_.floor_items, [&](const ProgramItem& one) {
+      return one.furniture->name() == program_.archetype->per_person();
+    });
+    if (item == program_.floor_items.end() || item->requested) return;
+    item->count = *facts_.people;
+    const std::string zone = item->zone;
+    SeatAt(*item->furniture, *facts_.people, 0, zone);
+  }
+
+  void KeepWishesOnly() {
+    std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
+      const bool seat = item.seat_of != nullptr && IsWished(*item.seat_of);
+      return !item.requested && !seat;
+    });
+  }
+
+  const BriefFacts& facts_;
+  const Handbook& handbook_;
+  RoomProgram& program_;
+};
+
+}  // namespace
+
+void ApplyWishes(const BriefFacts& facts, const Handbook& handbook, RoomProgram& program) {
+  WishMaker(facts, handbook, program).Apply();
+}
+
+}  // namespace flair::language

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/reading/sayings.h"
+
+namespace flair::language {
+
+// Reads the pieces that a brief asks for and refuses, how many of them, who sits at them and in what colour. Marks the
+// tokens that it has used. `facts` must know the kind of room: a word for several classes ("chair", "bench") means the
+// one that belongs there. The arguments must outlive it.
+class FurnitureReader {
+ public:
+  FurnitureReader(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
+                  BriefFacts& facts);
+
+  void Read();
+
+ private:
+  struct Count {
+    int number = 1;
+    bool said = true;  // false: a plural without a number
+  };
+  // A wish that what follows may belong to: its table, or the chairs that a table follows.
+  struct Last {
+    std::size_t wish = 0;
+    std::size_t end = 0;
+    bool seat = false;
+  };
+
+  int RankOf(const hb::Furniture& furniture) const;
+  bool RefuseKind(std::size_t i);
+  bool IsRefused(std::size_t i) const;
+  void Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length);
+  bool SeatsTheLast(const hb::Furniture& seat, const Count& count, std::size_t i, std::size_t length);
+  bool TakesTheLastAsSeats(std::size_t i, Wish& host);
+  std::size_t AddWish(const Wish& wish);
+  bool OnlyWordsBetween(std::size_t from, std::size_t to, bool around) const;
+  int SeatsAfter(std::size_t i) const;
+  Count CountBefore(const hb::Furniture& furniture, std::size_t i, std::size_t length) const;
+  void TakeColourBefore(std::size_t i, const hb::Furniture& furniture);
+  void ReadOnly();
+  void Use(std::size_t start, std::size_t length);
+
+  const Handbook& handbook_;
+  const std::vector<Token>& tokens_;
+  std::vector<bool>& used_;
+  BriefFacts& facts_;
+  std::vector<Saying<hb::Furniture>> names_;
+  std::vector<Saying<hb::NamedColour>> colours_;
+  std::optional<Last> last_;
+};
+
+// "a green armchair": the words for colours that a handbook knows.
+std::vector<Saying<hb::NamedColour>> ColourSayings(const Handbook& handbook);
+
+// The class of the seats that come with a piece; null when none do.
+const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& handbook);
+
+// Whether one sits on it, at something: chairs and stools, not armchairs.
+bool IsSeat(const hb::Furniture& furniture);
+
+}  // namespace flair::language

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a brief asks for and refuses, in words that mean one thing here and another there.
+#include "language_worker/handbook/reading/furniture_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "language_worker/handbook/loading/load_handbook.h"
+
+namespace flair::language {
+namespace {
+
+BriefFacts FactsIn(const std::string& text) {
+  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
+  v1::Brief brief;
+  brief.set_text(text);
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, **handbook);
+  EXPECT_TRUE(facts.ok()) << text << facts.status();
+  return facts.value_or(BriefFacts());
+}
+
+const Wish* WishFor(const BriefFacts& facts, const std::string& name) {
+  const auto wish = std::ranges::find_if(facts.wishes, [&](const Wish& one) { return one.furniture->name() == name; });
+  return wish == facts.wishes.end() ? nullptr : &*wish;
+}
+
+bool Refuses(const BriefFacts& facts, const std::string& name) {
+  return std::ranges::any_of(facts.refusals, [&](const auto* one) { return one->name() == name; });
+}
+
+TEST(FurnitureReader, ChairsBelongToTheTableTheyAreNamedWith) {
+  const struct {
+    const char* text;
+    const char* table;
+    int seats;
+  } kCases[] = {{"An office with four desks and a meeting table with six chairs.", "conference table", 6},
+                {"A dining room with a round table and five chairs.", "round dining table", 5},
+                {"A library with six chairs around a reading table.", "library table", 6},
+                {"A café with three tables with four chairs each.", "dining table", 4},
+                {"A café with four tables and eight chairs.", "dining table", 2},
+                {"A kitchen with an island with three stools.", "kitchen island", 3}};
+  for (const auto& expected : kCases) {
+    const BriefFacts facts = FactsIn(expected.text);
+    const Wish* table = WishFor(facts, expected.table);
+    ASSERT_NE(table, nullptr) << expected.text;
+    EXPECT_EQ(table->seats, expected.seats) << expected.text;
+    EXPECT_FALSE(std::ranges::any_of(facts.wishes, [](const Wish& wish) { return IsSeat(*wish.furniture); }))
+        << expected.text;
+  }
+  // Of their own: nothing that they could stand at was named, or they are of another kind.
+  EXPECT_EQ(WishFor(FactsIn("A waiting room with 12 chairs."), "visitor chair")->count, 12);
+  EXPECT_EQ(WishFor(FactsIn("An office with a desk and two visitor chairs."), "visitor chair")->count, 2);
+}
+
+TEST(FurnitureReader, AWordForSeveralMeansWhatBelongsToTheRoom) {
+  EXPECT_NE(WishFor(FactsIn("An entrance hall with a bench."), "hall bench"), nullptr);
+  EXPECT_NE(WishFor(FactsIn("A workshop with a bench."), "workbench"), nullptr);
+  EXPECT_NE(WishFor(FactsIn("A dorm room with three beds."), "single bed"), nullptr);
+  EXPECT_NE(WishFor(FactsIn("A bedroom with a bed."), "double bed"), nullptr);
+  EXPECT_NE(WishFor(FactsIn("A classroom with 12 desks."), "school desk"), nullptr);
+  EXPECT_NE(WishFor(FactsIn("A bar with a pool table."), "billiard table"), nullptr);
+  EXPECT_TRUE(FactsIn("A bedroom with a king size bed.").themes.empty());
+}
+
+TEST(FurnitureReader, APluralWithoutANumberMeansTwoAtLeast) {
+  const BriefFacts facts = FactsIn("A living room with armchairs and a sofa.");
+  EXPECT_EQ(WishFor(facts, "armchair")->count, 2);
+  EXPECT_FALSE(WishFor(facts, "armchair")->counted);
+  EXPECT_EQ(WishFor(facts, "sofa")->count, 1);
+  EXPECT_EQ(WishFor(FactsIn("A hotel room with twin beds."), "single bed")->count, 2);
+}
+
+TEST(FurnitureReader, RefusalsAreOfAllOfAKindAndNotOfPlaces) {
+  EXPECT_TRUE(Refuses(FactsIn("A living room without any chairs."), "armchair"));
+  EXPECT_TRUE(Refuses(FactsIn("A bedroom with no lamps."), "floor lamp"));
+  EXPECT_TRUE(Refuses(FactsIn("A bathroom with a shower instead of a bathtub."), "bathtub"));
+  const BriefFacts but = FactsIn("A living room with no chairs but two armchairs.");
+  EXPECT_TRUE(Refuses(but, "dining chair"));
+  EXPECT_FALSE(Refuses(but, "armchair"));
+  for (const char* text : {"A bedroom with a desk but not near the bed.", "A bedroom with no more than one bed."}) {
+    EXPECT_FALSE(Refuses(FactsIn(text), "double bed")) << text;
+  }
+}
+
+TEST(FurnitureReader, OnlyMeansNothingElse) {
+  EXPECT_TRUE(FactsIn("A bedroom, only a bed and a wardrobe.").nothing_else);
+  EXPECT_TRUE(FactsIn("A study with a desk and nothing else.").nothing_else);
+  EXPECT_FALSE(FactsIn("Just a bedroom with a bed.").nothing_else);
+  EXPECT_FALSE(FactsIn("A bedroom with a bed and only one window.").nothing_else);
+}
+
+}  // namespace
+}  // namespace flair::language
