@@ -3,7 +3,7 @@
 // grammar was written; 24 further ones were labelled, measured and then looked at four at a time (docs/benchmarks.md
 // has the figures of before they were looked at), 13 more later, invented ones too. Of four held-out rooms one,
 // 63_living_dining, was opened later and is now a development room; nobody has looked at the sentences of the other
-// three. invented_rooms_5.jsonl, _7 and _9 are held out as well. FLAIR_SHOW_MISSES=1 prints what is
+// three. invented_rooms_7.jsonl and _11 are held out as well. FLAIR_SHOW_MISSES=1 prints what is
 // wrong in all but the held-out ones; their sum is printed only with FLAIR_SHOW_HELD_OUT=1: who sees it at each run
 // develops by it. A sentence is correct when every part of it gets all calls of one accepted reading and nothing else
 // is made, or nothing at all where nothing is to be made.
@@ -129,7 +129,7 @@ TEST(Accuracy, OfInventedSentencesThatWereMeasuredAndThenLookedAt) {
 // Written to be hard: access, groups, clauses joined, doors and windows. 67 to 82 % when they were measured first.
 TEST(Accuracy, OfHardSentencesThatWereMeasuredAndThenLookedAt) {
   const Measured measured = Measure("invented_rooms_4.jsonl", false);
-  EXPECT_GE(measured.correct_share(), 0.89);
+  EXPECT_GE(measured.correct_share(), 0.92);
   EXPECT_EQ(measured.score.silent, 0);
 }
 
@@ -154,7 +154,7 @@ TEST(Accuracy, OfRoomsOfOtherKindsThatNobodyLookedAt) {
 // shared figures and heads, passives, one of several. 81 % correct when they were measured first.
 TEST(Accuracy, OfManyWaysOfSpeakingThatWereMeasuredAndThenLookedAt) {
   const Measured measured = Measure("invented_rooms_8.jsonl", false);
-  EXPECT_GE(measured.correct_share(), 0.96);
+  EXPECT_GE(measured.correct_share(), 0.98);
   EXPECT_GE(measured.score.recall(), 0.97);
   EXPECT_GE(measured.score.precision(), 0.95);
   EXPECT_EQ(measured.score.silent, 0);
@@ -163,22 +163,23 @@ TEST(Accuracy, OfManyWaysOfSpeakingThatWereMeasuredAndThenLookedAt) {
 // Other sentences of the same twelve, sealed until 83.6 % of them were correct, and then looked at.
 TEST(Accuracy, OfManyWaysOfSpeakingThatWereSealed) {
   const Measured measured = Measure("invented_rooms_9.jsonl", false);
-  EXPECT_GE(measured.correct_share(), 0.81);
+  EXPECT_GE(measured.correct_share(), 0.98);
   EXPECT_EQ(measured.score.silent, 0);
 }
 
 // As hard as invented_rooms_4.jsonl, sealed until 77.8 % of them were correct, and then looked at.
 TEST(Accuracy, OfHardSentencesThatWereSealed) {
   const Measured measured = Measure("invented_rooms_5.jsonl", false);
-  EXPECT_GE(measured.correct_share(), 0.75);
+  EXPECT_GE(measured.correct_share(), 0.97);
   EXPECT_EQ(measured.score.silent, 0);
 }
 
-// Written statement by statement after the rules of the labels: a choir's room, a laundrette, a school library, a
-// nursery school.
+// Written statement by statement after the rules of the labels, before the grammar read them: a choir's room, a
+// laundrette, a school library, a nursery school, a physiotherapist's, a kitchen with guests. 87 and 80 % of the four
+// and the two were correct when they were measured first.
 TEST(Accuracy, OfSentencesWrittenAfterTheRulesOfTheLabels) {
   const Measured measured = Measure("invented_rooms_10.jsonl", false);
-  EXPECT_GE(measured.correct_share(), 0.5);
+  EXPECT_GE(measured.correct_share(), 0.95);
   EXPECT_EQ(measured.score.silent, 0);
 }
 

@@ -218,7 +218,8 @@ class Reader {
       case WordClass::kFeature:
         BecomeReference(RefKind::kFeature, phrase.lemma, raw);
         raw.term.mention.references.front().plural = true;
-        raw.part_of_furniture = phrase.length == 1 && IsOneOf(tokens_[at_], {"doors", "door"});
+        raw.part_of_furniture = IsOneOf(tokens_[at_ + phrase.length - 1], {"doors", "door", "entrance"}) &&
+                                (phrase.length == 1 || (phrase.length == 2 && tokens_[at_].IsWord("the")));
         break;
       case WordClass::kPlace:
         BecomeReference(phrase.lemma == "wall"      ? RefKind::kWall

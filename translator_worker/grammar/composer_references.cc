@@ -149,6 +149,11 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
       break;
     }
     case RefKind::kAbsent:
+      // "0.4 m to the seat" of the sofa, "seats should look into the room" of benches.
+      if (reference.name == "seat") {
+        const std::vector<Placed>& seats = target ? pair_targets_ : topic_;
+        if (!seats.empty() && IsSeat(seats.front())) return seats;
+      }
       Refuse("names_absent_object",
              fmt::format("the room has no \"{}\"; its objects are those of the object list", reference.name));
       return {};

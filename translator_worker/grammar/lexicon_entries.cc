@@ -22,6 +22,7 @@ relation near: [at|within|only] [a] short distance (from|to|of) | [within] [easy
   | easily accessible from | conveniently accessible from | in reach of | [within] [a] comfortable sitting distance (from|of)
   | (in|within) [a|an] (comfortable|short|reasonable|walking|easy|convenient|close|small|serving|reaching|conversational|conversation|accessible|practical) distance (of|from|to) | within [easy|arm 's|close] reach from | within easy reach | within arm 's reach
   | convenient to | (closer|nearer) to | nearer | as close as possible to | grouped with | paired with | grouped near | at arm 's length from
+relation near: (receive|receives|receiving) [plenty of|some|good|enough] [natural] (light|daylight|sunlight) from
 relation near: (benefit|benefits|benefiting) from | [take|takes|taking] advantage of | (make|makes|making) [good] use of | (pair|pairs|pairing) [up] with | in the (neighbourhood|neighborhood|immediate vicinity) of | (accessible|reachable) by
 relation near: (reachable|accessible|usable) (by|for|to) [a|the] (person|people|user|someone|somebody|anyone|anybody|guests|visitors|whoever) [who (sits|is sitting|is seated|lies|is lying|stands|works)|sits|works|sitting|seated|lying|standing|working] (on|in|at)
 relation near: [within] [easy] reach (of|for) (a person|people|someone|somebody|anyone|the user|guests) (who sits|who is sitting|sitting|seated|lying|standing|working) (on|in|at)
@@ -32,6 +33,7 @@ relation to_side: (at|on|by|near|to) (one|either|the far|the other) end of | (to
 relation side_by_side: [stand|placed|arranged|positioned] side by side | [stand|standing] in a row | in (a|one) row | in (a|one) line | in one run | in a [continuous] run
   | (form|forms|forming) (a|one) [single|straight|continuous|neat|tidy] (row|line|bank) | (arranged|placed|set up|aligned|standing|stand) in (a|one) [single|straight|continuous|neat] (row|line) | lined up
 relation back_to_back: [placed|standing|stand] back to back [with|to|against]
+relation together: [direct|immediate] (neighbours|neighbors)
 relation together: (go|goes|belong|belongs|stay|stays) together | (form|forms|forming|create|creates|creating|make|making) (a|one) [seating|conversation] (group|cluster|grouping|ensemble|area) | (cramped|crammed|crowded|squeezed|packed|pushed) together | in (close|immediate) proximity | close together | (grouped|placed|kept) together
 relation each_side_of: (one|two) per side of | per side of | (stand|stands|standing|sit|sits|sitting) on (each|either|both|opposite) (side|sides) of | on (each|either|both) (side|sides) of | at (each|either) side of | on opposite sides of
   | flanking | flank | flanks | one on each side of | on both sides of | at both sides of | to (each|either) side of
@@ -189,6 +191,7 @@ filler: putting | setting | locating | installing | arranging | stationing | par
 filler: pushing | shoving | cramming | squeezing | forcing | (push|pushed|pushing|shove|shoved|shoving|move|moved|moving) up | belong | belongs | (on|by) (its|their) own | by (itself|themselves)
 filler: (get|getting) (in|on) and (out|off) [of]
 modal: is to | are to | (should|must|can|may|shall|to|needs to|need to) be left | should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
+wish: if one is (present|there|provided)
 wish: if (any|applicable|present|they exist|it exists) | if available | if one is available | (if|where|when|provided) [the|your] (layout|space|room|design|plan|area) (permits|allows) [it] | if permitted | it is (recommended|advisable|best|preferable) (to|that) [have] | recommended | advisable | ideal to have | ideal to | ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
   | where (space|room) (allows|permits) | (if|when|where) (feasible|practical|appropriate|suitable|convenient|allowed) | if it fits
   | (if|as long as|provided|provided that|so long as) (this|it|that|doing so) (does not|will not|would not) (violate|conflict with|contradict|affect|break|compromise|interfere with) [any] [of] [the] other (constraints|requirements|rules|needs|conditions|guidelines)

@@ -9,6 +9,12 @@ namespace {
 
 using Role = RawTerm::Role;
 
+// "nightstand 2" is a nightstand.
+std::string WithoutNumber(std::string name) {
+  while (!name.empty() && (name.back() == ' ' || (name.back() >= '0' && name.back() <= '9'))) name.pop_back();
+  return name;
+}
+
 class ListJoiner {
  public:
   explicit ListJoiner(std::vector<RawTerm> in) : in_(std::move(in)) {}
@@ -129,7 +135,8 @@ class ListJoiner {
   // "Chair 1 to the left of the table and chair 2 to its right": another of what was spoken of first, and a relation.
   bool BeginsFact(size_t next) const {
     const Reference& reference = in_[next].term.mention.references.back();
-    if (reference.kind != RefKind::kObjects || reference.name != subject_ || after_between_ || !Peek(next + 2))
+    if (reference.kind != RefKind::kObjects || WithoutNumber(reference.name) != WithoutNumber(subject_) ||
+        after_between_ || !Peek(next + 2))
       return false;
     const Term& relation = in_[next + 1].term;
     return in_[next + 1].role == Role::kNone && relation.kind == Term::Kind::kWord && !relation.IsWord("not") &&

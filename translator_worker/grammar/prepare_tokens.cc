@@ -83,7 +83,8 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
         i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at") || tokens[i - 2].IsWord("along"));
     const bool to_side =
         i > 1 && (tokens[i - 2].IsWord("to") || tokens[i - 2].IsWord("near")) && tokens[i - 1].IsWord("the");
-    const bool after_space = to_side || (at_side && SpaceBefore(tokens, i));
+    const bool begins = i == 2 && tokens[0].IsWord("along");
+    const bool after_space = to_side || begins || (at_side && SpaceBefore(tokens, i));
     if (after_space) {
       tokens.erase(tokens.begin() + static_cast<long>(i));
       continue;

@@ -163,8 +163,11 @@ void ShareTarget(std::vector<Term>& terms) {
     const bool denied = next < terms.size() && terms[next].IsWord("not");
     if (denied) ++next;
     // "1 m in front of and 0.8 m behind every rack".
-    if (next < terms.size() && terms[next].kind == Term::Kind::kDistance) ++next;
-    if (next + 1 >= terms.size() || !(relates(terms[next]) || (denied && terms[next].IsWord("block")))) continue;
+    const bool figure = next < terms.size() && terms[next].kind == Term::Kind::kDistance;
+    if (figure) ++next;
+    if (next + 1 >= terms.size() || !(relates(terms[next]) || (denied && terms[next].IsWord("block")) ||
+                                      (figure && terms[next].IsWord("away_from"))))
+      continue;
     const size_t target = next + (soft(terms[next + 1]) ? 2 : 1);
     if (target >= terms.size() || terms[target].kind != Term::Kind::kMention) continue;
     shared.push_back(terms[target]);
@@ -275,7 +278,7 @@ void MoveNotBehindSubject(std::vector<Term>& terms) {
                           (terms[i + 3].IsWord("of") || terms[i + 3].IsWord("near") ||
                            terms[i + 3].IsWord("away_from") || terms[i + 3].IsWord("at_sides") ||
                            terms[i + 3].IsWord("in_front") || terms[i + 3].IsWord("behind") || IsTo(terms[i + 3])));
-    if (terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kMention && relates) {
+    if (terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kMention && relates && !terms[i + 2].IsWord("not")) {
       std::swap(terms[i], terms[i + 1]);
     }
   }

@@ -210,8 +210,8 @@ Analysis WithoutUnknown(const Analysis& analysis) {
   known.terms.clear();
   for (size_t i = 0; i < analysis.terms.size(); ++i) {
     const Term& term = analysis.terms[i];
-    const bool passive =
-        i + 1 < analysis.terms.size() && term.lemma.ends_with("ed") && analysis.terms[i + 1].IsWord("next_to");
+    const bool passive = i + 1 < analysis.terms.size() && term.lemma.ends_with("ed") && term.lemma != "seated" &&
+                         analysis.terms[i + 1].IsWord("next_to");
     const bool denied = i > 0 && analysis.terms[i - 1].IsWord("not") && !term.lemma.ends_with("ing");
     if (term.kind != Term::Kind::kUnknown || passive || denied) {
       known.terms.push_back(term);

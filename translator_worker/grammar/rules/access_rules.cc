@@ -165,6 +165,17 @@ std::vector<Rule> AccessRules() {
   };
 }
 
+namespace {
+
+// "The cabinet's doors must not bump into the bench": its own front is kept free; of others that of what is blocked.
+void NotHitting(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const bool doors = !movers.empty() && movers.front().side == "front" && composer.HasDoors(movers.front());
+  doors ? KeepSpace(movers, match.distance, composer) : NotBlock(match, tag, composer);
+}
+
+}  // namespace
+
 std::vector<Rule> PathRules() {
   return {
       {"A.side clear_of B.vague", OfMovers},
@@ -176,6 +187,8 @@ std::vector<Rule> PathRules() {
       {"A? D? C.vague D? all_sides B.object", PathAround, "all"},
       {"A? not block C.vague around B.object", MovementAround},
       {"A.side not block B.group", OfMovers},
+      {"A.side not block B.object ,? D?", NotHitting},
+      {"C.vague away_from B.object to A.object", MovementAround},
   };
 }
 

@@ -4,6 +4,7 @@
 
 #include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/rules/space.h"
 #include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
@@ -116,6 +117,15 @@ void OnWallOpposite(const Match& match, std::string_view, Composer& composer) {
     }
     composer.SetPair(movers, {other});
   }
+}
+
+// "Visible from all sides": nothing stands there.
+void SeenFromSides(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> sided;
+  for (const Placed& placed : composer.Movers(match.a)) {
+    sided.push_back({placed.object, match.b != nullptr ? match.b->references.front().side : "all"});
+  }
+  KeepSpace(std::move(sided), nullptr, composer);
 }
 
 // "On the opposite side of the room from the couch": far from it.
@@ -333,6 +343,9 @@ std::vector<Rule> AngleRules() {
       {"A? same_direction both_ways?", SameDirection},
       {"C.vague? away_from A.object into_room", IntoRoom},
       {"A? on? opposite B.room away_from C.object", AcrossRoom},
+      {"away_from A.object ,? not facing B.thing", Facing, "not"},
+      {"A? visible_from B.side", SeenFromSides},
+      {"A? seen all_sides", SeenFromSides},
   };
 }
 

@@ -218,6 +218,7 @@ std::vector<Rule> WalkwayRules() {
 
 std::vector<Rule> DistanceRules() {
   return {
+      {"D space? away", AwayFromPartner},
       {"A? space? D? space? away_from B", AwayFrom},
       {"A? not space? D? space? away_from B", AwayFrom, "not"},
       {"A? not D of/near B", AwayFrom, "not"},
@@ -253,7 +254,6 @@ std::vector<Rule> DistanceRules() {
       {"A? not centered? between B", NotBetween},
       {"A? not? space? D? space? apart/away", ApartFromEachOther},
       {"A? not? apart/away D space?", ApartFromEachOther},
-      {"D space? away", AwayFromPartner},
       {"A? apart/away ,? D space? away_from B", AwayFrom},
       {"A? not near/next_to/against both_ways", ApartFromEachOther},
       {"A.list not near/next_to/together/side_by_side", ApartFromEachOther},
@@ -298,6 +298,8 @@ std::vector<Rule> DistanceRules() {
       {"A? D space? to B.feature", AwayFrom},
       {"space D? to B.feature", AwayFrom},
       {"A.list , D of? space?", ApartFromEachOther},
+      {"space? away_from C.wall to B.object ,? D", BetweenAndWall},
+      {"D space? away_from C.wall to B.object", BetweenAndWall},
   };
 }
 

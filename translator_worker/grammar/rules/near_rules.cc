@@ -109,6 +109,11 @@ void NearReached(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Closer to the door than the sofa": no call compares.
+void Nearer(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "distances are not compared; say how far it may be from what");
+}
+
 // "No further from the stove than 1.5 m".
 void NotFurther(const Match& match, std::string_view tag, Composer& composer) {
   const Distance most{std::nullopt, match.distance->Nominal(), false};
@@ -312,6 +317,7 @@ std::vector<Rule> NearRules() {
       {"A? on/next_to/at_sides B.side , of B", OnEachSide},
       {"A? reach B.object", Near, "access"},
       {"reach B.object away_from A.object", NearReached},
+      {"A? near B.feature than C", Nearer},
   };
 }
 

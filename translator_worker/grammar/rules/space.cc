@@ -59,6 +59,10 @@ bool KeepsOwnSides(const Mention* mover, const Mention& place, Composer& compose
   const std::string& side = reference.side;
   const bool several = side == "sides" || side == "all" || side == "opposite_two" || side.ends_with("both");
   const bool own = reference.kind == RefKind::kPronoun && reference.name.empty();
+  // "5 cm on each side and at the back": as much there.
+  const bool more = own && mover == nullptr && composer.topic().size() == 1 && !composer.calls().empty() &&
+                    composer.calls().back().type == "accessible" && composer.scope() == v1::SENTENCE_SCOPE_INTRA;
+  if (more && composer.AddSides(SidesOf(composer, {composer.topic().front().object, side}))) return true;
   if (mover != nullptr || !own || !several || composer.scope() != v1::SENTENCE_SCOPE_INTRA) return false;
   std::vector<Placed> sided;
   for (const Placed& placed : composer.topic()) sided.push_back({placed.object, side});

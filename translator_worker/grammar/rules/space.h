@@ -18,7 +18,8 @@ void KeepSpaceAt(const Placed& placed, const std::vector<std::string>& sides, co
 // side" the one that people use.
 void KeepSpace(std::vector<Placed> placed, const Distance* distance, Composer& composer);
 
-// "Players sit on two opposite sides", of the piece that is spoken of: its own sides are kept free. False when the
+// "Players sit on two opposite sides", of the piece that is spoken of: its own sides are kept free, or
+// also those of the space that was spoken of last. False when the
 // words say something else.
 bool KeepsOwnSides(const Mention* mover, const Mention& place, Composer& composer);
 

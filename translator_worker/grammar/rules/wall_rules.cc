@@ -138,6 +138,11 @@ void TowardsWall(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Placement against wall: back".
+void PlacedWithSide(const Match& match, std::string_view tag, Composer& composer) {
+  TowardsWall({match.c, nullptr, nullptr, nullptr, match.length}, tag, composer);
+}
+
 void Freestanding(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
     composer.EmitFirst({Call("not_against_wall").Text("object", composer.id(mover))});
@@ -182,6 +187,7 @@ std::vector<Rule> WallRules() {
       {"A? centered/wall_centered B.wall", CenteredOnWall},
       {"A? centered on/against/along B.wall", CenteredOnWall},
       {"A? against B.wall , centered", CenteredOnWall},
+      {"wall_placement ,? C.side", PlacedWithSide},
   };
 }
 
