@@ -27,12 +27,19 @@ std::vector<std::string> StemsOf(const FieldDescriptor& field) {
   return stems;
 }
 
+// A key without the signs and pictures that may stand beside it: "📏 width".
+std::string BareKey(const std::string& key) {
+  std::string name = Bare(key);
+  std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+  return name;
+}
+
 Member OwnMember(const json& object, const FieldDescriptor& field) {
   if (const auto found = object.find(field.name()); found != object.end()) return {&*found};
   const std::string& unit = FactsOf(field).unit();
   const std::vector<std::string> stems = StemsOf(field);
   for (const auto& [key, value] : object.items()) {
-    const std::string name = Bare(key);
+    const std::string name = BareKey(key);
     for (const std::string& stem : stems) {
       if (!name.starts_with(stem)) continue;
       const std::string_view rest = std::string_view(name).substr(stem.size());

@@ -16,8 +16,9 @@ struct Member {
   std::string_view unit = {};
 };
 
-// The member for a field: by the field's name, else by a name that is the same but for case, other characters and the
-// unit, or one of the field's aliases; else one so named in an object among the members, such as "size": {"width": 1}.
+// The member for a field: by the field's name, else by a name that is the same but for case, other characters
+// (pictures among them) and the unit, or one of the field's aliases; else one so named in an object among the members,
+// such as "size": {"width": 1}.
 Member FindMember(const nlohmann::json& object, const google::protobuf::FieldDescriptor& field);
 
 // Whether a value is an object with a member of its own for any field of the type.

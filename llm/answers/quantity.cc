@@ -178,4 +178,19 @@ std::optional<double> ReadQuantity(std::string_view written, std::string_view un
   return value;
 }
 
+std::optional<double> ReadCount(std::string_view written) {
+  if (const std::optional<double> count = ReadQuantity(written, "")) return count;
+  const std::string plain = Plain(written);
+  std::string_view text = plain;
+  SkipSpace(text);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.remove_suffix(1);
+  for (const std::string_view times : {"x", "×"}) {
+    if (TakePrefix(text, times)) return ReadQuantity(text, "");
+  }
+  for (const std::string_view things : {"x", "×", "pieces", "piece", "pcs", "pc", "units", "unit", "items", "item"}) {
+    if (text.ends_with(things)) return ReadQuantity(text.substr(0, text.size() - things.size()), "");
+  }
+  return std::nullopt;
+}
+
 }  // namespace flair::llm

@@ -11,6 +11,9 @@ namespace flair::llm {
 // twelve. Nothing when the meaning is not certain ("1,200", "1-2", "1.2 x 0.6").
 std::optional<double> ReadQuantity(std::string_view text, std::string_view unit);
 
+// A number of things: as ReadQuantity without a unit, also "2x", "x2", "2 pieces".
+std::optional<double> ReadCount(std::string_view text);
+
 // The name of a length's or an angle's unit, as it is written in `bare` letters ("cm", "inches"), for ReadQuantity;
 // empty when it is none of `unit`'s kind.
 std::string_view UnitNamed(std::string_view bare, std::string_view unit);

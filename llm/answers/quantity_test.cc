@@ -60,5 +60,14 @@ TEST(ReadQuantity, GuessesNothing) {
   EXPECT_FALSE(ReadQuantity(std::string(1000, '1'), "m").has_value());
 }
 
+TEST(ReadCount, ReadsNumbersOfThings) {
+  for (const std::string text : {"2", "two", "2x", "x2", "2 ×", "× 2", "2 pieces", "2 pcs.", "2.0", "about 2"}) {
+    EXPECT_EQ(ReadCount(text), std::optional(2.0)) << text;
+  }
+  for (const std::string text : {"", "x", "pieces", "2x3", "2 m", "many", "2-3", "xx2", "2 dogs"}) {
+    EXPECT_FALSE(ReadCount(text).has_value()) << text;
+  }
+}
+
 }  // namespace
 }  // namespace flair::llm

@@ -16,6 +16,7 @@
 #include "llm/answers/extract_json.h"
 #include "llm/answers/field_facts.h"
 #include "llm/answers/read_number.h"
+#include "llm/answers/written_size.h"
 
 namespace flair::llm {
 namespace {
@@ -79,9 +80,11 @@ class Reader {
       Wrong(path, fmt::format("is {}; an object with {} would be right", Shown(value), FieldNames(type)));
       return;
     }
+    const std::optional<json> sized = WithWrittenSize(value, type);
     for (int i = 0; i < type.field_count(); ++i) {
       const FieldDescriptor& field = *type.field(i);
-      ReadField(FindMember(value, field), field, path.empty() ? field.name() : path + "." + field.name(), message);
+      ReadField(FindMember(sized ? *sized : value, field), field,
+                path.empty() ? field.name() : path + "." + field.name(), message);
     }
   }
 
@@ -143,6 +146,10 @@ class Reader {
   }
 
   void ReadScalar(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
+    // One value in a list is that value.
+    if (value.is_array() && value.size() == 1 && !value[0].is_structured() && !FactsOf(field).notation()) {
+      return ReadScalar(value[0], field, path, message);
+    }
     switch (field.cpp_type()) {
       case FieldDescriptor::CPPTYPE_STRING:
         SetText(ReadText(value, field, path), field, message);
@@ -154,7 +161,7 @@ class Reader {
         SetBool(ReadBool(value, field, path), field, message);
         break;
       default:
-        if (IsNoNumber(value) && (field.has_optional_keyword() || FactsOf(field).has_when_absent())) {
+        if (SaysNothing(value) && (field.has_optional_keyword() || FactsOf(field).has_when_absent())) {
           ReadNothing(field, path, message);
         } else {
           SetNumber(ReadNumber(value, field, path, bare_unit_, faults_), field, message);
@@ -172,6 +179,7 @@ class Reader {
     std::string text = OneLine(value.is_string() ? value.get<std::string>()
                                                  : value.dump(-1, ' ', false, json::error_handler_t::replace));
     const FieldTexts texts(field, choices_);
+    if (field.has_optional_keyword() && SaysNothing(value) && !IsOneOf(text, texts)) text.clear();
     if (text.empty()) return field.has_optional_keyword() || notation ? text : wrong();
     if (texts.get() != nullptr) {
       std::optional<std::string> chosen = FindChoice(text, *texts.get());
@@ -189,6 +197,11 @@ class Reader {
       faults_.push_back({path, fmt::format("is longer than {} characters; cut there", most), FaultKind::kMended});
     }
     return text;
+  }
+
+  // Whether it is a choice as it stands: "none" may be one.
+  static bool IsOneOf(const std::string& text, const FieldTexts& texts) {
+    return texts.get() != nullptr && FindChoice(text, *texts.get());
   }
 
   bool ReadBool(const json& value, const FieldDescriptor& field, const std::string& path) {

@@ -127,6 +127,22 @@ TEST(ReadAnswer, ANumberThatNeedNotBeThereMayBeSaidNotToBe) {
   }
 }
 
+TEST(ReadAnswer, ValuesMayBeDressedUp) {
+  FloorObjectsAnswer answer;
+  const std::string text = R"({"objects":[{"🛏️ name":["bed"],"zone":["Sleeping"],"count":"2x","📏 width":[1.6],)"
+                           R"("depth_m":["200 cm"],"height_m":0.5,"description":"None"}]})";
+  EXPECT_THAT(Sentences(ReadAnswer(text, kZones, answer)), IsEmpty());
+  EXPECT_EQ(answer.objects(0).name(), "bed");
+  EXPECT_EQ(answer.objects(0).zone(), "sleeping");
+  EXPECT_EQ(answer.objects(0).count(), 2);
+  EXPECT_EQ(answer.objects(0).width_m(), 1.6);
+  EXPECT_EQ(answer.objects(0).depth_m(), 2);
+  EXPECT_FALSE(answer.objects(0).has_description());
+  const std::string several = R"({"objects":[{"name":"bed","zone":"sleeping","count":1,"width_m":[1.6,2],"depth_m":2,)"
+                              R"("height_m":0.5}]})";
+  EXPECT_THAT(Sentences(ReadAnswer(several, kZones, answer)), ElementsAre(HasSubstr("width_m: is a list of 2")));
+}
+
 TEST(ReadAnswer, LinesWithoutAnyJsonAreReadWhereLinesWereAskedFor) {
   const FieldChoices ids = {{"flair.model.v1.SentenceCallsAnswer.id", {{"s1", "s2"}, {}}}};
   CallsAnswer calls;
@@ -199,7 +215,7 @@ INSTANTIATE_TEST_SUITE_P(
          R"(objects[0].zone: is "attic"; one of "sleeping", "floor work" would be right)"},
         {"NullName", R"("name":null)", "objects[0].name: is missing; a text would be right"},
         {"EmptyName", R"("name":"  ")", R"(objects[0].name: is "  "; a text would be right)"},
-        {"ListForText", R"("name":["bed"])", "objects[0].name: is a list of 1; a text would be right"},
+        {"ListForText", R"("name":["bed","cot"])", "objects[0].name: is a list of 2; a text would be right"},
         {"ObjectForNumber", R"("height_m":{"m":1})",
          "objects[0].height_m: is an object; a number in metres, 0.01 to 12 would be right"},
         {"WordForBool", R"("primary":"maybe")", R"(objects[0].primary: is "maybe"; true or false would be right)"},

@@ -48,7 +48,7 @@ std::optional<double> PlainNumber(const json& value) {
   return value.is_string() ? ReadQuantity(value.get_ref<const std::string&>(), "") : std::nullopt;
 }
 
-bool IsNoNumber(const json& value) {
+bool SaysNothing(const json& value) {
   if (!value.is_string()) return false;
   const std::string word = absl::AsciiStrToLower(absl::StripAsciiWhitespace(value.get_ref<const std::string&>()));
   constexpr std::string_view kWords[] = {"", "-", "n/a", "na", "nil", "none", "null", "unknown", "not applicable"};
@@ -60,7 +60,9 @@ std::optional<double> ReadNumber(const json& value, const google::protobuf::Fiel
   const std::string& unit = FactsOf(field).unit();
   std::optional<double> number;
   if (value.is_number()) number = value.get<double>();
-  if (const std::optional<std::string> text = QuantityText(value)) number = ReadQuantity(*text, unit);
+  if (const std::optional<std::string> text = QuantityText(value)) {
+    number = IsWhole(field) && unit.empty() ? ReadCount(*text) : ReadQuantity(*text, unit);
+  }
   const bool converts = bare_unit != nullptr && unit == "m";
   if (number && converts && PlainNumber(value)) *number *= bare_unit->metres;
   const NumberRange range = RangeOf(field);

@@ -20,8 +20,8 @@ std::string Shown(const nlohmann::json& value);
 // A number, also as a text, without a unit of its own.
 std::optional<double> PlainNumber(const nlohmann::json& value);
 
-// A text that says that there is no number: "N/A".
-bool IsNoNumber(const nlohmann::json& value);
+// A text that says that there is nothing: "N/A".
+bool SaysNothing(const nlohmann::json& value);
 
 // The number of a field, with or without a unit, in the field's own; nothing, and a fault, when it is none that the
 // field may have. Lengths without a unit are in `bare_unit`, or metres when that is null; then numbers beyond all

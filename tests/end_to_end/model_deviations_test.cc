@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What live models make of a format that they were asked for, step after step through the whole pipeline: what is plain
+// is read at once, what is not is asked about once more; never a crash, a hang or a design with less in it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nlohmann/json.hpp"
+#include "tests/fixtures/programs.h"
+#include "tests/fixtures/scripted_model.h"
+
+namespace flair::testing {
+namespace {
+
+using nlohmann::ordered_json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+using Text = std::function<std::string(const std::string&)>;
+// Replaces a member by one or more others.
+using Edit = std::function<void(const std::string& key, const ordered_json& value, ordered_json& object)>;
+
+// A copy with every member of every object edited.
+ordered_json Edited(const ordered_json& value, const Edit& edit) {
+  if (!value.is_structured()) return value;
+  ordered_json copy = value.is_array() ? ordered_json::array() : ordered_json::object();
+  for (const auto& [key, member] : value.items()) {
+    if (value.is_array()) {
+      copy.push_back(Edited(member, edit));
+    } else {
+      edit(key, Edited(member, edit), copy);
+    }
+  }
+  return copy;
+}
+
+ordered_json WithKeys(const ordered_json& answer, const Text& key) {
+  return Edited(answer, [&](const std::string& name, const ordered_json& value, ordered_json& object) {
+    object[key(name)] = value;
+  });
+}
+
+ordered_json WithNumbers(const ordered_json& answer, const std::function<ordered_json(double)>& number,
+                         const std::string& ending = "_m") {
+  return Edited(answer, [&](const std::string& name, const ordered_json& value, ordered_json& object) {
+    object[name] = value.is_number() && name.ends_with(ending) ? number(value.get<double>()) : value;
+  });
+}
+
+ordered_json WithNulls(const ordered_json& answer, const ordered_json& null) {
+  return Edited(answer, [&](const std::string& name, const ordered_json& value, ordered_json& object) {
+    object[name] = value.is_null() ? null : value;
+  });
+}
+
+ordered_json WithTexts(const ordered_json& answer, const std::vector<std::string>& keys, const Text& text) {
+  return Edited(answer, [&](const std::string& name, const ordered_json& value, ordered_json& object) {
+    const bool meant = std::ranges::find(keys, name) != keys.end() && value.is_string();
+    object[name] = meant ? ordered_json(text(value.get<std::string>())) : value;
+  });
+}
+
+// Width, depth and height of an object in one member.
+ordered_json WithSize(const ordered_json& answer,
+                      const std::function<void(const std::vector<double>&, ordered_json&)>& write) {
+  const std::vector<std::string> keys = {"width_m", "depth_m", "height_m"};
+  if (!answer.is_structured()) return answer;
+  ordered_json copy = answer.is_array() ? ordered_json::array() : ordered_json::object();
+  const bool sized = answer.is_object() && std::ranges::all_of(keys, [&](const std::string& key) {
+                       return answer.contains(key) && answer[key].is_number();
+                     });
+  for (const auto& [key, member] : answer.items()) {
+    if (answer.is_array()) {
+      copy.push_back(WithSize(member, write));
+    } else if (!sized || std::ranges::find(keys, key) == keys.end()) {
+      copy[key] = WithSize(member, write);
+    }
+  }
+  if (sized) write({answer["width_m"], answer["depth_m"], answer["height_m"]}, copy);
+  return copy;
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+std::string Upper(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
+  return text;
+}
+
+std::string Title(std::string text) {
+  bool begins = true;
+  for (char& c : text) {
+    if (begins) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    begins = c == ' ' || c == '_';
+    if (c == '_') c = ' ';
+  }
+  return text;
+}
+
+std::string Number(double number) { return ordered_json(number).dump(); }
+std::string Centimetres(double metres) { return Number(std::round(metres * 1000) / 10); }
+
+// A way of writing an answer, and whether it has to be asked about again.
+struct Deviation {
+  std::string name;
+  std::function<std::string(const ordered_json&)> write;
+  bool asks = false;
+};
+
+std::vector<Deviation> Wrappings() {
+  return {
+      {"InDataAndResult", [](const auto& a) { return ordered_json{{"data", {{"result", a}}}}.dump(); }},
+      {"InAList", [](const auto& a) { return ordered_json::array({a}).dump(); }},
+      {"WithAStatus", [](const auto& a) { return ordered_json{{"status", "ok"}, {"answer", a}}.dump(); }},
+      {"InResponses", [](const auto& a) { return ordered_json{{"responses", {a}}}.dump(); }},
+      {"WithAByteOrderMark", [](const auto& a) { return "\xef\xbb\xbf" + a.dump(); }},
+      {"InTags", [](const auto& a) { return "<answer>\n" + a.dump(1) + "\n</answer>"; }},
+      {"InAFenceWithoutAnEnd", [](const auto& a) { return "```json\n" + a.dump(2); }},
+      {"InAFenceOfJson5", [](const auto& a) { return "Sure! 🛋️\n\n```json5\n" + a.dump(2) + "\n```\n\n✨ Enjoy!"; }},
+      {"ThoughtsWithoutABeginning", [](const auto& a) { return "so a bed {ok}.\n</think>\n" + a.dump(); }},
+      {"ADraftFirst", [](const auto& a) { return "{\"draft\": true}\n\nFinal answer:\n" + a.dump(); }},
+      {"TheSameTwice", [](const auto& a) { return a.dump() + "\n" + a.dump(); }},
+      {"AfterACall", [](const auto& a) { return "submit_answer(" + a.dump() + ")"; }},
+      {"AsAnAssignment", [](const auto& a) { return "const answer = " + a.dump(2) + ";"; }},
+  };
+}
+
+std::vector<Deviation> Spellings() {
+  const auto pythonic = [](const ordered_json& a) {
+    return Replaced(
+        Replaced(Replaced(Replaced(Replaced(a.dump(), "'", "\\u2019"), "\"", "'"), ":null", ":None"), ":true", ":True"),
+        ":false", ":False");
+  };
+  return {
+      {"Python", pythonic},
+      {"NaNForNull", [](const auto& a) { return Replaced(a.dump(), ":null", ":NaN"); }},
+      {"UndefinedForNull", [](const auto& a) { return Replaced(a.dump(), ":null", ":undefined"); }},
+      {"BlockComments", [](const auto& a) { return Replaced(a.dump(), ",\"", ", /* next */ \""); }},
+      {"TrailingCommas", [](const auto& a) { return Replaced(Replaced(a.dump(), "}", ",}"), "]", ",]"); }},
+      {"NoCommasBetweenLines", [](const auto& a) { return Replaced(a.dump(1), ",\n", "\n"); }},
+      {"KeysInCapitals", [](const auto& a) { return WithKeys(a, Upper).dump(); }},
+      {"KeysWithSpaces", [](const auto& a) { return WithKeys(a, Title).dump(); }},
+      {"KeysWithHyphens",
+       [](const auto& a) { return WithKeys(a, [](const auto& key) { return Replaced(key, "_", "-"); }).dump(); }},
+      {"KeysWithEmojis", [](const auto& a) { return WithKeys(a, [](const auto& key) { return "📏 " + key; }).dump(); }},
+      {"KeysTwice", [](const auto& a) { return Replaced(a.dump(), "\"name\":\"", "\"name\":\"draft\",\"name\":\""); }},
+      {"EmptyTextsForNull", [](const auto& a) { return WithNulls(a, "").dump(); }},
+      {"NoneAsATextForNull", [](const auto& a) { return WithNulls(a, "None").dump(); }},
+      {"NotApplicableForNull", [](const auto& a) { return WithNulls(a, "N/A").dump(); }},
+      {"KeysInGerman",
+       [](const auto& a) { return WithKeys(a, [](const auto& key) { return "das_" + key + "_feld"; }).dump(); }, true},
+  };
+}
+
+std::vector<Deviation> Values() {
+  const std::vector<std::string> names = {"zone", "kind", "at", "object", "wall", "swing"};
+  return {
+      {"NamesInCapitals", [=](const auto& a) { return WithTexts(a, names, Upper).dump(); }},
+      {"NamesAsTitles", [=](const auto& a) { return WithTexts(a, names, Title).dump(); }},
+      {"NamesWithEmojis",
+       [=](const auto& a) { return WithTexts(a, names, [](const auto& text) { return "✅ " + text; }).dump(); }},
+      {"ZonesWithTheWordZone",
+       [](const auto& a) { return WithTexts(a, {"zone"}, [](const auto& text) { return text + " zone"; }).dump(); }},
+      {"CountsAsTimes",
+       [](const auto& a) {
+         return WithNumbers(a, [](double n) { return ordered_json(Number(n) + "x"); }, "count").dump();
+       }},
+      {"TimesBeforeCounts",
+       [](const auto& a) {
+         return WithNumbers(a, [](double n) { return ordered_json("x" + Number(n)); }, "count").dump();
+       }},
+      {"CountsWithPieces",
+       [](const auto& a) {
+         return WithNumbers(a, [](double n) { return ordered_json(Number(n) + " pieces"); }, "count").dump();
+       }},
+      {"CountsInWords",
+       [](const auto& a) {
+         const auto word = [](double n) {
+           return ordered_json(n == 1 ? "one" : n == 2 ? "two" : n == 3 ? "three" : "four");
+         };
+         return WithNumbers(a, word, "count").dump();
+       }},
+      {"DecimalCommas",
+       [](const auto& a) {
+         return WithNumbers(a, [](double n) { return ordered_json(Replaced(Number(n), ".", ",")); }).dump();
+       }},
+      {"NumbersWithSigns",
+       [](const auto& a) {
+         return WithNumbers(a, [](double n) { return ordered_json("~" + Number(n) + " metres"); }).dump();
+       }},
+      {"NumbersInLists",
+       [](const auto& a) { return WithNumbers(a, [](double n) { return ordered_json::array({n}); }).dump(); }},
+      {"UnitsBehindNumbers",
+       [](const auto& a) {
+         const std::string text = WithNumbers(a, [](double n) { return ordered_json("@" + Number(n) + "m@"); }).dump();
+         return Replaced(Replaced(text, "\"@", ""), "@\"", "");
+       }},
+      {"InfiniteNumbers",
+       [](const auto& a) {
+         return Replaced(WithNumbers(a, [](double) { return ordered_json("@"); }).dump(), "\"@\"", "Infinity");
+       },
+       true},
+      {"NegativeNumbers",
+       [](const auto& a) { return WithNumbers(a, [](double n) { return ordered_json(-1 - n); }).dump(); }, true},
+      {"ThousandsWithCommas",
+       [](const auto& a) { return WithNumbers(a, [](double) { return ordered_json("1,600 mm"); }).dump(); }, true},
+  };
+}
+
+std::vector<Deviation> Sizes() {
+  using Lengths = std::vector<double>;
+  const auto size = [](const std::function<void(const Lengths&, ordered_json&)>& write) {
+    return [write](const ordered_json& a) { return WithSize(a, write).dump(); };
+  };
+  return {
+      {"SizeInOneText", size([](const Lengths& s, ordered_json& object) {
+         object["dimensions"] = Number(s[0]) + " x " + Number(s[1]) + " x " + Number(s[2]) + " m";
+       })},
+      {"SizeInCentimetres", size([](const Lengths& s, ordered_json& object) {
+         object["size_cm"] = Centimetres(s[0]) + "×" + Centimetres(s[1]) + "×" + Centimetres(s[2]);
+       })},
+      {"SizeInAList", size([](const Lengths& s, ordered_json& object) { object["dimensions_m"] = s; })},
+      {"SizeByLetters",
+       size([](const Lengths& s, ordered_json& object) { object["size"] = {{"w", s[0]}, {"d", s[1]}, {"h", s[2]}}; })},
+      {"LettersBesideTheName", size([](const Lengths& s, ordered_json& object) {
+         object["w"] = s[0];
+         object["d"] = s[1];
+         object["h"] = s[2];
+       })},
+      {"SizeInWords", size([](const Lengths& s, ordered_json& object) {
+         object["size"] = Number(s[0]) + " m wide, " + Number(s[1]) + " m deep, " + Number(s[2]) + " m high";
+       })},
+  };
+}
+
+class ModelDeviations : public ::testing::TestWithParam<Deviation> {};
+
+TEST_P(ModelDeviations, EndInTheWholeDesign) {
+  const Deviation& deviation = GetParam();
+  const TestFolder folder;
+  Script script = DesignScript();
+  // As it deviates first; the second time, where there has to be one, as it was asked for.
+  const std::vector<Exchange> good = script.exchanges;
+  for (size_t i = good.size(); i-- > 0;) {
+    Exchange odd = good[i];
+    odd.answer["text"] = deviation.write(ordered_json::parse(std::string(good[i].answer["text"])));
+    script.exchanges.insert(script.exchanges.begin(), odd);
+  }
+  ScriptedServer server(script);
+  WriteAll(folder / "llm.textproto", LlmConfigText(server, "temperature: 0.7"));
+  const Finished run = RunProgram("flair",
+                                  {"design", kModelBrief, "--llm", (folder / "llm.textproto").string(), "--out",
+                                   (folder / "out").string(), "--restarts", "1", "--size", "256"},
+                                  {{"FLAIR_HOME", (folder / "home").string()}});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("3 zones: sleeping, storage, working")) << "nothing is lost";
+  if (deviation.asks) {
+    EXPECT_THAT(run.err, HasSubstr("repair"));
+  } else {
+    EXPECT_THAT(run.err, HasSubstr("\nmodels       11 calls, ")) << "plain, and yet asked about";
+    EXPECT_THAT(run.err, Not(HasSubstr("repair")));
+  }
+}
+
+std::string NameOfDeviation(const ::testing::TestParamInfo<Deviation>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Wrappings, ModelDeviations, ::testing::ValuesIn(Wrappings()), NameOfDeviation);
+INSTANTIATE_TEST_SUITE_P(Spellings, ModelDeviations, ::testing::ValuesIn(Spellings()), NameOfDeviation);
+INSTANTIATE_TEST_SUITE_P(Values, ModelDeviations, ::testing::ValuesIn(Values()), NameOfDeviation);
+INSTANTIATE_TEST_SUITE_P(Sizes, ModelDeviations, ::testing::ValuesIn(Sizes()), NameOfDeviation);
+
+}  // namespace
+}  // namespace flair::testing
