@@ -19,7 +19,8 @@ struct StageRecord {
   // The stage's place in the job's artifacts, which are kept in that order; a stage's new artifact replaces its old
   // one.
   int stage_index = 0;
-  // Under which the event's artifact is found again by any job (WorkQueue::FindResult); empty: under none.
+  // Under which the event's artifact is found again by any job with this brief (WorkQueue::FindResult); empty: under
+  // none. Jobs that have an artifact in common have one brief.
   std::string result_key;
 };
 
@@ -53,8 +54,8 @@ class Lease {
   // Runs just before this one that ended without End or Return, each with its process, and stored no artifact.
   virtual int lost_run_count() const = 0;
 
-  // To be called before artifacts of these events are stored: from now on nobody deletes them. Errors as RecordAll, which
-  // does the same for those that were left out.
+  // To be called before artifacts of these events are stored: from now on nobody deletes them. Errors as RecordAll,
+  // which does the same for those that were left out.
   virtual absl::Status Announce(std::span<const StageRecord> records) = 0;
 
   // Stores the events, in this order, and all that they stand for, or nothing: the job's stage, artifacts, results.

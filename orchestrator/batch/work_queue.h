@@ -100,8 +100,8 @@ class WorkQueue {
   // Closes the batch for ever and asks for the end of its jobs.
   virtual absl::Status CancelBatch(const std::string& batch_id, absl::Time now) = 0;
 
-  // ---- Forgetting it. `artifacts` is where the jobs' artifacts are; those that no other job has are deleted. Whoever is
-  // killed in between leaves nothing that looks whole and is not; asked again, or by FinishDeletions, it goes on.
+  // ---- Forgetting it. `artifacts` is where the jobs' artifacts are; those that no other job has are deleted. Whoever
+  // is killed in between leaves nothing that looks whole and is not; asked again, or by FinishDeletions, it goes on.
 
   // Forgets an alone standing job that has ended; its request may make another one. NOT_FOUND when unknown,
   // FAILED_PRECONDITION as CheckDeletable.
@@ -114,8 +114,8 @@ class WorkQueue {
   // Ends what a process that died had begun to delete; but batches, which still are there.
   virtual absl::StatusOr<Deleted> FinishDeletions(ArtifactStore& artifacts) = 0;
 
-  // Alone standing jobs that ended before `time`, and batches that came to their end before it. A page of them: looks at
-  // `limit` or so, from where an earlier page said that the next begins; the first one when `after` is empty.
+  // Alone standing jobs that ended before `time`, and batches that came to their end before it. A page of them: looks
+  // at `limit` or so, from where an earlier page said that the next begins; the first one when `after` is empty.
   virtual absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) = 0;
 
   // ---- Doing it
@@ -124,8 +124,10 @@ class WorkQueue {
   // turn. Null when none waits. Its attempt_count says how often it has been taken.
   virtual absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) = 0;
 
-  // What a stage made before under a key of ResultKey(); nothing when nothing.
-  virtual absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) = 0;
+  // What a stage made before under a key of ResultKey(), for a job with that brief (BriefDigest); nothing when nothing.
+  // What another process has just recorded may be found a second late.
+  virtual absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& brief,
+                                                                    const std::string& key) = 0;
 
   // ---- What is known
 

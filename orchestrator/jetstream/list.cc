@@ -214,7 +214,8 @@ absl::StatusOr<bool> JetStreamWorkQueue::OwnsArtifact(const std::string& owner, 
   return users_.IsOwnedBy(OwnerToken(owner), artifact_id);
 }
 
-absl::StatusOr<std::optional<v1::ArtifactRef>> JetStreamWorkQueue::FindResult(const std::string& key) {
+absl::StatusOr<std::optional<v1::ArtifactRef>> JetStreamWorkQueue::FindResult(const std::string&,
+                                                                              const std::string& key) {
   const absl::StatusOr<Bucket::Entry> entry = parts_->index.Get("result." + key);
   if (absl::IsNotFound(entry.status())) return std::nullopt;
   if (!entry.ok()) return entry.status();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "absl/strings/escaping.h"
 #include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
@@ -61,6 +62,12 @@ v1::ArtifactKind KindOf(const v1::Artifact& artifact) {
 bool IsArtifactId(std::string_view id) {
   return id.size() == 64 &&
          std::all_of(id.begin(), id.end(), [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+}
+
+std::string BriefDigest(const v1::JobSpec& spec) {
+  constexpr size_t kBytes = 8;
+  const std::string hex = runtime::Sha256Hex(runtime::CanonicalBytes(spec.brief())).substr(0, 2 * kBytes);
+  return absl::HexStringToBytes(hex);
 }
 
 std::string ResultKey(std::string_view stage, std::string_view revision, std::string_view options_digest,

@@ -7,6 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
+#include "flair/v1/job.pb.h"
 
 namespace flair::orchestrator {
 
@@ -34,6 +35,11 @@ v1::ArtifactKind KindOf(const v1::Artifact& artifact);
 
 // True for 64 characters 0-9 and a-f: an id that can be a file name.
 bool IsArtifactId(std::string_view id);
+
+// The beginning of the digest of a job's brief, 8 bytes. All that a job has begins with its brief, and an artifact's id
+// covers what it was made from: jobs that have an artifact in common have one brief, and so has what may be used again.
+// Where two briefs have one digest, nothing is mixed up.
+std::string BriefDigest(const v1::JobSpec& spec);
 
 // Key of the index for re-use: the stage, what makes it (see StageClients::Revision), its options and its inputs. With
 // `job_id`, a key that no other job finds.

@@ -63,13 +63,7 @@ absl::StatusOr<std::vector<std::string>> ArtifactRows::FindIds(const std::string
       .Texts();
 }
 
-absl::Status ArtifactRows::Flush() {
-  // A write that is flushed flushes those before it, as they are in one log.
-  auto transaction = Transaction::Begin(*database_, Transaction::Durability::kPowerLoss);
-  if (!transaction.ok()) return transaction.status();
-  const absl::Status status = database_->Prepare("UPDATE marks SET flush_count = flush_count + 1").Run();
-  return status.ok() ? transaction->Commit() : status;
-}
+absl::Status ArtifactRows::Flush() { return database_->FlushLog(); }
 
 absl::Status ArtifactRows::SetMark(int64_t mark) {
   const auto lock = database_->lock();

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/store/database.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
+#include "orchestrator/store/digest_functions.h"
+#include "orchestrator/store/log_vfs.h"
 #include "orchestrator/store/schema_sql.h"
+#include "worker_runtime/files/atomic_file.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -130,10 +137,11 @@ Database::Schema Database::JobSchema() { return kMigrations; }
 absl::StatusOr<std::unique_ptr<Database>> Database::Open(const std::string& path, Schema schema) {
   sqlite3* connection = nullptr;
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
-  const int code = sqlite3_open_v2(path.c_str(), &connection, flags, nullptr);
-  std::unique_ptr<Database> database(new Database(connection));
+  const int code = sqlite3_open_v2(path.c_str(), &connection, flags, LogVfsName());
+  std::unique_ptr<Database> database(new Database(path, connection));
   absl::Status status = code == SQLITE_OK ? database->Configure() : ToStatus(connection, code);
   if (status.ok()) status = database->Migrate(schema);
+  if (status.ok()) status = database->OpenLog();
   if (!status.ok()) {
     const char* right = absl::IsDataLoss(status) ? "; put a good copy in its place, or move it away to begin anew" : "";
     return absl::Status(status.code(), fmt::format("{}: {}{}", path, std::string(status.message()), right));
@@ -144,10 +152,12 @@ absl::StatusOr<std::unique_ptr<Database>> Database::Open(const std::string& path
 Database::~Database() {
   for (auto& [sql, statement] : statements_) sqlite3_finalize(statement);
   sqlite3_close(connection_);
+  if (log_file_ >= 0) ::close(log_file_);
 }
 
 absl::Status Database::Configure() {
   sqlite3_extended_result_codes(connection_, 1);
+  if (const int code = AddDigestFunctions(connection_); code != SQLITE_OK) return ToStatus(connection_, code);
   if (absl::Status status = EnterWal(); !status.ok()) return status;
   sqlite3_busy_timeout(connection_, kBusyTimeoutMs);
   // 16 MiB: a page that many jobs change is written back once for all of them.
@@ -207,6 +217,28 @@ int64_t Database::changes() const { return sqlite3_changes64(connection_); }
 absl::Status Database::Execute(const std::string& sql) {
   const int code = sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr);
   return code == SQLITE_OK ? absl::OkStatus() : ToStatus(connection_, code);
+}
+
+absl::Status Database::OpenLog() {
+  const std::string path = path_ + "-wal";
+  // SQLite's locks are on other files, so closing this one loses none.
+  log_file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (log_file_ < 0) return absl::UnavailableError(fmt::format("its log cannot be opened: {}", std::strerror(errno)));
+  // The log's place in its folder; SQLite itself sees to it only when it flushes.
+  return runtime::FlushFiles(std::span(&path, 1));
+}
+
+absl::Status Database::FlushLog() {
+  const int64_t asked = ++flushes_asked_;
+  std::lock_guard lock(flush_mutex_);
+  // One that began later than this was asked for.
+  if (flushes_answered_ >= asked) return absl::OkStatus();
+  const int64_t answered = flushes_asked_;
+  if (::fdatasync(log_file_) != 0) {
+    return absl::UnavailableError(fmt::format("{}-wal: cannot be flushed: {}", path_, std::strerror(errno)));
+  }
+  flushes_answered_ = answered;
+  return absl::OkStatus();
 }
 
 absl::Status Database::SetFlushedAtOnce(bool at_once) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -83,19 +85,31 @@ class Database {
 
   absl::Status Execute(const std::string& sql);
 
+  // Returns when all that was committed before, by whatever process, survives a loss of power. Needs no lock; several
+  // who wait share one flush.
+  absl::Status FlushLog();
+
  private:
   friend class Transaction;
   // How much the transactions after it survive; cheap when nothing changes.
   absl::Status SetFlushedAtOnce(bool at_once);
-  explicit Database(sqlite3* connection) : connection_(connection) {}
+  Database(std::string path, sqlite3* connection) : path_(std::move(path)), connection_(connection) {}
   absl::Status Configure();
   absl::Status EnterWal();
   absl::Status Migrate(Schema schema);
+  absl::Status OpenLog();
 
+  const std::string path_;
   sqlite3* connection_;
   bool flushed_at_once_ = false;
   std::recursive_mutex mutex_;
   std::map<std::string, sqlite3_stmt*, std::less<>> statements_;
+
+  // The write-ahead log, which stays the same file while a connection is open.
+  int log_file_ = -1;
+  std::atomic<int64_t> flushes_asked_ = 0;
+  std::mutex flush_mutex_;
+  int64_t flushes_answered_ = 0;
 };
 
 // Everything between Begin and Commit happens or does not; destroyed without Commit, it does not. Takes the write lock

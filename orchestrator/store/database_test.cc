@@ -12,6 +12,20 @@
 namespace flair::orchestrator {
 namespace {
 
+TEST(Database, FlushesItsLogForAllWhoAsk) {
+  TemporaryFolder folder;
+  const auto database = *Database::Open(folder.path() + "/new.db");
+  std::vector<absl::Status> statuses(8);
+  std::vector<std::thread> threads;
+  for (absl::Status& status : statuses) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < 50 && status.ok(); ++i) status = database->FlushLog();
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const absl::Status& status : statuses) EXPECT_TRUE(status.ok()) << status;
+}
+
 TEST(Database, ManyMayOpenANewFileAtOnce) {
   constexpr int kOpeners = 8;
   for (int round = 0; round < 20; ++round) {

@@ -2,6 +2,7 @@
 #include "orchestrator/store/deletion_table.h"
 
 #include "orchestrator/store/artifact_table.h"
+#include "orchestrator/store/digest_functions.h"
 
 namespace flair::orchestrator {
 
@@ -13,21 +14,38 @@ absl::Status DeletionTable::RemoveJob(const std::string& job_id) {
   const auto lock = database_.lock();
   const auto artifacts = ArtifactTable(database_).OfJob(job_id);
   if (!artifacts.ok()) return artifacts.status();
+  const absl::StatusOr<std::string> brief = BriefOf(job_id);
+  if (!brief.ok()) return brief.status();
   absl::Status status = Run("DELETE FROM job_artifacts WHERE job_id = ?", job_id);
   for (const v1::ArtifactRef& artifact : *artifacts) {
     if (!status.ok()) return status;
-    const absl::StatusOr<bool> had = IsHad(artifact.id());
+    const absl::StatusOr<bool> had = IsHad(*brief, artifact.id());
     if (!had.ok()) return had.status();
-    if (*had) continue;
-    status = Run("DELETE FROM results WHERE artifact_id = ?", artifact.id());
-    if (status.ok()) {
-      status = Run("INSERT OR REPLACE INTO deleted_artifacts (artifact_id, pending) VALUES (?, 1)", artifact.id());
-    }
+    if (!*had) status = Doom(*brief, artifact.id());
   }
   if (status.ok()) status = Run("DELETE FROM events WHERE job_id = ?", job_id);
   if (status.ok()) status = Run("DELETE FROM ends WHERE job_id = ?", job_id);
   if (status.ok()) status = Run("DELETE FROM jobs WHERE id = ?", job_id);
   return status;
+}
+
+absl::StatusOr<std::string> DeletionTable::BriefOf(const std::string& job_id) {
+  Statement select = database_.Prepare("SELECT brief FROM job_artifacts WHERE job_id = ? LIMIT 1");
+  const absl::StatusOr<bool> row = select.Bind(job_id).Step();
+  if (!row.ok()) return row.status();
+  return *row ? select.Bytes(0) : "";
+}
+
+absl::Status DeletionTable::Doom(const std::string& brief, const std::string& artifact_id) {
+  const absl::Status status = database_.Prepare("DELETE FROM results WHERE brief = ? AND artifact_id = ?")
+                                  .BindBytes(brief)
+                                  .BindBytes(DigestBytes(artifact_id))
+                                  .Run();
+  if (!status.ok()) return status;
+  return database_.Prepare("INSERT OR REPLACE INTO deleted_artifacts (artifact_id, pending, brief) VALUES (?, 1, ?)")
+      .Bind(artifact_id)
+      .BindBytes(brief)
+      .Run();
 }
 
 absl::Status DeletionTable::RemoveBatch(const std::string& batch_id) {
@@ -44,8 +62,19 @@ absl::StatusOr<std::vector<std::string>> DeletionTable::Pending(int limit) {
 
 absl::StatusOr<bool> DeletionTable::IsHad(const std::string& artifact_id) {
   const auto lock = database_.lock();
-  Statement select = database_.Prepare("SELECT 1 FROM job_artifacts WHERE artifact_id = ? LIMIT 1");
-  return select.Bind(artifact_id).Step();
+  std::string brief;
+  {
+    Statement select = database_.Prepare("SELECT brief FROM deleted_artifacts WHERE artifact_id = ?");
+    const absl::StatusOr<bool> row = select.Bind(artifact_id).Step();
+    if (!row.ok()) return row.status();
+    if (*row) brief = select.Bytes(0);
+  }
+  return IsHad(brief, artifact_id);
+}
+
+absl::StatusOr<bool> DeletionTable::IsHad(const std::string& brief, const std::string& artifact_id) {
+  Statement select = database_.Prepare("SELECT 1 FROM job_artifacts WHERE brief = ? AND artifact_id = ? LIMIT 1");
+  return select.BindBytes(brief).BindBytes(DigestBytes(artifact_id)).Step();
 }
 
 absl::Status DeletionTable::Spare(const std::string& artifact_id) {
@@ -57,6 +86,11 @@ absl::Status DeletionTable::SetDeleted(const std::string& artifact_id) {
   const auto lock = database_.lock();
   // With a new sequence: later than the beginning of every run there is.
   return Run("INSERT OR REPLACE INTO deleted_artifacts (artifact_id, pending) VALUES (?, 0)", artifact_id);
+}
+
+absl::StatusOr<bool> DeletionTable::Any() {
+  const auto lock = database_.lock();
+  return database_.Prepare("SELECT 1 FROM deleted_artifacts LIMIT 1").Step();
 }
 
 absl::StatusOr<bool> DeletionTable::WasDeleted(const std::string& artifact_id, const std::string& job_id) {

@@ -28,12 +28,15 @@ class DeletionTable {
 
   // At most `limit` artifacts that wait for their deletion.
   absl::StatusOr<std::vector<std::string>> Pending(int limit);
-  // Whether a job has the artifact.
+  // Whether a job has the artifact, of those with the brief that is remembered with its deletion.
   absl::StatusOr<bool> IsHad(const std::string& artifact_id);
   // It needs no deletion any more: a job has it.
   absl::Status Spare(const std::string& artifact_id);
   // It has been deleted, or may have been.
   absl::Status SetDeleted(const std::string& artifact_id);
+
+  // Whether any deletion is remembered; most of the time none is. No transaction needed.
+  absl::StatusOr<bool> Any();
 
   // Whether the artifact may have been deleted since the run of the job began. No transaction needed.
   absl::StatusOr<bool> WasDeleted(const std::string& artifact_id, const std::string& job_id);
@@ -50,6 +53,10 @@ class DeletionTable {
 
  private:
   absl::Status Run(std::string_view sql, const std::string& id);
+  absl::StatusOr<std::string> BriefOf(const std::string& job_id);
+  absl::StatusOr<bool> IsHad(const std::string& brief, const std::string& artifact_id);
+  // Nobody has the artifact any more, which begins with that brief.
+  absl::Status Doom(const std::string& brief, const std::string& artifact_id);
 
   Database& database_;
 };

@@ -9,12 +9,22 @@ namespace flair::orchestrator {
 
 absl::Status EventTable::Append(v1::JobEvent& event) {
   const auto lock = database_.lock();
-  {
-    Statement last = database_.Prepare("SELECT coalesce(max(sequence), 0) FROM events WHERE job_id = ?");
-    absl::StatusOr<bool> row = last.Bind(event.job_id()).Step();
-    if (!row.ok()) return row.status();
-    event.set_sequence(last.Int(0) + 1);
-  }
+  const absl::StatusOr<int64_t> last = LastSequence(event.job_id());
+  if (!last.ok()) return last.status();
+  event.set_sequence(*last + 1);
+  return Insert(event);
+}
+
+absl::StatusOr<int64_t> EventTable::LastSequence(const std::string& job_id) {
+  const auto lock = database_.lock();
+  Statement last = database_.Prepare("SELECT coalesce(max(sequence), 0) FROM events WHERE job_id = ?");
+  const absl::StatusOr<bool> row = last.Bind(job_id).Step();
+  if (!row.ok()) return row.status();
+  return last.Int(0);
+}
+
+absl::Status EventTable::Insert(const v1::JobEvent& event) {
+  const auto lock = database_.lock();
   return database_.Prepare("INSERT INTO events VALUES (?, ?, ?)")
       .Bind(event.job_id())
       .Bind(event.sequence())

@@ -20,6 +20,10 @@ class EventTable {
   // may write events of the job.
   absl::Status Append(v1::JobEvent& event);
 
+  // The two halves of it, for several events in one Transaction. 0 when there is none.
+  absl::StatusOr<int64_t> LastSequence(const std::string& job_id);
+  absl::Status Insert(const v1::JobEvent& event);
+
   // At most `limit` events after a sequence number, in order.
   absl::StatusOr<std::vector<v1::JobEvent>> After(const std::string& job_id, int64_t sequence, int limit);
 

@@ -5,6 +5,7 @@
 #include <google/protobuf/util/time_util.h>
 
 #include "orchestrator/store/artifact_table.h"
+#include "orchestrator/store/digest_functions.h"
 #include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
@@ -107,9 +108,9 @@ absl::StatusOr<int64_t> JobTable::CountOpen(const std::string& caller) {
 
 absl::StatusOr<bool> JobTable::OwnsArtifact(const std::string& caller, const std::string& artifact_id) {
   const auto lock = database_.lock();
-  Statement select = database_.Prepare(
-      "SELECT 1 FROM job_artifacts JOIN jobs ON jobs.id = job_id WHERE artifact_id = ? AND caller = ? LIMIT 1");
-  return select.Bind(artifact_id).Bind(caller).Step();
+  Statement select =
+      database_.Prepare("SELECT 1 FROM job_artifacts WHERE artifact_id = ? AND caller != '' AND caller = ? LIMIT 1");
+  return select.BindBytes(DigestBytes(artifact_id)).Bind(caller).Step();
 }
 
 absl::StatusOr<std::string> JobTable::OldestWaiting(const std::string& batch_id, absl::Time now) {

@@ -45,6 +45,7 @@ class JobTable {
   absl::StatusOr<int64_t> CountQueued();
   // QUEUED and RUNNING ones of one caller.
   absl::StatusOr<int64_t> CountOpen(const std::string& caller);
+  // `caller` is not empty.
   absl::StatusOr<bool> OwnsArtifact(const std::string& caller, const std::string& artifact_id);
 
   // The oldest QUEUED job of a batch ("": of none) that may run by `now`; empty when none.

@@ -17,7 +17,8 @@ SqliteLease::SqliteLease(SqliteWorkQueue& queue, v1::Job job, std::vector<v1::Jo
       history_(std::move(history)),
       lost_run_count_(lost_run_count),
       cancellation_(std::move(cancellation)),
-      hold_{job_.id(), store_.owner(), job_.attempt_count()} {}
+      hold_{job_.id(), store_.owner(), job_.attempt_count()},
+      holder_(job_) {}
 
 SqliteLease::~SqliteLease() {
   if (!done_ && !lost_) (void)Return(absl::ZeroDuration(), "");
@@ -32,22 +33,37 @@ absl::Status SqliteLease::CheckHeld(const absl::StatusOr<bool>& changed) {
 }
 
 absl::Status SqliteLease::Append(std::span<const StageRecord> records) {
-  absl::Status status;
+  if (records.empty()) return absl::OkStatus();
+  absl::Status status = CheckNotDeleted(records);
+  if (!status.ok()) return status;
+  const absl::StatusOr<int64_t> last = store_.events().LastSequence(job_.id());
+  if (!last.ok()) return last.status();
+  int64_t sequence = *last;
   for (const StageRecord& record : records) {
     v1::JobEvent event = record.event;
+    event.set_sequence(++sequence);
+    if (status.ok()) status = store_.events().Insert(event);
     if (status.ok() && event.has_artifact()) {
-      const absl::StatusOr<bool> deleted = store_.deletions().WasDeleted(event.artifact().id(), job_.id());
-      status = deleted.ok() && *deleted ? ArtifactIsGone(event.artifact().id()) : deleted.status();
-    }
-    if (status.ok()) status = store_.events().Append(event);
-    if (status.ok() && event.has_artifact()) {
-      status = store_.artifacts().Attach(job_.id(), record.stage_index, event.artifact());
+      status = store_.artifacts().Attach(holder_, record.stage_index, event.artifact());
     }
     if (status.ok() && !record.result_key.empty()) {
-      status = store_.artifacts().SetResult(record.result_key, event.artifact());
+      status = store_.artifacts().SetResult(holder_.brief, record.result_key, event.artifact());
     }
   }
   return status;
+}
+
+absl::Status SqliteLease::CheckNotDeleted(std::span<const StageRecord> records) {
+  const absl::StatusOr<bool> any = store_.deletions().Any();
+  if (!any.ok() || !*any) return any.status();
+  for (const StageRecord& record : records) {
+    if (!record.event.has_artifact()) continue;
+    const std::string& id = record.event.artifact().id();
+    const absl::StatusOr<bool> deleted = store_.deletions().WasDeleted(id, job_.id());
+    if (!deleted.ok()) return deleted.status();
+    if (*deleted) return ArtifactIsGone(id);
+  }
+  return absl::OkStatus();
 }
 
 void SqliteLease::SettleDeletions(std::span<const StageRecord> records) {
@@ -68,6 +84,7 @@ absl::Status SqliteLease::Write(Transaction::Durability durability, std::span<co
     if (status.ok()) status = transaction->Commit();
   }
   if (IsArtifactGone(status)) SettleDeletions(records);
+  if (status.ok() && !records.empty()) queue_.no_results_.Forget(holder_.brief);
   return status;
 }
 

@@ -39,6 +39,7 @@ class SqliteLease final : public Lease {
   absl::Status CheckHeld(const absl::StatusOr<bool>& changed);
   // In a transaction of the caller's. ArtifactIsGone when one of the artifacts may have been deleted.
   absl::Status Append(std::span<const StageRecord> records);
+  absl::Status CheckNotDeleted(std::span<const StageRecord> records);
   // Ends the wait for the deletion of what this run missed, so that the next run may store it.
   void SettleDeletions(std::span<const StageRecord> records);
 
@@ -50,6 +51,7 @@ class SqliteLease final : public Lease {
   // Shared with the queue, which cancels it.
   const std::shared_ptr<runtime::Cancellation> cancellation_;
   const JobHold hold_;
+  const ArtifactHolder holder_;
   std::atomic<bool> lost_ = false;
   bool done_ = false;
 };

@@ -118,8 +118,15 @@ absl::StatusOr<bool> SqliteWorkQueue::BatchIsActive(const std::string& batch_id)
   return batch->state() == v1::BATCH_STATE_ACTIVE;
 }
 
-absl::StatusOr<std::optional<v1::ArtifactRef>> SqliteWorkQueue::FindResult(const std::string& key) {
-  return store_->artifacts().FindResult(key);
+absl::StatusOr<std::optional<v1::ArtifactRef>> SqliteWorkQueue::FindResult(const std::string& brief,
+                                                                           const std::string& key) {
+  const int64_t seen = no_results_.generation();
+  if (no_results_.Contains(brief)) return std::nullopt;
+  auto found = store_->artifacts().FindResult(brief, key);
+  if (!found.ok() || found->has_value()) return found;
+  const absl::StatusOr<bool> any = store_->artifacts().HasResults(brief);
+  if (any.ok() && !*any) no_results_.Add(brief, seen);
+  return found;
 }
 
 absl::StatusOr<v1::Job> SqliteWorkQueue::GetJob(const std::string& job_id) { return store_->jobs().Get(job_id); }
@@ -228,6 +235,7 @@ void SqliteWorkQueue::HonourCancelRequests() {
 }
 
 void SqliteWorkQueue::OnChange() {
+  no_results_.ForgetAll();
   HonourCancelRequests();
   Tell("");
   TellOfBatch("");

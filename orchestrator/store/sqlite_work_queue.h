@@ -9,6 +9,7 @@
 
 #include "absl/status/statusor.h"
 #include "orchestrator/batch/work_queue.h"
+#include "orchestrator/store/brief_set.h"
 #include "orchestrator/store/job_store.h"
 #include "orchestrator/store/store_monitor.h"
 #include "worker_runtime/clock/clock.h"
@@ -41,7 +42,7 @@ class SqliteWorkQueue final : public WorkQueue {
   absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) override;
 
   absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) override;
-  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) override;
+  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& brief, const std::string& key) override;
 
   absl::StatusOr<v1::Job> GetJob(const std::string& job_id) override;
   absl::StatusOr<std::vector<v1::Job>> ListJobs(const ListFilter& filter) override;
@@ -85,6 +86,9 @@ class SqliteWorkQueue final : public WorkQueue {
 
   const std::unique_ptr<JobStore> store_;
   const runtime::Clock& clock_;
+
+  // Of which most jobs of a batch are: their stages are not looked up one by one.
+  BriefSet no_results_;
 
   std::mutex listener_mutex_;
   Listener listener_;

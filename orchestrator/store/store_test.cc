@@ -237,6 +237,34 @@ TEST_F(JobStoreTest, RefusesWritesOfARunThatHasBeenSuperseded) {
   EXPECT_TRUE(*jobs_.SetStage({"j1", "me", 2}, "room", true));
 }
 
+TEST_F(JobStoreTest, WritesFewPagesForAllResultsOfAJob) {
+  // As many as that a key that lies anywhere has a page of its own.
+  constexpr int kJobs = 400;
+  constexpr int kStages = 11;
+  const auto digest = [](int job, int stage, const char* what) {
+    return runtime::Sha256Hex(what + std::to_string(job * kStages + stage));
+  };
+  const auto add = [&](int number) {
+    v1::Job job = NewJob("j" + std::to_string(1000 + number));
+    job.mutable_spec()->mutable_brief()->set_text("Room " + std::to_string(number));
+    auto transaction = *Transaction::Begin(store_->database());
+    for (int stage = 0; stage < kStages; ++stage) {
+      v1::ArtifactRef ref;
+      ref.set_id(digest(number, stage, "artifact"));
+      const ArtifactHolder holder(job);
+      EXPECT_TRUE(store_->artifacts().Attach(holder, stage, ref).ok());
+      EXPECT_TRUE(store_->artifacts().SetResult(holder.brief, digest(number, stage, "key"), ref).ok());
+    }
+    EXPECT_TRUE(transaction.Commit().ok());
+  };
+  for (int i = 0; i < kJobs; ++i) add(i);
+  ASSERT_TRUE(store_->database().Execute("PRAGMA wal_checkpoint(TRUNCATE)").ok());
+  for (int i = 0; i < 20; ++i) add(kJobs + i);
+  const auto pages = std::filesystem::file_size(folder_.path() + "/jobs.db-wal") / 4096;
+  // Four trees, most of a job's rows on one page of each; three of them had eleven pages each.
+  EXPECT_LT(pages, 20u * 18);
+}
+
 TEST(JobStore, BringsAStoreOfTheFirstVersionUpToDate) {
   TemporaryFolder folder;
   sqlite3* connection = nullptr;

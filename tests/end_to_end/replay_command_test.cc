@@ -47,12 +47,13 @@ class ReplayCommand : public ::testing::Test {
   void MoveFirstObjectIn(const std::string& job) const {
     auto store = *orchestrator::JobStore::Open(folder_ / "home");
     const auto artifacts = *orchestrator::LocalArtifacts::Open(folder_ / "home" / "artifacts");
+    const orchestrator::ArtifactHolder holder(*store->jobs().Get(job));
     const std::vector<v1::ArtifactRef> refs = *store->artifacts().OfJob(job);
     for (size_t i = 0; i < refs.size(); ++i) {
       if (refs[i].kind() != v1::ARTIFACT_KIND_SOLVED_LAYOUT) continue;
       v1::Artifact layout = *artifacts->Get(refs[i].id());
       layout.mutable_solved_layout()->mutable_placements(0)->set_x_m(1.25);
-      ASSERT_TRUE(store->artifacts().Attach(job, static_cast<int>(i), *artifacts->Put(layout)).ok());
+      ASSERT_TRUE(store->artifacts().Attach(holder, static_cast<int>(i), *artifacts->Put(layout)).ok());
     }
   }
 

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <utility>
 
+#include "orchestrator/store/artifact_id.h"
+
 namespace flair::testing {
 namespace {
 
@@ -59,6 +61,8 @@ std::unique_ptr<orchestrator::Lease> WatchedQueue::Take(const orchestrator::Take
   });
   return lease;
 }
+
+std::string BriefOfJobs() { return orchestrator::BriefDigest(NewJob("any").spec()); }
 
 v1::Job NewJob(const std::string& id, const std::string& text) {
   v1::Job job;

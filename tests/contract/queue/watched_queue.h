@@ -35,6 +35,9 @@ class WatchedQueue {
   std::unique_ptr<orchestrator::WorkQueue> queue_;
 };
 
+// The BriefDigest of those below that are given no other text.
+std::string BriefOfJobs();
+
 // A job that asks for a room of that name.
 v1::Job NewJob(const std::string& id, const std::string& text = "a bedroom");
 // A job at a place of a batch.
@@ -46,7 +49,7 @@ store::v1::BatchRecord NewBatch(const std::string& id);
 absl::Status EndAs(orchestrator::Lease& lease, v1::JobState state, v1::FailureKind kind = v1::FAILURE_KIND_UNSPECIFIED);
 // A stage that made something.
 orchestrator::StageRecord StageMade(const orchestrator::Lease& lease, const std::string& stage, int stage_index,
-                                   char artifact, const std::string& result_key = "");
+                                    char artifact, const std::string& result_key = "");
 // The id of an artifact that consists of one character.
 std::string ArtifactId(char character);
 
