@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -166,6 +167,7 @@ class Reader {
         return true;
       case WordClass::kFiller:
         if (EndsSideClear(Context(), phrase) || IsBothAsSubject() || IsBothOfSeveral()) return false;
+        if (phrase.length > 1 && IsOneOf(tokens_[at_], {"so", "such"})) EndFact();
         break;
       case WordClass::kWish:
         analysis_.wish = true;
@@ -185,6 +187,19 @@ class Reader {
     }
     at_ += phrase.length;
     return true;
+  }
+
+  // "Next to the sofa so that it can be used": what follows belongs to no list of the fact before.
+  void EndFact() {
+    const bool relates = std::any_of(terms_.begin(), terms_.end(), [](const RawTerm& raw) {
+      return raw.role == RawTerm::Role::kNone && raw.term.kind == Term::Kind::kWord && !raw.term.IsWord("not");
+    });
+    if (!relates || !(IsMention(terms_.back()) || terms_.back().role == RawTerm::Role::kSide)) return;
+    RawTerm comma;
+    comma.term.kind = Term::Kind::kSoft;
+    comma.term.lemma = ",";
+    comma.term.begin = comma.term.end = tokens_[at_].begin;
+    terms_.push_back(std::move(comma));
   }
 
   // "..., and both should": the two that were spoken of last.

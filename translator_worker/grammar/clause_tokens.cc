@@ -21,7 +21,12 @@ Token Like(const Token& token, Token::Kind kind, std::string_view text) {
   return made;
 }
 
-bool BeginsSentence(const std::vector<Token>& tokens, size_t at) { return at == 0 || tokens[at - 1].IsMark('.'); }
+// Also after one word that opens a sentence: "Ideally, ...", "Placement: ...".
+bool BeginsSentence(const std::vector<Token>& tokens, size_t at) {
+  if (at == 0 || tokens[at - 1].IsMark('.')) return true;
+  const bool opener = tokens[at - 1].IsMark(',') || tokens[at - 1].IsMark(':');
+  return opener && (at == 2 || (at > 2 && tokens[at - 3].IsMark('.')));
+}
 
 // "The right of the safe adjoins ...": its right side, where nothing stands before it that could be to the right.
 void TakeSideAtBeginning(std::vector<Token>& tokens) {
@@ -117,7 +122,7 @@ void DropOfFloor(std::vector<Token>& tokens) {
 
 // "Near a socket without standing in front of one": of a socket.
 void TakePartOfRoomForOne(std::vector<Token>& tokens) {
-  static constexpr std::array<std::string_view, 4> kParts = {"wall", "window", "door", "socket"};
+  static constexpr std::array<std::string_view, 5> kParts = {"wall", "window", "door", "socket", "outlet"};
   const Token* part = nullptr;
   for (size_t i = 0; i < tokens.size(); ++i) {
     if (IsAmong(kParts, tokens[i])) part = &tokens[i];
@@ -143,13 +148,15 @@ void TakeNextForBetween(std::vector<Token>& tokens) {
   }
 }
 
-// "The cashier's side, i.e. the back, needs 0.9 m": as if it stood in brackets.
+// "The cashier's side, i.e. the back, needs 0.9 m": as if it stood in brackets. Of sides alone: other facts are facts.
 void BracketNamely(std::vector<Token>& tokens) {
   constexpr size_t kLongest = 8;
+  static constexpr std::array<std::string_view, 10> kSides = {"the",   "front", "back",  "rear", "left",
+                                                              "right", "side",  "sides", "and",  "its"};
   for (size_t i = 0; i + 2 < tokens.size(); ++i) {
     if (!tokens[i].IsMark(',') || !(tokens[i + 1].IsWord("ie") || tokens[i + 1].IsWord("namely"))) continue;
     size_t end = i + 2;
-    while (end < tokens.size() && end < i + kLongest && !tokens[end].IsMark(',') && !tokens[end].IsMark('.')) ++end;
+    while (end < tokens.size() && end < i + kLongest && IsAmong(kSides, tokens[end])) ++end;
     if (end == tokens.size() || !tokens[end].IsMark(',')) continue;
     tokens[i].text = "(";
     tokens[end].text = ")";

@@ -26,6 +26,9 @@ bool TakeSpace(const std::vector<Term>& terms, Composer& composer) {
   bool space = false;
   bool purpose = false;
   for (const Term& term : terms) {
+    // Of the reason nothing is to be kept free.
+    if (term.kind == Term::Kind::kPurpose && (term.lemma == "because" || term.lemma == "since")) break;
+    if (term.kind == Term::Kind::kSoft && term.lemma == "while") break;
     const bool door = term.kind == Term::Kind::kMention && term.mention.references.front().name == "door";
     space = space || door || term.IsWord("space") || term.IsWord("pull_out");
     purpose = purpose || term.IsWord("swing_open") || term.IsWord("pull_out") ||

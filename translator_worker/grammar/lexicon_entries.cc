@@ -9,6 +9,7 @@ std::string_view LexiconEntries() {
   return R"(
 relation against: pulled up (to|against) | (hug|hugs|hugging) | [pushed|placed|set|positioned|backed|standing] [right|hard|close|tight] up (against|to) | right against | (pushed|moved) [right] [up] to | (placed|set|positioned|standing|sitting) flush against | connected with | (installed|mounted|fixed|positioned|placed|set) against | [tucked|pushed|pressed|butted|lean|leans|leaning|rest|rests|resting|sits|stands|backs] [right|up|flush|snug|snugly|tight] against | (pushed|set|moved) back against | (pushed|set|placed|pressed) flat against | flat against | flush (with|to) | backed (onto|against|by) | backs onto
   | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | (secure|secured|anchor|anchored|fasten|fastened|fix|fixed|attach|attached|bolted|screwed) (to|onto) | (join|joins|meet|meets|adjoin) [up with|with]
+relation against: (flush|right|hard|close|tight|directly) up against
 relation against: (lined up|lining up|in a row|side by side) against | (squeezed|shoved|jammed|crammed|propped|stood|abutted|nestled|nudged|squared) [up|in] against | in [direct] contact with | touching against
 relation along: line | lines | lining
 relation along: along | alongside | lined up along | runs along | running along
@@ -190,6 +191,7 @@ filler: putting | setting | locating | installing | arranging | stationing | par
   | installed hanging | in position | in place | extends | extend | extending | centre on | floor level | placements | plenty of | between them and | other | of clearance
 filler: pushing | shoving | cramming | squeezing | forcing | (push|pushed|pushing|shove|shoved|shoving|move|moved|moving) up | belong | belongs | (on|by) (its|their) own | by (itself|themselves)
 filler: (get|getting) (in|on) and (out|off) [of]
+modal: (has|have|needs|need|ought) to be
 modal: is to | are to | (should|must|can|may|shall|to|needs to|need to) be left | should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
 wish: if one is (present|there|provided)
 wish: if (any|applicable|present|they exist|it exists) | if available | if one is available | (if|where|when|provided) [the|your] (layout|space|room|design|plan|area) (permits|allows) [it] | if permitted | it is (recommended|advisable|best|preferable) (to|that) [have] | recommended | advisable | ideal to have | ideal to | ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
@@ -233,6 +235,7 @@ feature door: (room|bathroom|bedroom|kitchen|office|studio|building|house|bathho
   | doors 's (swing|swings) | swing[ing] of [the] (door|doors) | swings | entry area | entrance area | doors swings | door swing area | passage door | entry to the room | entry and exit [points] | line of entry
 feature window: one with [a|the|any] (window|windows)
 feature window: (window|windows) access | opening of [the] (window|windows) | (wall|walls) with [a|the|any] (window|windows) | window (wall|walls) | window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
+feature socket: wall power (outlet|outlets|socket|sockets|point|points)
 feature socket: (plug|plug in|electricity|outlet) (point|points) | charging (point|points|station|stations) | (wall|power|electrical|electric) (plug|plugs|connection|connections|access point|access points|receptacle|receptacles) | (wall|walls) with [a|the|any] (socket|sockets|outlet|outlets) | electrical and gas (outlets|sockets) | [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plugs) | (wall|power|electrical|electric|mains|electricity) (plug|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
 place wall: [one or] two walls | [one of the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby|side|rear|exterior|interior|outer|inner|outside|inside|dry|structural|load bearing] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
 place ceiling: ceiling | ceilings

@@ -83,7 +83,8 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
         i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at") || tokens[i - 2].IsWord("along"));
     const bool to_side =
         i > 1 && (tokens[i - 2].IsWord("to") || tokens[i - 2].IsWord("near")) && tokens[i - 1].IsWord("the");
-    const bool begins = i == 2 && tokens[0].IsWord("along");
+    const bool begins =
+        i > 1 && i < 5 && tokens[i - 2].IsWord("along") && (i == 2 || tokens[i - 3].kind == Token::Kind::kPunctuation);
     const bool after_space = to_side || begins || (at_side && SpaceBefore(tokens, i));
     if (after_space) {
       tokens.erase(tokens.begin() + static_cast<long>(i));
@@ -226,7 +227,8 @@ void PutPossessorLast(std::vector<Token>& tokens) {
     const bool verb = i > 0 && IsOneOf(tokens[i - 1], {"is", "are", "be", "stands", "stand", "goes", "sits", "placed",
                                                        "located", "positioned"});
     const bool way = tokens[i].IsWord("in") && tokens[i + 2].IsWord("way");
-    const bool ends = i + 3 == tokens.size() || tokens[i + 3].kind == Token::Kind::kPunctuation;
+    const bool ends = i + 3 == tokens.size() || tokens[i + 3].kind == Token::Kind::kPunctuation ||
+                      IsOneOf(tokens[i + 3], {"so", "because", "for", "to", "while", "and", "with", "since"});
     const bool side = tokens[i].IsWord("to") && (verb || ends) && IsOneOf(tokens[i + 2], {"left", "right"});
     if (!way && !side) continue;
     out.push_back(WordLike(tokens[i + 1], "the"));

@@ -228,8 +228,10 @@ class Joiner {
     }
     for (const Qualifier& qualifier : kQualifiers) {
       size_t next = at_;
-      const bool met = std::all_of(qualifier.words.begin(), qualifier.words.end(),
-                                   [&](std::string_view word) { return WordAt(next++, word); });
+      const bool met = std::all_of(qualifier.words.begin(), qualifier.words.end(), [&](std::string_view word) {
+        const bool never = word == "not" && WordAt(next, "never");
+        return WordAt(next++, word) || never;
+      });
       const bool figure_only = qualifier.words.begin()[0] == "up";
       if (!met || !(figure_only ? LengthAt(next) : LengthAfter(next))) continue;
       pending_ = qualifier.bound;

@@ -34,7 +34,7 @@ bool ClauseEnds(const std::vector<Term>& terms, size_t at) {
   const Term& term = terms[at];
   if (term.kind == Term::Kind::kStop || term.kind == Term::Kind::kPurpose) return true;
   return IsSoft(term) && (at + 1 >= terms.size() || terms[at + 1].kind == Term::Kind::kUnknown ||
-                          terms[at + 1].kind == Term::Kind::kPurpose);
+                          terms[at + 1].kind == Term::Kind::kPurpose || IsSoft(terms[at + 1]));
 }
 
 // "Near sockets, which must not be covered", "in front of the desk, which it faces": of the thing before "which".

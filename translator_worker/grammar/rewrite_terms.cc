@@ -249,6 +249,17 @@ void DropLabel(std::vector<Term>& terms) {
   terms.erase(of_side ? colon : terms.begin(), colon + 1);
 }
 
+// "Placement: behind the desk", "ideally, behind the desk": what opens a sentence leaves no comma behind.
+void DropLeadingCommas(std::vector<Term>& terms) {
+  std::vector<Term> kept;
+  for (Term& term : terms) {
+    const bool opens = kept.empty() || kept.back().kind == Term::Kind::kStop;
+    const bool comma = term.kind == Term::Kind::kSoft && (term.lemma == "," || term.lemma == ":");
+    if (!opens || !comma) kept.push_back(std::move(term));
+  }
+  terms = std::move(kept);
+}
+
 // "Not with their backs against the wall": the backs are not.
 void JoinNotToSide(std::vector<Term>& terms) {
   for (size_t i = 0; i + 2 < terms.size(); ++i) {
@@ -287,6 +298,7 @@ void MoveNotBehindSubject(std::vector<Term>& terms) {
 }  // namespace
 
 void RewriteTerms(std::vector<Term>& terms) {
+  DropLeadingCommas(terms);
   RewriteClauses(terms);
   DropRepeatedWords(terms);
   DropSofteningOfNear(terms);

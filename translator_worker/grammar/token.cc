@@ -115,6 +115,11 @@ class Tokenizer {
       word += Next(1);
       at_ += Next(2) == '.' ? 3 : 2;
     }
+    if (word == "cannot") {
+      Push(Token::Kind::kWord, "can", begin, at_);
+      Push(Token::Kind::kWord, "not", begin, at_);
+      return;
+    }
     if (word.size() > 2 && word.back() == 'n' && Next(0) == '\'' && Next(1) == 't' && !IsLetter(Next(2))) {
       word = word == "can" ? word : word.substr(0, word.size() - 1);
       Push(Token::Kind::kWord, word, begin, at_);

@@ -72,7 +72,7 @@ bool EndsSideClear(const TokenContext& context, const Phrase& phrase) {
   const bool thing = what.role == RawTerm::Role::kNone && what.term.kind == Term::Kind::kMention;
   if (what.role != RawTerm::Role::kSide && !thing) return false;
   return at + 1 == tokens.size() || tokens[at + 1].IsMark('.') || tokens[at + 1].IsMark(',') ||
-         IsOneOf(tokens[at + 1], {"for", "to", "so", "by"});
+         IsOneOf(tokens[at + 1], {"for", "to", "so", "by", "because", "since", "while", "when", "as", "during"});
 }
 
 bool ReachedFromSide(const TokenContext& context, const Phrase& phrase) {

@@ -11,7 +11,6 @@
 #include "flair/model/v1/calls_answers.pb.h"
 #include "fmt/format.h"
 #include "llm/answers/conversation.h"
-#include "llm/answers/counted.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/quote.h"
 #include "translator_worker/grammar/scene_names.h"
@@ -21,6 +20,7 @@
 #include "translator_worker/model/prompt_texts.h"
 #include "translator_worker/model/read_calls.h"
 #include "worker_runtime/files/installed_folder.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::translator {
 namespace {
@@ -120,9 +120,8 @@ class Run {
     remark.set_severity(v1::SEVERITY_WARNING);
     remark.set_code("stand_in");
     const int64_t count = static_cast<int64_t>(portion.sentences.size());
-    remark.set_message(fmt::format("{} {} read by the grammar, as the model failed: {}",
-                                   llm::Counted(count, "sentence"), llm::Form(count, "was", "were"),
-                                   std::string(failure.message())));
+    remark.set_message(fmt::format("{} {} read by the grammar, as the model failed: {}", Counted(count, "sentence"),
+                                   Form(count, "was", "were"), std::string(failure.message())));
   }
 
   v1::LayoutGraph Graph() {

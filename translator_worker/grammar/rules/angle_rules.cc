@@ -128,6 +128,14 @@ void SeenFromSides(const Match& match, std::string_view, Composer& composer) {
   KeepSpace(std::move(sided), nullptr, composer);
 }
 
+// "Within reach of the table but not in front": of the table.
+void NotInFront(const Match&, std::string_view, Composer& composer) {
+  if (composer.pair_targets().empty()) composer.Refuse("unknown_sentence", "say in front of what");
+  for (const Placed& mover : composer.pair_movers()) {
+    for (const Placed& other : composer.pair_targets()) KeepDistance(mover, other, nullptr, composer);
+  }
+}
+
 // "On the opposite side of the room from the couch": far from it.
 void AcrossRoom(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
@@ -346,6 +354,7 @@ std::vector<Rule> AngleRules() {
       {"away_from A.object ,? not facing B.thing", Facing, "not"},
       {"A? visible_from B.side", SeenFromSides},
       {"A? seen all_sides", SeenFromSides},
+      {"not in_front", NotInFront},
   };
 }
 

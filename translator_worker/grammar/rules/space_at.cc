@@ -50,6 +50,15 @@ void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
       return;
     }
   }
+  // "Parallel to the locker, 1 m in front": of the locker.
+  if (tag == "front" && of == nullptr && match.distance != nullptr && composer.scope() == v1::SENTENCE_SCOPE_INTER &&
+      !composer.calls().empty() && composer.pair_movers().size() == 1 && composer.pair_targets().size() == 1) {
+    composer.EmitFirst({Call("in_front_of")
+                            .Text("object", composer.id(composer.pair_movers().front()))
+                            .Text("target", composer.id(composer.pair_targets().front()))
+                            .Number("distance_m", match.distance->Nominal())});
+    return;
+  }
   const std::vector<Placed> owners =
       match.b != nullptr && tag != "free_sides" ? composer.TargetObjects(*match.b, {}) : composer.Movers(match.a);
   std::vector<Placed> placed;

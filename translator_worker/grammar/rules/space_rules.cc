@@ -146,6 +146,7 @@ std::vector<Rule> SpaceRules() {
       {"A? surrounded_by D? space ,? D?", SpaceAt, "around"},
       {"A? surrounded_by C.vague ,? D", PathAround, "around"},
       {"A? surrounded_by D C.vague", PathAround, "around"},
+      {"D of in_front", SpaceAt, "front"},
   };
 }
 
