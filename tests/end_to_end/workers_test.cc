@@ -16,6 +16,8 @@ namespace {
 using ::testing::SizeIs;
 
 constexpr int kJobs = 6;
+// Nobody else listens there, so that a port is free when it is wanted again.
+constexpr char kOwnHost[] = "127.0.9.3";
 
 class Optimizers : public ::testing::Test {
  protected:
@@ -90,13 +92,16 @@ TEST_F(Optimizers, ComeAndGoWhileABatchRuns) {
   const std::map<int64_t, std::string> expected = RunBatch();
   ASSERT_THAT(expected, SizeIs(kJobs));
 
-  auto killed = Optimizer();
+  auto killed = Optimizer(std::string(kOwnHost) + ":0");
   const auto stopped = Optimizer();
   const std::string killed_address = killed->address();
   StartOrchestrator(steady->address() + "," + killed_address + "," + stopped->address(), "disturbed");
   const auto disturb = [&](int ended) {
     if (ended == 1) stopped->process().Signal(SIGSTOP);
-    if (ended == 2) killed->process().Signal(SIGKILL);
+    if (ended == 2) {
+      killed->process().Signal(SIGKILL);
+      killed->process().Wait();
+    }
     if (ended == 3) {
       while (States()[killed_address] != v1::WORKER_STATE_GONE) {
       }

@@ -170,9 +170,12 @@ TEST(Flood, TenThousandConnectionsAreNoBurden) {
   PlainOptimizer optimizer;
   ASSERT_TRUE(AskWho(optimizer.address(), {}).ok());
   Sockets flood;
-  for (int i = 0; i < kConnections; ++i) flood.Connect(optimizer.address(), i % 2 == 0 ? "127.0.0.2" : "127.0.0.3");
+  for (int i = 0; i < kConnections; ++i) {
+    flood.Connect(optimizer.address(), i % 2 == 0 ? "127.0.0.2" : "127.0.0.3");
+    // At once: who has not said it in time is left, and all together may take longer.
+    flood.SendToLast(kPreface);
+  }
   EXPECT_EQ(flood.count(), kConnections);
-  flood.SendToAll(kPreface);
   std::vector<double> milliseconds;
   for (int i = 0; i < 200; ++i) {
     const absl::Time begin = absl::Now();

@@ -34,6 +34,10 @@ bool HasClosed(int file) {
   }
 }
 
+bool SendTo(int file, const std::string& bytes) {
+  return ::send(file, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) == static_cast<ssize_t>(bytes.size());
+}
+
 }  // namespace
 
 Sockets::~Sockets() {
@@ -58,13 +62,11 @@ bool Sockets::Connect(const std::string& address, const std::string& source) {
   return true;
 }
 
+bool Sockets::SendToLast(const std::string& bytes) { return !files_.empty() && SendTo(files_.back(), bytes); }
+
 int Sockets::SendToAll(const std::string& bytes) {
   int sent = 0;
-  for (const int file : files_) {
-    if (::send(file, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) == static_cast<ssize_t>(bytes.size())) {
-      ++sent;
-    }
-  }
+  for (const int file : files_) sent += SendTo(file, bytes) ? 1 : 0;
   return sent;
 }
 

@@ -13,6 +13,8 @@ class Sockets {
   ~Sockets();
   // Connects one more to "HOST:PORT" of this machine, from `source` (such as "127.0.0.2"); false when it is refused.
   bool Connect(const std::string& address, const std::string& source = "127.0.0.1");
+  // Sends to the one that was connected last; whether it took it.
+  bool SendToLast(const std::string& bytes);
   // Sends to all that are open; how many took it.
   int SendToAll(const std::string& bytes);
   // Waits until the other side has closed all of them, at most so long; how many are still open.

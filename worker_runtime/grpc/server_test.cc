@@ -5,6 +5,7 @@
 #include <grpcpp/create_channel.h>
 #include <grpcpp/generic/generic_stub.h>
 #include <grpcpp/support/byte_buffer.h>
+#include <unistd.h>
 
 #include <future>
 #include <thread>
@@ -258,7 +259,7 @@ TEST_F(ListeningServer, LetsRunningCallsEndWhenItDrains) {
 }
 
 TEST_F(ListeningServer, CanBeReachedOverAUnixSocket) {
-  const std::string path = "unix:" + ::testing::TempDir() + "flair_server_test.sock";
+  const std::string path = "unix:" + ::testing::TempDir() + "flair_server_" + std::to_string(::getpid()) + ".sock";
   server_->Shutdown(absl::ZeroDuration());
   ASSERT_TRUE(Start(path).ok());
   release_.Open();
