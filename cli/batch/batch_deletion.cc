@@ -10,9 +10,9 @@
 #include "absl/time/clock.h"
 #include "cli/exit_code.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/counted.h"
 #include "cli/output/printable.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

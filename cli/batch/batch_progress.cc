@@ -6,8 +6,8 @@
 
 #include "absl/strings/ascii.h"
 #include "cli/batch/result_row.h"
-#include "cli/output/counted.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -6,11 +6,11 @@
 #include <numeric>
 #include <utility>
 
-#include "cli/output/counted.h"
 #include "cli/output/printable.h"
 #include "cli/output/text_table.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -8,9 +8,9 @@
 #include "cli/batch/batch_monitor.h"
 #include "cli/batch/collector.h"
 #include "cli/exit_code.h"
-#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

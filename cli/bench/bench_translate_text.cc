@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "cli/output/counted.h"
 #include "cli/output/text_table.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "cli/bench/statistics.h"
-#include "cli/output/counted.h"
 #include "cli/output/text_table.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "optimizer_worker/stages/stage.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "cli/bench/statistics.h"
-#include "cli/output/counted.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -16,9 +16,9 @@
 #include "cli/input/option_path.h"
 #include "cli/input/render_flags.h"
 #include "cli/input/value_checks.h"
-#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -18,11 +18,11 @@
 #include "cli/exit_code.h"
 #include "cli/input/value_checks.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/counted.h"
 #include "cli/output/printable.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "orchestrator/batch/work_queue.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

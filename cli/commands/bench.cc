@@ -15,12 +15,12 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/value_checks.h"
-#include "cli/output/counted.h"
 #include "cli/output/layout_artifact.h"
 #include "cli/output/output_folder.h"
 #include "evaluation/readers/flairgpt_layout.h"
 #include "fmt/format.h"
 #include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

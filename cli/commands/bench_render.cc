@@ -9,9 +9,9 @@
 #include "cli/input/design_folders.h"
 #include "cli/input/layout_file.h"
 #include "cli/input/value_checks.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include "cli/bench/resolve_bench.h"
 #include "cli/commands/commands.h"
 #include "cli/input/value_checks.h"
-#include "cli/output/counted.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

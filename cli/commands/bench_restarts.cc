@@ -6,9 +6,9 @@
 #include "cli/bench/restarts_measure.h"
 #include "cli/commands/commands.h"
 #include "cli/input/value_checks.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

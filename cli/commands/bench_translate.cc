@@ -12,13 +12,13 @@
 #include "cli/embedded/embedded_services.h"
 #include "cli/input/connection_flags.h"
 #include "cli/input/llm_flags.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

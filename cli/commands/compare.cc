@@ -13,12 +13,12 @@
 #include "cli/input/design_folders.h"
 #include "cli/input/solve_flags.h"
 #include "cli/input/value_checks.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/printable.h"
 #include "cli/progress/slow_note.h"
 #include "cli/session/plans_beside.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -15,12 +15,12 @@
 #include "cli/input/layout_file.h"
 #include "cli/input/render_flags.h"
 #include "cli/input/value_checks.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/printable.h"
 #include "cli/progress/slow_note.h"
 #include "cli/session/renderer_client.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

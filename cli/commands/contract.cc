@@ -9,9 +9,9 @@
 #include "cli/exit_code.h"
 #include "cli/input/connection_flags.h"
 #include "cli/input/value_checks.h"
-#include "cli/output/counted.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

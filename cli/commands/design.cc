@@ -14,7 +14,6 @@
 #include "cli/input/stage_flags.h"
 #include "cli/input/value_checks.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/counted.h"
 #include "cli/output/design_files.h"
 #include "cli/output/models_text.h"
 #include "cli/output/output_folder.h"
@@ -27,6 +26,7 @@
 #include "nlohmann/json.hpp"
 #include "orchestrator/pipeline/summary.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -11,11 +11,11 @@
 #include "cli/input/artifact_source.h"
 #include "cli/input/render_flags.h"
 #include "cli/input/value_checks.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/printable.h"
 #include "cli/session/plans_beside.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -16,7 +16,6 @@
 #include "cli/exit_code.h"
 #include "cli/input/connection_flags.h"
 #include "cli/input/llm_flags.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/session/renderer_client.h"
 #include "flair/v1/language_service.grpc.pb.h"
@@ -27,6 +26,7 @@
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/protocol.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -7,7 +7,6 @@
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/files.h"
-#include "cli/output/counted.h"
 #include "cli/output/layout_artifact.h"
 #include "cli/output/output_folder.h"
 #include "evaluation/readers/flairgpt_layout.h"
@@ -15,6 +14,7 @@
 #include "fmt/format.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

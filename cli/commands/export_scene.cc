@@ -7,7 +7,6 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/layout_file.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/progress/slow_note.h"
 #include "cli/session/renderer_client.h"
@@ -15,6 +14,7 @@
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/scene_state/write_scene_state.h"
 #include "renderer_worker/service/furnishing_choice.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -9,10 +9,10 @@
 #include "cli/graph/dot_text.h"
 #include "cli/graph/run_dot.h"
 #include "cli/input/artifact_source.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/progress/slow_note.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -14,7 +14,6 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/files.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "language_worker/handbook/loading/load_handbook.h"
@@ -24,6 +23,7 @@
 #include "llm/wrappers/recording_llm_client.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "translator_worker/model/model_translator.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -8,10 +8,10 @@
 #include "cli/commands/commands.h"
 #include "cli/input/value_checks.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/counted.h"
 #include "cli/output/printable.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

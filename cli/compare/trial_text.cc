@@ -6,9 +6,9 @@
 #include "cli/bench/statistics.h"
 #include "cli/diff/content_difference.h"
 #include "cli/output/call_text.h"
-#include "cli/output/counted.h"
 #include "cli/output/text_table.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include "cli/diff/content_difference.h"
 #include "cli/diff/pairing.h"
 #include "cli/diff/place_change.h"
-#include "cli/output/counted.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

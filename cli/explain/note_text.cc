@@ -9,9 +9,9 @@
 
 #include "cli/explain/call_words.h"
 #include "cli/explain/sentence_words.h"
-#include "cli/output/counted.h"
 #include "cli/output/wrapped_text.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -10,10 +10,10 @@
 #include "cli/inspect/columns.h"
 #include "cli/inspect/content_text.h"
 #include "cli/output/call_text.h"
-#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "orchestrator/pipeline/summary.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

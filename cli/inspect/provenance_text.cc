@@ -4,10 +4,10 @@
 
 #include "cli/inspect/columns.h"
 #include "cli/inspect/provenance.h"
-#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

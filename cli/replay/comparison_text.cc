@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "absl/strings/str_join.h"
-#include "cli/output/counted.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "cli/input/render_flags.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_folder.h"
 #include "cli/progress/slow_note.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {

@@ -12,9 +12,9 @@
 #include "language_worker/handbook/cleaning/clean_constraints.h"
 #include "language_worker/model/cleaning_changes.h"
 #include "language_worker/model/prompt_text.h"
-#include "llm/answers/counted.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::language {
 namespace {
@@ -158,7 +158,7 @@ v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const CleaningA
   if (too_many) {
     AddDiagnostic(v1::SEVERITY_WARNING, "removals_refused",
                   fmt::format("The model would have removed {} of {}; they stay.", removed,
-                              llm::Counted(static_cast<int64_t>(sentences.size()), "sentence")),
+                              Counted(static_cast<int64_t>(sentences.size()), "sentence")),
                   cleaned);
   }
   return cleaned;

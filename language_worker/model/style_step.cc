@@ -11,9 +11,9 @@
 #include "language_worker/handbook/styling/style_choice.h"
 #include "language_worker/model/colour_text.h"
 #include "language_worker/model/prompt_text.h"
-#include "llm/answers/counted.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::language {
 namespace {
@@ -119,7 +119,7 @@ void Complete(const v1::StyleSheet& other, v1::StyleSheet& sheet) {
   if (taken > 0) {
     AddDiagnostic(v1::SEVERITY_NOTE, "style_completed",
                   fmt::format("The model said nothing of {} among surfaces and objects; {} as the handbook has it.",
-                              llm::Counted(taken, "thing"), llm::Form(taken, "it looks", "they look")),
+                              Counted(taken, "thing"), Form(taken, "it looks", "they look")),
                   sheet);
   }
 }

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "llm/answers/answer_schema.h"
-#include "llm/answers/counted.h"
 #include "llm/answers/read_answer.h"
 #include "llm/answers/utf8.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::llm {
 namespace {

@@ -12,11 +12,11 @@
 #include "llm/answers/answer_lines.h"
 #include "llm/answers/answer_members.h"
 #include "llm/answers/answer_root.h"
-#include "llm/answers/counted.h"
 #include "llm/answers/extract_json.h"
 #include "llm/answers/field_facts.h"
 #include "llm/answers/read_number.h"
 #include "llm/answers/written_size.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::llm {
 namespace {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/output/counted.h"
+#include "worker_runtime/text/counted.h"
 
 #include "fmt/format.h"
 
-namespace flair::cli {
+namespace flair {
 
 std::string Counted(int64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string Counted(int64_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
+  return fmt::format("{} {}", count, Form(count, one, many));
 }
 
-}  // namespace flair::cli
+}  // namespace flair

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/output/counted.h"
+#include "worker_runtime/text/counted.h"
 
 #include "gtest/gtest.h"
 
-namespace flair::cli {
+namespace flair {
 namespace {
 
 TEST(Counted, TakesAnSForAllButOne) {
@@ -15,4 +15,4 @@ TEST(Counted, TakesAnSForAllButOne) {
 }
 
 }  // namespace
-}  // namespace flair::cli
+}  // namespace flair

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace flair::cli {
+namespace flair {
 
 // A number and its noun: "1 job", "2 jobs".
 std::string Counted(int64_t count, std::string_view noun);
@@ -14,4 +14,9 @@ std::string Counted(int64_t count, std::string_view noun);
 // follows: Counted(1, "stage agrees", "stages agree").
 std::string Counted(int64_t count, std::string_view one, std::string_view many);
 
-}  // namespace flair::cli
+// The form that goes with a number: Form(1, "is", "are").
+inline std::string_view Form(int64_t count, std::string_view one, std::string_view many) {
+  return count == 1 ? one : many;
+}
+
+}  // namespace flair
