@@ -37,6 +37,16 @@ void TakeSideAtBeginning(std::vector<Token>& tokens) {
   }
 }
 
+// "In order to allow", "so as to allow": to allow.
+void ShortenInOrderTo(std::vector<Token>& tokens) {
+  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
+    const bool order = tokens[i].IsWord("in") && tokens[i + 1].IsWord("order");
+    const bool so_as = tokens[i].IsWord("so") && tokens[i + 1].IsWord("as");
+    if (!(order || so_as) || !tokens[i + 2].IsWord("to")) continue;
+    tokens.erase(tokens.begin() + static_cast<long>(i), tokens.begin() + static_cast<long>(i) + 2);
+  }
+}
+
 // "Not so close that ...": how close.
 void TakeSoAsDegree(std::vector<Token>& tokens) {
   for (size_t i = 0; i + 1 < tokens.size(); ++i) {
@@ -168,6 +178,7 @@ void BracketNamely(std::vector<Token>& tokens) {
 void PrepareClauses(std::vector<Token>& tokens) {
   TakeSideAtBeginning(tokens);
   TakeSoAsDegree(tokens);
+  ShortenInOrderTo(tokens);
   DropCareForPeople(tokens);
   TakePartOfRoomForIt(tokens);
   TakePartOfRoomForOne(tokens);

@@ -10,7 +10,8 @@ std::string_view LexiconEntries() {
 relation against: pulled up (to|against) | (hug|hugs|hugging) | [pushed|placed|set|positioned|backed|standing] [right|hard|close|tight] up (against|to) | right against | (pushed|moved) [right] [up] to | (placed|set|positioned|standing|sitting) flush against | connected with | (installed|mounted|fixed|positioned|placed|set) against | [tucked|pushed|pressed|butted|lean|leans|leaning|rest|rests|resting|sits|stands|backs] [right|up|flush|snug|snugly|tight] against | (pushed|set|moved) back against | (pushed|set|placed|pressed) flat against | flat against | flush (with|to) | backed (onto|against|by) | backs onto
   | touching | touches | touch | adjoining | adjoins | abutting | abuts | backing onto | (secure|secured|anchor|anchored|fasten|fastened|fix|fixed|attach|attached|bolted|screwed) (to|onto) | (join|joins|meet|meets|adjoin) [up with|with]
 relation against: (flush|right|hard|close|tight|directly) up against
-relation against: (lined up|lining up|in a row|side by side) against | (squeezed|shoved|jammed|crammed|propped|stood|abutted|nestled|nudged|squared) [up|in] against | in [direct] contact with | touching against
+relation against: be pulled up [close] (to|against)
+relation against: (lined up|lining up|in a row|side by side) against | (squeezed|shoved|jammed|crammed|propped|stood|abutted|nestled|nudged|squared|placed|set|pushed|positioned) [up|in|flush|right|hard|tightly|snugly] [up] against | in [direct] contact with | touching against
 relation along: line | lines | lining
 relation along: along | alongside | lined up along | runs along | running along
 relation not_aligned: (avoid|not) aligning
@@ -85,7 +86,7 @@ relation facing: (look|looks|looking|view|views) (over|across|out over) | (aimed
 relation facing_away: [to] (face|faces|facing|faced|turned|oriented|pointed|pointing) [directly] away from
 relation facing_each_other: (opposite|across from) (each other|one another) | (face|facing) each other | face one another | facing one another
 relation opposite: opposite | opposite to | opposite from | across from | directly across [from] | on the opposite side of
-relation same_direction: (face|faces|facing|oriented|orientated|point|points|pointing|turned|look|looking) [in] the same (way|direction)
+relation same_direction: (face|faces|facing|oriented|orientated|point|points|pointing|turned|look|looking) [in|towards|to] the same (way|direction)
 relation same_direction: (face|faces|facing) [in] the same (direction|way) (as|like) | same (direction|orientation|way) (as|like) | oriented the same way as
 relation parallel: parallel [to|with] | is parallel to | run parallel to | runs parallel to
 relation perpendicular: (at|in|form|forms|forming|make|makes|making) [a] right (angle|angles) | at right angles [to|with]
@@ -192,12 +193,13 @@ filler: putting | setting | locating | installing | arranging | stationing | par
 filler: pushing | shoving | cramming | squeezing | forcing | (push|pushed|pushing|shove|shoved|shoving|move|moved|moving) up | belong | belongs | (on|by) (its|their) own | by (itself|themselves)
 filler: (get|getting) (in|on) and (out|off) [of]
 modal: (has|have|needs|need|ought) to be
-modal: is to | are to | (should|must|can|may|shall|to|needs to|need to) be left | should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
+modal: is to | are to | (should|must|can|may|shall|to|needs to|need to|has to|have to|ought to) be left | should | must | may | might | can | could | will | shall | is | are | needs to | need to | has to | have to | ought to | would | should be | must be | can be | is to be | are to be | may be | could be
 wish: if one is (present|there|provided)
 wish: if (any|applicable|present|they exist|it exists) | if available | if one is available | (if|where|when|provided) [the|your] (layout|space|room|design|plan|area) (permits|allows) [it] | if permitted | it is (recommended|advisable|best|preferable) (to|that) [have] | recommended | advisable | ideal to have | ideal to | ideally | preferably | if possible | where possible | when possible | if needed | if space allows | if space permits | if desired | possibly | optionally | perhaps | consider placing | it would be (nice|good) | prefer | prefers | preferable | better | best | likes to
   | where (space|room) (allows|permits) | (if|when|where) (feasible|practical|appropriate|suitable|convenient|allowed) | if it fits
   | (if|as long as|provided|provided that|so long as) (this|it|that|doing so) (does not|will not|would not) (violate|conflict with|contradict|affect|break|compromise|interfere with) [any] [of] [the] other (constraints|requirements|rules|needs|conditions|guidelines)
   | as far as possible | whenever possible | if there is (space|room)
+purpose: (ensuring|allowing|providing|guaranteeing|facilitating) [for] (easy|smooth|free|good|convenient|comfortable|proper|movement|access|accessibility)
 purpose: than | for | to | because | since | so that | which | who | while allowing | thus | thereby | due to | in order to | as it | as they | as this | allowing | enabling | giving | making | creating | to prevent | when | whilst | that | during | in case | acting as | serving as | especially | given | helping | adding | instead of | such as | like | depending | even
 condition: [do|does] not (have|need) to
 condition: not [necessarily] need to | need not | not necessarily | not (necessary|required|needed|essential) | is optional | no need | if | unless | only if | in the event

@@ -14,8 +14,8 @@ namespace {
 
 // "Backed directly onto": adverbs that say nothing of places do not come between the words of a phrase.
 void DropAdverbs(std::vector<Token>& tokens) {
-  static constexpr std::array<std::string_view, 7> kAdverbs = {"directly", "immediately", "firmly", "securely",
-                                                               "properly", "safely",      "neatly"};
+  static constexpr std::array<std::string_view, 9> kAdverbs = {
+      "always", "generally", "directly", "immediately", "firmly", "securely", "properly", "safely", "neatly"};
   std::erase_if(tokens, [](const Token& token) {
     return token.kind == Token::Kind::kWord &&
            std::find(kAdverbs.begin(), kAdverbs.end(), token.text) != kAdverbs.end();

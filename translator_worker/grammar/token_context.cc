@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "translator_worker/grammar/prepare_tokens.h"
+
 namespace flair::translator {
 
 bool VerbFollows(const TokenContext& context) {
@@ -35,6 +37,16 @@ Phrase FindPhrase(const TokenContext& context) {
                       IsOneOf(context.tokens[context.at - 1],
                               {"behind", "beside", "near", "around", "under", "above", "before", "by", "of", "to"});
   if (placed) return Lexicon::Get().Find(context.tokens, context.at, 1);
+  // "It is to the right of ..." says where it is, not what is to be done.
+  const bool to_place = phrase.word_class == WordClass::kModal && phrase.length == 2 &&
+                        IsOneOf(context.tokens[context.at], {"is", "are"}) && context.at + 2 < context.tokens.size() &&
+                        IsOneOf(context.tokens[context.at + 2], {"the", "its", "either", "one", "each"});
+  if (to_place) return Lexicon::Get().Find(context.tokens, context.at, 1);
+  // "Stands parallel to ensure ...": the last word begins the reason.
+  const size_t last = context.at + phrase.length - 1;
+  if (phrase.length > 1 && phrase.word_class == WordClass::kRelation && context.tokens[last].IsWord("to") &&
+      BeginsReason(context.tokens, last))
+    return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
   for (size_t k = 1; k < phrase.length; ++k) {
     const SceneNames::Found name = context.names.Find(context.tokens, context.at + k);
     const Phrase inner = Lexicon::Get().Find(context.tokens, context.at + k);
