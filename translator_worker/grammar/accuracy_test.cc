@@ -146,7 +146,7 @@ TEST(Accuracy, OfRoomsOfOtherKindsThatWereMeasuredAndThenLookedAt) {
 // Other sentences of the same rooms, drawn by hash and never looked at.
 TEST(Accuracy, OfRoomsOfOtherKindsThatNobodyLookedAt) {
   const Measured measured = Measure("invented_rooms_7.jsonl", true);
-  EXPECT_GE(measured.correct_share(), 0.91);
+  EXPECT_GE(measured.correct_share(), 0.92);
   EXPECT_EQ(measured.score.silent, 0);
 }
 
@@ -183,10 +183,10 @@ TEST(Accuracy, OfSentencesWrittenAfterTheRulesOfTheLabels) {
   EXPECT_EQ(measured.score.silent, 0);
 }
 
-// Seven rooms of other kinds, labelled before any of the sentences above were gone through, and never looked at.
+// Seven rooms of other kinds, labelled before the last two sets above were gone through, and never looked at: 91.6 %.
 TEST(Accuracy, OfSevenMoreRoomsThatNobodyLookedAt) {
   const Measured measured = Measure("invented_rooms_11.jsonl", true);
-  EXPECT_GE(measured.correct_share(), 0.5);
+  EXPECT_GE(measured.correct_share(), 0.9);
   EXPECT_EQ(measured.score.silent, 0);
 }
 

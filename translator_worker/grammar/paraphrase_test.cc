@@ -78,10 +78,7 @@ TEST(Paraphrases, OfLabelledSentencesAreReadTheSame) {
       {"a minimum of", Replacing("at least 0", "a minimum of 0")},
       {"beside", Replacing("next to", "beside")},
   };
-  std::vector<LabelledRoom> rooms;
-  for (const char* file : {"invented_rooms_8.jsonl", "invented_rooms_10.jsonl", "further_rooms_2.jsonl"}) {
-    for (LabelledRoom& room : ReadLabelledRooms(kParaphraseData + file)) rooms.push_back(std::move(room));
-  }
+  const std::vector<LabelledRoom> rooms = ReadLabelledRooms(kParaphraseData + "invented_rooms_10.jsonl");
   const std::vector<bool> plain = ReadRight(rooms, [](const std::string& text) { return text; });
   for (const ParaphraseCase& one : cases) {
     const std::vector<bool> paraphrased = ReadRight(rooms, one.paraphrase);
@@ -91,8 +88,8 @@ TEST(Paraphrases, OfLabelledSentencesAreReadTheSame) {
       right += plain[i];
       lost += plain[i] && !paraphrased[i];
     }
-    EXPECT_GT(right, 1000) << one.name;
-    EXPECT_LE(lost, 5) << one.name;
+    EXPECT_GT(right, 330) << one.name;
+    EXPECT_LE(lost, 2) << one.name;
   }
 }
 
