@@ -196,6 +196,17 @@ TEST_F(HandbookSentences, OfGeneralRulesAreUnderstoodOfEveryPiece) {
   EXPECT_GT(checked_, 500);
 }
 
+TEST_F(HandbookSentences, OfPlacesThatBriefsAskForAreUnderstood) {
+  for (const hb::AskedPlace& place : handbook_.asked_places()) {
+    const bool pair = place.relation().condition().min_count() == 2;
+    for (const char* object : {"desk", "sofa", "double bed", "wardrobe"}) {
+      const bool named = place.relation().text().find("{target}") != std::string::npos;
+      Check(place.relation().text(), object, named ? "armchair" : "", pair ? 2 : 1);
+    }
+  }
+  EXPECT_GT(checked_, 50);
+}
+
 TEST_F(HandbookSentences, OfEntriesWithTheirOwnSentenceAreUnderstood) {
   for (const char* target : {"bed", "sofa", "desk", "vanity"}) {
     Check("The {object} hangs on the wall opposite the {target}.", "mirror", target, 1);

@@ -40,6 +40,11 @@ class Checker {
       Known("furniture", rule.selector().furniture(), "selector");
       Known("furniture", rule.selector().except_furniture(), "selector");
     }
+    for (const hb::AskedPlace& place : handbook_.asked_places()) {
+      label_ = "asked place";
+      CheckSentence(place.relation().text());
+      if (place.words().empty()) Problem("has no words: " + place.relation().text());
+    }
     if (handbook_.archetypes().empty()) problems_.push_back("the handbook has no archetype");
     return std::move(problems_);
   }

@@ -121,5 +121,12 @@ TEST(Groups, NothingElseMeansNothingElse) {
   EXPECT_EQ(plan.Count("wardrobe") + plan.Count("dresser"), 0);
 }
 
+TEST(Groups, WhatTheBriefSaysOfAPlaceIsWrittenInsteadOfTheUsual) {
+  const Plan plan = PlanFor("A bedroom with the bed under the window.");
+  EXPECT_EQ(plan.Sentences("The double bed is under the window."), 1);
+  EXPECT_EQ(plan.Sentences("The double bed is at least 0.4 m away from the windows."), 0);
+  EXPECT_EQ(PlanFor("A bedroom.").Sentences("The double bed is at least 0.4 m away from the windows."), 1);
+}
+
 }  // namespace
 }  // namespace flair::language

@@ -21,6 +21,13 @@ struct Wish {
   bool counted = true;  // false: a plural without a number, so that `count` is the least
 };
 
+// Where the brief wants a piece.
+struct Place {
+  const hb::Furniture* furniture = nullptr;
+  const hb::AskedPlace* asked = nullptr;
+  const hb::Furniture* target = nullptr;  // the other piece; null where the words name the room
+};
+
 // More of one class in a room are not furnished by hand.
 inline constexpr int kMostOfAKind = 40;
 
@@ -32,6 +39,7 @@ struct BriefFacts {
   std::vector<Wish> wishes;                    // in the order of the text, one per class
   std::vector<const hb::Furniture*> too_many;  // of which more than kMostOfAKind are asked for
   std::vector<const hb::Furniture*> refusals;
+  std::vector<Place> places;
   bool nothing_else = false;  // "only a bed and a wardrobe"
   std::vector<const hb::Theme*> themes;
   std::vector<const hb::Need*> needs;

@@ -137,6 +137,7 @@ void FurnitureReader::Wishing(const hb::Furniture& furniture, std::size_t i, std
   if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
   last_ = Last{AddWish(wish), i + length, IsSeat(furniture) && length == 1};
   TakeColourBefore(i, furniture);
+  TakePlaceAfter(i + length, furniture);
 }
 
 // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".
@@ -249,6 +250,29 @@ void FurnitureReader::TakeColourBefore(std::size_t i, const hb::Furniture& furni
     Use(i - back, length);
     return;
   }
+}
+
+// "... under the window", "... is placed next to the bed". The longest words count.
+void FurnitureReader::TakePlaceAfter(std::size_t end, const hb::Furniture& furniture) {
+  constexpr std::array<std::string_view, 12> kBefore = {"is",       "are",   "stands",   "standing", "placed", "which",
+                                                        "directly", "right", "standing", "that",     "but",    "set"};
+  while (end < tokens_.size() && IsOneOf(kBefore, tokens_[end].text)) ++end;
+  Place place;
+  std::size_t longest = 0;
+  for (const hb::AskedPlace& asked : handbook_.contents().asked_places()) {
+    const bool names_other = asked.relation().text().find("{target}") != std::string::npos;
+    for (const std::string& words : asked.words()) {
+      const std::size_t length = Phrase(words).MatchAt(tokens_, end, /*plural=*/false);
+      if (length <= longest) continue;
+      std::size_t other = end + length;
+      if (names_other && other < tokens_.size() && IsArticle(tokens_[other].text)) ++other;
+      const auto* target = names_other ? LongestAt(names_, tokens_, other, /*plural=*/true).first : nullptr;
+      if (names_other && (target == nullptr || target == &furniture)) continue;
+      longest = length;
+      place = {&furniture, &asked, target};
+    }
+  }
+  if (longest > 0) facts_.places.push_back(place);
 }
 
 // "only a bed and a wardrobe", "just a desk", "nothing but a sofa", "and nothing else".

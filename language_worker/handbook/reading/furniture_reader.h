@@ -43,6 +43,7 @@ class FurnitureReader {
   int SeatsAfter(std::size_t i) const;
   Count CountBefore(const hb::Furniture& furniture, std::size_t i, std::size_t length) const;
   void TakeColourBefore(std::size_t i, const hb::Furniture& furniture);
+  void TakePlaceAfter(std::size_t end, const hb::Furniture& furniture);
   void ReadOnly();
   void Use(std::size_t start, std::size_t length);
 

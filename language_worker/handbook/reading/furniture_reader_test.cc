@@ -91,5 +91,29 @@ TEST(FurnitureReader, OnlyMeansNothingElse) {
   EXPECT_FALSE(FactsIn("A bedroom with a bed and only one window.").nothing_else);
 }
 
+TEST(FurnitureReader, PlacesAreThoseOfThePieceBeforeThem) {
+  const struct {
+    const char* text;
+    const char* piece;
+    const char* sentence;
+    const char* target;
+  } kCases[] = {{"A bedroom with the bed under the window.", "double bed", "The {object} is under the window.", ""},
+                {"A study with a desk facing the wall.", "desk", "The {object}'s back is against a wall.", ""},
+                {"A living room where the sofa is placed opposite the fireplace.", "sofa",
+                 "The {object} faces the {target}.", "fireplace"},
+                {"A bedroom with a desk but not near the bed.", "desk",
+                 "The {object} is at least 1.5 m away from the {target}.", "double bed"},
+                {"A living room with a piano in the corner.", "upright piano", "The {object} is in a corner.", ""},
+                {"A living room with two sofas facing each other.", "sofa", "The {objects} face each other.", ""}};
+  for (const auto& expected : kCases) {
+    const BriefFacts facts = FactsIn(expected.text);
+    ASSERT_EQ(facts.places.size(), 1u) << expected.text;
+    EXPECT_EQ(facts.places[0].furniture->name(), expected.piece);
+    EXPECT_EQ(facts.places[0].asked->relation().text(), expected.sentence);
+    EXPECT_EQ(facts.places[0].target == nullptr ? "" : facts.places[0].target->name(), expected.target);
+  }
+  EXPECT_TRUE(FactsIn("A bedroom with a desk and a bed near a castle.").places.empty());
+}
+
 }  // namespace
 }  // namespace flair::language

@@ -49,6 +49,7 @@ class ConstraintLister {
       : handbook_(handbook),
         choice_(choice),
         objects_(objects),
+        places_(facts.places),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
         writer_(room, zones, objects, handbook, program_, choice) {}
 
@@ -88,6 +89,7 @@ class ConstraintLister {
   void WriteGroup(const std::string& name, const Group& group) {
     const hb::Furniture* furniture = handbook_.FindFurniture(name);
     std::set<std::string> topics;
+    WritePlaces(name, group, topics);
     if (WriteEntrySentence(name, group)) topics.insert("place");
     Relations special;
     for (const hb::Changes* changes : program_.changes) Collect(changes->relations(), name, special);
@@ -102,6 +104,19 @@ class ConstraintLister {
       if (Selects(rule.selector(), *group.front(), furniture, TakesCentre(objects_, *group.front()))) {
         WriteLevel({&rule.relation()}, group, topics);
       }
+    }
+  }
+
+  // What the brief itself says of their place settles its topics. Tertiaries go where their hosts are.
+  void WritePlaces(const std::string& name, const Group& group, std::set<std::string>& topics) {
+    if (group.front()->role() == v1::OBJECT_ROLE_TERTIARY) return;
+    for (const Place& place : places_) {
+      if (place.furniture->name() != name) continue;
+      hb::Relation relation = place.asked->relation();
+      if (place.target != nullptr) relation.add_targets(place.target->name());
+      const std::vector<v1::Sentence> written = writer_.Write(relation, group);
+      sentences_.insert(sentences_.end(), written.begin(), written.end());
+      if (!written.empty()) topics.insert(place.asked->silences().begin(), place.asked->silences().end());
     }
   }
 
@@ -157,6 +172,7 @@ class ConstraintLister {
   const Handbook& handbook_;
   const Choice& choice_;
   const v1::ObjectList& objects_;
+  const std::vector<Place> places_;
   const RoomProgram program_;
   const SentenceWriter writer_;
   std::vector<v1::Sentence> sentences_;
