@@ -27,6 +27,7 @@ std::vector<Rule> FeatureRules();
 std::vector<Rule> FrontRules();
 std::vector<Rule> GroupRules();
 std::vector<Rule> HangingRules();
+std::vector<Rule> InFrontRules();
 std::vector<Rule> NearRules();
 std::vector<Rule> PathRules();
 std::vector<Rule> PullOutRules();
