@@ -13,6 +13,7 @@
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/grpc/connection_trouble.h"
 
 namespace flair::cli {
 namespace {
@@ -67,7 +68,11 @@ absl::StatusOr<Response> Session::Ask(
     grpc::Status (v1::OrchestratorService::StubInterface::*method)(grpc::ClientContext*, const Request&, Response*),
     const Request& request) {
   runtime::CallContext call;
-  auto response = runtime::UnaryRequest(*stub_, method, request, call, absl::Now() + kAnswerWithin);
+  const absl::Time end = absl::Now() + kAnswerWithin;
+  auto response = runtime::UnaryRequest(*stub_, method, request, call, end);
+  if (runtime::SaidNoHello(response.status()) && channel_->WaitForConnected(absl::ToChronoTime(end))) {
+    response = runtime::UnaryRequest(*stub_, method, request, call, end);
+  }
   if (!response.ok()) return Explain(response.status());
   return response;
 }

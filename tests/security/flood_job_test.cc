@@ -2,6 +2,12 @@
 // Somebody designs rooms while others do to the orchestrator what they can.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <thread>
 
 #include "tests/fixtures/programs.h"
 #include "tests/security/attacks.h"
@@ -46,6 +52,75 @@ TEST(FloodedOrchestrator, TellsWatchersOfEveryJob) {
   const auto end = innocent.EndOf(before->id());
   ASSERT_TRUE(end.ok()) << end.status();
   EXPECT_EQ(end->state(), v1::JOB_STATE_SUCCEEDED) << end->error();
+}
+
+// Takes connections at an address of its own; hands on all but the first, to which it says nothing until the caller has
+// had enough.
+class SlowToSayHello {
+ public:
+  explicit SlowToSayHello(std::string server) : server_(std::move(server)) {
+    sockaddr_in address = {};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    EXPECT_EQ(::bind(listener_, reinterpret_cast<sockaddr*>(&address), size), 0);
+    EXPECT_EQ(::listen(listener_, 8), 0);
+    ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
+    address_ = fmt::format("127.0.0.1:{}", ntohs(address.sin_port));
+    threads_.emplace_back([this] {
+      const int first = ::accept(listener_, nullptr, nullptr);
+      char buffer[4096];
+      while (::read(first, buffer, sizeof buffer) > 0) {
+      }
+      ::close(first);
+      HandOn(::accept(listener_, nullptr, nullptr));
+    });
+  }
+  ~SlowToSayHello() {
+    ::shutdown(listener_, SHUT_RDWR);
+    threads_.clear();
+    ::close(listener_);
+  }
+  const std::string& address() const { return address_; }
+  bool handed_on() const { return handed_on_; }
+
+ private:
+  static void Copy(int from, int to) {
+    char buffer[65536];
+    for (ssize_t n; (n = ::read(from, buffer, sizeof buffer)) > 0;) (void)::send(to, buffer, n, MSG_NOSIGNAL);
+    ::shutdown(to, SHUT_RDWR);
+  }
+  void HandOn(int caller) {
+    if (caller < 0) return;
+    handed_on_ = true;
+    const int server = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in to = {};
+    to.sin_family = AF_INET;
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_port = htons(static_cast<uint16_t>(std::stoi(server_.substr(server_.rfind(':') + 1))));
+    EXPECT_EQ(::connect(server, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
+    {
+      const std::jthread back([&] { Copy(server, caller); });
+      Copy(caller, server);
+    }
+    ::close(server);
+    ::close(caller);
+  }
+
+  const std::string server_;
+  const int listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  std::string address_;
+  std::atomic<bool> handed_on_ = false;
+  std::vector<std::jthread> threads_;
+};
+
+TEST(BusyOrchestrator, IsWaitedForWhenItIsSlowToSayHello) {
+  const TestFolder folder;
+  AllPrograms programs(folder.path());
+  SlowToSayHello busy(programs.orchestrator());
+  const Finished jobs = RunProgram("flair", {"jobs", "--orchestrator", busy.address()});
+  EXPECT_EQ(jobs.exit_code, 0) << jobs.err;
+  EXPECT_TRUE(busy.handed_on());
 }
 
 }  // namespace

@@ -103,4 +103,9 @@ std::string InPlainWords(std::string_view message) {
   return std::string(message);
 }
 
+bool SaidNoHello(const absl::Status& status) {
+  const std::string_view message(status.message().data(), status.message().size());
+  return absl::IsUnavailable(status) && Holds(message, " takes connections but says nothing; ");
+}
+
 }  // namespace flair::runtime

@@ -86,6 +86,17 @@ TEST(ConnectionTrouble, OfTlsNamesAndOtherServersIsToldInPlainWords) {
             "a web server or proxy answers there (status 404), no gRPC server");
 }
 
+TEST(ConnectionTrouble, AServerThatSaysNoHelloIsToldFromOneThatIsNotThere) {
+  const std::string tried = "failed to connect to all addresses; last error: UNKNOWN: ipv4:10.0.0.1:7: ";
+  const auto ends = [&](const std::string& what) {
+    return SaidNoHello(absl::UnavailableError(InPlainWords(tried + what)));
+  };
+  EXPECT_TRUE(ends("connection attempt timed out before receiving SETTINGS frame"));
+  EXPECT_TRUE(ends("Handshake read failed"));
+  EXPECT_FALSE(ends("Failed to connect to remote host: Connection refused"));
+  EXPECT_FALSE(SaidNoHello(absl::OkStatus()));
+}
+
 TEST(ConnectionTrouble, KeepsWhatItDoesNotKnow) {
   const std::string tried = "failed to connect to all addresses; last error: ";
   EXPECT_EQ(InPlainWords(tried + "UNKNOWN: ipv4:10.0.0.1:7: the moon is full"),
