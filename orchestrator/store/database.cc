@@ -22,6 +22,10 @@ namespace {
 constexpr int kBusyTimeoutMs = 20000;
 constexpr int kWalRetryMs = 5;
 
+// Digests lie anywhere, and so do the pages that they are on.
+constexpr int kCacheKib = 16 * 1024;
+constexpr int kMigrationCacheKib = 256 * 1024;
+
 absl::Status ToStatus(sqlite3* connection, int code) {
   const std::string message = fmt::format("store: {}", sqlite3_errmsg(connection));
   switch (code & 0xff) {
@@ -162,8 +166,7 @@ absl::Status Database::Configure() {
   sqlite3_busy_timeout(connection_, kBusyTimeoutMs);
   // 16 MiB: a page that many jobs change is written back once for all of them.
   if (absl::Status status = Execute("PRAGMA wal_autocheckpoint = 4000"); !status.ok()) return status;
-  // 16 MiB: keys of results are digests, so that each of them is on a page of its own.
-  if (absl::Status status = Execute("PRAGMA cache_size = -16384"); !status.ok()) return status;
+  if (absl::Status status = Execute(fmt::format("PRAGMA cache_size = -{}", kCacheKib)); !status.ok()) return status;
   return Execute("PRAGMA synchronous = NORMAL");
 }
 
@@ -193,11 +196,15 @@ absl::Status Database::Migrate(Schema schema) {
         fmt::format("the store has version {}, this program knows up to {}; use the newer Flair", version, newest));
   }
   if (version == newest) return absl::OkStatus();
+  // Many read all of a large store at random.
+  if (absl::Status status = Execute(fmt::format("PRAGMA cache_size = -{}", kMigrationCacheKib)); !status.ok())
+    return status;
   for (const std::string_view step : schema.subspan(static_cast<size_t>(version))) {
     if (absl::Status status = Execute(std::string(step)); !status.ok()) return status;
   }
   if (absl::Status status = Execute(fmt::format("PRAGMA user_version = {}", newest)); !status.ok()) return status;
-  return transaction->Commit();
+  if (absl::Status status = transaction->Commit(); !status.ok()) return status;
+  return Execute(fmt::format("PRAGMA cache_size = -{}", kCacheKib));
 }
 
 Statement Database::Prepare(std::string_view sql) {

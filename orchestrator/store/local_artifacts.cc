@@ -12,6 +12,9 @@ namespace {
 // Up to some 100 kB a row is written and read sooner than a file is opened.
 constexpr size_t kSmallBytes = 64 * 1024;
 
+// Of jobs that run, and of those that ended before they were flushed.
+constexpr size_t kMostRemembered = 4096;
+
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<LocalArtifacts>> LocalArtifacts::Open(const std::string& folder) {
@@ -30,7 +33,25 @@ absl::Status LocalArtifacts::PutAll(std::span<const SealedArtifact> artifacts) {
       return status;
     }
   }
-  return small.empty() ? absl::OkStatus() : rows_->PutAll(small);
+  if (small.empty()) return absl::OkStatus();
+  if (absl::Status status = rows_->PutAll(small); !status.ok()) return status;
+  RememberRows(small);
+  return absl::OkStatus();
+}
+
+void LocalArtifacts::RememberRows(std::span<const SealedArtifact* const> artifacts) {
+  std::lock_guard lock(mutex_);
+  if (new_rows_.size() > kMostRemembered) new_rows_.clear();
+  for (const SealedArtifact* artifact : artifacts) new_rows_.insert(artifact->ref.id());
+}
+
+std::vector<v1::ArtifactRef> LocalArtifacts::WithoutRows(std::span<const v1::ArtifactRef> artifacts) {
+  std::lock_guard lock(mutex_);
+  std::vector<v1::ArtifactRef> others;
+  for (const v1::ArtifactRef& artifact : artifacts) {
+    if (new_rows_.erase(artifact.id()) == 0) others.push_back(artifact);
+  }
+  return others;
 }
 
 absl::StatusOr<v1::Artifact> LocalArtifacts::Get(const std::string& id) {
@@ -41,8 +62,8 @@ absl::StatusOr<v1::Artifact> LocalArtifacts::Get(const std::string& id) {
 }
 
 absl::Status LocalArtifacts::Flush(std::span<const v1::ArtifactRef> artifacts) {
-  // Of small ones there are no files, which are left out.
-  if (absl::Status status = files_.Flush(artifacts); !status.ok()) return status;
+  // Of other small ones there are no files either, which are left out.
+  if (absl::Status status = files_.Flush(WithoutRows(artifacts)); !status.ok()) return status;
   return rows_->Flush();
 }
 

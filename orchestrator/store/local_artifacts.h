@@ -2,7 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
+#include <span>
 #include <string>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -37,8 +40,16 @@ class LocalArtifacts final : public ArtifactStore {
   LocalArtifacts(const std::string& folder, std::unique_ptr<ArtifactRows> rows)
       : files_(folder), rows_(std::move(rows)) {}
 
+  void RememberRows(std::span<const SealedArtifact* const> artifacts);
+  // Those that need not be looked for among the files.
+  std::vector<v1::ArtifactRef> WithoutRows(std::span<const v1::ArtifactRef> artifacts);
+
   ArtifactFiles files_;
   const std::unique_ptr<ArtifactRows> rows_;
+
+  std::mutex mutex_;
+  // Stored as rows, and not flushed since.
+  std::unordered_set<std::string> new_rows_;
 };
 
 }  // namespace flair::orchestrator

@@ -49,6 +49,17 @@ TEST_F(LocalArtifactsTest, OnlyLargeOnesAreFiles) {
   EXPECT_EQ(other->Get(large)->brief().text(), std::string(100'000, 'l'));
 }
 
+TEST_F(LocalArtifactsTest, RowsAreNotLookedForAmongTheFiles) {
+  v1::ArtifactRef refs[1];
+  refs[0].set_id(Put(TextOf(1000, 's')));
+  // One that cannot be flushed.
+  const std::filesystem::path path = ArtifactFiles(folder_.path()).PathOf(refs[0].id());
+  std::filesystem::create_directories(path.parent_path());
+  std::filesystem::create_symlink("/proc/self/status", path);
+  EXPECT_TRUE(artifacts_->Flush(refs).ok());
+  EXPECT_FALSE(Open()->Flush(refs).ok());
+}
+
 TEST_F(LocalArtifactsTest, SmallFilesOfBeforeAreFoundAndDeleted) {
   v1::Artifact artifact = TextOf(10, 'a');
   const std::string id = ArtifactFiles(folder_.path()).Put(artifact)->id();

@@ -29,7 +29,8 @@ CREATE TABLE new_results (
 ) WITHOUT ROWID;
 INSERT OR REPLACE INTO new_results
   SELECT flair_brief(spec), flair_digest(key), flair_digest(results.artifact_id), results.kind, results.size_bytes
-  FROM results JOIN job_artifacts ON job_artifacts.artifact_id = results.artifact_id JOIN jobs ON jobs.id = job_id;
+  FROM results JOIN job_artifacts ON job_artifacts.artifact_id = results.artifact_id JOIN jobs ON jobs.id = job_id
+  ORDER BY 1, 2;                             -- written once each, not page by page at random
 
 DROP TABLE job_artifacts;
 DROP TABLE results;
