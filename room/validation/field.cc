@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "room/validation/field.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace flair::validation {
 namespace {
@@ -99,17 +102,15 @@ bool Field::Id(std::string_view value) const {
 
 bool Field::NewId(std::string_view value, NameSet& seen) const {
   if (!Id(value)) return false;
-  return seen.emplace(value).second || Reject("{} is taken already; ids are unique", Quoted(value));
+  return seen.insert(value).second || Reject("{} is taken already; ids are unique", Quoted(value));
 }
 
 bool Field::Refers(std::string_view value, const NameSet& known, std::string_view what) const {
   if (known.contains(value)) return true;
-  std::string names;
-  size_t listed = 0;
-  for (const std::string& name : known) {
-    if (++listed > kListedNames) break;
-    names += (listed > 1 ? ", " : "") + name;
-  }
+  std::vector<std::string_view> sorted(known.begin(), known.end());
+  std::ranges::sort(sorted);
+  sorted.resize(std::min(sorted.size(), kListedNames));
+  std::string names = fmt::format("{}", fmt::join(sorted, ", "));
   if (known.size() > kListedNames) names += fmt::format(" and {} more", known.size() - kListedNames);
   return Reject("{} is not {} here; there {}", Quoted(value), what,
                 known.empty() ? "is none" : (known.size() == 1 ? "is " : "are ") + names);

@@ -3,18 +3,18 @@
 #pragma once
 
 #include <array>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "absl/container/flat_hash_set.h"
 #include "absl/status/status.h"
 #include "fmt/format.h"
 
 namespace flair::validation {
 
-// Ids and names that references may point to.
-using NameSet = std::set<std::string, std::less<>>;
+// Ids and names that references may point to; what they are part of, or literals, must outlive the set.
+using NameSet = absl::flat_hash_set<std::string_view>;
 
 // What is wrong with one field.
 struct Problem {

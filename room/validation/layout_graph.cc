@@ -76,8 +76,9 @@ void Check(const v1::LayoutGraph& graph, const Field& at) {
   Check(graph.object_list(), known, at["object_list"]);
   Check(graph.style_sheet(), known, at["style_sheet"]);
   Check(graph.constraint_list(), known, at["constraint_list"]);
-  for (const std::string& id : openings) {
-    if (objects.contains(id)) at["object_list"].Reject("\"{}\" is an object and an opening; ids differ", id);
+  for (const v1::Opening& opening : graph.room().openings()) {
+    if (!objects.contains(opening.id())) continue;
+    at["object_list"].Reject("\"{}\" is an object and an opening; ids differ", opening.id());
   }
   if (!at["edges"].Count(graph.edges_size(), 0, kMostEdges, "edges")) return;
   NameSet seen;

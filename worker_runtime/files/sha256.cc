@@ -10,10 +10,12 @@
 namespace flair::runtime {
 
 std::string Sha256Hex(std::string_view bytes) {
+  // Looked for once: to find it takes longer than to digest the bytes of a key.
+  static EVP_MD* const sha256 = EVP_MD_fetch(nullptr, "SHA256", nullptr);
   unsigned char digest[EVP_MAX_MD_SIZE];
   unsigned int size = 0;
   // Fails only when the library has no SHA-256 at all; going on without content addresses would corrupt the store.
-  if (EVP_Digest(bytes.data(), bytes.size(), digest, &size, EVP_sha256(), nullptr) != 1) std::abort();
+  if (EVP_Digest(bytes.data(), bytes.size(), digest, &size, sha256, nullptr) != 1) std::abort();
   constexpr char kDigits[] = "0123456789abcdef";
   std::string hex;
   hex.reserve(2 * size);
