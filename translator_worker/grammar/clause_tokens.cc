@@ -39,12 +39,15 @@ void TakeSideAtBeginning(std::vector<Token>& tokens) {
 
 // "In order to allow", "so as to allow": to allow.
 void ShortenInOrderTo(std::vector<Token>& tokens) {
-  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
-    const bool order = tokens[i].IsWord("in") && tokens[i + 1].IsWord("order");
-    const bool so_as = tokens[i].IsWord("so") && tokens[i + 1].IsWord("as");
-    if (!(order || so_as) || !tokens[i + 2].IsWord("to")) continue;
-    tokens.erase(tokens.begin() + static_cast<long>(i), tokens.begin() + static_cast<long>(i) + 2);
+  std::vector<Token> out;
+  for (size_t i = 0; i < tokens.size(); ++i) {
+    const bool begins = i + 2 < tokens.size() && tokens[i + 2].IsWord("to") &&
+                        ((tokens[i].IsWord("in") && tokens[i + 1].IsWord("order")) ||
+                         (tokens[i].IsWord("so") && tokens[i + 1].IsWord("as")));
+    if (begins) i += 2;
+    out.push_back(std::move(tokens[i]));
   }
+  tokens = std::move(out);
 }
 
 // "Not so close that ...": how close.
@@ -121,13 +124,16 @@ void TakeWherePeopleAre(std::vector<Token>& tokens) {
 
 // "1 m of floor must be free": 1 m.
 void DropOfFloor(std::vector<Token>& tokens) {
-  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
-    if (tokens[i].kind != Token::Kind::kDistance || !tokens[i + 1].IsWord("of") || !tokens[i + 2].IsWord("floor"))
-      continue;
-    const auto first = tokens.begin() + static_cast<long>(i) + 1;
+  std::vector<Token> out;
+  for (size_t i = 0; i < tokens.size(); ++i) {
+    out.push_back(std::move(tokens[i]));
+    const bool of_floor = out.back().kind == Token::Kind::kDistance && i + 2 < tokens.size() &&
+                          tokens[i + 1].IsWord("of") && tokens[i + 2].IsWord("floor");
+    if (!of_floor) continue;
     const bool space = i + 3 < tokens.size() && IsOneOf(tokens[i + 3], {"space", "area"});
-    tokens.erase(first, first + (space ? 3 : 2));
+    i += space ? 3 : 2;
   }
+  tokens = std::move(out);
 }
 
 // "Near a socket without standing in front of one": of a socket.
