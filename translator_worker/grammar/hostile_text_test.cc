@@ -88,6 +88,10 @@ TEST(HostileText, AlwaysEndsInACallOrADiagnostic) {
                                           Repeat("space on one accessible side ", kLongText),
                                           Repeat("one side (typically ", kLongText),
                                           Repeat("bed 1 ", kLongText),
+                                          Repeat("neither near nor near ", kLongText),
+                                          Repeat("wall, from it ", kLongText),
+                                          Repeat(", i.e. the back, ", kLongText),
+                                          Repeat("people at the bed see ", kLongText),
                                           "bed 99999999999999999999 near desk 0",
                                           "The bed is 1e999 m from the desk",
                                           "The bed is -5 m from the desk",
@@ -125,10 +129,12 @@ TEST(HostileText, OfShuffledWordsAndBytesNeverCrashes) {
 
 // Processor time, not the wall clock; the factor is far above noise and far below what a square law gives (64).
 TEST(HostileText, TakesTimeInProportionToItsLength) {
-  for (const char* unit : {"the bed, ", "at least one long side of the ", "minimum distance from ", "( \"bed\" ",
-                           "zqx ", "(0.5m minimum) ", "things such as the bed and ", "near or behind the bed ",
-                           "one accessible long ", "one of the 2m sides ", "not block view window ",
-                           "near but not next to the bed ", "space on one accessible side ", "one side (typically "}) {
+  for (const char* unit :
+       {"the bed, ", "at least one long side of the ", "minimum distance from ", "( \"bed\" ", "zqx ",
+        "(0.5m minimum) ", "things such as the bed and ", "near or behind the bed ", "one accessible long ",
+        "one of the 2m sides ", "not block view window ", "near but not next to the bed ",
+        "space on one accessible side ", "one side (typically ", "1 m of floor ", "in order to ",
+        "neither near nor near ", "wall, from it ", "from one bed to the next "}) {
     const auto seconds = [&](size_t bytes) {
       const std::string text = Repeat(unit, bytes);
       const std::clock_t begin = std::clock();
