@@ -17,11 +17,11 @@ function(flair_library name)
   target_link_libraries(${name} ${visibility} ${arg_DEPENDS})
 endfunction()
 
-# flair_test(NAME [LABEL unit] SOURCES a_test.cc ... DEPENDS lib ...): one GoogleTest program, one CTest case per test.
-# Labels: unit (default), contract, golden, end_to_end, fuzz, bench.
+# flair_test(NAME [ALONE] [LABEL unit] SOURCES a_test.cc ... DEPENDS lib ...): one GoogleTest program, one CTest case per test.
+# Labels: unit (default), contract, golden, end_to_end, fuzz, bench. ALONE: no other test runs meanwhile.
 # Tests are compiled with less optimization than what they test, from one precompiled header.
 function(flair_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "ALONE" "LABEL" "SOURCES;DEPENDS" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
   endif()
@@ -36,7 +36,8 @@ function(flair_test name)
   endif()
   target_compile_definitions(${name} PRIVATE FLAIR_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FLAIR_BINARY_DIR="${CMAKE_BINARY_DIR}")
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test_bin)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 
+                       PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600 RUN_SERIAL ${arg_ALONE})
 endfunction()
 
 # flair_program(NAME [TEST] SOURCES main.cc ... DEPENDS lib ...): an executable in bin/ that knows its build, installed and
