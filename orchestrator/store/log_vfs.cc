@@ -29,8 +29,9 @@ struct LogFile {
   sqlite3_int64 begin;
   // Where the last write ended. Only what goes on from there is kept back: a log that is appended to.
   sqlite3_int64 end;
-  // The page of a frame that ends a transaction comes next.
-  bool last_page_is_next;
+  // The last header was of a frame that ends a transaction: its page comes next, in parts if it is flushed in the
+  // middle.
+  bool ends_transaction;
 };
 
 sqlite3_file* UsualFile(sqlite3_file* file) {
@@ -48,8 +49,7 @@ int WriteKept(sqlite3_file* file) {
   return code;
 }
 
-bool EndsTransaction(const void* bytes, int size) {
-  if (size != kFrameHeaderBytes) return false;
+bool EndsTransaction(const void* bytes) {
   const auto* commit = static_cast<const unsigned char*>(bytes) + kCommitAt;
   for (int i = 0; i < kCommitBytes; ++i) {
     if (commit[i] != 0) return true;
@@ -60,8 +60,8 @@ bool EndsTransaction(const void* bytes, int size) {
 int Write(sqlite3_file* file, const void* bytes, int size, sqlite3_int64 offset) {
   LogFile& log = LogOf(file);
   const bool goes_on = offset == log.end;
-  const bool last_page = log.last_page_is_next;
-  log.last_page_is_next = EndsTransaction(bytes, size);
+  const bool header = size == kFrameHeaderBytes;
+  if (header) log.ends_transaction = EndsTransaction(bytes);
   log.end = offset + size;
   if (!goes_on) {
     if (const int code = WriteKept(file); code != SQLITE_OK) return code;
@@ -70,6 +70,7 @@ int Write(sqlite3_file* file, const void* bytes, int size, sqlite3_int64 offset)
   }
   if (log.kept.empty()) log.begin = offset;
   log.kept.append(static_cast<const char*>(bytes), static_cast<size_t>(size));
+  const bool last_page = log.ends_transaction && !header;
   return last_page || log.kept.size() >= kMostKept ? WriteKept(file) : SQLITE_OK;
 }
 
