@@ -23,22 +23,22 @@ class RunsAndDeletion : public ::testing::Test {
   RunsAndDeletion()
       : queue_(*SqliteWorkQueue::Open(folder_.path(), clock_)), artifacts_(folder_.path() + "/artifacts") {}
 
-  static v1::Job BedroomJob(const std::string& id) {
+  static v1::Job BedroomJob(const std::string& id, const std::string& text = "A bedroom.") {
     v1::Job job;
     job.set_id(id);
     job.set_state(v1::JOB_STATE_QUEUED);
-    job.mutable_spec()->mutable_brief()->set_text("A bedroom.");
+    job.mutable_spec()->mutable_brief()->set_text(text);
     return job;
   }
   // One job, whose steps are kept back while they are short.
-  void MakeBatchOfOne(const std::string& id) {
+  void MakeBatchOfOne(const std::string& id, const std::string& text = "A bedroom.") {
     store::v1::BatchRecord record;
     record.mutable_batch()->set_id(id);
     record.mutable_batch()->set_state(v1::BATCH_STATE_ACTIVE);
     record.mutable_batch()->set_open(true);
     record.set_request_id("request of " + id);
     ASSERT_TRUE(queue_->CreateBatch(record).ok());
-    v1::Job job = BedroomJob(BatchJobId(id, 0));
+    v1::Job job = BedroomJob(BatchJobId(id, 0), text);
     job.set_batch_id(id);
     ASSERT_TRUE(queue_->AddJobs(id, std::span(&job, 1), true).ok());
   }
@@ -75,6 +75,19 @@ TEST_F(RunsAndDeletion, WhatIsDeletedUnderARunIsMadeAgainByTheNext) {
   const absl::StatusOr<v1::Job> job = queue_->GetJob("b2-00000000");
   ASSERT_TRUE(job.ok());
   EXPECT_EQ(job->state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_GT(job->artifacts_size(), 8);
+  for (const v1::ArtifactRef& ref : job->artifacts()) EXPECT_TRUE(artifacts_.Get(ref.id()).ok()) << ref.kind();
+}
+
+TEST_F(RunsAndDeletion, WhatAnotherJobHasOfTheSameBriefIsKept) {
+  FakeStages stages;
+  MakeBatchOfOne("b1");
+  ASSERT_TRUE(RunNext(stages).ok());
+  MakeBatchOfOne("b2", "  A bedroom.\n");
+  ASSERT_TRUE(RunNext(stages).ok());
+  ASSERT_TRUE(queue_->DeleteBatch("b1", 100, artifacts_).ok());
+  const absl::StatusOr<v1::Job> job = queue_->GetJob("b2-00000000");
+  ASSERT_TRUE(job.ok());
   EXPECT_GT(job->artifacts_size(), 8);
   for (const v1::ArtifactRef& ref : job->artifacts()) EXPECT_TRUE(artifacts_.Get(ref.id()).ok()) << ref.kind();
 }

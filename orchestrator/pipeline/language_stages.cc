@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages that describe the room: brief, room, zones, objects, style, constraints, cleaning.
-#include "absl/strings/ascii.h"
 #include "orchestrator/pipeline/lent_request.h"
 #include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage.h"
+#include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/sha256.h"
 
 namespace flair::orchestrator {
@@ -49,9 +49,7 @@ absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run) {
   artifact.mutable_producer()->set_method("request");
   artifact.mutable_producer()->set_version("1");
   artifact.mutable_producer()->set_build(run.build);
-  *artifact.mutable_brief() = run.spec.brief();
-  const absl::string_view trimmed = absl::StripAsciiWhitespace(run.spec.brief().text());
-  artifact.mutable_brief()->set_text(std::string(trimmed));
+  *artifact.mutable_brief() = BriefOf(run.spec);
   return artifact;
 }
 

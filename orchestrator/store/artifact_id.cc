@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/escaping.h"
 #include "worker_runtime/files/sha256.h"
 
@@ -64,9 +65,16 @@ bool IsArtifactId(std::string_view id) {
          std::all_of(id.begin(), id.end(), [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
 }
 
+v1::Brief BriefOf(const v1::JobSpec& spec) {
+  v1::Brief brief = spec.brief();
+  const absl::string_view trimmed = absl::StripAsciiWhitespace(spec.brief().text());
+  if (trimmed.size() != spec.brief().text().size()) brief.set_text(std::string(trimmed));
+  return brief;
+}
+
 std::string BriefDigest(const v1::JobSpec& spec) {
   constexpr size_t kBytes = 8;
-  const std::string hex = runtime::Sha256Hex(runtime::CanonicalBytes(spec.brief())).substr(0, 2 * kBytes);
+  const std::string hex = runtime::Sha256Hex(runtime::CanonicalBytes(BriefOf(spec))).substr(0, 2 * kBytes);
   return absl::HexStringToBytes(hex);
 }
 

@@ -36,7 +36,10 @@ v1::ArtifactKind KindOf(const v1::Artifact& artifact);
 // True for 64 characters 0-9 and a-f: an id that can be a file name.
 bool IsArtifactId(std::string_view id);
 
-// The beginning of the digest of a job's brief, 8 bytes. All that a job has begins with its brief, and an artifact's id
+// The brief that all of a job is made from: as it was asked for, without white space around it.
+v1::Brief BriefOf(const v1::JobSpec& spec);
+
+// The beginning of the digest of BriefOf, 8 bytes. All that a job has begins with its brief, and an artifact's id
 // covers what it was made from: jobs that have an artifact in common have one brief, and so has what may be used again.
 // Where two briefs have one digest, nothing is mixed up.
 std::string BriefDigest(const v1::JobSpec& spec);
