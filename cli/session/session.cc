@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <random>
 
 #include "absl/time/clock.h"
@@ -70,8 +71,12 @@ absl::StatusOr<Response> Session::Ask(
   runtime::CallContext call;
   const absl::Time end = absl::Now() + kAnswerWithin;
   auto response = runtime::UnaryRequest(*stub_, method, request, call, end);
-  if (runtime::SaidNoHello(response.status()) && channel_->WaitForConnected(absl::ToChronoTime(end))) {
-    response = runtime::UnaryRequest(*stub_, method, request, call, end);
+  if (runtime::SaidNoHello(response.status())) {
+    fmt::print(stderr, "flair: {} is slow to answer; waiting for up to {} s\n", address_,
+               absl::ToInt64Seconds(kAnswerWithin));
+    if (channel_->WaitForConnected(absl::ToChronoTime(end))) {
+      response = runtime::UnaryRequest(*stub_, method, request, call, end);
+    }
   }
   if (!response.ok()) return Explain(response.status());
   return response;

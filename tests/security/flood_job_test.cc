@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Somebody designs rooms while others do to the orchestrator what they can.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -120,6 +121,7 @@ TEST(BusyOrchestrator, IsWaitedForWhenItIsSlowToSayHello) {
   SlowToSayHello busy(programs.orchestrator());
   const Finished jobs = RunProgram("flair", {"jobs", "--orchestrator", busy.address()});
   EXPECT_EQ(jobs.exit_code, 0) << jobs.err;
+  EXPECT_THAT(jobs.err, ::testing::HasSubstr(busy.address() + " is slow to answer"));
   EXPECT_TRUE(busy.handed_on());
 }
 
