@@ -163,6 +163,20 @@ TEST(Handbook, ColoursOfTheBriefLeadTheStyle) {
   EXPECT_TRUE(a.Has("dining table") || a.Has("round dining table"));
 }
 
+TEST(Handbook, SaysWhatThingsAreMadeOfAsOneWould) {
+  const Answers a = Ask("A living room of 6 x 5 m with a television, a bookshelf and books on it.");
+  int seen = 0;
+  for (int i = 0; i < a.objects.objects_size(); ++i) {
+    const v1::Object& object = a.objects.objects(i);
+    const std::string& material = a.style.objects(i).material();
+    if (object.name() == "books") EXPECT_FALSE(object.description().starts_with("A ")) << object.description();
+    if (object.name() == "books") EXPECT_EQ(material, "cloth and paper");
+    if (object.name() == "television") EXPECT_EQ(a.style.objects(i).colour().name(), "charcoal");
+    seen += object.name() == "books" || object.name() == "television";
+  }
+  EXPECT_GE(seen, 2);
+}
+
 TEST(Handbook, NamesWhatDoesNotFit) {
   const Answers a =
       Ask("A 2m x 2m bedroom with a piano, a sofa, two desks, a pool table, a bathtub, an easel, a bookshelf, "

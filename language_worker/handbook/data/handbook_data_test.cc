@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "language_worker/handbook/handbook.h"
@@ -48,6 +49,16 @@ TEST(HandbookData, EveryPieceIsDescribedAndMadeOfSomething) {
     EXPECT_GT(item.descriptions_size(), 0) << item.name();
     EXPECT_FALSE(item.material_group().empty()) << item.name();
     EXPECT_FALSE(item.category().empty()) << item.name();
+  }
+}
+
+TEST(HandbookData, NothingSoftPrintedOrElectricIsCeramic) {
+  constexpr std::array kWords = {"cushion", "blanket", "towel", "runner", "book",   "magazine", "music",   "map",
+                                 "bear",    "basket",  "box",   "rack",   "phone",  "console",  "printer", "machine",
+                                 "monitor", "toaster", "clock", "lamp",   "bottle", "frame"};
+  for (const hb::Furniture& item : Data().contents().furniture()) {
+    if (item.material_group() != "ceramic") continue;
+    for (const char* word : kWords) EXPECT_EQ(item.name().find(word), std::string::npos) << item.name();
   }
 }
 

@@ -96,12 +96,12 @@ StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number
 }
 
 std::string StyleChoice::Describe(const hb::Furniture& furniture, const Look& look) const {
-  std::string text = "{Article} {adjective} {name} in {material}, {colour}.";
+  std::string text = "A {adjective} {name} in {material}, {colour}.";
   if (furniture.descriptions_size() > 0)
     text = Pick(furniture.descriptions(), choice_, "description." + furniture.name());
-  const bool vowel = !look.adjective.empty() && std::string("aeiou").find(look.adjective[0]) != std::string::npos;
-  text = Fill(text, {{"Article", vowel ? "An" : "A"},
-                     {"adjective", look.adjective},
+  // Books, sheet music: what is its own plural takes no article.
+  if (furniture.plural() == furniture.name() && text.starts_with("A ")) text.erase(0, 2);
+  text = Fill(text, {{"adjective", look.adjective},
                      {"material", look.material},
                      {"colour", look.colour.name()},
                      {"style", title_},
