@@ -37,7 +37,7 @@ void CurlMulti::Start(int64_t id, std::unique_ptr<Transfer> transfer, Done done)
   curl_easy_setopt(handle, CURLOPT_PRIVATE, reinterpret_cast<void*>(id));
   Running& running = running_[id];
   running.transfer = std::move(transfer);
-  running.transfer->Join(&round_);
+  running.transfer->Join(&round_, id);
   running.done = std::move(done);
   if (curl_multi_add_handle(multi_, handle) != CURLM_OK) {
     Abort(id, absl::ResourceExhaustedError("no memory for an HTTP request"));
@@ -70,10 +70,13 @@ int64_t CurlMulti::Read(int fd) {
 }
 
 void CurlMulti::Act(curl_socket_t fd, int events) {
-  round_ = {.now = runtime::SystemClock().Elapsed()};
+  round_.now = runtime::SystemClock().Elapsed();
+  round_.body_byte_count = 0;
   int running_count = 0;
   curl_multi_socket_action(multi_, fd, events, &running_count);
+  round_.Deliver();
   FinishDone();
+  AbortRefused();
 }
 
 void CurlMulti::FinishDone() {
@@ -89,6 +92,13 @@ void CurlMulti::FinishDone() {
     auto response = running.transfer->Finish(code);
     running.transfer.reset();
     running.done(std::move(response));
+  }
+}
+
+void CurlMulti::AbortRefused() {
+  for (const int64_t id : std::exchange(round_.refused, {})) {
+    const auto found = running_.find(id);
+    if (found != running_.end()) Abort(id, absl::Status(found->second.transfer->status()));
   }
 }
 

@@ -45,6 +45,8 @@ class CurlMulti {
   int64_t Read(int fd);
   void Act(curl_socket_t fd, int events);
   void FinishDone();
+  // Ends those that want no more of their answers.
+  void AbortRefused();
   // Ends the transfer when its time is over, or else looks again later.
   void Check(int64_t id);
   void SetCurlTimer(long milliseconds);

@@ -276,7 +276,27 @@ TEST_F(HttpClientTest, StoppingTheLoopEndsAStreamInItsMiddle) {
 }
 
 TEST_F(HttpClientTest, ABodyCanBeTakenPieceByPiece) {
-  ScriptedServer server(One(R"({"body": "grüner Tisch", "chunked": true, "piece_bytes": [3, 1, 4]})"));
+  ScriptedServer server(
+      One(R"({"body": "grüner Tisch", "chunked": true, "cut_after_bytes": 3, "gate_at_cut": "begun"})"));
+  HttpClient client(loop_, {});
+  std::string body;
+  int piece_count = 0;
+  HttpRequest request = Question(server.address());
+  request.on_piece = [&](std::string_view piece) {
+    body += piece;
+    // The rest is only sent when the beginning has come.
+    if (++piece_count == 1) server.OpenGate("begun");
+    return absl::OkStatus();
+  };
+  const auto response = SendAndWait(client, std::move(request), call_);
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(body, "grüner Tisch");
+  EXPECT_GE(piece_count, 2);
+  EXPECT_EQ(response->body, "");
+}
+
+TEST_F(HttpClientTest, PiecesThatComeTogetherArePassedOnTogether) {
+  ScriptedServer server(One(R"({"body": "begin", "fill_bytes": 3000, "chunked": true, "piece_bytes": [1]})"));
   HttpClient client(loop_, {});
   std::string body;
   int piece_count = 0;
@@ -286,11 +306,26 @@ TEST_F(HttpClientTest, ABodyCanBeTakenPieceByPiece) {
     ++piece_count;
     return absl::OkStatus();
   };
-  const auto response = SendAndWait(client, std::move(request), call_);
-  ASSERT_TRUE(response.ok()) << response.status();
-  EXPECT_EQ(body, "grüner Tisch");
-  EXPECT_GE(piece_count, 4);
-  EXPECT_EQ(response->body, "");
+  ASSERT_TRUE(SendAndWait(client, std::move(request), call_).ok());
+  EXPECT_EQ(body, "begin" + std::string(3000, 'x'));
+  EXPECT_LT(piece_count, 300);
+}
+
+TEST_F(HttpClientTest, AnAnswerThatIsNotWantedIsAnErrorAlsoWhenItHasComeWhole) {
+  ScriptedServer server(One(R"({"body": "abc"})"));
+  HttpClient client(loop_, {});
+  HttpRequest request = Question(server.address());
+  request.on_piece = [](std::string_view) { return absl::DataLossError("no stream"); };
+  EXPECT_EQ(SendAndWait(client, std::move(request), call_).status(), absl::DataLossError("no stream"));
+}
+
+TEST_F(HttpClientTest, APieceThatIsNotWantedEndsTheRequestThoughNoOtherComes) {
+  ScriptedServer server(One(R"({"body": "abcdef", "cut_after_bytes": 3, "gate_at_cut": "never"})"));
+  HttpClient client(loop_, {});
+  HttpRequest request = Question(server.address());
+  request.on_piece = [](std::string_view) { return absl::DataLossError("no stream"); };
+  EXPECT_EQ(SendAndWait(client, std::move(request), call_).status(), absl::DataLossError("no stream"));
+  server.WaitForClosedByClient(1);
 }
 
 TEST_F(HttpClientTest, APieceThatIsNotWantedEndsTheRequest) {

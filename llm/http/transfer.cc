@@ -16,6 +16,7 @@ namespace {
 
 constexpr int64_t kErrorBodyByteLimit = 64 << 10;
 constexpr int64_t kHeaderByteLimit = 64 << 10;
+constexpr size_t kGatherByteCount = 64 << 10;
 
 absl::Duration Now() { return runtime::SystemClock().Elapsed(); }
 
@@ -152,6 +153,24 @@ size_t Transfer::TakeHeader(std::string_view line) {
   return line.size();
 }
 
+void ReadRound::Deliver() {
+  if (gathering == nullptr) return;
+  Transfer& transfer = *std::exchange(gathering, nullptr);
+  transfer.failure_ = transfer.request_.on_piece(gathered);
+  gathered.clear();
+  if (!transfer.failure_.ok()) refused.push_back(transfer.id_);
+}
+
+bool Transfer::Gather(std::string_view piece) {
+  // Over a shared connection a round has pieces of several answers.
+  if (round_->gathering != this) round_->Deliver();
+  if (!failure_.ok()) return false;
+  round_->gathering = this;
+  round_->gathered += piece;
+  if (round_->gathered.size() >= kGatherByteCount) round_->Deliver();
+  return failure_.ok();
+}
+
 size_t Transfer::TakeBody(std::string_view piece) {
   silent_since_ = round_->now;
   round_->body_byte_count += static_cast<int64_t>(piece.size());
@@ -163,10 +182,7 @@ size_t Transfer::TakeBody(std::string_view piece) {
         fmt::format("{}: an answer of more than {} bytes", PublicAddress(request_.url), body_byte_limit_));
     return 0;
   }
-  if (success && request_.on_piece) {
-    failure_ = request_.on_piece(piece);
-    return failure_.ok() ? piece.size() : 0;
-  }
+  if (success && request_.on_piece) return Gather(piece) ? piece.size() : 0;
   response_.body += piece;
   if (!success && body_byte_count_ > kErrorBodyByteLimit) {
     response_.body.resize(kErrorBodyByteLimit);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -16,13 +17,23 @@
 
 namespace flair::llm {
 
-// What one call to libcurl reads. An answer comes in hundreds of pieces: asking for the time of each would be much of
-// the work.
+class Transfer;
+
+// What one call to libcurl reads. An answer comes in hundreds of pieces: asking for the time of each, or passing each
+// on by itself, would be much of the work.
 struct ReadRound {
   // runtime::SystemClock().Elapsed().
   absl::Duration now;
   // Of bodies, decompressed.
   int64_t body_byte_count = 0;
+  // Pieces that came for a transfer with on_piece and were not passed on yet; some 64 KiB at most.
+  Transfer* gathering = nullptr;
+  std::string gathered;
+  // Those whose on_piece wanted no more: they are to be aborted.
+  std::vector<int64_t> refused;
+
+  // Passes on what was gathered.
+  void Deliver();
 };
 
 // One request on its way: a libcurl easy handle, what came so far, and when to give up. Made by any thread, then used
@@ -36,8 +47,11 @@ class Transfer {
   const absl::Status& status() const { return failure_; }
   CURL* handle() const { return handle_.get(); }
 
-  // Before libcurl runs it. `round` is shared by all that libcurl reads at once, and outlives this.
-  void Join(ReadRound* round) { round_ = round; }
+  // Before libcurl runs it, under its id. `round` is shared by all that libcurl reads at once, and outlives this.
+  void Join(ReadRound* round, int64_t id) {
+    round_ = round;
+    id_ = id;
+  }
 
   // The earliest moment at which Expired() can have an error, as known at `now`.
   absl::Duration NextCheck(absl::Duration now) const;
@@ -48,6 +62,8 @@ class Transfer {
   absl::StatusOr<HttpResponse> Finish(CURLcode code);
 
  private:
+  friend struct ReadRound;
+
   struct CleanUp {
     void operator()(CURL* handle) const { curl_easy_cleanup(handle); }
     void operator()(curl_slist* list) const { curl_slist_free_all(list); }
@@ -57,6 +73,8 @@ class Transfer {
   void AddHeaders();
   size_t TakeHeader(std::string_view line);
   size_t TakeBody(std::string_view piece);
+  // Keeps the piece for ReadRound::Deliver. False when no more is wanted.
+  bool Gather(std::string_view piece);
   // Of the answer, by HTTP; 0 when there is none yet.
   int HttpStatus() const;
   absl::Status ErrorOf(CURLcode code) const;
@@ -74,6 +92,7 @@ class Transfer {
   // Since the first piece of the body.
   int status_ = 0;
   ReadRound* round_ = nullptr;
+  int64_t id_ = 0;
   int64_t header_byte_count_ = 0;
   // Why the transfer was ended from our side.
   absl::Status failure_;

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "llm/openai/json_text.h"
+
 namespace flair::llm {
 namespace {
 
@@ -50,18 +52,20 @@ void SystemToUser(std::vector<Message>& messages) {
   }
 }
 
-ordered_json EncodeMessages(const Dialect& dialect, const ChatRequest& request) {
+std::string EncodeMessages(const Dialect& dialect, const ChatRequest& request) {
   std::vector<Message> messages = request.messages;
   if (!request.schema.empty() && (dialect.form != AnswerForm::kJsonSchema || dialect.schema_in_prompt)) {
     AddToSystem(messages,
                 "Answer with one JSON object and nothing else. It must follow this JSON schema:\n" + request.schema);
   }
   if (!dialect.system_role) SystemToUser(messages);
-  ordered_json encoded = ordered_json::array();
-  for (Message& message : messages) {
-    encoded.push_back({{"role", NameOf(message.role)}, {"content", std::move(message.text)}});
+  std::string encoded = "[";
+  for (const Message& message : messages) {
+    encoded += fmt::format(R"({}{{"role":"{}","content":)", encoded.size() > 1 ? "," : "", NameOf(message.role));
+    AppendJsonString(message.text, encoded);
+    encoded += '}';
   }
-  return encoded;
+  return encoded + "]";
 }
 
 // Takes the limits of numbers and lists off a schema.
@@ -95,9 +99,7 @@ int TokenLimit(const OpenAiOptions& options, const Dialect& dialect, const ChatR
 
 absl::StatusOr<std::string> EncodeRequest(const OpenAiOptions& options, const Dialect& dialect,
                                           const ChatRequest& request) {
-  ordered_json body;
-  body["model"] = options.model;
-  body["messages"] = EncodeMessages(dialect, request);
+  ordered_json body = ordered_json::object();
   if (!request.schema.empty() && dialect.form != AnswerForm::kText) {
     auto format = EncodeFormat(dialect, request);
     if (!format.ok()) return format.status();
@@ -113,8 +115,15 @@ absl::StatusOr<std::string> EncodeRequest(const OpenAiOptions& options, const Di
     body["stream"] = true;
     if (dialect.stream_usage) body["stream_options"] = {{"include_usage", true}};
   }
-  // Whatever is not UTF-8 in a brief becomes U+FFFD.
-  return body.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  std::string text = R"({"model":)";
+  AppendJsonString(options.model, text);
+  text += R"(,"messages":)";
+  text += EncodeMessages(dialect, request);
+  // Whatever is not UTF-8 in a schema becomes U+FFFD.
+  const std::string rest = body.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  if (!body.empty()) text += ',';
+  text.append(rest, 1);
+  return text;
 }
 
 }  // namespace flair::llm

@@ -25,6 +25,16 @@ TEST(EncodeRequest, IsTheSameTextEachTime) {
   EXPECT_EQ(*EncodeRequest({}, {}, request), *EncodeRequest({}, {}, request));
 }
 
+TEST(EncodeRequest, ABodyMayEndWithItsMessages) {
+  Dialect bare;
+  bare.seed = bare.token_limit = false;
+  const ChatRequest request{.step = "s", .messages = {{Role::kSystem, "p"}, {Role::kUser, "q"}}};
+  OpenAiOptions options;
+  options.model = "m\"";
+  EXPECT_EQ(*EncodeRequest(options, bare, request),
+            R"({"model":"m\"","messages":[{"role":"system","content":"p"},{"role":"user","content":"q"}]})");
+}
+
 TEST(EncodeRequest, PutsTheSchemaIntoTheSystemsMessageWhereTheServerTakesNone) {
   const ChatRequest request{.step = "s",
                             .messages = {{Role::kSystem, "You plan."}, {Role::kUser, "q"}, {Role::kAssistant, "a"}},
