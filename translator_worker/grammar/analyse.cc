@@ -10,6 +10,7 @@
 #include "translator_worker/grammar/noun_phrases.h"
 #include "translator_worker/grammar/prepare_tokens.h"
 #include "translator_worker/grammar/quantity.h"
+#include "translator_worker/grammar/raw_term_kinds.h"
 #include "translator_worker/grammar/rewrite_terms.h"
 #include "translator_worker/grammar/term.h"
 #include "translator_worker/grammar/token_context.h"
@@ -214,19 +215,6 @@ class Reader {
     return things.length > 0 && things.reference.kind == RefKind::kObjects && things.reference.plural;
   }
 
-  static void BecomeWord(std::string lemma, RawTerm& raw) {
-    raw.term.kind = Term::Kind::kWord;
-    raw.term.lemma = std::move(lemma);
-  }
-
-  static void BecomeReference(RefKind kind, std::string name, RawTerm& raw) {
-    Reference reference;
-    reference.kind = kind;
-    reference.name = std::move(name);
-    raw.term.kind = Term::Kind::kMention;
-    raw.term.mention.references = {std::move(reference)};
-  }
-
   void PushMention(const Phrase& phrase) {
     RawTerm raw;
     switch (phrase.word_class) {
@@ -276,7 +264,9 @@ class Reader {
         break;
       default:
         raw.role = Role::kSide;
-        raw.term.lemma = phrase.lemma;
+        // "From any side": whichever is wanted, so all of them.
+        raw.term.lemma =
+            tokens_[at_].IsWord("any") && at_ > 0 && tokens_[at_ - 1].IsWord("from") ? "all" : phrase.lemma;
     }
   }
 

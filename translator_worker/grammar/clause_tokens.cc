@@ -148,6 +148,38 @@ void TakePartOfRoomForOne(std::vector<Token>& tokens) {
   }
 }
 
+// "Within reach of the crafter seated at the table", "for whoever sits at the desk": of the table.
+void TakePersonAsPlace(std::vector<Token>& tokens) {
+  std::vector<Token> out;
+  for (size_t i = 0; i < tokens.size(); ++i) {
+    out.push_back(tokens[i]);
+    if (!IsOneOf(tokens[i], {"of", "for", "to", "from", "by"}) || i + 4 >= tokens.size()) continue;
+    const size_t posture = i + (IsOneOf(tokens[i + 1], {"the", "a", "an"}) ? 3 : 2);
+    const bool person = IsOneOf(tokens[posture - 1], {"whoever", "anyone", "someone", "somebody"});
+    const bool sits = (IsOneOf(tokens[posture], {"seated", "sitting", "standing", "lying"}) ||
+                       (person && IsOneOf(tokens[posture], {"sits", "stands", "lies"}))) &&
+                      posture + 1 < tokens.size() && IsOneOf(tokens[posture + 1], {"at", "on", "in"});
+    if (sits) i = posture + 1;
+  }
+  tokens = std::move(out);
+}
+
+// "Either side of the chair" at the beginning: on it.
+void TakeSideAsPlace(std::vector<Token>& tokens) {
+  for (size_t i = 0; i + 2 < tokens.size(); ++i) {
+    const bool side =
+        IsOneOf(tokens[i], {"either", "each"}) && tokens[i + 1].IsWord("side") && tokens[i + 2].IsWord("of");
+    if (!side || !BeginsSentence(tokens, i)) continue;
+    // "Either side of the desk should have ...": the sides themselves.
+    const auto end = std::find_if(tokens.begin() + static_cast<long>(i), tokens.end(), [](const Token& token) {
+      return token.IsMark('.') || IsOneOf(token, {"should", "must", "needs", "need", "has", "have", "requires", "is"});
+    });
+    if (end != tokens.end() && !end->IsMark('.')) continue;
+    tokens.insert(tokens.begin() + static_cast<long>(i), Like(tokens[i], Token::Kind::kWord, "on"));
+    ++i;
+  }
+}
+
 // "0.5 m from one stool to the next": between all of them.
 void TakeNextForBetween(std::vector<Token>& tokens) {
   constexpr size_t kLongestName = 4;
@@ -190,6 +222,8 @@ void PrepareClauses(std::vector<Token>& tokens) {
   TakePartOfRoomForOne(tokens);
   TakeNextForBetween(tokens);
   TakeWherePeopleAre(tokens);
+  TakePersonAsPlace(tokens);
+  TakeSideAsPlace(tokens);
   DropOfFloor(tokens);
   BracketNamely(tokens);
 }

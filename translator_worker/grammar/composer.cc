@@ -69,7 +69,13 @@ bool Composer::StandsAtSubject(const Placed& chair) const {
 
 bool Composer::IsSeat(const Placed& placed) const {
   return EndsWithOneOf(object(placed.object).name(),
-                       {"chair", "sofa", "couch", "stool", "bench", "loveseat", "recliner", "sectional"});
+                       {"chair", "sofa", "couch", "stool", "bench", "loveseat", "recliner", "sectional", "settee",
+                        "banquette", "pew", "throne", "seat"});
+}
+
+bool Composer::IsTable(const Placed& placed) const {
+  return EndsWithOneOf(WithoutNumber(object(placed.object).name()),
+                       {"table", "desk", "counter", "island", "workbench"});
 }
 
 bool Composer::IsHot(const Placed& placed) const {

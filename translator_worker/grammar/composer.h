@@ -70,6 +70,8 @@ class Composer {
   bool StandsAtSubject(const Placed& chair) const;
   // What people sit on.
   bool IsSeat(const Placed& placed) const;
+  // What people sit or stand at.
+  bool IsTable(const Placed& placed) const;
   // What other things are kept away from for its heat.
   bool IsHot(const Placed& placed) const;
   // What people lie in: a bed, cot, coffin, bathtub.

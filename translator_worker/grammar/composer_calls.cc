@@ -77,6 +77,13 @@ bool JoinContacts(Call& call, const Call& more) {
   return true;
 }
 
+// Whether both put a piece beside the same other, at sides of it that differ.
+bool TouchOtherSides(const Call& a, const Call& b) {
+  return a.type == "next_to" && b.type == "next_to" && TextOf(a, "object") == TextOf(b, "object") &&
+         TextOf(a, "target") == TextOf(b, "target") && !TextOf(a, "target_side").empty() &&
+         !TextOf(b, "target_side").empty() && TextOf(a, "target_side") != TextOf(b, "target_side");
+}
+
 // A part of the room instead of a place at some piece.
 bool TellsOnlyWhereabouts(const Call& call) {
   return call.type == "on_wall_in_zone" || call.type == "ceiling_center" || call.type == "in_zone";
@@ -210,6 +217,9 @@ bool Composer::Emit(Call call) {
     });
   }
   if (!calls_.empty() && (JoinSides(calls_.back(), call) || JoinContacts(calls_.back(), call))) return true;
+  // "On the left of the bed, flush with its headboard": one piece touches one side.
+  if (std::any_of(calls_.begin(), calls_.end(), [&](const Call& other) { return TouchOtherSides(other, call); }))
+    return true;
   for (Call& other : calls_) {
     if (Includes(other, call)) return true;
     if (Includes(call, other)) {

@@ -153,6 +153,12 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
       if (reference.name == "seat") {
         const std::vector<Placed>& seats = target ? pair_targets_ : topic_;
         if (!seats.empty() && IsSeat(seats.front())) return seats;
+        // "From every seat": of each that people sit on.
+        if (reference.each && scope() == v1::SENTENCE_SCOPE_INTER) {
+          objects = Group("seating", movers);
+          KeepSubjects(objects);
+          break;
+        }
       }
       Refuse("names_absent_object",
              fmt::format("the room has no \"{}\"; its objects are those of the object list", reference.name));

@@ -101,7 +101,8 @@ class HandbookSentences : public testing::Test {
   }
 
   // Writes the sentence about `count` objects of the class and checks its translation.
-  void Check(std::string text, const std::string& object, const std::string& target, int count) {
+  void Check(std::string text, const std::string& object, const std::string& target, int count,
+             const std::string& further = "") {
     request_.mutable_object_list()->clear_objects();
     request_.mutable_constraint_list()->clear_sentences();
     request_.mutable_zone_plan()->clear_zones();
@@ -110,6 +111,7 @@ class HandbookSentences : public testing::Test {
     zone.set_name("sleeping");
     const std::vector<std::string> ids = AddObjects(object, count);
     if (!target.empty()) AddObjects(target, 1);
+    if (!further.empty()) AddObjects(further, 1);
     const bool together = text.find("{objects}") != std::string::npos;
     Replace(text, "{object}", count > 1 ? "second " + object : object);
     Replace(text, "{objects}", count > 1 ? Plural(object) : object);
@@ -120,6 +122,7 @@ class HandbookSentences : public testing::Test {
     Replace(text, "{other_side}", "right");
     Replace(text, "{corner}", "front right");
     Replace(text, "{zone}", "sleeping");
+    Replace(text, "{wall}", "the north wall");
     Replace(text, "{count}", "two");
     v1::Sentence& sentence = *request_.mutable_constraint_list()->add_sentences();
     sentence.set_id("s1");
@@ -199,9 +202,22 @@ TEST_F(HandbookSentences, OfGeneralRulesAreUnderstoodOfEveryPiece) {
 TEST_F(HandbookSentences, OfPlacesThatBriefsAskForAreUnderstood) {
   for (const hb::AskedPlace& place : handbook_.asked_places()) {
     const bool pair = place.relation().condition().min_count() == 2;
-    for (const char* object : {"desk", "sofa", "double bed", "wardrobe"}) {
-      const bool named = place.relation().text().find("{target}") != std::string::npos;
-      Check(place.relation().text(), object, named ? "armchair" : "", pair ? 2 : 1);
+    std::vector<std::string> objects = {"desk", "sofa", "double bed", "wardrobe"};
+    if (place.kinds_size() > 0) {
+      const hb::FurnitureKind kind = place.kinds(0);
+      objects = {kind == hb::FURNITURE_KIND_WALL      ? "painting"
+                 : kind == hb::FURNITURE_KIND_CEILING ? "chandelier"
+                 : kind == hb::FURNITURE_KIND_SURFACE ? "vase"
+                                                      : "area rug"};
+    }
+    for (const std::string& object : objects) {
+      std::string text = place.relation().text();
+      // Of two pieces the second is there as the only one of its name as well.
+      const bool between = text.find("{first}") != std::string::npos;
+      Replace(text, "{first}", "armchair");
+      Replace(text, "{second}", "sideboard");
+      const bool named = text.find("{target}") != std::string::npos;
+      Check(text, object, between ? "armchair" : named ? "armchair" : "", pair ? 2 : 1, between ? "sideboard" : "");
     }
   }
   EXPECT_GT(checked_, 50);

@@ -12,6 +12,8 @@ relation against: pulled up (to|against) | (hug|hugs|hugging) | [pushed|placed|s
 relation against: (flush|right|hard|close|tight|directly) up against
 relation against: be pulled up [close] (to|against)
 relation against: (lined up|lining up|in a row|side by side) against | (squeezed|shoved|jammed|crammed|propped|stood|abutted|nestled|nudged|squared|placed|set|pushed|positioned) [up|in|flush|right|hard|tightly|snugly] [up] against | in [direct] contact with | touching against
+relation against: flat on | flush on | (hard|square|squarely|plumb|tight|straight|snug) against
+relation against: (secure|fix|attach|anchor|fasten|bolt|screw) (it|them) (to|onto|against)
 relation along: line | lines | lining
 relation along: along | alongside | lined up along | runs along | running along
 relation not_aligned: (avoid|not) aligning
@@ -49,7 +51,7 @@ relation head_of: (at|by|near) the head [end] of
 relation left_of: (on|at|to|along) [its|the] left [hand] (side|end|edge) of
 relation right_of: (on|at|to|along) [its|the] right [hand] (side|end|edge) of
 relation behind_user: behind (the|a|any) (user|person|occupant|sitter|operator|worker|reader|student|player)
-relation behind: behind | in back of | at the back of | at the rear of | to the rear of
+relation behind: (hidden|concealed|tucked) [away] behind | behind | in back of | at the back of | at the rear of | to the rear of
 relation in_front_of: (at|in) the front of | [of] (open|free|clear|unobstructed) (area|zone) in front of | right in front of | in front of | (centered|centred|central|centrally) in front of | [directly] before | ahead of | in the front of
 relation in_front_of: (lined up|lining up|in a row) in front of
 relation in_front: (open|free|clear|unobstructed) (area|zone) in front | in front | at the front
@@ -63,7 +65,10 @@ relation all_sides: all the way (around|round) | (sit|sits|seated|stand|stands|w
 relation around: around | round | surrounding | all around | all round
 relation surround: surround | surrounds | surrounded | arranged around | [evenly] spaced around | [placed|grouped|gathered|distributed|set] (around|round)
   | stand (around|round) | against each side of | on all sides round
-relation surrounded_by: surrounded by
+relation surrounded_by: (surrounded|encircled|ringed) [(on|from) all [four] sides] by
+relation surround: [evenly] (distributed|arranged|spread|seated) [evenly|equally] (on|at|along|against) (all|every) [four] (side|sides) of
+relation flanked_by: (flanked|framed|bracketed|bordered) by
+relation one_each_side: [with] one (on|at|to) (each|either) (side|end)
 relation between: [in] between | [in] between the [outer|front|back|near|nearest|closest] (edge|edges) of
 relation on: (strung|hung|stretched|draped|spread|mounted|running|runs|laid) across
 relation on: [a] part of | [the] top of | [standing|sitting|resting|placed|perched|perching|stands|sits|rests|lies|lying|set|stored|kept] on top of | on the (mantel|mantelpiece|ledge|lid|seat|tray|rim) of | perched on | stored on | draped over | spread (over|across) | in (a|its) (separate|own|dedicated) | on | on top of | atop | onto | upon | resting on | sits on | sit on | stand on | stands on | standing on | sitting on | inside | in | into
@@ -83,6 +88,7 @@ relation facing: (keep|keeping) (an eye|watch) (on|over) | monitor | monitoring 
 relation seen: visible | seen | viewable | in view | in sight
 relation visible_from: [clearly|easily|directly|fully|readily] (viewable|visible|seen|viewed|watched) [clearly|easily|directly] from | (visibility|visible) from
 relation facing: (look|looks|looking|view|views) (over|across|out over) | (aimed|aiming|trained|focused|focussed|shining|shone|directed) (at|on|onto|towards|toward)
+relation facing_away: (look|looks|looking|oriented|orientated|angled|directed|turn|turns|turning|point|points) [directly] away from
 relation facing_away: [to] (face|faces|facing|faced|turned|oriented|pointed|pointing) [directly] away from
 relation facing_each_other: (opposite|across from) (each other|one another) | (face|facing) each other | face one another | facing one another
 relation opposite: opposite | opposite to | opposite from | across from | directly across [from] | on the opposite side of
@@ -102,6 +108,7 @@ relation apart: (separated|spaced|divided) by | [set|placed|kept] apart by | (so
 relation away: away | off
 relation away: out of reach
 relation not_prevent: (not|never|nor) (prevent|stop|keep|hamper) | without (preventing|stopping)
+relation block_view: (block|blocks|blocking|obstruct|obstructs|obstructing|interrupt|interrupts|break|breaks|spoil|spoils) [the] (view|views|sightline|sightlines|sight|line of sight) from
 relation block: (reduce|reduces|reducing|hinder|impede|restrict|limit|obstruct|block) [the] access (through|to|into|from)
 relation block: (block|blocks|blocking|obstruct|obstructs|obstructing|hinder|hindering|restrict|limit|limiting|reduce|reducing) [the] [natural] (light|sunlight|daylight|airflow|view|ventilation) [coming|entering|flowing] (from|through|of|in from|to) | bumped into | struck | knocked [over|into] | (overlap|overlaps|overlapping|conflict|conflicts|conflicting) with | hamper | hampers | hampering | hampered | hindered | impeded | obscured | restricted | inhibit | inhibits | inhibiting | disturb | disturbs | disrupt | disrupts | bump into | bumps into | bumping into | crash into | knock into | (block|obstruct|hinder|impede|hamper|restrict) [the] (path|way|route) (to|of) | get in the way | (block|obstruct) or limit [access (to|of)] | limit access (to|of) | limits access (to|of) | obstruct [the] (front|side) access (to|of) | block [the] (front|side) access (to|of) | (block|blocks|blocking|obstruct|obstructing|restrict) [direct|easy|the] access (to or from|to and from|to|of) | restrict | restricts | restricting | restrict access (to|of) | block | blocks | blocking | blocked | obstruct | obstructs | obstructing | obstructed | obstruction (of|to) | interfere [with] | interferes [with] | interfering with | impede
   | impedes | impeding | hinder | hinders | hindering | cover | covers | covering | covered | obscure | obscures | obscuring | encroach on | encroaching on | intrude (on|into) | get in the way of | in the way of
@@ -130,8 +137,9 @@ relation step_back: [be] [able to] (step|stepping|steps) back
 relation across: across
 relation access_to: (get|getting) at | availability of | access to | accessibility to | (easy|good|convenient|quick|direct|ready|clear) access (to|of) | within reach of | connected to | power from | plugged into | plug into | [easy] access from
 relation allow_access_to: [to|and] (allow|allows|allowing|provide|provides|permit|ensure) [for] [easy|clear|free|full|convenient|unobstructed|enough] access to
-relation pull_out: [to] (pull|move|slide|push|pulling|moving|sliding) (it|them|the chair|the chairs|chairs|a chair|the stool|the stools) (out|back|in and out|in or out) | [enough|sufficient|adequate|ample] (room|space|clearance) to (move|slide|push|roll|pull) [it|them] (back|out|in and out|in) [from] | [be] (moved|pulled|pushed|slid|rolled) (in|out|in and out|in or out|in out|out and in|in and back) [from (it|underneath)] | [to] [be] moved back | [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | [to] pulling [it] (out|back) | [to] [be] (roll|rolled|rolling|slid|slide|sliding|moved|scoot|pushed) (out|back|backwards|backward|in and out) | back out | pull it out | movement space | allow movement space | move back
+relation pull_out: [to] (pull|move|slide|push|pulling|moving|sliding) (it|them|the chair|the chairs|chairs|a chair|the stool|the stools) (out|back|in and out|in or out) | [enough|sufficient|adequate|ample] (room|space|clearance) to (move|slide|push|roll|pull) [it|them] (back|out|in and out|in) [from] | [be] (moved|pulled|pushed|slid|rolled) (out|in and out|in or out|in out|in / out|out and in|in and back) [from (it|underneath)] | [to] [be] moved back | [to] [be] (pulled|pull|push|pushed|move|slide) (out|back|in and out|in) | [to] pulling [it] (out|back) | [to] [be] (roll|rolled|rolling|slid|slide|sliding|moved|scoot|pushed) (out|back|backwards|backward|in and out) | back out | pull it out | movement space | allow movement space | move back
 relation pull_out: [to] [be] (drawn|pulled|slid|rolled|moved) (up|out|back|forward)
+relation pushed_in: [be] (moved|pulled|pushed|slid|rolled) in
 relation swing_open: [allow|allows|allowing|permit] [for] [the] (full|complete|free|unobstructed) opening of | to open | [should] [be able to|able to|to] open [up] [fully|freely|completely|easily|properly] | opened | opens (fully|freely) | (opening|operation) | can open | swing open
 relation space: [of] [clear|free|open|unobstructed] (working|work|usable|standing|manoeuvring|maneuvering|play|stretching|leg|operating|activity) (space|room) | of room (to|for) | (have|has|having|need|needs|require|requires) room (to|for) | of room | breathing room | (clearance|clear|free) depth | space | distance | gap | clearance | spacing | separation | buffer | clearances | [of] [clear|open|free|ample|adequate|sufficient|empty|unobstructed|walking|viewing|circulation|movement] (space|clearance|gap|spacing|distance|separation|buffer|passage|clearances) [of] | enough (space|room) | (leave|leaves|leaving|allow|allows|allowing|provide|provides|providing|is) room (for|to) | there is room | has room | room to (move|walk|pull|open|sit) | clearance space | clear floor
   | clear area | floor space | clear floor space | elbow room
@@ -147,8 +155,9 @@ relation minimal: minimal | kept minimal
 relation considered: (in|into) (consideration|mind|account)
 relation same_wall: (on|against|along) (different|separate|other) walls [from|than] | (aligned|placed|positioned) (on|along|against) the same (wall|side of the room) | (against|on|along) the same (wall|side of the room) [as] | (share|shares|sharing) (a|the same) wall [with]
 relation of: of | reach of
-relation pushed_under: (pushed|push|slide|slides|slid|stored|tuck|rolled|roll) (under|underneath|beneath)
-relation tucked_under: (tucked|tucks|fits|fit|stands|stowed) (under|underneath|beneath)
+relation pushed_under: (pushed|push|slide|slides|slid|rolled|roll) (under|underneath|beneath)
+relation under: (stand|stands|standing) (under|underneath|beneath)
+relation pushed_under: (fit|fits|tuck|tucks|tucked|stow|stowed|store|stored) (under|underneath|beneath)
 relation under_when_unused: when [it|they] (is|are) not (in use|used|needed|required|occupied|being used) | when (not|un) (in use|used|needed|required|occupied|being used) | when unused
 relation centered: (centered|centred) on top of | [be] (centered|centred|center|centre) | [placed|located|positioned] (centrally|central) | central | centrally | in the middle | in a central (location|position|place|spot) | in the (center|centre)
   | at [its|the] (center|centre) | center (of|on|in) | centre (of|on|in) | [in|at|on|near|towards] the (center|centre|middle) (of|in|on) | middle of | [in|at] (center|centre|middle) of
@@ -158,7 +167,8 @@ relation centered: (centered|centred) on top of | [be] (centered|centred|center|
 relation centered: centered along [the|its] (length|width) of | centrally along the (length|width) of
 relation centered: in the central (part|area|portion) of | in a central (part|area) of
 relation wall_centered: centered (on|along|against) | centred (on|along|against) | in the middle of
-relation corner: [on|at|in|near|towards|toward] [the|a|its|one] (back|rear|front|upper|lower|outer|inner) corner [of|on] | [on|in|at] [the] (left|right|far|near|opposite|other) corner (of|on) | in [a|one|the] corner | corner | [in|into] [an|a|the] (empty|unused|quiet|cozy|free|far) corner | corner (of|in) | [in|at|on|near|towards|toward|to] (a|the|one|each|any) [far|near|quiet|free|empty] corner [of] | corners [of] | across [a|the] corner | into (a|the) corner | one corner (of|on)
+relation corner: [on|at|in|near|towards|toward] [the|a|its|one] (front|upper|lower|outer|inner) corner [of|on] | [on|in|at] [the] (left|right|far|near|opposite|other) corner (of|on) | in [a|one|the] corner | corner | [in|into] [an|a|the] (empty|unused|quiet|cozy|free|far) corner | corner (of|in) | [in|at|on|near|towards|toward|to] (a|the|one|each|any) [far|near|quiet|free|empty] corner [of] | corners [of] | across [a|the] corner | into (a|the) corner | one corner (of|on)
+relation corner_back_left: [on|at|in|near|towards|toward|to] [the|its|a|one] (back|rear) corner [of|on]
 relation corner_back_left: [on|at|in|near|towards|toward|to] [the|its] (back left|rear left|left back|left rear|upper left|top left|far left) [hand] corner [of|on]
 relation corner_back_right: [on|at|in|near|towards|toward|to] [the|its] (back right|rear right|right back|right rear|upper right|top right|far right) [hand] corner [of|on]
 relation corner_front_left: [on|at|in|near|towards|toward|to] [the|its] (front left|left front) [hand] corner [of|on]
@@ -168,6 +178,7 @@ relation edge: [slightly] off (center|centre) | (on|at|to) (either|each) end of
 relation towards_back: [and] (towards|toward) the (back|rear|wall|back side|back edge) [of] | at the back edge of | [positioned] (towards|toward) the wall
 relation towards_back: (toward|towards|near) its (back|rear) [edge|side]
 relation into_room: (face|faces|facing|look|looks|looking) into | (angled|oriented|orientated|directed|pointed|pointing|positioned) (into|to|towards|toward) [the] [center|centre|middle|rest|inside] [of] the room | (facing|face|faces|looking|looks|open|opens|turned) [in|into|to|towards|toward] [the] [center|centre|middle|rest|inside] [of] the room | [a|the] [good|clear|full] (view|overview) of [the] [whole|entire|main] room | [a|the] [good|clear|full|comfortable|wide] (view|viewing angle|overview|visibility) (over|across|of|into) [of] [the] [whole|entire|main|rest of the] room | overlooking the [whole|entire|rest of the] room | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the [whole|entire|main] (area|space) | [have|having|has|with|provide|provides|offer|offers] [a|the] [good|clear|full] (view|overview) of the rest of the (room|space|area) | facing inward | facing inwards | view of the [main|entire|whole] room
+relation into_room: (point|points|pointing|open|opens|turned) into
 relation into_room: (point|points) (to|towards|toward) the (center|centre|middle|rest|inside) of the room | take in the (whole|entire|rest of the) room
 relation into_room: (overlooks|overlook|surveys|commands) the [whole|entire|rest of the] room
 relation hanging: (nailed|pinned|fastened|secured|anchored|tacked|taped|clipped|screwed|attached|fixed|affixed|strung|draped) [to|on|onto|across|along|from] | hang | hangs | hung | hanging | suspend | suspended | mounted | mount | mounts | wall mounted | installed | affixed | fixed
@@ -177,7 +188,7 @@ relation freestanding: (stand|stands|standing) free (in|within) the (room|space)
 relation nearest: (closest|nearest) object to | any object next to
 relation where: where
 relation on_wall_of: on the (wall|walls) of
-filler: putting | setting | locating | installing | arranging | stationing | parking | fitting | neighbouring | neighboring | [evenly|equally] spaced [out] | end up | ends up | locating | situating | (guests|guest|visitors|visitor|customers|customer|clients|client|staff|occupants|occupant|children|child|kids|kid|adults|parents|family members|players|readers|viewers|viewer|engineer|somebody|everyone) | align | come | comes | at least | level with | people | someone | anyone | (the|a) (user|users|person|occupant|occupants) | being | (front|top) loading | at a [viewing|walking] (depth|width|radius|distance) of | [to|for] a depth of | [at|with] a spacing of | at (a|the) distance of | [with] one on each side | in (a|such a) (way|manner) (that|so that) [it|they] | such that (it|they) | allowed | given | considered | created | observed | (unobstructed|accessible|open|clear) (area|location|spot) | (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | [in|at] [a|the|an|any] (position|positions|location|locations|spot|spots|place|places|area|areas|way|ways|manner|placement|placements|orientation) (where|that|which) [it|they] [will|would|could|might|can]
+filler: putting | setting | locating | installing | arranging | stationing | parking | fitting | neighbouring | neighboring | [evenly|equally] spaced [out] | end up | ends up | locating | situating | (guests|guest|visitors|visitor|customers|customer|clients|client|staff|occupants|occupant|children|child|kids|kid|adults|parents|family members|players|readers|viewers|viewer|engineer|somebody|everyone) | align | come | comes | at least | level with | people | someone | anyone | (the|a) (user|users|person|occupant|occupants) | being | (front|top) loading | at a [viewing|walking] (depth|width|radius|distance) of | [to|for] a depth of | [at|with] a spacing of | at (a|the) distance of | in (a|such a) (way|manner) (that|so that) [it|they] | such that (it|they) | allowed | given | considered | created | observed | (unobstructed|accessible|open|clear) (area|location|spot) | (an|a) accessible | check for | look for | align centrally | aligned centrally | if wall mounted | walk | walking | moving | to ensure (it|they) | maintained | ensured | provided | be left | is left | left over | when in use | any part of | accessibility | orientation | proportions | dimensions | some | least | somewhat | to be | allow for | allows for | allowing for | such that [it] | so that it | [in|at] [a|the|an|any] (position|positions|location|locations|spot|spots|place|places|area|areas|way|ways|manner|placement|placements|orientation) (where|that|which) [it|they] [will|would|could|might|can]
   | where (it|they) [will|would|could|might|can] | [at a|in a|at the] location | the | a | an | its own | own | this | these | those | there | be | being | been | have | has | having | had | such | as | then | also | both | just | only
   | place | places | placed | placing | placement | put | puts | set | sets | position | positions | positioned | positioning | locate | located | location | situate | situated | stand | stands | standing | sit | sits | sitting | keep | keeps | kept | keeping
   | leave | leaves | leaving | left free | ensure | ensures | ensuring | make sure | making sure | maintain | maintains | maintaining | provide | provides | providing | require | requires | requiring | need | needs | needed | allow | allows | arrange | arranged
@@ -190,6 +201,8 @@ filler: putting | setting | locating | installing | arranging | stationing | par
   | some of the | one of | all of the | accessible location | spot | surface space | do | does | did | get | gets | getting | eg | ie | physically | visually | typically | centrally aligned | facilitate
   | measuring | size | sized | (in|of) size | free of charge | still | yet | please | should the | together | aligned in | evenly | equally | symmetric | symmetrical | symmetrically | neatly
   | installed hanging | in position | in place | extends | extend | extending | centre on | floor level | placements | plenty of | between them and | other | of clearance
+filler: (get|getting|climb|climbing|slip|slide) into
+filler: let | lets | letting | [the] (lower|upper|bottom|main|greater) (part|half|portion) of
 filler: pushing | shoving | cramming | squeezing | forcing | (push|pushed|pushing|shove|shoved|shoving|move|moved|moving) up | belong | belongs | (on|by) (its|their) own | by (itself|themselves)
 filler: (get|getting) (in|on) and (out|off) [of]
 modal: (has|have|needs|need|ought) to be
@@ -219,6 +232,7 @@ side short_both: [two] (opposite|opposing) (short|shorter) (sides|edges|ends)
 side opposite_two: [on|at] [two] opposing sides
 side opposite_two: [on|at] [at least] two opposite sides
 side lateral_one: [either] [the|its] (left or right|right or left) side | [either] [the|its] (left or the right|right or the left) side
+side side: [at least] one (arm|end|lateral) side | (arm|lateral) side
 side side: one or more sides | one or both sides | side | [the] (arm|armrest) | [at least] one side | [at least] one of [its|the] sides | (left or right|right or left) | a side | any side | at least one of its sides | one [free|open] side | one end
 side sides: (either|each) (end|arm)
 side back: headboards | backrests | headrests | (tank|cistern|rear facing|wall) side
@@ -239,6 +253,7 @@ feature window: one with [a|the|any] (window|windows)
 feature window: (window|windows) access | opening of [the] (window|windows) | (wall|walls) with [a|the|any] (window|windows) | window (wall|walls) | window | windows | window light | window sill | windowsill | window opening | window area | bay window | natural light from [the] (window|windows) | source of natural light | natural light source | natural light
 feature socket: wall power (outlet|outlets|socket|sockets|point|points)
 feature socket: (plug|plug in|electricity|outlet) (point|points) | charging (point|points|station|stations) | (wall|power|electrical|electric) (plug|plugs|connection|connections|access point|access points|receptacle|receptacles) | (wall|walls) with [a|the|any] (socket|sockets|outlet|outlets) | electrical and gas (outlets|sockets) | [wall|power|electrical|electric|mains|electricity] (socket|sockets|outlet|outlets|plugs) | (wall|power|electrical|electric|mains|electricity) (plug|supply|point|points) | power source | power sources | power | plug sockets | power plug | electricity | electrical power [source|sources|supply]
+place wall: [full height|long|free|clear|solid] (stretch|section|length|run|expanse|piece) of [the] wall
 place wall: [one or] two walls | [one of the] (long|longer|longest|short|shorter|two|main) (wall|walls) | [same|solid|long|main|free|empty|blank|any|one|single|adjacent|nearby|side|rear|exterior|interior|outer|inner|outside|inside|dry|structural|load bearing] (wall|walls) | wall space | perimeter | edge of the room | edges of the room | perimeter of the room | side of the room | walls of the room
 place ceiling: ceiling | ceilings
 place room: [whole|entire|main] (room|bedroom|living room|dining room|kitchen|office|study|bathroom|studio|space|workshop|workroom|hall|library|gym|nursery|shop|store|chapel|church|cellar|bakery|salon|clinic|surgery|pharmacy|boutique|gallery|lounge|attic|basement|laboratory|lab|cafe|restaurant) | floor plan | room 's space | center of attention | layout

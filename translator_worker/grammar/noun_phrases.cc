@@ -4,21 +4,12 @@
 #include <utility>
 
 #include "translator_worker/grammar/noun_lists.h"
+#include "translator_worker/grammar/noun_quantities.h"
 
 namespace flair::translator {
 namespace {
 
 using Role = RawTerm::Role;
-
-bool IsThing(const RawTerm& raw) {
-  if (!IsMention(raw)) return false;
-  const RefKind kind = raw.term.mention.references.back().kind;
-  return kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kAbsent || kind == RefKind::kGroup;
-}
-
-bool IsVague(const RawTerm& raw) {
-  return IsMention(raw) && raw.term.mention.references.back().kind == RefKind::kVague;
-}
 
 bool IsOf(const RawTerm& raw) { return raw.role == Role::kNone && raw.term.IsWord("of"); }
 
@@ -29,8 +20,7 @@ class Grouper {
 
   std::vector<Term> Run() {
     AttachSides();
-    AttachQuantities();
-    return JoinLists(std::move(in_));
+    return JoinLists(AttachQuantities(std::move(in_)));
   }
 
  private:
@@ -190,106 +180,16 @@ class Grouper {
     return next - 1;
   }
 
-  // "each chair", "the second nightstand"; unknown adjectives before a thing belong to it.
-  void AttachQuantities() {
-    std::vector<RawTerm> out;
-    bool each = false;
-    bool none = false;
-    bool other = false;
-    Term other_term;
-    int ordinal = 0;
-    for (RawTerm& raw : in_) {
-      if (raw.role == Role::kEach) {
-        each = true;
-        none = none || raw.negative;
-        continue;
-      }
-      if (raw.role == Role::kOrdinal) {
-        if (other && raw.ordinal == 1) continue;  // "the second one", "the first one"
-        ordinal = raw.ordinal;
-        other = raw.ordinal > 1 || other || Earlier(ordinal, out) != nullptr;
-        if (other) other_term = raw.term;
-        continue;
-      }
-      if (other && !IsMention(raw)) NameTheOther(other_term, ordinal, out);
-      other = false;
-      // "Water splash and sockets": what follows a vague thing belongs to it.
-      if (raw.role == Role::kNone && raw.term.kind == Term::Kind::kUnknown && !out.empty() && IsVague(out.back())) {
-        out.back().term.end = raw.term.end;
-        continue;
-      }
-      if (IsMention(raw)) {
-        Reference& reference = raw.term.mention.references.back();
-        reference.each = reference.each || each;
-        // "Both the front and one side" are two, no two of a kind.
-        const bool one_side = raw.term.mention.references.size() == 1;
-        if (each && raw.side_first && one_side) reference.side = BothOf(reference.side);
-        if (ordinal > 0) reference.ordinal = ordinal;
-        if ((IsThing(raw) || IsFeature(raw) || reference.kind == RefKind::kWall) && !out.empty() &&
-            out.back().role == Role::kNone && AdjectiveLike(out.back().term)) {
-          out.pop_back();
-          // "Flammable objects": which those are, nobody knows.
-          const bool unnamed = reference.kind == RefKind::kGroup && !reference.each &&
-                               (reference.name == "all" || reference.name == "others");
-          if (unnamed) reference.name = "kind";
-        }
-        each = false;
-        ordinal = 0;
-      } else if (raw.term.kind != Term::Kind::kUnknown || raw.role != Role::kNone) {
-        each = false;
-        ordinal = 0;
-      }
-      const bool negative = raw.negative || (none && IsMention(raw));
-      if (negative) none = false;
-      out.push_back(std::move(raw));
-      if (negative) {
-        RawTerm denial;
-        denial.term.kind = Term::Kind::kWord;
-        denial.term.lemma = "not";
-        out.push_back(std::move(denial));
-      }
-    }
-    in_ = std::move(out);
-  }
-
-  // The thing spoken of before that "the other", "the second one", "the first one" is another of.
-  static const RawTerm* Earlier(int ordinal, const std::vector<RawTerm>& out) {
-    for (size_t i = out.size(); i > 0; --i) {
-      if (!IsThing(out[i - 1])) continue;
-      const Reference& reference = out[i - 1].term.mention.references.back();
-      const bool fits = ordinal == 1 ? reference.ordinal > 1 : reference.ordinal == ordinal - 1;
-      if (fits && reference.candidates.size() > 1) return &out[i - 1];
-    }
-    return nullptr;
-  }
-
-  static void NameTheOther(const Term& term, int ordinal, std::vector<RawTerm>& out) {
-    const RawTerm* const earlier = Earlier(ordinal, out);
-    if (earlier == nullptr) return;
-    RawTerm named = *earlier;
-    named.term.begin = term.begin;
-    named.term.end = term.end;
-    named.term.mention.references.back().ordinal = ordinal;
-    out.push_back(std::move(named));
-  }
-
-  // "Each long side".
-  static std::string BothOf(const std::string& side) {
-    if (side == "long_one") return "long_both";
-    if (side == "short_one") return "short_both";
-    return side == "side" ? "sides" : side;
-  }
-
-  static bool AdjectiveLike(const Term& term) {
-    if (term.kind != Term::Kind::kUnknown) return false;
-    const std::string& word = term.lemma;
-    return word.size() < 3 || (word.back() != 's' && word.substr(word.size() - 3) != "ing");
-  }
-
   std::vector<RawTerm> in_;
 };
 
 }  // namespace
+
+bool IsThing(const RawTerm& raw) {
+  if (!IsMention(raw)) return false;
+  const RefKind kind = raw.term.mention.references.back().kind;
+  return kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kAbsent || kind == RefKind::kGroup;
+}
 
 bool IsMention(const RawTerm& raw) { return raw.role == Role::kNone && raw.term.kind == Term::Kind::kMention; }
 

@@ -22,8 +22,9 @@ struct RawTerm {
   bool negative = false;
 };
 
-// Whether the term is a noun phrase, and one of doors, windows or sockets.
+// Whether the term is a noun phrase, one that can be moved, and one of doors, windows or sockets.
 bool IsMention(const RawTerm& raw);
+bool IsThing(const RawTerm& raw);
 bool IsFeature(const RawTerm& raw);
 
 // Puts noun phrases together: "the bed's headboard", "both long sides of the bed", "the bed, the wardrobe and the

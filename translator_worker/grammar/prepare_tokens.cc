@@ -43,8 +43,9 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
       if (!tokens[end].IsWord("nor")) continue;
       tokens[end].text = "and";
       listed = true;
-      // "Neither beside nor opposite the sink": the second relation is denied as well.
-      const bool relates = Lexicon::Get().Find(tokens, end + 1).word_class == WordClass::kRelation;
+      // "Neither beside nor opposite the sink", "nor stand next to it": the second relation is denied as well.
+      const size_t verb = end + 1 < tokens.size() && IsOneOf(tokens[end + 1], {"stand", "be", "sit", "lie"}) ? 1 : 0;
+      const bool relates = Lexicon::Get().Find(tokens, end + 1 + verb).word_class == WordClass::kRelation;
       if (relates && end + 1 < tokens.size() && Lexicon::Get().Find(tokens, end + 1).length > 0)
         tokens.insert(tokens.begin() + static_cast<long>(end) + 1, WordLike(tokens[end], "not"));
     }

@@ -6,6 +6,7 @@
 
 #include "translator_worker/grammar/rewrite_clauses.h"
 #include "translator_worker/grammar/rewrite_denials.h"
+#include "translator_worker/grammar/rewrite_places.h"
 
 namespace flair::translator {
 namespace {
@@ -260,6 +261,7 @@ void RewriteTerms(std::vector<Term>& terms) {
   DropToBesideNot(terms);
   DropCenteredBesideRelation(terms);
   RewriteDenials(terms);
+  RewritePlaces(terms);
   EndFrontBeforeFigure(terms);
 }
 

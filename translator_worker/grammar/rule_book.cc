@@ -11,7 +11,7 @@ const RuleBook& RuleBook::Get() {
 RuleBook::RuleBook() {
   for (const auto family : {&PathRules, &WalkwayRules, &HangingRules, &SurfaceRules, &GroupRules, &RoomRules,
                             &WallRules, &FeatureRules, &AngleRules, &InFrontRules, &FrontRules, &AccessRules,
-                            &SpaceRules, &PullOutRules, &NearRules, &DistanceRules}) {
+                            &SpaceRules, &PullOutRules, &FeatureNearRules, &NearRules, &DistanceRules}) {
     for (const Rule& rule : family()) {
       rules_.push_back(rule);
       patterns_.emplace_back(rule.pattern);

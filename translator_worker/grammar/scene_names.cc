@@ -16,6 +16,8 @@ namespace {
 constexpr size_t kLongestName = 6;
 // What is chosen later ranks after everything else that bears a name.
 constexpr int kLaterRank = 10;
+// "Bench" for "workbench".
+constexpr int kCompoundRank = 3;
 // "TV" for "TV stand".
 constexpr int kFrontRank = 4;
 
@@ -31,6 +33,16 @@ bool IsNumber(const std::string& word) {
 }
 
 int NumberOf(const std::string& word) { return IsNumber(word) ? std::atoi(word.c_str()) : 0; }
+
+// "bench" of a workbench, "table" of a worktable; empty for other words.
+std::string HeadOfCompound(const std::string& word) {
+  static constexpr std::array<std::string_view, 9> kHeads = {"bench", "table", "shelf", "desk", "case",
+                                                             "stand", "rack",  "chest", "bed"};
+  for (const std::string_view head : kHeads) {
+    if (word.size() > head.size() + 2 && word.ends_with(head)) return std::string(head);
+  }
+  return "";
+}
 
 // What is named for where it is used, not for what it carries: "counter stool", "desk lamp".
 bool IsSeatOrLamp(const std::string& word) {
@@ -79,8 +91,9 @@ SceneNames::SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1
     if (words.empty() || IsSeatOrLamp(words.back())) continue;
     for (size_t length = words.size() - (words.empty() ? 0 : 1); length > 0; --length) {
       const std::vector<std::string> front(words.begin(), words.begin() + static_cast<long>(length));
-      if (names_.count(absl::StrJoin(front, " ")) != 0 && front.front() != "storage")
-        Add(front, i, rank(objects.objects(i)) + kFrontRank);
+      if (names_.count(absl::StrJoin(front, " ")) == 0 || front.front() == "storage") continue;
+      Add(front, i, rank(objects.objects(i)) + kFrontRank);
+      if (front.back() == "tv") Add({"television"}, i, rank(objects.objects(i)) + kFrontRank);
     }
   }
 }
@@ -92,6 +105,7 @@ void SceneNames::AddNamesOf(int i, int rank) {
   if (words.size() < all.size()) numbers_[i] = NumberOf(all.back());
   Add(SingularWords(object.id()), i, rank);
   joined_names_[absl::StrJoin(words, "")].push_back({i, rank});
+  if (const std::string head = HeadOfCompound(words.back()); !head.empty()) Add({head}, i, rank + kCompoundRank);
   for (size_t skip = 0; skip < words.size(); ++skip) {
     const std::vector<std::string> tail(words.begin() + static_cast<long>(skip), words.end());
     Add(tail, i, rank + (skip == 0 ? 0 : 1));

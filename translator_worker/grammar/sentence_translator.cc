@@ -2,207 +2,17 @@
 #include "translator_worker/grammar/sentence_translator.h"
 
 #include <algorithm>
-#include <string>
+#include <string_view>
 
 #include "absl/strings/str_join.h"
 #include "fmt/format.h"
 #include "translator_worker/grammar/composer.h"
 #include "translator_worker/grammar/last_resorts.h"
-#include "translator_worker/grammar/quote.h"
-#include "translator_worker/grammar/rule_book.h"
 #include "translator_worker/grammar/term.h"
+#include "translator_worker/grammar/walk.h"
 
 namespace flair::translator {
 namespace {
-
-// No pattern is longer than this many terms.
-constexpr size_t kLongestFact = 14;
-
-class Walk {
- public:
-  // `reads_reasons`: what follows "to" and "for" is read like the rest.
-  Walk(const Analysis& analysis, Composer& composer, std::string_view text, bool reads_reasons)
-      : terms_(analysis.terms), composer_(composer), text_(text), reads_reasons_(reads_reasons) {}
-
-  void Run() {
-    while (at_ < terms_.size()) {
-      const Term& term = terms_[at_];
-      if (term.kind == Term::Kind::kStop) {
-        in_reason_ = false;
-        denied_ = false;
-        clause_begins_ = true;
-        ++at_;
-        continue;
-      }
-      // "To allow talks without crowding the sofa": what is ruled out holds whatever the reason.
-      if (term.IsWord("not") && text_.substr(term.begin, term.end - term.begin) == "without") in_reason_ = false;
-      if ((!in_reason_ || term.kind == Term::Kind::kDistance) && TakeFact()) {
-        in_reason_ = false;
-        clause_begins_ = false;
-      } else {
-        LeaveOver(term);
-        ++at_;
-      }
-    }
-  }
-
-  // Content words that no fact covered.
-  const std::vector<std::string>& left_over() const { return left_over_; }
-  // Whether something was skipped as a reason.
-  bool reasons() const { return reasons_; }
-  // Whether a "not" was left over.
-  bool denied() const { return denied_; }
-  // Whether it names something no call is about.
-  bool vague() const {
-    return std::any_of(unused_.begin(), unused_.end(), [](const Mention* mention) {
-      return std::any_of(mention->references.begin(), mention->references.end(),
-                         [](const Reference& reference) { return reference.kind == RefKind::kVague; });
-    });
-  }
-  // Left-over noun phrases that name something no call is about.
-  void RefuseVague() {
-    for (const Mention* mention : unused_) {
-      for (const Reference& reference : mention->references) {
-        if (reference.kind == RefKind::kVague) {
-          composer_.Refuse(
-              "not_about_layout",
-              fmt::format("{} cannot be said by a layout call; name the objects and distances that serve it",
-                          reference.name));
-        } else if (reference.kind == RefKind::kAbsent) {
-          composer_.Refuse("names_absent_object", fmt::format("the room has no \"{}\"", reference.name));
-        }
-      }
-    }
-  }
-
- private:
-  bool TakeFact() {
-    const std::span<const Term> rest(terms_.data() + at_, std::min(kLongestFact, terms_.size() - at_));
-    RuleBook::Hit hit = RuleBook::Get().Find(rest);
-    if (hit.rule != nullptr && EndsInNextFact(hit.match.length))
-      hit = RuleBook::Get().Find(rest.first(hit.match.length - 2));
-    if (hit.rule == nullptr || Passive()) return false;
-    // "against a wall or beside the bed": the first is taken, the choice is free.
-    const size_t before = composer_.calls().size();
-    const bool alternative = after_or_ && before > calls_at_or_;
-    if (denied_) {
-      composer_.Refuse("unknown_sentence", "this relation cannot be denied; say what shall hold instead");
-    } else if (!alternative) {
-      if (hit.match.a != nullptr) TakeTopic(*hit.match.a);
-      hit.rule->build(hit.match, hit.rule->tag, composer_);
-    }
-    at_ += hit.match.length;
-    PassRepeatedPartner();
-    after_or_ = at_ < terms_.size() && terms_[at_].IsWord("or");
-    if (after_or_) {
-      calls_at_or_ = before;
-      ++at_;
-    }
-    return true;
-  }
-
-  // "To the left of the table, at most 0.5 m from it": the partner of the figure is named once more.
-  void PassRepeatedPartner() {
-    if (at_ == 0 || at_ + 1 >= terms_.size() || terms_[at_ - 1].kind != Term::Kind::kDistance) return;
-    if (!terms_[at_].IsWord("away_from") || terms_[at_ + 1].kind != Term::Kind::kMention) return;
-    const Reference& first = terms_[at_ + 1].mention.references.front();
-    if (first.kind == RefKind::kPronoun && first.side.empty() && !composer_.pair_targets().empty()) at_ += 2;
-  }
-
-  // "Away from the shelf and at least 1 m from the stool": the figure is for the stool.
-  bool EndsInNextFact(size_t length) const {
-    const size_t next = at_ + length;
-    if (length < 4 || next + 1 >= terms_.size() || terms_[next - 1].kind != Term::Kind::kDistance) return false;
-    const Term& joint = terms_[next - 2];
-    const bool joined = joint.kind == Term::Kind::kSoft && joint.lemma != "(" && joint.lemma != ")";
-    const Term& relation = terms_[next];
-    const bool relates = relation.IsWord("away_from") || relation.IsWord("in_front_of") || relation.IsWord("behind") ||
-                         relation.IsWord("left_of") || relation.IsWord("right_of") || relation.IsWord("to_side");
-    return joined && relates && terms_[next + 1].kind == Term::Kind::kMention &&
-           terms_[next + 1].mention.references.front().kind != RefKind::kPronoun;
-  }
-
-  // "overshadowed by the bed": what happens to it, not where it is.
-  bool Passive() const {
-    if (at_ == 0 || !terms_[at_].IsWord("next_to") || terms_[at_].end - terms_[at_].begin != 2) return false;
-    const Term& before = terms_[at_ - 1];
-    return before.kind == Term::Kind::kUnknown && before.lemma.size() > 3 && before.lemma.ends_with("ed");
-  }
-
-  // "So that its left side touches the stand": what touches what, no reason.
-  bool TellsOwnSide() const {
-    if (at_ + 2 >= terms_.size() || terms_[at_].lemma != "so") return false;
-    const Term& side = terms_[at_ + 1];
-    const bool own = side.kind == Term::Kind::kMention && side.mention.references.front().kind == RefKind::kPronoun &&
-                     !side.mention.references.front().side.empty();
-    return own && (terms_[at_ + 2].IsWord("against") || terms_[at_ + 2].IsWord("next_to"));
-  }
-
-  // Objects that are named as movers are spoken of from then on.
-  void TakeTopic(const Mention& mention) {
-    if (mention.references.front().kind != RefKind::kObjects) return;
-    // What a thing on a table or wall is about is its heading: "Desk organizer: on the shelf".
-    if (composer_.scope() == v1::SENTENCE_SCOPE_TERTIARY && !composer_.subjects().empty()) return;
-    std::vector<Placed> movers = composer_.Movers(&mention);
-    for (Placed& placed : movers) placed.side.clear();
-    if (!movers.empty()) composer_.SetTopic(std::move(movers));
-  }
-
-  void LeaveOver(const Term& term) {
-    switch (term.kind) {
-      case Term::Kind::kPurpose:
-        // "that" after a thing tells which one; "ensure that" tells nothing.
-        if (reads_reasons_ && (term.lemma == "to" || term.lemma == "for" || term.lemma == "so")) break;
-        if (TellsOwnSide()) break;
-        if (term.lemma != "that" || (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kMention)) in_reason_ = true;
-        reasons_ = reasons_ || term.lemma == "to" || term.lemma == "for" || term.lemma == "so";
-        break;
-      case Term::Kind::kWord:
-        if (!in_reason_ && term.lemma == "not") denied_ = true;
-        break;
-      case Term::Kind::kSoft:
-        denied_ = false;
-        if (term.lemma == "," || term.lemma == "but" || term.lemma == "while" || term.lemma == "with" ||
-            term.lemma == "(" || term.lemma == ")" || term.lemma == ":")
-          in_reason_ = false;
-        break;
-      case Term::Kind::kMention:
-        if (in_reason_) break;
-        if (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kSoft && terms_[at_ - 1].lemma == "(" &&
-            term.mention.references.front().kind == RefKind::kPronoun &&
-            !term.mention.references.front().side.empty()) {
-          composer_.CompleteSide(term.mention.references.front().side);
-        }
-        if (clause_begins_) TakeTopic(term.mention);
-        if (term.mention.references.front().kind == RefKind::kObjects && composer_.topic().empty())
-          TakeTopic(term.mention);
-        unused_.push_back(&term.mention);
-        clause_begins_ = false;
-        break;
-      case Term::Kind::kUnknown:
-      case Term::Kind::kDistance:
-        if (!in_reason_) left_over_.push_back(Quote(text_.substr(term.begin, term.end - term.begin)));
-        break;
-      default:
-        break;
-    }
-  }
-
-  const std::vector<Term>& terms_;
-  Composer& composer_;
-  const std::string_view text_;
-  const bool reads_reasons_;
-  bool reasons_ = false;
-  size_t at_ = 0;
-  bool in_reason_ = false;
-  bool clause_begins_ = true;
-  // A "not" that no rule took: what follows must not be read as wanted.
-  bool denied_ = false;
-  bool after_or_ = false;
-  size_t calls_at_or_ = 0;
-  std::vector<std::string> left_over_;
-  std::vector<const Mention*> unused_;
-};
 
 // What happens to an object stays, "overshadowed by", and so does what is denied: "minimize distractions from".
 Analysis WithoutUnknown(const Analysis& analysis) {
@@ -238,8 +48,7 @@ bool IsStowedAtTimes(const Analysis& analysis) {
     return std::any_of(analysis.terms.begin(), analysis.terms.end(),
                        [&](const Term& term) { return term.IsWord(lemma); });
   };
-  return says("under_when_unused") &&
-         (says("pushed_under") || says("tucked_under") || says("pull_out") || says("under"));
+  return says("under_when_unused") && (says("pushed_under") || says("pull_out") || says("under"));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +33,9 @@ struct Term {
   size_t end = 0;
 
   bool IsWord(std::string_view word) const { return kind == Kind::kWord && lemma == word; }
+  bool IsAnyWord(std::initializer_list<std::string_view> words) const {
+    return kind == Kind::kWord && std::find(words.begin(), words.end(), lemma) != words.end();
+  }
 };
 
 // A sentence made ready for the rules.

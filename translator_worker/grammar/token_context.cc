@@ -42,6 +42,11 @@ Phrase FindPhrase(const TokenContext& context) {
                         IsOneOf(context.tokens[context.at], {"is", "are"}) && context.at + 2 < context.tokens.size() &&
                         IsOneOf(context.tokens[context.at + 2], {"the", "its", "either", "one", "each"});
   if (to_place) return Lexicon::Get().Find(context.tokens, context.at, 1);
+  // "0.6 m should be left open": kept so, it does not open.
+  const size_t after = context.at + phrase.length;
+  if (phrase.word_class == WordClass::kModal && phrase.length > 1 && context.tokens[after - 1].IsWord("left") &&
+      after < context.tokens.size() && IsOneOf(context.tokens[after], {"open", "free", "clear", "unobstructed"}))
+    return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
   // "Stands parallel to ensure ...": the last word begins the reason.
   const size_t last = context.at + phrase.length - 1;
   if (phrase.length > 1 && phrase.word_class == WordClass::kRelation && context.tokens[last].IsWord("to") &&

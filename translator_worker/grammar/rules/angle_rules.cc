@@ -16,6 +16,9 @@ Call Two(const char* type, const Placed& mover, const Placed& other, Composer& c
 
 void EmitFacing(const Placed& mover, const Placed& other, bool both, Composer& composer) {
   if (composer.IsCeiling(mover)) {
+    // "Above the table, pointing at the screen": where it hangs has been said.
+    const auto placed = [](const Call& call) { return call.type == "ceiling_above"; };
+    if (std::any_of(composer.calls().begin(), composer.calls().end(), placed)) return;
     composer.EmitFirst({Two("ceiling_above", mover, other, composer)});
   } else if (composer.IsWall(mover)) {
     composer.EmitFirst({Two("on_wall_facing", mover, other, composer)});
@@ -51,7 +54,9 @@ void Facing(const Match& match, std::string_view tag, Composer& composer) {
         composer.Refuse("unknown_sentence", "it can face an object, a door, a window or the room");
       }
       for (const Placed& other : target.objects) {
-        if (tag == "not" || mover.side == "back") {
+        if (mover.side == "back") {
+          composer.Refuse("not_expressible", "no call turns a back to an object; say what the front faces");
+        } else if (tag == "not") {
           composer.EmitFirst({Two("not_facing", mover, other, composer)});
         } else {
           EmitFacing(mover, other, tag == "both", composer);
@@ -60,6 +65,21 @@ void Facing(const Match& match, std::string_view tag, Composer& composer) {
     }
     if (!target.objects.empty()) composer.SetPair(movers, target.objects);
   }
+}
+
+// "On the other side of the desk from the chair": it faces the chair.
+void Across(const Match& match, std::string_view tag, Composer& composer) {
+  Facing({match.a, match.c, nullptr, nullptr, match.length}, tag, composer);
+}
+
+// "Its back to the shelf", "its front to the shelf".
+void SideTo(const Match& match, std::string_view tag, Composer& composer) {
+  const std::string& side = match.a->references.front().side;
+  if (side == "left" || side == "right" || side == "sides" || side == "side") {
+    composer.Refuse("not_expressible", "only where fronts face can be asked for");
+    return;
+  }
+  Facing(match, tag, composer);
 }
 
 // "On opposite long sides of the table": at its two sides. "On the opposite side": facing it.
@@ -205,6 +225,7 @@ void IntoRoom(const Match& match, std::string_view, Composer& composer) {
 
 std::vector<Rule> AngleRules() {
   return {
+      {"A? visible_from B.side", SeenFromSides},
       {"A? facing/visible_from B", Facing},
       {"A? facing ,? in_front_of B", Facing},
       {"A? facing centered of? B", Facing},
@@ -213,6 +234,9 @@ std::vector<Rule> AngleRules() {
       {"A? facing_away B", Facing, "not"},
       {"A? opposite B", Facing},
       {"A? on opposite B.side", OnOpposite},
+      {"A? opposite B.object away_from C.object", Across},
+      {"A.side to B.object", SideTo},
+      {"A.side not to B.object", SideTo, "not"},
       {"A? facing_each_other", EachOther},
       {"A? facing both_ways", EachOther},
       {"A? opposite both_ways", EachOther},
@@ -235,7 +259,6 @@ std::vector<Rule> AngleRules() {
       {"C.vague? away_from A.object into_room", IntoRoom},
       {"A? on? opposite B.room away_from C.object", AcrossRoom},
       {"away_from A.object ,? not facing B.thing", Facing, "not"},
-      {"A? visible_from B.side", SeenFromSides},
       {"A? seen all_sides", SeenFromSides},
   };
 }

@@ -77,6 +77,15 @@ void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets
     return std::any_of(movers.begin(), movers.end(),
                        [&](const Placed& mover) { return mover.object == target.object; });
   };
+  // "Each table has two chairs, one on either side": the first two at the first.
+  if (targets.size() > 1 && movers.size() > targets.size() && movers.size() % targets.size() == 0) {
+    const auto each = static_cast<long>(movers.size() / targets.size());
+    for (size_t i = 0; i < targets.size(); ++i) {
+      const auto first = movers.begin() + static_cast<long>(i) * each;
+      Flank({first, first + each}, {targets[i]}, composer);
+    }
+    return;
+  }
   for (const Placed& target : targets) {
     // "Two on each long side", of chairs: of what, nothing says.
     if (moves(target)) {

@@ -106,25 +106,6 @@ void NoGap(const Match&, std::string_view, Composer& composer) {
   if (composer.pair_targets().empty()) composer.Refuse("unknown_sentence", "say between what there is no gap");
 }
 
-// "A clear walkway between the sofa and the table" keeps them apart; between pieces that are not named it is a path.
-void DistanceOrPathBetween(const Match& match, std::string_view tag, Composer& composer) {
-  if (match.a != nullptr && match.c->references.front().name == "paths") {
-    ApartFromEachOther(match, tag, composer);
-    return;
-  }
-  const Reference& first = match.b->references.front();
-  const bool several = first.kind == RefKind::kObjects && (first.plural || first.each) && first.candidates.size() > 1;
-  const bool named = several || (match.b->references.size() > 1 && first.kind != RefKind::kGroup);
-  if (named && match.c->references.front().name == "paths") {
-    Between(match, tag, composer);
-  } else {
-    composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
-  }
-}
-
-// "Walkways of at least 0.6 m": how wide ways are, wherever they lead. Of other vague things the figure is a space's.
-void Ways(const Match& match, std::string_view tag, Composer& composer);
-
 // "Across from the sofa, at least 1.5 m away": from what was related to last.
 void AwayFromPartner(const Match& match, std::string_view tag, Composer& composer) {
   if (composer.pair_targets().empty()) {
@@ -136,56 +117,6 @@ void AwayFromPartner(const Match& match, std::string_view tag, Composer& compose
   }
 }
 
-// A bare distance belongs to the fact before it: to its pair, else it is free space in front.
-void BareDistance(const Match& match, std::string_view, Composer& composer) {
-  if (composer.CompleteClearance(match.distance->Nominal())) return;
-  if (!composer.pair_targets().empty()) {
-    for (const Placed& mover : composer.pair_movers()) {
-      for (const Placed& other : composer.pair_targets()) KeepDistance(mover, other, match.distance, composer);
-    }
-    return;
-  }
-  if (!composer.topic().empty() && !composer.calls().empty() && !composer.IsFloor(composer.topic().front())) {
-    composer.Note("partial", "heights and overhangs cannot be asked for");
-    return;
-  }
-  if (match.distance->min_m && !match.distance->exact && !composer.topic().empty() && !composer.calls().empty()) {
-    for (const Placed& mover : composer.topic()) {
-      composer.EmitFirst({Call("accessible")
-                              .Text("object", composer.id(mover))
-                              .Texts("sides", {"front"})
-                              .Number("min_clearance_m", *match.distance->min_m)});
-    }
-    return;
-  }
-  composer.Refuse("unknown_sentence", "a distance needs two objects that it is kept between");
-}
-
-void Ways(const Match& match, std::string_view tag, Composer& composer) {
-  // "Opposite each other with an aisle of 1.2 m": between the two.
-  const bool between =
-      composer.scope() == v1::SENTENCE_SCOPE_INTER && !composer.calls().empty() && !composer.pair_targets().empty();
-  if (match.c->references.front().name == "paths" && !between) {
-    composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
-  } else {
-    BareDistance(match, tag, composer);
-  }
-}
-
-// "No sockets nearby", "the door is at least 1 m away": from what is spoken of.
-void FeatureAway(const Match& match, std::string_view, Composer& composer) {
-  for (const Target& target : composer.Targets(*match.b, {}, false)) {
-    const std::vector<Placed> movers = composer.Movers(match.a);
-    for (const Placed& mover : movers) KeepAway(mover, target, match.distance, composer);
-    if (movers.empty()) composer.Refuse("unknown_sentence", "nothing says what is kept away from it");
-  }
-}
-
-// "Nothing between the sofa and the TV stand".
-void NothingBetween(const Match&, std::string_view, Composer& composer) {
-  composer.Refuse("not_expressible", "no call keeps the space between two objects empty; name a side or a distance");
-}
-
 // "Not between the sofa and the bookshelf" is away from both; doors and windows would say something else.
 void NotBetween(const Match& match, std::string_view tag, Composer& composer) {
   const bool features = std::any_of(match.b->references.begin(), match.b->references.end(),
@@ -194,27 +125,6 @@ void NotBetween(const Match& match, std::string_view tag, Composer& composer) {
 }
 
 }  // namespace
-
-std::vector<Rule> WalkwayRules() {
-  return {
-      {"D? C.vague of? D? ,? between B", DistanceOrPathBetween},
-      {"D? C.vague between B ,? D", DistanceOrPathBetween},
-      {"A.group not between B", NothingBetween},
-      {"A.list D? C.vague D? between B.pronoun", DistanceOrPathBetween},
-      {"B.feature not near/next_to", FeatureAway},
-      {"B.feature not near/next_to ,? D", FeatureAway},
-      {"B.feature not near/next_to A.object", FeatureAway},
-      {"B.feature away_from", FeatureAway},
-      {"B.feature away_from/near D", FeatureAway},
-      {"B.feature D apart/away", FeatureAway},
-      {"B.feature D away_from A.thing", FeatureAway},
-      {"across D C.vague?", ApartFromEachOther},
-      {"B.feature apart/away", FeatureAway},
-      {"B.feature away ,? D apart/away?", FeatureAway},
-      {"C.vague of? ,? D space?", Ways},
-      {"D of? space? C.vague", Ways},
-  };
-}
 
 std::vector<Rule> DistanceRules() {
   return {

@@ -196,4 +196,34 @@ void ApartFromEachOther(const Match& match, std::string_view, Composer& composer
   if (all.size() == 2) composer.SetPair({all[0]}, {all[1]});
 }
 
+// A bare distance belongs to the fact before it: to its pair, else it is free space in front.
+void BareDistance(const Match& match, std::string_view, Composer& composer) {
+  if (composer.CompleteClearance(match.distance->Nominal())) return;
+  if (!composer.pair_targets().empty()) {
+    for (const Placed& mover : composer.pair_movers()) {
+      for (const Placed& other : composer.pair_targets()) KeepDistance(mover, other, match.distance, composer);
+    }
+    return;
+  }
+  if (!composer.topic().empty() && !composer.calls().empty() && !composer.IsFloor(composer.topic().front())) {
+    composer.Note("partial", "heights and overhangs cannot be asked for");
+    return;
+  }
+  if (match.distance->min_m && !match.distance->exact && !composer.topic().empty() && !composer.calls().empty()) {
+    for (const Placed& mover : composer.topic()) {
+      composer.EmitFirst({Call("accessible")
+                              .Text("object", composer.id(mover))
+                              .Texts("sides", {"front"})
+                              .Number("min_clearance_m", *match.distance->min_m)});
+    }
+    return;
+  }
+  composer.Refuse("unknown_sentence", "a distance needs two objects that it is kept between");
+}
+
+// "Nothing between the sofa and the TV stand".
+void NothingBetween(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "no call keeps the space between two objects empty; name a side or a distance");
+}
+
 }  // namespace flair::translator

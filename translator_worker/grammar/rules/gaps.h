@@ -24,4 +24,10 @@ void BetweenOrAnything(const Match& match, std::string_view tag, Composer& compo
 void BetweenAndWall(const Match& match, std::string_view tag, Composer& composer);
 void ApartFromEachOther(const Match& match, std::string_view tag, Composer& composer);
 
+// Builder: a bare distance belongs to the fact before it, to its pair, else it is free space in front.
+void BareDistance(const Match& match, std::string_view tag, Composer& composer);
+
+// Builder: refuses "nothing between the sofa and the TV stand".
+void NothingBetween(const Match& match, std::string_view tag, Composer& composer);
+
 }  // namespace flair::translator

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Groups: chairs round a table, between two, side by side in a row.
+#include <algorithm>
+
+#include "translator_worker/grammar/rules/contact.h"
 #include "translator_worker/grammar/rules/rule.h"
+#include "translator_worker/grammar/rules/space_at.h"
 
 namespace flair::translator {
 namespace {
@@ -44,6 +48,21 @@ void SurroundedBy(const Match& match, std::string_view, Composer& composer) {
   EmitSurround(composer.TargetObjects(*match.b, centers), centers, composer);
 }
 
+// "Each table has four chairs around it".
+void HasAround(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> centers = composer.Movers(match.a);
+  EmitSurround(composer.TargetObjects(*match.b, centers), centers, composer);
+}
+
+// "The chairs are on all sides of the table" stand round it; of one piece it is free space.
+void OnAllSides(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const bool stand = movers.size() > 1 && std::all_of(movers.begin(), movers.end(), [&](const Placed& mover) {
+                       return composer.IsFloor(mover) && mover.side.empty();
+                     });
+  stand ? EmitSurround(movers, composer.TargetObjects(*match.b, movers), composer) : SpaceAt(match, tag, composer);
+}
+
 void PlaceBetween(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   std::vector<Placed> targets = composer.TargetObjects(*match.b, movers, false);
@@ -79,6 +98,8 @@ void Row(const Match& match, std::string_view, Composer& composer) {
     composer.Refuse("unknown_sentence", "a row needs at least two objects; name them");
     return;
   }
+  // "Side by side above the sofa": the sofa says where pictures hang.
+  if (!composer.IsFloor(movers.front()) && !composer.calls().empty()) return;
   std::vector<std::string> ids;
   for (const Placed& mover : movers) ids.push_back(composer.id(mover));
   if (composer.Emit(Call("row").Texts("objects", ids))) return;
@@ -89,6 +110,14 @@ void Row(const Match& match, std::string_view, Composer& composer) {
                             .Text("object_side", "left")
                             .Text("target_side", "right")});
   }
+}
+
+// "Chairs next to each other are 0.2 m apart": each from the next.
+void NeighboursApart(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> movers = composer.Movers(match.a);
+  if (movers.size() < 2) movers = composer.subjects();
+  if (movers.size() < 2) composer.Refuse("unknown_sentence", "nothing says what is kept apart; name two objects");
+  for (size_t i = 1; i < movers.size(); ++i) KeepDistance(movers[i - 1], movers[i], match.distance, composer);
 }
 
 // "The desks stand back to back".
@@ -140,11 +169,14 @@ std::vector<Rule> GroupRules() {
       {"A? around B.object", Surround, "plain"},
       {"A? against/on/next_to/each_side_of around B.object", Surround},
       {"A surrounded_by B", SurroundedBy},
+      {"A.object B.object around C.pronoun", HasAround},
+      {"A.object all_sides B.object", OnAllSides, "all"},
       {"A? between B", PlaceBetween},
       {"A? centered between B", PlaceBetween},
       {"A? side_by_side", Row},
       {"A? side_by_side ,? side_by_side", Row},
       {"A? next_to both_ways", Row},
+      {"A? next_to both_ways D space? apart/away?", NeighboursApart},
       {"A? back_to_back B?", BackToBack},
       {"A? near both_ways", NearEachOther},
       {"A? against both_ways", Touching},

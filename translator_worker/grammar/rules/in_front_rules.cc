@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "translator_worker/grammar/rules/contact.h"
+#include "translator_worker/grammar/rules/near.h"
 #include "translator_worker/grammar/rules/rule.h"
 
 namespace flair::translator {
@@ -50,7 +51,10 @@ void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
   const bool of_partner = match.distance != nullptr && match.distance->exact &&
                           composer.scope() == v1::SENTENCE_SCOPE_INTER && !composer.pair_targets().empty() &&
                           !composer.calls().empty() && match.b->references.front().name == "it";
-  const bool may_be_own = match.a == nullptr && match.distance != nullptr && !of_partner;
+  // "One can stand in front of the wardrobe" that is spoken of.
+  const bool of_topic =
+      match.a == nullptr && composer.scope() == v1::SENTENCE_SCOPE_INTRA && IsOwnPart(*match.b, composer);
+  const bool may_be_own = of_topic || (match.a == nullptr && match.distance != nullptr && !of_partner);
   for (const Target& target : composer.Targets(*match.b, may_be_own ? std::vector<Placed>{} : movers)) {
     if (target.kind == RefKind::kFeature) {
       for (const Placed& mover : movers) {

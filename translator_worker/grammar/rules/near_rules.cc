@@ -1,106 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nearness and contact by position: near, next to, left of, behind, on each side of.
-#include <algorithm>
-#include <optional>
 #include <string>
 
 #include "translator_worker/grammar/rules/contact.h"
-#include "translator_worker/grammar/rules/gaps.h"
+#include "translator_worker/grammar/rules/near.h"
 #include "translator_worker/grammar/rules/rule.h"
 #include "translator_worker/grammar/rules/space.h"
-#include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
-
-void NearOne(const Placed& mover, const Target& target, const Distance* distance, Composer& composer) {
-  std::optional<double> most;
-  if (distance != nullptr) most = distance->max_m;
-  const std::string& id = composer.id(mover);
-  if (target.kind == RefKind::kFeature) {
-    composer.EmitFirst({Call("close_to_feature")
-                            .Text("object", id)
-                            .Text("feature", target.name)
-                            .MaybeText("side", OneSide(composer, mover))
-                            .MaybeNumber("max_distance_m", most)});
-  } else if (target.kind == RefKind::kWall) {
-    composer.EmitFirst({Call("near_wall")
-                            .Text("object", id)
-                            .MaybeText("side", OneSide(composer, mover))
-                            .MaybeNumber("max_distance_m", most)});
-  } else if (target.objects.empty()) {
-    composer.Refuse("unknown_sentence", "it can be near objects, walls, doors, windows or sockets");
-  }
-  for (const Placed& other : target.objects) {
-    if (LaidBeside(mover, other, composer)) {
-      continue;
-    } else if (composer.IsWall(mover)) {
-      composer.EmitFirst({Call("on_wall_near").Text("object", id).Text("target", composer.id(other))});
-    } else if (composer.IsCeiling(mover)) {
-      composer.EmitFirst({Call("ceiling_above").Text("object", id).Text("target", composer.id(other))});
-    } else {
-      composer.EmitFirst(
-          {Call("near").Text("object", id).Text("target", composer.id(other)).MaybeNumber("max_distance_m", most)});
-      if (distance != nullptr && distance->min_m) {
-        composer.EmitFirst({Call("away_from")
-                                .Text("object", id)
-                                .Text("target", composer.id(other))
-                                .Number("min_distance_m", *distance->min_m)});
-      }
-    }
-  }
-  if (!target.objects.empty()) composer.SetPair({mover}, target.objects);
-}
-
-// "Easy access to the shelves" of a bookcase that is spoken of: it is the target itself.
-bool IsOwnPart(const Mention& mention, const Composer& composer) {
-  if (composer.topic().size() != 1 || mention.references.size() != 1) return false;
-  const Reference& reference = mention.references.front();
-  const int topic = composer.topic().front().object;
-  const auto has = [&](const std::vector<int>& list) {
-    return std::find(list.begin(), list.end(), topic) != list.end();
-  };
-  return reference.kind == RefKind::kObjects && (has(reference.candidates) || has(reference.weak_candidates));
-}
-
-void Near(const Match& match, std::string_view tag, Composer& composer) {
-  if (tag == "access" && match.a == nullptr && IsOwnPart(*match.b, composer)) {
-    composer.EmitFirst(
-        {Call("accessible").Text("object", composer.id(composer.topic().front())).Texts("sides", {"front"})});
-    return;
-  }
-  // "Maintain clear access to the table", when nobody else is spoken of.
-  if (tag == "access" && match.a == nullptr && composer.topic().empty()) {
-    for (const Placed& other : composer.TargetObjects(*match.b, {})) {
-      std::vector<std::string> sides = SidesOf(composer, other);
-      if (sides.empty()) sides = {"front"};
-      composer.EmitFirst({Call("accessible").Text("object", composer.id(other)).Texts("sides", sides)});
-    }
-    return;
-  }
-  // Access to an area is a matter of ways, not of nearness.
-  if (tag == "access" && match.b->references.front().kind == RefKind::kZone) {
-    composer.Refuse("not_about_layout",
-                    "access to an area cannot be asked for; name the objects and sides that serve it");
-    return;
-  }
-  if (match.a != nullptr && match.a->references.front().kind == RefKind::kGroup &&
-      match.a->references.front().name != "seating") {
-    composer.Refuse("not_about_layout", "say which object is near it");
-    return;
-  }
-  const std::vector<Placed> movers = composer.Movers(match.a);
-  for (const Target& target : composer.Targets(*match.b, movers)) {
-    if (target.name == "all" || target.name == "others") {
-      composer.Refuse("not_about_layout", "say which objects it is near");
-      continue;
-    }
-    for (const Placed& mover : movers) NearOne(mover, target, match.distance, composer);
-  }
-  if (movers.size() == 2 && match.b->references.front().kind == RefKind::kPronoun) {
-    NearOne(movers[0], {RefKind::kObjects, {movers[1]}, ""}, match.distance, composer);
-  }
-}
 
 // "Able to reach the basin from the couch": the basin is near the couch.
 void NearReached(const Match& match, std::string_view, Composer& composer) {
@@ -122,19 +30,23 @@ void NotFurther(const Match& match, std::string_view tag, Composer& composer) {
   Near(near, tag, composer);
 }
 
-// "A socket should be within 1 m", "the door is at least 1 m away": of what is spoken of.
-void FeatureWithin(const Match& match, std::string_view, Composer& composer) {
-  for (const Target& target : composer.Targets(*match.b, {})) {
-    for (const Placed& mover : composer.topic()) {
-      if (target.name == "door" && composer.HasDoors(mover)) {
-        KeepSpace({mover}, match.distance, composer);  // its own
-        continue;
-      }
-      match.distance->max_m ? NearOne(mover, target, match.distance, composer)
-                            : KeepAway(mover, target, match.distance, composer);
+// "Next to the cabinet on the left": at that side of the cabinet.
+void NextToAtSide(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
+  const std::string& side = match.c->references.front().side;
+  for (Placed& target : targets) target.side = side;
+  if (side == "sides" || side.ends_with("both")) {
+    Flank(movers, targets, composer);
+    return;
+  }
+  for (const Placed& mover : movers) {
+    if (composer.IsFloor(mover)) {
+      Contact(mover, {RefKind::kObjects, targets, ""}, composer);
+    } else {
+      for (const Placed& target : targets) NearOne(mover, {RefKind::kObjects, {target}, ""}, nullptr, composer);
     }
   }
-  if (composer.topic().empty()) composer.Refuse("unknown_sentence", "nothing says of what it is so far");
 }
 
 // "Close to the wall with its back".
@@ -142,28 +54,6 @@ void NearWallWithSide(const Match& match, std::string_view, Composer& composer) 
   for (Placed mover : composer.Movers(match.a)) {
     mover.side = match.c->references.front().side;
     for (const Target& target : composer.Targets(*match.b, {mover})) NearOne(mover, target, nullptr, composer);
-  }
-}
-
-// "Sockets should be available within 1 m of the station".
-void FeatureWithinOf(const Match& match, std::string_view, Composer& composer) {
-  for (const Target& target : composer.Targets(*match.b, {})) {
-    for (const Placed& mover : composer.Movers(match.a)) {
-      match.distance->max_m ? NearOne(mover, target, match.distance, composer)
-                            : KeepAway(mover, target, match.distance, composer);
-    }
-  }
-}
-
-// "Access to sockets" wants them near, "access to the door" wants it free.
-void AccessToFeature(const Match& match, std::string_view, Composer& composer) {
-  const Reference& first = match.b->references.front();
-  if (first.name == "socket" || !composer.HasFeature(first.name)) {
-    Near(match, "", composer);
-    return;
-  }
-  for (const Placed& mover : composer.Movers(match.a)) {
-    composer.EmitFirst({Call("clear_of_feature").Text("object", composer.id(mover)).Text("feature", first.name)});
   }
 }
 
@@ -273,20 +163,36 @@ void OnEachSide(const Match& match, std::string_view, Composer& composer) {
   Flank(movers, composer.TargetObjects(*match.b, movers), composer);
 }
 
+// "A nightstand on each side": all that bear the name.
+Mention EachOfThem(const Mention& mention) {
+  Mention all = mention;
+  Reference& reference = all.references.front();
+  if (all.references.size() > 1 || !(reference.any || reference.ordinal == 1)) return all;
+  reference.any = false;
+  reference.ordinal = 0;
+  reference.each = true;
+  return all;
+}
+
+// "The bed is flanked by nightstands", "each table has two chairs, one on either side".
+void FlankedBy(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> centers = composer.Movers(match.a);
+  Flank(composer.TargetObjects(EachOfThem(*match.b), centers), centers, composer);
+}
+
+// "On each side of the bed stands a nightstand".
+void AtEachSideStands(const Match& match, std::string_view, Composer& composer) {
+  const Mention movers = EachOfThem(*match.a);
+  const std::vector<Placed> centers = composer.TargetObjects(*match.b, {});
+  Flank(composer.TargetObjects(movers, centers), centers, composer);
+}
+
 }  // namespace
 
 std::vector<Rule> NearRules() {
   return {
       {"A? near B.wall ,? C.side", NearWallWithSide},
-      {"B.feature D of/near/away_from A.object", FeatureWithinOf},
-      {"B.feature D to A.object", FeatureWithinOf},
-      {"B.feature near/next_to A.object", Near},
-      {"B.feature near/next_to A.object accessible/keep_clear", Near},
-      {"B.feature near", Near},
-      {"B.feature behind/near/next_to A.pronoun", Near},
-      {"B.feature D", FeatureWithin},
       {"A? near/access_to next_to/on B.object", Near},
-      {"B.feature at_sides considered?", Near},
       {"A? near B D?", Near},
       {"C.vague near/accessible_from B.object", Near},
       {"A? not_further B than D", NotFurther},
@@ -294,16 +200,13 @@ std::vector<Rule> NearRules() {
       {"A? near B , D apart/away?", Near},
       {"A? near D? of B", Near},
       {"A? D of/near B", Near},
-      {"A? access_to B.feature", AccessToFeature},
       {"A? access_to B.object", Near, "access"},
-      {"A? accessible access_to? B.feature", Near},
       {"A? near for next_to/near B", Near},
       {"nearby B", Near},
       {"A? space for B.object near/next_to", Near},
       {"A? next_to B", NextTo},
       {"A? next_to B ,? side_by_side", NextTo},
       {"A? along B.thing", NextTo},
-      {"A? on/along B.feature", Near},
       {"A? D? left_of B ,? D? apart/away?", AtSide, "left"},
       {"A? D? right_of B ,? D? apart/away?", AtSide, "right"},
       {"A? D? behind B ,? D? apart/away?", AtSide, "back"},
@@ -311,12 +214,20 @@ std::vector<Rule> NearRules() {
       {"A? end_of B", AtFoot},
       {"A? head_of B", AtSide, "side"},
       {"A? D? to_side B", AtSide, "side"},
-      {"B.feature considered", Near},
       {"A? each_side_of B", OnEachSide},
+      {"A.object flanked_by B.object", FlankedBy},
+      {"each_side_of B.object A.object", AtEachSideStands},
+      {"A.object B.object ,? one_each_side", FlankedBy},
+      {"A.object B.object ,? at_sides", FlankedBy},
+      {"A.object B.object each_side_of C.pronoun", FlankedBy},
+      {"A? next_to/near/against/each_side_of B.object ,? one_each_side", OnEachSide},
+      {"A.object one_each_side of? B.object", OnEachSide},
+      {"A? next_to B.object ,? on/next_to C.side", NextToAtSide},
       {"A? , each_side_of B", OnEachSide},
       {"A? on/next_to/at_sides B.side , of B", OnEachSide},
       {"A? reach B.object", Near, "access"},
       {"reach B.object away_from A.object", NearReached},
+      {"away_from A.object ,? reach B.object", NearReached},
       {"A? near B.feature than C", Nearer},
   };
 }

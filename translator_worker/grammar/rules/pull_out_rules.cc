@@ -27,6 +27,11 @@ void PullOut(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Pushed in with its front towards the table": the rest says where it stands.
+void PushedIn(const Match&, std::string_view, Composer& composer) {
+  composer.Note("partial", "what holds only when nobody sits there cannot be asked for");
+}
+
 // "Chairs need space to be pulled out on the long sides": of the table that is spoken of.
 void PullOutAtSides(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& subject : composer.subjects()) {
@@ -54,6 +59,10 @@ void ChairSpace(const Match& match, std::string_view tag, Composer& composer) {
 std::vector<Rule> PullOutRules() {
   return {
       {"A? space? D? space? pull_out ,? D? space?", PullOut},
+      {"A? space? D? space pushed_in", PullOut},
+      {"A? D for/to pushed_in", PullOut},
+      {"A? space for/to pushed_in", PullOut},
+      {"pushed_in", PushedIn},
       {"A? space for? A pull_out", PullOut},
       {"A? space for? A pull_out ,? at_sides/all_sides/around", PullOut},
       {"A? space? D? space? ,? at_sides for/to? A? pull_out", PullOut},

@@ -24,6 +24,7 @@ std::vector<Rule> AccessRules();
 std::vector<Rule> AngleRules();
 std::vector<Rule> DistanceRules();
 std::vector<Rule> FeatureRules();
+std::vector<Rule> FeatureNearRules();
 std::vector<Rule> FrontRules();
 std::vector<Rule> GroupRules();
 std::vector<Rule> HangingRules();

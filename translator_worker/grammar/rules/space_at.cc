@@ -64,8 +64,8 @@ void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
   std::vector<Placed> placed;
   for (Placed owner : owners) {
     if (tag == "back" && composer.StandsAtSubject(owner)) {
-      // "Behind the chair" of a desk is in front of the desk.
-      placed.push_back({composer.subjects().front().object, "front"});
+      // "Behind the chair" of a desk is in front of the desk, behind the chairs of a table all round it.
+      placed.push_back({composer.subjects().front().object, owners.size() > 1 ? "all" : "front"});
       continue;
     }
     if (tag == "around") {

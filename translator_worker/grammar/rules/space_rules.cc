@@ -100,6 +100,8 @@ std::vector<Rule> SpaceRules() {
       {"D space? on/at_sides/next_to/along/each_side_of B.side keep_clear?", SpaceAt, "named"},
       {"on/at_sides/next_to/along/each_side_of B.side keep_clear", SpaceAt, "named"},
       {"A space? D space? behind C.pronoun", SpaceAt, "back"},
+      {"A.object space D space? on/next_to/at_sides/along B.side", SpaceAt, "named"},
+      {"A.object D space? on/next_to/at_sides/along B.side", SpaceAt, "named"},
       {"A space? D space? in_front_of C.pronoun", SpaceAt, "front"},
       {"space D? on/next_to/along/near B.object", SpaceAt, "named"},
       {"D space on/next_to/along B.object", SpaceAt, "named"},

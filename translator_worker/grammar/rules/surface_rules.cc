@@ -86,6 +86,12 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
     composer.Refuse("unknown_sentence", "furniture stands beside seats and beds, not on them");
     return;
   }
+  // "Tucked into the table": under it, at times.
+  if (tag.empty() && !movers.empty() && !hosts.empty() && composer.IsFloor(movers.front()) &&
+      composer.IsChair(movers.front()) && composer.IsTable(hosts.front()) && hosts.front().side.empty()) {
+    composer.Refuse("unknown_sentence", "chairs stand at tables, not on them; say at which side");
+    return;
+  }
   const bool furniture = !movers.empty() && composer.IsFloor(movers.front());
   if ((movers.size() == 1 || furniture) && hosts.size() == 1 && !hosts.front().side.empty()) {
     for (const Placed& mover : movers) OnSide(mover, hosts.front(), composer);
@@ -125,6 +131,19 @@ void RugUnder(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
+// "Tucked under the desk": where it is when nobody sits there. Rugs and bins lie there always.
+void Stowed(const Match& match, std::string_view tag, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const bool sided = !match.b->references.front().side.empty();
+  const bool pulled_out = !movers.empty() && composer.IsFloor(movers.front()) && composer.IsChair(movers.front());
+  if (!pulled_out || sided) {
+    RugUnder(match, tag, composer);
+    return;
+  }
+  composer.SetPair(movers, composer.TargetObjects(*match.b, movers));
+  composer.Refuse("conditional", "what holds only at times cannot be asked for; say where it stands otherwise");
+}
+
 void WhenUnused(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("conditional", "what holds only at times cannot be asked for; say where it stands otherwise");
 }
@@ -159,9 +178,9 @@ std::vector<Rule> SurfaceRules() {
       {"A? under B.object", RugUnder},
       {"A? centered under B.object", RugUnder},
       {"A? centered C.zone ,? under/under_center B.object", RugUnder},
-      {"A? under_center/tucked_under B.object", RugUnder},
+      {"A? under_center B.object", RugUnder},
       {"A? partly_under B.object", RugUnder, "forward"},
-      {"A? pushed_under B.thing", RugUnder},
+      {"A? pushed_under B.thing", Stowed},
       {"A? pushed_under B.thing ,? under_when_unused", WhenUnused},
   };
 }

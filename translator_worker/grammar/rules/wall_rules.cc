@@ -143,6 +143,13 @@ void PlacedWithSide(const Match& match, std::string_view tag, Composer& composer
   TowardsWall({match.c, nullptr, nullptr, nullptr, match.length}, tag, composer);
 }
 
+// "No wall directly behind them".
+void NoWallThere(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& placed : composer.TargetObjects(*match.a, {})) {
+    composer.EmitFirst({Call("not_against_wall").Text("object", composer.id(placed))});
+  }
+}
+
 void Freestanding(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
     composer.EmitFirst({Call("not_against_wall").Text("object", composer.id(mover))});
@@ -177,6 +184,8 @@ std::vector<Rule> WallRules() {
       {"A? not against/along/next_to/near/on B.wall", NotAgainst},
       {"A? not against B", NotAgainst},
       {"not against B", NotAgainst},
+      {"B.wall not behind/near/next_to/against A.object", NoWallThere},
+      {"A? against edge of? B.object", Against},
       {"A.side towards_back", TowardsWall},
       {"A? wall_placement", TowardsWall},
       {"A.side aligned both_ways?", AlignedPair},
