@@ -4,6 +4,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "worker_runtime/clock/clock.h"
 
@@ -22,7 +23,13 @@ bool HasMore(int fd) {
 
 absl::Duration ReadPause(absl::Duration elapsed) {
   const absl::Duration most = std::clamp(elapsed / 20, absl::Milliseconds(250), absl::Seconds(2));
-  return std::clamp(elapsed / 2, absl::Milliseconds(16), most);
+  return std::clamp(elapsed / 2, absl::Milliseconds(32), most);
+}
+
+absl::Duration PauseEnd(absl::Duration now, absl::Duration pause) {
+  // A power of two, so that the moments of long pauses are some of those of short ones.
+  const auto eighth = static_cast<uint64_t>(std::max<int64_t>(1, absl::ToInt64Milliseconds(pause / 8)));
+  return absl::Floor(now + pause, absl::Milliseconds(std::bit_floor(eighth)));
 }
 
 void ReadPacer::Watch(int fd, bool readable, bool writable) {
@@ -63,8 +70,8 @@ void ReadPacer::EndPause(Socket& socket) {
 
 void ReadPacer::Pause(int fd, Socket& socket) {
   loop_.Watch(fd, false, socket.writable);
-  const absl::Duration pause = pause_(runtime::SystemClock().Elapsed() - socket.start);
-  socket.pause = loop_.RunAfter(pause, [this, fd](const absl::Status& time) {
+  const absl::Duration now = runtime::SystemClock().Elapsed();
+  socket.pause = loop_.RunAfter(PauseEnd(now, pause_(now - socket.start)) - now, [this, fd](const absl::Status& time) {
     if (!time.ok()) return;
     sockets_.at(fd).pause = 0;
     // Without asking whether there is anything: of a slow answer there nearly always is, and then one wake-up does.

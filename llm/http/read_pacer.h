@@ -11,12 +11,16 @@
 
 namespace flair::llm {
 
-// How long a socket is left alone that brought a part of an answer, `elapsed` after it was last added or written to: half
-// of that, at least 16 ms, at most 250 ms or, when more, a twentieth of it, never more than 2 s. An answer is known that
-// much later at most, on average half of it. A model sends a small piece every few milliseconds for many seconds, and
-// waking up for a piece costs many times what reading it does: an answer of a second is read eleven times, one of twenty
-// seconds some fifty times.
+// How long a socket is left alone that brought a part of an answer, `elapsed` after it was last added or written to:
+// half of that, at least 32 ms, at most 250 ms or, when more, a twentieth of it, never more than 2 s. An answer is
+// known that much later at most, on average half of it. A model sends a small piece every few milliseconds for many
+// seconds, and waking up for a piece costs many times what reading it does: an answer of a second is read nine times,
+// one of twenty seconds some fifty times.
 absl::Duration ReadPause(absl::Duration elapsed);
+
+// When a pause of that length ends which begins at `now`: up to an eighth earlier, so that many sockets' pauses end at
+// the same moments and are woken up for once.
+absl::Duration PauseEnd(absl::Duration now, absl::Duration pause);
 
 // Watches sockets on an event loop, with these pauses. The first bytes of an answer, what a connection needs before
 // it, and bytes that lie ready already are never waited for; nor is anything but the one socket. Loop thread.

@@ -5,7 +5,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -15,7 +17,7 @@ namespace flair::llm {
 namespace {
 
 TEST(ReadPause, IsHalfOfTheTimeSoFarThenATwentieth) {
-  EXPECT_EQ(ReadPause(absl::ZeroDuration()), absl::Milliseconds(16));
+  EXPECT_EQ(ReadPause(absl::ZeroDuration()), absl::Milliseconds(32));
   EXPECT_EQ(ReadPause(absl::Milliseconds(90)), absl::Milliseconds(45));
   EXPECT_EQ(ReadPause(absl::Seconds(1)), absl::Milliseconds(250));
   EXPECT_EQ(ReadPause(absl::Seconds(5)), absl::Milliseconds(250));
@@ -31,8 +33,28 @@ int ReadCount(absl::Duration first, absl::Duration last) {
 }
 
 TEST(ReadPause, FewReadsAreEnoughForALongAnswer) {
-  EXPECT_LE(ReadCount(absl::Milliseconds(1), absl::Seconds(1)), 11);
+  EXPECT_LE(ReadCount(absl::Milliseconds(1), absl::Seconds(1)), 10);
   EXPECT_LE(ReadCount(absl::Milliseconds(500), absl::Seconds(20)), 55);
+}
+
+TEST(PauseEnd, IsUpToAnEighthEarlier) {
+  for (const int milliseconds : {1, 8, 32, 45, 250, 1999}) {
+    const absl::Duration pause = absl::Milliseconds(milliseconds);
+    for (int i = 0; i < 1000; ++i) {
+      const absl::Duration now = absl::Seconds(1000) + i * absl::Microseconds(1370);
+      const absl::Duration rest = PauseEnd(now, pause) - now;
+      ASSERT_LE(rest, pause);
+      ASSERT_GE(rest, std::min(pause * 7 / 8, pause - absl::Milliseconds(1))) << milliseconds << " ms at " << now;
+    }
+  }
+}
+
+TEST(PauseEnd, PausesOfManySocketsEndTogether) {
+  std::set<absl::Duration> ends;
+  for (int i = 0; i < 500; ++i)
+    ends.insert(PauseEnd(absl::Seconds(9) + i * absl::Milliseconds(1), ReadPause(absl::Seconds(9))));
+  // Half a second of beginnings, ends every 32 ms.
+  EXPECT_LE(ends.size(), 34u);
 }
 
 // A pair of sockets, one of them read by a pacer in pieces of up to 16 KiB until a piece ends in '.'.
