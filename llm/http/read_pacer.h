@@ -14,7 +14,7 @@ namespace flair::llm {
 // How long a socket is left alone that brought a part of an answer, `elapsed` after it was last added or written to:
 // half of that, at least 32 ms, at most 250 ms or, when more, a twentieth of it, never more than 2 s. An answer is
 // known that much later at most, on average half of it. A model sends a small piece every few milliseconds for many
-// seconds, and waking up for a piece costs many times what reading it does: an answer of a second is read nine times,
+// seconds, and waking up for a piece costs many times what reading it does: an answer of a second is read ten times,
 // one of twenty seconds some fifty times.
 absl::Duration ReadPause(absl::Duration elapsed);
 
