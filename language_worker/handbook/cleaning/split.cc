@@ -18,9 +18,9 @@ constexpr std::array<std::string_view, 12> kVerbs = {"is",  "are",  "should", "m
 constexpr std::array<std::string_view, 12> kCopulas = {
     " should not be ", " must not be ", " is not ", " are not ", " should be placed ", " is placed ",
     " should be ",     " must be ",     " is ",     " are ",     " stands ",           " stand "};
-constexpr std::array<std::string_view, 13> kPlaces = {"against",     "near",     "close to", "next to",  "away from",
-                                                      "in front of", "under",    "beside",   "opposite", "facing",
-                                                      "in a corner", "at least", "within"};
+constexpr std::array<std::string_view, 13> kRelationWords = {
+    "against", "near",     "close to", "next to",     "away from", "in front of", "under",
+    "beside",  "opposite", "facing",   "in a corner", "at least",  "within"};
 
 bool StartsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
@@ -90,7 +90,7 @@ Parts SplitClauses(const std::string& text) {
         return std::pair(Sentence(left), Sentence(subject + " " + std::string(rest)));
       }
     }
-    for (const std::string_view place : kPlaces) {
+    for (const std::string_view place : kRelationWords) {
       const std::string subject = PlacedSubjectOf(left);
       if (StartsWithWord(rest, place) && !subject.empty()) {
         return std::pair(Sentence(left), Sentence(subject + std::string(rest)));

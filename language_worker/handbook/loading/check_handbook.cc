@@ -45,6 +45,13 @@ class Checker {
       CheckSentence(place.relation().text());
       if (place.words().empty()) Problem("has no words: " + place.relation().text());
     }
+    for (const hb::Noun& noun : handbook_.nouns()) {
+      label_ = "noun " + (noun.words().empty() ? "without words" : "\"" + noun.words(0) + "\"");
+      for (const hb::NounOption& option : noun.options()) {
+        Known("furniture", option.furniture(), "options");
+        Known("archetype", option.rooms(), "options");
+      }
+    }
     if (handbook_.archetypes().empty()) problems_.push_back("the handbook has no archetype");
     return std::move(problems_);
   }
@@ -80,9 +87,9 @@ class Checker {
   }
 
   void CheckSentence(const std::string& text) {
-    static const std::set<std::string, std::less<>> kPlaceholders = {"object",     "objects", "target", "targets",
-                                                                     "front_m",    "sides_m", "back_m", "side",
-                                                                     "other_side", "corner",  "zone",   "count"};
+    static const std::set<std::string, std::less<>> kPlaceholders = {
+        "object",     "objects", "target", "targets", "front_m", "sides_m", "back_m", "side",
+        "other_side", "corner",  "zone",   "count",   "first",   "second",  "wall"};
     for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
       const std::size_t close = text.find('}', open);
       const std::string name = text.substr(open + 1, close == std::string::npos ? close : close - open - 1);

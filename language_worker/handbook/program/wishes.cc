@@ -31,6 +31,7 @@ class WishMaker {
  private:
   void Add(const Wish& wish) {
     if (AddToWhatIsThere(wish, program_.floor_items) || AddToWhatIsThere(wish, program_.tertiary_items)) return;
+    ReplaceAlike(*wish.furniture);
     if (!IsFloorPiece(*wish.furniture)) {
       if (TakesAPlaceOnTheWall(wish)) return;
       program_.tertiary_items.insert(program_.tertiary_items.begin(),
@@ -118,6 +119,22 @@ class WishMaker {
         if (item.requested || item.zone != zone_name) return false;
         const bool same = item.furniture->category() == furniture.category();
         return same || (makes_it && (Includes(zone.primaries(), item.furniture->name()) || IsSeat(*item.furniture)));
+      });
+    }
+  }
+
+  // Of pieces that stand for one another the room has the one that is asked for: a corner sofa comes instead of the sofa.
+  void ReplaceAlike(const hb::Furniture& furniture) {
+    for (const hb::Noun& noun : handbook_.contents().nouns()) {
+      const auto among = [&](const hb::Furniture& one) {
+        return std::ranges::any_of(noun.options(), [&](const auto& option) { return option.furniture() == one.name(); });
+      };
+      if (!noun.one_of() || !among(furniture)) continue;
+      std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
+        if (item.requested || item.furniture == &furniture || IsWished(*item.furniture)) return false;
+        if (!among(*item.furniture)) return false;
+        program_.substitutes.emplace_back(item.furniture->name(), furniture.name());
+        return true;
       });
     }
   }

@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "language_worker/handbook/reading/furniture_reader.h"
+#include "language_worker/handbook/reading/opening_reader.h"
+#include "language_worker/handbook/reading/people.h"
 #include "language_worker/handbook/reading/sayings.h"
 #include "language_worker/handbook/reading/unknown_things.h"
 #include "language_worker/handbook/reading/words.h"
@@ -13,13 +15,12 @@
 namespace flair::language {
 namespace {
 
-constexpr int kMostPeople = 40;
-
 // Reads one brief; each step marks the tokens that it has used, so that "dining room" wishes for no dining table and
 // "green room" for no greenhouse.
 class BriefReader {
  public:
   BriefReader(const Handbook& handbook, std::string_view text) : handbook_(handbook), tokens_(Tokenize(text)) {
+    if (ReadsAsEnglish(tokens_)) facts_.corrections = Speller(handbook.contents()).Correct(tokens_);
     used_.resize(tokens_.size());
   }
 
@@ -28,11 +29,17 @@ class BriefReader {
     if (!size.ok()) return size.status();
     facts_.size = *size;
     ReadArchetype();
-    FurnitureReader(handbook_, tokens_, used_, facts_).Read();
+    const std::vector<bool> room_words = used_;
+    FurnitureReader furniture(handbook_, tokens_, used_, facts_);
+    furniture.Read();
+    ReadOpenings(tokens_, room_words, used_, facts_.openings);
+    furniture.ReadPlaces();
     ReadThemesAndStyles();
     ReadNeeds();
     facts_.reads_as_english = facts_.archetype_named || ReadsAsEnglish(tokens_);
-    if (facts_.reads_as_english) facts_.not_known = UnknownThings(tokens_, used_);
+    if (facts_.reads_as_english) {
+      for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
+    }
     return std::move(facts_);
   }
 
@@ -103,14 +110,17 @@ class BriefReader {
   }
 
   void ReadNeeds() {
+    // Needs look at the same words.
+    std::vector<bool> peoples_words = used_;
+    facts_.people = ReadPeople(tokens_, peoples_words);
     std::vector<const hb::Need*> found;
     for (const hb::Need& need : handbook_.contents().needs()) {
       int people = 0;
       if (!Applies(need, people)) continue;
       found.push_back(&need);
-      if (people > 0) facts_.people = people;
+      if (people > 0 && !facts_.people) facts_.people = people;
     }
-    if (!facts_.people) ReadPeople();
+    used_ = std::move(peoples_words);
     for (const hb::Need* need : found) {
       const bool overridden = std::any_of(found.begin(), found.end(), [&](const hb::Need* other) {
         return std::find(other->overrides().begin(), other->overrides().end(), need->name()) !=
@@ -120,21 +130,6 @@ class BriefReader {
     }
     for (const hb::Need* need : found) {
       for (const std::string& keyword : need->keywords()) UseAll(keyword);
-    }
-  }
-
-  // "for 6", "for six guests": a number after "for" that ends a phrase or counts people.
-  void ReadPeople() {
-    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
-      if (tokens_[i].text != "for" || used_[i]) continue;
-      const Token& token = tokens_[i + 1];
-      const std::optional<int> named = token.text == "a" || token.text == "an" ? std::nullopt : NumberWord(token.text);
-      const int number =
-          token.kind == Token::Kind::kNumber ? static_cast<int>(std::min(token.number, 1e6)) : named.value_or(0);
-      const bool ends = i + 2 == tokens_.size() || tokens_[i + 2].kind == Token::Kind::kSign;
-      if (number < 1 || number > kMostPeople || !(ends || CountsPeople(tokens_[i + 2].text))) continue;
-      facts_.people = number;
-      return;
     }
   }
 
@@ -150,7 +145,10 @@ class BriefReader {
       people = number;
       return true;
     }
-    return false;
+    // "A team of eight": however their number was said.
+    const bool counts = need.min_people() > 0 && facts_.people.has_value();
+    return counts && *facts_.people >= need.min_people() &&
+           (need.max_people() == 0 || *facts_.people <= need.max_people());
   }
 
   // Whether it occurs without a number that belongs to something else.
@@ -185,7 +183,7 @@ class BriefReader {
   }
 
   const Handbook& handbook_;
-  const std::vector<Token> tokens_;
+  std::vector<Token> tokens_;
   std::vector<bool> used_;
   BriefFacts facts_;
 };

@@ -9,7 +9,9 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/brief.pb.h"
 #include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/size_phrase.h"
+#include "language_worker/handbook/reading/speller.h"
 
 namespace flair::language {
 
@@ -17,8 +19,9 @@ namespace flair::language {
 struct Wish {
   const hb::Furniture* furniture = nullptr;
   int count = 1;
-  int seats = 0;        // "a table for eight": that many can sit at each; 0 when it is not said
-  bool counted = true;  // false: a plural without a number, so that `count` is the least
+  int seats = 0;          // "a table for eight": that many can sit at each; 0 when it is not said
+  bool counted = true;    // false: a plural without a number, so that `count` is the least
+  bool optional = false;  // "if there is room"
 };
 
 // Where the brief wants a piece.
@@ -26,6 +29,10 @@ struct Place {
   const hb::Furniture* furniture = nullptr;
   const hb::AskedPlace* asked = nullptr;
   const hb::Furniture* target = nullptr;  // the other piece; null where the words name the room
+  const hb::Furniture* other = nullptr;   // of two that it stands between
+  std::string side;                       // of a wall or corner, which: "north", "far left"; empty for any
+  int which = -1;                         // of several pieces the first, the second; -1 for all
+  std::string said;                       // the words of the brief
 };
 
 // More of one class in a room are not furnished by hand.
@@ -40,6 +47,8 @@ struct BriefFacts {
   std::vector<const hb::Furniture*> too_many;  // of which more than kMostOfAKind are asked for
   std::vector<const hb::Furniture*> refusals;
   std::vector<Place> places;
+  std::vector<std::string> places_not_known;  // words for places of which nothing could be made
+  OpeningWishes openings;
   bool nothing_else = false;  // "only a bed and a wardrobe"
   std::vector<const hb::Theme*> themes;
   std::vector<const hb::Need*> needs;
@@ -48,6 +57,7 @@ struct BriefFacts {
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
   std::optional<int> people;
   std::vector<std::string> not_known;  // things asked for that the handbook has no word for: "proofing cabinet"
+  std::vector<Correction> corrections;  // of misspelt words
   bool reads_as_english = true;        // false: most likely another language
 };
 

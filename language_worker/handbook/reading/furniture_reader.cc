@@ -11,6 +11,7 @@ namespace flair::language {
 namespace {
 
 constexpr int kMostSeats = 40;
+constexpr double kSmallM = 0.6;
 
 template <std::size_t n>
 bool IsOneOf(const std::array<std::string_view, n>& words, std::string_view word) {
@@ -20,6 +21,51 @@ bool IsOneOf(const std::array<std::string_view, n>& words, std::string_view word
 bool IsArticle(std::string_view word) { return word == "a" || word == "an" || word == "the"; }
 
 std::string LastWord(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
+
+// "another desk", "a second desk": one more than were asked for before.
+bool IsFurther(const std::vector<Token>& tokens, std::size_t i) {
+  for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
+    const std::string& word = tokens[i - back].text;
+    if (word == "another" || word == "second" || word == "further" || word == "additional") return true;
+    if (tokens[i - back].kind == Token::Kind::kSign || word == "and" || word == "with" || IsArticle(word)) break;
+  }
+  return false;
+}
+
+// "three-seat", "2 seater", "six-drawer", "ten-foot", "65-inch", "2 m long": how large a piece is, not how many of it.
+bool MeasuresThePiece(const std::vector<Token>& tokens, std::size_t i) {
+  constexpr std::array<std::string_view, 33> kMeasures = {
+      "seat",  "seats", "seater", "person", "drawer", "door", "tier",  "piece",  "leg",    "legged", "poster",
+      "bulb",  "arm",   "armed",  "burner", "panel",  "shelf", "foot", "feet",   "ft",     "m",      "metre",
+      "meter", "cm",    "mm",     "inch",   "inches", "\"",  "'",     "litre",  "string", "bay",    "light"};
+  if (tokens[i].kind != Token::Kind::kNumber && !NumberWord(tokens[i].text)) return false;
+  std::size_t next = i + 1;
+  if (next < tokens.size() && tokens[next].text == "-" && tokens[next].glued) ++next;
+  const bool one = tokens[i].text == "a" || tokens[i].text == "an";
+  return !one && next < tokens.size() && IsOneOf(kMeasures, tokens[next].text);
+}
+
+// The "poster" of "four-poster" is no picture.
+bool IsMeasure(const std::vector<Token>& tokens, std::size_t i) {
+  return i >= 2 && tokens[i].glued && tokens[i - 1].text == "-" && MeasuresThePiece(tokens, i - 2);
+}
+
+// "for eight", "with six chairs": behind a word for a table, those who sit at it.
+bool SeatsFollow(const std::vector<Token>& tokens, std::size_t i) {
+  if (i + 1 >= tokens.size() || (tokens[i].text != "for" && tokens[i].text != "with")) return false;
+  const bool number =
+      tokens[i + 1].kind == Token::Kind::kNumber || (!IsArticle(tokens[i + 1].text) && NumberWord(tokens[i + 1].text));
+  if (!number) return false;
+  return tokens[i].text == "for" || (i + 2 < tokens.size() && (MatchesWord(tokens[i + 2].text, "chair") ||
+                                                               MatchesWord(tokens[i + 2].text, "seat")));
+}
+
+// Whether a class usually stands at, on or beside the other.
+bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner) {
+  const auto names = [&](const auto& list) { return std::ranges::find(list, partner.name()) != list.end(); };
+  return names(furniture.hosts()) ||
+         std::ranges::any_of(furniture.relations(), [&](const hb::Relation& one) { return names(one.targets()); });
+}
 
 }  // namespace
 
@@ -45,21 +91,39 @@ const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& hand
 
 FurnitureReader::FurnitureReader(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
                                  BriefFacts& facts)
-    : handbook_(handbook), tokens_(tokens), used_(used), facts_(facts), colours_(ColourSayings(handbook)) {
-  for (const hb::Furniture& furniture : handbook.contents().furniture()) {
-    AddSayings(furniture.name(), furniture.synonyms(), furniture, names_);
-  }
-}
+    : handbook_(handbook),
+      tokens_(tokens),
+      used_(used),
+      facts_(facts),
+      nouns_(handbook, facts),
+      names_(nouns_.names()),
+      colours_(ColourSayings(handbook)) {}
 
 void FurnitureReader::Use(std::size_t start, std::size_t length) {
   std::fill_n(used_.begin() + static_cast<std::ptrdiff_t>(start), length, true);
 }
 
 void FurnitureReader::Read() {
-  const auto rank = [this](const hb::Furniture& furniture) { return RankOf(furniture); };
   for (std::size_t i = 0; i < tokens_.size(); ++i) {
-    if (used_[i]) continue;
-    const auto [furniture, length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
+    if (used_[i] || IsMeasure(tokens_, i)) continue;
+    const hb::Furniture* partner = LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
+    const bool seats = SeatsFollow(tokens_, i + 1);
+    const bool between = i + 1 < tokens_.size() && (tokens_[i + 1].text == "between" || tokens_[i + 1].text == "in");
+    const auto rank = [&](const hb::Furniture& furniture) {
+      const bool beside = partner != nullptr && StandsWith(furniture, *partner);
+      const bool table = seats && SeatOf(furniture, handbook_) != nullptr;
+      // Between two seats stands something small.
+      const bool small = beside && between && furniture.width_m().typical() <= kSmallM;
+      return RankOf(furniture) + (beside ? 64 : 0) + (small ? 32 : 0) + (table ? 128 : 0);
+    };
+    const auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
+    if (const std::size_t other = TakeOtherThing(i, name_length); other > 0) {
+      i += other - 1;
+      continue;
+    }
+    const hb::Furniture* furniture = nouns_.Modified(tokens_, i, name_length, named);
+    const std::size_t length =
+        furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
     if (length == 0) {
       if (tokens_[i].kind == Token::Kind::kWord && IsRefused(i)) used_[i] = RefuseKind(i);
       continue;
@@ -68,6 +132,8 @@ void FurnitureReader::Read() {
       AddOnce(facts_.refusals, furniture);
       if (length == 1) RefuseKind(i);
       last_.reset();
+    } else if (const Wish* meant = MeantBefore(i, length)) {
+      mentions_.push_back({meant->furniture, i, i + length, meant->count});
     } else {
       Wishing(*furniture, i, length);
     }
@@ -81,19 +147,68 @@ void FurnitureReader::Read() {
   ReadOnly();
 }
 
-// How much a class belongs to the kind of room: its list names it, or one of its zones is where it stands.
-int FurnitureReader::RankOf(const hb::Furniture& furniture) const {
-  const hb::Archetype& archetype = *facts_.archetype;
-  if (archetype.per_person() == furniture.name()) return 3;
-  const auto names = [&](const hb::ObjectEntry& entry) { return entry.furniture() == furniture.name(); };
-  if (std::ranges::any_of(archetype.tertiaries(), names)) return 2;
-  for (const hb::Band& band : archetype.bands()) {
-    if (std::ranges::any_of(band.objects(), names)) return 2;
-  }
-  const auto is_home = [&](const hb::ZoneSpec& zone) {
-    return std::ranges::find(furniture.zone_hints(), zone.name()) != furniture.zone_hints().end();
+void FurnitureReader::ReadPlaces() {
+  const auto rank = [this](const hb::Furniture& furniture) {
+    const bool wished =
+        std::ranges::any_of(facts_.wishes, [&](const Wish& one) { return one.furniture == &furniture; });
+    return RankOf(furniture) + (wished ? 16 : 0);
   };
-  return std::ranges::any_of(archetype.zones(), is_home) ? 1 : 0;
+  PlaceReader(handbook_, tokens_, names_, mentions_, rank, used_, facts_).Read();
+}
+
+const hb::Furniture* FurnitureReader::AnyAt(std::size_t i) {
+  const auto [found, fresh] = any_at_.try_emplace(i, nullptr);
+  if (fresh) found->second = LongestAt(names_, tokens_, i, /*plural=*/true).first;
+  return found->second;
+}
+
+// The piece that a word for several kinds is said together with: "a table in front of the sofa", "a desk and a chair".
+const hb::Furniture* FurnitureReader::PartnerOf(std::size_t i) {
+  constexpr std::array<std::string_view, 14> kTogether = {"between", "next", "beside", "by",     "near",
+                                                          "front",   "foot", "end",    "on",     "either",
+                                                          "behind",  "at",   "around", "round"};
+  constexpr std::array<std::string_view, 5> kJoined = {"with", "and", "plus", "has", "have"};
+  constexpr std::size_t kMostWords = 8;
+  bool together = false;
+  for (std::size_t k = i + 1; k < tokens_.size() && k < i + kMostWords; ++k) {
+    const Token& token = tokens_[k];
+    if (token.kind == Token::Kind::kSign || token.text == "with" || (token.text == "and" && !together)) break;
+    if (token.text == "them") break;
+    together = together || IsOneOf(kTogether, token.text);
+    if (const hb::Furniture* piece = AnyAt(k); together && piece != nullptr) return piece;
+  }
+  if (mentions_.empty() || i - mentions_.back().end > kMostWords) return nullptr;
+  for (std::size_t k = mentions_.back().end; k < i; ++k) {
+    if (tokens_[k].kind == Token::Kind::kSign && tokens_[k].text != ",") return nullptr;
+    if (IsOneOf(kJoined, tokens_[k].text)) return mentions_.back().furniture;
+  }
+  return nullptr;
+}
+
+// "... a coffee table. The table should be round": the piece of that name that was asked for before. Null where the
+// words ask for another one.
+const Wish* FurnitureReader::MeantBefore(std::size_t i, std::size_t length) const {
+  if (length != 1 || i == 0 || (tokens_[i - 1].text != "the" && tokens_[i - 1].text != "these")) return nullptr;
+  for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) {
+    const std::string& name = wish->furniture->name();
+    const std::string last = LastWord(name);
+    const bool compound = last.ends_with("chair") && MatchesWord(tokens_[i].text, "chair");
+    if (MatchesWord(tokens_[i].text, last) || compound) return &*wish;
+  }
+  return nullptr;
+}
+
+int FurnitureReader::RankOf(const hb::Furniture& furniture) const { return nouns_.RankOf(furniture); }
+
+// "a luggage rack": its last word is a class, but the thing is none.
+std::size_t FurnitureReader::TakeOtherThing(std::size_t i, std::size_t piece_length) {
+  const std::size_t length = nouns_.OtherThingAt(tokens_, i);
+  if (length == 0 || length < piece_length) return 0;
+  std::string text;
+  for (std::size_t k = i; k < i + length; ++k) text += (k > i && !tokens_[k].glued ? " " : "") + tokens_[k].text;
+  if (!IsRefused(i) && std::ranges::find(facts_.not_known, text) == facts_.not_known.end()) facts_.not_known.push_back(text);
+  Use(i, length);
+  return length;
 }
 
 // A word alone refuses all of its kind: "no chairs" also the armchairs, "no lamps" those on tables and floor. Whether
@@ -131,13 +246,79 @@ bool FurnitureReader::IsRefused(std::size_t i) const {
 void FurnitureReader::Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
   const Count count = CountBefore(furniture, i, length);
   if (SeatsTheLast(furniture, count, i, length)) return;
-  Wish wish{&furniture, count.number, 0, count.said};
+  Wish wish{&furniture, count.number, 0, count.said, IsOptional(i, i + length)};
   if (!furniture.companions().empty()) wish.seats = SeatsAfter(i + length);
   if (wish.seats > 0) Use(i + length, 2);  // these are the table's, not the room's
   if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
-  last_ = Last{AddWish(wish), i + length, IsSeat(furniture) && length == 1};
+  const bool further = IsFurther(tokens_, i);
+  Mentioned(furniture, i, length, count);
+  last_ = Last{AddWish(wish, further), i + length, IsSeat(furniture) && length == 1};
   TakeColourBefore(i, furniture);
-  TakePlaceAfter(i + length, furniture);
+}
+
+void FurnitureReader::Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const Count& count) {
+  Mention mention{&furniture, i, i + length, count.number};
+  for (const Wish& there : facts_.wishes) {
+    if (there.furniture != &furniture || !IsFurther(tokens_, i) || count.number != 1) continue;
+    // "One desk by the door and another one ...": each has its own place from now on.
+    mention.which = there.count;
+    for (Mention& earlier : mentions_) {
+      if (earlier.furniture == &furniture && there.count == 1) earlier.which = 0;
+    }
+  }
+  mentions_.push_back(mention);
+}
+
+// "a bench if there is room", "perhaps a bench", "an optional bench".
+bool FurnitureReader::IsOptional(std::size_t begin, std::size_t end) const {
+  static const std::vector<Phrase> kBehind = {Phrase("if there is room"),
+                                              Phrase("if there s room"),
+                                              Phrase("if there is space"),
+                                              Phrase("if there s space"),
+                                              Phrase("if there is any room"),
+                                              Phrase("if there is enough room"),
+                                              Phrase("if there is enough space"),
+                                              Phrase("if it fits"),
+                                              Phrase("if they fit"),
+                                              Phrase("if possible"),
+                                              Phrase("if needed"),
+                                              Phrase("if space allows"),
+                                              Phrase("if room allows"),
+                                              Phrase("if space permits"),
+                                              Phrase("space permitting"),
+                                              Phrase("room permitting"),
+                                              Phrase("where it fits"),
+                                              Phrase("would be nice"),
+                                              Phrase("would be a bonus"),
+                                              Phrase("if you can"),
+                                              Phrase("if you can fit"),
+                                              Phrase("as an option"),
+                                              Phrase("if at all possible"),
+                                              Phrase("optional"),
+                                              Phrase("if necessary"),
+                                              Phrase("if we have room"),
+                                              Phrase("if room remains")};
+  static const std::vector<Phrase> kBefore = {
+      Phrase("perhaps"),    Phrase("maybe"),       Phrase("possibly"),         Phrase("optional"),
+      Phrase("optionally"), Phrase("if possible"), Phrase("if there is room"), Phrase("if there is space"),
+      Phrase("ideally")};
+  constexpr std::size_t kMostWords = 8, kMostBefore = 5;
+  const auto says = [&](const std::vector<Phrase>& phrases, std::size_t at) {
+    return std::ranges::any_of(phrases, [&](const Phrase& one) { return one.MatchAt(tokens_, at, false) > 0; });
+  };
+  for (std::size_t at = end; at < tokens_.size() && at < end + kMostWords; ++at) {
+    if (says(kBehind, at)) return true;
+    const std::string& word = tokens_[at].text;
+    const bool comma = word == "," && at + 1 < tokens_.size() && says(kBehind, at + 1);
+    if ((tokens_[at].kind == Token::Kind::kSign && !comma && word != "(") || word == "and" || word == "with") break;
+  }
+  for (std::size_t back = 1; back <= kMostBefore && back <= begin; ++back) {
+    const std::size_t at = begin - back;
+    if (says(kBefore, at)) return true;
+    if (tokens_[at].kind == Token::Kind::kSign && tokens_[at].text != ",") break;
+    if (tokens_[at].text == "and" || tokens_[at].text == "with" || tokens_[at].text == "is" || used_[at]) break;
+  }
+  return false;
 }
 
 // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".
@@ -149,6 +330,7 @@ bool FurnitureReader::SeatsTheLast(const hb::Furniture& seat, const Count& count
   const bool any = length == 1 && (seat.category() == usual->category() || IsSeat(seat));
   if (usual != &seat && !any) return false;
   const bool each = i + length < tokens_.size() && tokens_[i + length].text == "each";
+  Mentioned(*host.furniture, i, length, {host.count});
   if (count.said) {
     const bool shared = !each && count.number >= host.count && count.number % host.count == 0;
     host.seats = std::min(shared ? count.number / host.count : count.number, kMostSeats);
@@ -181,17 +363,18 @@ bool FurnitureReader::OnlyWordsBetween(std::size_t from, std::size_t to, bool ar
   return joined;
 }
 
-std::size_t FurnitureReader::AddWish(const Wish& wish) {
+std::size_t FurnitureReader::AddWish(const Wish& wish, bool further) {
   const int count = std::min(wish.count, kMostOfAKind);
   if (wish.count > kMostOfAKind) AddOnce(facts_.too_many, wish.furniture);
   for (std::size_t i = 0; i < facts_.wishes.size(); ++i) {
     Wish& there = facts_.wishes[i];
     if (there.furniture != wish.furniture) continue;
-    there.count = std::max(there.count, count);
+    there.count = further ? std::min(there.count + count, kMostOfAKind) : std::max(there.count, count);
+    there.optional = there.optional && wish.optional;
     there.seats = std::max(there.seats, wish.seats);
     return i;
   }
-  facts_.wishes.push_back({wish.furniture, count, wish.seats, wish.counted});
+  facts_.wishes.push_back({wish.furniture, count, wish.seats, wish.counted, wish.optional});
   return facts_.wishes.size() - 1;
 }
 
@@ -215,6 +398,7 @@ FurnitureReader::Count FurnitureReader::CountBefore(const hb::Furniture& furnitu
   for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
     const std::size_t at = i - back;
     const Token& token = tokens_[at];
+    if (MeasuresThePiece(tokens_, at)) continue;
     if (token.kind == Token::Kind::kNumber) {
       const double number = std::min(token.number, 1e6);
       return {number >= 1 && number == std::floor(number) ? static_cast<int>(number) : 1};
@@ -250,29 +434,6 @@ void FurnitureReader::TakeColourBefore(std::size_t i, const hb::Furniture& furni
     Use(i - back, length);
     return;
   }
-}
-
-// "... under the window", "... is placed next to the bed". The longest words count.
-void FurnitureReader::TakePlaceAfter(std::size_t end, const hb::Furniture& furniture) {
-  constexpr std::array<std::string_view, 12> kBefore = {"is",       "are",   "stands",   "standing", "placed", "which",
-                                                        "directly", "right", "standing", "that",     "but",    "set"};
-  while (end < tokens_.size() && IsOneOf(kBefore, tokens_[end].text)) ++end;
-  Place place;
-  std::size_t longest = 0;
-  for (const hb::AskedPlace& asked : handbook_.contents().asked_places()) {
-    const bool names_other = asked.relation().text().find("{target}") != std::string::npos;
-    for (const std::string& words : asked.words()) {
-      const std::size_t length = Phrase(words).MatchAt(tokens_, end, /*plural=*/false);
-      if (length <= longest) continue;
-      std::size_t other = end + length;
-      if (names_other && other < tokens_.size() && IsArticle(tokens_[other].text)) ++other;
-      const auto* target = names_other ? LongestAt(names_, tokens_, other, /*plural=*/true).first : nullptr;
-      if (names_other && (target == nullptr || target == &furniture)) continue;
-      longest = length;
-      place = {&furniture, &asked, target};
-    }
-  }
-  if (longest > 0) facts_.places.push_back(place);
 }
 
 // "only a bed and a wardrobe", "just a desk", "nothing but a sofa", "and nothing else".

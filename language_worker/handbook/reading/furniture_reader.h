@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/reading/noun_book.h"
+#include "language_worker/handbook/reading/place_reader.h"
 #include "language_worker/handbook/reading/sayings.h"
 
 namespace flair::language {
 
-// Reads the pieces that a brief asks for and refuses, how many of them, who sits at them and in what colour. Marks the
-// tokens that it has used. `facts` must know the kind of room: a word for several classes ("chair", "bench") means the
-// one that belongs there. The arguments must outlive it.
+// Reads the pieces that a brief asks for and refuses, how many of them, who sits at them, in what colour and where.
+// Marks the tokens that it has used. `facts` must know the kind of room: a word for several classes ("chair", "bench")
+// means the one that belongs there. The arguments must outlive it.
 class FurnitureReader {
  public:
   FurnitureReader(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
                   BriefFacts& facts);
 
   void Read();
+  // To be called behind Read, when all other words that may name a place have been used.
+  void ReadPlaces();
 
  private:
   struct Count {
@@ -33,17 +38,22 @@ class FurnitureReader {
   };
 
   int RankOf(const hb::Furniture& furniture) const;
+  std::size_t TakeOtherThing(std::size_t i, std::size_t piece_length);
+  const hb::Furniture* PartnerOf(std::size_t i);
+  const hb::Furniture* AnyAt(std::size_t i);
+  const Wish* MeantBefore(std::size_t i, std::size_t length) const;
+  void Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const Count& count);
+  bool IsOptional(std::size_t begin, std::size_t end) const;
   bool RefuseKind(std::size_t i);
   bool IsRefused(std::size_t i) const;
   void Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length);
   bool SeatsTheLast(const hb::Furniture& seat, const Count& count, std::size_t i, std::size_t length);
   bool TakesTheLastAsSeats(std::size_t i, Wish& host);
-  std::size_t AddWish(const Wish& wish);
+  std::size_t AddWish(const Wish& wish, bool further);
   bool OnlyWordsBetween(std::size_t from, std::size_t to, bool around) const;
   int SeatsAfter(std::size_t i) const;
   Count CountBefore(const hb::Furniture& furniture, std::size_t i, std::size_t length) const;
   void TakeColourBefore(std::size_t i, const hb::Furniture& furniture);
-  void TakePlaceAfter(std::size_t end, const hb::Furniture& furniture);
   void ReadOnly();
   void Use(std::size_t start, std::size_t length);
 
@@ -51,9 +61,12 @@ class FurnitureReader {
   const std::vector<Token>& tokens_;
   std::vector<bool>& used_;
   BriefFacts& facts_;
-  std::vector<Saying<hb::Furniture>> names_;
+  const NounBook nouns_;
+  const std::vector<Saying<hb::Furniture>>& names_;
   std::vector<Saying<hb::NamedColour>> colours_;
   std::optional<Last> last_;
+  std::vector<Mention> mentions_;
+  std::map<std::size_t, const hb::Furniture*> any_at_;  // of a token: what it names, whatever the room
 };
 
 // "a green armchair": the words for colours that a handbook knows.

@@ -98,7 +98,7 @@ TEST(FurnitureReader, PlacesAreThoseOfThePieceBeforeThem) {
     const char* sentence;
     const char* target;
   } kCases[] = {{"A bedroom with the bed under the window.", "double bed", "The {object} is under the window.", ""},
-                {"A study with a desk facing the wall.", "desk", "The {object}'s back is against a wall.", ""},
+                {"A study with a desk facing the wall.", "desk", "The {object}'s back is against {wall}.", ""},
                 {"A living room where the sofa is placed opposite the fireplace.", "sofa",
                  "The {object} faces the {target}.", "fireplace"},
                 {"A bedroom with a desk but not near the bed.", "desk",

@@ -114,6 +114,7 @@ const SizeOwner::Names& SizeOwner::names() const {
     if (!archetype.name().empty()) made.rooms.emplace_back(archetype.name());
     for (const std::string& synonym : archetype.synonyms()) made.rooms.emplace_back(synonym);
   }
+  for (const char* opening : {"window", "door", "doorway", "opening"}) made.things.emplace_back(opening);
   for (const hb::Furniture& furniture : handbook_.furniture()) {
     made.things.emplace_back(furniture.name());
     for (const std::string& synonym : furniture.synonyms()) made.things.emplace_back(synonym);

@@ -172,12 +172,35 @@ Phrase::Phrase(std::string_view text) {
   const std::string_view separators = " -'/";
   while (start < text.size()) {
     const std::size_t end = std::min(text.find_first_of(separators, start), text.size());
-    if (end > start) words_.emplace_back(text.substr(start, end - start));
+    if (end > start) words_.push_back(PlainText(text.substr(start, end - start)));
     start = end + 1;
   }
 }
 
+// "barstool" for "bar stool", and "night stand" for "nightstand".
+std::size_t Phrase::MatchSpelling(const std::vector<Token>& tokens, std::size_t start, bool plural) const {
+  constexpr std::size_t kShortestPart = 3;
+  if (words_.empty() || words_.size() > 2 || start >= tokens.size()) return 0;
+  const std::string& text = tokens[start].text;
+  if (tokens[start].kind != Token::Kind::kWord) return 0;
+  const auto matches = [&](std::string_view word, std::string_view stem) {
+    return word == stem || (plural && MatchesWord(word, stem));
+  };
+  if (words_.size() == 2) {
+    if (!text.starts_with(words_[0]) || words_[0].size() < kShortestPart || words_[1].size() < kShortestPart) return 0;
+    return matches(std::string_view(text).substr(words_[0].size()), words_[1]) ? 1 : 0;
+  }
+  if (text.size() < kShortestPart || words_[0].size() < text.size() + kShortestPart) return 0;
+  if (!words_[0].starts_with(text)) return 0;
+  std::size_t next = start + 1;
+  if (next < tokens.size() && tokens[next].text == "-" && tokens[next].glued) ++next;
+  if (next >= tokens.size() || tokens[next].kind != Token::Kind::kWord) return 0;
+  const std::string_view rest = std::string_view(words_[0]).substr(text.size());
+  return matches(tokens[next].text, rest) ? next + 1 - start : 0;
+}
+
 std::size_t Phrase::MatchAt(const std::vector<Token>& tokens, std::size_t start, bool plural, int* number) const {
+  if (const std::size_t spelt = MatchSpelling(tokens, start, plural); spelt > 0) return spelt;
   std::size_t at = start;
   for (std::size_t w = 0; w < words_.size(); ++w) {
     // Hyphens, apostrophes and slashes inside a phrase are passed over: "bean-bag", "child's bed", "living / dining".
@@ -192,6 +215,9 @@ std::size_t Phrase::MatchAt(const std::vector<Token>& tokens, std::size_t start,
       const bool digits = token.kind == Token::Kind::kNumber && token.number >= 1 && token.number <= 1000;
       if (!digits && !named) return 0;
       if (number != nullptr) *number = digits ? static_cast<int>(token.number) : *named;
+    } else if (token.kind == Token::Kind::kNumber) {
+      // "2-seater" for "two-seater".
+      if (token.text != words_[w] && (words_[w].size() < 3 || NumberWord(words_[w]) != token.number)) return 0;
     } else if (token.text != words_[w] && words_[w].back() != '*' &&
                !(plural && w + 1 == words_.size() && MatchesWord(token.text, words_[w]))) {
       return 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -31,13 +32,19 @@ bool MatchesWord(std::string_view word, std::string_view stem);
 // Whether "six WORD" counts those whom the room is for: people, guests, children ...
 bool CountsPeople(std::string_view word);
 
+// Whether a list has a word, exactly.
+template <typename List>
+bool IncludesWord(const List& list, std::string_view word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
 // Phrases looked for in a text, as words; "{n}" in a phrase matches a number.
 class Phrase {
  public:
   explicit Phrase(std::string_view text);
 
   // Number of tokens that the phrase covers from `start` on, 0 when it does not begin there. Sets `number` for "{n}".
-  // The last word may be plural when `plural` is true.
+  // The last word may be plural when `plural` is true. One word may be written as two and two as one: "barstool".
   std::size_t MatchAt(const std::vector<Token>& tokens, std::size_t start, bool plural = true,
                       int* number = nullptr) const;
 
@@ -45,6 +52,8 @@ class Phrase {
   bool Occurs(const std::vector<Token>& tokens, int* number = nullptr) const;
 
  private:
+  std::size_t MatchSpelling(const std::vector<Token>& tokens, std::size_t start, bool plural) const;
+
   std::vector<std::string> words_;
 };
 

@@ -37,7 +37,16 @@ OpeningPlan PlanOpenings(const BriefFacts& facts, const hb::Archetype& archetype
     if (changes->has_window_sill_m()) plan.rules.set_window_sill_m(changes->window_sill_m());
   }
   plan.rules.set_door_height_m(std::max(plan.rules.door_height_m(), std::min(2.05 * plan.door_width_m / 0.9, 3.0)));
-  plan.window_count = std::clamp(plan.window_count, 0, 6);
+  plan.asked = facts.openings;
+  plan.room_type = archetype.name();
+  for (const OpeningWish& wish : plan.asked.wishes) {
+    if (wish.door || !wish.side.empty()) continue;
+    // "with large windows": the usual ones, if there are any.
+    plan.window_count = wish.counted ? wish.count : std::max(plan.window_count, 1);
+  }
+  if (plan.asked.window_meant) plan.window_count = std::max(plan.window_count, 1);
+  if (plan.asked.no_windows) plan.window_count = 0;
+  plan.window_count = std::clamp(plan.window_count, 0, kMostOfAKind);
   return plan;
 }
 
@@ -67,10 +76,47 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
                        furniture->name(), kMostOfAKind, kMostOfAKind),
            room);
   }
+  for (const std::string& said : facts.places_not_known) {
+    Remark(
+        v1::SEVERITY_WARNING, "place_not_understood",
+        fmt::format("Where the brief wants a piece was not understood: \"{}\". Nothing was made of these words.", said),
+        room);
+  }
+  for (const Correction& correction : facts.corrections) {
+    Remark(v1::SEVERITY_NOTE, "word_corrected", fmt::format("Read \"{}\" as {}.", correction.written, correction.read),
+           room);
+  }
   if (!facts.not_known.empty()) {
     Remark(v1::SEVERITY_WARNING, "words_not_known",
            fmt::format("The handbook has no word for \"{}\"; nothing was made of it. A language model may.",
                        fmt::join(facts.not_known, "\", \"")),
+           room);
+  }
+}
+
+// What could not be had of the doors and windows that it asks for, or is drawn as something else.
+void RemarkOnOpenings(const BriefFacts& facts, const std::vector<std::string>& not_had, v1::Room& room) {
+  for (const std::string& sentence : facts.openings.not_read) {
+    Remark(v1::SEVERITY_WARNING, "opening_not_understood", sentence, room);
+  }
+  for (const std::string& sentence : not_had) Remark(v1::SEVERITY_WARNING, "opening_not_made", sentence, room);
+  for (const OpeningWish& wish : facts.openings.wishes) {
+    if (wish.kind.empty()) continue;
+    Remark(v1::SEVERITY_NOTE, "opening_simplified",
+           fmt::format("\"{}\": a {} is drawn as a plain window of its width.", wish.said, wish.kind), room);
+  }
+  if (facts.openings.no_doors) {
+    Remark(v1::SEVERITY_NOTE, "opening_simplified",
+           "The brief asks for no door; the one way in that a room has is an open passage.", room);
+  }
+  const auto doors = std::ranges::count_if(room.openings(),
+                                           [](const v1::Opening& one) { return one.kind() == v1::OPENING_KIND_DOOR; });
+  for (const Place& place : facts.places) {
+    const bool opening = place.asked->relation().text().find(" door") != std::string::npos;
+    if (!opening || place.side.empty()) continue;
+    Remark(v1::SEVERITY_NOTE, "door_taken",
+           fmt::format("\"{}\" is read as the room's {}: doors are not told apart.", place.said,
+                       doors > 1 ? "nearest door" : "door"),
            room);
   }
 }
@@ -89,9 +135,10 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
   room.set_title(TitleOf(brief.text()));
   room.set_height_m(size.height_m);
   SetFloor(ReadShape(Tokenize(brief.text()), handbook), facts->size, size, choice, room);
-  AddOpenings(PlanOpenings(*facts, archetype, FloorArea(room)), choice, room);
+  const std::vector<std::string> not_made = AddOpenings(PlanOpenings(*facts, archetype, FloorArea(room)), choice, room);
   if (!size.assumption.empty()) Remark(v1::SEVERITY_NOTE, "size_assumed", size.assumption, room);
   RemarkOnBrief(*facts, archetype, room);
+  RemarkOnOpenings(*facts, not_made, room);
   return room;
 }
 

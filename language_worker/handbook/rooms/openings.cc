@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
+#include "language_worker/handbook/rooms/asked_openings.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 
 namespace flair::language {
@@ -24,7 +27,7 @@ double RoundDown(double length_m) { return std::floor(length_m * 20 + 1e-9) / 20
 class OpeningMaker {
  public:
   OpeningMaker(const OpeningPlan& plan, const Choice& choice, v1::Room& room)
-      : plan_(plan), choice_(choice), room_(room) {
+      : plan_(plan), choice_(choice), room_(room), asked_(plan, choice, room) {
     const auto& corners = room.floor().vertices();
     for (int i = 0; i < corners.size(); ++i) {
       const v1::Point2 &from = corners[i], &to = corners[(i + 1) % corners.size()];
@@ -32,15 +35,34 @@ class OpeningMaker {
     }
   }
 
-  void Make() {
+  std::vector<std::string> Make() {
     AddDoor();
-    AddWindows();
+    asked_.AddFurtherDoors();
+    if (asked_.UsualWindows()) {
+      AddWindows();
+    } else {
+      asked_.AddWindows();
+    }
     AddSockets();
+    return asked_.TakeRemarks();
   }
 
  private:
-  // The door stands in one of the short walls of a long room, in any wall of others.
+  // That which the brief names; else one that it names for no other opening.
   std::size_t DoorWall() const {
+    if (const std::optional<int> wall = asked_.MainDoorWall()) return static_cast<std::size_t>(*wall);
+    const std::size_t usual = UsualDoorWall();
+    const std::set<int> taken = asked_.WallsAskedFor();
+    for (const std::size_t turn : {0u, 2u, 1u, 3u}) {
+      const std::size_t wall = (usual + turn) % lengths_.size();
+      const bool long_enough = turn == 0 || lengths_[wall] >= plan_.door_width_m + 0.4;
+      if (long_enough && !taken.contains(static_cast<int>(wall))) return wall;
+    }
+    return usual;
+  }
+
+  // The door stands in one of the short walls of a long room, in any wall of others.
+  std::size_t UsualDoorWall() const {
     if (lengths_.size() != 4) return DoorWallOfPolygon();
     const double ratio = lengths_[0] / lengths_[1];
     const std::size_t turn = choice_.Index("door.wall", 2) * 2;
@@ -102,8 +124,13 @@ class OpeningMaker {
 
   void AddDoor() {
     door_wall_ = DoorWall();
+    const OpeningWish* wish = asked_.MainDoor();
+    const bool placed = wish != nullptr && (wish->along.at != AlongWall::At::kAny || wish->width_m);
+    if (placed && asked_.AddMainDoor(static_cast<int>(door_wall_), UsualSwing())) return;
     const double wall_m = lengths_[door_wall_];
-    const double width_m = std::min(plan_.door_width_m, RoundDown(wall_m - 0.2));
+    const double usual_m =
+        wish == nullptr ? plan_.door_width_m : asked_.SizeOf(*wish, static_cast<int>(door_wall_)).width_m;
+    const double width_m = std::min(usual_m, RoundDown(wall_m - 0.2));
     // A short wall leaves no room beside a door that stands further in.
     const double near_m = wall_m < kShortWallM ? 0.1 : choice_.Stepped("door.gap", 0.2, 0.5, 0.05);
     double offset_m = std::min(near_m, (wall_m - width_m) / 2);
@@ -112,22 +139,20 @@ class OpeningMaker {
     if (IsReentrant(door_wall_) != IsReentrant(door_wall_ + 1)) at_end = IsReentrant(door_wall_);
     if (at_end) offset_m = wall_m - width_m - offset_m;
     v1::Opening& door = *room_.add_openings();
-    door.set_id("door_1");
-    door.set_kind(v1::OPENING_KIND_DOOR);
+    SetDoor(plan_, room_, door);
     door.set_wall(room_.walls(static_cast<int>(door_wall_)).name());
     door.set_offset_m(offset_m);
     door.set_width_m(width_m);
-    door.set_head_height_m(std::min(Or(plan_.rules.door_height_m(), 2.05), room_.height_m()));
     // The leaf rests on the side wall that is nearer.
     door.mutable_leaf()->set_hinge(at_end ? v1::HINGE_SIDE_END : v1::HINGE_SIDE_START);
-    door.mutable_leaf()->set_swing_angle_rad(std::numbers::pi / 2);
-    const double area_m2 = FloorArea(room_);
-    v1::DoorSwing swing =
-        area_m2 < plan_.rules.door_outward_below_m2() ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
-    if (choice_.Happens("door.passage", plan_.rules.passage_chance())) swing = v1::DOOR_SWING_NONE;
-    door.mutable_leaf()->set_swing(swing);
-    door_.first = offset_m;
-    door_.second = offset_m + width_m;
+    const bool asked = wish != nullptr && wish->swing != v1::DOOR_SWING_UNSPECIFIED;
+    door.mutable_leaf()->set_swing(asked ? wish->swing : UsualSwing());
+  }
+
+  v1::DoorSwing UsualSwing() const {
+    const bool passage = choice_.Happens("door.passage", plan_.rules.passage_chance());
+    if (passage || plan_.asked.no_doors) return v1::DOOR_SWING_NONE;
+    return FloorArea(room_) < plan_.rules.door_outward_below_m2() ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
   }
 
   // Opposite the door first, then the walls beside it; a wall takes a second window when it is long.
@@ -145,6 +170,14 @@ class OpeningMaker {
       if (count > 0) AddWindowsOn(wall, count);
       left -= count;
     }
+    for (const OpeningWish& wish : plan_.asked.wishes) {
+      if (!wish.door && wish.counted) asked_.NoteFewer(wish, WindowCount());
+    }
+  }
+
+  int WindowCount() const {
+    return static_cast<int>(std::ranges::count_if(
+        room_.openings(), [](const v1::Opening& one) { return one.kind() == v1::OPENING_KIND_WINDOW; }));
   }
 
   // The longest outer wall of each turn; then the other outer walls with room for a window.
@@ -154,6 +187,7 @@ class OpeningMaker {
       std::size_t best = lengths_.size();
       for (std::size_t wall = 0; wall < lengths_.size(); ++wall) {
         if (wall == door_wall_ || TurnsTo(wall) != turn || !IsOutside(wall)) continue;
+        if (asked_.IsBare(static_cast<int>(wall))) continue;
         if (best < lengths_.size() && lengths_[wall] > 1.5)
           others.push_back(lengths_[wall] > lengths_[best] ? best : wall);
         if (best == lengths_.size() || lengths_[wall] > lengths_[best]) best = wall;
@@ -161,30 +195,47 @@ class OpeningMaker {
       if (best < lengths_.size()) order.push_back(best);
     }
     order.insert(order.end(), others.begin(), others.end());
+    // Those with a further door last.
+    std::ranges::stable_partition(order, [&](std::size_t wall) { return !asked_.HasOpening(static_cast<int>(wall)); });
     return order;
   }
 
   void AddWindowsOn(std::size_t wall, int count) {
+    if (asked_.HasOpening(static_cast<int>(wall))) {
+      asked_.AddOn(static_cast<int>(wall), WindowWish(), count);
+      return;
+    }
     const double wall_m = lengths_[wall];
     const double share_m = wall_m / count;
-    double width_m = std::min(Or(plan_.rules.window_width_m(), 1.2), RoundDown(share_m - 2 * kCornerGapM));
-    if (count == 1 && wall_m > 4.5) width_m = std::max(width_m, std::min(1.8, width_m * 1.5));
+    double width_m = std::min(UsualWindowWidth(), RoundDown(share_m - 2 * kCornerGapM));
+    const bool wide = count == 1 && wall_m > 4.5 && !WindowWish().width_m && WindowWish().width_factor == 1;
+    if (wide) width_m = std::max(width_m, std::min(1.8, width_m * 1.5));
     if (width_m < 0.3) return;
     constexpr std::array<double, 5> kPlaces = {0.5, 0.5, 0.5, 0.3, 0.7};
     for (int i = 0; i < count; ++i) {
       const double place =
           count > 1 ? 0.5 : kPlaces[choice_.Index(fmt::format("window.place.{}", wall), kPlaces.size())];
       const double middle_m = share_m * (i + place);
-      v1::Opening& window = *room_.add_openings();
-      window.set_id(fmt::format("window_{}", room_.openings_size() - 1));
-      window.set_kind(v1::OPENING_KIND_WINDOW);
+      v1::Opening window;
+      SetWindow(plan_, WindowWish(), room_, window);
       window.set_wall(room_.walls(static_cast<int>(wall)).name());
       window.set_offset_m(std::clamp(middle_m - width_m / 2, kCornerGapM, wall_m - kCornerGapM - width_m));
       window.set_width_m(width_m);
-      const double head_m = std::min(Or(plan_.rules.window_head_m(), 2.1), room_.height_m());
-      window.set_head_height_m(head_m);
-      window.set_sill_height_m(std::min(Or(plan_.rules.window_sill_m(), 0.9), head_m - 0.3));
+      *room_.add_openings() = window;
     }
+  }
+
+  double UsualWindowWidth() const {
+    const double usual_m = Or(plan_.rules.window_width_m(), 1.2) * WindowWish().width_factor;
+    return WindowWish().width_m.value_or(usual_m);
+  }
+
+  // What the brief says of all of them.
+  const OpeningWish& WindowWish() const {
+    static const OpeningWish kNone;
+    const auto& all = plan_.asked.wishes;
+    const auto found = std::ranges::find_if(all, [](const OpeningWish& one) { return !one.door; });
+    return found == all.end() ? kNone : *found;
   }
 
   // Spread over the walls, near their ends, where no opening is.
@@ -204,7 +255,10 @@ class OpeningMaker {
   }
 
   bool IsOpen(std::size_t wall, double offset_m) const {
-    return wall == door_wall_ && offset_m > door_.first - 0.1 && offset_m < door_.second + 0.1;
+    return std::ranges::any_of(room_.openings(), [&](const v1::Opening& one) {
+      return one.kind() == v1::OPENING_KIND_DOOR && one.wall() == room_.walls(static_cast<int>(wall)).name() &&
+             offset_m > one.offset_m() - 0.1 && offset_m < one.offset_m() + one.width_m() + 0.1;
+    });
   }
 
   const OpeningPlan& plan_;
@@ -212,13 +266,13 @@ class OpeningMaker {
   v1::Room& room_;
   std::vector<double> lengths_;
   std::size_t door_wall_ = 0;
-  std::pair<double, double> door_;
+  AskedOpenings asked_;
 };
 
 }  // namespace
 
-void AddOpenings(const OpeningPlan& plan, const Choice& choice, v1::Room& room) {
-  OpeningMaker(plan, choice, room).Make();
+std::vector<std::string> AddOpenings(const OpeningPlan& plan, const Choice& choice, v1::Room& room) {
+  return OpeningMaker(plan, choice, room).Make();
 }
 
 }  // namespace flair::language

@@ -13,6 +13,7 @@
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/sentences/place_writer.h"
 #include "language_worker/handbook/sentences/sentence_writer.h"
 
 namespace flair::language {
@@ -51,7 +52,9 @@ class ConstraintLister {
         objects_(objects),
         places_(facts.places),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
-        writer_(room, zones, objects, handbook, program_, choice) {}
+        writer_(room, zones, objects, handbook, program_, choice),
+        place_writer_(room, program_, writer_),
+        kept_(facts.places.size(), false) {}
 
   v1::ConstraintList List() {
     std::set<std::string> done;
@@ -66,6 +69,7 @@ class ConstraintLister {
       sentence.set_id(fmt::format("s{}", list.sentences_size() + 1));
       *list.add_sentences() = sentence;
     }
+    RemarkOnPlaces(list);
     return list;
   }
 
@@ -107,17 +111,50 @@ class ConstraintLister {
     }
   }
 
-  // What the brief itself says of their place settles its topics. Tertiaries go where their hosts are.
+  // What the brief itself says of their place settles its topics.
   void WritePlaces(const std::string& name, const Group& group, std::set<std::string>& topics) {
-    if (group.front()->role() == v1::OBJECT_ROLE_TERTIARY) return;
-    for (const Place& place : places_) {
-      if (place.furniture->name() != name) continue;
-      hb::Relation relation = place.asked->relation();
-      if (place.target != nullptr) relation.add_targets(place.target->name());
-      const std::vector<v1::Sentence> written = writer_.Write(relation, group);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Place& place = places_[i];
+      if (!IsMeant(*place.furniture, name)) continue;
+      const std::vector<v1::Sentence> written = place_writer_.Write(place, group);
       sentences_.insert(sentences_.end(), written.begin(), written.end());
-      if (!written.empty()) topics.insert(place.asked->silences().begin(), place.asked->silences().end());
+      if (written.empty()) continue;
+      kept_[i] = true;
+      topics.insert(place.asked->silences().begin(), place.asked->silences().end());
     }
+  }
+
+  // Whether objects of that name are, or stand in for, what a brief names.
+  bool IsMeant(const hb::Furniture& furniture, const std::string& name) const {
+    if (furniture.name() == name) return true;
+    google::protobuf::RepeatedPtrField<std::string> classes;
+    *classes.Add() = furniture.name();
+    return !writer_.groups().contains(furniture.name()) &&
+           (Has(WithSubstitutes(classes, program_), name) || furniture.smaller() == name);
+  }
+
+  // Places of which no sentence came, of pieces that are there: the others are told of where they are left out.
+  void RemarkOnPlaces(v1::ConstraintList& list) const {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const bool there = std::ranges::any_of(
+          writer_.groups(), [&](const auto& group) { return IsMeant(*places_[i].furniture, group.first); });
+      if (kept_[i] || !there) continue;
+      v1::Diagnostic& remark = *list.add_diagnostics();
+      remark.set_severity(v1::SEVERITY_WARNING);
+      remark.set_code("place_not_kept");
+      remark.set_message(fmt::format("The brief wants \"{} {}\"; {}.", places_[i].furniture->name(), places_[i].said,
+                                     WhyNotKept(places_[i])));
+    }
+  }
+
+  std::string WhyNotKept(const Place& place) const {
+    for (const hb::Furniture* piece : {place.target, place.other}) {
+      if (piece != nullptr && !writer_.groups().contains(piece->name())) {
+        return fmt::format("there is no {} in the room", piece->name());
+      }
+    }
+    if (place.asked->relation().condition().min_count() > 1) return "the room has not that many of them";
+    return "the room has no such wall or pair of pieces";
   }
 
   static void Collect(const google::protobuf::RepeatedPtrField<hb::Relation>& relations, const std::string& name,
@@ -175,6 +212,8 @@ class ConstraintLister {
   const std::vector<Place> places_;
   const RoomProgram program_;
   const SentenceWriter writer_;
+  const PlaceWriter place_writer_;
+  std::vector<bool> kept_;  // of a place: sentences were written
   std::vector<v1::Sentence> sentences_;
 };
 

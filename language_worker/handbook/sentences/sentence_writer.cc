@@ -18,7 +18,7 @@ constexpr std::array<const char*, 13> kNumbers = {"no",    "one",   "two",  "thr
                                                   "seven", "eight", "nine", "ten",   "eleven", "twelve"};
 
 template <typename List>
-bool Has(const List& list, const std::string& item) {
+bool HasItem(const List& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
@@ -89,7 +89,7 @@ bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) c
     const bool elsewhere = !IsInZoneOf(*group.front(), name) && HasPartnerInZone(relation, *group.front());
     if (!elsewhere) return false;
   }
-  if (!condition.zones().empty() && !Has(condition.zones(), ZoneName(*group.front()))) return false;
+  if (!condition.zones().empty() && !HasItem(condition.zones(), ZoneName(*group.front()))) return false;
   return !condition.needs_window() ||
          std::any_of(room_.openings().begin(), room_.openings().end(),
                      [](const auto& opening) { return opening.kind() == v1::OPENING_KIND_WINDOW; });
@@ -248,7 +248,7 @@ v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group&
   for (const v1::Object* subject : subjects) sentence.add_subject_ids(subject->id());
   const bool all = relation.text().find("{targets}") != std::string::npos;
   for (std::size_t i = 0; i < (all ? targets.size() : std::min<std::size_t>(1, targets.size())); ++i) {
-    if (!Has(sentence.subject_ids(), targets[i]->id())) sentence.add_subject_ids(targets[i]->id());
+    if (!HasItem(sentence.subject_ids(), targets[i]->id())) sentence.add_subject_ids(targets[i]->id());
   }
   sentence.set_scope(object.role() == v1::OBJECT_ROLE_TERTIARY ? v1::SENTENCE_SCOPE_TERTIARY
                      : sentence.subject_ids_size() > static_cast<int>(subjects.size()) || subjects.size() > 1
@@ -257,7 +257,6 @@ v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group&
   return sentence;
 }
 
-// "nightstand", or "second nightstand" when there are several.
 std::string SentenceWriter::NameOf(const v1::Object& object) const {
   const Group& group = groups_.at(object.name());
   if (group.size() == 1) return object.name();

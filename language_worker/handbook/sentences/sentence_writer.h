@@ -35,6 +35,13 @@ class SentenceWriter {
   // a tertiary without `targets` the partner is its host.
   std::vector<v1::Sentence> Write(const hb::Relation& relation, const Group& group) const;
 
+  // One sentence about all of `subjects`, whatever the relation's condition; `number` counts those of a relation.
+  v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets,
+                        std::size_t number) const;
+
+  // "nightstand", or "second nightstand" when there are several.
+  std::string NameOf(const v1::Object& object) const;
+
  private:
   bool Applies(const hb::Relation& relation, const Group& group) const;
   // Whether another object of that name stands in the zone of `object`.
@@ -46,9 +53,6 @@ class SentenceWriter {
   std::vector<v1::Sentence> WriteTogether(const hb::Relation& relation, const Group& group) const;
   std::vector<v1::Sentence> WriteNeighbours(const hb::Relation& relation, const Group& group) const;
   Group RowBefore(const v1::Object& object) const;
-  v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets,
-                        std::size_t number) const;
-  std::string NameOf(const v1::Object& object) const;
   std::string NameOf(const Group& group) const;
   std::string Plural(const std::string& name) const;
   bool IsPlural(const std::string& name) const;

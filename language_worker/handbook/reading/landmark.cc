@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/landmark.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace flair::language {
+namespace {
+
+constexpr std::size_t kMostModifiers = 4;
+constexpr std::size_t kMostDeterminers = 4;
+
+constexpr std::array<std::string_view, 24> kDeterminers = {
+    "the", "a",   "an", "one",  "of",    "each", "any",  "some", "my",    "our",   "his",   "her",
+    "its", "two", "2",  "both", "their", "this", "that", "your", "these", "those", "every", "another"};
+// No noun phrase goes on behind these.
+constexpr std::array<std::string_view, 41> kNounEnds = {
+    "and",   "or",      "but",   "with", "without", "in",     "on",       "at",     "to",     "for",  "from",
+    "by",    "is",      "are",   "that", "which",   "where",  "so",       "near",   "under",  "over", "facing",
+    "while", "if",      "who",   "has",  "have",    "stands", "opposite", "beside", "behind", "next", "above",
+    "below", "against", "along", "as",   "between", "should", "must",     "because"};
+constexpr std::array<std::string_view, 6> kDoors = {"door", "doors", "doorway", "entrance", "entry", "entryway"};
+constexpr std::array<std::string_view, 3> kWindows = {"window", "windows", "skylight"};
+// Words of walls and corners that say which one; others only describe.
+constexpr std::array<std::string_view, 33> kWallSides = {
+    "north", "south",     "east",      "west",      "northern",  "southern", "eastern",  "western",  "left",
+    "right", "far",       "farthest",  "furthest",  "back",      "rear",     "front",    "near",     "nearest",
+    "long",  "longest",   "longer",    "short",     "shortest",  "shorter",  "opposite", "entrance", "window",
+    "door",  "northeast", "northwest", "southeast", "southwest", "blank"};
+
+bool IsOfTheRoom(Landmark::Kind kind) { return kind == Landmark::Kind::kWall || kind == Landmark::Kind::kCorner; }
+
+}  // namespace
+
+LandmarkReader::LandmarkReader(const std::vector<Token>& tokens, const std::vector<Saying<hb::Furniture>>& names,
+                               std::function<int(const hb::Furniture&)> rank)
+    : tokens_(tokens), names_(names), rank_(std::move(rank)), pieces_(tokens.size()) {}
+
+Landmark LandmarkReader::Read(std::size_t start) const {
+  Landmark landmark = Pronoun(start);
+  if (landmark.kind != Landmark::Kind::kNone) return landmark;
+  const std::size_t at = BehindDeterminers(start);
+  landmark = Noun(at);
+  for (std::size_t i = start; i < at; ++i) {
+    landmark.plural = landmark.plural || Word(i) == "two" || Word(i) == "2" || Word(i) == "both";
+  }
+  if (landmark.kind == Landmark::Kind::kPiece) TakeSecond(landmark);
+  if (IsOfTheRoom(landmark.kind)) TakeWhichOne(landmark);
+  return landmark;
+}
+
+std::string_view LandmarkReader::Word(std::size_t i) const {
+  return i < tokens_.size() ? std::string_view(tokens_[i].text) : std::string_view();
+}
+
+const LandmarkReader::Found& LandmarkReader::PieceAt(std::size_t i) const {
+  if (!pieces_[i]) pieces_[i] = BestAt(names_, tokens_, i, /*plural=*/true, rank_);
+  return *pieces_[i];
+}
+
+std::size_t LandmarkReader::BehindDeterminers(std::size_t i) const {
+  const std::size_t start = i;
+  while (i < start + kMostDeterminers && IncludesWord(kDeterminers, Word(i))) ++i;
+  return i;
+}
+
+// "them", "both of them", "the two", "each other".
+Landmark LandmarkReader::Pronoun(std::size_t start) const {
+  constexpr std::array<std::string_view, 4> kPronouns = {"them", "it", "these", "those"};
+  constexpr std::array<std::string_view, 5> kBefore = {"both", "the", "of", "two", "each"};
+  std::size_t at = start;
+  while (at < start + kMostDeterminers && IncludesWord(kBefore, Word(at))) ++at;
+  bool pronoun = IncludesWord(kPronouns, Word(at)) || (Word(at) == "other" && at > start && Word(at - 1) == "each");
+  // "those chairs".
+  if (Word(at).starts_with("th") && Word(at) != "them" && Noun(at + 1).kind != Landmark::Kind::kNone) pronoun = false;
+  const bool counts =
+      !pronoun && at > start && (Word(at - 1) == "two" || Word(at - 1) == "both") &&
+      (at == tokens_.size() || tokens_[at].kind == Token::Kind::kSign || IncludesWord(kNounEnds, Word(at)));
+  Landmark landmark;
+  if (!pronoun && !counts) return landmark;
+  landmark.kind = Landmark::Kind::kPronoun;
+  landmark.plural = Word(at) != "it";
+  landmark.end = counts ? at : at + 1;
+  return landmark;
+}
+
+// The nearest noun that can be a landmark, behind words that describe it.
+Landmark LandmarkReader::Noun(std::size_t start) const {
+  Landmark landmark;
+  for (std::size_t i = start; i < tokens_.size() && i <= start + kMostModifiers; ++i) {
+    const auto& [piece, length] = PieceAt(i);
+    const Landmark::Kind feature = FeatureAt(i);
+    if (length > 1 || (length == 1 && feature == Landmark::Kind::kNone && FeatureAt(i + 1) == Landmark::Kind::kNone)) {
+      landmark.kind = Landmark::Kind::kPiece;
+      landmark.piece = piece;
+      landmark.end = i + length;
+      const auto any = [](const hb::Furniture&) { return 0; };
+      landmark.plural = BestAt(names_, tokens_, i, /*plural=*/false, any).second < length;
+      return landmark;
+    }
+    // "The window wall": the last of several nouns counts.
+    if (feature != Landmark::Kind::kNone && FeatureAt(i + 1) == Landmark::Kind::kNone) {
+      landmark.kind = feature;
+      landmark.plural = tokens_[i].text.ends_with("s");
+      landmark.end = i + 1;
+      for (std::size_t k = start; k < i; ++k) {
+        if (tokens_[k].kind == Token::Kind::kWord)
+          landmark.side += (landmark.side.empty() ? "" : " ") + tokens_[k].text;
+      }
+      return landmark;
+    }
+    if (!Describes(i)) break;
+  }
+  return landmark;
+}
+
+// Whether a token may stand between an article and its noun.
+bool LandmarkReader::Describes(std::size_t i) const {
+  const Token& token = tokens_[i];
+  if (token.kind == Token::Kind::kSign) return (token.text == "-" || token.text == "'") && token.glued;
+  // "Opposite" and "near" relate, but describe walls and corners.
+  return token.kind == Token::Kind::kWord && (!IncludesWord(kNounEnds, token.text) ||
+                                              (IncludesWord(kWallSides, token.text) && IsOfTheRoom(FeatureAt(i + 1))));
+}
+
+Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
+  if (IncludesWord(kDoors, Word(i))) return Landmark::Kind::kDoor;
+  if (IncludesWord(kWindows, Word(i))) return Landmark::Kind::kWindow;
+  if (Word(i) == "wall" || Word(i) == "walls") return Landmark::Kind::kWall;
+  if (Word(i) == "corner" || Word(i) == "corners") return Landmark::Kind::kCorner;
+  return Landmark::Kind::kNone;
+}
+
+void LandmarkReader::TakeSecond(Landmark& landmark) const {
+  if (Word(landmark.end) != "and") return;
+  const Landmark next = Noun(BehindDeterminers(landmark.end + 1));
+  if (next.kind != Landmark::Kind::kPiece) return;
+  landmark.second = next.piece;
+  landmark.second_end = next.end;
+}
+
+// Keeps of the words before it those that say which wall or corner, and reads those behind it: "the wall opposite the
+// door", "the corner of the room".
+void LandmarkReader::TakeWhichOne(Landmark& landmark) const {
+  std::string sides;
+  const auto add = [&](std::string_view side) { sides += (sides.empty() ? "" : " ") + std::string(side); };
+  for (const Token& word : Tokenize(landmark.side)) {
+    if (IncludesWord(kWallSides, word.text)) add(word.text);
+  }
+  const std::string_view how = Word(landmark.end);
+  const bool two_words = Word(landmark.end + 1) == "from";
+  const bool opposite = how == "opposite" || how == "facing" || (how == "across" && two_words);
+  const bool farthest = (how == "farthest" || how == "furthest" || how == "away") && two_words;
+  if (opposite || farthest || how == "with" || how == "without") {
+    const std::size_t at = BehindDeterminers(landmark.end + (two_words ? 2 : 1));
+    const Landmark::Kind feature = FeatureAt(at);
+    const bool door = feature == Landmark::Kind::kDoor, window = feature == Landmark::Kind::kWindow;
+    if (door) add(opposite || farthest ? "far" : how == "with" ? "door" : "blank");
+    if (window) add(opposite || farthest ? "across window" : how == "with" ? "window" : "blank");
+    if (door || window) landmark.end = at + 1;
+  }
+  static const std::vector<Phrase> kOfTheRoom = {Phrase("of the room"), Phrase("of this room"), Phrase("of the space")};
+  for (const Phrase& phrase : kOfTheRoom) landmark.end += phrase.MatchAt(tokens_, landmark.end, /*plural=*/false);
+  landmark.side = sides;
+}
+
+}  // namespace flair::language

@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/opening_noun.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace flair::language {
+namespace {
+
+constexpr int kMostOpenings = 40;
+constexpr double kLarge = 1.5, kSmall = 0.6;
+
+constexpr std::string_view kDoorHeads = "door doors doorway doorways entrance entryway archway";
+constexpr std::string_view kWindowHeads = "window windows porthole portholes casement casements";
+constexpr std::string_view kOverheads = "skylight skylights rooflight rooflights sunroof velux";
+// Behind "window" and "door" these make another thing.
+constexpr std::string_view kOtherHeads =
+    "seat seats sill sills ledge ledges bench box boxes wall walls side sides film view views blind blinds shade "
+    "shades "
+    "shutter shutters curtain curtains treatment treatments frame frames mat mats stop handle handles bell bells hook "
+    "hooks "
+    "hall way opener swing leaf nook shopping cleaner display displays dressing table tables desk bed";
+// Before an opening that only tells where something else is.
+constexpr std::string_view kRelating =
+    "near by under below beneath underneath facing to of from behind beside opposite against at towards toward above "
+    "over "
+    "before between overlooking front face faces either outside inside along around into blocking through than block "
+    "blocks next close clear for off across out past within flanking under in on backing";
+constexpr std::string_view kStops =
+    "with and or has have having plus are is where but that which while without no as be , so";
+constexpr std::string_view kCompassWords = "north northern south southern east eastern west western";
+constexpr std::string_view kDefinite = "the its this that their our my your his her these those both";
+constexpr std::string_view kOpenAir =
+    "garden terrace patio yard backyard courtyard deck veranda balcony outside outdoors lawn porch pool";
+constexpr std::string_view kInnerRooms =
+    "kitchen bathroom ensuite en suite closet wardrobe dressing pantry larder utility laundry cellar basement bedroom "
+    "bedrooms living dining study office storeroom store cupboard connecting adjoining internal interior workshop "
+    "garage "
+    "wc toilet shower lounge library lobby stairs staircase attic loft stage backstage fire emergency service side "
+    "back";
+constexpr std::string_view kWaysIn =
+    "hall hallway corridor landing street entrance entry front main passage passageway vestibule";
+
+// Sets what one describing word says.
+void Describe(const std::string_view word, OpeningWish& wish) {
+  if (IsAmong("large larger big bigger huge wide wider generous panoramic picture massive enormous", word)) {
+    wish.width_factor = kLarge;
+  } else if (IsAmong("small smaller little tiny narrow slit", word)) {
+    wish.width_factor = kSmall;
+  }
+  if (!wish.door) {
+    if (IsAmong(kCompassWords, word) && wish.side.empty()) wish.side = word;
+    if (IsAmong("clerestory", word)) wish.sill_m = 1.9;
+    if (word == "bay" || word == "bow" || word == "oriel") {
+      wish.kind = std::string(word) + " window";
+      wish.width_factor = kLarge;
+    }
+    if (word == "corner") wish.along.at = AlongWall::At::kEnd;
+    return;
+  }
+  if (IsAmong("sliding pocket barn shoji", word)) wish.swing = v1::DOOR_SWING_SLIDING;
+  if (IsAmong("folding bifold concertina accordion", word)) {
+    wish.swing = v1::DOOR_SWING_SLIDING;
+    wish.width_m = wish.width_m.value_or(2.4);
+  }
+  if (word == "double") wish.width_m = wish.width_m.value_or(1.5);
+  if (word == "garage") wish.width_m = wish.width_m.value_or(2.4);
+  if (IsAmong(kOpenAir, word) || word == "french") {
+    wish.outside = true;
+    if (word != "balcony") wish.width_m = wish.width_m.value_or(word == "patio" ? 1.8 : 1.5);
+    if (word == "patio") wish.swing = v1::DOOR_SWING_SLIDING;
+    if (word != "french") wish.leads_to = word;
+  } else if (IsAmong(kInnerRooms, word)) {
+    wish.leads_to = std::string(word) + (wish.leads_to.empty() ? "" : " " + wish.leads_to);
+  }
+}
+
+class NounReader {
+ public:
+  NounReader(const OpeningWords& words, const std::vector<bool>& things, std::size_t noun)
+      : words_(words), things_(things) {
+    found_.noun = found_.begin = noun;
+    found_.end = noun + 1;
+  }
+
+  OpeningNoun Read() {
+    const std::size_t noun = found_.noun;
+    const std::string_view head = words_.At(noun);
+    const bool door = IsAmong(kDoorHeads, head), window = IsAmong(kWindowHeads, head);
+    const bool overhead = IsAmong(kOverheads, head) || (window && words_.At(noun - 1) == "roof");
+    if (things_[noun] || !(door || window || overhead)) return {};
+    const std::size_t behind = words_.IsHyphen(noun + 1) ? noun + 2 : noun + 1;
+    if (behind < words_.size() && (things_[behind] || IsAmong(kOtherHeads, words_.At(behind)))) return {};
+    if (noun > 0 && IsAmong("next dutch stage trap", words_.At(noun - 1))) return {};
+    OpeningWish& wish = found_.wish;
+    wish.door = door;
+    ReadBack();
+    // French windows are doors.
+    if (window && wish_french_) {
+      wish.door = true;
+      Describe("french", wish);
+    }
+    if (found_.kind == OpeningNoun::Kind::kNone) return {};
+    if (overhead) found_.kind = OpeningNoun::Kind::kOverhead;
+    if (head == "archway") wish.swing = v1::DOOR_SWING_NONE;
+    if (head.starts_with("porthole")) wish = Porthole(wish);
+    SetMeasures();
+    const bool plural = head.ends_with('s');
+    const bool one_pair =
+        wish.door && plural && (!wish.counted || pair_) &&
+        (wish.width_m || wish.swing != v1::DOOR_SWING_UNSPECIFIED || wish.outside || glazed_ || pair_);
+    if (one_pair) {
+      wish.count = 1;
+      wish.counted = true;
+      wish.width_m = wish.width_m.value_or(1.5);
+    } else if (plural && !wish.counted) {
+      wish.count = 2;
+    }
+    return found_;
+  }
+
+ private:
+  static OpeningWish Porthole(OpeningWish wish) {
+    wish.kind = "porthole";
+    wish.width_m = 0.4;
+    wish.height_m = 0.4;
+    wish.sill_m = 1.3;
+    return wish;
+  }
+
+  // Over what describes the opening, back to its article or number.
+  void ReadBack() {
+    constexpr std::size_t kMostBack = 10;
+    found_.kind = OpeningNoun::Kind::kOpening;
+    found_.bare = true;
+    OpeningWish& wish = found_.wish;
+    std::size_t at = found_.noun;
+    for (std::size_t steps = 0; at > 0 && steps < kMostBack; ++steps) {
+      const std::size_t before = at - 1;
+      const std::string_view word = words_.At(before);
+      if (words_.IsHyphen(before)) {
+        at = before;
+        continue;
+      }
+      if (TakeMeasureBefore(at)) continue;
+      if (words_.At(before) == "of" && before > 0 && TakeQuantity(before)) return Determined(found_.begin);
+      if (words_.IsSign(before) || (things_[before] && !IsAmong(kInnerRooms, word))) break;
+      if (word == "no" || word == "without" || (word == "any" && before > 0 && words_.At(before - 1) == "without") ||
+          word == "zero") {
+        found_.none = true;
+        return Determined(word == "any" ? before - 1 : before);
+      }
+      if (word == "one" || IsAmong("first second third other another", word)) found_.part = true;
+      if (IsAmong("each every any all which what", word)) {
+        found_.any = true;
+        return Determined(before);
+      }
+      if (word == "only" || word == "single" || word == "just") {
+        wish.counted = wish.counted || word == "single";
+        at = before;
+        continue;
+      }
+      if (IsAmong(kDefinite, word)) {
+        wish.definite = true;
+        if (word == "both") {
+          wish.count = 2;
+          wish.counted = true;
+        }
+        return Determined(before);
+      }
+      if (const std::optional<int> number = NumberAt(before)) {
+        wish.count = *number;
+        wish.counted = true;
+        // "the two windows"
+        if (before > 0 && IsAmong(kDefinite, words_.At(before - 1))) {
+          wish.definite = true;
+          return Determined(before - 1);
+        }
+        return Determined(before);
+      }
+      if (IsAmong("several many lots plenty numerous", word)) {
+        wish.count = 3;
+        return Determined(before);
+      }
+      // "a south-facing window"
+      if (word == "facing" && TakeAspect(before)) {
+        at = before;
+        continue;
+      }
+      if (IsAmong(kRelating, word) || IsAmong(kStops, word)) {
+        if (!(word == "to" && TakeFloorToCeiling(at))) break;
+        continue;
+      }
+      Word(word);
+      at = before;
+    }
+    found_.begin = at;
+    Relate();
+  }
+
+  void Determined(std::size_t begin) {
+    found_.bare = false;
+    found_.begin = begin;
+    if (begin > 0 && words_.At(begin - 1) == "only") found_.begin = begin - 1;
+    Relate();
+  }
+
+  void Relate() {
+    std::size_t at = found_.begin;
+    if (at > 0 && words_.At(at - 1) == "all") --at;
+    found_.related = at > 0 && IsAmong(kRelating, words_.At(at - 1)) && !IsOfACupboard(at);
+    if (IsOfACupboard(at)) found_.kind = OpeningNoun::Kind::kNone;
+  }
+
+  // "a wardrobe with two sliding doors".
+  bool IsOfACupboard(std::size_t at) const {
+    if (!found_.wish.door || at < 2) return false;
+    return IsAmong("with has having behind", words_.At(at - 1)) && things_[at - 2];
+  }
+
+  void Word(std::string_view word) {
+    if (word == "french") wish_french_ = true;
+    if (IsAmong("glass glazed", word)) glazed_ = true;
+    if (IsAmong("ceiling", word)) ceiling_ = true;
+    if (IsAmong("full height length floor ceiling", word) && !found_.wish.door) ++full_;
+    if (word == "high" && !measured_) high_ = true;
+    if (word == "low" && !measured_) low_ = true;
+    if (word == "tall" && !measured_) tall_ = true;
+    if (word == "open" && found_.wish.door) found_.wish.swing = v1::DOOR_SWING_NONE;
+    if (IsAmong("first second third fourth other another", word)) {
+      found_.wish.count = 1;
+      found_.wish.counted = true;
+    }
+    Describe(word, found_.wish);
+  }
+
+  // "1.2 m" before a token, perhaps with "wide" behind it: the last one said comes first.
+  bool TakeMeasureBefore(std::size_t& at) {
+    for (const std::size_t length : {2u, 3u}) {
+      if (at < length) continue;
+      std::size_t end = 0;
+      const std::optional<double> metres = words_.LengthAt(at - length, end);
+      if (!metres || end != at) continue;
+      measured_ = true;
+      measures_.push_back({*metres, std::string(words_.At(at))});
+      at -= length;
+      // "1.2 m x 1.5 m", "1.2 x 1.5 m".
+      if (at >= 2 && IsAmong("x by", words_.At(at - 1))) {
+        --at;
+        if (words_.IsNumber(at - 1)) {
+          const double number = words_.NumberAt(at - 1);
+          measures_.back().dimension = "high";
+          measures_.push_back({number * (*metres / words_.NumberAt(at + 1)), "wide"});
+          --at;
+        }
+      }
+      return true;
+    }
+    return false;
+  }
+
+  // "a pair of windows", "a set of patio doors", "a wall of windows", "lots of windows".
+  bool TakeQuantity(std::size_t of) {
+    const std::string_view word = words_.At(of - 1);
+    OpeningWish& wish = found_.wish;
+    std::size_t begin = of - 1;
+    if (IsAmong("pair set", word)) {
+      pair_ = found_.wish.door;
+      wish.count = word == "pair" && !wish.door ? 2 : 1;
+    } else if (IsAmong("couple", word)) {
+      wish.count = 2;
+    } else if (IsAmong("row series line number lots plenty load loads", word)) {
+      wish.count = 3;
+    } else if (IsAmong("wall", word) && !wish.door) {
+      wish.count = 1;
+      wish.width_m = 100;
+    } else {
+      return false;
+    }
+    wish.counted = true;
+    if (begin > 0 && IsAmong("a an one the whole entire", words_.At(begin - 1))) --begin;
+    found_.begin = begin;
+    return true;
+  }
+
+  bool TakeAspect(std::size_t facing) {
+    std::size_t at = facing;
+    if (at > 0 && words_.IsHyphen(at - 1)) --at;
+    return at > 0 && IsAmong(kCompassWords, words_.At(at - 1));
+  }
+
+  // "floor to ceiling windows"
+  bool TakeFloorToCeiling(std::size_t& at) {
+    if (at < 2 || words_.At(at - 1) != "to") return false;
+    std::size_t floor = at - 2;
+    if (words_.IsHyphen(floor) && floor > 0) --floor;
+    if (words_.At(floor) != "floor" || !ceiling_) return false;
+    full_ = 2;
+    at = floor;
+    return true;
+  }
+
+  std::optional<int> NumberAt(std::size_t i) const {
+    if (words_.IsNumber(i)) {
+      const double number = words_.NumberAt(i);
+      if (number != static_cast<int>(std::min(number, 100.0)) || number < 1) return std::nullopt;
+      return std::min(static_cast<int>(number), kMostOpenings);
+    }
+    const std::optional<int> named = NumberWord(words_.At(i));
+    return named ? std::optional<int>(std::min(*named, kMostOpenings)) : std::nullopt;
+  }
+
+  void SetMeasures() {
+    OpeningWish& wish = found_.wish;
+    for (const Measured& one : measures_) {
+      const bool high = IsAmong("high tall height", one.dimension);
+      if (high) {
+        wish.height_m = one.metres;
+      } else {
+        wish.width_m = one.metres;
+      }
+    }
+    if (!wish.door && full_ >= 2) {
+      wish.sill_m = 0;
+      wish.to_ceiling = ceiling_ || full_ >= 2;
+    }
+    if (!wish.door && high_) wish.sill_m = 1.6;
+    if (!wish.door && low_) wish.sill_m = 0.4;
+    if (!wish.door && tall_ && !wish.sill_m) {
+      wish.sill_m = 0.4;
+      wish.height_m = wish.height_m.value_or(2.0);
+    }
+  }
+
+  struct Measured {
+    double metres = 0;
+    std::string dimension;  // the word behind it
+  };
+
+  const OpeningWords& words_;
+  const std::vector<bool>& things_;
+  OpeningNoun found_;
+  std::vector<Measured> measures_;
+  bool wish_french_ = false, glazed_ = false, ceiling_ = false, high_ = false, low_ = false, tall_ = false;
+  bool measured_ = false, pair_ = false;
+  int full_ = 0;
+};
+
+// "to the kitchen", "leading out to the garden", "onto the balcony".
+bool TakeLeads(const OpeningWords& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i;
+  if (IsAmong("that which", words.At(at))) ++at;
+  if (IsAmong("leading leads opening opens going goes giving gives", words.At(at))) ++at;
+  if (IsAmong("out on through", words.At(at)) && IsAmong("to onto into", words.At(at + 1))) ++at;
+  if (!IsAmong("to onto into for on between", words.At(at))) return false;
+  at = words.BehindArticle(at + 1);
+  if (IsAmong("small little adjoining adjacent next back front rear", words.At(at))) {
+    if (!IsAmong(kOpenAir, words.At(at + 1)) && !IsAmong(kInnerRooms, words.At(at + 1)) &&
+        !IsAmong(kWaysIn, words.At(at + 1)) && words.At(at + 1) != "room") {
+      return false;
+    }
+    ++at;
+  }
+  const std::string_view word = words.At(at);
+  const bool open_air = IsAmong(kOpenAir, word), inner = IsAmong(kInnerRooms, word) || word == "room";
+  if (!open_air && !inner && !IsAmong(kWaysIn, word)) return false;
+  // "a door to the side wall" is none that leads to a side.
+  if (IsAmong("side back front main service", word)) return false;
+  std::size_t end = at + 1;
+  if (words.IsHyphen(end)) ++end;
+  if (IsAmong("room suite garden area closet", words.At(end))) ++end;
+  if (open_air) {
+    wish.outside = true;
+    if (word != "balcony") wish.width_m = wish.width_m.value_or(wish.count == 1 ? 0.9 : 1.5);
+  }
+  if (open_air || inner) wish.leads_to = words.Quote(at, end);
+  i = end;
+  return true;
+}
+
+// "1.2 m wide", "of 1.2 m x 1.5 m", "(90 cm)", "with a sill at 1.1 m".
+bool TakeLengths(const OpeningWords& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i;
+  if (words.At(at) == ",") ++at;
+  const bool bracket = words.At(at) == "(";
+  if (bracket) ++at;
+  bool sill = false;
+  for (int over = 0; over < 6 && IsAmong("is are of with that which measuring about a at sill height low high starting",
+                                         words.At(at));
+       ++over) {
+    sill = sill || words.At(at) == "sill";
+    if (sill && IsAmong("low high", words.At(at))) return false;
+    ++at;
+  }
+  std::size_t end = 0;
+  const std::optional<double> first = words.LengthAt(at, end);
+  if (!first || *first <= 0) return false;
+  if (IsAmong("from off", words.At(end)) || words.At(end) == "away" || IsAmong("to left right", words.At(end)))
+    return false;
+  if (sill || words.BehindOneOf(end, "above the floor|off the floor|from the floor")) {
+    wish.sill_m = *first;
+    i = sill ? end : end + 3;
+    return true;
+  }
+  if (IsAmong("high tall", words.At(end))) {
+    wish.height_m = *first;
+  } else {
+    wish.width_m = *first;
+  }
+  at = IsAmong("wide high tall each long", words.At(end)) ? end + 1 : end;
+  if (IsAmong("x by and", words.At(at))) {
+    const std::optional<double> second = words.LengthAt(at + 1, end);
+    if (second && *second > 0) {
+      wish.height_m = *second;
+      at = IsAmong("high tall", words.At(end)) ? end + 1 : end;
+    }
+  }
+  if (bracket && words.At(at) == ")") ++at;
+  i = at;
+  return true;
+}
+
+// "opening outwards", "that swings into the room", "reaching the floor".
+bool TakeSwing(const OpeningWords& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i;
+  for (int over = 0; over < 3 && IsAmong("that which and should to", words.At(at)); ++over) ++at;
+  if (wish.door) {
+    if (!IsAmong("opening opens open swinging swings swing", words.At(at))) return false;
+    const auto out = words.BehindOneOf(at + 1, "outwards|outward|out|to the outside");
+    const auto in = words.BehindOneOf(at + 1, "inwards|inward|into the room|in");
+    if (!out && !in) return false;
+    if (IsAmong("to onto the", words.At(out.value_or(*in)))) return false;
+    wish.swing = out ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
+    i = out.value_or(in.value_or(at));
+    return true;
+  }
+  const auto full =
+      words.BehindOneOf(at, "from floor to ceiling|floor to ceiling|down to the floor|reaching the floor|to the floor");
+  if (!full) return false;
+  wish.sill_m = 0;
+  wish.to_ceiling = words.Quote(at, *full).find("ceiling") != std::string::npos;
+  i = *full;
+  return true;
+}
+
+}  // namespace
+
+OpeningNoun OpeningNounAt(const OpeningWords& words, const std::vector<bool>& things, std::size_t i) {
+  const std::string_view word = words.At(i);
+  if (!IsAmong(kDoorHeads, word) && !IsAmong(kWindowHeads, word) && !IsAmong(kOverheads, word)) return {};
+  return NounReader(words, things, i).Read();
+}
+
+std::size_t ReadMeasures(const OpeningWords& words, std::size_t i, OpeningWish& wish) {
+  constexpr int kMostParts = 4;
+  for (int part = 0; part < kMostParts; ++part) {
+    if (!(wish.door && TakeLeads(words, i, wish)) && !TakeLengths(words, i, wish) && !TakeSwing(words, i, wish)) break;
+  }
+  return i;
+}
+
+}  // namespace flair::language

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/opening_site.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace flair::language {
+namespace {
+
+constexpr std::string_view kVerbs =
+    "is are be being should must will can could stands stand sits sit goes go set located placed positioned situated "
+    "put "
+    "which that opens open to just right directly all both";
+constexpr std::string_view kCompass = "north south east west northern southern eastern western";
+constexpr std::string_view kSideWords =
+    "north south east west northern southern eastern western left right far farthest furthest back rear front near "
+    "nearest "
+    "long longer longest short shorter shortest narrow opposite entrance";
+constexpr std::string_view kSideNouns = "wall walls side sides facade elevation";
+constexpr std::string_view kInto = "in on at along to towards toward onto across facing through from into";
+// "along the whole length of the east wall" is along it.
+constexpr std::string_view kWhole =
+    "whole length of|whole of|entire length of|full length of|length of|full width of|width of|whole|entire";
+constexpr std::string_view kOpenings = "door doors doorway entrance window windows";
+
+using At = AlongWall::At;
+
+void AddSide(const std::string& side, OpeningSite& site) {
+  if (std::find(site.sides.begin(), site.sides.end(), side) == site.sides.end()) site.sides.push_back(side);
+}
+
+}  // namespace
+
+bool OpeningSiteReader::ReadAfter(std::size_t i, bool door, bool verbs, OpeningSite& site) const {
+  constexpr int kMostParts = 6;
+  bool any = false;
+  for (int part = 0; part < kMostParts; ++part) {
+    std::size_t at = i;
+    // "door on the south wall, near the corner", "door: south wall", "window (north)".
+    const bool pause = words_.At(at) == ",";
+    const bool list =
+        !any && (words_.At(at) == ":" || words_.At(at) == "(" || (words_.At(at) == "-" && !words_.IsHyphen(at)));
+    if (pause || list) ++at;
+    for (int over = 0; over < 4 && verbs && !pause && IsAmong(kVerbs, words_.At(at)); ++over) ++at;
+    const bool entering = TakeEntering(at, site);
+    const bool taken = entering || TakeFromEnd(at, site) || TakeMiddle(at, site) ||
+                       (!pause && TakeFeature(at, door, site)) || TakeEnd(at, site) ||
+                       (!pause && TakeSides(at, list, site)) || (!any && !pause && TakeThing(at, site));
+    if (!taken) break;
+    if (list && words_.At(at) == ")") ++at;
+    any = true;
+    i = site.end = at;
+    if (!site.not_read.empty()) break;
+  }
+  return any;
+}
+
+// "50 cm from the left corner", "1 m from the west wall".
+bool OpeningSiteReader::TakeFromEnd(std::size_t& i, OpeningSite& site) const {
+  std::size_t at = 0;
+  const std::optional<double> length_m = words_.LengthAt(i, at);
+  const std::optional<std::size_t> from =
+      length_m ? words_.BehindOneOf(at, "from|off|away from|in from|to the|left of|right of") : std::nullopt;
+  if (!from) return false;
+  at = words_.BehindArticle(*from);
+  std::string end;
+  while (IsAmong(kSideWords, words_.At(at)) || words_.At(at) == "-" || words_.At(at) == "hand") {
+    if (end.empty() && words_.At(at) != "-") end = words_.At(at);
+    ++at;
+  }
+  if (!IsAmong("corner end wall edge side", words_.At(at)) && end.empty()) return false;
+  if (IsAmong("corner end wall edge side", words_.At(at))) ++at;
+  site.along = {At::kEnd, end, length_m};
+  if (words_.At(at) == "of") TakeSides(++at, /*bare=*/true, site);
+  i = at;
+  return true;
+}
+
+// "in the middle of the west wall", "centred on it", "midway along the north wall"; not of the room.
+bool OpeningSiteReader::TakeMiddle(std::size_t& i, OpeningSite& site) const {
+  std::size_t at = i;
+  bool of = false;
+  if (const auto centred =
+          words_.BehindOneOf(at, "centred|centered|centrally placed|centrally|central|midway|halfway")) {
+    at = *centred;
+    of = IsAmong("in on along at down within", words_.At(at));
+    if (of) ++at;
+  } else {
+    const auto middle = words_.BehindOneOf(at,
+                                           "in the middle|in the centre|in the center|at the middle|at the centre|at "
+                                           "the center|on the middle|on the centre");
+    if (!middle) return false;
+    at = *middle;
+    of = words_.At(at) == "of";
+    if (of) ++at;
+  }
+  if (of) {
+    const std::size_t sides = at;
+    const auto that = words_.BehindOneOf(at, "it|that wall|the wall|this wall|one wall|a wall|its wall|the same wall");
+    if (!TakeSides(at, /*bare=*/true, site)) {
+      if (!that) return false;
+      at = *that;
+    } else if (at == sides) {
+      return false;
+    }
+  }
+  site.along.at = At::kMiddle;
+  i = at;
+  return true;
+}
+
+// "at the west end of the north wall", "in the north-east corner", "near a corner", "on the left of the south wall".
+bool OpeningSiteReader::TakeEnd(std::size_t& i, OpeningSite& site) const {
+  std::size_t at = i;
+  const auto close = words_.BehindOneOf(at, "close to|next to|right in|up against");
+  if (!close && !IsAmong("at in near towards toward by on to tight beside", words_.At(at))) return false;
+  at = words_.BehindArticle(close.value_or(at + 1));
+  std::vector<std::string> ends;
+  while (ends.size() < 2 &&
+         (IsAmong(kSideWords, words_.At(at)) || words_.At(at) == "northeast" || words_.At(at) == "northwest" ||
+          words_.At(at) == "southeast" || words_.At(at) == "southwest")) {
+    const std::string word(words_.At(at));
+    if (word.size() == 9) {
+      ends = {word.substr(0, 5), word.substr(5)};
+    } else {
+      ends.push_back(word);
+    }
+    ++at;
+    if (words_.IsHyphen(at) && words_.At(at + 1) != "hand") ++at;
+  }
+  if (const auto hand = words_.Behind(at, "hand")) at = *hand;
+  if (words_.IsHyphen(at) && words_.At(at + 1) == "hand") at += 2;
+  const std::string_view noun = words_.At(at);
+  const bool corner = IsAmong("corner corners", noun), end = IsAmong("end ends part half edge", noun);
+  if (corner || end || IsAmong("side", noun)) ++at;
+  const bool of = words_.At(at) == "of";
+  std::size_t behind = at + 1;
+  OpeningSite of_wall = site;
+  bool wall = of && TakeSides(behind, /*bare=*/true, of_wall);
+  if (of && !wall) {
+    const auto that = words_.BehindOneOf(at + 1, "it|that wall|the wall|this wall|one wall|a wall|its wall");
+    wall = that.has_value() && !site.sides.empty();
+    if (wall) behind = *that;
+  }
+  if (wall && (corner || end || !ends.empty())) {
+    site = of_wall;
+    at = behind;
+  } else if (corner && ends.size() == 2 && site.sides.empty()) {
+    site.sides = {ends[0]};
+    ends.erase(ends.begin());
+  } else if (end && site.sides.empty() && ends.size() == 1) {
+    // "a window at the north end" of a room.
+    site.sides = {ends[0]};
+    i = at;
+    return true;
+  } else if (!corner && !(end && !site.sides.empty())) {
+    return false;
+  }
+  if (const auto room = words_.BehindOneOf(at, "of the room|of this room")) at = *room;
+  site.along.at = At::kEnd;
+  // Of "the north-east corner of the north wall" the east one.
+  for (const std::string& one : ends) {
+    if (site.sides.empty() || one != site.sides[0]) site.along.end = one;
+  }
+  i = at;
+  return true;
+}
+
+// "opposite the door", "either side of the door", "next to the window", "opposite each other".
+bool OpeningSiteReader::TakeFeature(std::size_t& i, bool door, OpeningSite& site) const {
+  std::size_t at = i;
+  const auto across = words_.BehindOneOf(
+      at,
+      "opposite to|opposite|across from|facing|in line with|straight across from|on the wall opposite|on the wall "
+      "facing|"
+      "on the opposite wall to|on the opposite wall from|on the opposite side from|on the opposite side to|faces|face");
+  const auto beside = words_.BehindOneOf(at,
+                                         "next to|beside|alongside|adjacent to|close to|near|by|left of|right of|to "
+                                         "the left of|to the right of|on the left of|"
+                                         "on the right of|either side of|on either side of|on both sides of|on the "
+                                         "same wall as|in the same wall as|flanking");
+  if (!across && !beside) return false;
+  at = words_.BehindArticle(across ? *across : *beside);
+  if (across && words_.Behind(at, "each other")) {
+    site.sides = {"left", "right"};
+    i = at + 2;
+    return true;
+  }
+  // "two windows opposite", "a door beside it": of what was named last.
+  const bool closes = at >= words_.size() || words_.IsSign(at) || IsAmong("and with", words_.At(at));
+  if ((across && closes) || words_.At(at) == "it") {
+    site.sides = {across ? "opposite" : "beside"};
+    i = words_.At(at) == "it" ? at + 1 : at;
+    return true;
+  }
+  if (words_.At(at) == "other") ++at;
+  if (IsAmong("main front room entry entrance bedroom", words_.At(at)) && IsAmong(kOpenings, words_.At(at + 1))) ++at;
+  if (!IsAmong(kOpenings, words_.At(at))) return false;
+  const bool window = words_.At(at).starts_with("window");
+  site.pair =
+      beside && (words_.BehindOneOf(i, "either side of|on either side of|on both sides of|flanking").has_value());
+  i = at + 1;
+  OpeningSite of_it;
+  if (window == door && TakeSides(i, /*bare=*/false, of_it) && of_it.sides.size() == 1) {
+    site.by_side = of_it.sides[0];
+    site.sides = {across ? "across " + site.by_side : site.by_side};
+  } else if (window != door) {
+    // A window by a window, a door by a door.
+    site.sides = {across ? "across same" : "same"};
+  } else {
+    site.sides = {window ? (across ? "across window" : "window") : (across ? "far" : "near")};
+  }
+  return true;
+}
+
+// "on the left as you enter", "straight ahead when you come in"; alone "as you enter" tells nothing but is passed over.
+bool OpeningSiteReader::TakeEntering(std::size_t& i, OpeningSite& site) const {
+  constexpr std::string_view kEntering =
+      "as you enter|when you enter|as you come in|when you come in|as you walk in|when you walk in|on entering|upon "
+      "entering|"
+      "entering|from the door|as one enters|when entering|coming in|as we enter|from the entrance|in front of you";
+  std::size_t at = i;
+  const auto first = words_.BehindOneOf(at, kEntering);
+  if (first) at = *first;
+  if (first && words_.At(at) == ",") ++at;
+  if (first && words_.BehindOneOf(at, "the room|the space")) at += 2;
+  const auto ahead =
+      words_.BehindOneOf(at, "straight ahead|dead ahead|ahead|straight across|in front of you|on the far side");
+  const auto left = words_.BehindOneOf(
+      at, "on your left|on the left hand side|on the left hand|to the left|to your left|on the left");
+  const auto right = words_.BehindOneOf(
+      at, "on your right|on the right hand side|on the right hand|to the right|to your right|on the right");
+  const auto behind = words_.BehindOneOf(at, "behind you");
+  const auto way = ahead ? ahead : left ? left : right ? right : behind;
+  if (!way) {
+    if (first && !site.sides.empty()) i = at;
+    return first && !site.sides.empty();
+  }
+  if (words_.At(*way) == "of" || IsAmong(kSideNouns, words_.At(*way)) || IsAmong("hand end corner", words_.At(*way)) ||
+      words_.IsHyphen(*way)) {
+    return false;
+  }
+  if (!site.sides.empty()) {
+    if (ahead || behind) return false;
+    site.along = {At::kEnd, left ? "left" : "right", {}};
+  } else {
+    site.sides = {ahead ? "far" : left ? "left" : right ? "right" : "near"};
+  }
+  at = *way;
+  if (const auto then = words_.BehindOneOf(words_.At(at) == "," ? at + 1 : at, kEntering)) at = *then;
+  i = at;
+  return true;
+}
+
+// "both long walls", "two sides", "all four walls".
+bool OpeningSiteReader::TakeSeveralSides(std::size_t& i, OpeningSite& site) const {
+  std::size_t at = i;
+  if (const auto same = words_.BehindOneOf(at, "the same wall|one wall|a single wall|the same side")) {
+    site.sides = {"same"};
+    i = *same;
+    return true;
+  }
+  const std::string_view how = words_.At(at);
+  if (!IsAmong("both each either opposite two three all every four adjacent adjoining neighbouring", how)) return false;
+  ++at;
+  while (IsAmong("the of opposite adjacent adjoining two three four other", words_.At(at))) ++at;
+  std::string_view which;
+  if (IsAmong("long longer longest short shorter shortest", words_.At(at))) which = words_.At(at++);
+  const bool end = IsAmong("end ends", words_.At(at));
+  if (!end && !IsAmong("wall walls side sides", words_.At(at))) return false;
+  const std::string said = words_.Quote(i, at);
+  const auto says = [&](std::string_view word) { return IsAmong(said, word); };
+  if (!which.empty() || end) {
+    const std::string side = which.starts_with("long") ? "long" : "short";
+    site.sides = {side, "across " + side};
+  } else if (says("all") || says("four") || how == "every" || (how == "each" && words_.At(at) == "wall")) {
+    site.sides = {"far", "left", "right", "near"};
+  } else if (says("three")) {
+    site.sides = {"far", "left", "right"};
+  } else if (says("opposite") || how == "both" || how == "either" || how == "each") {
+    site.sides = {"left", "right"};
+  } else {
+    site.sides = {"far", "left"};
+  }
+  i = at + 1;
+  return true;
+}
+
+// One wall's words at a token, behind an article: "the left-hand", "north", "longer"; `noun` says whether "wall"
+// followed.
+std::string OpeningSiteReader::SideAt(std::size_t i, std::size_t& end, bool& noun) const {
+  std::size_t at = words_.BehindArticle(i);
+  if (!IsAmong(kSideWords, words_.At(at))) return "";
+  std::string side(words_.At(at++));
+  if (words_.IsHyphen(at) && words_.At(at + 1) == "hand") {
+    at += 2;
+  } else if (words_.At(at) == "hand") {
+    ++at;
+  }
+  if (side == "narrow") side = "short";
+  noun = IsAmong(kSideNouns, words_.At(at)) || (words_.At(at) == "end" && IsAmong("far back rear front", side));
+  if (noun) ++at;
+  if (const auto room = words_.BehindOneOf(at, "of the room|of this room|of the house|of the building")) at = *room;
+  end = at;
+  return side;
+}
+
+// "on the north wall", "facing south", "to the left", "on the north and east walls"; `bare`: without "on".
+bool OpeningSiteReader::TakeSides(std::size_t& i, bool bare, OpeningSite& site) const {
+  constexpr int kMostSides = 4;
+  std::size_t at = i;
+  const bool into = IsAmong(kInto, words_.At(at));
+  if (into) ++at;
+  if (const auto whole = words_.BehindOneOf(words_.BehindArticle(at), kWhole); whole && into) at = *whole;
+  const bool several = TakeSeveralSides(at, site);
+  if (several) {
+    i = at;
+    return into || bare;
+  }
+  // "A window north and a door south" has no "on" either.
+  const bool terse = IsAmong(kCompass, words_.At(at));
+  if (!into && !bare && !terse) return false;
+  std::vector<std::string> sides;
+  std::size_t end = at;
+  bool any_noun = false;
+  for (int n = 0; n < kMostSides; ++n) {
+    std::size_t next = at, behind = 0;
+    if (n > 0) {
+      while (next < at + 2 && IsAmong(", and & / +", words_.At(next))) ++next;
+      if (next == at) break;
+      if (IsAmong(kInto, words_.At(next))) ++next;
+    }
+    bool noun = false;
+    const std::string side = SideAt(next, behind, noun);
+    if (side.empty()) break;
+    const std::string_view follows = words_.At(behind);
+    const bool closes =
+        words_.IsSign(behind) || behind >= words_.size() || IsAmong("and with or but as so where", follows);
+    // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.
+    if (n > 0 && !(noun && closes) && !(closes && !any_noun && IsAmong(kCompass, side))) break;
+    if (!noun && follows == "of") break;
+    if (!noun && n == 0 && !closes && !into) break;
+    if (!noun && !closes && !IsAmong(kCompass, side)) break;
+    if (!noun && IsAmong("near opposite entrance long short", side)) break;
+    sides.push_back(side);
+    any_noun = any_noun || noun;
+    at = end = behind;
+  }
+  if (sides.empty()) return false;
+  for (const std::string& side : sides) AddSide(side, site);
+  i = end;
+  return true;
+}
+
+// "above the sink", "behind the sofa": a place that goes by a piece of furniture.
+bool OpeningSiteReader::TakeThing(std::size_t& i, OpeningSite& site) const {
+  constexpr std::size_t kMostWords = 4;
+  const auto by =
+      words_.BehindOneOf(i,
+                         "above|over|behind|opposite|either side of|on either side of|on both sides of|between|"
+                         "across from|next to|beside|near");
+  if (!by) return false;
+  std::size_t at = *by;
+  while (at < *by + kMostWords && at < words_.size() && !words_.IsSign(at) &&
+         !IsAmong("and with or but where that which for is are", words_.At(at))) {
+    ++at;
+  }
+  if (at == *by) return false;
+  site.not_read = words_.Quote(i, at);
+  i = at;
+  return true;
+}
+
+OpeningSite OpeningSiteReader::ReadBefore(std::size_t begin) const {
+  constexpr std::size_t kMostWords = 10;
+  OpeningSite best;
+  for (std::size_t start = begin - std::min(begin, kMostWords); start < begin; ++start) {
+    const bool opens = start == 0 ||
+                       (words_.IsSign(start - 1) && !words_.IsHyphen(start - 1) && words_.At(start - 1) != "'") ||
+                       IsAmong("and with where has have while but", words_.At(start - 1));
+    if (!opens) continue;
+    OpeningSite site;
+    std::size_t at = start;
+    const bool into = IsAmong(kInto, words_.At(at));
+    if (!(TakeMiddle(at, site) || TakeEnd(at, site) || TakeSides(at, /*bare=*/true, site))) continue;
+    if (site.sides.empty()) continue;
+    bool linked = at == begin && into;
+    bool has = false;
+    while (at < begin && (IsAmong("there is are has have with should be must a i want", words_.At(at)) ||
+                          IsAmong(", : - s '", words_.At(at)))) {
+      has = has || IsAmong("has have with :", words_.At(at));
+      ++at;
+      linked = at == begin && (into || has);
+    }
+    if (!linked) continue;
+    site.end = start;
+    return site;
+  }
+  return best;
+}
+
+}  // namespace flair::language

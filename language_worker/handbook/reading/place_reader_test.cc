@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where briefs want their pieces, in many wordings, and what they say of it that is not understood.
+#include "language_worker/handbook/reading/place_reader.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/loading/load_handbook.h"
+
+namespace flair::language {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
+
+BriefFacts PlaceFactsIn(const std::string& text) {
+  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
+  v1::Brief brief;
+  brief.set_text(text);
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, **handbook);
+  EXPECT_TRUE(facts.ok()) << text << facts.status();
+  return facts.value_or(BriefFacts());
+}
+
+// "floor lamp: is between the armchair and the armchair", with the words for the side of a wall in brackets.
+std::vector<std::string> PlacesIn(const std::string& text) {
+  std::vector<std::string> places;
+  for (const Place& place : PlaceFactsIn(text).places) {
+    std::string sentence = place.asked->relation().text();
+    const auto put = [&](const std::string& slot, const hb::Furniture* piece) {
+      const std::size_t at = sentence.find(slot);
+      const std::string name = piece == nullptr ? "" : piece->name() + (slot == "{objects}" ? "s" : "");
+      if (at != std::string::npos && piece != nullptr) sentence.replace(at, slot.size(), name);
+    };
+    put("{target}", place.target);
+    put("{first}", place.target);
+    put("{second}", place.other);
+    put("{object}", place.furniture);
+    put("{objects}", place.furniture);
+    if (!place.side.empty()) sentence += " [" + place.side + "]";
+    if (place.which >= 0) sentence += fmt::format(" #{}", place.which);
+    places.push_back(sentence);
+  }
+  return places;
+}
+
+struct PlaceCase {
+  const char* text;
+  const char* sentence;
+};
+
+void ExpectEach(const std::vector<PlaceCase>& cases) {
+  for (const PlaceCase& one : cases) EXPECT_THAT(PlacesIn(one.text), ElementsAre(one.sentence)) << one.text;
+}
+
+TEST(PlaceReader, BetweenTwoPieces) {
+  constexpr const char* kLamp = "The floor lamp is between the armchair and the armchair.";
+  ExpectEach({{"A living room with two armchairs with a floor lamp between them.", kLamp},
+              {"A living room with two armchairs and a floor lamp in between.", kLamp},
+              {"A lounge: two armchairs, and between them a floor lamp.", kLamp},
+              {"A living room with a floor lamp between the two armchairs.", kLamp},
+              {"A living room with two armchairs. Between the armchairs there is a floor lamp.", kLamp},
+              {"A living room. I want a pair of armchairs, a floor lamp standing between both.", kLamp},
+              {"A bedroom with a bed and a desk with a floor lamp between them.",
+               "The floor lamp is between the double bed and the desk."},
+              {"A bedroom with a floor lamp between the bed and the wardrobe.",
+               "The floor lamp is between the double bed and the wardrobe."},
+              {"A living room with a fireplace between two bookshelves.",
+               "The fireplace is between the bookshelf and the bookshelf."},
+              {"A bedroom with two single beds and a nightstand between.",
+               "The nightstand is between the single bed and the single bed."}});
+}
+
+TEST(PlaceReader, ATableBetweenSeatsIsASideTable) {
+  EXPECT_THAT(PlacesIn("A living room with two armchairs with a table between them."),
+              ElementsAre("The side table is between the armchair and the armchair."));
+}
+
+TEST(PlaceReader, DoorsAndWindowsWithWordsBeforeThem) {
+  ExpectEach({{"A dining room with a sideboard near the kitchen door.", "The sideboard is near the door. [kitchen]"},
+              {"A living room with an armchair by the balcony door.", "The armchair is near the door. [balcony]"},
+              {"A living room with a sofa across from the window.", "The sofa faces the window."},
+              {"A study with the desk right under the big bay window.", "The desk is under the window. [big bay]"},
+              {"A study with a desk for writing letters by the window.", "The desk is near the window."},
+              {"A study with a desk. It should face the window.", "The desk faces the window."},
+              {"A study with a desk, which must not be near the door.", "The desk is at least 2 m away from the door."},
+              {"A living room with a sofa with its back to the window.", "The back of the sofa is near the window."},
+              {"Under the window, a desk, in this study.", "The desk is under the window."},
+              {"A bedroom where the wardrobe goes behind the door.", "The wardrobe is near the door."}});
+}
+
+TEST(PlaceReader, WallsAndCornersByTheirSide) {
+  constexpr const char* kWall = "The bookshelf's back is against {wall}.";
+  const auto wall = [&](const char* side) { return fmt::format("{} [{}]", kWall, side); };
+  EXPECT_THAT(PlacesIn("A study with a bookshelf along the left wall as you enter."), ElementsAre(wall("left")));
+  EXPECT_THAT(PlacesIn("A study with a bookshelf on the north wall."), ElementsAre(wall("north")));
+  EXPECT_THAT(PlacesIn("A study with a bookshelf against the wall opposite the door."), ElementsAre(wall("far")));
+  EXPECT_THAT(PlacesIn("A study; the bookshelf stands against the long wall."), ElementsAre(wall("long")));
+  EXPECT_THAT(PlacesIn("A study with a bookshelf on the wall with the window."), ElementsAre(wall("window")));
+  EXPECT_THAT(PlacesIn("A study with a bookshelf against a plain white wall."), ElementsAre(kWall));
+  ExpectEach({{"A living room with an armchair in the far corner.", "The armchair is in a corner. [far]"},
+              {"A living room with an armchair in the north-east corner.", "The armchair is in a corner. [north east]"},
+              {"A living room with a piano in one corner of the room.", "The upright piano is in a corner."},
+              {"A study with a desk in the middle of the west wall.", "The desk is in the middle of {wall}. [west]"}});
+}
+
+TEST(PlaceReader, OnePieceAndAnother) {
+  ExpectEach({{"A bedroom with a bed with a nightstand next to it.", "The nightstand is next to the double bed."},
+              {"A bedroom with nightstands on both sides of the bed.",
+               "The nightstand is next to the {side} side of the double bed."},
+              {"A bedroom with a nightstand on either side of the bed.",
+               "The nightstand is next to the {side} side of the double bed."},
+              {"A living room with a console table behind the sofa.", "The console table is behind the sofa."},
+              {"A living room with two armchairs flanking the fireplace.",
+               "The armchair is next to the {side} side of the fireplace."},
+              {"An office with two desks back to back.", "The desks are back to back."},
+              {"An office with three desks side by side.", "The desks stand side by side in a row."},
+              {"A living room with a sofa to the left of the fireplace.",
+               "The sofa is next to the left side of the fireplace."},
+              {"A bedroom with a desk not next to the bed.", "The desk is at least 1.5 m away from the double bed."},
+              {"A living room with an armchair at right angles to the sofa.",
+               "The armchair is at a right angle to the sofa."}});
+}
+
+TEST(PlaceReader, WhatHangsStandsOnTopOrIsWalkedOver) {
+  ExpectEach(
+      {{"A living room with a painting above the sofa.", "The painting hangs on the wall above the sofa."},
+       {"A dining room with a chandelier over the dining table.", "The chandelier hangs above the dining table."},
+       {"A living room with an area rug under the coffee table.", "The area rug is under the coffee table."},
+       {"A bedroom with a television opposite the bed and a vase on the dresser.", "The vase is on the dresser."}});
+}
+
+TEST(PlaceReader, SeveralPlacesOfOnePieceAndPlacesOfSeveralPieces) {
+  EXPECT_THAT(PlacesIn("A study with a desk near the window and facing the door."),
+              ElementsAre("The desk is near the window.", "The desk faces the door."));
+  EXPECT_THAT(
+      PlacesIn("A bedroom with a desk under the window, a wardrobe next to the door and, in the corner, an "
+               "armchair."),
+      ElementsAre("The desk is under the window.", "The wardrobe is near the door.", "The armchair is in a corner."));
+  EXPECT_THAT(PlacesIn("An office with two desks, one under the window and the other by the door."),
+              ElementsAre("The desk is under the window. #0", "The desk is near the door. #1"));
+  EXPECT_THAT(PlacesIn("A study with a desk under the window and another desk by the door."),
+              ElementsAre("The desk is under the window. #0", "The desk is near the door. #1"));
+}
+
+TEST(PlaceReader, WhatIsNotUnderstoodIsKept) {
+  const auto not_known = [](const char* text) { return PlaceFactsIn(text).places_not_known; };
+  EXPECT_THAT(not_known("A living room with a sofa diagonally across the rug."), testing::SizeIs(1));
+  EXPECT_THAT(not_known("A bedroom with a desk near the unicorn."),
+              ElementsAre("desk near the unicorn"));
+  EXPECT_THAT(not_known("A living room with an armchair between the window and the door."), testing::SizeIs(1));
+  for (const char* text : {"A bedroom, 4m x 5m, with a desk and two nightstands.", "A bedroom under 20 m2 with a desk.",
+                           "A house by the sea.", "A dining room for a family between Christmas and New Year."}) {
+    EXPECT_THAT(not_known(text), IsEmpty()) << text;
+  }
+}
+
+TEST(PlaceReader, AWindowOfItsOwnTakesNoPieceWithIt) {
+  EXPECT_THAT(PlacesIn("A bedroom with a bed and a window on the north wall."), IsEmpty());
+  EXPECT_THAT(PlacesIn("A bedroom with a desk and a bed near a castle."), IsEmpty());
+}
+
+}  // namespace
+}  // namespace flair::language

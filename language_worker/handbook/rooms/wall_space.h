@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flair/v1/room.pb.h"
+#include "language_worker/handbook/reading/opening_wish.h"
+
+namespace flair::language {
+
+// A part of a wall, from its start, metres.
+struct WallSpan {
+  double offset_m = 0;
+  double width_m = 0;
+};
+
+// What an opening needs of its wall.
+struct OpeningSize {
+  double width_m = 0;
+  double least_m = 0;   // narrower it is none
+  double corner_m = 0;  // kept free at the wall's ends
+};
+
+// Finds room for openings in a wall beside those that it has. Ends of a wall: "left" and "right" are as on the plan for
+// walls in the south and north, and as seen by whoever faces the wall for those in the east and west.
+class WallSpace {
+ public:
+  // The room must outlive it; its openings are looked at anew each time.
+  explicit WallSpace(const v1::Room& room) : room_(room) {}
+
+  // A place for one opening, at most as wide as asked; nothing when there is none of the least width. Where `along` has
+  // no room the widest free part is taken, and `moved` is set.
+  std::optional<WallSpan> Place(int wall, const OpeningSize& size, const AlongWall& along, bool& moved) const;
+
+  // Places for several, evenly over the widest free part; fewer when there is no room for all.
+  std::vector<WallSpan> Spread(int wall, int count, const OpeningSize& size) const;
+
+  // Whether those words mean the wall's end vertex; nothing when they do not tell its ends apart.
+  std::optional<bool> IsEnd(int wall, const std::string& words) const;
+
+ private:
+  std::vector<WallSpan> Free(int wall, double corner_m) const;
+
+  const v1::Room& room_;
+};
+
+}  // namespace flair::language

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/rooms/wall_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+namespace {
+
+struct SideWord {
+  std::string_view word;
+  int turns;  // quarter turns, counter-clockwise: compass words from the south, others from the door's wall
+};
+
+constexpr std::array<SideWord, 8> kCompassTurns = {{{"south", 0},
+                                                    {"southern", 0},
+                                                    {"east", 1},
+                                                    {"eastern", 1},
+                                                    {"north", 2},
+                                                    {"northern", 2},
+                                                    {"west", 3},
+                                                    {"western", 3}}};
+constexpr std::array<SideWord, 11> kFromTheDoor = {{{"near", 0},
+                                                    {"nearest", 0},
+                                                    {"front", 0},
+                                                    {"right", 1},
+                                                    {"far", 2},
+                                                    {"farthest", 2},
+                                                    {"furthest", 2},
+                                                    {"back", 2},
+                                                    {"rear", 2},
+                                                    {"opposite", 2},
+                                                    {"left", 3}}};
+
+int Count(const v1::Room& room) { return room.floor().vertices_size(); }
+
+const v1::Point2& CornerAt(const v1::Room& room, int i) {
+  return room.floor().vertices((i + Count(room)) % Count(room));
+}
+
+// 0 for a wall in the south, which runs east, 1 for one in the east, and so on.
+int HeadingOf(const v1::Room& room, int wall) {
+  const double dx_m = CornerAt(room, wall + 1).x_m() - CornerAt(room, wall).x_m();
+  const double dy_m = CornerAt(room, wall + 1).y_m() - CornerAt(room, wall).y_m();
+  if (std::abs(dx_m) > std::abs(dy_m)) return dx_m > 0 ? 0 : 2;
+  return dy_m > 0 ? 1 : 3;
+}
+
+// The wall of the first opening of a kind.
+std::optional<int> WallWith(const v1::Room& room, v1::OpeningKind kind) {
+  for (const v1::Opening& opening : room.openings()) {
+    if (opening.kind() == kind) return WallNamed(room, opening.wall());
+  }
+  return std::nullopt;
+}
+
+int DoorHeading(const v1::Room& room) {
+  const std::optional<int> door = WallWith(room, v1::OPENING_KIND_DOOR);
+  return door ? HeadingOf(room, *door) : 0;
+}
+
+std::optional<int> HeadingNamed(const v1::Room& room, std::string_view word) {
+  for (const SideWord& one : kCompassTurns) {
+    if (one.word == word) return one.turns;
+  }
+  for (const SideWord& one : kFromTheDoor) {
+    if (one.word == word) return (DoorHeading(room) + one.turns) % 4;
+  }
+  return std::nullopt;
+}
+
+// The first that is longest, or shortest, of those for which `may` holds.
+template <typename May>
+std::optional<int> Extreme(const v1::Room& room, bool longest, const May& may) {
+  std::optional<int> best;
+  for (int wall = 0; wall < Count(room); ++wall) {
+    if (!may(wall)) continue;
+    const double more_m = best ? WallLength(room, wall) - WallLength(room, *best) : 0;
+    if (!best || (longest ? more_m > 1e-9 : more_m < -1e-9)) best = wall;
+  }
+  return best;
+}
+
+std::optional<int> LongestFacing(const v1::Room& room, int heading) {
+  return Extreme(room, true, [&](int wall) { return HeadingOf(room, wall) == heading; });
+}
+
+bool IsBlank(const v1::Room& room, int wall) {
+  return std::ranges::none_of(room.openings(),
+                              [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
+}
+
+std::optional<int> OneWord(const v1::Room& room, const std::string& word) {
+  if (const std::optional<int> heading = HeadingNamed(room, word)) return LongestFacing(room, *heading);
+  const auto any = [](int) { return true; };
+  if (word.starts_with("long")) return Extreme(room, true, any);
+  if (word.starts_with("short")) return Extreme(room, false, any);
+  if (word == "window") return WallWith(room, v1::OPENING_KIND_WINDOW);
+  if (word == "door" || word == "entrance") return WallWith(room, v1::OPENING_KIND_DOOR);
+  if (word == "blank") return Extreme(room, true, [&](int wall) { return IsBlank(room, wall); });
+  return std::nullopt;
+}
+
+// "northeast" as its two words.
+std::vector<std::string> SideWords(std::string_view words) {
+  std::vector<std::string> all;
+  for (const Token& token : Tokenize(words)) {
+    if (token.text.size() == 9 && (token.text.starts_with("north") || token.text.starts_with("south"))) {
+      all.push_back(token.text.substr(0, 5));
+      all.push_back(token.text.substr(5));
+    } else {
+      all.push_back(token.text);
+    }
+  }
+  return all;
+}
+
+// The corner that is farthest that way: by the sum of its coordinates along the headings' outward directions.
+std::optional<int> CornerTowards(const v1::Room& room, const std::vector<int>& headings) {
+  constexpr std::array<std::array<double, 2>, 4> kOutward = {{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
+  std::optional<int> best;
+  double best_m = 0;
+  for (int i = 0; i < Count(room); ++i) {
+    const v1::Point2 &before = CornerAt(room, i - 1), &here = CornerAt(room, i), &after = CornerAt(room, i + 1);
+    const double turn_m2 = (here.x_m() - before.x_m()) * (after.y_m() - here.y_m()) -
+                           (here.y_m() - before.y_m()) * (after.x_m() - here.x_m());
+    if (turn_m2 <= 0) continue;
+    double out_m = 0;
+    for (const int heading : headings) {
+      const auto& way = kOutward[static_cast<std::size_t>(heading)];
+      out_m += way[0] * here.x_m() + way[1] * here.y_m();
+    }
+    if (!best || out_m > best_m + 1e-9) {
+      best = i;
+      best_m = out_m;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+double WallLength(const v1::Room& room, int wall) {
+  return std::hypot(CornerAt(room, wall + 1).x_m() - CornerAt(room, wall).x_m(),
+                    CornerAt(room, wall + 1).y_m() - CornerAt(room, wall).y_m());
+}
+
+std::optional<int> WallNamed(const v1::Room& room, std::string_view name) {
+  for (int i = 0; i < room.walls_size(); ++i) {
+    if (room.walls(i).name() == name) return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<int> WallOf(const v1::Room& room, std::string_view words) {
+  if (Count(room) < 3 || room.walls_size() != Count(room)) return std::nullopt;
+  const std::vector<std::string> all = SideWords(words);
+  if (all.size() == 2 && all[0] == "across") {
+    const std::optional<int> wall = OneWord(room, all[1]);
+    return wall ? LongestFacing(room, (HeadingOf(room, *wall) + 2) % 4) : std::nullopt;
+  }
+  for (const std::string& word : all) {
+    if (const std::optional<int> wall = OneWord(room, word)) return wall;
+  }
+  return std::nullopt;
+}
+
+std::optional<int> CornerOf(const v1::Room& room, std::string_view words) {
+  if (Count(room) < 3 || room.walls_size() != Count(room)) return std::nullopt;
+  std::vector<int> headings;
+  bool far = false;
+  for (const std::string& word : SideWords(words)) {
+    far = far || word.starts_with("far") || word == "furthest" || word == "opposite";
+    if (const std::optional<int> heading = HeadingNamed(room, word)) headings.push_back(*heading);
+  }
+  if (headings.empty()) return std::nullopt;
+  const std::optional<int> door = WallWith(room, v1::OPENING_KIND_DOOR);
+  if (far && headings.size() == 1 && door) {
+    // Away from the door along its wall, too.
+    for (const v1::Opening& opening : room.openings()) {
+      if (opening.kind() != v1::OPENING_KIND_DOOR) continue;
+      const bool near_start = opening.offset_m() + opening.width_m() / 2 < WallLength(room, *door) / 2;
+      headings.push_back((HeadingOf(room, *door) + (near_start ? 1 : 3)) % 4);
+      break;
+    }
+  }
+  return CornerTowards(room, headings);
+}
+
+}  // namespace flair::language
