@@ -54,17 +54,33 @@ void LimitingLlmClient::Queue(std::shared_ptr<Waiting> waiting) {
   waiting->wait->Begin(until_deadline, [this, waiting](const absl::Status& status) {
     Leave(waiting, status.ok() ? waiting->call.CheckAlive() : status);
   });
-  absl::Duration pump_after;
   {
     const std::lock_guard lock(mutex_);
     if (waiting->state != Waiting::State::kNew) return;
     waiting->state = Waiting::State::kQueued;
     queue_.push_back(std::move(waiting));
     Refill();
-    pump_after = TokensReturnAfter();
   }
   // Also when only a slot was missing: it may have come free since.
-  timer_.RunAfter(pump_after, [this](const absl::Status&) { Pump(); });
+  PumpWhenTokensReturn();
+}
+
+void LimitingLlmClient::PumpWhenTokensReturn() {
+  absl::Duration after, due;
+  {
+    const std::lock_guard lock(mutex_);
+    after = TokensReturnAfter();
+    due = clock_.Elapsed() + after;
+    if (due >= next_pump_) return;
+    next_pump_ = due;
+  }
+  timer_.RunAfter(after, [this, due](const absl::Status&) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (next_pump_ == due) next_pump_ = absl::InfiniteDuration();
+    }
+    Pump();
+  });
 }
 
 void LimitingLlmClient::Leave(const std::shared_ptr<Waiting>& waiting, absl::Status status) {
@@ -82,7 +98,7 @@ void LimitingLlmClient::Leave(const std::shared_ptr<Waiting>& waiting, absl::Sta
 void LimitingLlmClient::Pump() {
   while (true) {
     std::shared_ptr<Waiting> next;
-    absl::Duration pump_after;
+    bool for_tokens = false;
     {
       const std::lock_guard lock(mutex_);
       if (queue_.empty()) return;
@@ -91,12 +107,12 @@ void LimitingLlmClient::Pump() {
         queue_.pop_front();
         next->state = Waiting::State::kEnded;
       } else {
-        pump_after = TokensReturnAfter();
+        for_tokens = TokensReturnAfter() > absl::ZeroDuration();
       }
     }
     if (next == nullptr) {
       // Else the end of a call pumps.
-      if (pump_after > absl::ZeroDuration()) timer_.RunAfter(pump_after, [this](const absl::Status&) { Pump(); });
+      if (for_tokens) PumpWhenTokensReturn();
       return;
     }
     next->wait->Hasten();

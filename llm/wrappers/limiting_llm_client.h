@@ -41,6 +41,8 @@ class LimitingLlmClient final : public LlmClient {
   // Begins what may begin now. Only in the timer's thread: the call that made room for another may be within a
   // cancellation that the other shares.
   void Pump();
+  // One timer does for all that wait.
+  void PumpWhenTokensReturn();
   void Start(const ChatRequest& request, runtime::CallContext& call, int64_t estimate, AnswerCallback done);
 
   // With mutex_ held.
@@ -58,6 +60,8 @@ class LimitingLlmClient final : public LlmClient {
   int in_flight_ = 0;
   double tokens_;
   absl::Duration filled_at_;
+  // When a timer pumps next; infinite when none does.
+  absl::Duration next_pump_ = absl::InfiniteDuration();
 
   const std::unique_ptr<LlmClient> inner_;
 };

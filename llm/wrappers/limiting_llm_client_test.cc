@@ -121,6 +121,19 @@ TEST_F(LimitingLlmClientTest, AMinuteWithoutCallsSavesNoMoreThanAMinutesTokens) 
   EXPECT_THAT(Begun(), ElementsAre("a", "b"));
 }
 
+TEST_F(LimitingLlmClientTest, ManyThatWaitForTokensAreWokenUpForByOneTimer) {
+  Limit({.in_flight = 1000, .tokens_per_minute = 600});
+  Ask("first", call_);
+  held_->Answer(0, Consuming(700));
+  constexpr int kCallCount = 300;
+  for (int i = 0; i < kCallCount; ++i) Ask(std::to_string(i), call_);
+  // A question takes a token of the 10 a second; each may begin when there is one.
+  for (int i = 0; i < 600 && static_cast<int>(Begun().size()) <= kCallCount; ++i) timer_.Advance(absl::Seconds(0.2));
+  EXPECT_THAT(Begun(), SizeIs(kCallCount + 1));
+  // One each to its deadline, and some for tokens.
+  EXPECT_LE(timer_.delays().size(), 3u * kCallCount);
+}
+
 TEST_F(LimitingLlmClientTest, QuestionsInFlightCountBeforeTheirAnswers) {
   Limit({.in_flight = 100, .tokens_per_minute = 4});
   Ask("a long question", call_);
