@@ -46,6 +46,7 @@ class WishMaker {
     ReplaceRivals(*wish.furniture, zone);
     program_.floor_items.insert(program_.floor_items.begin(),
                                 {wish.furniture, nullptr, wish.count, zone, true, 0, wish.seats});
+    program_.floor_items.front().optional = wish.optional;
     SeatAt(*wish.furniture, wish.count, wish.seats, zone);
     for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
       if (Lists(program_, companion.furniture())) continue;
@@ -75,6 +76,7 @@ class WishMaker {
     if (item == items.end()) return false;
     item->count = wish.counted ? wish.count : std::max(item->count, wish.count);
     item->requested = true;
+    item->optional = wish.optional;
     item->seats = wish.seats;
     if (&items == &program_.floor_items) {
       SeatAt(*wish.furniture, item->count, wish.seats, std::string(item->zone));
@@ -123,11 +125,13 @@ class WishMaker {
     }
   }
 
-  // Of pieces that stand for one another the room has the one that is asked for: a corner sofa comes instead of the sofa.
+  // Of pieces that stand for one another the room has the one that is asked for: a corner sofa comes instead of the
+  // sofa.
   void ReplaceAlike(const hb::Furniture& furniture) {
     for (const hb::Noun& noun : handbook_.contents().nouns()) {
       const auto among = [&](const hb::Furniture& one) {
-        return std::ranges::any_of(noun.options(), [&](const auto& option) { return option.furniture() == one.name(); });
+        return std::ranges::any_of(noun.options(),
+                                   [&](const auto& option) { return option.furniture() == one.name(); });
       };
       if (!noun.one_of() || !among(furniture)) continue;
       std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
@@ -163,16 +167,38 @@ class WishMaker {
     Remove(name, program_);
   }
 
-  // The class that there is one of for each person, and the seats at each of it. Seats at a table are the table's.
+  // The class that each person has a place at, and the seats at each of it. Seats at a table are the table's.
   void CountPeople() {
-    if (!facts_.people || program_.archetype->per_person().empty()) return;
-    const auto item = std::ranges::find_if(program_.floor_items, [&](const ProgramItem& one) {
-      return one.furniture->name() == program_.archetype->per_person();
-    });
-    if (item == program_.floor_items.end() || item->requested) return;
-    item->count = *facts_.people;
+    if (!facts_.people) return;
+    const std::string& name = program_.archetype->per_person();
+    if (name.empty()) return SeatPeopleAnywhere();
+    auto item = std::ranges::find_if(program_.floor_items,
+                                     [&](const ProgramItem& one) { return one.furniture->name() == name; });
+    if (item != program_.floor_items.end() && item->requested) return;
+    if (item == program_.floor_items.end()) {
+      const hb::Furniture* furniture = handbook_.FindFurniture(name);
+      if (furniture == nullptr || std::ranges::find(facts_.refusals, furniture) != facts_.refusals.end()) return;
+      program_.floor_items.push_back({furniture, nullptr, 1, HomeOf(*furniture, program_)});
+      item = program_.floor_items.end() - 1;
+    }
+    const int places = PlacesOn(*item->furniture);
+    item->count = std::min(kMostOfAKind, (*facts_.people + places - 1) / places);
     const std::string zone = item->zone;
-    SeatAt(*item->furniture, *facts_.people, 0, zone);
+    const hb::Furniture& furniture = *item->furniture;
+    SeatAt(furniture, item->count, 0, zone);
+  }
+
+  // Where one sits on what the room has anyway: more armchairs until everyone has a seat.
+  void SeatPeopleAnywhere() {
+    constexpr int kMostMore = 6;
+    int seats = 0;
+    ProgramItem* armchairs = nullptr;
+    for (ProgramItem& item : program_.floor_items) {
+      if (item.furniture->category() == "armchair") armchairs = &item;
+      if (item.seat_of == nullptr) seats += item.count * PlacesOn(*item.furniture);
+    }
+    if (armchairs == nullptr || armchairs->requested || seats >= *facts_.people) return;
+    armchairs->count += std::min(kMostMore, *facts_.people - seats);
   }
 
   void KeepWishesOnly() {

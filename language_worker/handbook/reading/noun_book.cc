@@ -35,42 +35,32 @@ bool EndsNounPhrase(const Token& token) {
 // Whether what stands before a noun leaves open which one it is.
 bool SaysLooks(const Token& token) {
   constexpr std::array<std::string_view, 84> kLooks = {
-      "small",   "large",   "big",     "tall",    "low",     "wide",   "narrow",   "long",    "short",  "slim",    "deep",
-      "huge",    "little",  "tiny",    "old",     "new",     "antique", "vintage", "modern",  "rustic", "simple",  "plain",
-      "open",    "closed",  "nice",    "good",    "lovely",  "elegant", "matching", "second", "another", "other",  "single",
-      "double",  "extra",   "spare",   "some",    "any",     "my",     "our",      "his",     "her",    "its",     "their",
-      "this",    "that",    "these",   "those",   "each",    "every",  "have",     "wooden",  "wood",   "oak",     "pine",
-      "walnut",  "teak",    "birch",   "beech",   "metal",   "steel",  "brass",    "iron",    "glass",  "leather", "velvet",
-      "white",   "black",   "grey",    "gray",    "green",   "blue",   "red",      "brown",   "cream",  "painted", "square",
-      "round",   "tidy",    "high",    "heavy",   "lockable", "plus",  "no"};
+      "small",  "large",  "big",   "tall",  "low",      "wide",    "narrow",   "long",   "short",   "slim",    "deep",
+      "huge",   "little", "tiny",  "old",   "new",      "antique", "vintage",  "modern", "rustic",  "simple",  "plain",
+      "open",   "closed", "nice",  "good",  "lovely",   "elegant", "matching", "second", "another", "other",   "single",
+      "double", "extra",  "spare", "some",  "any",      "my",      "our",      "his",    "her",     "its",     "their",
+      "this",   "that",   "these", "those", "each",     "every",   "have",     "wooden", "wood",    "oak",     "pine",
+      "walnut", "teak",   "birch", "beech", "metal",    "steel",   "brass",    "iron",   "glass",   "leather", "velvet",
+      "white",  "black",  "grey",  "gray",  "green",    "blue",    "red",      "brown",  "cream",   "painted", "square",
+      "round",  "tidy",   "high",  "heavy", "lockable", "plus",    "no"};
   return EndsNounPhrase(token) || token.kind == Token::Kind::kNumber || NumberWord(token.text) ||
          std::ranges::find(kLooks, token.text) != kLooks.end();
 }
 
 }  // namespace
 
-NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts) {
+NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts) : vocabulary_(handbook.vocabulary()) {
   const hb::Archetype& room = *facts.archetype;
   const auto raise = [&](std::string_view name, int rank) { ranks_[name] = std::max(ranks_[name], rank); };
   for (const hb::Noun& noun : handbook.contents().nouns()) {
-    Head head{noun.strict()};
-    for (const std::string& word : noun.words()) head.words.emplace_back(word);
     for (const hb::NounOption& option : noun.options()) {
-      const hb::Furniture* furniture = handbook.FindFurniture(option.furniture());
-      if (furniture == nullptr) continue;
-      const bool only_modified = !option.modifiers().empty() && option.rooms().empty();
-      if (!only_modified) AddSayings("", noun.words(), *furniture, names_);
-      head.options.push_back(furniture);
-      for (const std::string& words : option.modifiers()) head.modifiers.push_back({Phrase(words), furniture});
       const bool here = std::ranges::find(option.rooms(), room.name()) != option.rooms().end();
-      if (here) raise(furniture->name(), kOfTheRoom);
+      if (here) raise(option.furniture(), kOfTheRoom);
     }
-    if (!head.words.empty()) heads_.push_back(std::move(head));
   }
   for (const hb::Furniture& furniture : handbook.contents().furniture()) {
-    AddSayings(furniture.name(), furniture.synonyms(), furniture, names_);
+    const auto& hints = furniture.zone_hints();
     for (const hb::ZoneSpec& zone : room.zones()) {
-      const auto& hints = furniture.zone_hints();
       if (std::ranges::find(hints, zone.name()) != hints.end()) raise(furniture.name(), kOfAZone);
     }
   }
@@ -80,7 +70,6 @@ NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts) {
   }
   for (const hb::ObjectEntry& entry : room.tertiaries()) raise(entry.furniture(), kListed);
   raise(room.per_person(), kOnePerPerson);
-  for (const std::string& words : handbook.contents().other_things()) other_things_.emplace_back(words);
 }
 
 int NounBook::RankOf(const hb::Furniture& furniture) const {
@@ -88,8 +77,8 @@ int NounBook::RankOf(const hb::Furniture& furniture) const {
   return rank == ranks_.end() ? kNotOfTheRoom : rank->second;
 }
 
-const NounBook::Head* NounBook::HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {
-  for (const Head& head : heads_) {
+const Vocabulary::Head* NounBook::HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {
+  for (const Vocabulary::Head& head : vocabulary_.heads) {
     for (const Phrase& word : head.words) {
       if (length > 0 && word.MatchAt(tokens, i) == length) return &head;
     }
@@ -99,24 +88,24 @@ const NounBook::Head* NounBook::HeadAt(const std::vector<Token>& tokens, std::si
 
 const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::size_t noun, std::size_t length,
                                         const hb::Furniture* named) const {
-  const Head* head = HeadAt(tokens, noun, length);
+  const Vocabulary::Head* head = HeadAt(tokens, noun, length);
   if (head == nullptr) return named;
   for (std::size_t at = noun; at > 0 && at + kMostAdjectives + 2 > noun;) {
     --at;
     if (EndsNounPhrase(tokens[at])) break;
-    for (const Modifier& modifier : head->modifiers) {
+    for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
       const std::size_t said = modifier.words.MatchAt(tokens, at, /*plural=*/false);
       if (said > 0 && at + said <= noun) return modifier.furniture;
     }
   }
-  return head->strict && noun > 0 && !SaysLooks(tokens[noun - 1]) ? nullptr : named;
+  return head->noun->strict() && noun > 0 && !SaysLooks(tokens[noun - 1]) ? nullptr : named;
 }
 
 std::size_t NounBook::LengthWithHead(const std::vector<Token>& tokens, std::size_t start, std::size_t length,
                                      const hb::Furniture& furniture) const {
   const std::size_t end = start + length;
   if (length == 0 || end >= tokens.size() || HeadAt(tokens, start, length) != nullptr) return length;
-  for (const Head& head : heads_) {
+  for (const Vocabulary::Head& head : vocabulary_.heads) {
     if (std::ranges::find(head.options, &furniture) == head.options.end()) continue;
     for (const Phrase& word : head.words) {
       if (const std::size_t more = word.MatchAt(tokens, end); more > 0) return length + more;
@@ -127,7 +116,7 @@ std::size_t NounBook::LengthWithHead(const std::vector<Token>& tokens, std::size
 
 std::size_t NounBook::OtherThingAt(const std::vector<Token>& tokens, std::size_t start) const {
   std::size_t longest = 0;
-  for (const Phrase& thing : other_things_) longest = std::max(longest, thing.MatchAt(tokens, start));
+  for (const Phrase& thing : vocabulary_.other_things) longest = std::max(longest, thing.MatchAt(tokens, start));
   return longest;
 }
 

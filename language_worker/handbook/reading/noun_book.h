@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "language_worker/handbook/reading/brief_facts.h"
-#include "language_worker/handbook/reading/sayings.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 
@@ -19,14 +19,14 @@ class NounBook {
   NounBook(const Handbook& handbook, const BriefFacts& facts);
 
   // Every word that names a class, words for several of them before the others.
-  const std::vector<Saying<hb::Furniture>>& names() const { return names_; }
+  const std::vector<Saying<hb::Furniture>>& names() const { return vocabulary_.names; }
 
   // How much a class belongs to the room; 0 when not at all. Of two that a word may mean the higher is meant.
   int RankOf(const hb::Furniture& furniture) const;
 
   // The class that the words before a noun make of it: of "a comfy leather chair" an armchair, of "a two-seat sofa" a
-  // loveseat. The noun is `length` tokens at `noun`; `named` where nothing is said, null where it is a thing that nobody
-  // knows: "a proofing cabinet".
+  // loveseat. The noun is `length` tokens at `noun`; `named` where nothing is said, null where it is a thing that
+  // nobody knows: "a proofing cabinet".
   const hb::Furniture* Modified(const std::vector<Token>& tokens, std::size_t noun, std::size_t length,
                                 const hb::Furniture* named) const;
 
@@ -39,22 +39,9 @@ class NounBook {
   std::size_t OtherThingAt(const std::vector<Token>& tokens, std::size_t start) const;
 
  private:
-  struct Modifier {
-    Phrase words;
-    const hb::Furniture* furniture;
-  };
-  struct Head {
-    bool strict = false;
-    std::vector<Phrase> words;
-    std::vector<const hb::Furniture*> options;
-    std::vector<Modifier> modifiers;
-  };
+  const Vocabulary::Head* HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const;
 
-  const Head* HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const;
-
-  std::vector<Saying<hb::Furniture>> names_;
-  std::vector<Head> heads_;
-  std::vector<Phrase> other_things_;
+  const Vocabulary& vocabulary_;
   std::map<std::string_view, int> ranks_;  // of a class by its name
 };
 

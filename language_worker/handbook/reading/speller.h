@@ -39,7 +39,8 @@ class Speller {
   void Learn(std::string_view phrase, bool corrects);
 
   std::unordered_set<std::string> right_;  // never corrected
-  // Words that others are corrected to, under their first and under their last two letters: one edit leaves one of these.
+  // Words that others are corrected to, under their first and under their last two letters: one edit leaves one of
+  // these.
   std::unordered_map<std::string, std::vector<std::string>> by_ends_;
 };
 

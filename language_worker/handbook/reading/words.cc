@@ -200,6 +200,10 @@ std::size_t Phrase::MatchSpelling(const std::vector<Token>& tokens, std::size_t 
 }
 
 std::size_t Phrase::MatchAt(const std::vector<Token>& tokens, std::size_t start, bool plural, int* number) const {
+  // Most phrases end here: what matches begins with the same letter.
+  if (start >= tokens.size() || words_.empty()) return 0;
+  const bool word = tokens[start].kind == Token::Kind::kWord;
+  if (word && words_[0][0] != tokens[start].text[0] && words_[0][0] != '{') return 0;
   if (const std::size_t spelt = MatchSpelling(tokens, start, plural); spelt > 0) return spelt;
   std::size_t at = start;
   for (std::size_t w = 0; w < words_.size(); ++w) {
