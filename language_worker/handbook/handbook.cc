@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "language_worker/handbook/reading/vocabulary.h"
+
 namespace flair::language {
 
 Handbook::Handbook(hb::Handbook contents, std::string version)
@@ -18,6 +20,7 @@ Handbook::Handbook(hb::Handbook contents, std::string version)
     archetypes_.emplace(item.name(), &item);
     if (item.fallback() || fallback_ == nullptr) fallback_ = &item;
   }
+  vocabulary_ = std::make_shared<const Vocabulary>(*this);
 }
 
 }  // namespace flair::language

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,8 @@
 namespace flair::language {
 
 namespace hb = ::flair::handbook::v1;
+
+struct Vocabulary;
 
 // What a designer knows: the data files as one message, with look-up by name. Immutable and thread-safe once made.
 // Pointers returned stay valid as long as the handbook lives.
@@ -33,6 +36,9 @@ class Handbook {
   // The kind of room for briefs that name none that is known.
   const hb::Archetype& fallback_archetype() const { return *fallback_; }
 
+  // The words for it that briefs use; see reading/vocabulary.h.
+  const Vocabulary& vocabulary() const { return *vocabulary_; }
+
  private:
   template <typename T>
   using Index = std::map<std::string, const T*, std::less<>>;
@@ -51,6 +57,7 @@ class Handbook {
   Index<hb::Theme> themes_;
   Index<hb::NamedColour> colours_;
   const hb::Archetype* fallback_ = nullptr;
+  std::shared_ptr<const Vocabulary> vocabulary_;
 };
 
 }  // namespace flair::language

@@ -10,6 +10,7 @@
 #include "language_worker/handbook/reading/people.h"
 #include "language_worker/handbook/reading/sayings.h"
 #include "language_worker/handbook/reading/unknown_things.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
@@ -20,7 +21,7 @@ namespace {
 class BriefReader {
  public:
   BriefReader(const Handbook& handbook, std::string_view text) : handbook_(handbook), tokens_(Tokenize(text)) {
-    if (ReadsAsEnglish(tokens_)) facts_.corrections = Speller(handbook.contents()).Correct(tokens_);
+    if (ReadsAsEnglish(tokens_)) facts_.corrections = handbook.vocabulary().speller.Correct(tokens_);
     used_.resize(tokens_.size());
   }
 
