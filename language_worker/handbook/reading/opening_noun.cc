@@ -208,9 +208,23 @@ class NounReader {
 
   void Relate() {
     std::size_t at = found_.begin;
+    TakeDenial(at);
     if (at > 0 && words_.At(at - 1) == "all") --at;
     found_.related = at > 0 && IsAmong(kRelating, words_.At(at - 1)) && !IsOfACupboard(at);
     if (IsOfACupboard(at)) found_.kind = OpeningNoun::Kind::kNone;
+  }
+
+  // "without a window", "does not have any windows".
+  void TakeDenial(std::size_t& at) {
+    std::size_t before = at;
+    if (before > 1 && IsAmong("have has need want", words_.At(before - 1))) --before;
+    if (before == 0) return;
+    const bool without = before == at && words_.At(before - 1) == "without";
+    const bool has_not = before < at && (words_.At(before - 1) == "not" || words_.At(before - 1) == "t");
+    if (!without && !has_not) return;
+    found_.none = true;
+    found_.any = false;
+    at = found_.begin = before - 1;
   }
 
   // "a wardrobe with two sliding doors".
@@ -248,9 +262,9 @@ class NounReader {
       // "1.2 m x 1.5 m", "1.2 x 1.5 m".
       if (at >= 2 && IsAmong("x by", words_.At(at - 1))) {
         --at;
+        measures_.back().dimension = "high";
         if (words_.IsNumber(at - 1)) {
           const double number = words_.NumberAt(at - 1);
-          measures_.back().dimension = "high";
           measures_.push_back({number * (*metres / words_.NumberAt(at + 1)), "wide"});
           --at;
         }
@@ -321,6 +335,8 @@ class NounReader {
         wish.width_m = one.metres;
       }
     }
+    // "1.2 m wide" is not wide.
+    if (wish.width_m) wish.width_factor = 1;
     if (!wish.door && full_ >= 2) {
       wish.sill_m = 0;
       wish.to_ceiling = ceiling_ || full_ >= 2;

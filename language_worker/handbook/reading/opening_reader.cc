@@ -175,13 +175,17 @@ class OpeningReader {
       for (int over = 0; over < 3 && IsAmong(", : ( - ; . and with", words_.At(next)); ++over) ++next;
       if (words_.At(next) == "the") ++next;
       int count = 1;
-      if (const std::optional<int> number = NumberWord(words_.At(next)); number && *number < 4) {
+      if (const std::optional<int> number = NumberWord(words_.At(next)); number && *number > 1 && *number < 4) {
         count = *number;
       } else if (!IsAmong("one other another second first", words_.At(next))) {
         break;
       }
       ++next;
-      for (int over = 0; over < 2 && IsAmong("one of them window door windows", words_.At(next)); ++over) ++next;
+      for (int over = 0;
+           over < 2 && IsAmong(all.door ? "one of them door doors" : "one of them window windows", words_.At(next));
+           ++over) {
+        ++next;
+      }
       OpeningSite site;
       if (!sites_.ReadAfter(next, all.door, /*verbs=*/true, site) || site.sides.empty()) break;
       OpeningWish share = all;

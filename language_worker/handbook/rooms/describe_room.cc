@@ -41,10 +41,9 @@ OpeningPlan PlanOpenings(const BriefFacts& facts, const hb::Archetype& archetype
   plan.room_type = archetype.name();
   for (const OpeningWish& wish : plan.asked.wishes) {
     if (wish.door || !wish.side.empty()) continue;
-    // "with large windows": the usual ones, if there are any.
-    plan.window_count = wish.counted ? wish.count : std::max(plan.window_count, 1);
+    // "with large windows": as many as usual.
+    plan.window_count = wish.counted ? wish.count : plan.window_count;
   }
-  if (plan.asked.window_meant) plan.window_count = std::max(plan.window_count, 1);
   if (plan.asked.no_windows) plan.window_count = 0;
   plan.window_count = std::clamp(plan.window_count, 0, kMostOfAKind);
   return plan;

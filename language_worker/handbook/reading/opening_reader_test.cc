@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a brief says of its doors and windows, in words.
+#include "language_worker/handbook/reading/opening_reader.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+namespace {
+
+OpeningWishes OpeningsIn(const std::string& text) {
+  const std::vector<Token> tokens = Tokenize(text);
+  std::vector<bool> used(tokens.size());
+  OpeningWishes openings;
+  ReadOpenings(tokens, std::vector<bool>(tokens.size()), used, openings);
+  return openings;
+}
+
+// "door@south middle; 2 window@east w1.2".
+std::string Told(const OpeningWishes& openings) {
+  std::string told;
+  for (const OpeningWish& wish : openings.wishes) {
+    told += told.empty() ? "" : "; ";
+    told += (wish.count > 1 ? std::to_string(wish.count) + " " : "") + (wish.door ? "door" : "window");
+    if (!wish.side.empty()) told += "@" + wish.side;
+    if (wish.along.at == AlongWall::At::kMiddle) told += " middle";
+    if (wish.along.at == AlongWall::At::kEnd) told += " end:" + wish.along.end;
+    if (wish.along.from_end_m) told += fmt::format(" +{:g}", *wish.along.from_end_m);
+    if (wish.width_m) told += fmt::format(" w{:g}", *wish.width_m);
+    if (wish.height_m) told += fmt::format(" h{:g}", *wish.height_m);
+    if (wish.sill_m) told += fmt::format(" sill{:g}", *wish.sill_m);
+    if (wish.width_factor > 1) told += " large";
+    if (wish.width_factor < 1) told += " small";
+    if (wish.to_ceiling) told += " to-ceiling";
+    if (wish.outside) told += " outside";
+    if (!wish.leads_to.empty()) told += " to:" + wish.leads_to;
+    if (wish.swing == v1::DOOR_SWING_SLIDING) told += " sliding";
+    if (wish.swing == v1::DOOR_SWING_OUTWARD) told += " outward";
+    if (wish.swing == v1::DOOR_SWING_NONE) told += " open";
+    if (wish.of_many) told += " ...";
+  }
+  return told;
+}
+
+struct OpeningCase {
+  const char* text;
+  const char* told;
+};
+
+TEST(OpeningReader, ReadsTheWall) {
+  const OpeningCase kCases[] = {
+      {"The door is on the south wall and there are two windows on the east wall.", "door@south; 2 window@east"},
+      {"A study with one window in the north wall.", "window@north"},
+      {"On the north wall there is a large window.", "window@north large"},
+      {"The west wall has two windows and a door.", "2 window@west; door@west"},
+      {"Window: north. Door: south wall.", "window@north; door@south"},
+      {"A room with a door to the hall on the west side.", "door@west"},
+      {"Windows on the north and east walls.", "window@north; window@east"},
+      {"A north-facing window and an east window.", "window@north; window@east"},
+      {"Windows along the whole length of the south side.", "2 window@south"},
+      {"A window on each short wall.", "window@short; window@across short"},
+      {"A guest room that has one window, facing east.", "window"},
+      {"Two windows, one on the north wall and the other on the east.", "window@north; window@east"},
+      {"One window is on the north wall, the other on the west wall.", "window@north; window@west"},
+      {"A bedroom with two windows. The windows are on the south wall.", "2 window@south"},
+      {"Two windows. One window is on the long wall.", "window@long; window"},
+  };
+  for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
+}
+
+TEST(OpeningReader, ReadsWallsThatGoByOtherOpenings) {
+  const OpeningCase kCases[] = {
+      {"A window opposite the door.", "window@far"},
+      {"A window across from the entrance.", "window@far"},
+      {"The door is opposite the window on the east wall.", "window@east; door@across east"},
+      {"A door and a window on the same wall.", "door; window@near"},
+      {"A door on the north wall and a window on the opposite wall.", "door@north; window@across north"},
+      {"Windows on both sides.", "window@left; window@right"},
+      {"Windows on three sides.", "window@far; window@left; window@right"},
+      {"Windows opposite each other.", "window@left; window@right"},
+      {"A window either side of the door.", "2 window@near"},
+      {"As you enter, the window is on the left.", "window@left"},
+      {"The window is straight ahead as you come in.", "window@far"},
+      {"A door and a window on the north wall.", "door@north; window@north"},
+  };
+  for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
+}
+
+TEST(OpeningReader, ReadsThePlaceAlongTheWall) {
+  const OpeningCase kCases[] = {
+      {"A door in the middle of the west wall.", "door@west middle"},
+      {"A door centred on the south wall.", "door@south middle"},
+      {"A door on the south wall, in the middle.", "door@south middle"},
+      {"A door at the left end of the south wall.", "door@south end:left"},
+      {"A door in the south-west corner.", "door@south end:west"},
+      {"A door on the west wall near the south corner.", "door@west end:south"},
+      {"A door in the corner of the east wall.", "door@east end:"},
+      {"A door on the south wall, 50 cm from the left corner.", "door@south end:left +0.5"},
+      {"A door 1 m from the west wall.", "door end:west +1"},
+      {"In the middle of the north wall is a window.", "window@north middle"},
+  };
+  for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
+}
+
+TEST(OpeningReader, ReadsMeasuresAndKinds) {
+  const OpeningCase kCases[] = {
+      {"A 1.2 m wide window on the north wall.", "window@north w1.2"},
+      {"A window on the north wall, 1.2m wide.", "window@north w1.2"},
+      {"Two 3 m windows on the north wall.", "2 window@north w3"},
+      {"A 1.2 m x 1.5 m window.", "window w1.2 h1.5"},
+      {"A 90cm door opening outwards.", "door w0.9 outward"},
+      {"A window with a sill at 1.1 m.", "window sill1.1"},
+      {"Floor-to-ceiling windows along the south wall.", "2 window@south sill0 to-ceiling"},
+      {"French windows to the garden on the east wall.", "door@east w1.5 outside to:garden"},
+      {"A balcony door on the south wall.", "door@south outside to:balcony"},
+      {"Patio doors on the west side.", "door@west w1.8 outside to:patio sliding"},
+      {"A door leading out to the terrace.", "door w0.9 outside to:terrace"},
+      {"A door to the kitchen on the east wall.", "door@east to:kitchen"},
+      {"An en-suite door on the west wall.", "door@west to:en suite"},
+      {"A sliding door.", "door sliding"},
+      {"Double doors in the middle of the long wall.", "door@long middle w1.5"},
+      {"An open doorway to the hall.", "door open"},
+      {"A small high window and a large one.", "window sill1.6 small"},
+      {"A wall of windows on the south.", "window@south w100"},
+      {"A south-facing room.", "window@south ..."},
+  };
+  for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
+}
+
+TEST(OpeningReader, LeavesWordsThatOnlyTellWhereSomethingElseIs) {
+  for (const char* text :
+       {"A desk by the window and a chair near the door.", "A bed facing away from the door.", "A window seat.",
+        "Looking out of her window.", "A room with a doormat and a door handle.", "Nothing under any window."}) {
+    EXPECT_EQ(Told(OpeningsIn(text)), "") << text;
+  }
+  EXPECT_TRUE(OpeningsIn("A desk by the window.").window_meant);
+  // Their own place is told, once.
+  EXPECT_EQ(Told(OpeningsIn("A desk under the window on the north wall.")), "window@north");
+  EXPECT_EQ(Told(OpeningsIn("A window on the north wall and a desk under the window.")), "window@north");
+  EXPECT_EQ(Told(OpeningsIn("Garden doors on the south wall, a sofa facing the garden doors.")),
+            "door@south w1.5 outside to:garden");
+}
+
+TEST(OpeningReader, ReadsThatThereAreNone) {
+  for (const char* text : {"A room with no windows.", "A windowless room.", "A room without any windows.",
+                           "A cellar without a window.", "There are no windows."}) {
+    const OpeningWishes openings = OpeningsIn(text);
+    EXPECT_TRUE(openings.no_windows) << text;
+    EXPECT_TRUE(openings.wishes.empty()) << text;
+  }
+  const OpeningWishes bare = OpeningsIn("A room with no windows on the north wall.");
+  EXPECT_FALSE(bare.no_windows);
+  EXPECT_EQ(bare.bare_sides, std::vector<std::string>{"north"});
+}
+
+TEST(OpeningReader, SaysWhatItCannotTake) {
+  for (const char* text :
+       {"A bedroom with a skylight.", "A window above the sink.",
+        "The door is on the south wall. The door is on the north wall.",
+        "A windowless room with a window on the east wall.", "No windows, and a desk under the window."}) {
+    EXPECT_EQ(OpeningsIn(text).not_read.size(), 1u) << text;
+  }
+}
+
+TEST(OpeningReader, MarksWhatItHasUsed) {
+  const std::vector<Token> tokens = Tokenize("desk under the window on the north wall");
+  std::vector<bool> used(tokens.size());
+  OpeningWishes openings;
+  ReadOpenings(tokens, std::vector<bool>(tokens.size()), used, openings);
+  EXPECT_FALSE(used[1]) << "\"under\" tells where the desk is";
+  EXPECT_TRUE(used[7]) << "the wall is the window's";
+}
+
+// Twice the text takes about twice the time: a bounded number of words is looked at for each opening.
+TEST(OpeningReader, IsLinear) {
+  const auto seconds = [](std::size_t times) {
+    std::string text;
+    for (std::size_t i = 0; i < times; ++i)
+      text += "a door on the on the window, one in the middle of both the two windows ";
+    const auto start = std::chrono::steady_clock::now();
+    OpeningsIn(text);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  seconds(100);
+  EXPECT_LT(seconds(4000), 40 * seconds(400) + 0.05);
+}
+
+}  // namespace
+}  // namespace flair::language
