@@ -17,6 +17,22 @@ bool IsTokenByte(unsigned char c) {
          std::string_view("!#$%&'*+-.^_`|~").find(static_cast<char>(c)) != std::string_view::npos;
 }
 
+// Whether what stands before the first '/', '?' or '#' can only be a user and the beginning of a password that holds
+// one of them: "http://user:pa/ss@host".
+bool SplitsPassword(std::string_view url) {
+  const size_t scheme_end = url.find("://");
+  std::string_view host = url.substr(scheme_end == std::string_view::npos ? 0 : scheme_end + 3);
+  const size_t end = std::min(host.find_first_of("/?#"), host.size());
+  const std::string_view rest = host.substr(end);
+  host = host.substr(0, end);
+  const size_t colon = host.find(':');
+  if (rest.find('@') == std::string_view::npos || host.find('@') != std::string_view::npos || host.starts_with('[') ||
+      colon == std::string_view::npos) {
+    return false;
+  }
+  return !std::ranges::all_of(host.substr(colon + 1), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
 bool IsControlByte(unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7f; }
 
 }  // namespace
@@ -27,6 +43,7 @@ std::string_view HttpResponse::header(std::string_view name) const {
 }
 
 std::string PublicAddress(std::string_view url) {
+  if (SplitsPassword(url)) return "(an address with a password)";
   url = url.substr(0, url.find_first_of("?#"));
   const size_t scheme_end = url.find("://");
   const size_t host_begin = scheme_end == std::string_view::npos ? 0 : scheme_end + 3;
@@ -41,6 +58,10 @@ absl::Status CheckRequest(const HttpRequest& request) {
   if (!absl::StartsWithIgnoreCase(request.url, "http://") && !absl::StartsWithIgnoreCase(request.url, "https://")) {
     return absl::InvalidArgumentError(
         fmt::format("'{}' is no address; it must begin with http:// or https://", PublicAddress(request.url)));
+  }
+  if (SplitsPassword(request.url)) {
+    return absl::InvalidArgumentError(
+        "the address holds a password with '/', '?' or '#', which must be written %2F, %3F or %23");
   }
   if (std::ranges::any_of(request.url, [](unsigned char c) { return IsControlByte(c) || c == ' '; })) {
     return absl::InvalidArgumentError("the address holds a space or a control character");

@@ -7,6 +7,7 @@
 namespace flair::llm {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -17,6 +18,19 @@ TEST(PublicAddress, ShowsNeitherUserNorQuery) {
   EXPECT_EQ(PublicAddress("http://host?token=t"), "http://host");
   EXPECT_EQ(PublicAddress("user:pass@host/x"), "host/x");
   EXPECT_EQ(PublicAddress(""), "");
+}
+
+TEST(PublicAddress, ShowsNoPartOfAPasswordThatEndsTheHostTooEarly) {
+  for (const char* url : {"http://user:pa/ss@host/v1", "https://user:p?ass@host", "https://user:pass#@host/v1"}) {
+    EXPECT_EQ(PublicAddress(url), "(an address with a password)") << url;
+    const absl::Status status = CheckRequest({.url = url});
+    EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
+    EXPECT_THAT(status.message(), AllOf(HasSubstr("%2F"), Not(HasSubstr("host")), Not(HasSubstr("user:"))));
+  }
+  // Nothing that only looks like it.
+  for (const char* url : {"http://host:8080/@cf/model", "http://[::1]:8080/v1/a@b", "http://user:pass@host/v1"}) {
+    EXPECT_TRUE(CheckRequest({.url = url}).ok()) << url;
+  }
 }
 
 TEST(CheckRequest, WantsAnHttpAddress) {

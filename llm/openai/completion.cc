@@ -57,6 +57,14 @@ Usage Estimate(const ChatRequest& request, const std::string& answer) {
   return usage;
 }
 
+// Gateways fill in an error of no kind beside an answer: {"code": 0, "message": ""}, "" or false.
+bool SaysAnything(const json& error) {
+  if (error.is_structured()) return std::ranges::any_of(error, SaysAnything);
+  if (error.is_string()) return !error.get_ref<const std::string&>().empty();
+  if (error.is_boolean()) return error.get<bool>();
+  return !error.is_null() && error != 0;
+}
+
 }  // namespace
 
 absl::Status Completion::Add(const json& object) {
@@ -134,6 +142,9 @@ absl::StatusOr<ChatAnswer> Completion::ToAnswer(const ChatRequest& request, cons
   return answer;
 }
 
-const json* ErrorInside(const json& object) { return Field(object, "error"); }
+const json* ErrorInside(const json& object) {
+  const json* const error = Field(object, "error");
+  return error != nullptr && SaysAnything(*error) ? error : nullptr;
+}
 
 }  // namespace flair::llm

@@ -52,7 +52,7 @@ class Completion {
   std::optional<Usage> usage_;
 };
 
-// The error inside a reply of status 200, or inside a stream; null when there is none.
+// The error inside a reply of status 200, or inside a stream; null when there is none, or one that says nothing.
 const nlohmann::json* ErrorInside(const nlohmann::json& object);
 
 }  // namespace flair::llm

@@ -42,24 +42,33 @@ const char* NameOf(AnswerForm form) {
 }  // namespace
 
 std::string CompletionsUrl(const OpenAiOptions& options) {
-  std::string base = options.base_url;
-  while (base.ends_with('/')) base.pop_back();
+  // Gateways and Azure have addresses with a query, which stays at the end.
+  const size_t query_begin = std::min(options.base_url.find('?'), options.base_url.size());
+  std::string path = options.base_url.substr(0, query_begin), query = options.base_url.substr(query_begin);
+  while (path.ends_with('/')) path.pop_back();
   // The whole address, as it is in many manuals.
-  if (base.ends_with("/chat/completions")) return base;
-  if (!options.azure.has_value()) return base + "/chat/completions";
-  return fmt::format("{}/openai/deployments/{}/chat/completions?api-version={}", base, Escaped(options.azure->name),
-                     Escaped(options.azure->api_version));
+  const bool whole = path.ends_with("/chat/completions");
+  if (options.azure.has_value()) {
+    if (path.ends_with("/openai")) path.resize(path.size() - std::string_view("/openai").size());
+    if (!whole) path += "/openai/deployments/" + Escaped(options.azure->name);
+    if (query.find("api-version=") == std::string::npos) {
+      query += fmt::format("{}api-version={}", query.empty() ? "?" : "&", Escaped(options.azure->api_version));
+    }
+  }
+  return path + (whole ? "" : "/chat/completions") + query;
 }
 
 std::vector<HttpHeader> RequestHeaders(const OpenAiOptions& options) {
   std::vector<HttpHeader> headers = {
       {"Content-Type", "application/json"},
-      {"Accept", options.stream ? "text/event-stream, application/json" : "application/json"}};
-  if (!HasHeader(options, "user-agent")) headers.push_back({"User-Agent", "flair"});
+      {"Accept", options.stream ? "text/event-stream, application/json" : "application/json"},
+      {"User-Agent", "flair"}};
   if (!options.api_key.empty()) {
     headers.push_back(options.azure.has_value() ? HttpHeader{"api-key", options.api_key}
                                                 : HttpHeader{"Authorization", "Bearer " + options.api_key});
   }
+  // One of the user's own is sent instead: a server may take the first of two, or neither.
+  std::erase_if(headers, [&](const HttpHeader& header) { return HasHeader(options, header.name); });
   headers.insert(headers.end(), options.headers.begin(), options.headers.end());
   return headers;
 }

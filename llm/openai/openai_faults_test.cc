@@ -220,6 +220,29 @@ TEST_P(OpenAiFaultsTest, AnErrorInsideAReplyHasItsOwnStatus) {
   EXPECT_THAT(status.message(), HasSubstr("Provider returned error"));
 }
 
+// A script of one reply of status 200.
+flair::testing::Script Replying(const std::string& json) {
+  return flair::testing::ReadScript(R"({"repeat_last": true, "exchanges": [{"json": )" + json + "}]}");
+}
+
+TEST_P(OpenAiFaultsTest, AnErrorInsideAReplyThatWouldComeAgainIsNotTriedAgain) {
+  Serve(Replying(R"({"error": {"message": "You exceeded your quota", "code": "insufficient_quota"}})"));
+  EXPECT_EQ(Ask().status().code(), StatusCode::kFailedPrecondition);
+  Serve(
+      Replying(R"({"error": {"message": "No such key", "type": "invalid_request_error", "code": "invalid_api_key"}})"));
+  EXPECT_EQ(Ask().status().code(), StatusCode::kUnauthenticated);
+}
+
+TEST_P(OpenAiFaultsTest, AnErrorThatSaysNothingBesideAnAnswerIsNone) {
+  for (const char* error : {R"({"code": 0, "message": "", "type": null})", R"("")", "false", "{}", "[]"}) {
+    Serve(Replying(std::string(R"({"error": )") + error +
+                   R"(, "choices": [{"index": 0, "message": {"content": "hi"}, "finish_reason": "stop"}]})"));
+    const auto answer = Ask();
+    ASSERT_TRUE(answer.ok()) << error << ": " << answer.status();
+    EXPECT_EQ(answer->text, "hi");
+  }
+}
+
 TEST_P(OpenAiFaultsTest, AnAccountThatIsSpentIsNotTriedAgain) {
   EXPECT_EQ(Fault("quota_spent").code(), StatusCode::kFailedPrecondition);
 }

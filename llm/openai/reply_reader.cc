@@ -4,19 +4,12 @@
 #include <fmt/format.h>
 
 #include "absl/strings/ascii.h"
-#include "absl/strings/numbers.h"
 #include "llm/openai/json_fields.h"
 
 namespace flair::llm {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
-
-// The HTTP status that an error inside a reply names; 500, which may be tried again, when it names none.
-int HttpStatusOf(const ServerError& error) {
-  int status = 0;
-  return absl::SimpleAtoi(error.code, &status) && status >= 400 && status < 600 ? status : 500;
-}
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -161,6 +162,31 @@ ServerError ReadServerError(std::string_view body) {
     read.code = TextOf(Field(*inner, "code"));
   }
   return read;
+}
+
+int HttpStatusOf(const ServerError& error) {
+  int status = 0;
+  if (absl::SimpleAtoi(error.code, &status) && status >= 400 && status < 600) return status;
+  static constexpr std::pair<std::string_view, int> kKinds[] = {{"invalid_api_key", 401},
+                                                                {"authentication_error", 401},
+                                                                {"permission_error", 403},
+                                                                {"model_not_found", 404},
+                                                                {"not_found_error", 404},
+                                                                {"insufficient_quota", 429},
+                                                                {"billing_hard_limit_reached", 429},
+                                                                {"billing_not_active", 429},
+                                                                {"rate_limit_exceeded", 429},
+                                                                {"rate_limit_error", 429},
+                                                                {"context_length_exceeded", 400},
+                                                                {"content_filter", 400},
+                                                                {"content_policy_violation", 400},
+                                                                {"invalid_request_error", 400}};
+  // The code says more than the type.
+  for (const std::string& text : {error.code, error.type}) {
+    const auto found = std::ranges::find(kKinds, std::string_view(text), &std::pair<std::string_view, int>::first);
+    if (found != std::end(kKinds)) return found->second;
+  }
+  return 500;
 }
 
 absl::Status StatusOf(int http_status, const ServerError& error, std::string where, const Confidential& confidential) {

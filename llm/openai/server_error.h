@@ -23,6 +23,10 @@ struct ServerError {
 // Reads the forms that OpenAI, Azure, vLLM, llama.cpp, Ollama and gateways use; of anything else it is empty.
 ServerError ReadServerError(std::string_view body);
 
+// The HTTP status of an error that came inside a reply of status 200: the one that it names as its code, or that its
+// kind is usually sent with; 500, which may be tried again, for anything else.
+int HttpStatusOf(const ServerError& error);
+
 // What must not be in an error.
 struct Confidential {
   // Keys and values of headers.

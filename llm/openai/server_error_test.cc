@@ -64,6 +64,17 @@ TEST(ReadServerError, MakesNothingOfAnythingElse) {
   }
 }
 
+TEST(HttpStatusOf, IsTheCodeOrThatOfTheKind) {
+  EXPECT_EQ(HttpStatusOf({.message = "m", .type = "", .code = "429", .param = ""}), 429);
+  EXPECT_EQ(HttpStatusOf({.message = "m", .type = "invalid_request_error", .code = "insufficient_quota", .param = ""}),
+            429);
+  EXPECT_EQ(HttpStatusOf({.message = "m", .type = "invalid_request_error", .code = "", .param = ""}), 400);
+  EXPECT_EQ(HttpStatusOf({.message = "m", .type = "authentication_error", .code = "none", .param = ""}), 401);
+  for (const char* code : {"", "200", "99999999999", "server_error"}) {
+    EXPECT_EQ(HttpStatusOf({.message = "m", .type = "", .code = code, .param = ""}), 500) << code;
+  }
+}
+
 TEST(StatusOf, MapsEveryHttpStatus) {
   const std::pair<int, StatusCode> cases[] = {
       {301, StatusCode::kNotFound},        {304, StatusCode::kNotFound},           {400, StatusCode::kInvalidArgument},
