@@ -54,7 +54,11 @@ void CheckServer(const config::v1::LlmConfig& config, Checker& checker) {
   for (int i = 0; i < config.headers_size(); ++i) {
     const config::v1::LlmHeader& header = config.headers(i);
     const std::string field = fmt::format("headers[{}]", i);
-    if (header.name().empty()) checker.Report(field + ".name", "missing");
+    if (header.name().empty()) {
+      checker.Report(field + ".name", "missing");
+    } else if (const absl::Status status = CheckHeader({header.name(), header.value()}); !status.ok()) {
+      checker.Report(field, std::string(status.message()));
+    }
     if (header.value().empty() == header.value_env().empty()) {
       checker.Report(field, "expected either value or value_env");
     }

@@ -59,6 +59,8 @@ TEST(CheckLlmConfig, NamesEveryFieldThatIsWrongWithItsValue) {
       {"azure { }", "azure.deployment: missing"},
       {"azure { deployment: 'd' }", "azure.api_version: missing"},
       {"headers { value: 'x' }", "headers[0].name: missing"},
+      {"headers { name: 'X-Team:' value: 'x' }", "headers[0]: header 'X-Team:': not a name"},
+      {"headers { name: 'X-Team' value: 'a\\nb' }", "headers[0]: header 'X-Team': its value holds a line break"},
       {"headers { name: 'x' }", "headers[0]: expected either value or value_env"},
       {"headers { name: 'x' value: 'a' value_env: 'b' }", "headers[0]: expected either value or value_env"},
       {"replay_path: 'a' record_path: 'b'", "record_path: set as well as replay_path"}};

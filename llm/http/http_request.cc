@@ -54,6 +54,17 @@ std::string PublicAddress(std::string_view url) {
   return address;
 }
 
+absl::Status CheckHeader(const HttpHeader& header) {
+  if (header.name.empty() || !std::ranges::all_of(header.name, IsTokenByte)) {
+    return absl::InvalidArgumentError(fmt::format("header '{}': not a name of a header", header.name));
+  }
+  if (std::ranges::any_of(header.value, IsControlByte)) {
+    return absl::InvalidArgumentError(
+        fmt::format("header '{}': its value holds a line break or another control character", header.name));
+  }
+  return absl::OkStatus();
+}
+
 absl::Status CheckRequest(const HttpRequest& request) {
   if (!absl::StartsWithIgnoreCase(request.url, "http://") && !absl::StartsWithIgnoreCase(request.url, "https://")) {
     return absl::InvalidArgumentError(
@@ -67,13 +78,7 @@ absl::Status CheckRequest(const HttpRequest& request) {
     return absl::InvalidArgumentError("the address holds a space or a control character");
   }
   for (const HttpHeader& header : request.headers) {
-    if (header.name.empty() || !std::ranges::all_of(header.name, IsTokenByte)) {
-      return absl::InvalidArgumentError(fmt::format("header '{}': not a name of a header", header.name));
-    }
-    if (std::ranges::any_of(header.value, IsControlByte)) {
-      return absl::InvalidArgumentError(
-          fmt::format("header '{}': its value holds a line break or another control character", header.name));
-    }
+    if (absl::Status status = CheckHeader(header); !status.ok()) return status;
   }
   return absl::OkStatus();
 }

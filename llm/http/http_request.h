@@ -69,6 +69,9 @@ struct HttpOptions {
 // The address without user, password, query and fragment: what errors and names may show.
 std::string PublicAddress(std::string_view url);
 
+// OK, or INVALID_ARGUMENT when the header cannot be sent. Never shows its value.
+absl::Status CheckHeader(const HttpHeader& header);
+
 // OK, or INVALID_ARGUMENT when the address is no http(s) address, or a header cannot be sent. Never shows a value.
 absl::Status CheckRequest(const HttpRequest& request);
 
