@@ -151,6 +151,8 @@ class Reader {
           raw.role = RawTerm::Role::kEach;
         } else {
           BecomeReference(RefKind::kPronoun, phrase.lemma, raw);
+          // "All three pieces", "both of them": whoever the heading names.
+          raw.term.mention.references.front().plural = phrase.length > 1;
         }
         break;
       default:

@@ -33,6 +33,12 @@ class BracketReader {
     if (first.kind == Token::Kind::kDistance && (!IsSize() || adds) && end_ <= at_ + 4 && closed) {
       return {Bracket::Kind::kOpened, at_ + 1, end_};
     }
+    // "0.4 m (ideally 0.5 m)": how much was said.
+    const bool said = !terms_.empty() && terms_.back().role == RawTerm::Role::kNone &&
+                      terms_.back().term.kind == Term::Kind::kDistance;
+    if (said && (Is(at_ + 1, "ideally") || Is(at_ + 1, "preferably")) && closed) {
+      return {Bracket::Kind::kSkipped, end_ + 1, 0};
+    }
     if (TakeLength() || TakeNames() || TakeSide() || (adds && closed && TakeFigure()) || Explains()) {
       return {Bracket::Kind::kSkipped, std::min(end_ + 1, tokens_.size()), 0};
     }
@@ -64,12 +70,17 @@ class BracketReader {
 
   // Whether this sentence has said that something is kept free, so that a bare figure is how much.
   bool SpaceSpokenOf() const {
+    // "One can stand in front of it (0.5 m)".
+    const size_t count = terms_.size();
+    if (count > 1 && terms_[count - 2].term.IsWord("in_front_of") && IsMention(terms_[count - 1]) &&
+        terms_[count - 1].term.mention.references.front().kind == RefKind::kPronoun)
+      return true;
     for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
       const Term& term = terms_[i - 1].term;
       const bool way = term.kind == Term::Kind::kMention && term.mention.references.front().name == "paths";
       if (way || term.IsWord("space") || term.IsWord("pull_out") || term.IsWord("keep_clear") ||
           term.IsWord("accessible") || term.IsWord("away_from") || term.IsWord("clear_of") || term.IsWord("around") ||
-          term.IsWord("all_sides") || term.IsWord("in_front") || term.IsWord("behind")) {
+          term.IsWord("all_sides") || term.IsWord("in_front") || term.IsWord("behind") || term.IsWord("swing_open")) {
         return true;
       }
     }

@@ -94,6 +94,10 @@ class Composer {
   bool AddSides(const std::vector<std::string>& sides);
   // Whether the sentence has asked for so much free space at the object, with a figure.
   bool KeepsSpace(const Placed& placed) const;
+  // Whether the sentence has put the piece into a corner.
+  bool IsInCorner(const Placed& placed) const;
+  // Whether the sentence has put the small thing onto something.
+  bool IsOnTop(const Placed& placed) const;
   // Says why a part of the sentence gives no call.
   void Refuse(std::string_view code, const std::string& message);
   // Whether nothing worse was said against the sentence than that it was not understood, and taking that back.

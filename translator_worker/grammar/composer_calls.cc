@@ -152,6 +152,18 @@ bool Composer::KeepsSpace(const Placed& placed) const {
   });
 }
 
+bool Composer::IsInCorner(const Placed& placed) const {
+  return std::any_of(calls_.begin(), calls_.end(), [&](const Call& call) {
+    return call.type == "in_corner" && TextOf(call, "object") == id(placed);
+  });
+}
+
+bool Composer::IsOnTop(const Placed& placed) const {
+  return std::any_of(calls_.begin(), calls_.end(), [&](const Call& call) {
+    return !TextOf(call, "host").empty() && TextOf(call, "object") == id(placed);
+  });
+}
+
 bool Composer::TellsLittle(const Call& call) const {
   if (TellsOnlyWhereabouts(call)) return true;
   // "On the runner, on the table": the table is what stands there.

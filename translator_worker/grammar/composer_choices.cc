@@ -19,6 +19,12 @@ bool IsAmong(const std::vector<Placed>& list, int object) {
 std::vector<int> Composer::Choose(const Reference& reference, const std::vector<Placed>& movers) {
   std::vector<int> candidates = reference.candidates;
   const bool any = reference.any && !movers.empty();
+  // "One lamp on the nightstand" under a heading of one.
+  if (scope() == v1::SENTENCE_SCOPE_TERTIARY && movers.empty()) {
+    std::vector<int> named = candidates;
+    KeepSubjects(named);
+    if (named.size() < candidates.size()) candidates = named;
+  }
   if (reference.ordinal == kLast && !any && !candidates.empty()) return {candidates.back()};
   if (reference.ordinal > 0 && !any) {
     if (reference.ordinal <= static_cast<int>(candidates.size())) return {candidates[reference.ordinal - 1]};

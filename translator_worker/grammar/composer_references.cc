@@ -106,6 +106,13 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
       // As a target "it" is the partner of the last fact unless that is what moves now.
       const bool bare_side = reference.name.empty();
       std::vector<Placed> meant = topic_;
+      if (reference.name == "one") {
+        const size_t index = static_cast<size_t>(reference.ordinal) - 1;
+        if (index < subjects_.size()) return {subjects_[index]};
+        Refuse("unknown_sentence", "nothing says of what one is meant; name the object");
+        return {};
+      }
+      if (reference.plural && !target && calls_.empty() && scope() == v1::SENTENCE_SCOPE_INTER) meant = subjects_;
       if (target && !bare_side && !movers.empty()) {
         if (!pair_targets_.empty() && !Contains(pair_targets_, movers.front().object)) {
           meant = pair_targets_;

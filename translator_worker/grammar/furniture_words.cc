@@ -35,6 +35,7 @@ plant|potted plant|houseplant|house plant|planter|indoor plant
 cot|crib
 piano|upright piano|grand piano
 stool|bar stool|counter stool
+bean bag|bean bag chair|beanbag
 worktop|counter|countertop|kitchen counter|base cabinet
 kitchen island|island
 bench|banquette

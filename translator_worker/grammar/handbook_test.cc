@@ -142,7 +142,7 @@ class HandbookSentences : public testing::Test {
     for (const v1::Diagnostic& remark : graph.diagnostics()) ADD_FAILURE() << text << "\n" << remark.ShortDebugString();
     for (const std::string& id : together ? ids : std::vector<std::string>{ids.back()}) {
       const bool about = std::any_of(graph.edges().begin(), graph.edges().end(), [&](const v1::ConstraintEdge& edge) {
-        return edge.ShortDebugString().find("\"" + id + "\"") != std::string::npos;
+        return ToText(edge).find(id) != std::string::npos;
       });
       EXPECT_TRUE(about) << text << " says nothing of " << id << ": " << ToText(graph.edges(0));
     }

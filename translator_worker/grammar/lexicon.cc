@@ -116,7 +116,7 @@ std::vector<std::vector<std::string>> ExpandPhrase(std::string_view phrase) {
 }
 
 const Lexicon& Lexicon::Get() {
-  static const Lexicon* const lexicon = new Lexicon(LexiconEntries());
+  static const Lexicon* const lexicon = new Lexicon(std::string(LexiconRelations()) + std::string(LexiconEntries()));
   return *lexicon;
 }
 

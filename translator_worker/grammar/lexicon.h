@@ -70,7 +70,8 @@ class Lexicon {
 // Writes out a phrase with options: "[flush] (against|on)" becomes "against", "flush against", "on", "flush on".
 std::vector<std::vector<std::string>> ExpandPhrase(std::string_view phrase);
 
-// The text that the lexicon is read from, see there for its form.
+// The texts that the lexicon is read from, relations first; see lexicon_entries.cc for their form.
+std::string_view LexiconRelations();
 std::string_view LexiconEntries();
 
 }  // namespace flair::translator

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "translator_worker/grammar/noun_quantities.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -34,6 +35,32 @@ void NameTheOther(const Term& term, int ordinal, std::vector<RawTerm>& out) {
   out.push_back(std::move(named));
 }
 
+// "One above the desk and the other above the bed": of those that the heading names, none being named here.
+bool StandsAlone(const std::vector<RawTerm>& raws, size_t at, const std::vector<RawTerm>& out) {
+  const auto relates = [&](size_t i) {
+    return i < raws.size() && raws[i].role == Role::kNone && raws[i].term.kind == Term::Kind::kWord;
+  };
+  if (!relates(at + 1) || raws[at].ordinal > 2 || raws[at + 1].term.IsWord("of")) return false;
+  const auto one = [&](const RawTerm& raw) {
+    return raw.role == Role::kOrdinal && raw.ordinal < 3 && relates(static_cast<size_t>(&raw - raws.data()) + 1);
+  };
+  const bool named = std::any_of(out.begin(), out.end(), [](const RawTerm& raw) {
+    return IsThing(raw) && raw.term.mention.references.back().candidates.size() > 1;
+  });
+  return !named && std::count_if(raws.begin(), raws.end(), one) == 2;
+}
+
+RawTerm OneOfHeading(const RawTerm& raw, int number) {
+  RawTerm named = raw;
+  named.role = Role::kNone;
+  named.term.kind = Term::Kind::kMention;
+  Reference reference;
+  reference.name = "one";
+  reference.ordinal = number;
+  named.term.mention.references = {std::move(reference)};
+  return named;
+}
+
 // "Each long side".
 std::string BothOf(const std::string& side) {
   if (side == "long_one") return "long_both";
@@ -56,10 +83,15 @@ std::vector<RawTerm> AttachQuantities(std::vector<RawTerm> raws) {
   bool other = false;
   Term other_term;
   int ordinal = 0;
+  int alone = 0;
   for (RawTerm& raw : raws) {
     if (raw.role == Role::kEach) {
       each = true;
       none = none || raw.negative;
+      continue;
+    }
+    if (raw.role == Role::kOrdinal && StandsAlone(raws, static_cast<size_t>(&raw - raws.data()), out)) {
+      out.push_back(OneOfHeading(raw, ++alone));
       continue;
     }
     if (raw.role == Role::kOrdinal) {

@@ -116,9 +116,9 @@ inline constexpr std::array<std::string_view, 25> kBetween = {
 inline constexpr std::array<std::string_view, 12> kDimensionWords = {
     "wide", "long", "deep", "high", "tall", "square", "thick", "width", "length", "height", "depth", "diameter"};
 
-inline constexpr std::array<std::string_view, 14> kSpaceWords = {
-    "pass", "walk", "legroom", "clearance", "space",        "gap",  "distance",
-    "room", "out",  "spacing", "clear",     "unobstructed", "free", "accessible"};
+inline constexpr std::array<std::string_view, 16> kSpaceWords = {
+    "open",     "opened", "pass", "walk",    "legroom", "clearance",    "space", "gap",
+    "distance", "room",   "out",  "spacing", "clear",   "unobstructed", "free",  "accessible"};
 
 inline constexpr std::array<std::string_view, 10> kGapWords = {
     "gap", "clearance", "separation", "buffer", "spacing", "space", "path", "pathway", "walkway", "passage"};

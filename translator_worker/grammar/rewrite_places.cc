@@ -91,7 +91,21 @@ void DropPlaceAfterFeature(std::vector<Term>& terms) {
   terms = std::move(out);
 }
 
+// "Center the stand opposite the sofa": the stand is, centred.
+void MoveCenteredBehindThing(std::vector<Term>& terms) {
+  for (size_t i = 0; i + 2 < terms.size(); ++i) {
+    const bool begins = i == 0 || terms[i - 1].kind == Term::Kind::kStop;
+    const bool thing = terms[i + 1].kind == Term::Kind::kMention && terms[i + 2].kind == Term::Kind::kWord &&
+                       terms[i + 1].mention.references.front().kind == RefKind::kObjects;
+    const bool imperative = terms[i].IsWord("centered") && terms[i].end - terms[i].begin <= 10;
+    if (begins && imperative && thing && !terms[i + 2].IsAnyWord({"not", "or", "of"}))
+      std::swap(terms[i], terms[i + 1]);
+  }
+}
+
 }  // namespace
+
+void BringPlacesFirst(std::vector<Term>& terms) { MoveCenteredBehindThing(terms); }
 
 void RewritePlaces(std::vector<Term>& terms) {
   DropPlaceAfterFeature(terms);

@@ -11,4 +11,7 @@ namespace flair::translator {
 // in the number of terms.
 void RewritePlaces(std::vector<Term>& terms);
 
+// What must be in place before other rewriting: "center the stand opposite the sofa" begins with the stand.
+void BringPlacesFirst(std::vector<Term>& terms);
+
 }  // namespace flair::translator

@@ -249,6 +249,7 @@ void DropLeadingCommas(std::vector<Term>& terms) {
 
 void RewriteTerms(std::vector<Term>& terms) {
   DropLeadingCommas(terms);
+  BringPlacesFirst(terms);
   RewriteClauses(terms);
   DropRepeatedWords(terms);
   DropSofteningOfNear(terms);

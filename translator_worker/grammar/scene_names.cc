@@ -44,6 +44,13 @@ std::string HeadOfCompound(const std::string& word) {
   return "";
 }
 
+// "Toy storage" of a toy storage unit, "vanity" of a vanity with sink: enough of a name.
+bool NamesByItself(const std::vector<std::string>& words, size_t length) {
+  static constexpr std::array<std::string_view, 4> kJoints = {"with", "and", "for", "of"};
+  const auto joint = [&](size_t i) { return std::find(kJoints.begin(), kJoints.end(), words[i]) != kJoints.end(); };
+  return joint(length) || (length > 1 && !joint(length - 1));
+}
+
 // What is named for where it is used, not for what it carries: "counter stool", "desk lamp".
 bool IsSeatOrLamp(const std::string& word) {
   static constexpr std::array<std::string_view, 9> kWords = {"chair", "stool", "bench", "seat",  "lamp",
@@ -67,7 +74,8 @@ bool SameStem(const std::string& a, const std::string& b) {
 std::vector<std::string> NameWords(const std::string& name) {
   std::vector<std::string> words;
   for (const Token& token : Tokenize(name)) {
-    if (token.kind != Token::Kind::kPunctuation) words.push_back(token.text);
+    // "Captain's desk" is found whether or not it is said so.
+    if (token.kind != Token::Kind::kPunctuation && !token.IsWord("'s")) words.push_back(token.text);
   }
   return words;
 }
@@ -91,7 +99,8 @@ SceneNames::SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1
     if (words.empty() || IsSeatOrLamp(words.back())) continue;
     for (size_t length = words.size() - (words.empty() ? 0 : 1); length > 0; --length) {
       const std::vector<std::string> front(words.begin(), words.begin() + static_cast<long>(length));
-      if (names_.count(absl::StrJoin(front, " ")) == 0 || front.front() == "storage") continue;
+      const bool furniture = names_.count(absl::StrJoin(front, " ")) != 0 && front.front() != "storage";
+      if (!furniture && !NamesByItself(words, length)) continue;
       Add(front, i, rank(objects.objects(i)) + kFrontRank);
       if (front.back() == "tv") Add({"television"}, i, rank(objects.objects(i)) + kFrontRank);
     }

@@ -109,6 +109,11 @@ bool Walk::EndsInNextSubject(size_t length) const {
   const bool own = side.kind == Term::Kind::kMention && side.mention.references.front().kind == RefKind::kPronoun &&
                    !side.mention.references.front().side.empty();
   const Term& verb = terms_[next];
+  // "Along a wall with the long side against it": of that wall.
+  const bool of_it = next + 1 < terms_.size() && verb.IsAnyWord({"against", "facing", "along"}) &&
+                     terms_[next + 1].kind == Term::Kind::kMention &&
+                     terms_[next + 1].mention.references.front().kind == RefKind::kPronoun;
+  if (of_it) return false;
   const bool goes_on = verb.kind == Term::Kind::kDistance ||
                        (verb.kind == Term::Kind::kWord && !verb.IsWord("or") && !verb.IsWord("of"));
   return own && goes_on;

@@ -93,6 +93,10 @@ void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
       composer.Refuse("not_about_layout", "say from which object it is reached");
       continue;
     }
+    if (target.kind == RefKind::kFeature && target.name == "door") {
+      composer.Refuse("not_about_layout", "ways from a door cannot be asked for; say how near it is");
+      continue;
+    }
     if (target.kind == RefKind::kFeature) {
       for (const Placed& mover : movers) {
         composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
@@ -155,6 +159,7 @@ std::vector<Rule> AccessRules() {
       {"A.side not block B.object", OfMovers},
       {"A.side not behind B.object", OfMovers},
       {"A.vague accessible/keep_clear/swing_open", Unreachable},
+      {"next_to/on A.vague accessible/keep_clear", Unreachable},
       {"A.vague keep_clear/accessible ,? to? swing_open", Unreachable},
       {"accessible_from A.vague", Unreachable},
       {"swing_open", OpensFully},

@@ -212,7 +212,7 @@ void NotFacingPair(const Match& match, std::string_view, Composer& composer) {
 void Angle(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   if (match.b != nullptr) composer.SetPair(movers, composer.TargetObjects(*match.b, movers));
-  composer.Refuse("not_expressible", "only parallel, facing and right angles can be asked for");
+  composer.Refuse("not_expressible", "only parallel, facing, right angles and places in front can be asked for");
 }
 
 void IntoRoom(const Match& match, std::string_view, Composer& composer) {
@@ -234,7 +234,9 @@ std::vector<Rule> AngleRules() {
       {"A? facing_away B", Facing, "not"},
       {"A? opposite B", Facing},
       {"A? on opposite B.side", OnOpposite},
-      {"A? opposite B.object away_from C.object", Across},
+      {"A? opposite/across B.object away_from C.object", Across},
+      {"A? centered_to B", Angle},
+      {"A? centered_to both_ways", Angle},
       {"A.side to B.object", SideTo},
       {"A.side not to B.object", SideTo, "not"},
       {"A? facing_each_other", EachOther},

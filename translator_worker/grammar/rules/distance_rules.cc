@@ -46,6 +46,12 @@ void AwayFrom(const Match& match, std::string_view tag, Composer& composer) {
     for (const Placed& mover : movers) KeepFreeBeside({mover.object, what.side}, nullptr, composer);
     return;
   }
+  // "The sides of the bed are 0.6 m from walls and furniture": space on both of them.
+  const bool both_sides = !movers.empty() && (movers.front().side == "sides" || movers.front().side.ends_with("both"));
+  if (both_sides && distance != nullptr && (what.kind == RefKind::kWall || what.kind == RefKind::kGroup)) {
+    for (const Placed& mover : movers) KeepFreeBeside(mover, distance, composer);
+    return;
+  }
   for (const Target& target : composer.Targets(*match.b, movers, false)) {
     for (const Placed& mover : movers) KeepAway(mover, target, distance, composer);
   }

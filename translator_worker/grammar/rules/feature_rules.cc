@@ -242,6 +242,7 @@ std::vector<Rule> FeatureRules() {
       {"B.feature not block", NotBlocked},
       {"B.feature accessible", FeatureAccessible},
       {"B.feature accessible near/next_to A.object", FeatureAccessible},
+      {"B.feature accessible/accessible_from on/at_sides/next_to/near? A.side", FeatureAccessible},
       {"space in_front_of B.feature keep_clear?", KeepClear},
       {"keep_front_clear B keep_clear?", KeepClear},
       {"A? under B.feature", UnderWindow},

@@ -128,6 +128,8 @@ void AtSide(const Match& match, std::string_view tag, Composer& composer) {
       }
       composer.rug_placed = true;
     } else if (composer.IsSurface(mover)) {
+      // "On the nightstand to the left of the bed": which nightstand.
+      if (composer.IsOnTop(mover)) continue;
       // "On the right side of the desk": near that edge of its top.
       for (const Placed& other : targets) {
         Call call = Call("on_top_corner").Text("object", composer.id(mover)).Text("host", composer.id(other));

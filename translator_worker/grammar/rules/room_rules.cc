@@ -27,7 +27,8 @@ void CentralIn(const Match& match, std::string_view, Composer& composer) {
   for (const Target& target : composer.Targets(*match.b, movers)) {
     for (const Placed& mover : movers) {
       const std::string& id = composer.id(mover);
-      if (target.kind == RefKind::kZone && target.objects.empty()) {
+      const bool furniture = composer.IsFloor(mover) && !composer.IsRug(mover);
+      if (target.kind == RefKind::kZone && (target.objects.empty() || furniture)) {
         composer.EmitFirst({Call("in_zone").Text("object", id).Text("zone", target.name)});
         continue;
       }

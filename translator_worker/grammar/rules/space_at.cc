@@ -35,6 +35,17 @@ void SpaceAt(const Match& match, std::string_view tag, Composer& composer) {
     return;
   }
   if (tag == "named" && match.b == nullptr && IsOfFeature(match.a, composer)) return;
+  // "No more than 0.3 m behind the chair": there it stands.
+  if (tag == "back" && match.a != nullptr && match.b != nullptr && match.distance != nullptr &&
+      !match.distance->min_m) {
+    const std::vector<Placed> movers = composer.Movers(match.a);
+    const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
+    for (const Placed& mover : movers) {
+      Beside(mover, targets, "back", composer);
+      for (const Placed& target : targets) KeepDistance(mover, target, match.distance, composer);
+    }
+    return;
+  }
   // "..., so they should have a separation of 0.5 m": from each other.
   const bool them = match.a != nullptr && match.a->references.front().kind == RefKind::kPronoun &&
                     match.a->references.front().name == "them" && match.a->references.front().side.empty();

@@ -22,8 +22,15 @@ void Against(const Match& match, std::string_view, Composer& composer) {
     Flank(movers, composer.TargetObjects(*match.b, movers), composer);
     return;
   }
-  for (const Target& target : composer.Targets(*match.b, movers)) {
+  for (Target target : composer.Targets(*match.b, movers)) {
+    // "Each chair is against the side of the table": not all of them against the same.
+    if (what.side == "side" && movers.size() > 2) {
+      for (Placed& other : target.objects) other.side.clear();
+    }
     for (Placed mover : movers) {
+      // "In a corner with two sides against walls": the corner says it.
+      const bool two = mover.side == "sides" || mover.side == "two_any" || mover.side == "opposite_two";
+      if (target.kind == RefKind::kWall && two && composer.IsInCorner(mover)) continue;
       if (match.c != nullptr && IsPlainSide(*match.c)) mover.side = match.c->references.front().side;
       if (target.kind == RefKind::kWall) {
         if (composer.IsWall(mover)) {
