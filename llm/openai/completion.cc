@@ -81,8 +81,8 @@ absl::Status Completion::Add(const json& object) {
   return absl::OkStatus();
 }
 
-bool Completion::AddText(std::string_view text) {
-  if (has_choice_) content_ += text;
+bool Completion::AddText(std::string_view text, bool thought) {
+  if (has_choice_) (thought ? thoughts_ : content_) += text;
   return has_choice_;
 }
 

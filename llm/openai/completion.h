@@ -19,8 +19,8 @@ class Completion {
   // was. DATA_LOSS when it is no object.
   absl::Status Add(const nlohmann::json& object);
 
-  // Adds to the text of the answer, when there was a choice before; else false.
-  bool AddText(std::string_view text);
+  // Adds to the text of the answer, or to what the model thought, when there was a choice before; else false.
+  bool AddText(std::string_view text, bool thought);
 
   // True when a choice said why it ended.
   bool finished() const { return !finish_.empty(); }

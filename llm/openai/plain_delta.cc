@@ -104,17 +104,33 @@ class Cursor {
   std::string_view rest_;
 };
 
-// A delta with a content and, at most, a role; anything else in it must be null.
-bool TakeDelta(Cursor& cursor, std::string_view& content) {
+// What a delta says, and under which names.
+struct Pieces {
+  // Empty where there is none, or null.
+  std::string_view content;
+  std::string_view reasoning_content;
+  std::string_view reasoning;
+};
+
+bool IsText(std::string_view string) { return string.size() > 2; }
+
+// A delta with a content or a thought and, at most, a role and the thought's details, which nobody reads; anything else
+// in it must be null.
+bool TakeDelta(Cursor& cursor, Pieces& pieces) {
+  const auto take = [&](std::string_view& piece) {
+    return piece.empty() && (cursor.TakeWord("null") || cursor.TakeString(piece));
+  };
   return cursor.TakeObject([&](std::string_view key) {
-    if (key == "\"content\"") return content.empty() && cursor.TakeString(content);
-    return cursor.TakeWord("null") || (key == "\"role\"" && cursor.Skip());
+    if (key == "\"content\"") return take(pieces.content);
+    if (key == "\"reasoning_content\"") return take(pieces.reasoning_content);
+    if (key == "\"reasoning\"") return take(pieces.reasoning);
+    return cursor.TakeWord("null") || ((key == "\"role\"" || key == "\"reasoning_details\"") && cursor.Skip());
   });
 }
 
-bool TakeChoice(Cursor& cursor, std::string_view& content) {
+bool TakeChoice(Cursor& cursor, Pieces& pieces) {
   return cursor.TakeObject([&](std::string_view key) {
-    if (key == "\"delta\"") return TakeDelta(cursor, content);
+    if (key == "\"delta\"") return TakeDelta(cursor, pieces);
     if (key == "\"index\"") return cursor.TakeWord("0");
     if (key == "\"finish_reason\"" || key == "\"message\"") return cursor.TakeWord("null");
     return cursor.Skip();
@@ -128,15 +144,20 @@ bool IsPlain(std::string_view text) {
 
 }  // namespace
 
-std::optional<std::string_view> PlainDelta(std::string_view chunk) {
+std::optional<DeltaPiece> PlainDelta(std::string_view chunk) {
   Cursor cursor(chunk);
-  std::string_view content;
+  Pieces pieces;
   const bool plain = cursor.TakeObject([&](std::string_view key) {
-    if (key == "\"choices\"") return cursor.Take('[') && TakeChoice(cursor, content) && cursor.Take(']');
+    if (key == "\"choices\"") return cursor.Take('[') && TakeChoice(cursor, pieces) && cursor.Take(']');
     if (key == "\"usage\"" || key == "\"error\"") return cursor.TakeWord("null");
     return cursor.Skip();
   });
-  return plain && cursor.AtEnd() && !content.empty() ? std::optional(content) : std::nullopt;
+  if (!plain || !cursor.AtEnd()) return std::nullopt;
+  const bool first = IsText(pieces.reasoning_content), second = IsText(pieces.reasoning);
+  // The same under two names, or an answer and a thought at once: the parser knows what counts.
+  if (first + second + IsText(pieces.content) > 1) return std::nullopt;
+  if (first || second) return DeltaPiece{first ? pieces.reasoning_content : pieces.reasoning, true};
+  return pieces.content.empty() ? std::nullopt : std::optional(DeltaPiece{pieces.content, false});
 }
 
 std::optional<std::string_view> PlainText(std::string_view json_string) {
@@ -144,10 +165,11 @@ std::optional<std::string_view> PlainText(std::string_view json_string) {
   return IsPlain(text) ? std::optional(text) : std::nullopt;
 }
 
-void RepeatedDelta::Learn(std::string_view chunk, std::string_view content) {
-  const size_t begin = static_cast<size_t>(content.data() - chunk.data()) + 1;
+void RepeatedDelta::Learn(std::string_view chunk, const DeltaPiece& piece) {
+  const size_t begin = static_cast<size_t>(piece.string.data() - chunk.data()) + 1;
   before_ = chunk.substr(0, begin);
-  after_ = chunk.substr(begin + content.size() - 2);
+  after_ = chunk.substr(begin + piece.string.size() - 2);
+  thought_ = piece.thought;
 }
 
 std::optional<std::string_view> RepeatedDelta::Text(std::string_view chunk) const {

@@ -17,9 +17,28 @@ constexpr char kOpenAi[] =
     R"("choices":[{"index":0,"delta":{"content":" b\"e}d"},"logprobs":null,"finish_reason":null}],"usage":null})";
 
 TEST(PlainDelta, FindsThePieceOfText) {
-  EXPECT_EQ(PlainDelta(kOpenAi), R"(" b\"e}d")");
-  EXPECT_EQ(PlainDelta(R"( { "choices" : [ { "delta" : { "role" : "assistant", "content" : "a" } } ] } )"), R"("a")");
-  EXPECT_EQ(PlainDelta(R"({"choices":[{"delta":{"content":"","refusal":null}}]})"), R"("")");
+  EXPECT_EQ(PlainDelta(kOpenAi), DeltaPiece(R"(" b\"e}d")"));
+  EXPECT_EQ(PlainDelta(R"( { "choices" : [ { "delta" : { "role" : "assistant", "content" : "a" } } ] } )"),
+            DeltaPiece(R"("a")"));
+  EXPECT_EQ(PlainDelta(R"({"choices":[{"delta":{"content":"","refusal":null}}]})"), DeltaPiece(R"("")"));
+  EXPECT_EQ(PlainDelta(R"({"choices":[{"delta":{"content":"a","reasoning":""}}]})"), DeltaPiece(R"("a")"));
+}
+
+TEST(PlainDelta, FindsThePieceOfThought) {
+  const DeltaPiece thought(R"("hm")", true);
+  for (const char* delta :
+       {R"({"reasoning_content":"hm"})", R"({"reasoning":"hm","content":null})",
+        R"({"reasoning_content":null,"reasoning":"hm"})", R"({"reasoning_content":"hm","reasoning":""})",
+        R"({"content":"","reasoning":"hm"})",
+        R"({"role":"assistant","content":"","reasoning":"hm","reasoning_details":[{"text":"hm","index":0}]})"}) {
+    EXPECT_EQ(PlainDelta(R"({"choices":[{"index":0,"delta":)" + std::string(delta) + "}]}"), thought) << delta;
+  }
+  // The same under two names, or both at once: which counts is the parser's to say.
+  for (const char* delta :
+       {R"({"reasoning_content":"hm","reasoning":"hm"})", R"({"content":"a","reasoning":"hm"})",
+        R"({"reasoning":["hm"]})", R"({"content":"a","content":null})", R"({"reasoning_details":[]})"}) {
+    EXPECT_EQ(PlainDelta(R"({"choices":[{"index":0,"delta":)" + std::string(delta) + "}]}"), std::nullopt) << delta;
+  }
 }
 
 TEST(PlainDelta, LeavesChunksWithAnythingElseToTheParser) {
@@ -52,7 +71,7 @@ TEST(PlainDelta, NeverDiffersFromTheParser) {
       const auto delta = PlainDelta(chunk);
       if (object.is_discarded() || !delta.has_value()) continue;
       ++found_count;
-      EXPECT_EQ(json::parse(*delta, nullptr, false), object["choices"][0]["delta"]["content"]) << chunk;
+      EXPECT_EQ(json::parse(delta->string, nullptr, false), object["choices"][0]["delta"]["content"]) << chunk;
     }
   }
   EXPECT_GT(found_count, 100);
@@ -80,6 +99,15 @@ TEST(RepeatedDelta, FindsTheTextOfAChunkThatDiffersInNothingElse) {
         R"({"id":"c-1","choices":[{"index":0,"delta":{"content":")" + text + R"("},"finish_reason":null}]})";
     EXPECT_EQ(repeated.Text(chunk), text);
   }
+}
+
+TEST(RepeatedDelta, TellsThoughtsFromAnswers) {
+  EXPECT_FALSE(Learnt().thought());
+  const std::string chunk = R"({"choices":[{"delta":{"content":"","reasoning":"a"}}]})";
+  RepeatedDelta repeated;
+  repeated.Learn(chunk, PlainDelta(chunk).value());
+  EXPECT_EQ(repeated.Text(R"({"choices":[{"delta":{"content":"","reasoning":"bc"}}]})"), "bc");
+  EXPECT_TRUE(repeated.thought());
 }
 
 TEST(RepeatedDelta, LeavesAnythingElseToPlainDelta) {

@@ -58,13 +58,13 @@ absl::Status ReplyReader::TakeEvent(std::string_view data) {
 }
 
 bool ReplyReader::AddPlainDelta(std::string_view json_text) {
-  if (const auto text = repeated_.Text(json_text)) return completion_.AddText(*text);
-  const auto content = PlainDelta(json_text);
-  if (!content.has_value()) return false;
-  repeated_.Learn(json_text, *content);
-  if (const auto text = PlainText(*content)) return completion_.AddText(*text);
-  const nlohmann::json text = ParseJson(*content);
-  return text.is_string() && completion_.AddText(text.get_ref<const std::string&>());
+  if (const auto text = repeated_.Text(json_text)) return completion_.AddText(*text, repeated_.thought());
+  const auto piece = PlainDelta(json_text);
+  if (!piece.has_value()) return false;
+  repeated_.Learn(json_text, *piece);
+  if (const auto text = PlainText(piece->string)) return completion_.AddText(*text, piece->thought);
+  const nlohmann::json text = ParseJson(piece->string);
+  return text.is_string() && completion_.AddText(text.get_ref<const std::string&>(), piece->thought);
 }
 
 absl::Status ReplyReader::Add(std::string_view json_text) {
