@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_split.h"
+#include "absl/strings/strip.h"
 #include "llm/answers/answer_lines.h"
 #include "llm/answers/answer_members.h"
 #include "llm/answers/field_facts.h"
+#include "llm/answers/plain_value.h"
 
 namespace flair::llm {
 namespace {
@@ -66,16 +69,42 @@ json ObjectsOf(const json& value, const Descriptor& type, const FieldChoices& ch
   return elements.empty() ? json::array({value}) : elements;
 }
 
-// Names in one text are several when the text is none.
+// Lines of a text without what marks them as a list.
+json LinesOf(const std::string& text) {
+  json lines = json::array();
+  for (absl::string_view line : absl::StrSplit(text, '\n')) {
+    line = absl::StripAsciiWhitespace(line);
+    const size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
+    if (digits > 0 && digits < 3 && (line.substr(digits, 2) == ". " || line.substr(digits, 2) == ") ")) {
+      line.remove_prefix(digits + 2);
+    }
+    for (const absl::string_view mark : {"- ", "* ", "• "}) absl::ConsumePrefix(&line, mark);
+    if (!line.empty()) lines.push_back(std::string(line));
+  }
+  return lines;
+}
+
+// Names in one text are several when the text is none; other texts are in lines.
 json TextsOf(const json& value, const Choices* choices) {
-  if (!value.is_string() || choices == nullptr) return json::array({value});
+  if (!value.is_string()) return json::array({value});
   const auto& text = value.get_ref<const std::string&>();
+  if (choices == nullptr) return text.find('\n') == std::string::npos ? json::array({value}) : LinesOf(text);
   if (FindChoice(text, *choices)) return json::array({value});
   json names = json::array();
-  for (const absl::string_view name : absl::StrSplit(text, absl::ByAnyChar(",;&+"))) {
+  for (const absl::string_view name : absl::StrSplit(text, absl::ByAnyChar(",;&+\n"))) {
     names.push_back(std::string(absl::StripAsciiWhitespace(name)));
   }
   return names;
+}
+
+// Whether a name is a choice of some field of a type.
+bool IsChoiceOf(const std::string& name, const Descriptor& type, const FieldChoices& choices) {
+  for (int i = 0; i < type.field_count(); ++i) {
+    if (!IsText(*type.field(i))) continue;
+    const FieldTexts texts(*type.field(i), choices);
+    if (texts.get() != nullptr && FindChoice(name, *texts.get())) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -83,8 +112,39 @@ json TextsOf(const json& value, const Choices* choices) {
 json ElementsOf(const json& value, const FieldDescriptor& list, const FieldChoices& choices) {
   if (FactsOf(list).line()) return ListOfLines(value, *list.message_type());
   if (value.is_array()) return value;
+  if (value.is_string() && !FactsOf(list).notation()) {
+    if (const json inner = JsonIn(value.get_ref<const std::string&>()); !inner.is_null()) {
+      return ElementsOf(inner, list, choices);
+    }
+  }
   if (list.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) return ObjectsOf(value, *list.message_type(), choices);
   return TextsOf(value, FieldTexts(list, choices).get());
+}
+
+json MembersByChoice(const json& object, const FieldDescriptor& list, const FieldChoices& choices) {
+  if (!object.is_object() || list.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) return nullptr;
+  json members;
+  for (const auto& [name, member] : object.items()) {
+    if (!member.is_structured() || !IsChoiceOf(name, *list.message_type(), choices)) continue;
+    json alone = json::object();
+    alone[name] = nullptr;
+    if (!HasAnyMember(alone, *list.containing_type())) members[name] = member;
+  }
+  return members;
+}
+
+json ObjectOfText(const std::string& text, const Descriptor& type) {
+  if (json inner = JsonIn(text); inner.is_object()) return inner;
+  if (type.field_count() != 2 || !IsText(*type.field(0)) || !IsText(*type.field(1))) return nullptr;
+  for (const std::string_view between : {": ", " - ", " – ", " — "}) {
+    const size_t at = text.find(between);
+    if (at == std::string::npos || at == 0) continue;
+    json object = json::object();
+    object[type.field(0)->name()] = text.substr(0, at);
+    object[type.field(1)->name()] = text.substr(at + between.size());
+    return object;
+  }
+  return nullptr;
 }
 
 }  // namespace flair::llm

@@ -8,6 +8,7 @@
 
 #include "llm/answers/choices.h"
 #include "llm/answers/field_facts.h"
+#include "llm/answers/plain_value.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::llm {
@@ -79,8 +80,13 @@ bool Has(const json& object, const std::string& name) {
 json ListOfLines(const json& value, const Descriptor& type) {
   json list = json::array();
   const auto add = [&](const json& item) {
-    list.push_back(item.is_string() ? FromLine(item.get_ref<const std::string&>(), type) : item);
+    // The object of an element as a text of its own.
+    const json inner = item.is_string() ? JsonIn(item.get_ref<const std::string&>()) : json();
+    const bool line = item.is_string() && !inner.is_object();
+    list.push_back(line ? FromLine(item.get_ref<const std::string&>(), type) : item.is_string() ? inner : item);
   };
+  const json whole = value.is_string() ? JsonIn(value.get_ref<const std::string&>()) : json();
+  if (whole.is_structured()) return ListOfLines(whole, type);
   if (value.is_string()) {
     std::string_view text = value.get_ref<const std::string&>();
     while (!text.empty()) {
@@ -108,7 +114,8 @@ json AnswerOfLines(std::string_view answer, const Descriptor& type, const FieldC
     const FieldTexts texts(*type.field(0)->message_type()->field(0), choices);
     while (!answer.empty()) {
       const size_t end = std::min(answer.find('\n'), answer.size());
-      if (IsLineOf(answer.substr(0, end), texts.get())) lines.push_back(ToUtf8(answer.substr(0, end)));
+      const std::string line = PlainSpaces(ToUtf8(answer.substr(0, end)));
+      if (IsLineOf(line, texts.get())) lines.push_back(line);
       answer.remove_prefix(std::min(end + 1, answer.size()));
     }
   }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
+#include <optional>
+#include <utility>
 
 #include "llm/answers/choices.h"
 #include "llm/answers/field_facts.h"
@@ -34,43 +34,77 @@ std::string BareKey(const std::string& key) {
   return name;
 }
 
-Member OwnMember(const json& object, const FieldDescriptor& field) {
-  if (const auto found = object.find(field.name()); found != object.end()) return {&*found};
-  const std::string& unit = FactsOf(field).unit();
-  const std::vector<std::string> stems = StemsOf(field);
-  for (const auto& [key, value] : object.items()) {
-    const std::string name = BareKey(key);
-    for (const std::string& stem : stems) {
-      if (!name.starts_with(stem)) continue;
-      const std::string_view rest = std::string_view(name).substr(stem.size());
-      if (rest.empty() || rest == unit) return {&value};
-      if (const std::string_view other = unit.empty() ? "" : UnitNamed(rest, unit); !other.empty()) {
-        return {&value, other};
-      }
-    }
+// Whether a bare name is one of these stems, alone or with a unit behind it; nothing when it is none, else the unit
+// that it says, empty for the field's own.
+std::optional<std::string_view> UnitIfNamed(std::string_view name, const std::vector<std::string>& stems,
+                                            std::string_view unit) {
+  for (const std::string& stem : stems) {
+    if (!name.starts_with(stem)) continue;
+    const std::string_view rest = name.substr(stem.size());
+    if (rest.empty() || rest == unit) return std::string_view();
+    if (const std::string_view other = unit.empty() ? "" : UnitNamed(rest, unit); !other.empty()) return other;
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace
 
-Member FindMember(const json& object, const FieldDescriptor& field) {
-  if (!object.is_object()) return {};
-  if (const Member own = OwnMember(object, field); own.value != nullptr) return own;
-  const Descriptor& type = *field.containing_type();
-  for (const auto& [key, value] : object.items()) {
-    if (!value.is_object()) continue;
-    const json alone = json::object({{key, nullptr}});
-    if (HasAnyMember(alone, type)) continue;
-    if (const Member inner = OwnMember(value, field); inner.value != nullptr) return inner;
+void Members::ReadNames() {
+  if (std::exchange(names_read_, true)) return;
+  names_.reserve(value_.size());
+  for (const auto& [key, value] : value_.items()) names_.push_back({BareKey(key), &value});
+}
+
+Member Members::FindOwn(const FieldDescriptor& field) {
+  if (!value_.is_object()) return {};
+  if (const auto found = value_.find(field.name()); found != value_.end()) return {&*found};
+  ReadNames();
+  if (names_.empty()) return {};
+  const std::vector<std::string> stems = StemsOf(field);
+  for (const Named& member : names_) {
+    const std::optional<std::string_view> unit = UnitIfNamed(member.name, stems, FactsOf(field).unit());
+    if (unit) return {member.value, *unit};
   }
   return {};
 }
 
+Member Members::Find(const FieldDescriptor& field) {
+  if (const Member own = FindOwn(field); own.value != nullptr) return own;
+  if (!value_.is_object()) return {};
+  if (!std::exchange(inner_read_, true)) {
+    std::vector<std::vector<std::string>> stems;
+    for (int i = 0; i < type_.field_count(); ++i) stems.push_back(StemsOf(*type_.field(i)));
+    for (const Named& member : names_) {
+      if (!member.value->is_object()) continue;
+      bool for_a_field = false;
+      for (int i = 0; i < type_.field_count(); ++i) {
+        const std::string& unit = FactsOf(*type_.field(i)).unit();
+        for_a_field = for_a_field || UnitIfNamed(member.name, stems[static_cast<size_t>(i)], unit).has_value();
+      }
+      if (!for_a_field) inner_.emplace_back(*member.value, type_);
+    }
+  }
+  for (Members& inner : inner_) {
+    if (const Member found = inner.FindOwn(field); found.value != nullptr) return found;
+  }
+  return {};
+}
+
+Member FindMember(const json& object, const FieldDescriptor& field) {
+  return Members(object, *field.containing_type()).Find(field);
+}
+
+int CountMembers(const json& value, const Descriptor& type) {
+  Members members(value, type);
+  int count = 0;
+  for (int i = 0; i < type.field_count(); ++i) count += members.FindOwn(*type.field(i)).value != nullptr ? 1 : 0;
+  return count;
+}
+
 bool HasAnyMember(const json& value, const Descriptor& type) {
-  if (!value.is_object()) return false;
+  Members members(value, type);
   for (int i = 0; i < type.field_count(); ++i) {
-    if (OwnMember(value, *type.field(i)).value != nullptr) return true;
+    if (members.FindOwn(*type.field(i)).value != nullptr) return true;
   }
   return false;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "llm/answers/answer_members.h"
 
@@ -47,26 +48,40 @@ std::optional<json> Inner(const json& member) {
   return inner.is_structured() ? std::optional(std::move(inner)) : std::nullopt;
 }
 
-// The object with fields of the type that a value is or wraps; none when there is none, or several.
+// Whether an object is certainly of a type: by two of its fields, or its only one.
+bool IsClearly(const json& value, const Descriptor& type) {
+  return CountMembers(value, type) >= std::min(2, type.field_count());
+}
+
+// The object with fields of the type that a value is or wraps; none when there is none, or several. Of a call,
+// {"name": "answer", "arguments": {...}}, the arguments, though a type may have a name.
 std::optional<json> Wrapped(const json& value, const Descriptor& type, int wrappers = 0) {
-  if (HasAnyMember(value, type)) return value;
+  if (IsClearly(value, type)) return value;
+  const bool has_one = HasAnyMember(value, type);
   const bool wrapper = value.is_object() || (value.is_array() && value.size() == 1);
-  if (!wrapper || wrappers == kMostWrappers) return std::nullopt;
+  if (!wrapper || wrappers == kMostWrappers) return has_one ? std::optional(value) : std::nullopt;
   std::optional<json> wrapped;
   for (const json& member : value) {
+    if (member.is_array() && member.size() != 1) continue;
     const std::optional<json> inner = Inner(member);
     std::optional<json> found = inner ? Wrapped(*inner, type, wrappers + 1) : std::nullopt;
-    if (found && wrapped) return std::nullopt;
+    if (found && has_one && !IsClearly(*found, type)) continue;
+    if (found && wrapped) return has_one ? std::optional(value) : std::nullopt;
     if (found) wrapped = std::move(found);
   }
-  return wrapped;
+  return has_one && !wrapped ? std::optional(value) : std::move(wrapped);
 }
 
 }  // namespace
 
-json AnswerRoot(const json& value, const Descriptor& type) {
+json AnswerRoot(json value, const Descriptor& type) {
+  if (IsClearly(value, type)) return value;
   if (std::optional<json> wrapped = Wrapped(value, type)) return *std::move(wrapped);
-  if (const FieldDescriptor* const list = ListFor(value, type)) return json::object({{list->name(), value}});
+  if (const FieldDescriptor* const list = ListFor(value, type)) {
+    json root = json::object();
+    root[list->name()] = std::move(value);
+    return root;
+  }
   // A list beside remarks.
   std::optional<json> root;
   if (!value.is_object()) return value;

@@ -3,7 +3,7 @@
 
 #include <google/protobuf/descriptor.h>
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 namespace flair::llm {
 
@@ -11,6 +11,6 @@ namespace flair::llm {
 // object in it, when it is a wrapper, as "{"answer": {...}}" and "[{...}]" are, also with its JSON as a text; else a
 // list of the type's, when it is elements of that: a list alone, one element alone, elements by name, a list beside
 // remarks. Else the value itself.
-nlohmann::json AnswerRoot(const nlohmann::json& value, const google::protobuf::Descriptor& type);
+nlohmann::json AnswerRoot(nlohmann::json value, const google::protobuf::Descriptor& type);
 
 }  // namespace flair::llm

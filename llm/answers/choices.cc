@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "llm/answers/utf8.h"
+
 namespace flair::llm {
 namespace {
 
@@ -27,11 +29,12 @@ std::string WithoutPlural(std::string text) {
 }
 
 // Its words in lower case and in the singular.
-std::set<std::string> WordsOf(std::string_view text) {
+std::set<std::string> WordsOf(std::string_view written) {
+  const std::string text = PlainMarks(written);
   std::set<std::string> words;
   std::string word;
   for (size_t i = 0; i <= text.size(); ++i) {
-    const std::string bare = i < text.size() ? Bare(text.substr(i, 1)) : "";
+    const std::string bare = i < text.size() ? Bare(std::string_view(text).substr(i, 1)) : "";
     word += bare;
     if (bare.empty() && !word.empty()) words.insert(WithoutPlural(std::exchange(word, {})));
   }
@@ -53,7 +56,7 @@ std::string Bare(std::string_view text) {
 }
 
 std::optional<std::string> FindChoice(std::string_view text, const Choices& choices) {
-  const std::string bare = Bare(text);
+  const std::string bare = Bare(PlainMarks(text));
   if (bare.empty()) return std::nullopt;
   for (const std::string& name : choices.names) {
     if (name == text) return name;

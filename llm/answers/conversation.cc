@@ -268,7 +268,8 @@ void Conversation::PrepareRepair(Turn& turn) const {
   turn.request.step += "/repair";
   std::vector<Fault> asked = turn.first_reply.faults;
   if (!turn.question->repaired_whole) turn.part = FaultyElements(asked, *turn.first_reply.answer);
-  std::string first_answer = ToUtf8(turn.first_answer);
+  // No characters that a server, or what it keeps its messages in, might trip over.
+  std::string first_answer = WithoutControls(ToUtf8(turn.first_answer), "\n\t");
   if (turn.part) {
     const google::protobuf::Message& answer = *turn.first_reply.answer;
     asked = NumberedInPart(asked, *turn.part);

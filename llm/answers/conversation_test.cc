@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "flair/model/v1/room_answers.pb.h"
+#include "llm/answers/utf8.h"
 #include "llm/client/fake_llm_client.h"
 
 namespace flair::llm {
@@ -95,6 +96,20 @@ TEST_F(ConversationTest, ARepairQuotesTheFaultsAndTheElementsThatTheyAreIn) {
   ASSERT_EQ(talk.calls().size(), 2U);
   EXPECT_THAT(talk.calls()[0].faults(), ElementsAre("zones[1].purpose: is missing; a text would be right"));
   EXPECT_THAT(talk.calls()[1].faults(), IsEmpty());
+}
+
+TEST_F(ConversationTest, ARepairHasNoControlCharacters) {
+  for (const std::string first : {std::string("{\"zones\":[\x1b[31m\0\r\n\t\"a\x7f", 22),
+                                  std::string("{\"zones\":[{\"name\x07\":\"a\x01\\u0000\"},{\"purpose\":5}]}")}) {
+    FakeLlmClient client;
+    client.Answer("zones", first);
+    client.Answer("zones/repair", kGood);
+    ASSERT_TRUE(Conversation(client, prompts_, options_, call_).Ask(Ask()).ok());
+    const std::vector<Message> messages = client.requests().at(1).messages;
+    for (const Message& message : messages) {
+      EXPECT_EQ(WithoutControls(message.text, "\n\t"), message.text);
+    }
+  }
 }
 
 TEST_F(ConversationTest, ARepairOfTheWholeQuotesTheFaultsAndTheFirstAnswer) {

@@ -51,6 +51,7 @@ bool BeginsWithKey(std::string_view text) {
 bool LooksLikeJson(std::string_view text, size_t start) {
   const size_t next = text.find_first_not_of(" \t\r\n", start + 1);
   if (next == std::string_view::npos || QuoteLength(text.substr(next)) > 0) return true;
+  if (text.substr(next).starts_with("# ")) return true;
   if (text[start] == '{') return text[next] == '}' || text[next] == '/' || BeginsWithKey(text.substr(next));
   return std::string_view("{[-0123456789tfn]/").find(text[next]) != std::string_view::npos;
 }
@@ -61,7 +62,7 @@ json Parse(const std::string& text, Fault& fault) {
     return json::parse(text);
   } catch (const json::parse_error& error) {
     const size_t byte = std::min(error.byte, text.size());
-    const std::string place = ScanJson(std::string_view(text).substr(0, byte), 0).path;
+    const std::string place = ScanJson(CutCharacters(text, byte), 0).path;
     const size_t from = byte > 20 ? byte - 20 : 0;
     fault.text = fmt::format("is no valid JSON{}{}, near {}; plain JSON with double quotes would be right",
                              place.empty() ? "" : " at ", place, Quoted(std::string_view(text).substr(from, 40)));
@@ -116,11 +117,14 @@ class Search {
     const JsonScan scan = ScanJson(text, at);
     Fault fault;
     if (scan.end == JsonScan::End::kComplete) {
-      json value = Parse(scan.json, fault);
+      // What is wrong is told of the first alone.
+      json value = fault_ ? json::parse(scan.json, nullptr, /*allow_exceptions=*/false) : Parse(scan.json, fault);
       if (value.is_discarded()) {
         if (!fault_) fault_ = fault;
       } else {
-        Offer(std::move(value));
+        // An empty list among other things is a part of something that is no JSON.
+        const bool alone = text.find_first_of("{[") == at && text.find_first_of("{[", scan.stop) == text.npos;
+        if (!value.is_array() || !value.empty() || alone) Offer(std::move(value));
       }
       return scan.stop;
     }
@@ -139,7 +143,7 @@ class Search {
                              Quoted(text.substr(text.size() > 30 ? text.size() - 30 : 0)));
     json value = scan.salvaged.empty() ? json(json::value_t::discarded) : Parse(scan.salvaged, fault);
     if (!value.is_discarded()) {
-      fault.kind = FaultKind::kDoubtful;
+      fault.kind = scan.only_unclosed ? FaultKind::kMended : FaultKind::kDoubtful;
       salvaged_ = std::move(value);
       fault_ = fault;
     } else if (!fault_) {
@@ -181,7 +185,7 @@ ExtractedJson ExtractJson(std::string_view answer, std::span<const std::string> 
   if (answer.size() > kMostBytes) {
     return no_value(fmt::format("has {} bytes; at most {}", answer.size(), kMostBytes));
   }
-  const std::string good = ToUtf8(answer);
+  const std::string good = PlainSpaces(ToUtf8(answer));
   const std::string_view text = Trimmed(WithoutThoughts(good));
   if (text.empty()) return no_value("is empty; one JSON object would be right");
   if (IsHtml(text)) return no_value(fmt::format("is an HTML page, {}; one JSON object would be right", Quoted(text)));

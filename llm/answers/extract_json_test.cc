@@ -48,6 +48,10 @@ INSTANTIATE_TEST_SUITE_P(
         {"ByteOrderMark", "\xEF\xBB\xBF" + kGood, kGood, ""},
         {"TrailingCommas", R"({"zones":[{"name":"sleeping",},],})", kGood, ""},
         {"Comments", "{ // the plan\n\"zones\": [ /* one */ {\"name\": \"sleeping\"} ] }", kGood, ""},
+        {"CommentsWithHashes", "{ # the plan\n\"zones\": [ # one\n {\"name\": \"sleeping\"} # ok\n]}", kGood, ""},
+        {"ColoursAreNoComments", "{\"zones\":[#7A8B6F]}", R"({"zones":["#7A8B6F"]})", ""},
+        {"AnEmptyListAloneIsTheAnswer", "Nothing to change: []", "[]", ""},
+        {"AnEmptyListInWhatIsNoJsonIsNone", "{= zones: []}", "", "has no JSON"},
         {"CommentMarksInsideAString", R"({"zones":["a // b, ] /* c */"]})", R"({"zones":["a // b, ] /* c */"]})", ""},
         {"LineEndInsideAString", "{\"zones\":[\"a\nb\"]}", R"({"zones":["a\nb"]})", ""},
         {"BracketsInsideAString", R"({"zones":["}]{["]})", R"({"zones":["}]{["]})", ""},
@@ -81,6 +85,14 @@ INSTANTIATE_TEST_SUITE_P(
         {"ElementsAlone", R"({"name":"a"}
 {"name":"b"})",
          R"([{"name":"a"},{"name":"b"}])", ""},
+        {"OnlyTheLastBracketIsMissing", R"({"zones":[{"name":"sleeping"}])", kGood, "ended"},
+        {"ACommaBehindTheLastIsNotTheEnd", R"({"zones":[{"name":"sleeping"}],)", kGood, "ended"},
+        {"SpacesAndMarksNobodySees", "\u200e{\u00a0\"zones\":\u3000[{\"name\":\u202f\"sleeping\u200f\"}]\u2028}\u2060",
+         kGood, ""},
+        {"FullWidthMarks", "{\"zones\"：[{\"name\"：\"sleeping\"，\"n\"：1，\"m\"：2.5}，2，3]}",
+         R"({"zones":[{"m":2.5,"n":1,"name":"sleeping"},2,3]})", ""},
+        {"FullWidthMarksInATextStay", "{\"zones\":[\"a：b，c\"]}", "{\"zones\":[\"a：b，c\"]}", ""},
+        {"ControlCharactersBetweenValues", std::string("{\"zones\":\0[\x01{\"name\":\"sleeping\"}]}", 35), kGood, ""},
         {"MissingColon", R"({"zones" [1]})", "", "ended inside"},
         {"WrongBracket", R"({"zones":[{"name":"a"}})", "", "a bracket that does not match inside zones"},
         {"HugeNumber", R"({"zones":1e999})", R"({"zones":"1e999"})", ""},
@@ -115,6 +127,24 @@ TEST(ExtractJson, FaultsAreGoodTextWhereverTheyQuote) {
         for (const Fault& fault : ExtractJson(part, kKeys).faults) EXPECT_EQ(ToUtf8(fault.text), fault.text) << part;
       }
       EXPECT_EQ(ToUtf8(Quoted(whole.substr(start))), Quoted(whole.substr(start)));
+    }
+  }
+}
+
+TEST(ExtractJson, WhatLacksItsLastBracketAloneIsWhole) {
+  EXPECT_EQ(ExtractJson(R"({"zones":[1],"x":{"y":2} )", kKeys).faults.at(0).kind, FaultKind::kMended);
+  EXPECT_EQ(ExtractJson(R"({"zones":[1],"x":{"y":2)", kKeys).faults.at(0).kind, FaultKind::kWrong);
+  EXPECT_EQ(ExtractJson(R"({"zones":[{}],"x":2)", kKeys).faults.at(0).kind, FaultKind::kDoubtful) << "or 25";
+  EXPECT_EQ(ExtractJson(R"({"zones":[{}, {})", kKeys).faults.at(0).kind, FaultKind::kDoubtful) << "or more of them";
+}
+
+TEST(ExtractJson, FaultsHaveNoControlCharactersAndNoHalfCharacters) {
+  for (const std::string text : {"{\"zo\nnes\x7f\":[{\"a\": ]", "{'a\tb': [1}", "[1,{\"\xC3\xA4\xC3\xB6\" {} }]",
+                                 "{\"zones\":[{},{\xEF\xBF\xBD \"a\":,}]}"}) {
+    for (size_t length = 1; length <= text.size(); ++length) {
+      for (const Fault& fault : ExtractJson(text.substr(0, length), kKeys).faults) {
+        EXPECT_EQ(WithoutControls(ToUtf8(fault.text)), fault.text) << text;
+      }
     }
   }
 }

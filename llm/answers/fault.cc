@@ -94,10 +94,7 @@ std::string Quoted(std::string_view value) {
   std::string text = ToUtf8(value.substr(0, kMostBytes + 4));
   const bool cut = value.size() > kMostBytes + 4 || text.size() > kMostBytes;
   if (text.size() > kMostBytes) text = CutCharacters(text, kMostBytes);
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  }
-  return fmt::format("\"{}{}\"", text, cut ? "…" : "");
+  return fmt::format("\"{}{}\"", WithoutControls(std::move(text)), cut ? "…" : "");
 }
 
 std::string WithoutQuotations(std::string_view text) {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr size_t kMostNesting = 64;
 
-bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+// Control characters too: they mean nothing between values.
+bool IsSpace(char c) { return static_cast<unsigned char>(c) <= ' '; }
 
 class Scanner {
  public:
@@ -22,11 +23,14 @@ class Scanner {
   JsonScan Scan() {
     JsonScan scan;
     for (; at_ < text_.size(); ++at_) {
-      const char c = text_[at_];
-      if (IsSpace(c) || (c == '/' && SkipComment())) {
+      const char full_width = FullWidthMark(text_.substr(at_));
+      if (full_width != 0) at_ += 2;
+      const char c = full_width != 0 ? full_width : text_[at_];
+      if (IsSpace(c) || ((c == '/' || c == '#') && SkipComment())) {
         scan.json += ' ';
       } else if (c == ',') {
         comma_ = true;
+        closed_last_ = false;
         if (!frames_.empty()) EndElement(frames_.back());
       } else if (c == ':') {
         scan.json += c;
@@ -55,7 +59,13 @@ class Scanner {
     scan.end = at_ < text_.size() ? JsonScan::End::kBroken : JsonScan::End::kTruncated;
     scan.stop = at_ < text_.size() ? at_ + 1 : at_;
     scan.path = Path();
-    if (scan.end == JsonScan::End::kTruncated && whole_ > 0) scan.salvaged = scan.json.substr(0, whole_) + closers_;
+    if (scan.end != JsonScan::End::kTruncated) return scan;
+    scan.only_unclosed = frames_.size() == 1 && frames_.front().bracket == '{' && closed_last_;
+    if (scan.only_unclosed) {
+      scan.salvaged = scan.json + '}';
+    } else if (whole_ > 0) {
+      scan.salvaged = scan.json.substr(0, whole_) + closers_;
+    }
     return scan;
   }
 
@@ -89,7 +99,7 @@ class Scanner {
     Frame& frame = frames_.back();
     if (frame.bracket == '{' && frame.key.empty()) {
       constexpr size_t kMostKey = 40;
-      frame.key = content.empty() ? "?" : CutCharacters(content, kMostKey);
+      frame.key = content.empty() ? "?" : WithoutControls(CutCharacters(content, kMostKey));
     } else {
       frame.ended = true;
     }
@@ -97,6 +107,7 @@ class Scanner {
 
   void Close(char c, JsonScan& scan) {
     comma_ = false;
+    closed_last_ = true;
     scan.json += c;
     frames_.pop_back();
     if (frames_.empty()) return;
@@ -109,20 +120,23 @@ class Scanner {
 
   // Copies the string, number or word that begins here; at_ ends on its last byte.
   void ReadText(std::string& json) {
+    closed_last_ = false;
     BeginValue(json);
     const std::string_view rest = text_.substr(at_);
     // In a list alone a word is rather prose: "[as asked]".
     const bool within_object = !frames_.empty() && frames_.front().bracket == '{';
-    const JsonWord word = QuoteLength(rest) > 0 ? ReadQuoted(rest) : ReadBare(rest, within_object);
-    json += word.json;
+    const JsonWord word = QuoteLength(rest) > 0 ? ReadQuoted(rest, json) : ReadBare(rest, within_object, json);
     EndValue(word.content);
     at_ += word.length - 1;
   }
 
-  // "// ..." to the end of the line and "/* ... */"; at_ ends on its last byte.
+  // "// ..." and "# ..." to the end of the line and "/* ... */"; at_ ends on its last byte.
   bool SkipComment() {
     if (at_ + 1 >= text_.size()) return false;
-    if (text_[at_ + 1] == '/') {
+    // "#7A8B6F" is a value.
+    const bool hash = text_[at_] == '#';
+    if (hash && !IsSpace(text_[at_ + 1])) return false;
+    if (hash || text_[at_ + 1] == '/') {
       while (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') ++at_;
       return true;
     }
@@ -148,8 +162,9 @@ class Scanner {
   size_t at_;
   std::vector<Frame> frames_;
   bool comma_ = false;
-  size_t whole_ = 0;     // length of the JSON up to the last whole list element; 0 for none
-  std::string closers_;  // what closes it there
+  bool closed_last_ = false;  // the last of it, but for space, was a closing bracket
+  size_t whole_ = 0;          // length of the JSON up to the last whole list element; 0 for none
+  std::string closers_;       // what closes it there
 };
 
 }  // namespace

@@ -22,6 +22,9 @@ struct JsonScan {
   std::string path;
   // When truncated: the value up to the last list element that is whole, closed; empty when there is none.
   std::string salvaged;
+  // Truncated behind a whole list or object of the root object: nothing but its own bracket is missing, which
+  // `salvaged` has.
+  bool only_unclosed = false;
 };
 
 // Scans the bracket at `start` ('{' or '[') to its end. Linear in the text.

@@ -30,6 +30,17 @@ const Marks* MarksAt(std::string_view text) {
   return found == kMarks.end() ? nullptr : &*found;
 }
 
+// Bytes at the start that are of no mark, escape or control character.
+size_t PlainLength(std::string_view text) {
+  size_t length = 0;
+  for (; length < text.size(); ++length) {
+    const auto c = static_cast<unsigned char>(text[length]);
+    // Typographic marks begin with 0xE2.
+    if (c < 0x20 || c == '"' || c == '\'' || c == '\\' || c == 0xE2) break;
+  }
+  return length;
+}
+
 // Bytes of the closing mark at the start; 0 for none.
 size_t ClosingLength(std::string_view text, const Marks& marks) {
   for (const std::string_view close : marks.close) {
@@ -43,6 +54,7 @@ bool EndsString(std::string_view behind) {
   const size_t next = behind.find_first_not_of(" \t\r\n");
   if (next == std::string_view::npos) return true;
   if (std::string_view(",:}]").find(behind[next]) != std::string_view::npos) return true;
+  if (FullWidthMark(behind.substr(next)) != 0) return true;
   if (behind.substr(next).starts_with("//") || behind.substr(next).starts_with("/*")) return true;
   return behind.substr(0, next).find('\n') != std::string_view::npos;
 }
@@ -82,7 +94,7 @@ size_t CopyEscape(std::string_view text, std::string& json) {
   return 6;
 }
 
-bool IsNumber(const std::string& text) {
+bool IsNumber(std::string_view text) {
   const char first = text.front();
   return (first == '-' || (first >= '0' && first <= '9')) && nlohmann::json::accept(text);
 }
@@ -102,51 +114,59 @@ size_t QuoteLength(std::string_view text) {
   return marks == nullptr ? 0 : marks->open.size();
 }
 
-JsonWord ReadQuoted(std::string_view text) {
+char FullWidthMark(std::string_view text) {
+  if (text.starts_with("，")) return ',';
+  return text.starts_with("：") ? ':' : '\0';
+}
+
+JsonWord ReadQuoted(std::string_view text, std::string& json) {
   const Marks& marks = *MarksAt(text);
-  JsonWord word;
-  word.json = "\"";
+  json += '"';
   size_t at = marks.open.size();
   while (at < text.size()) {
+    // What needs no second look.
+    const size_t plain = PlainLength(text.substr(at));
+    json += text.substr(at, plain);
+    at += plain;
+    if (at == text.size()) break;
     const std::string_view rest = text.substr(at);
     const size_t closing = ClosingLength(rest, marks);
     if (closing > 0 && EndsString(rest.substr(closing))) {
-      word.json += '"';
-      word.content = text.substr(marks.open.size(), at - marks.open.size());
-      word.length = at + closing;
-      return word;
+      json += '"';
+      return {text.substr(marks.open.size(), at - marks.open.size()), at + closing};
     }
     const char c = rest.front();
     if (c == '\\') {
-      at += CopyEscape(rest, word.json);
+      at += CopyEscape(rest, json);
       continue;
     }
     if (static_cast<unsigned char>(c) < 0x20) {
-      word.json += fmt::format("\\u{:04x}", static_cast<int>(c));
+      json += fmt::format("\\u{:04x}", static_cast<int>(c));
     } else if (c == '"') {
-      word.json += "\\\"";
+      json += "\\\"";
     } else {
-      word.json += c;
+      json += c;
     }
     ++at;
   }
-  word.content = text.substr(marks.open.size());
-  word.length = text.size();
-  return word;
+  return {text.substr(marks.open.size()), text.size()};
 }
 
-JsonWord ReadBare(std::string_view text, bool quoted) {
+JsonWord ReadBare(std::string_view text, bool quoted, std::string& json) {
   size_t end = 1;
   while (end < text.size() && std::string_view(",:{}[]\"\r\n").find(text[end]) == std::string_view::npos &&
-         !text.substr(end).starts_with("//") && !text.substr(end).starts_with("/*")) {
+         !text.substr(end).starts_with("//") && !text.substr(end).starts_with("/*") &&
+         FullWidthMark(text.substr(end)) == 0) {
     ++end;
   }
   while (end > 1 && (text[end - 1] == ' ' || text[end - 1] == '\t')) --end;
-  JsonWord word{std::string(text.substr(0, end)), text.substr(0, end), end};
+  const JsonWord word{text.substr(0, end), end};
   if (const std::string_view known = KnownWord(word.content); !known.empty()) {
-    word.json = known;
-  } else if (quoted && !IsNumber(word.json)) {
-    word.json = nlohmann::json(word.json).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    json += known;
+  } else if (quoted && !IsNumber(word.content)) {
+    json += nlohmann::json(word.content).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  } else {
+    json += word.content;
   }
   return word;
 }

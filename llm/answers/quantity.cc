@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/answers/quantity.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <numbers>
 #include <string>
+
+#include "llm/answers/utf8.h"
 
 namespace flair::llm {
 namespace {
@@ -63,12 +66,29 @@ bool TakePrefix(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-// Lower case, primes as quotes.
-std::string Plain(std::string_view text) {
+// Fractions that are one character.
+struct Fraction {
+  std::string_view character;
+  std::string_view plain;
+};
+constexpr std::array kFractions = std::to_array<Fraction>(
+    {{"½", " 1/2"}, {"¼", " 1/4"}, {"¾", " 3/4"}, {"⅓", " 1/3"}, {"⅔", " 2/3"}, {"⅛", " 1/8"}, {"⁄", "/"}});
+
+// Lower case, primes as quotes, fractions as people type them.
+std::string Plain(std::string_view written) {
   std::string plain;
+  const std::string text = PlainSpaces(ToUtf8(written));
   for (size_t i = 0; i < text.size(); ++i) {
-    const std::string_view rest = text.substr(i);
-    if (rest.starts_with("′") || rest.starts_with("’")) {
+    const std::string_view rest = std::string_view(text).substr(i);
+    const auto* const fraction =
+        std::ranges::find_if(kFractions, [&](const Fraction& known) { return rest.starts_with(known.character); });
+    if (fraction != kFractions.end()) {
+      plain += fraction->plain;
+      i += fraction->character.size() - 1;
+    } else if (rest.starts_with("−")) {
+      plain += '-';
+      i += 2;
+    } else if (rest.starts_with("′") || rest.starts_with("’")) {
       plain += '\'';
       i += 2;
     } else if (rest.starts_with("″") || rest.starts_with("”")) {
@@ -81,6 +101,19 @@ std::string Plain(std::string_view text) {
   return plain;
 }
 
+// "3/4" at the start, of whole numbers up to 99.
+std::optional<double> TakeFraction(std::string_view& text) {
+  int above = 0, below = 0;
+  const char* const end = text.data() + text.size();
+  const auto [bar, bad_above] = std::from_chars(text.data(), end, above);
+  if (bad_above != std::errc() || bar == end || *bar != '/') return std::nullopt;
+  const auto [stop, bad_below] = std::from_chars(bar + 1, end, below);
+  constexpr int kMost = 99;
+  if (bad_below != std::errc() || above < 1 || above > kMost || below < 2 || below > kMost) return std::nullopt;
+  text.remove_prefix(static_cast<size_t>(stop - text.data()));
+  return static_cast<double>(above) / below;
+}
+
 // A number at the start: digits with a point, or with a comma before one or two decimals.
 std::optional<double> TakeNumber(std::string_view& text) {
   double value = 0;
@@ -90,7 +123,17 @@ std::optional<double> TakeNumber(std::string_view& text) {
   const char last = *(end - 1);
   if (!IsDigit(last) && last != '.') return std::nullopt;
   const std::string_view number = text.substr(0, static_cast<size_t>(end - text.data()));
+  if (const std::optional<double> fraction = TakeFraction(text)) return fraction;
   text.remove_prefix(number.size());
+  // "1 1/2"
+  if (std::ranges::all_of(number, IsDigit) && text.starts_with(' ')) {
+    std::string_view rest = text;
+    SkipSpace(rest);
+    if (const std::optional<double> fraction = TakeFraction(rest); fraction && *fraction < 1) {
+      text = rest;
+      return value + *fraction;
+    }
+  }
   if (!text.starts_with(',')) return value;
   size_t decimals = 1;
   while (decimals < text.size() && IsDigit(text[decimals])) ++decimals;
@@ -102,6 +145,15 @@ std::optional<double> TakeNumber(std::string_view& text) {
     return std::nullopt;
   }
   return value;
+}
+
+// "two", alone or before a space.
+std::optional<double> TakeWord(std::string_view& text) {
+  const std::string_view word = text.substr(0, text.find(' '));
+  const auto* const found = std::ranges::find(kWords, word);
+  if (found == kWords.end()) return std::nullopt;
+  text.remove_prefix(word.size());
+  return static_cast<double>(found - kWords.begin());
 }
 
 // The factor of the unit's name at the start; nothing when it is none of `unit`.
@@ -152,13 +204,9 @@ std::optional<double> ReadQuantity(std::string_view written, std::string_view un
   std::string_view text = plain;
   SkipSpace(text);
   SkipAbout(text);
-  if (unit.empty()) {
-    for (size_t i = 0; i < kWords.size(); ++i) {
-      if (text == kWords[i]) return static_cast<double>(i);
-    }
-  }
   TakePrefix(text, "+");
-  std::optional<double> value = TakeNumber(text);
+  std::optional<double> value = TakeWord(text);
+  if (!value) value = TakeNumber(text);
   if (!value) return std::nullopt;
   SkipSpace(text);
   if (const std::optional<double> factor = TakeUnit(text, unit)) {
@@ -189,6 +237,24 @@ std::optional<double> ReadCount(std::string_view written) {
   }
   for (const std::string_view things : {"x", "×", "pieces", "piece", "pcs", "pc", "units", "unit", "items", "item"}) {
     if (text.ends_with(things)) return ReadQuantity(text.substr(0, text.size() - things.size()), "");
+  }
+  return std::nullopt;
+}
+
+std::optional<QuantityRange> ReadRange(std::string_view written, std::string_view unit) {
+  if (written.size() > 60) return std::nullopt;
+  const std::string plain = PlainMarks(Plain(written));
+  for (const std::string_view between : {" to ", " or ", "-", ".."}) {
+    const size_t at = plain.find(between);
+    if (at == 0 || at == std::string::npos) continue;
+    std::string first = plain.substr(0, at);
+    const std::string second = plain.substr(at + between.size());
+    const std::optional<double> most = ReadQuantity(second, unit);
+    // A unit behind the second number is that of both.
+    const size_t digits = second.find_last_of("0123456789");
+    if (digits != std::string::npos && ReadQuantity(first, "")) first += second.substr(digits + 1);
+    const std::optional<double> least = ReadQuantity(first, unit);
+    if (least && most && *least >= 0 && *least <= *most) return QuantityRange{*least, *most};
   }
   return std::nullopt;
 }

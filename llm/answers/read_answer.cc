@@ -14,7 +14,9 @@
 #include "llm/answers/answer_root.h"
 #include "llm/answers/extract_json.h"
 #include "llm/answers/field_facts.h"
+#include "llm/answers/plain_value.h"
 #include "llm/answers/read_number.h"
+#include "llm/answers/utf8.h"
 #include "llm/answers/written_size.h"
 #include "worker_runtime/text/counted.h"
 
@@ -32,7 +34,7 @@ constexpr int kMostCharacters = 400;
 // One line without space around it; line ends and other control characters become spaces.
 std::string OneLine(const std::string& text) {
   std::string line;
-  for (const char c : text) {
+  for (const char c : PlainSpaces(text)) {
     const bool space = static_cast<unsigned char>(c) <= 0x20 || c == 0x7F;
     if (!space) {
       line += c;
@@ -44,12 +46,13 @@ std::string OneLine(const std::string& text) {
   return line;
 }
 
-// Cuts valid UTF-8 to `most` characters; false when it has no more.
+// Cuts valid UTF-8 to `most` characters, and the space that it then ends in; false when it has no more.
 bool CutTo(int most, std::string& text) {
   int count = 0;
   for (size_t i = 0; i < text.size(); ++i) {
     if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80 && ++count > most) {
       text.resize(i);
+      if (text.back() == ' ') text.pop_back();
       return true;
     }
   }
@@ -66,7 +69,8 @@ class Reader {
   void ReadRoot(const json& value, ProtoMessage& message) {
     const google::protobuf::Descriptor& type = *message.GetDescriptor();
     bool any = !value.is_object();
-    for (int i = 0; i < type.field_count(); ++i) any = any || FindMember(value, *type.field(i)).value != nullptr;
+    Members members(value, type);
+    for (int i = 0; i < type.field_count(); ++i) any = any || members.Find(*type.field(i)).value != nullptr;
     if (any) {
       ReadMessage(value, "", message);
     } else {
@@ -76,16 +80,27 @@ class Reader {
 
   void ReadMessage(const json& value, const std::string& path, ProtoMessage& message) {
     const google::protobuf::Descriptor& type = *message.GetDescriptor();
+    if (value.is_string()) {
+      const json object = ObjectOfText(value.get_ref<const std::string&>(), type);
+      if (object.is_object()) return ReadMessage(object, path, message);
+    }
     if (!value.is_object()) {
       Wrong(path, fmt::format("is {}; an object with {} would be right", Shown(value), FieldNames(type)));
       return;
     }
+    const std::optional<LengthUnit> unit = UnitOf(value, type);
+    const LengthUnit* const outer_unit = std::exchange(bare_unit_, unit ? &*unit : bare_unit_);
     const std::optional<json> sized = WithWrittenSize(value, type);
+    Members members(sized ? *sized : value, type);
     for (int i = 0; i < type.field_count(); ++i) {
       const FieldDescriptor& field = *type.field(i);
-      ReadField(FindMember(sized ? *sized : value, field), field,
-                path.empty() ? field.name() : path + "." + field.name(), message);
+      const std::string at = path.empty() ? field.name() : path + "." + field.name();
+      const Member member = members.Find(field);
+      const json by_choice =
+          field.is_repeated() && member.value == nullptr ? MembersByChoice(value, field, choices_) : json();
+      ReadField(by_choice.is_null() ? member : Member{&by_choice}, field, at, message);
     }
+    bare_unit_ = outer_unit;
   }
 
  private:
@@ -102,7 +117,8 @@ class Reader {
   void ReadField(const Member& member, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const bool absent = member.value == nullptr || member.value->is_null();
     if (field.is_repeated()) {
-      ReadList(absent ? json::array() : *member.value, field, path, message);
+      static const json nothing = json::array();
+      ReadList(absent ? nothing : *member.value, field, path, message);
     } else if (absent) {
       ReadNothing(field, path, message);
     } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
@@ -126,7 +142,9 @@ class Reader {
 
   void ReadList(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const model::v1::FieldFacts& facts = FactsOf(field);
-    const json list = ElementsOf(value, field, choices_);
+    const bool plain = value.is_array() && !facts.line();
+    const json made = plain ? json() : ElementsOf(value, field, choices_);
+    const json& list = plain ? value : made;
     const int most = facts.max_items() > 0 ? facts.max_items() : kMostItems;
     const int count = static_cast<int>(list.size());
     if (count < facts.min_items()) {
@@ -146,6 +164,7 @@ class Reader {
   }
 
   void ReadScalar(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
+    if (const json* const plain = PlainValueOf(value, field)) return ReadScalar(*plain, field, path, message);
     // One value in a list is that value.
     if (value.is_array() && value.size() == 1 && !value[0].is_structured() && !FactsOf(field).notation()) {
       return ReadScalar(value[0], field, path, message);
@@ -179,7 +198,10 @@ class Reader {
     std::string text = OneLine(value.is_string() ? value.get<std::string>()
                                                  : value.dump(-1, ' ', false, json::error_handler_t::replace));
     const FieldTexts texts(field, choices_);
-    if (field.has_optional_keyword() && SaysNothing(value) && !IsOneOf(text, texts)) text.clear();
+    if (field.has_optional_keyword() && value.is_string() && SaysNothing(std::string_view(text)) &&
+        !IsOneOf(text, texts)) {
+      text.clear();
+    }
     if (text.empty()) return field.has_optional_keyword() || notation ? text : wrong();
     if (texts.get() != nullptr) {
       std::optional<std::string> chosen = FindChoice(text, *texts.get());
@@ -208,8 +230,8 @@ class Reader {
     if (value.is_boolean()) return value.get<bool>();
     if (value.is_number()) return value.get<double>() != 0;
     const std::string word = value.is_string() ? Bare(value.get<std::string>()) : "";
-    if (word == "true" || word == "yes") return true;
-    if (word != "false" && word != "no") {
+    if (word == "true" || word == "yes" || word == "y" || word == "1") return true;
+    if (word != "false" && word != "no" && word != "n" && word != "0") {
       Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
     }
     return false;
@@ -248,16 +270,17 @@ class Reader {
   }
 
   const FieldChoices& choices_;
-  const LengthUnit* const bare_unit_;
+  // Of lengths without one, where the answer now is.
+  const LengthUnit* bare_unit_;
   std::vector<Fault> faults_;
 };
 
 }  // namespace
 
-std::vector<Fault> ReadJson(const json& value, const FieldChoices& choices, ProtoMessage& message,
+std::vector<Fault> ReadJson(json value, const FieldChoices& choices, ProtoMessage& message,
                             const LengthUnit* bare_unit) {
   Reader reader(choices, bare_unit);
-  reader.ReadRoot(AnswerRoot(value, *message.GetDescriptor()), message);
+  reader.ReadRoot(AnswerRoot(std::move(value), *message.GetDescriptor()), message);
   return reader.TakeFaults();
 }
 
@@ -277,7 +300,8 @@ std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choic
     extracted.faults = {{"", "has lines instead of JSON", FaultKind::kMended}};
   }
   std::vector<Fault> faults = std::move(extracted.faults);
-  for (Fault& fault : ReadJson(extracted.value, choices, message, bare_unit)) faults.push_back(std::move(fault));
+  for (Fault& fault : ReadJson(std::move(extracted.value), choices, message, bare_unit))
+    faults.push_back(std::move(fault));
   return faults;
 }
 

@@ -3,7 +3,7 @@
 
 #include <google/protobuf/message.h>
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
@@ -20,8 +20,8 @@ namespace flair::llm {
 // another case or with spaces, null or nothing for what may be absent, one element where a list is wanted, an outer
 // object or a list alone around or instead of the root. Lengths without a unit are in `bare_unit`, or metres when it is
 // null. Pure; any value is good input.
-std::vector<Fault> ReadJson(const nlohmann::json& value, const FieldChoices& choices,
-                            google::protobuf::Message& message, const LengthUnit* bare_unit = nullptr);
+std::vector<Fault> ReadJson(nlohmann::json value, const FieldChoices& choices, google::protobuf::Message& message,
+                            const LengthUnit* bare_unit = nullptr);
 
 // ExtractJson with the fields of a type.
 ExtractedJson ExtractAnswer(std::string_view answer, const google::protobuf::Descriptor& type);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "absl/strings/ascii.h"
+#include "llm/answers/choices.h"
 #include "llm/answers/field_facts.h"
 #include "llm/answers/quantity.h"
 
@@ -34,6 +35,27 @@ std::optional<std::string> QuantityText(const json& value) {
   return plain ? std::optional(fmt::format("{} {}", *plain, unit->get_ref<const std::string&>())) : std::nullopt;
 }
 
+// What a range means: fewest of things, the middle of lengths. Nothing for other texts.
+std::optional<double> OfRange(const json& value, const google::protobuf::FieldDescriptor& field) {
+  const std::string& unit = FactsOf(field).unit();
+  if (!value.is_string()) return std::nullopt;
+  const std::optional<QuantityRange> range = ReadRange(value.get_ref<const std::string&>(), unit);
+  if (!range) return std::nullopt;
+  return IsWhole(field) ? range->least : (range->least + range->most) / 2;
+}
+
+// A share of one in words: "50%", "center".
+std::optional<double> ShareOf(const json& value, const NumberRange& range) {
+  if (!value.is_string() || range.least != 0 || range.most != 1) return std::nullopt;
+  std::string_view text = value.get_ref<const std::string&>();
+  const std::string word = Bare(text);
+  if (word == "center" || word == "centre" || word == "middle" || word == "centered") return 0.5;
+  if (!text.ends_with('%')) return std::nullopt;
+  text.remove_suffix(1);
+  const std::optional<double> percent = ReadQuantity(text, "");
+  return percent ? std::optional(*percent / 100) : std::nullopt;
+}
+
 }  // namespace
 
 std::string Shown(const json& value) {
@@ -49,8 +71,11 @@ std::optional<double> PlainNumber(const json& value) {
 }
 
 bool SaysNothing(const json& value) {
-  if (!value.is_string()) return false;
-  const std::string word = absl::AsciiStrToLower(absl::StripAsciiWhitespace(value.get_ref<const std::string&>()));
+  return value.is_string() && SaysNothing(std::string_view(value.get_ref<const std::string&>()));
+}
+
+bool SaysNothing(std::string_view text) {
+  const std::string word = absl::AsciiStrToLower(absl::StripAsciiWhitespace({text.data(), text.size()}));
   constexpr std::string_view kWords[] = {"", "-", "n/a", "na", "nil", "none", "null", "unknown", "not applicable"};
   return std::ranges::find(kWords, word) != std::end(kWords);
 }
@@ -66,8 +91,20 @@ std::optional<double> ReadNumber(const json& value, const google::protobuf::Fiel
   const bool converts = bare_unit != nullptr && unit == "m";
   if (number && converts && PlainNumber(value)) *number *= bare_unit->metres;
   const NumberRange range = RangeOf(field);
+  if (!number) number = ShareOf(value, range);
+  const std::optional<double> of_range = number ? std::nullopt : OfRange(value, field);
+  if (of_range) {
+    number = of_range;
+    if (converts && ReadRange(value.get_ref<const std::string&>(), "")) *number *= bare_unit->metres;
+  }
   const bool whole = !IsWhole(field) || (number && *number == std::floor(*number));
-  if (number && std::isfinite(*number) && whole && *number >= range.least && *number <= range.most) return number;
+  if (number && std::isfinite(*number) && whole && *number >= range.least && *number <= range.most) {
+    if (of_range) {
+      faults.push_back({path, fmt::format("is {}; one number would be right; taken as {:g}", Shown(value), *number),
+                        FaultKind::kMended});
+    }
+    return number;
+  }
   // No choices: those are for texts.
   std::string fault = fmt::format("is {}; {} would be right", Shown(value), RightFor(field, {}));
   std::optional<double> length_m;

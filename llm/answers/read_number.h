@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "llm/answers/fault.h"
@@ -22,6 +23,7 @@ std::optional<double> PlainNumber(const nlohmann::json& value);
 
 // A text that says that there is nothing: "N/A".
 bool SaysNothing(const nlohmann::json& value);
+bool SaysNothing(std::string_view text);
 
 // The number of a field, with or without a unit, in the field's own; nothing, and a fault, when it is none that the
 // field may have. Lengths without a unit are in `bare_unit`, or metres when that is null; then numbers beyond all

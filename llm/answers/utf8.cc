@@ -2,6 +2,7 @@
 #include "llm/answers/utf8.h"
 
 #include <algorithm>
+#include <span>
 
 namespace flair::llm {
 namespace {
@@ -23,16 +24,67 @@ size_t CharacterAt(std::string_view text, size_t at) {
   return follows(at + 1) && follows(at + 2) && follows(at + 3) ? 4 : 0;
 }
 
+// A stretch of characters with the same first two bytes, by the third.
+struct Stretch {
+  std::string_view start;
+  unsigned char least, most;
+  std::string_view plain;
+};
+
+constexpr Stretch kSpaces[] = {
+    {"\xC2", 0xA0, 0xA0, " "},    {"\xC2", 0xAD, 0xAD, ""},      {"\xE2\x80", 0x80, 0x8A, " "},
+    {"\xE2\x80", 0x8B, 0x8B, ""}, {"\xE2\x80", 0x8E, 0x8F, ""},  {"\xE2\x80", 0xA8, 0xA9, "\n"},
+    {"\xE2\x80", 0xAA, 0xAE, ""}, {"\xE2\x80", 0xAF, 0xAF, " "}, {"\xE2\x81", 0x9F, 0x9F, " "},
+    {"\xE2\x81", 0xA0, 0xA0, ""}, {"\xE2\x81", 0xA6, 0xA9, ""},  {"\xE3\x80", 0x80, 0x80, " "},
+    {"\xEF\xBB", 0xBF, 0xBF, ""}};
+
+constexpr Stretch kMarks[] = {{"\xE2\x80", 0x90, 0x95, "-"},
+                              {"\xE2\x80", 0x98, 0x9B, "'"},
+                              {"\xE2\x80", 0x9C, 0x9F, "\""},
+                              {"\xE2\x88", 0x92, 0x92, "-"}};
+
+std::string Replaced(std::string_view text, std::span<const Stretch> stretches) {
+  std::string plain;
+  plain.reserve(text.size());
+  for (size_t i = 0; i < text.size();) {
+    const size_t length = CharacterAt(text, i);
+    const std::string_view character = text.substr(i, length == 0 ? 1 : length);
+    const auto found = std::ranges::find_if(stretches, [&](const Stretch& stretch) {
+      const auto last = static_cast<unsigned char>(character.back());
+      return character.size() == stretch.start.size() + 1 && character.starts_with(stretch.start) &&
+             last >= stretch.least && last <= stretch.most;
+    });
+    plain += found == stretches.end() ? character : found->plain;
+    i += character.size();
+  }
+  return plain;
+}
+
+bool IsAscii(std::string_view text) {
+  return std::ranges::none_of(text, [](char c) { return (static_cast<unsigned char>(c) & 0x80) != 0; });
+}
+
 }  // namespace
+
+std::string PlainSpaces(std::string text) { return IsAscii(text) ? text : Replaced(text, kSpaces); }
+
+std::string PlainMarks(std::string_view text) { return IsAscii(text) ? std::string(text) : Replaced(text, kMarks); }
 
 std::string ToUtf8(std::string_view text) {
   std::string good;
+  good.reserve(text.size());
+  size_t copied = 0;
   for (size_t i = 0; i < text.size();) {
-    const size_t length = CharacterAt(text, i);
-    good += length == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(i, length);
-    i += std::max<size_t>(length, 1);
+    if (static_cast<unsigned char>(text[i]) < 0x80) {
+      ++i;
+    } else if (const size_t length = CharacterAt(text, i); length > 0) {
+      i += length;
+    } else {
+      good.append(text, copied, i - copied) += "\xEF\xBF\xBD";
+      copied = ++i;
+    }
   }
-  return good;
+  return good.append(text, copied);
 }
 
 std::string CutCharacters(std::string_view text, size_t most) {
@@ -44,6 +96,14 @@ std::string CutCharacters(std::string_view text, size_t most) {
 
 std::string CutBytes(const std::string& text, size_t most) {
   return text.size() <= most ? text : CutCharacters(text, most) + " …";
+}
+
+std::string WithoutControls(std::string text, std::string_view kept) {
+  for (char& c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    if (control && kept.find(c) == std::string_view::npos) c = ' ';
+  }
+  return text;
 }
 
 }  // namespace flair::llm

@@ -15,4 +15,14 @@ std::string CutCharacters(std::string_view text, size_t most);
 // The same, with " …" behind it when it was longer.
 std::string CutBytes(const std::string& text, size_t most);
 
+// Good UTF-8 with spaces and line ends of all kinds as ASCII's, and without characters that nobody sees: byte order
+// marks, soft hyphens, marks of direction. What joins letters stays.
+std::string PlainSpaces(std::string text);
+
+// Good UTF-8 with hyphens, dashes and quotes of all kinds as ASCII's.
+std::string PlainMarks(std::string_view text);
+
+// With spaces in the place of control characters, but for those of `kept`.
+std::string WithoutControls(std::string text, std::string_view kept = {});
+
 }  // namespace flair::llm

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/ascii.h"
@@ -158,19 +159,53 @@ std::optional<json> MembersOf(std::vector<Part> parts, std::string_view unit) {
   return members;
 }
 
-// The unit in a name for sizes: "" for "size", "cm" for "dimensions_cm"; nothing for other names.
-std::optional<std::string_view> UnitOfSizeKey(const std::string& key) {
+// What a name for sizes says of them.
+struct SizeKey {
+  std::string_view unit;  // "cm" of "dimensions_cm"
+  // The order of the lengths, by kFields: "hwd" of "dimensions (HxWxD)". Empty when it says none.
+  std::vector<size_t> order;
+};
+
+// "hxwxd", "hwd", "heightxwidth": each field once.
+std::vector<size_t> OrderIn(std::string_view rest) {
+  std::vector<size_t> order;
+  while (!rest.empty()) {
+    if (rest.front() == 'x') rest.remove_prefix(1);
+    const SizeWord* longest = nullptr;
+    for (const SizeWord& word : kSizeWords) {
+      if (rest.starts_with(word.word) && (longest == nullptr || word.word.size() > longest->word.size()))
+        longest = &word;
+    }
+    if (longest == nullptr || std::ranges::find(order, longest->field) != order.end()) return {};
+    order.push_back(longest->field);
+    rest.remove_prefix(longest->word.size());
+  }
+  return order;
+}
+
+// Nothing for other names.
+std::optional<SizeKey> SizeKeyOf(const std::string& key) {
   const std::string name = Bare(key);
   for (const std::string_view stem :
        {"dimensions", "dimension", "dims", "dim", "size", "measurements", "footprint", "extent", "extents"}) {
     if (!name.starts_with(stem)) continue;
     std::string_view rest = std::string_view(name).substr(stem.size());
-    if (rest.empty() || rest == "wdh" || rest == "wxdxh" || rest == "widthdepthheight") return std::string_view();
-    if (const std::string_view unit = UnitNamed(rest, "m"); !unit.empty()) return unit;
+    if (rest.empty()) return SizeKey{};
+    if (std::vector<size_t> order = OrderIn(rest); !order.empty()) return SizeKey{{}, std::move(order)};
+    if (const std::string_view unit = UnitNamed(rest, "m"); !unit.empty()) return SizeKey{unit, {}};
     if (!rest.starts_with("in")) continue;
-    if (const std::string_view unit = UnitNamed(rest.substr(2), "m"); !unit.empty()) return unit;
+    if (const std::string_view unit = UnitNamed(rest.substr(2), "m"); !unit.empty()) return SizeKey{unit, {}};
   }
   return std::nullopt;
+}
+
+// Parts that nothing else names by an order; none when there are not as many.
+std::vector<Part> InOrder(std::vector<Part> parts, const std::vector<size_t>& order) {
+  const bool named = std::ranges::any_of(parts, [](const Part& part) { return part.field < 3; });
+  if (order.empty() || named) return parts;
+  if (parts.size() != order.size()) return {};
+  for (size_t i = 0; i < parts.size(); ++i) parts[i].field = order[i];
+  return parts;
 }
 
 // "w", "d" and "h" among other members.
@@ -186,20 +221,21 @@ json LettersOf(const json& object) {
 
 std::optional<json> WithWrittenSize(const json& object, const Descriptor& type) {
   if (!object.is_object()) return std::nullopt;
+  Members written(object, type);
   for (const std::string_view name : {kFields[0], kFields[1]}) {
     const auto* const field = type.FindFieldByName(std::string(name));
-    if (field == nullptr || FindMember(object, *field).value != nullptr) return std::nullopt;
+    if (field == nullptr || written.Find(*field).value != nullptr) return std::nullopt;
   }
   std::optional<json> members = MembersOf(PartsOf(LettersOf(object)), "");
   for (const auto& [key, member] : object.items()) {
-    const std::optional<std::string_view> unit = UnitOfSizeKey(key);
-    if (!members && unit) members = MembersOf(PartsOf(member), *unit);
+    const std::optional<SizeKey> size = members ? std::nullopt : SizeKeyOf(key);
+    if (size) members = MembersOf(InOrder(PartsOf(member), size->order), size->unit);
   }
   if (!members) return std::nullopt;
   json sized = object;
   for (const auto& [key, member] : members->items()) {
     const auto* const field = type.FindFieldByName(key);
-    if (field != nullptr && FindMember(object, *field).value == nullptr) sized[key] = member;
+    if (field != nullptr && written.Find(*field).value == nullptr) sized[key] = member;
   }
   return sized;
 }

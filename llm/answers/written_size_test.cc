@@ -40,6 +40,9 @@ TEST(WrittenSize, IsReadWhereItsMeaningIsPlain) {
            R"("size": "1.6 m wide, 2 m deep, 0.5 m high")",
            R"("footprint": "1.6 x 2 m", "height_m": 0.5)",
            R"("size": "1600 x 2000 x 500 mm")",
+           R"x("Dimensions (HxWxD)": "0.5 x 1.6 x 2 m")x",
+           R"x("size_lwh": [2, 1.6, 0.5])x",
+           R"("dimensions_height_width_depth": "50 x 160 x 200 cm")",
        }) {
     FloorObjectsAnswer answer;
     const std::vector<Fault> faults = ReadBed(members, answer);
@@ -64,6 +67,8 @@ TEST(WrittenSize, StaysAFaultWhereItMightMeanSomethingElse) {
            R"("dimensions": [1.6, null, 0.5])",
            R"("dimensions": [[1.6], [2], [0.5]])",
            R"("size": "queen")",
+           R"x("size (HxWxD)": "1.6 x 2")x",
+           R"x("size (HxWxH)": "1.6 x 2 x 0.5")x",
            R"("size": 3.2)",
        }) {
     FloorObjectsAnswer answer;

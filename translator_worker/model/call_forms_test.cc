@@ -72,11 +72,14 @@ TEST_F(ModelTranslatorTest, LinesAreUnderstoodHoweverTheyAreWritten) {
        {R"x({"sentences": ["s1: against_wall(table)"]})x", R"x({"sentences": ["S1 against_wall(table)."]})x",
         R"x(["- s1: against_wall(table)"])x", R"x({"sentences": {"s1": ["against_wall(table)"]}})x",
         R"x({"sentences": ["s1: [\"against_wall(table)\"]"]})x",
-        R"x({"sentences": [{"id": "s1", "calls": "against_wall(table)", "refusal": null}]})x"}) {
+        R"x({"sentences": [{"id": "s1", "calls": "against_wall(table)", "refusal": null}]})x",
+        R"x({"sentences": [{"id": 1, "calls": ["against_wall(table)"]}]})x",
+        R"x({"sentences": [{"id": "Sentence 1", "calls": ["against_wall(table)"]}]})x",
+        R"x({"sentences": {"1": "against_wall(table)"}})x"}) {
     const v1::LayoutGraph graph = TranslateIntra(answer);
     EXPECT_THAT(Types(graph), ElementsAre("against_wall", "surround", "on")) << answer;
   }
-  EXPECT_THAT(model_->requests(), SizeIs(18)) << "none of them is asked about";
+  EXPECT_THAT(model_->requests(), SizeIs(27)) << "none of them is asked about";
 }
 
 }  // namespace

@@ -80,7 +80,13 @@ class Run {
     question.system = prompts_.Fill("translator", {});
     question.text = Text(portion, TypesFor(*portion.pass, request_));
     llm::Choices& ids = question.choices["flair.model.v1.SentenceCallsAnswer.id"];
-    for (const v1::Sentence* sentence : portion.sentences) ids.names.push_back(sentence->id());
+    for (const v1::Sentence* sentence : portion.sentences) {
+      ids.names.push_back(sentence->id());
+      // "1" and "sentence 1" for "s1".
+      if (!sentence->id().starts_with('s')) continue;
+      for (const char* const before : {"", "sentence "})
+        ids.aliases[before + sentence->id().substr(1)] = sentence->id();
+    }
     question.answer = &CallsAnswer::default_instance();
     question.check = llm::CheckOf<CallsAnswer>([this, &portion](CallsAnswer& answer) {
       std::vector<llm::Fault> faults;
