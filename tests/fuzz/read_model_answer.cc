@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a language model, or whoever passes for one, may answer: every type of answer; and records of answers.
+// What a language model, or whoever passes for one, may answer: every type of answer, in metres or another unit; and
+// records of answers. answer_promises.h has what must hold.
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,8 +10,10 @@
 #include "flair/model/v1/object_answers.pb.h"
 #include "flair/model/v1/room_answers.pb.h"
 #include "flair/model/v1/style_answers.pb.h"
+#include "llm/answers/length_unit.h"
 #include "llm/answers/read_answer.h"
 #include "llm/wrappers/answer_json.h"
+#include "tests/fuzz/answer_promises.h"
 #include "tests/fuzz/targets.h"
 
 namespace flair::fuzz {
@@ -38,14 +41,19 @@ const llm::FieldChoices& SomeChoices() {
   return choices;
 }
 
-void ReadTyped(std::string_view text, const Message& type) {
-  std::unique_ptr<Message> answer(type.New());
-  const std::vector<llm::Fault> faults = llm::ReadAnswer(text, SomeChoices(), *answer);
-  for (const llm::Fault& fault : faults) Require(!fault.text.empty(), "a fault says what is wrong");
+void ReadTyped(std::string_view text, const Message& type, const llm::LengthUnit* bare_unit) {
+  const std::unique_ptr<Message> answer(type.New());
+  const std::vector<llm::Fault> faults = llm::ReadAnswer(text, SomeChoices(), *answer, bare_unit);
+  CheckFaults(faults, *type.GetDescriptor());
+  CheckLists(*answer);
+  CheckPartialRepair(text, faults, *answer, SomeChoices());
   const std::vector<llm::Fault> left = llm::DropFaulty(faults, *answer);
   Require(left.size() <= faults.size(), "dropping elements finds no faults");
   std::string bytes;
   Require(answer->SerializeToString(&bytes), "what was read can be written");
+  if (!left.empty()) return;
+  CheckUseful(*answer, SomeChoices());
+  CheckReadsTheSame(*answer, SomeChoices());
 }
 
 void ReadRecord(std::string_view bytes) {
@@ -59,10 +67,12 @@ void ReadRecord(std::string_view bytes) {
 
 void ReadModelAnswer(std::string_view bytes) {
   if (bytes.empty()) return;
-  const size_t choice = static_cast<unsigned char>(bytes.front()) % (AnswerTypes().size() + 1);
+  const size_t byte = static_cast<unsigned char>(bytes.front());
+  const size_t choice = byte % (AnswerTypes().size() + 1);
+  const size_t unit = byte / (AnswerTypes().size() + 1) % (llm::kLengthUnits.size() + 1);
   bytes.remove_prefix(1);
   if (choice < AnswerTypes().size()) {
-    ReadTyped(bytes, *AnswerTypes()[choice]);
+    ReadTyped(bytes, *AnswerTypes()[choice], unit == 0 ? nullptr : &llm::kLengthUnits[unit - 1]);
   } else {
     ReadRecord(bytes);
   }

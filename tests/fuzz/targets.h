@@ -25,7 +25,8 @@ void ReadReferenceRoom(std::string_view bytes);
 // The short text form of scenes.
 void ReadSceneText(std::string_view bytes);
 
-// What a model may send: the first byte chooses among the types of answers and a recorded answer; the rest is its text.
+// What a model may send: the first byte chooses among the types of answers and a recorded answer, and the unit that its
+// lengths are read in; the rest is its text.
 void ReadModelAnswer(std::string_view bytes);
 
 // A reply of the chat protocol, streamed or not: the first byte says in which pieces it comes, the rest is its body.
