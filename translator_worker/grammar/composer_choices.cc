@@ -19,11 +19,13 @@ bool IsAmong(const std::vector<Placed>& list, int object) {
 std::vector<int> Composer::Choose(const Reference& reference, const std::vector<Placed>& movers) {
   std::vector<int> candidates = reference.candidates;
   const bool any = reference.any && !movers.empty();
-  // "One lamp on the nightstand" under a heading of one.
+  // "One lamp on the nightstand" under a heading of one. "The second lamp" counts all lamps, also under its own
+  // heading.
   if (scope() == v1::SENTENCE_SCOPE_TERTIARY && movers.empty()) {
     std::vector<int> named = candidates;
     KeepSubjects(named);
-    if (named.size() < candidates.size()) candidates = named;
+    const bool counts_further = reference.ordinal != kLast && reference.ordinal > static_cast<int>(named.size());
+    if (named.size() < candidates.size() && !counts_further) candidates = named;
   }
   if (reference.ordinal == kLast && !any && !candidates.empty()) return {candidates.back()};
   if (reference.ordinal > 0 && !any) {

@@ -45,11 +45,12 @@ v1::TranslateRequest Office() {
   return request;
 }
 
-std::string CallsOf(v1::TranslateRequest request, const std::string& text, const std::vector<std::string>& subjects) {
+std::string CallsOf(v1::TranslateRequest request, const std::string& text, const std::vector<std::string>& subjects,
+                    v1::SentenceScope scope = v1::SENTENCE_SCOPE_INTER) {
   v1::Sentence& sentence = *request.mutable_constraint_list()->add_sentences();
   sentence.set_id("s1");
   sentence.set_text(text);
-  sentence.set_scope(v1::SENTENCE_SCOPE_INTER);
+  sentence.set_scope(scope);
   for (const std::string& subject : subjects) sentence.add_subject_ids(subject);
   const v1::LayoutGraph graph = Translate(request);
   std::vector<std::string> calls;
@@ -71,6 +72,22 @@ TEST(Subjects, AreAlsoWhatOtherThingsAreRelatedTo) {
             "surround(center=table, objects=[\"chair_1\",\"chair_2\"])");
   EXPECT_EQ(CallsOf(Office(), "The table is near the office chairs.", {"table", "chair_3", "chair_4"}),
             "near(object=table, target=chair_3)\nnear(object=table, target=chair_4)");
+}
+
+TEST(Subjects, AreCountedAmongAllOfTheirName) {
+  v1::TranslateRequest request = Office();
+  for (const char* id : {"lamp_1", "lamp_2"}) {
+    v1::Object& lamp = AddSeat(id, "lamp", "meeting", *request.mutable_object_list());
+    lamp.set_role(v1::OBJECT_ROLE_TERTIARY);
+    lamp.set_kind(v1::OBJECT_KIND_SURFACE);
+  }
+  const auto read = [&](const std::string& text, const std::vector<std::string>& subjects) {
+    return CallsOf(request, text, subjects, v1::SENTENCE_SCOPE_TERTIARY);
+  };
+  EXPECT_EQ(read("The second lamp is on the second stool.", {"lamp_2"}), "on_top_center(object=lamp_2, host=stool_2)");
+  EXPECT_EQ(read("The second lamp is on the second stool.", {"lamp_2", "stool_2"}),
+            "on_top_center(object=lamp_2, host=stool_2)");
+  EXPECT_EQ(read("The first lamp is on the first stool.", {"lamp_1"}), "on_top_center(object=lamp_1, host=stool_1)");
 }
 
 TEST(Subjects, ThatNameNoChairTakeThoseOfTheirZoneOrTheirOwn) {
