@@ -114,7 +114,7 @@ void FurnitureReader::Read() {
       const bool table = seats && SeatOf(furniture, handbook_) != nullptr;
       // Between two seats stands something small.
       const bool small = beside && between && furniture.width_m().typical() <= kSmallM;
-      return RankOf(furniture) + (beside ? 64 : 0) + (small ? 32 : 0) + (table ? 128 : 0);
+      return nouns_.RankAt(tokens_, i, furniture) + (beside ? 64 : 0) + (small ? 32 : 0) + (table ? 128 : 0);
     };
     const auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
     if (const std::size_t other = TakeOtherThing(i, name_length); other > 0) {

@@ -49,15 +49,10 @@ bool SaysLooks(const Token& token) {
 
 }  // namespace
 
-NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts) : vocabulary_(handbook.vocabulary()) {
-  const hb::Archetype& room = *facts.archetype;
+NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
+    : vocabulary_(handbook.vocabulary()), room_(*facts.archetype) {
+  const hb::Archetype& room = room_;
   const auto raise = [&](std::string_view name, int rank) { ranks_[name] = std::max(ranks_[name], rank); };
-  for (const hb::Noun& noun : handbook.contents().nouns()) {
-    for (const hb::NounOption& option : noun.options()) {
-      const bool here = std::ranges::find(option.rooms(), room.name()) != option.rooms().end();
-      if (here) raise(option.furniture(), kOfTheRoom);
-    }
-  }
   for (const hb::Furniture& furniture : handbook.contents().furniture()) {
     const auto& hints = furniture.zone_hints();
     for (const hb::ZoneSpec& zone : room.zones()) {
@@ -75,6 +70,25 @@ NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts) : vocabula
 int NounBook::RankOf(const hb::Furniture& furniture) const {
   const auto rank = ranks_.find(furniture.name());
   return rank == ranks_.end() ? kNotOfTheRoom : rank->second;
+}
+
+int NounBook::RankAt(const std::vector<Token>& tokens, std::size_t i, const hb::Furniture& furniture) const {
+  const int rank = RankOf(furniture);
+  const auto here = [&](const hb::NounOption& option) {
+    return option.furniture() == furniture.name() &&
+           std::ranges::find(option.rooms(), room_.name()) != option.rooms().end();
+  };
+  std::size_t longest = 0;
+  bool meant = false;
+  for (const Vocabulary::Head& head : vocabulary_.heads) {
+    for (const Phrase& word : head.words) {
+      const std::size_t length = word.MatchAt(tokens, i);
+      if (length <= longest) continue;
+      longest = length;
+      meant = std::ranges::any_of(head.noun->options(), here);
+    }
+  }
+  return meant ? std::max<int>(rank, kOfTheRoom) : rank;
 }
 
 const Vocabulary::Head* NounBook::HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {

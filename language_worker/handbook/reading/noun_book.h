@@ -24,6 +24,9 @@ class NounBook {
   // How much a class belongs to the room; 0 when not at all. Of two that a word may mean the higher is meant.
   int RankOf(const hb::Furniture& furniture) const;
 
+  // The same for a class that is named at a token, by a noun that may mean another one in this kind of room.
+  int RankAt(const std::vector<Token>& tokens, std::size_t i, const hb::Furniture& furniture) const;
+
   // The class that the words before a noun make of it: of "a comfy leather chair" an armchair, of "a two-seat sofa" a
   // loveseat. The noun is `length` tokens at `noun`; `named` where nothing is said, null where it is a thing that
   // nobody knows: "a proofing cabinet".
@@ -42,6 +45,7 @@ class NounBook {
   const Vocabulary::Head* HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const;
 
   const Vocabulary& vocabulary_;
+  const hb::Archetype& room_;
   std::map<std::string_view, int> ranks_;  // of a class by its name
 };
 

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What words for several pieces, compounds and other spellings become in one kind of room and another.
+#include "language_worker/handbook/reading/noun_book.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/program/program_items.h"
+#include "language_worker/handbook/program/room_program.h"
+
+namespace flair::language {
+namespace {
+
+const Handbook& NounData() {
+  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
+  if (!handbook.ok()) ADD_FAILURE() << handbook.status();
+  return **handbook;
+}
+
+BriefFacts ReadNouns(const std::string& text) {
+  v1::Brief brief;
+  brief.set_text(text);
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, NounData());
+  EXPECT_TRUE(facts.ok()) << text << facts.status();
+  return facts.value_or(BriefFacts());
+}
+
+// "2 armchair, 1 sofa", in the order of the text.
+std::string WishesOf(const std::string& text) {
+  std::string all;
+  for (const Wish& wish : ReadNouns(text).wishes) {
+    all += (all.empty() ? "" : ", ") + std::to_string(wish.count) + " " + wish.furniture->name();
+  }
+  return all;
+}
+
+TEST(NounBook, ANounMeansWhatTheRoomHas) {
+  EXPECT_EQ(WishesOf("A meeting room for 8, 4m x 5m: table in the centre."), "1 conference table");
+  EXPECT_EQ(WishesOf("A bedroom with a bed, a chair and a table."), "1 double bed, 1 armchair, 1 side table");
+  EXPECT_EQ(WishesOf("A dining room with a table and six chairs."), "1 dining table");
+  EXPECT_EQ(WishesOf("A home office with a chair."), "1 office chair");
+  EXPECT_EQ(WishesOf("A living room with a table."), "1 coffee table");
+  EXPECT_EQ(WishesOf("A kitchen with a sink."), "1 kitchen sink");
+  EXPECT_EQ(WishesOf("A bathroom with a sink."), "1 washbasin");
+  EXPECT_EQ(WishesOf("An art studio with a sink."), "1 utility sink");
+  EXPECT_EQ(WishesOf("A child's bedroom with storage."), "1 toy chest");
+  EXPECT_EQ(WishesOf("A bedroom with a lamp."), "1 table lamp");
+  EXPECT_EQ(WishesOf("A home office with somewhere to sit."), "1 armchair");
+  EXPECT_EQ(WishesOf("A lounge with a stove."), "1 fireplace");
+}
+
+TEST(NounBook, TheWordsBeforeANounTellWhichOne) {
+  EXPECT_EQ(WishesOf("A living room with two wingback chairs."), "2 armchair");
+  EXPECT_EQ(WishesOf("A living room with two frobnicated chairs."), "2 armchair");
+  EXPECT_EQ(WishesOf("A home office with a comfy leather chair to think in."), "1 armchair");
+  EXPECT_EQ(WishesOf("A study with an L-shaped desk."), "1 corner desk");
+  EXPECT_EQ(WishesOf("A living room with a sectional couch."), "1 corner sofa");
+  EXPECT_EQ(WishesOf("A study with a small round table."), "1 round dining table");
+  EXPECT_EQ(WishesOf("A consulting room with a privacy screen."), "1 room divider");
+}
+
+TEST(NounBook, NumbersWithinACompoundAreSizesAndNoCounts) {
+  EXPECT_EQ(WishesOf("A living room with a three-seat sofa."), "1 sofa");
+  EXPECT_EQ(WishesOf("A living room with a 2-seater sofa."), "1 loveseat");
+  EXPECT_EQ(WishesOf("A living room with a two-seater."), "1 loveseat");
+  EXPECT_EQ(WishesOf("A dining room with a ten-foot table."), "1 dining table");
+  EXPECT_EQ(WishesOf("A bedroom with a four-poster bed and two four-drawer chests."),
+            "1 double bed, 2 chest of drawers");
+  EXPECT_EQ(WishesOf("A bedroom with a 4-poster bed and a two-door wardrobe."), "1 double bed, 1 wardrobe");
+  EXPECT_EQ(WishesOf("A living room with a 2 m long sofa and a 65\" tv."), "1 sofa, 1 television");
+  EXPECT_EQ(WishesOf("A kitchen with a six-burner cooker."), "1 cooker");
+}
+
+TEST(NounBook, OneWordMayBeTwoAndTwoOne) {
+  EXPECT_EQ(WishesOf("A bar with 8 barstools."), "8 bar stool");
+  EXPECT_EQ(WishesOf("A living room with an arm chair, a book case and a foot stool."),
+            "1 armchair, 1 bookshelf, 1 ottoman");
+  EXPECT_EQ(ReadNouns("A bed room with 2 single beds.").archetype->name(), "bedroom");
+  EXPECT_EQ(WishesOf("A bed room with 2 single beds."), "2 single bed");
+}
+
+TEST(NounBook, OtherThingsAreToldAndNotFurnished) {
+  for (const char* thing : {"commode chair", "luggage rack", "vending stand", "proofing cabinet", "flower bed"}) {
+    const BriefFacts facts = ReadNouns(std::string("A bedroom, 4m x 5m, with a ") + thing + ".");
+    EXPECT_TRUE(facts.wishes.empty()) << thing;
+    ASSERT_EQ(facts.not_known.size(), 1u) << thing;
+    EXPECT_EQ(facts.not_known[0], thing);
+  }
+}
+
+TEST(NounBook, WhatIsAskedForComesInsteadOfItsLike) {
+  const struct {
+    const char* text;
+    const char* asked;
+    const char* usual;
+  } kCases[] = {{"A living room with a corner sofa.", "corner sofa", "sofa"},
+                {"A study with an L-shaped desk.", "corner desk", "desk"},
+                {"A bedroom with a king bed.", "king bed", "double bed"},
+                {"A dining room with a round table.", "round dining table", "dining table"}};
+  for (const auto& one : kCases) {
+    const RoomProgram program = MakeRoomProgram(ReadNouns(one.text), NounData(), 20, Choice(0, one.text));
+    EXPECT_TRUE(Lists(program, one.asked)) << one.text;
+    EXPECT_FALSE(Lists(program, one.usual)) << one.text;
+  }
+}
+
+TEST(NounBook, MisspeltWordsAreReadAndTold) {
+  const BriefFacts facts = ReadNouns("A kichen with an iland.");
+  EXPECT_EQ(facts.archetype->name(), "kitchen");
+  ASSERT_EQ(facts.corrections.size(), 2u);
+  EXPECT_EQ(facts.corrections[1].written, "iland");
+  EXPECT_EQ(WishesOf("A kichen with an iland."), "1 kitchen island");
+}
+
+}  // namespace
+}  // namespace flair::language
