@@ -64,6 +64,8 @@ struct HttpOptions {
   std::string proxy = {};
   // Longest body of a 2xx answer after decompression, bytes.
   int64_t body_byte_limit = 16 << 20;
+  // Longest body that is taken piece by piece and kept by nobody.
+  int64_t stream_byte_limit = 256 << 20;
 };
 
 // The address without user, password, query and fragment: what errors and names may show.

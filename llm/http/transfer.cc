@@ -45,7 +45,7 @@ void SetTrust(CURL* handle, const std::string& ca_path) {
 Transfer::Transfer(HttpRequest request, const HttpOptions& options, absl::Duration start, absl::Duration deadline)
     : request_(std::move(request)),
       timeouts_(options.timeouts),
-      body_byte_limit_(options.body_byte_limit),
+      body_byte_limit_(request_.on_piece ? options.stream_byte_limit : options.body_byte_limit),
       total_end_(start + options.timeouts.total),
       deadline_(deadline),
       handle_(curl_easy_init()) {

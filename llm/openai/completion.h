@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -21,6 +22,11 @@ class Completion {
 
   // Adds to the text of the answer, or to what the model thought, when there was a choice before; else false.
   bool AddText(std::string_view text, bool thought);
+
+  // Of all its texts.
+  size_t text_byte_count() const {
+    return content_.size() + refusal_.size() + thoughts_.size() + tool_arguments_.size();
+  }
 
   // True when a choice said why it ended.
   bool finished() const { return !finish_.empty(); }

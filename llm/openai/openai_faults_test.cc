@@ -306,6 +306,29 @@ TEST_P(OpenAiStreamFaultsTest, CommentsAndOtherFieldsOfAStreamAreSkipped) {
   EXPECT_EQ(answer->text, "{}");
 }
 
+TEST_P(OpenAiStreamFaultsTest, AStreamOfManyMoreBytesThanItsTextIsReadToItsEnd) {
+  // What a model thinks for an hour, as it is wrapped: 20 MB of events.
+  flair::testing::Exchange exchange;
+  const std::string comment = ": " + std::string(100000, 'x') + "\n\n";
+  for (int i = 0; i < 200; ++i) exchange.body += comment;
+  exchange.body += R"(data: {"choices": [{"index": 0, "delta": {"content": "{}"}, "finish_reason": "stop"}]})"
+                   "\n\n";
+  Serve(flair::testing::Script{.exchanges = {exchange}});
+  const auto answer = Ask();
+  ASSERT_TRUE(answer.ok()) << answer.status();
+  EXPECT_EQ(answer->text, "{}");
+}
+
+TEST_P(OpenAiStreamFaultsTest, AStreamOfTooMuchTextIsLeftWhereItIs) {
+  flair::testing::Exchange exchange;
+  const std::string event =
+      R"(data: {"choices": [{"index": 0, "delta": {"reasoning": ")" + std::string(1 << 20, 'x') + "\"}}]}\n\n";
+  for (int i = 0; i < 18; ++i) exchange.body += event;
+  exchange.end = flair::testing::ConnectionEnd::kHang;
+  Serve(flair::testing::Script{.exchanges = {exchange}});
+  EXPECT_EQ(Ask().status().code(), StatusCode::kDataLoss);
+}
+
 TEST_P(OpenAiStreamFaultsTest, AnErrorInTheStreamCanBeTriedAgain) {
   const absl::Status status = Fault("error_in_stream");
   EXPECT_EQ(status.code(), StatusCode::kUnavailable) << status;

@@ -10,10 +10,17 @@ namespace flair::llm {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
+constexpr size_t kKeptByteLimit = 16 << 20;
 
 }  // namespace
 
 absl::Status ReplyReader::Take(std::string_view piece) {
+  if (absl::Status status = TakePiece(piece); !status.ok()) return status;
+  const size_t kept = whole_.size() + sse_.kept_byte_count() + completion_.text_byte_count();
+  return kept <= kKeptByteLimit ? absl::OkStatus() : NotOfTheProtocol("an answer of more than 16 MiB");
+}
+
+absl::Status ReplyReader::TakePiece(std::string_view piece) {
   if (kind_ == Kind::kUnknown) {
     const size_t begin = piece.find_first_not_of(kSpace);
     if (begin == std::string_view::npos) return absl::OkStatus();

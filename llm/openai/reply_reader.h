@@ -14,8 +14,9 @@
 
 namespace flair::llm {
 
-// Reads a reply of status 2xx, streamed or not, as it comes. Errors: DATA_LOSS when it is not of the protocol (HTML,
-// empty, not JSON, no choices); UNAVAILABLE when a stream ends early; that of an error inside the reply.
+// Reads a reply of status 2xx, streamed or not, as it comes. Of a stream it keeps the texts, 16 MiB at most: what wraps
+// a token is fifty times as long. Errors: DATA_LOSS when it is not of the protocol (HTML, empty, not JSON, no choices)
+// or too long; UNAVAILABLE when a stream ends early; that of an error inside the reply.
 class ReplyReader {
  public:
   // `address` begins every error. All are borrowed.
@@ -35,6 +36,7 @@ class ReplyReader {
   bool thought() const { return completion_.thought(); }
 
  private:
+  absl::Status TakePiece(std::string_view piece);
   absl::Status TakeEvent(std::string_view data);
   absl::Status Add(std::string_view json_text);
   // Adds a chunk that brings a piece of text and nothing else; false, without a change, when it is none.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,9 @@ class SseReader {
 
   // At the end of the stream: an event that no empty line ended counts too.
   absl::Status Finish(const OnEvent& on_event);
+
+  // Of the event that has not ended.
+  size_t kept_byte_count() const { return line_.size() + data_.size(); }
 
  private:
   absl::Status TakeLine(std::string_view line, const OnEvent& on_event);
