@@ -25,7 +25,7 @@ class ProgramMaker {
   }
 
   RoomProgram Make() {
-    TakeBand();
+    TakeBands();
     for (const hb::Changes* changes : program_.changes) Apply(*changes);
     ApplyWishes(facts_, handbook_, program_);
     GiveZonesTheirPrimaries();
@@ -34,29 +34,48 @@ class ProgramMaker {
   }
 
  private:
-  const hb::Band& BandByArea() const {
-    const auto& bands = program_.archetype->bands();
+  static const hb::Band& BandByArea(const hb::Archetype& archetype, double area_m2) {
+    const auto& bands = archetype.bands();
     for (const hb::Band& band : bands) {
-      if (band.max_area_m2() == 0 || area_m2_ < band.max_area_m2()) return band;
+      if (band.max_area_m2() == 0 || area_m2 < band.max_area_m2()) return band;
     }
     return bands[bands.size() - 1];
   }
 
-  void TakeBand() {
-    const hb::Band& band = BandByArea();
-    for (const std::string& name : band.zones()) {
-      for (const hb::ZoneSpec& zone : program_.archetype->zones()) {
-        if (zone.name() == name) program_.zones.push_back(zone);
-      }
+  // What each kind that the room is has on its share of the floor; of what two of them have one is enough.
+  void TakeBands() {
+    program_.also = AlsoOf(facts_, *program_.archetype);
+    double all_m2 = UsualArea(*program_.archetype);
+    for (const FurtherKind& also : program_.also) all_m2 += also.share * UsualArea(*also.archetype);
+    TakeBand(*program_.archetype, area_m2_ * UsualArea(*program_.archetype) / all_m2, "");
+    for (const FurtherKind& also : program_.also) {
+      const double share_m2 = area_m2_ * also.share * UsualArea(*also.archetype) / all_m2;
+      TakeBand(*also.archetype, share_m2, also.archetype->name() + ".");
     }
-    for (const hb::ObjectEntry& entry : band.objects()) Add(entry, "band");
-    for (const hb::ObjectEntry& entry : program_.archetype->tertiaries()) Add(entry, "tertiary");
   }
 
+  void TakeBand(const hb::Archetype& archetype, double share_m2, const std::string& owner) {
+    const hb::Band& band = BandByArea(archetype, share_m2);
+    for (const std::string& name : band.zones()) {
+      for (const hb::ZoneSpec& zone : archetype.zones()) {
+        if (zone.name() == name && !HasZone(program_, name)) program_.zones.push_back(zone);
+      }
+    }
+    const bool further = !owner.empty();
+    for (const hb::ObjectEntry& entry : band.objects()) {
+      if (!further || !Lists(program_, entry.furniture())) Add(entry, owner + "band", archetype);
+    }
+    for (const hb::ObjectEntry& entry : archetype.tertiaries()) {
+      if (!further || !Lists(program_, entry.furniture())) Add(entry, owner + "tertiary", archetype);
+    }
+  }
+
+  void Add(const hb::ObjectEntry& entry, const std::string& owner) { Add(entry, owner, *program_.archetype); }
+
   // Adds an entry to the list that its class belongs to.
-  void Add(const hb::ObjectEntry& entry, const std::string& owner) {
+  void Add(const hb::ObjectEntry& entry, const std::string& owner, const hb::Archetype& archetype) {
     const std::string key = owner + "." + entry.furniture() + "." + entry.zone();
-    if (!Holds(entry.condition(), *program_.archetype, area_m2_, choice_, key)) return;
+    if (!Holds(entry.condition(), archetype, area_m2_, choice_, key)) return;
     std::string name = entry.furniture();
     const std::size_t pick = choice_.Index(key, static_cast<std::size_t>(entry.or_furniture_size()) + 1);
     if (pick > 0) name = entry.or_furniture(static_cast<int>(pick) - 1);
@@ -160,6 +179,14 @@ std::vector<const hb::Changes*> AllChanges(const BriefFacts& facts) {
   for (const hb::Need* need : facts.needs) changes.push_back(&need->changes());
   for (const hb::Theme* theme : facts.themes) changes.push_back(&theme->changes());
   return changes;
+}
+
+double UsualArea(const hb::Archetype& archetype) {
+  return archetype.width_m().typical() * archetype.depth_m().typical();
+}
+
+std::vector<FurtherKind> AlsoOf(const BriefFacts& facts, const hb::Archetype& archetype) {
+  return &archetype == facts.archetype ? facts.also : std::vector<FurtherKind>();
 }
 
 const hb::Archetype& EffectiveArchetype(const BriefFacts& facts, const Handbook& handbook) {

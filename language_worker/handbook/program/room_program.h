@@ -22,11 +22,13 @@ struct ProgramItem {
   int drop_order = 0;                      // higher goes first
   int seats = 0;                           // at each, as far as it is known how many
   const hb::Furniture* seat_of = nullptr;  // what it is pulled up to, in the same zone; null for what stands by itself
+  bool optional = false;                   // asked for only if there is room
 };
 
 // What the room is to be, from the archetype, the needs, the themes and the wishes of a brief.
 struct RoomProgram {
   const hb::Archetype* archetype = nullptr;
+  std::vector<FurtherKind> also;         // of a room that is several kinds in one the others
   std::vector<hb::ZoneSpec> zones;       // most important first
   std::vector<ProgramItem> floor_items;  // most important first
   std::vector<ProgramItem> tertiary_items;
@@ -42,6 +44,12 @@ bool Holds(const hb::Condition& condition, const hb::Archetype& archetype, doubl
 
 // The archetype that the brief asks for, after needs and themes had their say ("a bedroom for a baby" is a nursery).
 const hb::Archetype& EffectiveArchetype(const BriefFacts& facts, const Handbook& handbook);
+
+// The other kinds that the room is, too; none where needs or themes made another room of it.
+std::vector<FurtherKind> AlsoOf(const BriefFacts& facts, const hb::Archetype& archetype);
+
+// Usual floor area, m2.
+double UsualArea(const hb::Archetype& archetype);
 
 // Needs first, then themes.
 std::vector<const hb::Changes*> AllChanges(const BriefFacts& facts);

@@ -5,9 +5,11 @@
 #include <string>
 #include <string_view>
 
+#include "language_worker/handbook/reading/foreign_words.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
 #include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/people.h"
+#include "language_worker/handbook/reading/room_kind.h"
 #include "language_worker/handbook/reading/sayings.h"
 #include "language_worker/handbook/reading/unknown_things.h"
 #include "language_worker/handbook/reading/vocabulary.h"
@@ -33,11 +35,12 @@ class BriefReader {
     const std::vector<bool> room_words = used_;
     FurnitureReader furniture(handbook_, tokens_, used_, facts_);
     furniture.Read();
+    ReadOtherRooms();
     ReadOpenings(tokens_, room_words, used_, facts_.openings);
     furniture.ReadPlaces();
     ReadThemesAndStyles();
     ReadNeeds();
-    facts_.reads_as_english = facts_.archetype_named || ReadsAsEnglish(tokens_);
+    facts_.reads_as_english = !IsForeign(tokens_) && (facts_.archetype_named || ReadsAsEnglish(tokens_));
     if (facts_.reads_as_english) {
       for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
     }
@@ -55,23 +58,30 @@ class BriefReader {
   }
 
   void ReadArchetype() {
-    std::vector<Saying<hb::Archetype>> names;
-    for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
-      if (!archetype.fallback()) AddSayings(archetype.name(), archetype.synonyms(), archetype, names);
-    }
-    std::size_t best_length = 0, best_start = 0;
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      const auto [archetype, length] = LongestAt(names, tokens_, i, /*plural=*/false);
-      if (length <= best_length) continue;
-      best_length = length;
-      best_start = i;
-      facts_.archetype = archetype;
-    }
+    kind_ = ReadRoomKind(tokens_, handbook_);
+    facts_.archetype = kind_.room.archetype;
     facts_.archetype_named = facts_.archetype != nullptr;
-    if (facts_.archetype_named) {
-      Use(best_start, best_length);
-    } else {
-      GuessArchetype();
+    if (!facts_.archetype_named) return GuessArchetype();
+    Use(kind_.room.begin, kind_.room.end - kind_.room.begin);
+    for (const NamedRoom& one : kind_.also) {
+      Use(one.begin, one.end - one.begin);
+      facts_.also.push_back({one.archetype});
+    }
+    facts_.places_not_known = kind_.places;
+  }
+
+  // Rooms that the room has, unless their words mean a piece ("with a bar"): a corner of it, or a room of their own.
+  void ReadOtherRooms() {
+    for (const NamedRoom& one : kind_.named) {
+      constexpr double kCorner = 0.4;
+      if (used_[one.begin]) continue;
+      const bool own = IsServing(*one.archetype) || IsServing(*facts_.archetype);
+      if (!own) facts_.also.push_back({one.archetype, kCorner});
+      std::string said;
+      for (std::size_t i = one.begin; i < one.end; ++i)
+        said += (said.empty() || tokens_[i].glued ? "" : " ") + tokens_[i].text;
+      if (own) facts_.other_rooms.push_back(said);
+      Use(one.begin, one.end - one.begin);
     }
   }
 
@@ -186,6 +196,7 @@ class BriefReader {
   const Handbook& handbook_;
   std::vector<Token> tokens_;
   std::vector<bool> used_;
+  RoomKind kind_;
   BriefFacts facts_;
 };
 

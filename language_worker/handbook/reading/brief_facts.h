@@ -35,6 +35,12 @@ struct Place {
   std::string said;                       // the words of the brief
 };
 
+// A kind of room that the room is besides its first: "kitchen/living/dining", "a bedroom with a home office".
+struct FurtherKind {
+  const hb::Archetype* archetype = nullptr;
+  double share = 1;  // of what such a room usually is
+};
+
 // More of one class in a room are not furnished by hand.
 inline constexpr int kMostOfAKind = 40;
 
@@ -42,6 +48,8 @@ inline constexpr int kMostOfAKind = 40;
 struct BriefFacts {
   SizeRequest size;
   const hb::Archetype* archetype = nullptr;
+  std::vector<FurtherKind> also;               // the room is these, too: "kitchen/living/dining"
+  std::vector<std::string> other_rooms;        // named beside it, not furnished: "ensuite"
   bool archetype_named = false;                // false: the fallback, or a guess from hints
   std::vector<Wish> wishes;                    // in the order of the text, one per class
   std::vector<const hb::Furniture*> too_many;  // of which more than kMostOfAKind are asked for
@@ -56,9 +64,9 @@ struct BriefFacts {
   std::vector<const hb::NamedColour*> colours;  // of the room
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
   std::optional<int> people;
-  std::vector<std::string> not_known;  // things asked for that the handbook has no word for: "proofing cabinet"
+  std::vector<std::string> not_known;   // things asked for that the handbook has no word for: "proofing cabinet"
   std::vector<Correction> corrections;  // of misspelt words
-  bool reads_as_english = true;        // false: most likely another language
+  bool reads_as_english = true;         // false: most likely another language
 };
 
 // Reads a brief. The same text and handbook give the same facts. Errors as ReadSize.

@@ -22,15 +22,15 @@ constexpr std::string_view kOtherHeads =
     "hooks "
     "hall way opener swing leaf nook shopping cleaner display displays dressing table tables desk bed";
 // Before an opening that only tells where something else is.
-constexpr std::string_view kRelating =
+constexpr std::string_view kRelatingWords =
     "near by under below beneath underneath facing to of from behind beside opposite against at towards toward above "
     "over "
     "before between overlooking front face faces either outside inside along around into blocking through than block "
     "blocks next close clear for off across out past within flanking under in on backing";
-constexpr std::string_view kStops =
+constexpr std::string_view kOpeningStops =
     "with and or has have having plus are is where but that which while without no as be , so";
 constexpr std::string_view kCompassWords = "north northern south southern east eastern west western";
-constexpr std::string_view kDefinite = "the its this that their our my your his her these those both";
+constexpr std::string_view kDefiniteWords = "the its this that their our my your his her these those both";
 constexpr std::string_view kOpenAir =
     "garden terrace patio yard backyard courtyard deck veranda balcony outside outdoors lawn porch pool";
 constexpr std::string_view kInnerRooms =
@@ -161,7 +161,7 @@ class NounReader {
         at = before;
         continue;
       }
-      if (IsAmong(kDefinite, word)) {
+      if (IsAmong(kDefiniteWords, word)) {
         wish.definite = true;
         if (word == "both") {
           wish.count = 2;
@@ -173,7 +173,7 @@ class NounReader {
         wish.count = *number;
         wish.counted = true;
         // "the two windows"
-        if (before > 0 && IsAmong(kDefinite, words_.At(before - 1))) {
+        if (before > 0 && IsAmong(kDefiniteWords, words_.At(before - 1))) {
           wish.definite = true;
           return Determined(before - 1);
         }
@@ -188,7 +188,7 @@ class NounReader {
         at = before;
         continue;
       }
-      if (IsAmong(kRelating, word) || IsAmong(kStops, word)) {
+      if (IsAmong(kRelatingWords, word) || IsAmong(kOpeningStops, word)) {
         if (!(word == "to" && TakeFloorToCeiling(at))) break;
         continue;
       }
@@ -210,7 +210,7 @@ class NounReader {
     std::size_t at = found_.begin;
     TakeDenial(at);
     if (at > 0 && words_.At(at - 1) == "all") --at;
-    found_.related = at > 0 && IsAmong(kRelating, words_.At(at - 1)) && !IsOfACupboard(at);
+    found_.related = at > 0 && IsAmong(kRelatingWords, words_.At(at - 1)) && !IsOfACupboard(at);
     if (IsOfACupboard(at)) found_.kind = OpeningNoun::Kind::kNone;
   }
 

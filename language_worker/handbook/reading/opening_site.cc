@@ -7,21 +7,21 @@
 namespace flair::language {
 namespace {
 
-constexpr std::string_view kVerbs =
+constexpr std::string_view kSiteVerbs =
     "is are be being should must will can could stands stand sits sit goes go set located placed positioned situated "
     "put "
     "which that opens open to just right directly all both";
-constexpr std::string_view kCompass = "north south east west northern southern eastern western";
-constexpr std::string_view kSideWords =
+constexpr std::string_view kCompassPoints = "north south east west northern southern eastern western";
+constexpr std::string_view kSiteSides =
     "north south east west northern southern eastern western left right far farthest furthest back rear front near "
     "nearest "
     "long longer longest short shorter shortest narrow opposite entrance";
-constexpr std::string_view kSideNouns = "wall walls side sides facade elevation";
-constexpr std::string_view kInto = "in on at along to towards toward onto across facing through from into";
+constexpr std::string_view kWallNouns = "wall walls side sides facade elevation";
+constexpr std::string_view kIntoWords = "in on at along to towards toward onto across facing through from into";
 // "along the whole length of the east wall" is along it.
 constexpr std::string_view kWhole =
     "whole length of|whole of|entire length of|full length of|length of|full width of|width of|whole|entire";
-constexpr std::string_view kOpenings = "door doors doorway entrance window windows";
+constexpr std::string_view kOpeningWords = "door doors doorway entrance window windows";
 
 using At = AlongWall::At;
 
@@ -41,7 +41,7 @@ bool OpeningSiteReader::ReadAfter(std::size_t i, bool door, bool verbs, OpeningS
     const bool list =
         !any && (words_.At(at) == ":" || words_.At(at) == "(" || (words_.At(at) == "-" && !words_.IsHyphen(at)));
     if (pause || list) ++at;
-    for (int over = 0; over < 4 && verbs && !pause && IsAmong(kVerbs, words_.At(at)); ++over) ++at;
+    for (int over = 0; over < 4 && verbs && !pause && IsAmong(kSiteVerbs, words_.At(at)); ++over) ++at;
     const bool entering = TakeEntering(at, site);
     const bool taken = entering || TakeFromEnd(at, site) || TakeMiddle(at, site) ||
                        (!pause && TakeFeature(at, door, site)) || TakeEnd(at, site) ||
@@ -64,7 +64,7 @@ bool OpeningSiteReader::TakeFromEnd(std::size_t& i, OpeningSite& site) const {
   if (!from) return false;
   at = words_.BehindArticle(*from);
   std::string end;
-  while (IsAmong(kSideWords, words_.At(at)) || words_.At(at) == "-" || words_.At(at) == "hand") {
+  while (IsAmong(kSiteSides, words_.At(at)) || words_.At(at) == "-" || words_.At(at) == "hand") {
     if (end.empty() && words_.At(at) != "-") end = words_.At(at);
     ++at;
   }
@@ -117,7 +117,7 @@ bool OpeningSiteReader::TakeEnd(std::size_t& i, OpeningSite& site) const {
   at = words_.BehindArticle(close.value_or(at + 1));
   std::vector<std::string> ends;
   while (ends.size() < 2 &&
-         (IsAmong(kSideWords, words_.At(at)) || words_.At(at) == "northeast" || words_.At(at) == "northwest" ||
+         (IsAmong(kSiteSides, words_.At(at)) || words_.At(at) == "northeast" || words_.At(at) == "northwest" ||
           words_.At(at) == "southeast" || words_.At(at) == "southwest")) {
     const std::string word(words_.At(at));
     if (word.size() == 9) {
@@ -194,8 +194,8 @@ bool OpeningSiteReader::TakeFeature(std::size_t& i, bool door, OpeningSite& site
     return true;
   }
   if (words_.At(at) == "other") ++at;
-  if (IsAmong("main front room entry entrance bedroom", words_.At(at)) && IsAmong(kOpenings, words_.At(at + 1))) ++at;
-  if (!IsAmong(kOpenings, words_.At(at))) return false;
+  if (IsAmong("main front room entry entrance bedroom", words_.At(at)) && IsAmong(kOpeningWords, words_.At(at + 1))) ++at;
+  if (!IsAmong(kOpeningWords, words_.At(at))) return false;
   const bool window = words_.At(at).starts_with("window");
   site.pair =
       beside && (words_.BehindOneOf(i, "either side of|on either side of|on both sides of|flanking").has_value());
@@ -236,7 +236,7 @@ bool OpeningSiteReader::TakeEntering(std::size_t& i, OpeningSite& site) const {
     if (first && !site.sides.empty()) i = at;
     return first && !site.sides.empty();
   }
-  if (words_.At(*way) == "of" || IsAmong(kSideNouns, words_.At(*way)) || IsAmong("hand end corner", words_.At(*way)) ||
+  if (words_.At(*way) == "of" || IsAmong(kWallNouns, words_.At(*way)) || IsAmong("hand end corner", words_.At(*way)) ||
       words_.IsHyphen(*way)) {
     return false;
   }
@@ -290,7 +290,7 @@ bool OpeningSiteReader::TakeSeveralSides(std::size_t& i, OpeningSite& site) cons
 // followed.
 std::string OpeningSiteReader::SideAt(std::size_t i, std::size_t& end, bool& noun) const {
   std::size_t at = words_.BehindArticle(i);
-  if (!IsAmong(kSideWords, words_.At(at))) return "";
+  if (!IsAmong(kSiteSides, words_.At(at))) return "";
   std::string side(words_.At(at++));
   if (words_.IsHyphen(at) && words_.At(at + 1) == "hand") {
     at += 2;
@@ -298,7 +298,7 @@ std::string OpeningSiteReader::SideAt(std::size_t i, std::size_t& end, bool& nou
     ++at;
   }
   if (side == "narrow") side = "short";
-  noun = IsAmong(kSideNouns, words_.At(at)) || (words_.At(at) == "end" && IsAmong("far back rear front", side));
+  noun = IsAmong(kWallNouns, words_.At(at)) || (words_.At(at) == "end" && IsAmong("far back rear front", side));
   if (noun) ++at;
   if (const auto room = words_.BehindOneOf(at, "of the room|of this room|of the house|of the building")) at = *room;
   end = at;
@@ -309,7 +309,7 @@ std::string OpeningSiteReader::SideAt(std::size_t i, std::size_t& end, bool& nou
 bool OpeningSiteReader::TakeSides(std::size_t& i, bool bare, OpeningSite& site) const {
   constexpr int kMostSides = 4;
   std::size_t at = i;
-  const bool into = IsAmong(kInto, words_.At(at));
+  const bool into = IsAmong(kIntoWords, words_.At(at));
   if (into) ++at;
   if (const auto whole = words_.BehindOneOf(words_.BehindArticle(at), kWhole); whole && into) at = *whole;
   const bool several = TakeSeveralSides(at, site);
@@ -318,7 +318,7 @@ bool OpeningSiteReader::TakeSides(std::size_t& i, bool bare, OpeningSite& site) 
     return into || bare;
   }
   // "A window north and a door south" has no "on" either.
-  const bool terse = IsAmong(kCompass, words_.At(at));
+  const bool terse = IsAmong(kCompassPoints, words_.At(at));
   if (!into && !bare && !terse) return false;
   std::vector<std::string> sides;
   std::size_t end = at;
@@ -328,7 +328,7 @@ bool OpeningSiteReader::TakeSides(std::size_t& i, bool bare, OpeningSite& site) 
     if (n > 0) {
       while (next < at + 2 && IsAmong(", and & / +", words_.At(next))) ++next;
       if (next == at) break;
-      if (IsAmong(kInto, words_.At(next))) ++next;
+      if (IsAmong(kIntoWords, words_.At(next))) ++next;
     }
     bool noun = false;
     const std::string side = SideAt(next, behind, noun);
@@ -337,10 +337,10 @@ bool OpeningSiteReader::TakeSides(std::size_t& i, bool bare, OpeningSite& site) 
     const bool closes =
         words_.IsSign(behind) || behind >= words_.size() || IsAmong("and with or but as so where", follows);
     // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.
-    if (n > 0 && !(noun && closes) && !(closes && !any_noun && IsAmong(kCompass, side))) break;
+    if (n > 0 && !(noun && closes) && !(closes && !any_noun && IsAmong(kCompassPoints, side))) break;
     if (!noun && follows == "of") break;
     if (!noun && n == 0 && !closes && !into) break;
-    if (!noun && !closes && !IsAmong(kCompass, side)) break;
+    if (!noun && !closes && !IsAmong(kCompassPoints, side)) break;
     if (!noun && IsAmong("near opposite entrance long short", side)) break;
     sides.push_back(side);
     any_noun = any_noun || noun;
@@ -381,7 +381,7 @@ OpeningSite OpeningSiteReader::ReadBefore(std::size_t begin) const {
     if (!opens) continue;
     OpeningSite site;
     std::size_t at = start;
-    const bool into = IsAmong(kInto, words_.At(at));
+    const bool into = IsAmong(kIntoWords, words_.At(at));
     if (!(TakeMiddle(at, site) || TakeEnd(at, site) || TakeSides(at, /*bare=*/true, site))) continue;
     if (site.sides.empty()) continue;
     bool linked = at == begin && into;

@@ -69,6 +69,12 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
            "understood. A language model understands others.",
            room);
   }
+  if (!facts.other_rooms.empty()) {
+    Remark(v1::SEVERITY_WARNING, "other_rooms_named",
+           fmt::format("One room is designed, a {}; \"{}\" would be a room of its own, and nothing was made of it.",
+                       archetype.name(), fmt::join(facts.other_rooms, "\", \"")),
+           room);
+  }
   for (const hb::Furniture* furniture : facts.too_many) {
     Remark(v1::SEVERITY_WARNING, "too_many_asked",
            fmt::format("More of \"{}\" are asked for than the {} of a kind that the handbook takes; {} are taken.",

@@ -11,6 +11,9 @@
 namespace flair::language {
 namespace {
 
+// Of the floor of a further kind that a room is, what remains where ways are shared.
+constexpr double kShared = 0.8;
+
 // Sides of a given area: shorter by longer as asked or as usual, never below what can be furnished.
 void SidesOf(double area_m2, double ratio, bool deeper, RoomSize& size) {
   const double shorter_m = std::max(1.2, RoundToStep(std::sqrt(area_m2 * ratio)));
@@ -21,7 +24,7 @@ void SidesOf(double area_m2, double ratio, bool deeper, RoomSize& size) {
 
 // How much larger a room is for more people than it usually has: each takes a place of their own and shares the ways.
 double CrowdFactor(const BriefFacts& facts, const hb::Archetype& archetype) {
-  constexpr double kShareOfPlaces = 0.6;
+  constexpr double kShareOfPlaces = 0.6, kEach_m2 = 3;
   if (!facts.people || archetype.per_person().empty()) return 1;
   const double usual_m2 = archetype.width_m().typical() * archetype.depth_m().typical();
   for (const hb::Band& band : archetype.bands()) {
@@ -29,7 +32,9 @@ double CrowdFactor(const BriefFacts& facts, const hb::Archetype& archetype) {
     for (const hb::ObjectEntry& entry : band.objects()) {
       if (entry.furniture() != archetype.per_person()) continue;
       const double usual = std::max(1, entry.count());
-      return 1 + kShareOfPlaces * std::max(0.0, *facts.people / usual - 1);
+      const double more = std::max(0.0, *facts.people / usual - 1);
+      // Few have most of a room to themselves; many take what a place and its share of the ways need.
+      return 1 + std::min(kShareOfPlaces * more, kEach_m2 * usual * more / usual_m2);
     }
     break;
   }
@@ -40,11 +45,17 @@ double CrowdFactor(const BriefFacts& facts, const hb::Archetype& archetype) {
 // floor in the recorded rooms and up to 49 % in small bedrooms; some of that comes without being asked for.
 double FloorForWishes(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice) {
   constexpr double kMostCovered = 0.33, kMostCoveredIfSmall = 0.4;
-  constexpr double kLargest_m2 = 400;
+  constexpr double kLargest_m2 = 400, kRowsTake = 1.7;
   double asked_m2 = 0;
-  for (const ProgramItem& item : MakeRoomProgram(facts, handbook, area_m2, choice).floor_items) {
+  const RoomProgram program = MakeRoomProgram(facts, handbook, area_m2, choice);
+  for (const ProgramItem& item : program.floor_items) {
     const hb::Furniture& furniture = *item.furniture;
-    if (item.requested) asked_m2 += item.count * furniture.width_m().typical() * furniture.depth_m().typical();
+    if (!item.requested || item.optional) continue;
+    // Between rows one walks, and before them somebody stands.
+    const bool in_rows = item.count > 3 && std::ranges::any_of(program.archetype->rows(), [&](const hb::Rows& rows) {
+                           return rows.furniture() == furniture.name();
+                         });
+    asked_m2 += item.count * furniture.width_m().typical() * furniture.depth_m().typical() * (in_rows ? kRowsTake : 1);
   }
   return std::min(kLargest_m2, asked_m2 / (facts.size.area_factor < 1 ? kMostCoveredIfSmall : kMostCovered));
 }
@@ -81,9 +92,12 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const
   } else {
     const bool named = archetype.name() != handbook.fallback_archetype().name();
     area_factor *= CrowdFactor(facts, archetype);
-    const double usual_m2 = width_m * depth_m * area_factor;
+    double all_m2 = width_m * depth_m;
+    const std::vector<FurtherKind> also = AlsoOf(facts, archetype);
+    for (const FurtherKind& one : also) all_m2 += kShared * one.share * UsualArea(*one.archetype);
+    const double usual_m2 = all_m2 * area_factor;
     const double needed_m2 = FloorForWishes(facts, handbook, usual_m2, choice);
-    const bool larger = needed_m2 > usual_m2;
+    const bool larger = needed_m2 > usual_m2 || !also.empty();
     SidesOf(std::max(usual_m2, needed_m2), asked.side_ratio.value_or(usual_ratio), deeper, size);
     if (area_factor <= 2.5 && !asked.side_ratio && named && !larger) {
       size.width_m = std::clamp(size.width_m, Low(archetype.width_m()), High(archetype.width_m()));

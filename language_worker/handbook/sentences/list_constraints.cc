@@ -98,6 +98,7 @@ class ConstraintLister {
     Relations special;
     for (const hb::Changes* changes : program_.changes) Collect(changes->relations(), name, special);
     Collect(program_.archetype->relations(), name, special);
+    for (const FurtherKind& also : program_.also) Collect(also.archetype->relations(), name, special);
     WriteLevel(special, group, topics);
     Relations own;
     if (furniture != nullptr) {

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/room_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "language_worker/handbook/reading/opening_words.h"
+
+namespace flair::language {
+namespace {
+
+// Rooms that belong to others.
+constexpr std::array<std::string_view, 5> kServing = {"bathroom", "dressing room", "laundry", "entrance hall",
+                                                      "greenhouse"};
+// What a list calls a room by: "kitchen/living/dining".
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kUses = {{{"living", "living room"},
+                                                                                 {"sitting", "living room"},
+                                                                                 {"lounge", "living room"},
+                                                                                 {"dining", "dining room"},
+                                                                                 {"diner", "dining room"},
+                                                                                 {"eating", "dining room"},
+                                                                                 {"sleeping", "bedroom"}}};
+constexpr std::string_view kHavingWords =
+    "with has have having including includes plus featuring containing without boasting";
+constexpr std::string_view kListWords = "/ - & + , and";
+// Behind a name these are no noun that it describes, as in "kitchen table".
+constexpr std::string_view kFollowing =
+    "and or with for of in at on to by that which is are where has measuring about approx approximately combined area "
+    "areas "
+    "space room zone x so but without facing near around roughly all both should under over from inside including plus";
+constexpr std::string_view kOpeningNouns = "door doors doorway window windows";
+constexpr std::string_view kEndWords =
+    "north south east west left right far back rear front northern southern eastern western other";
+
+bool Serves(const hb::Archetype& archetype) {
+  return std::find(kServing.begin(), kServing.end(), archetype.name()) != kServing.end();
+}
+
+class RoomKindReader {
+ public:
+  RoomKindReader(const std::vector<Token>& tokens, const Handbook& handbook)
+      : tokens_(tokens), words_(tokens), handbook_(handbook) {}
+
+  RoomKind Read() {
+    FindNames();
+    const std::size_t best = Best();
+    if (best == found_.size()) return {};
+    RoomKind kind;
+    kind.room = found_[best].room;
+    AddOthers(best, kind);
+    TakeTogether(kind);
+    AddPlaces(kind);
+    return kind;
+  }
+
+ private:
+  struct Found {
+    NamedRoom room;
+    bool within = false;   // behind "with"
+    bool had = false;      // right behind it: "with a home office"
+    bool outside = false;  // "a door to the kitchen", "next to the kitchen"
+    bool use = false;      // "living" of a list
+    bool closed = false;   // no noun follows
+    std::size_t list = 0;  // those of one list have the same number
+  };
+
+  void FindNames() {
+    std::vector<Saying<hb::Archetype>> names;
+    for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
+      if (!archetype.fallback()) AddSayings(archetype.name(), archetype.synonyms(), archetype, names);
+    }
+    bool within = false;
+    std::size_t list = 0;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (words_.EndsSentence(i)) within = false;
+      within = within || IsAmong(kHavingWords, words_.At(i));
+      Found found;
+      auto [archetype, length] = LongestAt(names, tokens_, i, /*plural=*/false);
+      found.room = {archetype, i, i + length};
+      // A "kitchen diner" is no diner.
+      const Found use = UseAt(i);
+      const bool joined = use.use && !found_.empty() &&
+                          (IsListed(found_.back().room.end, i) || IsOpenPlan(found_.back().room, use.room));
+      if (length == 0 || (length == 1 && joined)) {
+        found = use;
+        length = 0;
+      }
+      if (found.room.archetype == nullptr) continue;
+      found.within = within;
+      found.outside = IsOutside(found.room);
+      found.closed = Closes(found.room.end);
+      found.had = found.within && IsHad(i);
+      const bool open_plan = !found_.empty() && IsOpenPlan(found_.back().room, found.room);
+      if (open_plan) found_.back().closed = true;
+      if (found_.empty() || !(open_plan || IsListed(found_.back().room.end, i))) ++list;
+      found.list = list;
+      found_.push_back(found);
+      // Names within names do not count, but what follows may be longer: "studio office".
+      if (length > 1) Skip(names, i, length);
+    }
+    // A use alone is none: "living" of "living plants".
+    std::erase_if(found_, [&](const Found& one) {
+      return one.use && (!one.closed || std::ranges::count(found_, one.list, &Found::list) < 2);
+    });
+  }
+
+  // Goes on behind a name, unless a longer one begins within it.
+  void Skip(const std::vector<Saying<hb::Archetype>>& names, std::size_t& i, std::size_t length) const {
+    for (std::size_t k = i + 1; k < i + length; ++k) {
+      if (LongestAt(names, tokens_, k, /*plural=*/false).second > length) return;
+    }
+    i += length - 1;
+  }
+
+  Found UseAt(std::size_t i) const {
+    Found found;
+    for (const auto& [word, name] : kUses) {
+      if (words_.At(i) != word) continue;
+      found.use = true;
+      found.room = {handbook_.FindArchetype(std::string(name)), i, i + 1};
+      if (words_.At(i + 1) == "area" || words_.At(i + 1) == "space") found.room.end = i + 2;
+    }
+    return found;
+  }
+
+  // The kitchen door, next to the kitchen.
+  bool IsOutside(const NamedRoom& room) const {
+    const std::size_t next = words_.IsHyphen(room.end) ? room.end + 1 : room.end;
+    if (IsAmong(kOpeningNouns, words_.At(next))) return true;
+    std::size_t at = room.begin;
+    while (at > 0 && IsAmong("the a an my our adjoining adjacent small main", words_.At(at - 1))) --at;
+    return at > 0 && IsAmong("to onto into from near off beside overlooking adjoining next", words_.At(at - 1));
+  }
+
+  bool Closes(std::size_t i) const {
+    return i >= words_.size() || words_.IsSign(i) || words_.IsNumber(i) || IsAmong(kFollowing, words_.At(i));
+  }
+
+  // "with a small home office", "with a library and a piano": not "with a view of the church".
+  bool IsHad(std::size_t i) const {
+    constexpr std::size_t kMostWords = 4;
+    for (std::size_t back = 1; back <= kMostWords && back <= i; ++back) {
+      const std::string_view word = words_.At(i - back);
+      if (IsAmong(kHavingWords, word) || IsAmong("and , plus", word)) return word != "without";
+      if (IsAmong("of in on at by for to from near like as", word) || words_.EndsSentence(i - back)) return false;
+    }
+    return false;
+  }
+
+  // Whether nothing but "/", "and" and an article lies between.
+  bool IsListed(std::size_t from, std::size_t to) const {
+    if (to < from || to > from + 5) return false;
+    bool joined = false;
+    for (std::size_t i = from; i < to; ++i) {
+      // "a study that doubles as a guest room"
+      const bool between = IsAmong(kListWords, words_.At(i)) || IsAmong("cum doubles doubling", words_.At(i));
+      joined = joined || between;
+      if (!between && !IsAmong("a an the area room space that also as which", words_.At(i))) return false;
+    }
+    return joined;
+  }
+
+  // "kitchen diner", "kitchen living room".
+  static bool IsOpenPlan(const NamedRoom& a, const NamedRoom& b) {
+    constexpr std::string_view kLiving = "kitchen living dining";
+    const auto first = [](const NamedRoom& one) {
+      return std::string_view(one.archetype->name()).substr(0, one.archetype->name().find(' '));
+    };
+    return a.end == b.begin && IsAmong(kLiving, first(a)) && IsAmong(kLiving, first(b));
+  }
+
+  // The rank of a name as that of the room itself: the higher, the likelier.
+  static int RankOf(const Found& found) {
+    const int length = static_cast<int>(std::min<std::size_t>(found.room.end - found.room.begin, 100));
+    const int head = found.outside ? 0 : found.within ? 1 : 2;
+    const int own = Serves(*found.room.archetype) ? 0 : 1;
+    return ((head * 2 + own) * 2 + (found.use ? 0 : 1)) * 128 + length;
+  }
+
+  std::size_t Best() const {
+    // A serving room before "with" is the room all the same: "a bathroom with a dressing room".
+    std::size_t best = found_.size();
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      if (best == found_.size() || RankOf(found_[i]) > RankOf(found_[best])) best = i;
+    }
+    return best;
+  }
+
+  void AddOthers(std::size_t best, RoomKind& kind) const {
+    const auto known = [&](const hb::Archetype* one) {
+      const auto is = [&](const NamedRoom& room) { return room.archetype == one; };
+      return is(kind.room) || std::ranges::any_of(kind.also, is) || std::ranges::any_of(kind.named, is);
+    };
+    const Found& head = found_[best];
+    for (const Found& one : found_) {
+      if (known(one.room.archetype) || one.outside || !one.closed) continue;
+      const bool nested = one.room.begin >= kind.room.begin && one.room.end <= kind.room.end;
+      if (nested) continue;
+      const bool listed = one.list == head.list && head.closed && !one.within;
+      const bool serving = Serves(*one.room.archetype) || Serves(*kind.room.archetype);
+      if (listed && !serving) {
+        kind.also.push_back(one.room);
+      } else if (listed || one.had) {
+        kind.named.push_back(one.room);
+      }
+    }
+  }
+
+  // "Living/dining" is a kind of its own where the handbook has a name for both together.
+  void TakeTogether(RoomKind& kind) const {
+    std::vector<NamedRoom> all = {kind.room};
+    all.insert(all.end(), kind.also.begin(), kind.also.end());
+    for (const NamedRoom& a : all) {
+      for (const NamedRoom& b : all) {
+        const std::string both = a.archetype->name() + " and " + b.archetype->name();
+        for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
+          if (std::ranges::find(archetype.synonyms(), both) == archetype.synonyms().end()) continue;
+          std::erase_if(all, [first = a.archetype, second = b.archetype](const NamedRoom& one) {
+            return one.archetype == first || one.archetype == second;
+          });
+          kind.room.archetype = &archetype;
+          kind.also = std::move(all);
+          return;
+        }
+      }
+    }
+  }
+
+  void AddPlaces(RoomKind& kind) const {
+    for (const Found& one : found_) {
+      if (one.outside) continue;
+      std::size_t at = one.room.end;
+      while (IsAmong("area zone space part is should be", words_.At(at))) ++at;
+      if (!IsAmong("at in on along to towards", words_.At(at))) continue;
+      at = words_.BehindArticle(at + 1);
+      if (!IsAmong(kEndWords, words_.At(at)) || !IsAmong("end side wall corner part half", words_.At(at + 1))) continue;
+      kind.places.push_back(words_.Quote(one.room.begin, at + 2));
+    }
+  }
+
+  const std::vector<Token>& tokens_;
+  const OpeningWords words_;
+  const Handbook& handbook_;
+  std::vector<Found> found_;
+};
+
+}  // namespace
+
+bool IsServing(const hb::Archetype& archetype) { return Serves(archetype); }
+
+RoomKind ReadRoomKind(const std::vector<Token>& tokens, const Handbook& handbook) {
+  return RoomKindReader(tokens, handbook).Read();
+}
+
+}  // namespace flair::language

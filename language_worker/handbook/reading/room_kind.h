@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/sayings.h"
+
+namespace flair::language {
+
+// A kind of room where a brief names it.
+struct NamedRoom {
+  const hb::Archetype* archetype = nullptr;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+// What a brief says that the room is.
+struct RoomKind {
+  NamedRoom room;                // `archetype` is null where none is named
+  std::vector<NamedRoom> also;   // the same room is these, too: "open plan kitchen/living/dining"
+  std::vector<NamedRoom> named;  // others that it has: "a bedroom with a home office and ensuite"
+  // Words that say where in the room one of its uses lies: "kitchen at the east end".
+  std::vector<std::string> places;
+};
+
+// Whether a kind of room belongs to another one, as a bathroom to a bedroom.
+bool IsServing(const hb::Archetype& archetype);
+
+// Reads it. What comes before "with" is the room, what comes after is in it; of several the longest name counts, then
+// the first. Rooms that serve another ("en suite") are that only when no other is named. Linear in the text.
+RoomKind ReadRoomKind(const std::vector<Token>& tokens, const Handbook& handbook);
+
+}  // namespace flair::language

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which kind of room a brief means, and what it is besides.
+#include "language_worker/handbook/reading/room_kind.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/reading/foreign_words.h"
+#include "language_worker/handbook/rooms/describe_room.h"
+
+namespace flair::language {
+namespace {
+
+const Handbook& TheHandbook() {
+  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
+  return **handbook;
+}
+
+// "living dining room + kitchen; bathroom": the room, what it is too, what it has.
+std::string KindIn(const std::string& text) {
+  const RoomKind kind = ReadRoomKind(Tokenize(text), TheHandbook());
+  if (kind.room.archetype == nullptr) return "";
+  std::string told = kind.room.archetype->name();
+  for (const NamedRoom& one : kind.also) told += " + " + one.archetype->name();
+  for (const NamedRoom& one : kind.named) told += "; " + one.archetype->name();
+  return told;
+}
+
+v1::Room Describe(const std::string& text) {
+  v1::Brief brief;
+  brief.set_text(text);
+  const absl::StatusOr<v1::Room> room = DescribeRoom(brief, TheHandbook());
+  EXPECT_TRUE(room.ok()) << room.status();
+  return room.value_or(v1::Room());
+}
+
+bool Remarks(const v1::Room& room, const std::string& code) {
+  return std::ranges::any_of(room.diagnostics(), [&](const v1::Diagnostic& one) { return one.code() == code; });
+}
+
+struct KindCase {
+  const char* text;
+  const char* kind;
+};
+
+TEST(RoomKind, WhatComesBeforeWithIsTheRoom) {
+  const KindCase kCases[] = {
+      {"Master bedroom with walk-in closet and ensuite", "bedroom; dressing room; bathroom"},
+      {"Master suite: bedroom, walk-in closet, bathroom", "bedroom; dressing room; bathroom"},
+      {"A large family bathroom with dressing room", "bathroom; dressing room"},
+      {"Bedroom with an en-suite door on the west wall", "bedroom"},
+      {"A hotel room that has a balcony", "bedroom; greenhouse"},
+      {"Hall with a reading nook", "entrance hall; library"},
+      {"A bedroom with a view of the church", "bedroom"},
+      {"A bedroom with living plants", "bedroom"},
+      {"A dining room next to the kitchen", "dining room"},
+      {"Office with a kitchen table", "home office"},
+      {"I live with my mother and need a home office", "home office"},
+      {"A bedroom with a home office in the corner", "bedroom; home office"},
+  };
+  for (const auto& [text, kind] : kCases) EXPECT_EQ(KindIn(text), kind) << text;
+}
+
+TEST(RoomKind, ARoomMayBeSeveralKindsInOne) {
+  const KindCase kCases[] = {
+      {"Open plan kitchen/living/dining 9m x 6m", "living dining room + kitchen"},
+      {"An open-plan living, dining and kitchen space", "living dining room + kitchen"},
+      {"Lounge/diner 7 x 4 m", "living dining room"},
+      {"A kitchen and dining room 6x5", "dining room + kitchen"},
+      {"Kitchen diner for a family", "kitchen + dining room"},
+      {"A bedroom and study for a student", "bedroom + home office"},
+      {"Guest room / home office", "dorm room + home office"},
+      {"A study that doubles as a guest room", "dorm room + home office"},
+      {"Kitchen, dining table for six", "kitchen"},
+      {"A living room, a bed in the corner", "living room"},
+  };
+  for (const auto& [text, kind] : kCases) EXPECT_EQ(KindIn(text), kind) << text;
+}
+
+TEST(RoomKind, IsWrittenInManyWays) {
+  const KindCase kCases[] = {
+      {"bed room for 2 teenagers, 2 single beds", "bedroom"},
+      {"A bed-room", "bedroom"},
+      {"A living-room with a sofa", "living room"},
+      {"livingroom", "living room"},
+      {"bed-sitting room, single bed", "studio flat"},
+      {"A bedsitter", "studio flat"},
+      {"A bed-sit", "studio flat"},
+      {"A bath-room", "bathroom"},
+      {"home-office", "home office"},
+  };
+  for (const auto& [text, kind] : kCases) EXPECT_EQ(KindIn(text), kind) << text;
+}
+
+TEST(RoomKind, SaysWhereAUseLies) {
+  EXPECT_EQ(ReadRoomKind(Tokenize("Kitchen/dining room, kitchen at the east end"), TheHandbook()).places,
+            std::vector<std::string>{"kitchen at the east end"});
+}
+
+TEST(RoomKind, WhatIsNoPartOfTheRoomIsReported) {
+  EXPECT_TRUE(Remarks(Describe("Master bedroom with walk-in closet and ensuite."), "other_rooms_named"));
+  EXPECT_FALSE(Remarks(Describe("A living room with a bar."), "other_rooms_named"));
+  EXPECT_TRUE(Remarks(Describe("Open plan kitchen/living/dining, kitchen at the east end."), "place_not_understood"));
+}
+
+TEST(RoomKind, OtherLanguagesAreTold) {
+  for (const char* text : {"Wohnzimmer 5m x 4m", "Ein Wohnzimmer mit Sofa", "Une chambre avec un grand lit",
+                           "Salon avec canapé", "Cozinha com mesa", "Slaapkamer met een bed"}) {
+    EXPECT_TRUE(IsForeign(Tokenize(text))) << text;
+    EXPECT_TRUE(Remarks(Describe(text), "language_not_known")) << text;
+  }
+  for (const char* text : {"Bedroom 4x4 m", "A salon with a sofa", "sofa, bed", "Living room, chaise longue, 5 x 4 m",
+                           "A room for a Wohnzimmer fan"}) {
+    EXPECT_FALSE(IsForeign(Tokenize(text))) << text;
+  }
+}
+
+TEST(RoomKind, IsLinear) {
+  const auto seconds = [](std::size_t times) {
+    std::string text;
+    for (std::size_t i = 0; i < times; ++i) text += "kitchen/living/dining with a bar, ";
+    const auto start = std::chrono::steady_clock::now();
+    KindIn(text);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  seconds(10);
+  EXPECT_LT(seconds(1000), 40 * seconds(100) + 0.05);
+}
+
+}  // namespace
+}  // namespace flair::language
