@@ -115,7 +115,7 @@ void TakeWherePeopleAre(std::vector<Token>& tokens) {
     if (!BeginsSentence(tokens, i) || !IsAmong(kPeople, tokens[i])) continue;
     const size_t place = i + (IsOneOf(tokens[i + 1], {"sitting", "seated", "standing", "lying"}) ? 2 : 1);
     const auto end = std::find_if(tokens.begin() + static_cast<long>(place), tokens.end(), [](const Token& token) {
-      return token.IsMark('.') || IsOneOf(token, {"see", "watch", "look", "view"});
+      return token.IsMark('.') || IsOneOf(token, {"see", "watch", "look", "view", "reach"});
     });
     if (end == tokens.end() || end->IsMark('.') || !IsOneOf(tokens[place], {"at", "on", "in"})) continue;
     tokens[place].text = "from";

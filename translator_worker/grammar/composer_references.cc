@@ -67,7 +67,7 @@ std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<
       default:
         target.objects = Resolve(reference, movers, true);
         if (target.objects.empty()) continue;
-        if (reference.any) PairUp(movers, target.objects);
+        if (reference.any || (reference.own && movers.size() == target.objects.size())) PairUp(movers, target.objects);
         if (reference.kind != RefKind::kZone) target.kind = RefKind::kObjects;
     }
     result.push_back(std::move(target));
@@ -159,13 +159,14 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
       // "0.4 m to the seat" of the sofa, "seats should look into the room" of benches.
       if (reference.name == "seat") {
         const std::vector<Placed>& seats = target ? pair_targets_ : topic_;
-        if (!seats.empty() && IsSeat(seats.front())) return seats;
-        // "From every seat": of each that people sit on.
-        if (reference.each && scope() == v1::SENTENCE_SCOPE_INTER) {
+        // "From every seat", "the seats": all that people sit on.
+        if ((reference.each || reference.plural) && scope() == v1::SENTENCE_SCOPE_INTER) {
           objects = Group("seating", movers);
           KeepSubjects(objects);
-          break;
+          if (objects.size() > seats.size()) break;
+          objects.clear();
         }
+        if (!seats.empty() && IsSeat(seats.front())) return seats;
       }
       Refuse("names_absent_object",
              fmt::format("the room has no \"{}\"; its objects are those of the object list", reference.name));

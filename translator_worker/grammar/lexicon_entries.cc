@@ -57,6 +57,7 @@ side sides: (either|each) (end|arm)
 side back: tank | cistern | headboards | backrests | headrests | (tank|cistern|rear facing|wall) side
 side front: front (legs|feet|half) | (player|customer|customers|guest|visitor|public|viewing|ladder|client) (side|end)
 side three: [on|from|at] all [four] [of its] sides (except|but|besides|excluding|save|other than|apart from|except for|but for) [the|its] (back|rear|back side|rear side|wall side|one (against|at|facing) the wall)
+side three: [on|from|at] (all|every) (side|sides) (but|except|save) [for] [the|its|one at the] (back|rear|wall) [side] | all but [the|its] (back|rear) [side]
 side other: [the|its] (other|opposite|remaining) [long|short] side
 side long_one: either [of the|of its] (long|longer|longest) (side|sides|edge|edges) | [at least|on] (one|a) [of its|of the|of their] (long|longer|longest|lengthwise) (side|sides|edge|edges) | (long|longer|longest) (side|edge) | (one|a) length
 side long_both: [both] lengths | [both|the|two|on both|all] (long|longer|longest) (sides|edges)

@@ -37,6 +37,12 @@ bool ClauseEnds(const std::vector<Term>& terms, size_t at) {
                           terms[at + 1].kind == Term::Kind::kPurpose || IsSoft(terms[at + 1]));
 }
 
+// Where "free" or "accessible" stands from `at` on, one unknown word aside; 0 when it does not.
+size_t KeptFreeAt(const std::vector<Term>& terms, size_t at) {
+  if (at < terms.size() && terms[at].kind == Term::Kind::kUnknown) ++at;
+  return at < terms.size() && IsAnyWord(terms[at], {"keep_clear", "accessible"}) ? at : 0;
+}
+
 // "Near sockets, which must not be covered", "in front of the desk, which it faces": of the thing before "which".
 // "The stand, which is beside the bench, must be ...": of the first thing, two facts.
 void ReadRelativeClauses(std::vector<Term>& terms) {
@@ -58,6 +64,10 @@ void ReadRelativeClauses(std::vector<Term>& terms) {
                ClauseEnds(terms, i + 3)) {
       out.insert(out.end(), {terms[i + 1], terms[i + 2], thing});
       i += 2;
+    } else if (const size_t verb = KeptFreeAt(terms, i + 1); commas == 1 && verb > 0 && IsBareSide(thing)) {
+      // "From the front, which must therefore be free".
+      out.push_back(thing);
+      i = verb - 1;
     } else if (commas == 1 && things == 1 && terms[i].lemma == "which" && terms[i + 1].kind == Term::Kind::kWord) {
       out.pop_back();
     } else {

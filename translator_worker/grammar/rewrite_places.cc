@@ -29,10 +29,14 @@ void ReadKeptFreeAsSpace(std::vector<Term>& terms) {
 // "0.9 m all around the table", "space all round it": on all its sides. "Around" alone leaves out the wall's.
 void ReadAllAroundThing(std::vector<Term>& terms) {
   constexpr size_t kPlainLength = 6;
-  for (size_t i = 1; i + 1 < terms.size(); ++i) {
+  for (size_t i = 0; i + 1 < terms.size(); ++i) {
     const bool all = terms[i].IsWord("around") && terms[i].end - terms[i].begin > kPlainLength + 1;
-    const bool space = terms[i - 1].kind == Term::Kind::kDistance || terms[i - 1].IsAnyWord({"space", "keep_clear"});
-    if (all && space && terms[i + 1].kind == Term::Kind::kMention) terms[i].lemma = "all_sides";
+    const bool space =
+        i > 0 ? terms[i - 1].kind == Term::Kind::kDistance || terms[i - 1].IsAnyWord({"space", "keep_clear"})
+              : i + 2 < terms.size() && terms[i + 2].kind == Term::Kind::kDistance;
+    const Term& next = terms[i + 1];
+    const bool figure = next.kind == Term::Kind::kDistance || next.IsWord("of");
+    if (all && space && (next.kind == Term::Kind::kMention || figure)) terms[i].lemma = "all_sides";
   }
 }
 

@@ -10,6 +10,7 @@ namespace flair::translator {
 bool VerbFollows(const TokenContext& context) {
   const auto& [tokens, at, names, terms] = context;
   if (at == 0 || tokens[at - 1].IsMark('.') || tokens[at - 1].IsWord("to")) return true;
+  if (IsOneOf(tokens[at - 1], {"each", "both", "one", "other", "it", "they", "which", "that"})) return true;
   if (terms.empty()) return false;
   const RawTerm& before = terms.back();
   if (before.role == RawTerm::Role::kModal || before.term.IsWord("not")) {
@@ -46,6 +47,11 @@ Phrase FindPhrase(const TokenContext& context) {
   const size_t after = context.at + phrase.length;
   if (phrase.word_class == WordClass::kModal && phrase.length > 1 && context.tokens[after - 1].IsWord("left") &&
       after < context.tokens.size() && IsOneOf(context.tokens[after], {"open", "free", "clear", "unobstructed"}))
+    return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
+  // "Side by side with no gap": what comes with it is no partner.
+  if (phrase.length > 1 && phrase.word_class == WordClass::kRelation && context.tokens[after - 1].IsWord("with") &&
+      after < context.tokens.size() &&
+      (IsOneOf(context.tokens[after], {"no", "at"}) || context.tokens[after].kind == Token::Kind::kDistance))
     return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
   // "Stands parallel to ensure ...": the last word begins the reason.
   const size_t last = context.at + phrase.length - 1;
@@ -95,7 +101,7 @@ bool EndsSideClear(const TokenContext& context, const Phrase& phrase) {
 bool ReachedFromSide(const TokenContext& context, const Phrase& phrase) {
   const std::vector<Token>& tokens = context.tokens;
   size_t next = context.at + phrase.length;
-  if (!tokens[next - 1].IsWord("from")) return false;
+  if (!tokens[next - 1].IsWord("from") || tokens[context.at].text.starts_with("receiv")) return false;
   while (next < tokens.size() && IsOneOf(tokens[next], {"the", "its"})) ++next;
   if (next >= tokens.size()) return false;
   const Phrase side = Lexicon::Get().Find(tokens, next);
@@ -106,6 +112,8 @@ bool TellsWhichOne(const TokenContext& context, const Phrase& phrase) {
   const auto& [tokens, at, names, terms] = context;
   if (phrase.lemma == "around" && at + 1 < tokens.size() && tokens[at + 1].kind == Token::Kind::kDistance) return true;
   if (phrase.length != 1 || at == 0) return false;
+  // "Over the round table".
+  if (tokens[at].IsWord("round") && IsOneOf(tokens[at - 1], {"the", "a", "each", "every"})) return true;
   if (IsOneOf(tokens[at], {"adjacent", "nearby"})) {
     return IsOneOf(tokens[at - 1], {"between", "any", "of", "the", "from", "two", "other"}) &&
            NounFollows(context, at + 1);

@@ -123,6 +123,13 @@ void AwayFromPartner(const Match& match, std::string_view tag, Composer& compose
   }
 }
 
+// "No wall may be closer than 0.8 m to it".
+void WallAway(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& placed : composer.TargetObjects(*match.a, {})) {
+    KeepAway(placed, {RefKind::kWall, {}, match.b->references.front().name}, match.distance, composer);
+  }
+}
+
 // "Not between the sofa and the bookshelf" is away from both; doors and windows would say something else.
 void NotBetween(const Match& match, std::string_view tag, Composer& composer) {
   const bool features = std::any_of(match.b->references.begin(), match.b->references.end(),
@@ -135,6 +142,7 @@ void NotBetween(const Match& match, std::string_view tag, Composer& composer) {
 std::vector<Rule> DistanceRules() {
   return {
       {"D space? away", AwayFromPartner},
+      {"B.wall not D to/of/near/away_from A.object", WallAway},
       {"A? space? D? space? away_from B", AwayFrom},
       {"A? not space? D? space? away_from B", AwayFrom, "not"},
       {"A? not D of/near B", AwayFrom, "not"},

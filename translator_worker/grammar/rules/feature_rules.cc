@@ -209,6 +209,7 @@ std::vector<Rule> FeatureRules() {
       {"A? allow_access_to B", AllowAccess},
       {"A? not block ,? accessible/access_to/allow_access_to/accessible_from B", NotBlock},
       {"A? not block ,? B.feature swing_open", NotBlock},
+      {"A? accessible when B.feature swing_open", NotBlock},
       {"A? not block B ,? swing_open", NotBlock},
       {"A? not block B accessible", NotBlock},
       {"A? not block B.object space", NotBlock, "gap"},

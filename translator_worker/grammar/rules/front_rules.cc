@@ -32,6 +32,13 @@ void NothingWithin(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& owner : composer.TargetObjects(*match.b, {})) KeepFreeBeside(owner, match.distance, composer);
 }
 
+// "Nothing may stand behind it", tag: that side.
+void NothingAtSide(const Match& match, std::string_view tag, Composer& composer) {
+  for (const Placed& owner : composer.TargetObjects(*match.b, {})) {
+    KeepSpaceAt(owner, {std::string(tag)}, match.distance, composer);
+  }
+}
+
 void NothingInFront(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& owner : composer.TargetObjects(*match.b, {})) {
     KeepSpace({{owner.object, "front"}}, match.distance, composer);
@@ -46,6 +53,9 @@ std::vector<Rule> FrontRules() {
       {"A.group not near B.side", NothingNear},
       {"A.group not in_front_of B.thing", NothingInFront},
       {"A.group not in_front", SpaceBefore},
+      {"A.group not behind B.thing", NothingAtSide, "back"},
+      {"A.group not left_of B.thing", NothingAtSide, "left"},
+      {"A.group not right_of B.thing", NothingAtSide, "right"},
       {"A.group not D of/near B.side", NothingNear},
       {"A.group not D of/near B.object", NothingWithin},
       {"C.vague not near B.side", NothingNear},

@@ -52,7 +52,7 @@ void OnWallNear(const Match& match, std::string_view, Composer& composer) {
 // "Needs a wall behind it", "a wall at its back".
 void WallBehind(const Match& match, std::string_view tag, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.b);
-  if (!movers.empty() && !composer.IsFloor(movers.front())) {
+  if (composer.scope() == v1::SENTENCE_SCOPE_TERTIARY || (!movers.empty() && !composer.IsFloor(movers.front()))) {
     Above(match, tag, composer);
     return;
   }
@@ -73,6 +73,7 @@ std::vector<Rule> HangingRules() {
   return {
       {"C.wall behind B.pronoun", WallBehind},
       {"C.wall on/next_to/behind B.side", WallBehind},
+      {"C.wall behind B.object", WallBehind},
       {"hanging? on? C.wall ,? centered? D? above/behind B", Above},
       {"hanging? on? C.wall ,? near/next_to/left_of/right_of/to_side/in_front_of B", OnWallNear},
       {"A? hanging? centered? D? above B", Above},

@@ -17,6 +17,13 @@ void NearReached(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "From the sofa one can reach it".
+void NearFrom(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.TargetObjects(*match.b, {})) {
+    for (const Target& target : composer.Targets(*match.c, {mover})) NearOne(mover, target, nullptr, composer);
+  }
+}
+
 // "Closer to the door than the sofa": no call compares.
 void Nearer(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_expressible", "distances are not compared; say how far it may be from what");
@@ -229,7 +236,7 @@ std::vector<Rule> NearRules() {
       {"A? on/next_to/at_sides B.side , of B", OnEachSide},
       {"A? reach B.object", Near, "access"},
       {"reach B.object away_from A.object", NearReached},
-      {"away_from A.object ,? reach B.object", NearReached},
+      {"away_from C.object ,? reach B.object", NearFrom},
       {"A? near B.feature than C", Nearer},
   };
 }
