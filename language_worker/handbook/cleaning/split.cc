@@ -13,8 +13,8 @@ namespace {
 
 using Parts = std::optional<std::pair<std::string, std::string>>;
 
-constexpr std::array<std::string_view, 12> kVerbs = {"is",  "are",  "should", "must",   "faces",  "face",
-                                                     "has", "have", "does",   "stands", "leaves", "keeps"};
+constexpr std::array<std::string_view, 12> kSentenceVerbs = {"is",  "are",  "should", "must",   "faces",  "face",
+                                                             "has", "have", "does",   "stands", "leaves", "keeps"};
 constexpr std::array<std::string_view, 12> kCopulas = {
     " should not be ", " must not be ", " is not ", " are not ", " should be placed ", " is placed ",
     " should be ",     " must be ",     " is ",     " are ",     " stands ",           " stand "};
@@ -58,7 +58,7 @@ Parts SplitOpenings(const std::string& text) {
 // The words before the first verb: who the sentence is about.
 std::string SubjectOf(std::string_view clause) {
   std::size_t first = std::string_view::npos;
-  for (const std::string_view verb : kVerbs) {
+  for (const std::string_view verb : kSentenceVerbs) {
     first = std::min(first, clause.find(" " + std::string(verb) + " "));
   }
   return first == std::string_view::npos ? "" : std::string(clause.substr(0, first));
@@ -84,7 +84,7 @@ Parts SplitClauses(const std::string& text) {
   for (std::size_t at = text.find(" and "); at != std::string::npos; at = text.find(" and ", at + 1)) {
     const std::string_view rest = std::string_view(text).substr(at + 5);
     const std::string left = text.substr(0, at);
-    for (const std::string_view verb : kVerbs) {
+    for (const std::string_view verb : kSentenceVerbs) {
       const std::string subject = SubjectOf(left);
       if (StartsWithWord(rest, verb) && !subject.empty()) {
         return std::pair(Sentence(left), Sentence(subject + " " + std::string(rest)));

@@ -43,6 +43,7 @@ class Checker {
     for (const hb::AskedPlace& place : handbook_.asked_places()) {
       label_ = "asked place";
       CheckSentence(place.relation().text());
+      if (!place.text_of_desks().empty()) CheckSentence(place.text_of_desks());
       if (place.words().empty()) Problem("has no words: " + place.relation().text());
     }
     for (const hb::Noun& noun : handbook_.nouns()) {
@@ -89,7 +90,7 @@ class Checker {
   void CheckSentence(const std::string& text) {
     static const std::set<std::string, std::less<>> kPlaceholders = {
         "object",     "objects", "target", "targets", "front_m", "sides_m", "back_m", "side",
-        "other_side", "corner",  "zone",   "count",   "first",   "second",  "wall"};
+        "other_side", "corner",  "zone",   "count",   "first",   "second",  "wall",   "seat"};
     for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
       const std::size_t close = text.find('}', open);
       const std::string name = text.substr(open + 1, close == std::string::npos ? close : close - open - 1);

@@ -17,6 +17,7 @@ namespace {
 constexpr double kCoverLimit = 0.45;
 
 double Least(const hb::Extent& extent) { return extent.min() > 0 ? extent.min() : extent.typical(); }
+bool IsAskedFor(const ProgramItem& item) { return item.requested && !item.optional; }
 double ToCentimetre(double length_m) { return std::round(length_m * 100) / 100; }
 
 class FloorFitter {
@@ -152,7 +153,7 @@ class FloorFitter {
     for (bool changed = true; changed && Cover() > kCoverLimit;) {
       changed = false;
       for (std::size_t i = items_.size(); i-- > 0 && Cover() > kCoverLimit;) {
-        if (requested || !items_[i].item.requested) changed = Replace(items_[i]) || changed;
+        if (requested || !IsAskedFor(items_[i].item)) changed = Replace(items_[i]) || changed;
       }
     }
   }
@@ -161,7 +162,7 @@ class FloorFitter {
   // within that by drop order and place in the list.
   int Rank(const SizedItem& sized) const {
     const bool main = sized.primary && !program_.zones.empty() && sized.item.zone == program_.zones.front().name();
-    return (main ? 4 : 0) + (sized.item.requested ? 2 : 0) + (sized.primary ? 1 : 0);
+    return (main ? 4 : 0) + (IsAskedFor(sized.item) ? 2 : 0) + (sized.primary ? 1 : 0);
   }
 
   // Whether it goes with the piece that it is pulled up to, not by itself.
@@ -251,7 +252,8 @@ class FloorFitter {
       return;
     }
     const int asked = asked_.contains(name) ? asked_.at(name) : count;
-    left_out_.push_back({name, reason, sized.item.requested, count, asked});
+    const std::string why = sized.item.optional ? "the brief wants it only if there is room, and " + reason : reason;
+    left_out_.push_back({name, why, IsAskedFor(sized.item), count, asked});
   }
 
   const RoomProgram& program_;

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "language_worker/handbook/objects/fit_floor.h"
 #include "language_worker/handbook/objects/tertiaries.h"
+#include "language_worker/handbook/program/program_items.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
@@ -34,12 +36,15 @@ class ObjectLister {
         zones_(zones),
         handbook_(handbook),
         style_(facts, handbook, choice),
-        program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)) {}
+        program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
+        people_(facts.people) {}
 
   void ListFloor() {
     std::vector<LeftOut> left_out;
-    AddFloorObjects(FitFloor(program_, handbook_, ExtentOf(room_), left_out));
+    const std::vector<SizedItem> fitting = FitFloor(program_, handbook_, ExtentOf(room_), left_out);
+    AddFloorObjects(fitting);
     TellLeftOut(left_out);
+    TellPlaces(fitting);
   }
 
   // What completes these floor objects, but nothing of a class that is `there` already.
@@ -69,6 +74,25 @@ class ObjectLister {
       if (zone.id() == id) return id;
     }
     return zones_.zones_size() > 0 ? zones_.zones(0).id() : "";
+  }
+
+  // Says so when fewer can sit, or sleep, than the brief speaks of.
+  void TellPlaces(const std::vector<SizedItem>& fitting) {
+    if (!people_) return;
+    const std::string& name = program_.archetype->per_person();
+    int places = 0, beds = 0;
+    for (const SizedItem& sized : fitting) {
+      const hb::Furniture& furniture = *sized.item.furniture;
+      const int each = furniture.name() == name ? std::max(1, PlacesOn(furniture)) : PlacesOn(furniture);
+      if (name.empty() || furniture.name() == name || each > 1) places += sized.item.count * each;
+      if (furniture.category() == "bed") beds += sized.item.count * each;
+    }
+    if (beds > 0) places = beds;
+    if (places >= *people_) return;
+    v1::Diagnostic& remark = *list_.add_diagnostics();
+    remark.set_severity(v1::SEVERITY_WARNING);
+    remark.set_code("people_without_place");
+    remark.set_message(fmt::format("The brief speaks of {} people; the room has places for {}.", *people_, places));
   }
 
   void TellLeftOut(const std::vector<LeftOut>& left_out) {
@@ -187,6 +211,7 @@ class ObjectLister {
   const Handbook& handbook_;
   const StyleChoice style_;
   const RoomProgram program_;
+  const std::optional<int> people_;
   v1::ObjectList list_;
   int drawn_ = 0;
 };

@@ -128,5 +128,34 @@ TEST(Groups, WhatTheBriefSaysOfAPlaceIsWrittenInsteadOfTheUsual) {
   EXPECT_EQ(PlanFor("A bedroom.").Sentences("The double bed is at least 0.4 m away from the windows."), 1);
 }
 
+TEST(Groups, EveryoneHasAPlaceOrItIsSaid) {
+  const auto seats = [](const Plan& plan) { return plan.Count("dining chair"); };
+  const Plan library = PlanFor("A library for forty readers.");
+  EXPECT_EQ(seats(library), 40);
+  EXPECT_TRUE(library.objects.diagnostics().empty());
+  EXPECT_EQ(seats(PlanFor("A dining room for a family of five.")), 5);
+  EXPECT_EQ(PlanFor("A classroom where twenty students learn.").Count("school desk"), 20);
+  EXPECT_EQ(PlanFor("A chapel that seats sixty.").Count("pew"), 20);
+  EXPECT_EQ(PlanFor("A dorm room that sleeps six.").Count("single bed"), 6);
+  EXPECT_GE(PlanFor("A living room for a family of six.").Count("armchair"), 3);
+  // Too many for the floor: as many as fit, and how many that is.
+  const Plan full = PlanFor("A library of 4 m x 4 m for forty readers.");
+  EXPECT_LT(seats(full), 20);
+  ASSERT_EQ(full.objects.diagnostics_size(), 1);
+  EXPECT_EQ(full.objects.diagnostics(0).code(), "people_without_place");
+}
+
+TEST(Groups, WhatIsWantedOnlyIfThereIsRoomGoesFirstAndIsNoComplaint) {
+  const Plan roomy = PlanFor("A dining room of 6 m x 6 m with a bench if there is room.");
+  EXPECT_EQ(roomy.Count("dining bench"), 1);
+  const Plan tight = PlanFor("A bedroom of 2.5 m x 3 m with a double bed, a wardrobe and a sofa if there is room.");
+  EXPECT_EQ(tight.Count("sofa") + tight.Count("loveseat"), 0);
+  EXPECT_EQ(tight.Count("double bed"), 1);
+  EXPECT_EQ(tight.Omission("sofa").find("the brief wants it only if there is room"), 0u) << tight.Omission("sofa");
+  for (const v1::Omission& omission : tight.objects.omissions()) {
+    if (omission.name() == "sofa") EXPECT_FALSE(omission.requested());
+  }
+}
+
 }  // namespace
 }  // namespace flair::language

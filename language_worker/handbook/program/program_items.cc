@@ -45,6 +45,16 @@ std::string HomeOf(const hb::Furniture& furniture, const RoomProgram& program) {
   return program.zones.empty() ? "" : program.zones.front().name();
 }
 
+int PlacesOn(const hb::Furniture& furniture) {
+  constexpr double kOnABenchM = 0.5, kOnASofaM = 0.6, kTwoInABedM = 1.3;
+  const std::string& category = furniture.category();
+  const double width_m = furniture.width_m().typical();
+  if (category == "bench") return std::max(1, static_cast<int>(width_m / kOnABenchM));
+  if (category == "sofa") return std::max(1, static_cast<int>(width_m / kOnASofaM));
+  if (category == "bed") return width_m >= kTwoInABedM || furniture.name() == "bunk bed" ? 2 : 1;
+  return category == "chair" || category == "stool" || category == "armchair" ? 1 : 0;
+}
+
 void Remove(const std::string& name, RoomProgram& program) {
   for (auto* list : {&program.floor_items, &program.tertiary_items}) {
     std::erase_if(*list, [&](const ProgramItem& item) { return item.furniture->name() == name; });

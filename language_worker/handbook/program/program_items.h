@@ -21,6 +21,9 @@ bool HasZone(const RoomProgram& program, const std::string& name);
 // The zone where a class belongs when nothing says so; empty when there are none.
 std::string HomeOf(const hb::Furniture& furniture, const RoomProgram& program);
 
+// How many can sit, or lie, on a piece of its usual size; 0 when it is for none.
+int PlacesOn(const hb::Furniture& furniture);
+
 // Takes a class out of a program.
 void Remove(const std::string& name, RoomProgram& program);
 

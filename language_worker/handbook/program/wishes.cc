@@ -181,24 +181,31 @@ class WishMaker {
       program_.floor_items.push_back({furniture, nullptr, 1, HomeOf(*furniture, program_)});
       item = program_.floor_items.end() - 1;
     }
-    const int places = PlacesOn(*item->furniture);
+    const int places = std::max(1, PlacesOn(*item->furniture));
     item->count = std::min(kMostOfAKind, (*facts_.people + places - 1) / places);
     const std::string zone = item->zone;
     const hb::Furniture& furniture = *item->furniture;
     SeatAt(furniture, item->count, 0, zone);
   }
 
-  // Where one sits on what the room has anyway: more armchairs until everyone has a seat.
+  // Of rooms where one sits on what is there anyway, or sleeps: more armchairs, or beds, until everyone has a place.
   void SeatPeopleAnywhere() {
     constexpr int kMostMore = 6;
-    int seats = 0;
-    ProgramItem* armchairs = nullptr;
+    int seats = 0, beds = 0;
+    ProgramItem *armchairs = nullptr, *bed = nullptr;
     for (ProgramItem& item : program_.floor_items) {
+      const bool for_sleep = item.furniture->category() == "bed";
+      const int places = item.count * PlacesOn(*item.furniture);
       if (item.furniture->category() == "armchair") armchairs = &item;
-      if (item.seat_of == nullptr) seats += item.count * PlacesOn(*item.furniture);
+      if (for_sleep && bed == nullptr) bed = &item;
+      (for_sleep ? beds : seats) += places;
     }
-    if (armchairs == nullptr || armchairs->requested || seats >= *facts_.people) return;
-    armchairs->count += std::min(kMostMore, *facts_.people - seats);
+    ProgramItem* more = bed != nullptr ? bed : armchairs;
+    const int missing = *facts_.people - (bed != nullptr ? beds : seats);
+    if (more == nullptr || more->requested || missing <= 0) return;
+    const int each = PlacesOn(*more->furniture);
+    more->count += std::min(kMostMore, (missing + each - 1) / each);
+    more->requested = true;  // by who is to sit or lie there
   }
 
   void KeepWishesOnly() {

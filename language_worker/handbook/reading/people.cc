@@ -15,17 +15,17 @@ constexpr std::size_t kMostBeforePersons = 2;
 constexpr double kMostCounted = 2000;
 
 // Who is counted without a word like "for".
-constexpr std::array<std::string_view, 78> kPersons = {
-    "people",      "person",         "adult",     "child",    "children",    "kid",       "guest",     "friend",
-    "student",     "pupil",          "reader",    "visitor",  "worker",      "employee",  "colleague", "developer",
-    "diner",       "player",         "patient",   "client",   "customer",    "member",    "resident",  "tenant",
-    "teenager",    "toddler",        "infant",    "baby",     "senior",      "woman",     "women",     "man",
-    "men",         "girl",           "boy",       "sister",   "brother",     "musician",  "singer",    "dancer",
-    "worshipper",  "parishioner",    "attendee",  "delegate", "participant", "listener",  "spectator", "viewer",
-    "drinker",     "monk",           "nun",       "nurse",    "doctor",      "engineer",  "designer",  "programmer",
-    "researcher",  "scientist",      "artist",    "painter",  "writer",      "trainee",   "learner",   "teacher",
-    "schoolchild", "schoolchildren", "passenger", "soldier",  "sailor",      "traveller", "traveler",  "backpacker",
-    "roommate",    "flatmate",       "housemate", "partner",  "seat",        "place"};
+constexpr std::array<std::string_view, 79> kPersons = {
+    "people",      "person",         "adult",     "child",     "children",    "kid",       "guest",     "friend",
+    "student",     "pupil",          "reader",    "visitor",   "worker",      "employee",  "colleague", "developer",
+    "diner",       "player",         "patient",   "client",    "customer",    "member",    "resident",  "tenant",
+    "teenager",    "toddler",        "infant",    "baby",      "senior",      "woman",     "women",     "man",
+    "men",         "girl",           "boy",       "sister",    "brother",     "musician",  "singer",    "dancer",
+    "worshipper",  "parishioner",    "attendee",  "delegate",  "participant", "listener",  "spectator", "viewer",
+    "drinker",     "monk",           "nun",       "nurse",     "doctor",      "engineer",  "designer",  "programmer",
+    "researcher",  "scientist",      "artist",    "painter",   "writer",      "trainee",   "learner",   "teacher",
+    "schoolchild", "schoolchildren", "passenger", "soldier",   "sailor",      "traveller", "traveler",  "backpacker",
+    "staff",       "roommate",       "flatmate",  "housemate", "partner",     "seat",      "place"};
 // What such an ending makes of things.
 constexpr std::array<std::string_view, 30> kThings = {
     "meters",  "metres",    "liters",     "litres",   "computers", "towers",   "servers", "containers",

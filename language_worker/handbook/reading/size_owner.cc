@@ -16,9 +16,9 @@ constexpr std::array<std::string_view, 18> kRoomWords = {
     "room", "rooms", "bedroom", "space", "area",      "flat",       "apartment",    "studio", "house",
     "hall", "loft",  "floor",   "plan",  "footprint", "dimensions", "measurements", "size",   "total"};
 // Where a noun's own words end.
-constexpr std::array<std::string_view, 21> kStops = {"that", "with", "for",  "in",    "and", "which", "where",
-                                                     "on",   "at",   "of",   "to",    "is",  "has",   "or",
-                                                     "but",  "from", "near", "under", "by",  "who",   "wall"};
+constexpr std::array<std::string_view, 21> kOwnerStops = {"that", "with", "for",  "in",    "and", "which", "where",
+                                                          "on",   "at",   "of",   "to",    "is",  "has",   "or",
+                                                          "but",  "from", "near", "under", "by",  "who",   "wall"};
 // Between a noun and its size.
 constexpr std::array<std::string_view, 12> kLinks = {"of",  "measuring", "measures", "is", "that", "which",
                                                      "are", "sized",     "about",    "a",  "(",    ":"};
@@ -48,7 +48,7 @@ bool SizeOwner::IsWithinAThing(std::size_t start, std::size_t end) const {
 
 // What comes after "with" or "for", up to a comma, is not the room, unless it says so.
 bool SizeOwner::IsInWhatTheRoomHas(std::size_t start, std::size_t end) const {
-  for (std::size_t i = end; i < end + 3 && IsWord(i) && !Among(kStops, tokens_[i].text); ++i) {
+  for (std::size_t i = end; i < end + 3 && IsWord(i) && !Among(kOwnerStops, tokens_[i].text); ++i) {
     if (RoomAt(i)) return false;
   }
   for (std::size_t i = start; i > 0 && IsWord(i - 1); --i) {
@@ -59,12 +59,12 @@ bool SizeOwner::IsInWhatTheRoomHas(std::size_t start, std::size_t end) const {
 
 // "… solid oak desk": a thing within the next three words, and no "desk area" or "piano room".
 bool SizeOwner::ThingFollows(std::size_t end) const {
-  for (std::size_t i = end; i < end + 3 && IsWord(i) && !Among(kStops, tokens_[i].text); ++i) {
+  for (std::size_t i = end; i < end + 3 && IsWord(i) && !Among(kOwnerStops, tokens_[i].text); ++i) {
     if (RoomAt(i)) return false;
     const std::size_t length = ThingAt(i);
     if (length == 0) continue;
     for (std::size_t next = i + length; next < i + length + 2 && IsWord(next); ++next) {
-      if (Among(kStops, tokens_[next].text)) break;
+      if (Among(kOwnerStops, tokens_[next].text)) break;
       if (RoomAt(next)) return false;
     }
     return true;

@@ -43,6 +43,10 @@ PlaceWriter::PlaceWriter(const v1::Room& room, const RoomProgram& program, const
 std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& group) const {
   const Group subjects = SubjectsOf(place, group);
   if (subjects.empty()) return {};
+  if (!place.asked->text_of_desks().empty() && subjects.front()->category() == "desk") {
+    const std::vector<v1::Sentence> sentences = WriteOfDesks(place, subjects);
+    if (!sentences.empty()) return sentences;
+  }
   if (PlaceNames(place, "{first}")) return WriteBetween(place, subjects);
   if (!place.side.empty() && PlaceNames(place, "in a corner")) return WriteCorner(place, subjects);
   Fillings words;
@@ -63,6 +67,24 @@ Group PlaceWriter::SubjectsOf(const Place& place, const Group& group) const {
   const auto at = static_cast<std::size_t>(place.which);
   if (at >= all.size() || std::ranges::find(group, all[at]) == group.end()) return {};
   return {all[at]};
+}
+
+// Whoever sits at a desk looks over its back.
+std::vector<v1::Sentence> PlaceWriter::WriteOfDesks(const Place& place, const Group& group) const {
+  hb::Relation relation = place.asked->relation();
+  relation.set_text(place.asked->text_of_desks());
+  if (place.target != nullptr) relation.add_targets(place.target->name());
+  if (relation.text().find("{seat}") == std::string::npos) return writer_.Write(relation, group);
+  relation.set_text(Fill(relation.text(), {{"seat", "{object}"}}));
+  Group seats;
+  for (const auto& [name, objects] : writer_.groups()) {
+    for (const v1::Object* one : objects) {
+      const bool here = one->zone_id() == group.front()->zone_id() && one->role() != v1::OBJECT_ROLE_TERTIARY;
+      if (one->category() == "chair" && here && seats.size() < group.size()) seats.push_back(one);
+    }
+    if (!seats.empty()) break;
+  }
+  return seats.empty() ? std::vector<v1::Sentence>() : writer_.Write(relation, seats);
 }
 
 std::vector<v1::Sentence> PlaceWriter::WriteBetween(const Place& place, const Group& group) const {

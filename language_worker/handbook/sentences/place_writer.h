@@ -23,6 +23,7 @@ class PlaceWriter {
 
  private:
   Group SubjectsOf(const Place& place, const Group& group) const;
+  std::vector<v1::Sentence> WriteOfDesks(const Place& place, const Group& group) const;
   std::vector<v1::Sentence> WriteBetween(const Place& place, const Group& group) const;
   std::vector<v1::Sentence> WriteCorner(const Place& place, const Group& group) const;
   const v1::Object* Neighbour(const hb::Furniture& furniture, const v1::Object& object, const v1::Object* other) const;
