@@ -159,6 +159,25 @@ std::optional<double> ReadArea(const Reader& reader, std::size_t i) {
   return std::nullopt;
 }
 
+// "height 2.4 m", "room height: 2.4 m", "a ceiling of 2.4 m", "the ceiling is at 2.4 m".
+bool IsHeightBefore(const Reader& reader, std::size_t i) {
+  constexpr std::size_t kMostBetween = 4;
+  for (std::size_t back = 1; back <= kMostBetween && back <= i; ++back) {
+    const std::string& word = reader.Text(i - back);
+    if (word == "ceiling" || word == "ceilings") return true;
+    // The height of a shelf is none of the room.
+    if (word == "height") {
+      const std::string& whose = i > back ? reader.Text(i - back - 1) : word;
+      return i == back || whose == "room" || whose == "ceiling" || whose == "a" || whose == "," || whose == "." ||
+             whose == "and" || whose == "with" || whose == "the" || whose == ";";
+    }
+    const bool between = word == "of" || word == "is" || word == "at" || word == ":" || word == "a" ||
+                         word == "height" || word == "about" || word == "=";
+    if (!between) return false;
+  }
+  return false;
+}
+
 // A single length with what it belongs to: "5 m square", "12-foot room", "6 m long", "2.7m ceiling".
 void ReadSingle(const Reader& reader, const SizeOwner& owner, std::size_t i, SizeRequest& size) {
   const std::optional<Measure> measure = reader.At(i);
@@ -166,6 +185,10 @@ void ReadSingle(const Reader& reader, const SizeOwner& owner, std::size_t i, Siz
   const double length_m = measure->value * measure->unit_m;
   const std::string& word = reader.Text(measure->end);
   const bool ceiling = word == "ceiling" || word == "ceilings" || reader.Text(measure->end + 1) == "ceiling";
+  if (IsHeightBefore(reader, i)) {
+    size.height_m = length_m;
+    return;
+  }
   if (!ceiling && owner.IsOfAThing(i, measure->end + 1)) return;
   if (word == "ceiling" || word == "ceilings" || word == "high" || word == "tall") {
     size.height_m = length_m;
@@ -188,6 +211,16 @@ bool IsSaid(const std::string& word, const std::vector<Token>& tokens, const Siz
   return false;
 }
 
+// "a square room of 20 square metres": a "square" that no unit follows and no number precedes.
+bool IsSquare(const std::vector<Token>& tokens) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].text != "square") continue;
+    const bool unit = i + 1 < tokens.size() && (UnitOf(tokens[i + 1].text) > 0 || tokens[i + 1].text == "metre");
+    if (!unit && !(i > 0 && tokens[i - 1].kind == Token::Kind::kNumber)) return true;
+  }
+  return false;
+}
+
 void ReadSizeWords(const std::vector<Token>& tokens, const hb::Handbook& handbook, const SizeOwner& owner,
                    SizeRequest& size) {
   for (const hb::SizeWord& entry : handbook.size_words()) {
@@ -196,7 +229,7 @@ void ReadSizeWords(const std::vector<Token>& tokens, const hb::Handbook& handboo
     if (!said) continue;
     if (entry.area_factor() > 0) size.area_factor = entry.area_factor();
     // The "square" of "20 square metres" says nothing about the shape.
-    const bool of_area = size.area_m2.has_value() && entry.side_ratio() == 1;
+    const bool of_area = size.area_m2.has_value() && entry.side_ratio() == 1 && !IsSquare(tokens);
     if (entry.side_ratio() > 0 && !of_area) size.side_ratio = entry.side_ratio();
     if (entry.width_m() > 0 && !size.in_numbers()) {
       size.width_m = entry.width_m();

@@ -13,6 +13,9 @@ hb::Handbook Words() {
   hb::SizeWord& small = *handbook.add_size_words();
   small.add_words("small");
   small.set_area_factor(0.75);
+  hb::SizeWord& square = *handbook.add_size_words();
+  square.add_words("square");
+  square.set_side_ratio(1);
   hb::SizeWord& narrow = *handbook.add_size_words();
   narrow.add_words("narrow");
   narrow.set_side_ratio(0.5);
@@ -50,7 +53,8 @@ INSTANTIATE_TEST_SUITE_P(
                     PairCase{"curly_feet", "12\u2019 x 14\u2019", 3.6576, 4.2672},
                     PairCase{"centimetres", "240cm x 300cm", 2.4, 3}, PairCase{"millimetres", "3600 x 4200", 3.6, 4.2},
                     PairCase{"bare_centimetres", "350 x 420", 3.5, 4.2}, PairCase{"by_name", "8m long, 4m wide", 4, 8},
-                    PairCase{"square", "a 5 m square studio", 5, 5}),
+                    PairCase{"no_blanks", "A study of 3mx4m", 3, 4}, PairCase{"sign_no_blanks", "4m\u00d75m", 4, 5},
+                    PairCase{"cm_no_blanks", "400cmx500cm", 4, 5}, PairCase{"square", "a 5 m square studio", 5, 5}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(ReadSize, ReadsAreas) {
@@ -65,6 +69,21 @@ TEST(ReadSize, KeepsTheCeilingApartFromTheSides) {
   const SizeRequest size = *Read("a 4 x 5 m room with a 2.7m ceiling");
   EXPECT_NEAR(*size.height_m, 2.7, 1e-9);
   EXPECT_NEAR(*size.width_m, 4, 1e-9);
+}
+
+TEST(ReadSize, TheHeightMayStandBeforeItsNumber) {
+  for (const char* text : {"A room of 4 x 5 m. Height 2.4 m.", "a 4 x 5 m room with a ceiling of 2.4 m",
+                           "a 4 x 5 m room, ceiling height: 2.4 m", "a 4 x 5 m room, the ceiling is at 2.4 m"}) {
+    const SizeRequest size = *Read(text);
+    ASSERT_TRUE(size.height_m.has_value()) << text;
+    EXPECT_NEAR(*size.height_m, 2.4, 1e-9) << text;
+    EXPECT_NEAR(*size.width_m, 4, 1e-9) << text;
+  }
+}
+
+TEST(ReadSize, ASquareRoomOfAnAreaIsSquare) {
+  EXPECT_EQ(*Read("a square room of 20 square metres")->side_ratio, 1);
+  EXPECT_FALSE(Read("a room of 20 square metres")->side_ratio.has_value());
 }
 
 TEST(ReadSize, KnowsSizeWords) {

@@ -34,6 +34,19 @@ constexpr std::array<std::string_view, 30> kNoThing = {
     "atmosphere", "room",  "look",   "mood",      "vibe",  "kind",  "sort",    "style",   "budget",  "view",
     "area",       "space", "place",  "character", "theme", "floor", "morning", "evening", "day",     "night"};
 
+// Between things in a list.
+constexpr std::array<std::string_view, 5> kListing = {",", "and", "with", "plus", "&"};
+constexpr std::size_t kMostBareWords = 3;
+// Last words of things.
+constexpr std::array<std::string_view, 44> kThings = {
+    "machine", "rail",     "rack",   "stand",     "unit",  "holder", "station", "trolley", "cart",
+    "cabinet", "cupboard", "board",  "box",       "chest", "table",  "chair",   "bed",     "desk",
+    "lamp",    "screen",   "shelf",  "bench",     "stool", "seat",   "tank",    "system",  "player",
+    "warmer",  "cooler",   "heater", "dispenser", "press", "oven",   "freezer", "basket",  "bin",
+    "locker",  "hook",     "pod",    "rug",       "mat",   "case",   "sofa",    "couch"};
+// What follows them is no thing of the room.
+constexpr std::array<std::string_view, 6> kVerbs = {"put", "place", "use", "leave", "keep", "make"};
+
 template <typename List>
 bool Lists(const List& list, std::string_view word) {
   return std::any_of(list.begin(), list.end(), [&](std::string_view one) { return MatchesWord(word, one); });
@@ -63,6 +76,20 @@ class ThingFinder {
     const std::string& first = tokens_[i + 1].text;
     const std::string& last = tokens_[end - 1].text;
     return Lists(kNoThing, first) || Lists(kNoThing, last) || CountsPeople(last) ? "" : text;
+  }
+
+  // The thing that is listed at `i` without an article: "a sofa, vending machine and bookshelf". Only one whose last
+  // word is said of things, since an adjective may be listed as well.
+  std::string BareThingAt(std::size_t i) const {
+    if (i == 0 || !Has(kListing, tokens_[i - 1].text)) return "";
+    std::string text;
+    std::size_t end = i;
+    for (; end < tokens_.size() && Continues(end) && end < i + kMostBareWords; ++end) {
+      if (used_[end] || Has(kArticles, tokens_[end].text)) return "";
+      text += (end > i && !tokens_[end].glued ? " " : "") + tokens_[end].text;
+    }
+    if (end == i || (end < tokens_.size() && Continues(end))) return "";
+    return Lists(kThings, tokens_[end - 1].text) && !Has(kVerbs, tokens_[i].text) ? text : "";
   }
 
  private:
@@ -104,6 +131,7 @@ std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, const s
   std::vector<std::string> things;
   for (std::size_t i = 0; i < tokens.size() && things.size() < kMostThings; ++i) {
     std::string thing = finder.ThingAt(i);
+    if (thing.empty()) thing = finder.BareThingAt(i);
     if (!thing.empty() && !Has(things, thing)) things.push_back(std::move(thing));
   }
   return things;

@@ -14,8 +14,8 @@ namespace flair::language {
 bool ReadsAsEnglish(const std::vector<Token>& tokens);
 
 // Things that the text lists with an article or a number ("with a counter, two ovens") and of whose words none is
-// `used`, as many tokens as `tokens`; in its order, eight at most. What is listed without either is not found: it may
-// be an adjective.
+// `used`, as many tokens as `tokens`; in its order, eight at most. What is listed without either is found when its last
+// word is one for things ("vending machine"); else it may be an adjective.
 std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, const std::vector<bool>& used);
 
 }  // namespace flair::language

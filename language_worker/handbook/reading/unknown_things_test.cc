@@ -26,6 +26,13 @@ TEST(UnknownThings, AreWhatIsListedAndNotUnderstood) {
   EXPECT_THAT(UnknownOf("A room for a cat and for another cat, with a cat", {"room"}), ElementsAre("cat"));
 }
 
+TEST(UnknownThings, AreAlsoThoseListedWithoutAnArticle) {
+  EXPECT_THAT(UnknownOf("A foyer with sofa, vending machine, popcorn stand and plants", {"foyer", "sofa", "plants"}),
+              ElementsAre("vending machine", "popcorn stand"));
+  EXPECT_THAT(UnknownOf("A bedroom, calm and mossy, with light", {"bedroom"}), IsEmpty());
+  EXPECT_THAT(UnknownOf("A bedroom with bed, put the board away", {"bedroom", "bed"}), IsEmpty());
+}
+
 TEST(UnknownThings, AreNoSizesMoodsOrPeople) {
   EXPECT_THAT(UnknownOf("A bedroom that is 4 m x 5 m, 3 metres high", {"bedroom"}), IsEmpty());
   EXPECT_THAT(UnknownOf("A bedroom, calm and a bit mossy, with a touch of gold", {"bedroom"}), IsEmpty());

@@ -120,8 +120,10 @@ std::vector<Token> Tokenize(std::string_view text) {
       std::string word;
       while (i < plain.size() && IsLetter(plain[i])) {
         word += plain[i++];
-        // "4x5": an x between digits is a sign of its own, not part of a word.
-        if (word == "x" && i < plain.size() && IsDigit(plain[i])) break;
+        // "4x5", "4mx5m": an x before a digit is a sign of its own, not part of a word.
+        const bool times = i + 1 < plain.size() && plain[i] == 'x' && IsDigit(plain[i + 1]);
+        const bool unit = word == "m" || word == "cm" || word == "mm" || word == "ft";
+        if ((word == "x" && i < plain.size() && IsDigit(plain[i])) || (times && unit)) break;
       }
       tokens.push_back({Token::Kind::kWord, std::move(word), 0, false});
     } else {
