@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <string>
 
 #include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/foreign_words.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 
@@ -94,6 +96,27 @@ TEST(RoomKind, IsWrittenInManyWays) {
       {"home-office", "home office"},
   };
   for (const auto& [text, kind] : kCases) EXPECT_EQ(KindIn(text), kind) << text;
+}
+
+TEST(RoomKind, SeveralKindsHaveTheFurnitureOfAll) {
+  const auto pieces = [](const std::string& text, double area_m2) {
+    v1::Brief brief;
+    brief.set_text(text);
+    const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, TheHandbook());
+    std::set<std::string> names;
+    for (const ProgramItem& item : MakeRoomProgram(*facts, TheHandbook(), area_m2, Choice(0, text)).floor_items) {
+      names.insert(item.furniture->name());
+    }
+    return names;
+  };
+  const std::set<std::string> open_plan = pieces("Open plan kitchen/living/dining", 54);
+  for (const char* piece : {"sofa", "dining table", "refrigerator", "cooker"}) EXPECT_TRUE(open_plan.contains(piece)) << piece;
+  const std::set<std::string> bedroom = pieces("A bedroom with a home office", 24);
+  for (const char* piece : {"double bed", "desk"}) EXPECT_TRUE(bedroom.contains(piece)) << piece;
+  EXPECT_FALSE(pieces("A living room", 24).contains("refrigerator"));
+  // There is floor for it.
+  EXPECT_GT(FloorArea(Describe("Open plan kitchen/living/dining")),
+            FloorArea(Describe("A living and dining room")) + 5);
 }
 
 TEST(RoomKind, SaysWhereAUseLies) {
