@@ -243,8 +243,33 @@ bool FurnitureReader::IsRefused(std::size_t i) const {
   return false;
 }
 
+// Of "two rows of five benches" and "mats in 3 rows of 4" the number in all; 0 where no rows are counted.
+int FurnitureReader::TakeRows(std::size_t i, std::size_t length) {
+  constexpr std::size_t kMostWords = 4, kPhrase = 4;
+  const auto number = [&](std::size_t k) {
+    if (tokens_[k].kind == Token::Kind::kNumber) return static_cast<int>(std::clamp(tokens_[k].number, 0.0, 100.0));
+    return IsArticle(tokens_[k].text) ? 0 : NumberWord(tokens_[k].text).value_or(0);
+  };
+  const auto rows_at = [&](std::size_t k) {
+    if (k + kPhrase > tokens_.size() || !MatchesWord(tokens_[k + 1].text, "row") || tokens_[k + 2].text != "of") return 0;
+    return number(k) * number(k + 3);
+  };
+  const std::size_t end = i + length;
+  std::vector<std::size_t> starts;
+  for (std::size_t back = kPhrase; back <= kPhrase + kMostWords && back <= i; ++back) starts.push_back(i - back);
+  if (end < tokens_.size() && tokens_[end].text == "in") starts.push_back(end + 1);
+  for (const std::size_t start : starts) {
+    const int rows = rows_at(start);
+    if (rows == 0) continue;
+    Use(start, kPhrase);
+    return rows;
+  }
+  return 0;
+}
+
 void FurnitureReader::Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
-  const Count count = CountBefore(furniture, i, length);
+  Count count = CountBefore(furniture, i, length);
+  if (const int in_rows = TakeRows(i, length); in_rows > 0) count = {in_rows};
   if (SeatsTheLast(furniture, count, i, length)) return;
   Wish wish{&furniture, count.number, 0, count.said, IsOptional(i, i + length)};
   if (!furniture.companions().empty()) wish.seats = SeatsAfter(i + length);

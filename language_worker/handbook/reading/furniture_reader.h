@@ -44,6 +44,7 @@ class FurnitureReader {
   const Wish* MeantBefore(std::size_t i, std::size_t length) const;
   void Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const Count& count);
   bool IsOptional(std::size_t begin, std::size_t end) const;
+  int TakeRows(std::size_t i, std::size_t length);
   bool RefuseKind(std::size_t i);
   bool IsRefused(std::size_t i) const;
   void Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length);

@@ -74,6 +74,13 @@ TEST(NounBook, NumbersWithinACompoundAreSizesAndNoCounts) {
   EXPECT_EQ(WishesOf("A kitchen with a six-burner cooker."), "1 cooker");
 }
 
+TEST(NounBook, RowsTimesPiecesAreTheirNumber) {
+  EXPECT_EQ(WishesOf("A chapel with two rows of five benches."), "10 pew");
+  EXPECT_EQ(WishesOf("A home cinema with 2 rows of four leather recliners."), "8 recliner");
+  EXPECT_EQ(WishesOf("A yoga studio with mats in 3 rows of 4."), "12 yoga mat");
+  EXPECT_EQ(WishesOf("A chapel with five pews."), "5 pew");
+}
+
 TEST(NounBook, OneWordMayBeTwoAndTwoOne) {
   EXPECT_EQ(WishesOf("A bar with 8 barstools."), "8 bar stool");
   EXPECT_EQ(WishesOf("A living room with an arm chair, a book case and a foot stool."),
