@@ -167,11 +167,18 @@ class BriefReader {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       int found = 0;
       const std::size_t length = phrase.MatchAt(tokens_, i, true, &found);
-      if (length == 0 || (found > 0 && used_[i])) continue;
+      if (length == 0 || (found > 0 && used_[i]) || IsAWish(i, length)) continue;
       number = found;
       return true;
     }
     return false;
+  }
+
+  // "A painting" is a piece, and makes nobody a painter.
+  bool IsAWish(std::size_t i, std::size_t length) const {
+    return used_[i] && std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
+             return Phrase(wish.furniture->name()).MatchAt(tokens_, i) == length;
+           });
   }
 
   // As OccursAny, but not within words that name the room or its furniture: a king bed makes no king.

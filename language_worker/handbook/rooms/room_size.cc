@@ -45,7 +45,7 @@ double CrowdFactor(const BriefFacts& facts, const hb::Archetype& archetype) {
 // floor in the recorded rooms and up to 49 % in small bedrooms; some of that comes without being asked for.
 double FloorForWishes(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice) {
   constexpr double kMostCovered = 0.33, kMostCoveredIfSmall = 0.4;
-  constexpr double kLargest_m2 = 400, kRowsTake = 1.7;
+  constexpr double kLargest_m2 = 400, kRowsTake = 2;
   double asked_m2 = 0;
   const RoomProgram program = MakeRoomProgram(facts, handbook, area_m2, choice);
   for (const ProgramItem& item : program.floor_items) {
