@@ -63,11 +63,24 @@ class ProgramMaker {
     }
     const bool further = !owner.empty();
     for (const hb::ObjectEntry& entry : band.objects()) {
-      if (!further || !Lists(program_, entry.furniture())) Add(entry, owner + "band", archetype);
+      if (!further || !IsThereAlready(entry.furniture())) Add(entry, owner + "band", archetype);
     }
     for (const hb::ObjectEntry& entry : archetype.tertiaries()) {
       if (!further || !Lists(program_, entry.furniture())) Add(entry, owner + "tertiary", archetype);
     }
+  }
+
+  // The piece, or another that the same seats are pulled up to: of two kinds with a dining table one has it.
+  bool IsThereAlready(const std::string& name) const {
+    if (Lists(program_, name)) return true;
+    const hb::Furniture* furniture = handbook_.FindFurniture(name);
+    if (furniture == nullptr) return false;
+    return std::ranges::any_of(program_.floor_items, [&](const ProgramItem& item) {
+      return std::ranges::any_of(item.furniture->companions(), [&](const hb::ObjectEntry& theirs) {
+        return std::ranges::any_of(furniture->companions(),
+                                   [&](const hb::ObjectEntry& ours) { return ours.furniture() == theirs.furniture(); });
+      });
+    });
   }
 
   void Add(const hb::ObjectEntry& entry, const std::string& owner) { Add(entry, owner, *program_.archetype); }

@@ -71,8 +71,9 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
   }
   if (!facts.other_rooms.empty()) {
     Remark(v1::SEVERITY_WARNING, "other_rooms_named",
-           fmt::format("One room is designed, a {}; \"{}\" would be a room of its own, and nothing was made of it.",
-                       archetype.name(), fmt::join(facts.other_rooms, "\", \"")),
+           fmt::format("One room is designed ({}); nothing was made of \"{}\", {}.", archetype.name(),
+                       fmt::join(facts.other_rooms, "\", \""),
+                       facts.other_rooms.size() > 1 ? "rooms of their own" : "a room of its own"),
            room);
   }
   for (const hb::Furniture* furniture : facts.too_many) {
