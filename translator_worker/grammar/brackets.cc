@@ -64,6 +64,8 @@ class BracketReader {
   bool Explains() const {
     static constexpr std::array<std::string_view, 6> kOpenings = {"eg",   "ie",      "preferably",
                                                                   "left", "ideally", "including"};
+    // "(left side)" says which one.
+    if (Is(at_ + 1, "left") && (Is(at_ + 2, "side") || Is(at_ + 2, "hand"))) return false;
     return tokens_[at_ + 1].IsMark(')') || IsSize() ||
            std::any_of(kOpenings.begin(), kOpenings.end(), [&](std::string_view word) { return Is(at_ + 1, word); });
   }

@@ -119,6 +119,11 @@ bool Composer::IsBesideTheRug(const std::string& type) const {
 
 void Composer::CompleteSide(const std::string& side) {
   if (side != "front" && side != "back" && side != "left" && side != "right") return;
+  // "Adjacent to the sofa (left side)": of the sofa.
+  if (!calls_.empty() && calls_.back().type == "next_to" && calls_.back().arguments.size() == 2) {
+    calls_.back().Text("target_side", side);
+    return;
+  }
   if (calls_.empty() || (calls_.back().type != "against_wall" && calls_.back().type != "near_wall")) return;
   for (const v1::Argument& argument : calls_.back().arguments) {
     if (argument.name() == "side") return;

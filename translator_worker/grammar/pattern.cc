@@ -53,6 +53,14 @@ Match Pattern::At(std::span<const Term> terms) const {
   return best;
 }
 
+std::vector<std::vector<std::string>> Pattern::RequiredWords() const {
+  std::vector<std::vector<std::string>> required;
+  for (const Element& element : elements_) {
+    if (element.slot == 0 && !element.optional) required.push_back(element.words);
+  }
+  return required;
+}
+
 bool Pattern::Fits(const Element& element, const Term& term) const {
   switch (element.slot) {
     case 0:

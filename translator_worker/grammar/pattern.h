@@ -36,6 +36,9 @@ class Pattern {
   // The longest match that begins at the first term.
   Match At(std::span<const Term> terms) const;
 
+  // The choices of lemmas of which one each must be among the terms for a match.
+  std::vector<std::vector<std::string>> RequiredWords() const;
+
  private:
   struct Element {
     char slot = 0;  // 'A', 'B', 'C', 'D', ',' or 0 for a word

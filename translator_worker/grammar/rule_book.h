@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bitset>
 #include <span>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "translator_worker/grammar/pattern.h"
@@ -29,8 +32,15 @@ class RuleBook {
  private:
   RuleBook();
 
+  // One bit a lemma that some pattern requires.
+  using Lemmas = std::bitset<256>;
+  Lemmas Among(std::span<const Term> terms) const;
+
   std::vector<Rule> rules_;
   std::vector<Pattern> patterns_;
+  std::unordered_map<std::string, size_t> bits_;
+  // Of each pattern, choices of lemmas: without one of each it cannot match.
+  std::vector<std::vector<Lemmas>> required_;
 };
 
 }  // namespace flair::translator
