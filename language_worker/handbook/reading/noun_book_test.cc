@@ -81,6 +81,16 @@ TEST(NounBook, RowsTimesPiecesAreTheirNumber) {
   EXPECT_EQ(WishesOf("A chapel with five pews."), "5 pew");
 }
 
+TEST(NounBook, FewIsOneAndNoneIsNoneOfTheKind) {
+  EXPECT_EQ(WishesOf("A living room with not too many pictures."), "1 painting");
+  EXPECT_EQ(WishesOf("A living room, hardly any cushions."), "1 cushion");
+  EXPECT_EQ(WishesOf("A living room with a few armchairs."), "3 armchair");
+  const BriefFacts facts = ReadNouns("A living room without plants.");
+  for (const char* name : {"floor plant", "hanging planter", "plant stand", "bonsai"}) {
+    EXPECT_TRUE(std::ranges::any_of(facts.refusals, [&](const auto* one) { return one->name() == name; })) << name;
+  }
+}
+
 TEST(NounBook, OneWordMayBeTwoAndTwoOne) {
   EXPECT_EQ(WishesOf("A bar with 8 barstools."), "8 bar stool");
   EXPECT_EQ(WishesOf("A living room with an arm chair, a book case and a foot stool."),
