@@ -30,6 +30,9 @@ class OpeningReader {
       if (words_.At(i) == "windowless") {
         openings_.no_windows = true;
         Use(i, i + 1);
+      } else if (const auto dark = words_.BehindOneOf(i, "no natural light|no daylight|without daylight")) {
+        openings_.no_windows = true;
+        Use(i, *dark);
       } else if (!ReadAspect(i) && !ReadTheOther(i) && !room_[i]) {
         ReadOpening(i);
       }
@@ -104,11 +107,11 @@ class OpeningReader {
     if (after && own_side && shared_from_ && site.sides[0] != "near" && IsJoinedByAnd(begin)) ShareWithTheLast(site);
     shared_from_ = site.sides.empty() && !noun.related && !openings_.wishes.empty();
     if (!site.not_read.empty()) {
-      openings_.not_read.push_back(
-          fmt::format("\"{}\": where an opening is can be told by walls, corners, doors and windows, not by furniture; "
-                      "it stands where "
-                      "it fits.",
-                      wish.said));
+      openings_.not_read.push_back(fmt::format(
+          "\"{}\": where an opening is can be told by walls, corners, doors and windows, not by furniture or lengths; "
+          "it stands where "
+          "it fits.",
+          wish.said));
     }
     const std::size_t before = openings_.wishes.size();
     if (!site.by_side.empty()) AddTheOther(site, !wish.door);
@@ -187,8 +190,9 @@ class OpeningReader {
         ++next;
       }
       OpeningSite site;
-      if (!sites_.ReadAfter(next, all.door, /*verbs=*/true, site) || site.sides.empty()) break;
       OpeningWish share = all;
+      next = ReadMeasures(words_, next, share);
+      if (!sites_.ReadAfter(next, all.door, /*verbs=*/true, site) || site.sides.empty()) break;
       share.count = count;
       share.side = site.sides[0];
       share.along = site.along;

@@ -87,6 +87,12 @@ TEST(OpeningReader, ReadsWallsThatGoByOtherOpenings) {
       {"As you enter, the window is on the left.", "window@left"},
       {"The window is straight ahead as you come in.", "window@far"},
       {"A door and a window on the north wall.", "door@north; window@north"},
+      {"A door in the south wall and a pair of windows in the wall opposite.", "door@south; 2 window@across south"},
+      {"A window to the right of the door.", "window@near"},
+      {"Two windows left and right of the door.", "2 window@near"},
+      {"Two doors: one to the hall (south wall), one to the bathroom (west wall).",
+       "door@south; door@west to:bathroom"},
+      {"A window in the short wall and a door in the long wall near the window.", "window@short; door@long"},
   };
   for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
 }
@@ -148,7 +154,7 @@ TEST(OpeningReader, LeavesWordsThatOnlyTellWhereSomethingElseIs) {
 
 TEST(OpeningReader, ReadsThatThereAreNone) {
   for (const char* text : {"A room with no windows.", "A windowless room.", "A room without any windows.",
-                           "A cellar without a window.", "There are no windows."}) {
+                           "A cellar without a window.", "A gym with no natural light.", "There are no windows."}) {
     const OpeningWishes openings = OpeningsIn(text);
     EXPECT_TRUE(openings.no_windows) << text;
     EXPECT_TRUE(openings.wishes.empty()) << text;
@@ -160,8 +166,8 @@ TEST(OpeningReader, ReadsThatThereAreNone) {
 
 TEST(OpeningReader, SaysWhatItCannotTake) {
   for (const char* text :
-       {"A bedroom with a skylight.", "A window above the sink.",
-        "The door is on the south wall. The door is on the north wall.",
+       {"A bedroom with a skylight.", "A window above the sink.", "A door in the 4 m wall.",
+        "A door in the corner of the 4 m wall.", "The door is on the south wall. The door is on the north wall.",
         "A windowless room with a window on the east wall.", "No windows, and a desk under the window."}) {
     EXPECT_EQ(OpeningsIn(text).not_read.size(), 1u) << text;
   }

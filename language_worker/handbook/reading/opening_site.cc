@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kSiteVerbs =
     "is are be being should must will can could stands stand sits sit goes go set located placed positioned situated "
     "put "
-    "which that opens open to just right directly all both";
+    "which that opens open just directly all both";
 constexpr std::string_view kCompassPoints = "north south east west northern southern eastern western";
 constexpr std::string_view kSiteSides =
     "north south east west northern southern eastern western left right far farthest furthest back rear front near "
@@ -41,7 +41,7 @@ bool OpeningSiteReader::ReadAfter(std::size_t i, bool door, bool verbs, OpeningS
     const bool list =
         !any && (words_.At(at) == ":" || words_.At(at) == "(" || (words_.At(at) == "-" && !words_.IsHyphen(at)));
     if (pause || list) ++at;
-    for (int over = 0; over < 4 && verbs && !pause && IsAmong(kSiteVerbs, words_.At(at)); ++over) ++at;
+    for (int over = 0; over < 4 && verbs && !pause && SaysNoPlace(at); ++over) ++at;
     const bool entering = TakeEntering(at, site);
     const bool taken = entering || TakeFromEnd(at, site) || TakeMiddle(at, site) ||
                        (!pause && TakeFeature(at, door, site)) || TakeEnd(at, site) ||
@@ -50,9 +50,15 @@ bool OpeningSiteReader::ReadAfter(std::size_t i, bool door, bool verbs, OpeningS
     if (list && words_.At(at) == ")") ++at;
     any = true;
     i = site.end = at;
-    if (!site.not_read.empty()) break;
   }
   return any;
+}
+
+// "is", "to be", the "right" of "right opposite": before the words for a place.
+bool OpeningSiteReader::SaysNoPlace(std::size_t i) const {
+  if (words_.At(i) == "to") return words_.At(i + 1) == "be";
+  if (words_.At(i) == "right") return IsAmong("opposite next by beside near across in", words_.At(i + 1));
+  return IsAmong(kSiteVerbs, words_.At(i));
 }
 
 // "50 cm from the left corner", "1 m from the west wall".
@@ -157,6 +163,11 @@ bool OpeningSiteReader::TakeEnd(std::size_t& i, OpeningSite& site) const {
     return false;
   }
   if (const auto room = words_.BehindOneOf(at, "of the room|of this room")) at = *room;
+  std::size_t behind_length = 0;
+  if (of && words_.LengthAt(words_.BehindArticle(at + 1), behind_length) && words_.At(behind_length) == "wall") {
+    site.not_read = words_.Quote(i, behind_length + 1);
+    at = behind_length + 1;
+  }
   site.along.at = At::kEnd;
   // Of "the north-east corner of the north wall" the east one.
   for (const std::string& one : ends) {
@@ -175,11 +186,15 @@ bool OpeningSiteReader::TakeFeature(std::size_t& i, bool door, OpeningSite& site
       "facing|"
       "on the opposite wall to|on the opposite wall from|on the opposite side from|on the opposite side to|faces|face");
   const auto beside = words_.BehindOneOf(at,
-                                         "next to|beside|alongside|adjacent to|close to|near|by|left of|right of|to "
+                                         "next to|left and right of|to the left and right of|beside|alongside|adjacent "
+                                         "to|close to|near|by|left of|right of|to "
                                          "the left of|to the right of|on the left of|"
                                          "on the right of|either side of|on either side of|on both sides of|on the "
                                          "same wall as|in the same wall as|flanking");
   if (!across && !beside) return false;
+  // The wall that was said holds.
+  OpeningSite kept;
+  if (!site.sides.empty()) kept = site;
   at = words_.BehindArticle(across ? *across : *beside);
   if (across && words_.Behind(at, "each other")) {
     site.sides = {"left", "right"};
@@ -194,11 +209,17 @@ bool OpeningSiteReader::TakeFeature(std::size_t& i, bool door, OpeningSite& site
     return true;
   }
   if (words_.At(at) == "other") ++at;
-  if (IsAmong("main front room entry entrance bedroom", words_.At(at)) && IsAmong(kOpeningWords, words_.At(at + 1))) ++at;
+  if (IsAmong("main front room entry entrance bedroom", words_.At(at)) && IsAmong(kOpeningWords, words_.At(at + 1)))
+    ++at;
   if (!IsAmong(kOpeningWords, words_.At(at))) return false;
   const bool window = words_.At(at).starts_with("window");
   site.pair =
-      beside && (words_.BehindOneOf(i, "either side of|on either side of|on both sides of|flanking").has_value());
+      beside &&
+      (words_
+           .BehindOneOf(
+               i,
+               "either side of|on either side of|on both sides of|flanking|left and right of|to the left and right of")
+           .has_value());
   i = at + 1;
   OpeningSite of_it;
   if (window == door && TakeSides(i, /*bare=*/false, of_it) && of_it.sides.size() == 1) {
@@ -209,6 +230,10 @@ bool OpeningSiteReader::TakeFeature(std::size_t& i, bool door, OpeningSite& site
     site.sides = {across ? "across same" : "same"};
   } else {
     site.sides = {window ? (across ? "across window" : "window") : (across ? "far" : "near")};
+  }
+  if (!kept.sides.empty()) {
+    site.sides = kept.sides;
+    site.by_side.clear();
   }
   return true;
 }
@@ -255,6 +280,12 @@ bool OpeningSiteReader::TakeEntering(std::size_t& i, OpeningSite& site) const {
 // "both long walls", "two sides", "all four walls".
 bool OpeningSiteReader::TakeSeveralSides(std::size_t& i, OpeningSite& site) const {
   std::size_t at = i;
+  if (const auto facing =
+          words_.BehindOneOf(at, "the wall opposite|the wall facing it|the other wall|the facing wall")) {
+    site.sides = {"opposite"};
+    i = *facing;
+    return true;
+  }
   if (const auto same = words_.BehindOneOf(at, "the same wall|one wall|a single wall|the same side")) {
     site.sides = {"same"};
     i = *same;
@@ -317,6 +348,14 @@ bool OpeningSiteReader::TakeSides(std::size_t& i, bool bare, OpeningSite& site) 
     i = at;
     return into || bare;
   }
+  // "in the 4 m wall"
+  std::size_t behind_length = 0;
+  if (into && words_.LengthAt(words_.BehindArticle(at), behind_length) &&
+      IsAmong("wall side", words_.At(behind_length))) {
+    site.not_read = words_.Quote(i, behind_length + 1);
+    i = behind_length + 1;
+    return true;
+  }
   // "A window north and a door south" has no "on" either.
   const bool terse = IsAmong(kCompassPoints, words_.At(at));
   if (!into && !bare && !terse) return false;
@@ -362,7 +401,7 @@ bool OpeningSiteReader::TakeThing(std::size_t& i, OpeningSite& site) const {
   if (!by) return false;
   std::size_t at = *by;
   while (at < *by + kMostWords && at < words_.size() && !words_.IsSign(at) &&
-         !IsAmong("and with or but where that which for is are", words_.At(at))) {
+         !IsAmong("and with or but where that which for is are on in at", words_.At(at))) {
     ++at;
   }
   if (at == *by) return false;

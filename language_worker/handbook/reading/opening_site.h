@@ -36,6 +36,7 @@ class OpeningSiteReader {
   OpeningSite ReadBefore(std::size_t begin) const;
 
  private:
+  bool SaysNoPlace(std::size_t i) const;
   bool TakeFromEnd(std::size_t& i, OpeningSite& site) const;
   bool TakeMiddle(std::size_t& i, OpeningSite& site) const;
   bool TakeEnd(std::size_t& i, OpeningSite& site) const;

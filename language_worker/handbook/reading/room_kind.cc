@@ -87,7 +87,7 @@ class RoomKindReader {
         found = use;
         length = 0;
       }
-      if (found.room.archetype == nullptr) continue;
+      if (found.room.archetype == nullptr || IsADoor(found.room)) continue;
       found.within = within;
       found.outside = IsOutside(found.room);
       found.closed = Closes(found.room.end);
@@ -123,6 +123,12 @@ class RoomKindReader {
       if (words_.At(i + 1) == "area" || words_.At(i + 1) == "space") found.room.end = i + 2;
     }
     return found;
+  }
+
+  // "The entrance is on the south wall."
+  bool IsADoor(const NamedRoom& room) const {
+    return IsAmong("entrance entry entryway", words_.At(room.begin)) && room.end == room.begin + 1 && room.begin > 0 &&
+           IsAmong("the an its", words_.At(room.begin - 1)) && IsAmong("is on in at should from", words_.At(room.end));
   }
 
   // The kitchen door, next to the kitchen.

@@ -56,6 +56,7 @@ TEST(RoomKind, WhatComesBeforeWithIsTheRoom) {
       {"A large family bathroom with dressing room", "bathroom; dressing room"},
       {"Bedroom with an en-suite door on the west wall", "bedroom"},
       {"A hotel room that has a balcony", "bedroom; greenhouse"},
+      {"The entrance is in the middle of the south wall.", ""},
       {"Hall with a reading nook", "entrance hall; library"},
       {"A bedroom with a view of the church", "bedroom"},
       {"A bedroom with living plants", "bedroom"},
