@@ -342,7 +342,7 @@ void PlaceReader::NoteUnread(std::size_t i) {
   while (begin > 0 && (IncludesWord(kFillers, Word(begin - 1)) || Word(begin - 1) == "in" || Word(begin - 1) == "the"))
     --begin;
   const std::optional<Subject> subject = SubjectBefore(i) ? SubjectBefore(i) : LooseSubjectBefore(i);
-  if (!subject && !SubjectAfter(i, i + 1)) return;
+  if (!subject && !SubjectAfter(i, i + 1) && !SpeaksOfAPiece(i)) return;
   std::size_t end = i + 1;
   constexpr std::size_t kMostWords = 8;
   while (end < tokens_.size() && end < i + kMostWords && tokens_[end].text != "," && tokens_[end].text != "and" &&
@@ -350,11 +350,25 @@ void PlaceReader::NoteUnread(std::size_t i) {
     ++end;
   }
   read_to_ = end;
-  std::string said = Quote(i, end);
+  if (!subject) begin = i - std::min<std::size_t>(i, 4);
+  while (!subject && begin < i && (tokens_[begin].kind == Token::Kind::kSign || Word(begin) == "and")) ++begin;
+  std::string said = Quote(subject ? i : begin, end);
   if (subject) said = subject->furniture->name() + " " + said;
   if (facts_.places_not_known.size() < kMostPlacesNotKnown && !IncludesWord(facts_.places_not_known, said)) {
     facts_.places_not_known.push_back(std::move(said));
   }
+}
+
+// Whether a place without a piece of its own most likely tells of one whose name is not known: "plants in the far left
+// corner".
+bool PlaceReader::SpeaksOfAPiece(std::size_t i) const {
+  constexpr std::array<std::string_view, 9> kSure = {"between", "beside",   "opposite", "behind", "underneath",
+                                                     "beneath", "flanking", "flanked",  "backing"};
+  constexpr std::array<std::string_view, 8> kWhich = {"far",   "left",     "right", "back",
+                                                      "other", "opposite", "hand",  "front"};
+  if (mentions_.empty()) return false;
+  const bool corner = landmarks_.FeatureAt(i) == Landmark::Kind::kCorner && i > 0 && IncludesWord(kWhich, Word(i - 1));
+  return corner || IncludesWord(kSure, Word(i));
 }
 
 std::string PlaceReader::Quote(std::size_t begin, std::size_t end) const {

@@ -77,6 +77,7 @@ class PlaceReader {
   bool TakePronoun(const Subject& subject, bool plural, Place& place) const;
   bool TakePlace(std::size_t i);
   void NoteUnread(std::size_t i);
+  bool SpeaksOfAPiece(std::size_t i) const;
   std::string Quote(std::size_t begin, std::size_t end) const;
   std::string_view Word(std::size_t i) const;
 

@@ -148,12 +148,19 @@ TEST(PlaceReader, SeveralPlacesOfOnePieceAndPlacesOfSeveralPieces) {
               ElementsAre("The desk is under the window. #0", "The desk is near the door. #1"));
 }
 
+TEST(PlaceReader, APieceThatWasNamedIsMeantAgain) {
+  EXPECT_THAT(PlacesIn("A bedroom with two single beds and a nightstand between the beds."),
+              ElementsAre("The nightstand is between the single bed and the single bed."));
+  EXPECT_THAT(PlacesIn("A bedroom with a king bed and a storage trunk at the foot of the bed."),
+              ElementsAre("The storage trunk is in front of the king bed."));
+}
+
 TEST(PlaceReader, WhatIsNotUnderstoodIsKept) {
   const auto not_known = [](const char* text) { return PlaceFactsIn(text).places_not_known; };
   EXPECT_THAT(not_known("A living room with a sofa diagonally across the rug."), testing::SizeIs(1));
-  EXPECT_THAT(not_known("A bedroom with a desk near the unicorn."),
-              ElementsAre("desk near the unicorn"));
+  EXPECT_THAT(not_known("A bedroom with a desk near the unicorn."), ElementsAre("desk near the unicorn"));
   EXPECT_THAT(not_known("A living room with an armchair between the window and the door."), testing::SizeIs(1));
+  EXPECT_THAT(not_known("A living room with a sofa and a zither in the far right corner."), testing::SizeIs(1));
   for (const char* text : {"A bedroom, 4m x 5m, with a desk and two nightstands.", "A bedroom under 20 m2 with a desk.",
                            "A house by the sea.", "A dining room for a family between Christmas and New Year."}) {
     EXPECT_THAT(not_known(text), IsEmpty()) << text;

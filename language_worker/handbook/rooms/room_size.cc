@@ -52,9 +52,8 @@ double FloorForWishes(const BriefFacts& facts, const Handbook& handbook, double 
     const hb::Furniture& furniture = *item.furniture;
     if (!item.requested || item.optional) continue;
     // Between rows one walks, and before them somebody stands.
-    const bool in_rows = item.count > 3 && std::ranges::any_of(program.archetype->rows(), [&](const hb::Rows& rows) {
-                           return rows.furniture() == furniture.name();
-                         });
+    const bool in_rows = std::ranges::any_of(
+        program.archetype->rows(), [&](const hb::Rows& rows) { return rows.furniture() == furniture.name(); });
     asked_m2 += item.count * furniture.width_m().typical() * furniture.depth_m().typical() * (in_rows ? kRowsTake : 1);
   }
   return std::min(kLargest_m2, asked_m2 / (facts.size.area_factor < 1 ? kMostCoveredIfSmall : kMostCovered));
