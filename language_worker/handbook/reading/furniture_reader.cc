@@ -35,14 +35,32 @@ bool IsFurther(const std::vector<Token>& tokens, std::size_t i) {
 // "three-seat", "2 seater", "six-drawer", "ten-foot", "65-inch", "2 m long": how large a piece is, not how many of it.
 bool MeasuresThePiece(const std::vector<Token>& tokens, std::size_t i) {
   constexpr std::array<std::string_view, 33> kMeasures = {
-      "seat",  "seats", "seater", "person", "drawer", "door", "tier",  "piece",  "leg",    "legged", "poster",
-      "bulb",  "arm",   "armed",  "burner", "panel",  "shelf", "foot", "feet",   "ft",     "m",      "metre",
-      "meter", "cm",    "mm",     "inch",   "inches", "\"",  "'",     "litre",  "string", "bay",    "light"};
+      "seat",  "seats", "seater", "person", "drawer", "door",  "tier", "piece", "leg",    "legged", "poster",
+      "bulb",  "arm",   "armed",  "burner", "panel",  "shelf", "foot", "feet",  "ft",     "m",      "metre",
+      "meter", "cm",    "mm",     "inch",   "inches", "\"",    "'",    "litre", "string", "bay",    "light"};
   if (tokens[i].kind != Token::Kind::kNumber && !NumberWord(tokens[i].text)) return false;
   std::size_t next = i + 1;
   if (next < tokens.size() && tokens[next].text == "-" && tokens[next].glued) ++next;
   const bool one = tokens[i].text == "a" || tokens[i].text == "an";
   return !one && next < tokens.size() && IsOneOf(kMeasures, tokens[next].text);
+}
+
+// "not too many plants", "hardly any cushions", "few pictures": one at most. "A few" are some.
+bool AsksForFew(const std::vector<Token>& tokens, std::size_t i) {
+  static const std::vector<Phrase> kFew = {Phrase("not too many"), Phrase("not many"),   Phrase("not so many"),
+                                           Phrase("hardly any"),   Phrase("barely any"), Phrase("few"),
+                                           Phrase("as few")};
+  constexpr std::size_t kMostBack = 4;
+  for (std::size_t back = 1; back <= kMostBack && back <= i; ++back) {
+    const std::size_t at = i - back;
+    if (tokens[at].kind == Token::Kind::kSign || tokens[at].text == "and" || tokens[at].text == "with") return false;
+    const bool some = at > 0 && (tokens[at - 1].text == "a" || tokens[at - 1].text == "quite");
+    for (const Phrase& few : kFew) {
+      const std::size_t length = few.MatchAt(tokens, at, /*plural=*/false);
+      if (length > 0 && at + length <= i && !some) return true;
+    }
+  }
+  return false;
 }
 
 // The "poster" of "four-poster" is no picture.
@@ -122,8 +140,7 @@ void FurnitureReader::Read() {
       continue;
     }
     const hb::Furniture* furniture = nouns_.Modified(tokens_, i, name_length, named);
-    const std::size_t length =
-        furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
+    const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
     if (length == 0) {
       if (tokens_[i].kind == Token::Kind::kWord && IsRefused(i)) used_[i] = RefuseKind(i);
       continue;
@@ -164,8 +181,8 @@ const hb::Furniture* FurnitureReader::AnyAt(std::size_t i) {
 
 // The piece that a word for several kinds is said together with: "a table in front of the sofa", "a desk and a chair".
 const hb::Furniture* FurnitureReader::PartnerOf(std::size_t i) {
-  constexpr std::array<std::string_view, 14> kTogether = {"between", "next", "beside", "by",     "near",
-                                                          "front",   "foot", "end",    "on",     "either",
+  constexpr std::array<std::string_view, 14> kTogether = {"between", "next", "beside", "by",   "near",
+                                                          "front",   "foot", "end",    "on",   "either",
                                                           "behind",  "at",   "around", "round"};
   constexpr std::array<std::string_view, 5> kJoined = {"with", "and", "plus", "has", "have"};
   constexpr std::size_t kMostWords = 8;
@@ -208,7 +225,8 @@ std::size_t FurnitureReader::TakeOtherThing(std::size_t i, std::size_t piece_len
   if (length == 0 || length < piece_length) return 0;
   std::string text;
   for (std::size_t k = i; k < i + length; ++k) text += (k > i && !tokens_[k].glued ? " " : "") + tokens_[k].text;
-  if (!IsRefused(i) && std::ranges::find(facts_.not_known, text) == facts_.not_known.end()) facts_.not_known.push_back(text);
+  if (!IsRefused(i) && std::ranges::find(facts_.not_known, text) == facts_.not_known.end())
+    facts_.not_known.push_back(text);
   Use(i, length);
   return length;
 }
@@ -219,7 +237,8 @@ bool FurnitureReader::RefuseKind(std::size_t i) {
   bool any = false;
   for (const hb::Furniture& other : handbook_.contents().furniture()) {
     const std::string last = LastWord(other.name());
-    const bool same = Phrase(last).MatchAt(tokens_, i) == 1;
+    // Planters and bonsai are plants too.
+    const bool same = Phrase(last).MatchAt(tokens_, i) == 1 || MatchesWord(tokens_[i].text, other.category());
     const bool compound = last.size() > 5 && last.ends_with("chair") && Phrase("chair").MatchAt(tokens_, i) == 1;
     if (same || compound) AddOnce(facts_.refusals, &other);
     any = any || same || compound;
@@ -230,9 +249,9 @@ bool FurnitureReader::RefuseKind(std::size_t i) {
 // "no tv", "without a desk", "no tv or desk", "a shower instead of a bathtub"; not "not near the bed", "no more than
 // two chairs".
 bool FurnitureReader::IsRefused(std::size_t i) const {
-  constexpr std::array<std::string_view, 20> kPlaces = {
-      "near",   "next",     "by",    "facing", "in",      "on",   "at",    "under",   "beside", "against",
-      "behind", "opposite", "close", "below",  "beneath", "from", "above", "between", "too",    "front"};
+  constexpr std::array<std::string_view, 21> kPlaces = {
+      "near",     "next",  "by",    "facing",  "in",   "on",    "at",      "under", "beside", "against", "behind",
+      "opposite", "close", "below", "beneath", "from", "above", "between", "too",   "front",  "many"};
   for (std::size_t back = 1; back <= 4 && back <= i; ++back) {
     const std::string& word = tokens_[i - back].text;
     const std::string_view before = back < i ? std::string_view(tokens_[i - back - 1].text) : std::string_view();
@@ -253,7 +272,8 @@ int FurnitureReader::TakeRows(std::size_t i, std::size_t length) {
     return IsArticle(tokens_[k].text) ? 0 : NumberWord(tokens_[k].text).value_or(0);
   };
   const auto rows_at = [&](std::size_t k) {
-    if (k + kPhrase > tokens_.size() || !MatchesWord(tokens_[k + 1].text, "row") || tokens_[k + 2].text != "of") return 0;
+    if (k + kPhrase > tokens_.size() || !MatchesWord(tokens_[k + 1].text, "row") || tokens_[k + 2].text != "of")
+      return 0;
     return number(k) * number(k + 3);
   };
   const std::size_t end = i + length;
@@ -422,6 +442,7 @@ int FurnitureReader::SeatsAfter(std::size_t i) const {
 // A plural without one means two at least.
 FurnitureReader::Count FurnitureReader::CountBefore(const hb::Furniture& furniture, std::size_t i,
                                                     std::size_t length) const {
+  if (AsksForFew(tokens_, i)) return {1};
   for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
     const std::size_t at = i - back;
     const Token& token = tokens_[at];
@@ -430,12 +451,15 @@ FurnitureReader::Count FurnitureReader::CountBefore(const hb::Furniture& furnitu
       const double number = std::min(token.number, 1e6);
       return {number >= 1 && number == std::floor(number) ? static_cast<int>(number) : 1};
     }
+    // "A few" is more than "a".
+    std::pair<std::size_t, int> longest = {0, 0};
     for (const hb::CountWord& word : handbook_.contents().count_words()) {
       for (const std::string& text : word.words()) {
         const std::size_t said = Phrase(text).MatchAt(tokens_, at, false);
-        if (said > 0 && at + said <= i && word.count() > 0) return {word.count()};
+        if (said > longest.first && at + said <= i && word.count() > 0) longest = {said, word.count()};
       }
     }
+    if (longest.first > 0) return {longest.second};
     // "a pair of": the article belongs to the pair, which stands after it.
     if (const std::optional<int> number = NumberWord(token.text)) return {*number};
     if (token.kind == Token::Kind::kSign && token.text != "-") break;
