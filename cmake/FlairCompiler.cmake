@@ -6,6 +6,10 @@ endif()
 
 add_compile_options(-Wall -Wextra -Wno-unused-parameter -Werror=return-type -Werror=switch)
 
+# The same for all, so that all can use the same precompiled headers.
+add_compile_options(-pthread)
+add_compile_definitions(FMT_SHARED)
+
 # Bit-for-bit equal results on every machine: no contraction of a * b + c, no value-changing shortcuts.
 add_compile_options(-ffp-contract=off)
 

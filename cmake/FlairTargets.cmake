@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# flair_library(NAME SOURCES a.cc ... DEPENDS lib ...): a static library whose headers are included from the root.
+# flair_library(NAME [COLD] SOURCES a.cc ... DEPENDS lib ...): a static library whose headers are included from the root.
+# COLD: nobody waits for its code (options, tables, fixtures of tests), so that it is compiled with less optimization.
 function(flair_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "COLD" "" "SOURCES;DEPENDS" ${ARGN})
   if(arg_SOURCES)
     add_library(${name} STATIC ${arg_SOURCES})
     set(visibility PUBLIC)
@@ -15,6 +16,27 @@ function(flair_library name)
   endif()
   target_include_directories(${name} ${visibility} ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} ${visibility} ${arg_DEPENDS})
+  if(arg_COLD)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+  flair_rounds(${name} rounds ${arg_DEPENDS})
+  if(arg_SOURCES AND FLAIR_PRECOMPILE AND NOT (rounds AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang"))
+    target_precompile_headers(${name} REUSE_FROM flair_library_headers)
+  endif()
+endfunction()
+
+# flair_rounds(LIBRARY RESULT DEPENDS ...): whether LIBRARY is compiled with CGAL's -frounding-math. Clang refuses a precompiled
+# header that was not.
+function(flair_rounds name result)
+  get_property(rounding GLOBAL PROPERTY FLAIR_ROUNDING)
+  set(${result} OFF PARENT_SCOPE)
+  foreach(library IN LISTS ARGN)
+    if(library STREQUAL "CGAL::CGAL" OR library IN_LIST rounding)
+      set_property(GLOBAL APPEND PROPERTY FLAIR_ROUNDING ${name})
+      set(${result} ON PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
 endfunction()
 
 # flair_test(NAME [ALONE] [LABEL unit] SOURCES a_test.cc ... DEPENDS lib ...): one GoogleTest program, one CTest case per test.
@@ -29,9 +51,8 @@ function(flair_test name)
   flair_compile_together(${name})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1> -pthread -Wno-missing-field-initializers)
-  if(FLAIR_PRECOMPILE)
-    target_compile_options(${name} PRIVATE -fpch-preprocess)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-Og> -Wno-missing-field-initializers)
+  if(FLAIR_PRECOMPILE_TESTS)
     target_precompile_headers(${name} REUSE_FROM flair_test_headers)
   endif()
   target_compile_definitions(${name} PRIVATE FLAIR_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FLAIR_BINARY_DIR="${CMAKE_BINARY_DIR}")
@@ -53,29 +74,43 @@ function(flair_program name)
   endif()
 endfunction()
 
-# Precompiled headers, with GCC only: clang refuses those of a target whose definitions differ. Without -fpch-preprocess
+# Precompiled headers: one for libraries, one for tests (-fPIE), each compiled once. CMake puts it before every file; a file
+# includes what it uses all the same. Clang refuses that of the tests, whose definitions differ; without -fpch-preprocess
 # ccache would keep nothing.
-set(FLAIR_PRECOMPILE OFF)
+option(FLAIR_PRECOMPILE "Use precompiled headers" ON)
+set(FLAIR_PRECOMPILE_TESTS OFF)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(FLAIR_PRECOMPILE ON)
+  set(FLAIR_PRECOMPILE_TESTS ${FLAIR_PRECOMPILE})
+  add_compile_options(-fpch-preprocess)
+else()
+  add_compile_options(-Xclang -fno-pch-timestamp)
 endif()
 
-# flair_precompile(TARGET HEADER ...): compiles headers that most of a target's sources include once.
-function(flair_precompile target)
-  if(FLAIR_PRECOMPILE)
-    target_compile_options(${target} PRIVATE -fpch-preprocess)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  endif()
-endfunction()
+# What most libraries include. Headers that cost much and that few include (gRPC, nlohmann, CLI11) would cost all the others more.
+set(FLAIR_LIBRARY_HEADERS
+    <absl/status/statusor.h> <absl/strings/str_cat.h> <absl/time/time.h> <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <atomic>
+    <chrono> <cmath> <condition_variable> <filesystem> <fstream> <functional> <map> <memory> <mutex> <optional> <set> <span>
+    <sstream> <string> <string_view> <thread> <utility> <variant> <vector> <flair/v1/artifact.pb.h> <flair/v1/job.pb.h>
+    <flair/v1/language_service.pb.h> <flair/v1/optimizer_service.pb.h> <flair/v1/orchestrator_service.pb.h>
+    <flair/v1/renderer_service.pb.h> <flair/v1/translator_service.pb.h>)
 
-# What every test includes, compiled once, for all of them. A program, because tests are: a precompiled header serves only
-# code that is compiled in the same way.
-function(flair_test_headers)
+# The targets that the others borrow their precompiled headers from.
+function(flair_shared_headers)
+  file(CONFIGURE OUTPUT flair_library_headers.cc CONTENT "// Nothing.\n")
+  add_library(flair_library_headers OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/flair_library_headers.cc)
+  target_link_libraries(flair_library_headers PRIVATE flair_protos absl::statusor absl::time fmt::fmt)
+  if(FLAIR_PRECOMPILE)
+    target_precompile_headers(flair_library_headers PRIVATE ${FLAIR_LIBRARY_HEADERS})
+  endif()
+
+  # A program, because tests are: a precompiled header serves only code that is compiled in the same way.
   file(CONFIGURE OUTPUT flair_test_headers.cc CONTENT "int main() { return 0; }\n")
   add_executable(flair_test_headers EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/flair_test_headers.cc)
   target_link_libraries(flair_test_headers PRIVATE flair_protos GTest::gmock absl::statusor fmt::fmt)
-  target_compile_options(flair_test_headers PRIVATE $<$<CONFIG:Release>:-O1> -pthread) # some libraries ask for it
-  flair_precompile(
-    flair_test_headers <gmock/gmock.h> <gtest/gtest.h> <absl/status/statusor.h> <fmt/format.h> <functional> <memory>
-    <string> <string_view> <vector> <flair/v1/layout_graph.pb.h> <flair/v1/solved_layout.pb.h>)
+  target_compile_options(flair_test_headers PRIVATE $<$<CONFIG:Release>:-Og>)
+  if(FLAIR_PRECOMPILE_TESTS)
+    target_precompile_headers(
+      flair_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <absl/status/statusor.h> <fmt/format.h> <functional> <memory>
+      <string> <string_view> <vector> <flair/v1/layout_graph.pb.h> <flair/v1/solved_layout.pb.h>)
+  endif()
 endfunction()
