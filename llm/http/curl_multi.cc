@@ -103,9 +103,15 @@ void CurlMulti::AbortRefused() {
 }
 
 void CurlMulti::Check(int64_t id) {
-  const auto found = running_.find(id);
+  auto found = running_.find(id);
   if (found == running_.end()) return;
   const absl::Duration now = runtime::SystemClock().Elapsed();
+  if (found->second.transfer->Expired(now)) {
+    // What it waits for may lie in a socket that rests.
+    pacer_.ReadResting();
+    found = running_.find(id);
+    if (found == running_.end()) return;
+  }
   if (const auto expired = found->second.transfer->Expired(now)) {
     Abort(id, *expired);
     return;

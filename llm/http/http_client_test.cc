@@ -295,6 +295,16 @@ TEST_F(HttpClientTest, ABodyCanBeTakenPieceByPiece) {
   EXPECT_EQ(response->body, "");
 }
 
+// Shorter than the rests between reads of a stream, which grow to a quarter of a second.
+TEST_F(HttpClientTest, AShortLimitOfSilenceIsOfTheServerNotOfTheReading) {
+  ScriptedServer server(One(R"({"body": "b", "fill_bytes": 240, "piece_bytes": [2], "piece_pause_ms": 8})"));
+  HttpOptions options;
+  options.timeouts.first_byte = absl::Milliseconds(180);
+  const auto response = Ask(server.address(), options);
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(response->body.size(), 241u);
+}
+
 TEST_F(HttpClientTest, PiecesThatComeTogetherArePassedOnTogether) {
   ScriptedServer server(One(R"({"body": "begin", "fill_bytes": 3000, "chunked": true, "piece_bytes": [1]})"));
   HttpClient client(loop_, {});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <vector>
 
 #include "worker_runtime/clock/clock.h"
 
@@ -51,6 +52,20 @@ void ReadPacer::Watch(int fd, bool readable, bool writable) {
 }
 
 void ReadPacer::OnReadable(int fd) { ReadAndGoOn(fd, true); }
+
+void ReadPacer::ReadResting() {
+  std::vector<int> resting;
+  for (const auto& [fd, socket] : sockets_) {
+    if (socket.pause != 0) resting.push_back(fd);
+  }
+  for (const int fd : resting) {
+    // Reading another may have ended this one's rest.
+    const auto found = sockets_.find(fd);
+    if (found == sockets_.end() || found->second.pause == 0) continue;
+    EndPause(found->second);
+    ReadAndGoOn(fd, false);
+  }
+}
 
 void ReadPacer::ReadAndGoOn(int fd, bool watched) {
   const int64_t byte_count = read_(fd);

@@ -41,6 +41,9 @@ class ReadPacer {
   // Reads a socket that has something.
   void OnReadable(int fd);
 
+  // Reads every socket that rests, and lets it rest anew. Before something is said to be silent.
+  void ReadResting();
+
  private:
   struct Socket {
     bool readable = false;

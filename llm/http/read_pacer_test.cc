@@ -76,6 +76,9 @@ class PacedSocket {
   void Send(const std::string& bytes) {
     ASSERT_EQ(write(fds_[1], bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
   }
+  void ReadResting() {
+    loop_.Post([this] { pacer_.ReadResting(); });
+  }
   // Until the loop has looked at its sockets once more.
   void WaitForLoop() {
     for (int i = 0; i < 3; ++i) {
@@ -147,6 +150,16 @@ TEST(ReadPacer, TheFirstPieceIsReadAtOnceAndTheNextAfterAPauseThatWritingEnds) {
   socket.WaitForLoop();
   EXPECT_EQ(socket.read_count(), 1);
   socket.Watch(true, true);
+  EXPECT_EQ(socket.WaitForAll(), "onetwo.");
+}
+
+TEST(ReadPacer, ASocketThatRestsIsReadWhenItIsAskedFor) {
+  PacedSocket socket(Endless);
+  socket.Watch(true, false);
+  socket.Send("one");
+  socket.WaitForFirst();
+  socket.Send("two.");
+  socket.ReadResting();
   EXPECT_EQ(socket.WaitForAll(), "onetwo.");
 }
 
