@@ -17,6 +17,8 @@ using google::protobuf::FieldDescriptor;
 using nlohmann::json;
 
 constexpr int kMostWrappers = 3;
+// What wraps an answer has little else.
+constexpr size_t kMostMembers = 20;
 
 // Whether a value is objects of that type: one, a list of them, or members of an object by some name.
 bool HoldsElements(const json& value, const Descriptor& type, int depth = 0) {
@@ -40,12 +42,12 @@ const FieldDescriptor* ListFor(const json& value, const Descriptor& type) {
   return value.is_array() ? only : nullptr;
 }
 
-// The value that a member is or, as a text, holds.
-std::optional<json> Inner(const json& member) {
-  if (member.is_structured()) return member;
-  if (!member.is_string() || member.get_ref<const std::string&>().find('{') == std::string::npos) return std::nullopt;
-  json inner = json::parse(member.get_ref<const std::string&>(), nullptr, /*allow_exceptions=*/false);
-  return inner.is_structured() ? std::optional(std::move(inner)) : std::nullopt;
+// The value that a member is or, as a text, holds; null for none. `parsed` keeps what a text holds.
+const json* Inner(const json& member, json& parsed) {
+  if (member.is_structured()) return &member;
+  if (!member.is_string() || member.get_ref<const std::string&>().find('{') == std::string::npos) return nullptr;
+  parsed = json::parse(member.get_ref<const std::string&>(), nullptr, /*allow_exceptions=*/false);
+  return parsed.is_structured() ? &parsed : nullptr;
 }
 
 // Whether an object is certainly of a type: by two of its fields, or its only one.
@@ -58,13 +60,14 @@ bool IsClearly(const json& value, const Descriptor& type) {
 std::optional<json> Wrapped(const json& value, const Descriptor& type, int wrappers = 0) {
   if (IsClearly(value, type)) return value;
   const bool has_one = HasAnyMember(value, type);
-  const bool wrapper = value.is_object() || (value.is_array() && value.size() == 1);
+  const bool wrapper = (value.is_object() && value.size() <= kMostMembers) || (value.is_array() && value.size() == 1);
   if (!wrapper || wrappers == kMostWrappers) return has_one ? std::optional(value) : std::nullopt;
   std::optional<json> wrapped;
   for (const json& member : value) {
     if (member.is_array() && member.size() != 1) continue;
-    const std::optional<json> inner = Inner(member);
-    std::optional<json> found = inner ? Wrapped(*inner, type, wrappers + 1) : std::nullopt;
+    json parsed;
+    const json* const inner = Inner(member, parsed);
+    std::optional<json> found = inner != nullptr ? Wrapped(*inner, type, wrappers + 1) : std::nullopt;
     if (found && has_one && !IsClearly(*found, type)) continue;
     if (found && wrapped) return has_one ? std::optional(value) : std::nullopt;
     if (found) wrapped = std::move(found);

@@ -79,6 +79,10 @@ std::string Plain(std::string_view written) {
   std::string plain;
   const std::string text = PlainSpaces(ToUtf8(written));
   for (size_t i = 0; i < text.size(); ++i) {
+    if (static_cast<unsigned char>(text[i]) < 0x80) {
+      plain += text[i] >= 'A' && text[i] <= 'Z' ? static_cast<char>(text[i] - 'A' + 'a') : text[i];
+      continue;
+    }
     const std::string_view rest = std::string_view(text).substr(i);
     const auto* const fraction =
         std::ranges::find_if(kFractions, [&](const Fraction& known) { return rest.starts_with(known.character); });
@@ -95,7 +99,7 @@ std::string Plain(std::string_view written) {
       plain += '"';
       i += 2;
     } else {
-      plain += text[i] >= 'A' && text[i] <= 'Z' ? static_cast<char>(text[i] - 'A' + 'a') : text[i];
+      plain += text[i];
     }
   }
   return plain;
