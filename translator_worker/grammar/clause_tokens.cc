@@ -150,6 +150,10 @@ void TakePartOfRoomForOne(std::vector<Token>& tokens) {
 
 // "Within reach of the crafter seated at the table", "for whoever sits at the desk": of the table.
 void TakePersonAsPlace(std::vector<Token>& tokens) {
+  const auto posture_word = [](const Token& token) {
+    return IsOneOf(token, {"seated", "sitting", "standing", "lying", "sits", "stands", "lies"});
+  };
+  if (std::none_of(tokens.begin(), tokens.end(), posture_word)) return;
   std::vector<Token> out;
   for (size_t i = 0; i < tokens.size(); ++i) {
     out.push_back(tokens[i]);

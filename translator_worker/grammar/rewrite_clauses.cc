@@ -46,6 +46,8 @@ size_t KeptFreeAt(const std::vector<Term>& terms, size_t at) {
 // "Near sockets, which must not be covered", "in front of the desk, which it faces": of the thing before "which".
 // "The stand, which is beside the bench, must be ...": of the first thing, two facts.
 void ReadRelativeClauses(std::vector<Term>& terms) {
+  const auto relative = [](const Term& term) { return IsPurpose(term, "which") || IsPurpose(term, "that"); };
+  if (std::none_of(terms.begin(), terms.end(), relative)) return;
   std::vector<Term> out;
   size_t things = 0;
   for (size_t i = 0; i < terms.size(); ++i) {
@@ -79,6 +81,7 @@ void ReadRelativeClauses(std::vector<Term>& terms) {
 
 // "Space to gather around it", "room for people to stand behind it": where the space is.
 void JoinSpaceToItsPlace(std::vector<Term>& terms) {
+  if (std::none_of(terms.begin(), terms.end(), [](const Term& term) { return term.IsWord("space"); })) return;
   constexpr size_t kLongestUse = 4;
   std::vector<Term> out;
   for (size_t i = 0; i < terms.size(); ++i) {
@@ -119,6 +122,7 @@ void JoinSides(std::vector<Term>& terms) {
 
 // "Flank the table, one on its left and one on its right": which sides these are is clear.
 void DropSidesOfFlank(std::vector<Term>& terms) {
+  if (std::none_of(terms.begin(), terms.end(), [](const Term& term) { return term.IsWord("each_side_of"); })) return;
   const auto own_side = [&](size_t at) {
     return at + 1 < terms.size() && IsAnyWord(terms[at], {"on", "next_to", "left_of", "right_of"}) &&
            IsMentionOf(terms[at + 1], RefKind::kPronoun);
@@ -137,6 +141,7 @@ void DropSidesOfFlank(std::vector<Term>& terms) {
 
 // "It must never be obstructed": it is to be got at. Doors, windows and what is no thing are other matters.
 void ReadPassiveOfBlock(std::vector<Term>& terms) {
+  if (std::none_of(terms.begin(), terms.end(), [](const Term& term) { return term.IsWord("block"); })) return;
   std::vector<Term> out;
   for (size_t i = 0; i < terms.size(); ++i) {
     const bool denied = terms[i].IsWord("not") && i + 1 < terms.size() && terms[i + 1].IsWord("block");

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "translator_worker/grammar/rewrite_places.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 
 namespace flair::translator {
 namespace {
+
+// Most sentences have nothing for most passes, which then copy nothing.
+bool HasAnyWord(const std::vector<Term>& terms, std::initializer_list<std::string_view> words) {
+  return std::any_of(terms.begin(), terms.end(), [&](const Term& term) { return term.IsAnyWord(words); });
+}
 
 bool SaysPlace(const Term& term) {
   return term.IsAnyWord(
@@ -14,6 +21,7 @@ bool SaysPlace(const Term& term) {
 
 // "0.6 m of space should be kept free behind it", "0.6 m must be left open before the shelf": space there.
 void ReadKeptFreeAsSpace(std::vector<Term>& terms) {
+  if (!HasAnyWord(terms, {"keep_clear"})) return;
   std::vector<Term> out;
   for (size_t i = 0; i < terms.size(); ++i) {
     const bool kept = terms[i].IsWord("keep_clear") && i > 0 && i + 1 < terms.size() && SaysPlace(terms[i + 1]);
@@ -65,6 +73,7 @@ size_t LeftAndRight(const std::vector<Term>& terms, size_t at) {
 
 // "Adjacent to the bed, one on its left and the other on its right": one at each side of it.
 void ReadOneAtEachSide(std::vector<Term>& terms) {
+  if (!HasAnyWord(terms, {"on", "along", "next_to"}) || terms.size() < 5) return;
   std::vector<Term> out;
   for (size_t i = 0; i < terms.size(); ++i) {
     const bool after_contact = terms[i].kind == Term::Kind::kSoft && out.size() > 1 &&
@@ -84,10 +93,14 @@ void ReadOneAtEachSide(std::vector<Term>& terms) {
 
 // "The window above must not be covered", "the socket behind stays free": which one, of what is spoken of.
 void DropPlaceAfterFeature(std::vector<Term>& terms) {
+  const auto feature = [](const Term& term) {
+    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kFeature;
+  };
+  if (!HasAnyWord(terms, {"above", "behind", "next_to", "under"}) || std::none_of(terms.begin(), terms.end(), feature))
+    return;
   std::vector<Term> out;
   for (size_t i = 0; i < terms.size(); ++i) {
-    const bool after_feature = !out.empty() && out.back().kind == Term::Kind::kMention &&
-                               out.back().mention.references.front().kind == RefKind::kFeature;
+    const bool after_feature = !out.empty() && feature(out.back());
     const bool place = terms[i].IsAnyWord({"above", "behind", "next_to", "under"});
     const bool verb = i + 1 < terms.size() && terms[i + 1].IsAnyWord({"not", "keep_clear", "accessible"});
     if (!after_feature || !place || !verb) out.push_back(terms[i]);
