@@ -3,80 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <string_view>
+
+#include "language_worker/handbook/reading/wish_words.h"
 
 namespace flair::language {
 namespace {
 
-constexpr int kMostSeats = 40;
 constexpr double kSmallM = 0.6;
-
-template <std::size_t n>
-bool IsOneOf(const std::array<std::string_view, n>& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-bool IsArticle(std::string_view word) { return word == "a" || word == "an" || word == "the"; }
-
-std::string LastWord(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
-
-// "another desk", "a second desk": one more than were asked for before.
-bool IsFurther(const std::vector<Token>& tokens, std::size_t i) {
-  for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
-    const std::string& word = tokens[i - back].text;
-    if (word == "another" || word == "second" || word == "further" || word == "additional") return true;
-    if (tokens[i - back].kind == Token::Kind::kSign || word == "and" || word == "with" || IsArticle(word)) break;
-  }
-  return false;
-}
-
-// "three-seat", "2 seater", "six-drawer", "ten-foot", "65-inch", "2 m long": how large a piece is, not how many of it.
-bool MeasuresThePiece(const std::vector<Token>& tokens, std::size_t i) {
-  constexpr std::array<std::string_view, 33> kMeasures = {
-      "seat",  "seats", "seater", "person", "drawer", "door",  "tier", "piece", "leg",    "legged", "poster",
-      "bulb",  "arm",   "armed",  "burner", "panel",  "shelf", "foot", "feet",  "ft",     "m",      "metre",
-      "meter", "cm",    "mm",     "inch",   "inches", "\"",    "'",    "litre", "string", "bay",    "light"};
-  if (tokens[i].kind != Token::Kind::kNumber && !NumberWord(tokens[i].text)) return false;
-  std::size_t next = i + 1;
-  if (next < tokens.size() && tokens[next].text == "-" && tokens[next].glued) ++next;
-  const bool one = tokens[i].text == "a" || tokens[i].text == "an";
-  return !one && next < tokens.size() && IsOneOf(kMeasures, tokens[next].text);
-}
-
-// "not too many plants", "hardly any cushions", "few pictures": one at most. "A few" are some.
-bool AsksForFew(const std::vector<Token>& tokens, std::size_t i) {
-  static const std::vector<Phrase> kFew = {Phrase("not too many"), Phrase("not many"),   Phrase("not so many"),
-                                           Phrase("hardly any"),   Phrase("barely any"), Phrase("few"),
-                                           Phrase("as few")};
-  constexpr std::size_t kMostBack = 4;
-  for (std::size_t back = 1; back <= kMostBack && back <= i; ++back) {
-    const std::size_t at = i - back;
-    if (tokens[at].kind == Token::Kind::kSign || tokens[at].text == "and" || tokens[at].text == "with") return false;
-    const bool some = at > 0 && (tokens[at - 1].text == "a" || tokens[at - 1].text == "quite");
-    for (const Phrase& few : kFew) {
-      const std::size_t length = few.MatchAt(tokens, at, /*plural=*/false);
-      if (length > 0 && at + length <= i && !some) return true;
-    }
-  }
-  return false;
-}
-
-// The "poster" of "four-poster" is no picture.
-bool IsMeasure(const std::vector<Token>& tokens, std::size_t i) {
-  return i >= 2 && tokens[i].glued && tokens[i - 1].text == "-" && MeasuresThePiece(tokens, i - 2);
-}
-
-// "for eight", "with six chairs": behind a word for a table, those who sit at it.
-bool SeatsFollow(const std::vector<Token>& tokens, std::size_t i) {
-  if (i + 1 >= tokens.size() || (tokens[i].text != "for" && tokens[i].text != "with")) return false;
-  const bool number =
-      tokens[i + 1].kind == Token::Kind::kNumber || (!IsArticle(tokens[i + 1].text) && NumberWord(tokens[i + 1].text));
-  if (!number) return false;
-  return tokens[i].text == "for" || (i + 2 < tokens.size() && (MatchesWord(tokens[i + 2].text, "chair") ||
-                                                               MatchesWord(tokens[i + 2].text, "seat")));
-}
 
 // Whether a class usually stands at, on or beside the other.
 bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner) {
@@ -142,12 +77,13 @@ void FurnitureReader::Read() {
     const hb::Furniture* furniture = nouns_.Modified(tokens_, i, name_length, named);
     const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
     if (length == 0) {
-      if (tokens_[i].kind == Token::Kind::kWord && IsRefused(i)) used_[i] = RefuseKind(i);
+      if (tokens_[i].kind == Token::Kind::kWord && IsRefused(tokens_, i))
+        used_[i] = RefuseKind(handbook_, tokens_, i, facts_);
       continue;
     }
-    if (IsRefused(i)) {
+    if (IsRefused(tokens_, i)) {
       AddOnce(facts_.refusals, furniture);
-      if (length == 1) RefuseKind(i);
+      if (length == 1) RefuseKind(handbook_, tokens_, i, facts_);
       last_.reset();
     } else if (const Wish* meant = MeantBefore(i, length)) {
       mentions_.push_back({meant->furniture, i, i + length, meant->count});
@@ -161,7 +97,7 @@ void FurnitureReader::Read() {
   std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
     return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == refusal; });
   });
-  ReadOnly();
+  if (!facts_.wishes.empty() && AsksForNothingElse(handbook_, tokens_)) facts_.nothing_else = true;
 }
 
 void FurnitureReader::ReadPlaces() {
@@ -191,13 +127,13 @@ const hb::Furniture* FurnitureReader::PartnerOf(std::size_t i) {
     const Token& token = tokens_[k];
     if (token.kind == Token::Kind::kSign || token.text == "with" || (token.text == "and" && !together)) break;
     if (token.text == "them") break;
-    together = together || IsOneOf(kTogether, token.text);
+    together = together || IncludesWord(kTogether, token.text);
     if (const hb::Furniture* piece = AnyAt(k); together && piece != nullptr) return piece;
   }
   if (mentions_.empty() || i - mentions_.back().end > kMostWords) return nullptr;
   for (std::size_t k = mentions_.back().end; k < i; ++k) {
     if (tokens_[k].kind == Token::Kind::kSign && tokens_[k].text != ",") return nullptr;
-    if (IsOneOf(kJoined, tokens_[k].text)) return mentions_.back().furniture;
+    if (IncludesWord(kJoined, tokens_[k].text)) return mentions_.back().furniture;
   }
   return nullptr;
 }
@@ -207,7 +143,7 @@ const hb::Furniture* FurnitureReader::PartnerOf(std::size_t i) {
 const Wish* FurnitureReader::MeantBefore(std::size_t i, std::size_t length) const {
   constexpr std::array<std::string_view, 9> kKnown = {"the",  "these",  "those", "each", "every",
                                                       "both", "either", "that",  "this"};
-  if (length != 1 || i == 0 || !IsOneOf(kKnown, tokens_[i - 1].text)) return nullptr;
+  if (length != 1 || i == 0 || !IncludesWord(kKnown, tokens_[i - 1].text)) return nullptr;
   for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) {
     const std::string& name = wish->furniture->name();
     const std::string last = LastWord(name);
@@ -225,76 +161,21 @@ std::size_t FurnitureReader::TakeOtherThing(std::size_t i, std::size_t piece_len
   if (length == 0 || length < piece_length) return 0;
   std::string text;
   for (std::size_t k = i; k < i + length; ++k) text += (k > i && !tokens_[k].glued ? " " : "") + tokens_[k].text;
-  if (!IsRefused(i) && std::ranges::find(facts_.not_known, text) == facts_.not_known.end())
+  if (!IsRefused(tokens_, i) && std::ranges::find(facts_.not_known, text) == facts_.not_known.end())
     facts_.not_known.push_back(text);
   Use(i, length);
   return length;
 }
 
-// A word alone refuses all of its kind: "no chairs" also the armchairs, "no lamps" those on tables and floor. Whether
-// there are any.
-bool FurnitureReader::RefuseKind(std::size_t i) {
-  bool any = false;
-  for (const hb::Furniture& other : handbook_.contents().furniture()) {
-    const std::string last = LastWord(other.name());
-    // Planters and bonsai are plants too.
-    const bool same = Phrase(last).MatchAt(tokens_, i) == 1 || MatchesWord(tokens_[i].text, other.category());
-    const bool compound = last.size() > 5 && last.ends_with("chair") && Phrase("chair").MatchAt(tokens_, i) == 1;
-    if (same || compound) AddOnce(facts_.refusals, &other);
-    any = any || same || compound;
-  }
-  return any;
-}
-
-// "no tv", "without a desk", "no tv or desk", "a shower instead of a bathtub"; not "not near the bed", "no more than
-// two chairs".
-bool FurnitureReader::IsRefused(std::size_t i) const {
-  constexpr std::array<std::string_view, 21> kPlaces = {
-      "near",     "next",  "by",    "facing",  "in",   "on",    "at",      "under", "beside", "against", "behind",
-      "opposite", "close", "below", "beneath", "from", "above", "between", "too",   "front",  "many"};
-  for (std::size_t back = 1; back <= 4 && back <= i; ++back) {
-    const std::string& word = tokens_[i - back].text;
-    const std::string_view before = back < i ? std::string_view(tokens_[i - back - 1].text) : std::string_view();
-    if (IsOneOf(kPlaces, word)) return false;
-    if ((word == "of" && before == "instead") || (word == "than" && before == "rather")) return true;
-    if (word == "than") return false;
-    if (word == "no" || word == "without" || word == "not") return true;
-    if (word == "," || word == "." || word == ";" || word == "with" || word == "but" || word == "and") return false;
-  }
-  return false;
-}
-
-// Of "two rows of five benches" and "mats in 3 rows of 4" the number in all; 0 where no rows are counted.
-int FurnitureReader::TakeRows(std::size_t i, std::size_t length) {
-  constexpr std::size_t kMostWords = 4, kPhrase = 4;
-  const auto number = [&](std::size_t k) {
-    if (tokens_[k].kind == Token::Kind::kNumber) return static_cast<int>(std::clamp(tokens_[k].number, 0.0, 100.0));
-    return IsArticle(tokens_[k].text) ? 0 : NumberWord(tokens_[k].text).value_or(0);
-  };
-  const auto rows_at = [&](std::size_t k) {
-    if (k + kPhrase > tokens_.size() || !MatchesWord(tokens_[k + 1].text, "row") || tokens_[k + 2].text != "of")
-      return 0;
-    return number(k) * number(k + 3);
-  };
-  const std::size_t end = i + length;
-  std::vector<std::size_t> starts;
-  for (std::size_t back = kPhrase; back <= kPhrase + kMostWords && back <= i; ++back) starts.push_back(i - back);
-  if (end < tokens_.size() && tokens_[end].text == "in") starts.push_back(end + 1);
-  for (const std::size_t start : starts) {
-    const int rows = rows_at(start);
-    if (rows == 0) continue;
-    Use(start, kPhrase);
-    return rows;
-  }
-  return 0;
-}
-
 void FurnitureReader::Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
-  Count count = CountBefore(furniture, i, length);
-  if (const int in_rows = TakeRows(i, length); in_rows > 0) count = {in_rows};
+  PieceCount count = CountBefore(handbook_, tokens_, furniture, i, length);
+  if (const Rows rows = RowsAround(tokens_, i, length); rows.number > 0) {
+    count = {rows.number};
+    Use(rows.begin, rows.end - rows.begin);
+  }
   if (SeatsTheLast(furniture, count, i, length)) return;
-  Wish wish{&furniture, count.number, 0, count.said, IsOptional(i, i + length)};
-  if (!furniture.companions().empty()) wish.seats = SeatsAfter(i + length);
+  Wish wish{&furniture, count.number, 0, count.said, IsOptional(tokens_, used_, i, i + length)};
+  if (!furniture.companions().empty()) wish.seats = SeatsAfter(tokens_, i + length);
   if (wish.seats > 0) Use(i + length, 2);  // these are the table's, not the room's
   if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
   const bool further = IsFurther(tokens_, i);
@@ -303,7 +184,8 @@ void FurnitureReader::Wishing(const hb::Furniture& furniture, std::size_t i, std
   TakeColourBefore(i, furniture);
 }
 
-void FurnitureReader::Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const Count& count) {
+void FurnitureReader::Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length,
+                                const PieceCount& count) {
   Mention mention{&furniture, i, i + length, count.number};
   for (const Wish& there : facts_.wishes) {
     if (there.furniture != &furniture || !IsFurther(tokens_, i) || count.number != 1) continue;
@@ -316,60 +198,9 @@ void FurnitureReader::Mentioned(const hb::Furniture& furniture, std::size_t i, s
   mentions_.push_back(mention);
 }
 
-// "a bench if there is room", "perhaps a bench", "an optional bench".
-bool FurnitureReader::IsOptional(std::size_t begin, std::size_t end) const {
-  static const std::vector<Phrase> kBehind = {Phrase("if there is room"),
-                                              Phrase("if there s room"),
-                                              Phrase("if there is space"),
-                                              Phrase("if there s space"),
-                                              Phrase("if there is any room"),
-                                              Phrase("if there is enough room"),
-                                              Phrase("if there is enough space"),
-                                              Phrase("if it fits"),
-                                              Phrase("if they fit"),
-                                              Phrase("if possible"),
-                                              Phrase("if needed"),
-                                              Phrase("if space allows"),
-                                              Phrase("if room allows"),
-                                              Phrase("if space permits"),
-                                              Phrase("space permitting"),
-                                              Phrase("room permitting"),
-                                              Phrase("where it fits"),
-                                              Phrase("would be nice"),
-                                              Phrase("would be a bonus"),
-                                              Phrase("if you can"),
-                                              Phrase("if you can fit"),
-                                              Phrase("as an option"),
-                                              Phrase("if at all possible"),
-                                              Phrase("optional"),
-                                              Phrase("if necessary"),
-                                              Phrase("if we have room"),
-                                              Phrase("if room remains")};
-  static const std::vector<Phrase> kBefore = {
-      Phrase("perhaps"),    Phrase("maybe"),       Phrase("possibly"),         Phrase("optional"),
-      Phrase("optionally"), Phrase("if possible"), Phrase("if there is room"), Phrase("if there is space"),
-      Phrase("ideally")};
-  constexpr std::size_t kMostWords = 8, kMostBefore = 5;
-  const auto says = [&](const std::vector<Phrase>& phrases, std::size_t at) {
-    return std::ranges::any_of(phrases, [&](const Phrase& one) { return one.MatchAt(tokens_, at, false) > 0; });
-  };
-  for (std::size_t at = end; at < tokens_.size() && at < end + kMostWords; ++at) {
-    if (says(kBehind, at)) return true;
-    const std::string& word = tokens_[at].text;
-    const bool comma = word == "," && at + 1 < tokens_.size() && says(kBehind, at + 1);
-    if ((tokens_[at].kind == Token::Kind::kSign && !comma && word != "(") || word == "and" || word == "with") break;
-  }
-  for (std::size_t back = 1; back <= kMostBefore && back <= begin; ++back) {
-    const std::size_t at = begin - back;
-    if (says(kBefore, at)) return true;
-    if (tokens_[at].kind == Token::Kind::kSign && tokens_[at].text != ",") break;
-    if (tokens_[at].text == "and" || tokens_[at].text == "with" || tokens_[at].text == "is" || used_[at]) break;
-  }
-  return false;
-}
-
 // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".
-bool FurnitureReader::SeatsTheLast(const hb::Furniture& seat, const Count& count, std::size_t i, std::size_t length) {
+bool FurnitureReader::SeatsTheLast(const hb::Furniture& seat, const PieceCount& count, std::size_t i,
+                                   std::size_t length) {
   if (!last_ || last_->seat || !OnlyWordsBetween(last_->end, i, /*around=*/false)) return false;
   Wish& host = facts_.wishes[last_->wish];
   const hb::Furniture* usual = SeatOf(*host.furniture, handbook_);
@@ -405,7 +236,7 @@ bool FurnitureReader::OnlyWordsBetween(std::size_t from, std::size_t to, bool ar
   if (to < from || to - from > kMostWords) return false;
   for (std::size_t i = from; i < to; ++i) {
     if (used_[i] || tokens_[i].kind == Token::Kind::kSign) return false;
-    joined = joined || (around ? IsOneOf(kAround, tokens_[i].text) : IsOneOf(kWith, tokens_[i].text));
+    joined = joined || (around ? IncludesWord(kAround, tokens_[i].text) : IncludesWord(kWith, tokens_[i].text));
   }
   return joined;
 }
@@ -425,53 +256,6 @@ std::size_t FurnitureReader::AddWish(const Wish& wish, bool further) {
   return facts_.wishes.size() - 1;
 }
 
-// Of "a table for eight", "a table for 8 people": eight. 0 when nothing of the kind stands there.
-int FurnitureReader::SeatsAfter(std::size_t i) const {
-  if (i + 1 >= tokens_.size() || tokens_[i].text != "for") return 0;
-  const Token& token = tokens_[i + 1];
-  if (IsArticle(token.text)) return 0;
-  const int number = token.kind == Token::Kind::kNumber ? static_cast<int>(std::min(token.number, 1e6))
-                                                        : NumberWord(token.text).value_or(0);
-  const bool ends = i + 2 == tokens_.size() || tokens_[i + 2].kind == Token::Kind::kSign ||
-                    CountsPeople(tokens_[i + 2].text) || tokens_[i + 2].text == "and" ||
-                    tokens_[i + 2].text == "with" || tokens_[i + 2].text == "near";
-  return ends && number <= kMostSeats ? number : 0;
-}
-
-// The number said before a noun, looking back over adjectives: "two comfortable armchairs", "2 x desk", "a pair of".
-// A plural without one means two at least.
-FurnitureReader::Count FurnitureReader::CountBefore(const hb::Furniture& furniture, std::size_t i,
-                                                    std::size_t length) const {
-  if (AsksForFew(tokens_, i)) return {1};
-  for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
-    const std::size_t at = i - back;
-    const Token& token = tokens_[at];
-    if (MeasuresThePiece(tokens_, at)) continue;
-    if (token.kind == Token::Kind::kNumber) {
-      const double number = std::min(token.number, 1e6);
-      return {number >= 1 && number == std::floor(number) ? static_cast<int>(number) : 1};
-    }
-    // "A few" is more than "a".
-    std::pair<std::size_t, int> longest = {0, 0};
-    for (const hb::CountWord& word : handbook_.contents().count_words()) {
-      for (const std::string& text : word.words()) {
-        const std::size_t said = Phrase(text).MatchAt(tokens_, at, false);
-        if (said > longest.first && at + said <= i && word.count() > 0) longest = {said, word.count()};
-      }
-    }
-    if (longest.first > 0) return {longest.second};
-    // "a pair of": the article belongs to the pair, which stands after it.
-    if (const std::optional<int> number = NumberWord(token.text)) return {*number};
-    if (token.kind == Token::Kind::kSign && token.text != "-") break;
-    if (token.text == "and" || token.text == "with" || token.text == "the") break;
-  }
-  const std::string& last = tokens_[i + length - 1].text;
-  const bool plural =
-      furniture.plural() != furniture.name() && last.ends_with('s') && !last.ends_with("ss") &&
-      BestAt(names_, tokens_, i, /*plural=*/false, [](const hb::Furniture&) { return 0; }).second < length;
-  return plural ? Count{2, false} : Count{};
-}
-
 // "a green armchair", "two sage green velvet armchairs": the colour is the piece's, not the room's.
 void FurnitureReader::TakeColourBefore(std::size_t i, const hb::Furniture& furniture) {
   for (std::size_t back = 3; back >= 1; --back) {
@@ -484,25 +268,6 @@ void FurnitureReader::TakeColourBefore(std::size_t i, const hb::Furniture& furni
     facts_.object_colours.emplace_back(&furniture, colour);
     Use(i - back, length);
     return;
-  }
-}
-
-// "only a bed and a wardrobe", "just a desk", "nothing but a sofa", "and nothing else".
-void FurnitureReader::ReadOnly() {
-  if (facts_.wishes.empty()) return;
-  for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
-    const std::string &word = tokens_[i].text, &next = tokens_[i + 1].text;
-    const bool negated = i > 0 && (tokens_[i - 1].text == "not" || tokens_[i - 1].text == "if");
-    const bool counts = NumberWord(next) || IsArticle(next) || tokens_[i + 1].kind == Token::Kind::kNumber;
-    if ((word == "only" || word == "just") && !negated && counts) {
-      // "only 3 m wide", "only one window": of the room.
-      const std::size_t end = std::min(i + 5, tokens_.size());
-      for (std::size_t k = i + 2; k < end; ++k) {
-        facts_.nothing_else = facts_.nothing_else || LongestAt(names_, tokens_, k, /*plural=*/true).second > 0;
-        if (tokens_[k].kind == Token::Kind::kSign || tokens_[k].text == "with" || tokens_[k].text == "for") break;
-      }
-    }
-    if (word == "nothing" && (next == "but" || next == "else")) facts_.nothing_else = true;
   }
 }
 

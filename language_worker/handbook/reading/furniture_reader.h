@@ -8,6 +8,7 @@
 
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/reading/noun_book.h"
+#include "language_worker/handbook/reading/piece_count.h"
 #include "language_worker/handbook/reading/place_reader.h"
 #include "language_worker/handbook/reading/sayings.h"
 
@@ -26,10 +27,6 @@ class FurnitureReader {
   void ReadPlaces();
 
  private:
-  struct Count {
-    int number = 1;
-    bool said = true;  // false: a plural without a number
-  };
   // A wish that what follows may belong to: its table, or the chairs that a table follows.
   struct Last {
     std::size_t wish = 0;
@@ -42,20 +39,13 @@ class FurnitureReader {
   const hb::Furniture* PartnerOf(std::size_t i);
   const hb::Furniture* AnyAt(std::size_t i);
   const Wish* MeantBefore(std::size_t i, std::size_t length) const;
-  void Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const Count& count);
-  bool IsOptional(std::size_t begin, std::size_t end) const;
-  int TakeRows(std::size_t i, std::size_t length);
-  bool RefuseKind(std::size_t i);
-  bool IsRefused(std::size_t i) const;
+  void Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const PieceCount& count);
   void Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length);
-  bool SeatsTheLast(const hb::Furniture& seat, const Count& count, std::size_t i, std::size_t length);
+  bool SeatsTheLast(const hb::Furniture& seat, const PieceCount& count, std::size_t i, std::size_t length);
   bool TakesTheLastAsSeats(std::size_t i, Wish& host);
   std::size_t AddWish(const Wish& wish, bool further);
   bool OnlyWordsBetween(std::size_t from, std::size_t to, bool around) const;
-  int SeatsAfter(std::size_t i) const;
-  Count CountBefore(const hb::Furniture& furniture, std::size_t i, std::size_t length) const;
   void TakeColourBefore(std::size_t i, const hb::Furniture& furniture);
-  void ReadOnly();
   void Use(std::size_t start, std::size_t length);
 
   const Handbook& handbook_;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "fmt/format.h"
+#include "language_worker/handbook/reading/opening_list.h"
 #include "language_worker/handbook/reading/opening_noun.h"
 #include "language_worker/handbook/reading/opening_site.h"
 #include "language_worker/handbook/reading/opening_words.h"
@@ -13,14 +14,19 @@
 namespace flair::language {
 namespace {
 
-constexpr std::size_t kMostWishes = 12;
 constexpr std::string_view kCompassSides = "north south east west northern southern eastern western";
 
 class OpeningReader {
  public:
   OpeningReader(const std::vector<Token>& tokens, const std::vector<bool>& room, std::vector<bool>& used,
                 OpeningWishes& openings)
-      : words_(tokens), sites_(words_), room_(room), used_(used), things_(used), openings_(openings) {
+      : words_(tokens),
+        sites_(words_),
+        list_(words_, openings),
+        room_(room),
+        used_(used),
+        things_(used),
+        openings_(openings) {
     for (std::size_t i = 0; i < things_.size(); ++i) things_[i] = used[i] && !room[i];
   }
 
@@ -37,8 +43,8 @@ class OpeningReader {
         ReadOpening(i);
       }
     }
-    SettleRelations();
-    SettleContradictions();
+    list_.SettleRelations();
+    list_.SettleContradictions();
   }
 
  private:
@@ -64,7 +70,7 @@ class OpeningReader {
     wish.of_many = true;
     wish.said = words_.Quote(i, end);
     Use(i, end);
-    Add(wish);
+    list_.Add(wish);
     return true;
   }
 
@@ -117,7 +123,7 @@ class OpeningReader {
     if (!site.by_side.empty()) AddTheOther(site, !wish.door);
     if (site.pair && !wish.counted) wish.counted = true;
     if (site.pair) wish.count = std::max(wish.count, 2);
-    AddOnSides(noun, site);
+    list_.AddOnSides(noun, site);
     shared_from_ = site.sides.empty() && openings_.wishes.size() > before;
     Use(begin, end);
     last_door_ = wish.door;
@@ -156,7 +162,7 @@ class OpeningReader {
     OpeningNoun door = noun;
     door.wish.definite = true;
     door.wish.said = words_.Quote(noun.begin, noun.end);
-    AddOnSides(door, {});
+    list_.AddOnSides(door, {});
   }
 
   void NoteNone(const OpeningNoun& noun, const OpeningSite& site, std::size_t end) {
@@ -205,12 +211,12 @@ class OpeningReader {
     for (OpeningWish& share : shares) {
       share.said = fmt::format("{}: {}", all.said, share.said);
       left -= share.count;
-      Add(share);
+      list_.Add(share);
     }
     if (left > 0) {
       OpeningWish rest = all;
       rest.count = left;
-      Add(rest);
+      list_.Add(rest);
     }
     last_end_ = at;
     last_door_ = all.door;
@@ -232,7 +238,7 @@ class OpeningReader {
     }
     noun.wish.along = site.along;
     noun.wish.said = words_.Quote(i, site.end);
-    AddOnSides(noun, site);
+    list_.AddOnSides(noun, site);
     Use(i, site.end);
     last_end_ = site.end;
     return true;
@@ -260,123 +266,7 @@ class OpeningReader {
     other.wish.said = site.by_side;
     OpeningSite there;
     there.sides = {site.by_side};
-    AddOnSides(other, there);
-  }
-
-  // One wish for each wall that was named.
-  void AddOnSides(const OpeningNoun& noun, const OpeningSite& site) {
-    OpeningWish wish = noun.wish;
-    Join(noun, site, wish);
-    if (site.sides.empty()) return Add(wish);
-    const int walls = static_cast<int>(site.sides.size()), all = wish.count;
-    const bool each = !wish.counted || all < walls;
-    for (int w = 0; w < walls; ++w) {
-      wish.side = Resolved(site.sides[static_cast<std::size_t>(w)], wish.door);
-      wish.count = walls == 1 ? all : each ? 1 : all / walls + (w < all % walls ? 1 : 0);
-      Add(wish);
-    }
-  }
-
-  // A wall that goes by the opening of the same kind that was named before.
-  std::string Resolved(const std::string& side, bool door) const {
-    const bool any_kind = side == "opposite" || side == "beside";
-    if (side != "same" && side != "across same" && !any_kind) return side;
-    const bool across = side != "same" && side != "beside";
-    for (std::size_t i = openings_.wishes.size(); i-- > 0;) {
-      const OpeningWish& there = openings_.wishes[i];
-      if ((!any_kind && there.door != door) || there.side.empty() || there.side.starts_with("across")) continue;
-      return across ? "across " + there.side : there.side;
-    }
-    return across ? "far" : "near";
-  }
-
-  // Takes over what was said before of the same openings: "two windows. The windows are on the east wall."
-  void Join(const OpeningNoun& noun, const OpeningSite& site, OpeningWish& wish) {
-    if (!wish.definite && !noun.part) return;
-    for (std::size_t i = 0; i < openings_.wishes.size(); ++i) {
-      OpeningWish& there = openings_.wishes[i];
-      const bool same_kind =
-          there.door == wish.door &&
-          (there.leads_to == wish.leads_to || (wish.outside && there.outside) || (wish.leads_to.empty() && !wish.door));
-      if (!same_kind || there.outside != wish.outside || there.of_many) continue;
-      const bool plural = words_.At(noun.noun).ends_with('s') && noun.noun > 0;
-      if (there.side.empty() && there.count > wish.count && !plural) {
-        // One of several.
-        there.count -= wish.count;
-        wish.counted = there.counted;
-        return Inherit(there, wish);
-      }
-      if (!there.side.empty() && !site.sides.empty() && there.side != site.sides[0]) {
-        if (!(wish.door && there.definite && wish.definite)) continue;
-        openings_.not_read.push_back(
-            fmt::format("The brief says both \"{}\" and \"{}\"; the first holds.", there.said, wish.said));
-        wish.count = 0;
-        return;
-      }
-      if (noun.part && !there.side.empty()) continue;
-      Inherit(there, wish);
-      if (plural || !wish.counted) {
-        wish.count = std::max(wish.counted ? wish.count : 1, there.count);
-        wish.counted = wish.counted || there.counted;
-      }
-      if (wish.side.empty() && site.sides.empty()) wish.side = there.side;
-      openings_.wishes.erase(openings_.wishes.begin() + static_cast<std::ptrdiff_t>(i));
-      return;
-    }
-  }
-
-  static void Inherit(const OpeningWish& from, OpeningWish& to) {
-    if (!to.width_m) to.width_m = from.width_m;
-    if (!to.height_m) to.height_m = from.height_m;
-    if (!to.sill_m) to.sill_m = from.sill_m;
-    if (to.width_factor == 1) to.width_factor = from.width_factor;
-    if (to.along.at == AlongWall::At::kAny) to.along = from.along;
-    if (to.leads_to.empty()) to.leads_to = from.leads_to;
-    if (to.kind.empty()) to.kind = from.kind;
-    if (to.swing == v1::DOOR_SWING_UNSPECIFIED) to.swing = from.swing;
-    to.to_ceiling = to.to_ceiling || from.to_ceiling;
-  }
-
-  void Add(const OpeningWish& wish) {
-    if (wish.count > 0 && openings_.wishes.size() < kMostWishes) openings_.wishes.push_back(wish);
-  }
-
-  // A door by its relation to the windows; these have a wall of their own then.
-  void SettleRelations() {
-    std::vector<OpeningWish>& all = openings_.wishes;
-    for (std::size_t d = 0; d < all.size(); ++d) {
-      const bool across = all[d].side == "across window";
-      if (!all[d].door || (!across && all[d].side != "window")) continue;
-      const auto is_window = [](const OpeningWish& one) { return !one.door && !one.of_many; };
-      const auto window = std::ranges::find_if(all, is_window);
-      if (window != all.end() && !window->side.empty() && !IsAmong("near far left right", window->side)) {
-        all[d].side = across ? "across " + window->side : window->side;
-        continue;
-      }
-      all[d].side.clear();
-      if (window != all.end()) {
-        window->side = across ? "far" : "near";
-        continue;
-      }
-      OpeningWish added;
-      added.side = across ? "far" : "near";
-      added.said = all[d].said;
-      added.of_many = true;
-      Add(added);
-    }
-  }
-
-  void SettleContradictions() {
-    const auto is_window = [](const OpeningWish& one) { return !one.door; };
-    const auto window = std::ranges::find_if(openings_.wishes, is_window);
-    if (!openings_.no_windows || (window == openings_.wishes.end() && !openings_.window_meant)) return;
-    if (window == openings_.wishes.end()) {
-      openings_.not_read.push_back("The brief asks for no windows and speaks of one; there are none.");
-      return;
-    }
-    openings_.not_read.push_back(
-        fmt::format("The brief asks for no windows and for \"{}\"; the latter holds.", window->said));
-    openings_.no_windows = false;
+    list_.AddOnSides(other, there);
   }
 
   void Use(std::size_t begin, std::size_t end) {
@@ -387,6 +277,7 @@ class OpeningReader {
 
   const OpeningWords words_;
   const OpeningSiteReader sites_;
+  OpeningList list_;
   const std::vector<bool>& room_;
   std::vector<bool>& used_;
   std::vector<bool> things_;
