@@ -157,7 +157,10 @@ std::optional<DeltaPiece> PlainDelta(std::string_view chunk) {
   // The same under two names, or an answer and a thought at once: the parser knows what counts.
   if (first + second + IsText(pieces.content) > 1) return std::nullopt;
   if (first || second) return DeltaPiece{first ? pieces.reasoning_content : pieces.reasoning, true};
-  return pieces.content.empty() ? std::nullopt : std::optional(DeltaPiece{pieces.content, false});
+  if (!pieces.content.empty()) return DeltaPiece{pieces.content, false};
+  // No text at all: an empty thought says as much as an empty answer.
+  const std::string_view thought = pieces.reasoning_content.empty() ? pieces.reasoning : pieces.reasoning_content;
+  return thought.empty() ? std::nullopt : std::optional(DeltaPiece{thought, true});
 }
 
 std::optional<std::string_view> PlainText(std::string_view json_string) {

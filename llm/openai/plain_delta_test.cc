@@ -110,6 +110,15 @@ TEST(RepeatedDelta, TellsThoughtsFromAnswers) {
   EXPECT_TRUE(repeated.thought());
 }
 
+TEST(RepeatedDelta, AnEmptyThoughtIsReadAsPlainDeltaReadsIt) {
+  const std::string begin = R"({"choices":[{"delta":{"reasoning_content":")", end = R"("}}]})";
+  RepeatedDelta repeated;
+  const std::string first = begin + "hm" + end, second = begin + end;
+  repeated.Learn(first, *PlainDelta(first));
+  EXPECT_EQ(repeated.Text(second), "");
+  EXPECT_EQ(PlainDelta(second), DeltaPiece(R"("")", true));
+}
+
 TEST(RepeatedDelta, LeavesAnythingElseToPlainDelta) {
   const RepeatedDelta repeated = Learnt();
   for (const char* chunk :
