@@ -106,6 +106,12 @@ TEST(Handbook, FindsItsOwnRoomByEveryName) {
   }
 }
 
+TEST(Handbook, APieceThatStandsWithAnotherDoesNotReplaceIt) {
+  const Answers island = Ask("A 5 x 5 m kitchen with a kitchen island.");
+  EXPECT_TRUE(island.Has("kitchen island"));
+  EXPECT_TRUE(island.Has("kitchen counter"));
+}
+
 TEST(Handbook, ARoomWithoutASizeHasRoomForWhatIsAskedFor) {
   for (const char* text : {"A small office with four desks and a meeting table with six chairs.",
                            "A bedroom with three double beds and two wardrobes.",

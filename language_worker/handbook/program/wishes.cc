@@ -120,7 +120,9 @@ class WishMaker {
       std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
         if (item.requested || item.zone != zone_name) return false;
         const bool same = item.furniture->category() == furniture.category();
-        return same || (makes_it && (Includes(zone.primaries(), item.furniture->name()) || IsSeat(*item.furniture)));
+        const bool rival = same || (makes_it && Includes(zone.primaries(), item.furniture->name()));
+        // An island stands parallel to the counter, not instead of it.
+        return (rival && !StandsWith(furniture, *item.furniture)) || (makes_it && IsSeat(*item.furniture));
       });
     }
   }

@@ -9,6 +9,7 @@
 #include "language_worker/handbook/reading/furniture_reader.h"
 #include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/people.h"
+#include "language_worker/handbook/reading/piece_count.h"
 #include "language_worker/handbook/reading/room_kind.h"
 #include "language_worker/handbook/reading/sayings.h"
 #include "language_worker/handbook/reading/unknown_things.h"
@@ -168,6 +169,7 @@ class BriefReader {
       int found = 0;
       const std::size_t length = phrase.MatchAt(tokens_, i, true, &found);
       if (length == 0 || (found > 0 && used_[i]) || IsAWish(i, length)) continue;
+      if (AsksForFew(tokens_, i)) continue;  // "not too many plants" makes nobody a gardener
       number = found;
       return true;
     }

@@ -93,6 +93,19 @@ TEST(ReadBrief, AColourBeforeAPieceBelongsToThePiece) {
   EXPECT_EQ(Read("A small green boho dining room.").colours.size(), 1u);
 }
 
+TEST(ReadBrief, AWordForFewMakesNoNeed) {
+  const auto needs = [](const std::string& text) { return Read(text).needs.size(); };
+  EXPECT_EQ(needs("A living room with plants"), 1u);
+  EXPECT_EQ(needs("A living room with a few plants"), 1u);
+  EXPECT_EQ(needs("A living room. Not too many plants."), 0u);
+  EXPECT_EQ(needs("A living room with hardly any plants"), 0u);
+}
+
+TEST(ReadBrief, AGamesRoomIsAGameRoom) {
+  EXPECT_TRUE(Read("Games room").archetype_named);
+  EXPECT_EQ(Read("A games room with a billiard table").archetype, Read("A game room").archetype);
+}
+
 TEST(ReadBrief, TheSquareOfSquareMetresIsNoShape) {
   EXPECT_FALSE(Read("A bedroom of 20 square metres").size.side_ratio.has_value());
   EXPECT_TRUE(Read("A square bedroom").size.side_ratio.has_value());

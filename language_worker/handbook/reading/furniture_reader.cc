@@ -13,13 +13,6 @@ namespace {
 
 constexpr double kSmallM = 0.6;
 
-// Whether a class usually stands at, on or beside the other.
-bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner) {
-  const auto names = [&](const auto& list) { return std::ranges::find(list, partner.name()) != list.end(); };
-  return names(furniture.hosts()) ||
-         std::ranges::any_of(furniture.relations(), [&](const hb::Relation& one) { return names(one.targets()); });
-}
-
 }  // namespace
 
 std::vector<Saying<hb::NamedColour>> ColourSayings(const Handbook& handbook) {
@@ -40,6 +33,12 @@ const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& hand
     if (seat != nullptr && (IsSeat(*seat) || seat->category() == "bench")) return seat;
   }
   return nullptr;
+}
+
+bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner) {
+  const auto names = [&](const auto& list) { return std::ranges::find(list, partner.name()) != list.end(); };
+  return names(furniture.hosts()) ||
+         std::ranges::any_of(furniture.relations(), [&](const hb::Relation& one) { return names(one.targets()); });
 }
 
 FurnitureReader::FurnitureReader(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,

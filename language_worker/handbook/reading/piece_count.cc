@@ -28,7 +28,10 @@ bool MeasuresThePiece(const std::vector<Token>& tokens, std::size_t i) {
   return !one && next < tokens.size() && IncludesWord(kMeasures, tokens[next].text);
 }
 
-// "not too many plants", "hardly any cushions", "few pictures": one at most. "A few" are some.
+}  // namespace
+
+bool IsArticle(std::string_view word) { return word == "a" || word == "an" || word == "the"; }
+
 bool AsksForFew(const std::vector<Token>& tokens, std::size_t i) {
   static const std::vector<Phrase> kFew = {Phrase("not too many"), Phrase("not many"),   Phrase("not so many"),
                                            Phrase("hardly any"),   Phrase("barely any"), Phrase("few"),
@@ -45,10 +48,6 @@ bool AsksForFew(const std::vector<Token>& tokens, std::size_t i) {
   }
   return false;
 }
-
-}  // namespace
-
-bool IsArticle(std::string_view word) { return word == "a" || word == "an" || word == "the"; }
 
 bool IsFurther(const std::vector<Token>& tokens, std::size_t i) {
   for (std::size_t back = 1; back <= 3 && back <= i; ++back) {

@@ -34,6 +34,9 @@ Rows RowsAround(const std::vector<Token>& tokens, std::size_t i, std::size_t len
 // "another desk", "a second desk": one more than were asked for before.
 bool IsFurther(const std::vector<Token>& tokens, std::size_t i);
 
+// "not too many plants", "hardly any cushions", "few pictures": one at most. "A few" are some.
+bool AsksForFew(const std::vector<Token>& tokens, std::size_t i);
+
 // The "poster" of "four-poster" is no picture.
 bool IsMeasure(const std::vector<Token>& tokens, std::size_t i);
 
