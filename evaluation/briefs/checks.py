@@ -101,7 +101,8 @@ def _in_row(plan: Plan, wish: Wish) -> bool:
 
 def _same_direction(plan: Plan, wish: Wish) -> bool:
     pieces = things.select(plan, wish["of"])
-    return len(pieces) >= 2 and all(relations.headings_agree(pieces[0], other, wish["within_deg"]) for other in pieces[1:])
+    return len(pieces) >= 2 and all(
+        relations.headings_agree(pieces[0], other, wish["within_deg"]) for other in pieces[1:])
 
 
 CHECKS = {
@@ -120,7 +121,8 @@ CHECKS = {
                        {"within_m": 0.4, "side": None, "opening": None, "opening_m": 0.9}),
     "opposite_corner": Check(_of_pieces(places.opposite_corner), {"of": "things", "to": "things"}, {"within_m": 0.4}),
     "central": Check(_of_pieces(places.central), {"of": "things"}, {"within_share": 0.2}),
-    "at_opening": Check(_of_pieces(places.at_opening), {"of": "things", "opening": "opening"}, {"within_m": 0.6}),
+    "at_opening": Check(_of_pieces(places.at_opening), {"of": "things", "opening": "opening"},
+                        {"within_m": 0.6, "widest": False}),
     "before_opening": Check(_of_pieces(places.before_opening), {"of": "things", "opening": "opening"},
                             {"within_m": 0.35, "middle": False}),
     "near": Check(_of_pieces(relations.near), {"of": "things", "to": "things"}, {"within_m": 0.5}),
@@ -131,7 +133,8 @@ CHECKS = {
                      {"within_deg": 35.0, "within_m": 2.5}),
     "in_front": Check(_of_pieces(relations.in_front), {"of": "things", "to": "things"},
                       {"within_m": 0.6, "within_deg": 45.0}),
-    "behind": Check(_of_pieces(relations.behind), {"of": "things", "to": "things"}, {"within_m": 0.4, "within_deg": 60.0}),
+    "behind": Check(_of_pieces(relations.behind), {"of": "things", "to": "things"},
+                    {"within_m": 0.4, "within_deg": 60.0}),
     "beside": Check(_of_pieces(relations.beside), {"of": "things", "to": "things", "side": "hand"}, {"within_m": 0.6}),
     "in_row": Check(_in_row, {"of": "things"}, {"within_m": 0.15}, counts=False),
     "same_direction": Check(_same_direction, {"of": "things"}, {"within_deg": 10.0}, counts=False),

@@ -26,7 +26,8 @@ def room(*pieces: Piece, windows: tuple[str, ...] = ("east",), doors: tuple[str,
     return Plan(walls, room_type, openings, list(pieces))
 
 
-def piece(name: str, x_m: float, y_m: float, looks_deg: float = NORTH, width_m: float = 1.0, depth_m: float = 0.6) -> Piece:
+def piece(name: str, x_m: float, y_m: float, looks_deg: float = NORTH, width_m: float = 1.0,
+          depth_m: float = 0.6) -> Piece:
     return Piece(name, x_m, y_m, math.radians(looks_deg), width_m, depth_m)
 
 
@@ -34,7 +35,8 @@ def piece(name: str, x_m: float, y_m: float, looks_deg: float = NORTH, width_m: 
 CASES = {
     "count": ({"of": "@bed", "exactly": 2}, room(piece("single bed", 1, 1), piece("bunk bed", 4, 1)),
               [room(piece("single bed", 1, 1)), room(*(piece("bed", x, 1) for x in (1, 3, 5)))]),
-    "seats": ({"at_least": 5}, room(piece("sofa", 3, 1, width_m=1.8), piece("armchair", 1, 1), piece("bar stool", 2, 1)),
+    "seats": ({"at_least": 5},
+              room(piece("sofa", 3, 1, width_m=1.8), piece("armchair", 1, 1), piece("bar stool", 2, 1)),
               [room(piece("sofa", 3, 1, width_m=1.8), piece("workbench", 1, 1, width_m=3))]),
     "room_type": ({"contains": "kitchen"}, room(room_type="small kitchen"), [room(room_type="hall")]),
     "room_size": ({"sides_m": [4, 6]}, room(), [room(width_m=5.9), room(depth_m=4.1)]),
@@ -47,12 +49,16 @@ CASES = {
     "opening_one_wall": ({"opening": "window"}, room(windows=("north", "north")),
                          [room(windows=()), room(windows=("north", "east"))]),
     "at_wall": ({"of": "desk", "wall": "north", "back": True, "centred_m": 0.5}, room(piece("desk", 3.2, 3.6, SOUTH)),
-                [room(piece("desk", 3.2, 3.6, NORTH)), room(piece("desk", 1, 3.6, SOUTH)), room(piece("desk", 3, 0.4))]),
-    "in_corner": ({"of": "lamp"}, room(piece("lamp", 0.6, 0.4)), [room(piece("lamp", 0.6, 2)), room(piece("lamp", 3, 0.4))]),
+                [room(piece("desk", 3.2, 3.6, NORTH)), room(piece("desk", 1, 3.6, SOUTH)),
+                 room(piece("desk", 3, 0.4))]),
+    "in_corner": ({"of": "lamp"},
+                  room(piece("lamp", 0.6, 0.4)), [room(piece("lamp", 0.6, 2)), room(piece("lamp", 3, 0.4))]),
     "opposite_corner": ({"of": "desk", "to": "@bed"}, room(piece("desk", 0.6, 0.4), piece("bed", 5.4, 3.6)),
-                        [room(piece("desk", 0.6, 2), piece("bed", 5.4, 3.6)), room(piece("desk", 0.6, 0.4), piece("bed", 3, 2)),
+                        [room(piece("desk", 0.6, 2), piece("bed", 5.4, 3.6)),
+                         room(piece("desk", 0.6, 0.4), piece("bed", 3, 2)),
                          room(piece("desk", 0.6, 0.4), piece("bed", 0.6, 0.4))]),
-    "central": ({"of": "table"}, room(piece("table", 3.5, 2.2)), [room(piece("table", 5, 2)), room(piece("table", 3, 3.5))]),
+    "central": ({"of": "table"},
+                room(piece("table", 3.5, 2.2)), [room(piece("table", 5, 2)), room(piece("table", 3, 3.5))]),
     "at_opening": ({"of": "desk", "opening": "window"}, room(piece("desk", 5, 2)),
                    [room(piece("desk", 4, 2)), room(piece("desk", 5, 0.5))]),
     "before_opening": ({"of": "sink", "opening": "window", "middle": True}, room(piece("sink", 5.7, 1.9, WEST)),
@@ -66,16 +72,20 @@ CASES = {
                  room(piece("lamp", 2.4, 1.2), piece("armchair", 4, 1))]),
     "facing": ({"of": "chair", "to": "window"}, room(piece("chair", 2, 2, EAST)),
                [room(piece("chair", 2, 2, WEST)), room(piece("chair", 2, 2, EAST + 45))]),
-    "opposed": ({"of": "desk", "to": "desk", "at_least": 2}, room(piece("desk", 2, 1, SOUTH), piece("desk", 2, 1.6, NORTH)),
+    "opposed": ({"of": "desk", "to": "desk", "at_least": 2},
+                room(piece("desk", 2, 1, SOUTH), piece("desk", 2, 1.6, NORTH)),
                 [room(piece("desk", 2, 1, NORTH), piece("desk", 2, 1.6, NORTH)),
                  room(piece("desk", 2, 1, SOUTH), piece("desk", 4, 1, NORTH)), room(piece("desk", 2, 1))]),
     "in_front": ({"of": "chest", "to": "@bed"}, room(piece("bed", 2, 1, NORTH, 1.5, 2), piece("chest", 2, 2.4)),
                  [room(piece("bed", 2, 1, SOUTH, 1.5, 2), piece("chest", 2, 2.4)),
                   room(piece("bed", 2, 1, NORTH, 1.5, 2), piece("chest", 2, 3.2))]),
     "behind": ({"of": "console", "to": "@sofa"}, room(piece("sofa", 2, 2, NORTH), piece("console", 2, 1.3)),
-               [room(piece("sofa", 2, 2, SOUTH), piece("console", 2, 1.3)), room(piece("sofa", 2, 2), piece("console", 2, 0.9))]),
-    "beside": ({"of": "table", "to": "@armchair", "side": "right"}, room(piece("armchair", 2, 2, SOUTH), piece("table", 0.9, 2)),
-               [room(piece("armchair", 2, 2, NORTH), piece("table", 0.9, 2)), room(piece("armchair", 4, 2, SOUTH), piece("table", 0.9, 2)),
+               [room(piece("sofa", 2, 2, SOUTH), piece("console", 2, 1.3)),
+                room(piece("sofa", 2, 2), piece("console", 2, 0.9))]),
+    "beside": ({"of": "table", "to": "@armchair", "side": "right"},
+               room(piece("armchair", 2, 2, SOUTH), piece("table", 0.9, 2)),
+               [room(piece("armchair", 2, 2, NORTH), piece("table", 0.9, 2)),
+                room(piece("armchair", 4, 2, SOUTH), piece("table", 0.9, 2)),
                 room(piece("armchair", 2, 2, SOUTH), piece("table", 2, 1.3))]),
     "in_row": ({"of": "desk"}, room(piece("desk", 1, 1), piece("desk", 3, 1.1), piece("desk", 5, 1)),
                [room(piece("desk", 1, 1), piece("desk", 3, 1.4)), room(piece("desk", 1, 1))]),
@@ -134,6 +144,15 @@ class Options(unittest.TestCase):
         self.assertTrue(self.holds(room(piece("desk", 0.5, 2)), "at_wall", of="desk", wall="any"))
         self.assertFalse(self.holds(room(piece("desk", 3, 2)), "at_wall", of="desk", wall="any"))
 
+    def test_the_widest_door_is_meant_when_said_so(self) -> None:
+        plan = room(piece("table", 1, 2), doors=("south", "west"))
+        south, west = plan.openings_of("door")
+        wide = Opening("door", south.wall, south.wall.at_m(2), south.wall.at_m(4))
+        for openings, held in (([wide, west], False), ([west], True)):
+            plan = Plan(plan.walls, openings=openings, pieces=plan.pieces)
+            self.assertTrue(self.holds(plan, "at_opening", of="table", opening="door"))
+            self.assertEqual(self.holds(plan, "at_opening", of="table", opening="door", widest=True), held)
+
     def test_corners_of_a_side_and_by_a_door(self) -> None:
         south_west = room(piece("lamp", 0.6, 0.4))
         self.assertTrue(self.holds(south_west, "in_corner", of="lamp", side="left"))
@@ -156,7 +175,8 @@ class Options(unittest.TestCase):
 
     def test_one_end_of_between_may_be_an_opening(self) -> None:
         ends = ["sideboard", "window"]
-        self.assertTrue(self.holds(room(piece("sideboard", 1, 2), piece("cart", 3, 2)), "between", of="cart", ends=ends))
+        self.assertTrue(self.holds(room(piece("sideboard", 1, 2), piece("cart", 3, 2)), "between",
+                                   of="cart", ends=ends))
         self.assertFalse(self.holds(room(piece("sideboard", 1, 2), piece("cart", 3, 2), windows=("north",)), "between",
                                     of="cart", ends=ends))
 

@@ -20,7 +20,7 @@ def _write_batch(briefs: list[Brief], path: Path) -> None:
     path.write_text("".join(json.dumps({"text": brief.text}) + "\n" for brief in briefs), encoding="utf-8")
 
 
-def design_all(flair: Path, briefs: list[Brief], out: Path, jobs: int) -> None:
+def design_all(flair: Path, briefs: list[Brief], out: Path, jobs: int, picture_px: int) -> None:
     """Fills `out`; what the program says of its progress goes to standard error."""
     with tempfile.TemporaryDirectory(prefix="flair-briefs-") as scratch:
         lines = Path(scratch) / "briefs.jsonl"
@@ -29,7 +29,7 @@ def design_all(flair: Path, briefs: list[Brief], out: Path, jobs: int) -> None:
         environment = {name: value for name, value in os.environ.items() if name != "FLAIR_LLM"}
         environment["FLAIR_HOME"] = str(Path(scratch) / "home")
         command = [flair, "batch", lines, "--out", out, "--keep", "layout.json,report.json,pictures", "--parallel",
-                   str(jobs), "--size", "256"]
+                   str(jobs), "--size", str(picture_px)]
         try:
             ended = subprocess.run([str(part) for part in command], env=environment, stdout=sys.stderr, check=False)
         except OSError as error:

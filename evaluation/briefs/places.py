@@ -59,7 +59,7 @@ def in_corner(plan: Plan, piece: Piece, wish: Wish) -> bool:
         wanted = walls_named(plan, wish["side"])
         corners = [corner for corner in corners if any(wall in wanted for wall in corner)]
     if wish["opening"] is not None:
-        return bool(corners) and at_opening(plan, piece, {**wish, "within_m": wish["opening_m"]})
+        return bool(corners) and at_opening(plan, piece, {**wish, "within_m": wish["opening_m"], "widest": False})
     return bool(corners)
 
 
@@ -86,11 +86,15 @@ def central(plan: Plan, piece: Piece, wish: Wish) -> bool:
 
 
 def at_opening(plan: Plan, piece: Piece, wish: Wish) -> bool:
-    return any(geometry.to_opening_m(piece, one) <= wish["within_m"] for one in plan.openings_of(wish["opening"]))
+    """Near one; with `widest`, near the widest of its kind: a garden door among doors."""
+    openings = plan.openings_of(wish["opening"])
+    if wish["widest"] and openings:
+        openings = [max(openings, key=lambda one: one.width_m)]
+    return any(geometry.to_opening_m(piece, one) <= wish["within_m"] for one in openings)
 
 
 def _before(piece: Piece, opening: Opening, middle: bool) -> bool:
-    width_m = math.dist(opening.begin_m, opening.end_m)
+    width_m = opening.width_m
     if middle:
         return 0 <= geometry.along_opening_m(piece.middle_m, opening) <= width_m
     along_m = [geometry.along_opening_m(corner, opening) for corner in piece.corners_m()]

@@ -91,10 +91,14 @@ class Opening:
     def middle_m(self) -> Point:
         return (self.begin_m[0] + self.end_m[0]) / 2, (self.begin_m[1] + self.end_m[1]) / 2
 
+    @property
+    def width_m(self) -> float:
+        return math.dist(self.begin_m, self.end_m)
+
 
 @dataclass(frozen=True)
 class Plan:
-    """`remarks` is all that the design says of itself: diagnostics, what was left out, what was asked for and does not hold."""
+    """`remarks` is what the design says of itself: diagnostics, what was left out, what was asked for and not met."""
 
     walls: list[Wall]
     room_type: str = ""
@@ -120,8 +124,8 @@ def read_plan(layout_path: Path, report_path: Path) -> Plan:
     report = json.loads(report_path.read_text(encoding="utf-8"))["report"]
     room = layout["graph"]["room"]
     walls = _walls(room)
-    return Plan(list(walls.values()), room.get("room_type", ""), [_opening(one, walls) for one in room.get("openings", [])],
-                _pieces(layout), _remarks(layout, report))
+    openings = [_opening(one, walls) for one in room.get("openings", [])]
+    return Plan(list(walls.values()), room.get("room_type", ""), openings, _pieces(layout), _remarks(layout, report))
 
 
 def _walls(room: dict) -> dict[str, Wall]:

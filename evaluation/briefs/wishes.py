@@ -30,16 +30,14 @@ class Exam:
     briefs: list[Brief]
     misses_hidden: bool = False
 
-    def wish_count(self) -> int:
-        return sum(len(brief.wishes) for brief in self.briefs)
-
 
 def _is_number(value: object) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and value >= 0
 
 
 def _one_of(*allowed: str):
-    return lambda value: "" if value in allowed else f"is {json.dumps(value)}; one of {', '.join(allowed)} would be right"
+    right = f"one of {', '.join(allowed)} would be right"
+    return lambda value: "" if value in allowed else f"is {json.dumps(value)}; {right}"
 
 
 def _number(value: object) -> str:
@@ -79,7 +77,7 @@ _FAULTS = {"things": things.fault_of_selector, "text": _text, "number": _number,
            "target": _target, "ends": _ends, "wall": _WALL, "opening": _one_of(*checks.OPENINGS),
            "hand": _one_of(*checks.SIDES, "either")}
 _OPTION_FAULTS = {"side": _one_of(*checks.SIDES), "opening": _one_of(*checks.OPENINGS), "back": _flag, "middle": _flag,
-                  "each_other": _flag, "all": _flag}
+                  "widest": _flag, "each_other": _flag, "all": _flag}
 
 
 def _fault_of_remark(words: object) -> str:
@@ -154,7 +152,8 @@ def read_exam(path: Path) -> Exam:
             continue
         briefs.append(_read_brief(line, where, {brief.id for brief in briefs}))
     if not briefs:
-        raise BadExam(f"{path}: has no brief; a line such as {{\"id\": \"d01\", \"brief\": ..., \"wishes\": [...]}} would be right")
+        right = '{"id": "d01", "brief": "...", "wishes": [...]}'
+        raise BadExam(f"{path}: has no brief; a line such as {right} would be right")
     return Exam(name, briefs, hidden)
 
 

@@ -52,7 +52,8 @@ class Files(unittest.TestCase):
             ":1: brief is null; a text": [{"id": "a", "wishes": [WISH]}],
             ":2: id a is that of an earlier brief": [brief, brief],
             ":1: wishes is []; a list of wishes": [{**brief, "wishes": []}],
-            ":1: wish 2: check is \"counts\"; one of count,": [{**brief, "wishes": [WISH, {**WISH, "check": "counts"}]}],
+            ":1: wish 2: check is \"counts\"; one of count,": [
+                {**brief, "wishes": [WISH, {**WISH, "check": "counts"}]}],
             ":1: misses is \"no\"; one of shown, hidden": [{"set": "x", "misses": "no"}, brief],
         }
         for fault, lines in cases.items():
@@ -72,7 +73,8 @@ class Files(unittest.TestCase):
             ({**near, "within_m": -1}, "within_m is -1; a number from 0"),
             ({**near, "to": []}, "to is no name and no list of names"),
             ({**near, "all": 1}, "all is 1; true or false"),
-            ({**near, "check": "opening_walls", "opening": "hatch", "walls": ["east"]}, 'opening is "hatch"; one of door, window'),
+            ({**near, "check": "opening_walls", "opening": "hatch", "walls": ["east"]},
+             'opening is "hatch"; one of door, window'),
             ({**near, "check": "between"}, "ends is missing"),
             ({**near, "check": "at_wall", "wall": "up"}, 'wall is "up"; one of north'),
         ]
@@ -134,7 +136,8 @@ class Verdicts(unittest.TestCase):
         brief = Brief("a", "Two desks.", [WISH, {**WISH, "wish": "again"}])
         judged = verdicts.judge(brief, plan()) + verdicts.judge(brief, plan("desk"))
         self.assertRegex(verdicts.table(judged), r"count +4 +0 +2 +2 +0\nall +4 +0 +2 +2 +0\n0 % obeyed$")
-        self.assertEqual(verdicts.misses(judged, "silent"), "  a: Two desks.\n      a desk (count)\n      again (count)")
+        self.assertEqual(verdicts.misses(judged, "silent"),
+                         "  a: Two desks.\n      a desk (count)\n      again (count)")
 
 
 if __name__ == "__main__":
