@@ -231,6 +231,14 @@ TEST(HandbookPeople, ATableHasTheSeatsThatWereAskedForAndDesksKeepTheirs) {
   EXPECT_EQ(round_table, 9) << "eight chairs and the table";
 }
 
+TEST(HandbookPeople, ATableKeepsItsSeatsWhereverItStands) {
+  for (const char* text : {"A kitchen, 6 x 4 m, table for six by the window.", "A kitchen with a table for six",
+                           "A kitchen-diner with a dining table for 6 under the window",
+                           "A kitchen, table for six in the corner, with an island"}) {
+    EXPECT_EQ(Ask(text).Count("dining chair"), 6) << text;
+  }
+}
+
 TEST(HandbookPeople, MakeARoomLargerWhenItsSizeIsNotGiven) {
   EXPECT_GT(FloorArea(Ask("A dining room for 12 people.").room), 1.3 * FloorArea(Ask("A dining room.").room));
   EXPECT_NEAR(FloorArea(Ask("A dining room of 20 m2 for 12 people.").room), 20, 0.5);

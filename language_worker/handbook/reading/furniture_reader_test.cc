@@ -40,7 +40,11 @@ TEST(FurnitureReader, ChairsBelongToTheTableTheyAreNamedWith) {
                 {"A library with six chairs around a reading table.", "library table", 6},
                 {"A café with three tables with four chairs each.", "dining table", 4},
                 {"A café with four tables and eight chairs.", "dining table", 2},
-                {"A kitchen with an island with three stools.", "kitchen island", 3}};
+                {"A kitchen with an island with three stools.", "kitchen island", 3},
+                {"A kitchen-diner, 6 x 4m, table for six by the window", "dining table", 6},
+                {"A dining room with a table for 8 in the middle.", "dining table", 8},
+                {"An office with a round meeting table for five under the window.", "round meeting table", 5},
+                {"A dining room with a table for 2 by 1 m of rug.", "dining table", 0}};
   for (const auto& expected : kCases) {
     const BriefFacts facts = FactsIn(expected.text);
     const Wish* table = WishFor(facts, expected.table);

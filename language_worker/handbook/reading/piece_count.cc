@@ -77,9 +77,13 @@ int SeatsAfter(const std::vector<Token>& tokens, std::size_t i) {
   if (IsArticle(token.text)) return 0;
   const int number = token.kind == Token::Kind::kNumber ? static_cast<int>(std::min(token.number, 1e6))
                                                         : NumberWord(token.text).value_or(0);
+  // What may follow: "for six by the window". A number with another behind it is a size.
+  constexpr std::array<std::string_view, 22> kNext = {
+      "and",    "with",   "near",    "by",       "next", "in",    "on", "at",    "under", "beside", "against",
+      "behind", "facing", "between", "opposite", "to",   "along", "or", "close", "that",  "which",  "below"};
+  const bool by_size = i + 3 < tokens.size() && tokens[i + 3].kind == Token::Kind::kNumber;
   const bool ends = i + 2 == tokens.size() || tokens[i + 2].kind == Token::Kind::kSign ||
-                    CountsPeople(tokens[i + 2].text) || tokens[i + 2].text == "and" || tokens[i + 2].text == "with" ||
-                    tokens[i + 2].text == "near";
+                    CountsPeople(tokens[i + 2].text) || (IncludesWord(kNext, tokens[i + 2].text) && !by_size);
   return ends && number <= kMostSeats ? number : 0;
 }
 
