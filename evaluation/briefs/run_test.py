@@ -20,8 +20,8 @@ def run(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 class Designs(unittest.TestCase):
     def test_the_handbook_obeys_as_many_wishes_as_it_did(self) -> None:
-        """Measured: 42 obeyed and 7 silent of 53. A wish or two may come and go with a layout."""
-        ended = run("--flair", FLAIR, "--first", 25, "--at-least-obeyed", 40, "--at-most-silent", 9)
+        """Measured: 44 obeyed and 5 silent of 53. A wish or two may come and go with a layout."""
+        ended = run("--flair", FLAIR, "--first", 25, "--at-least-obeyed", 42, "--at-most-silent", 7)
         self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
         self.assertRegex(ended.stdout, r"set development: 25 briefs, \d+ wishes")
 
