@@ -16,16 +16,11 @@
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
 #include "language_worker/handbook/styling/choose_style.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 #include "room/validation/validate.h"
 
 namespace flair::language {
 namespace {
-
-const Handbook& Data() {
-  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-  if (!handbook.ok()) ADD_FAILURE() << handbook.status();
-  return **handbook;
-}
 
 struct Answers {
   v1::Room room;
@@ -46,14 +41,14 @@ Answers Ask(const std::string& text, std::int64_t seed = 0) {
   brief.set_text(text);
   brief.set_seed(seed);
   Answers a;
-  const auto room = DescribeRoom(brief, Data());
+  const auto room = DescribeRoom(brief, TheHandbook());
   EXPECT_TRUE(room.ok()) << room.status();
   if (!room.ok()) return a;
   a.room = *room;
-  a.zones = *PlanZones(brief, a.room, Data());
-  a.objects = *ListObjects(brief, a.room, a.zones, Data());
-  a.style = *ChooseStyle(brief, a.room, a.objects, Data());
-  a.raw = *ListConstraints(brief, a.room, a.zones, a.objects, Data());
+  a.zones = *PlanZones(brief, a.room, TheHandbook());
+  a.objects = *ListObjects(brief, a.room, a.zones, TheHandbook());
+  a.style = *ChooseStyle(brief, a.room, a.objects, TheHandbook());
+  a.raw = *ListConstraints(brief, a.room, a.zones, a.objects, TheHandbook());
   a.cleaned = CleanConstraints(a.raw);
   return a;
 }
@@ -80,7 +75,7 @@ void ExpectSound(const Answers& a) {
 }
 
 TEST(Handbook, AnswersAreSoundForEveryRoomSizeAndSeed) {
-  for (const hb::Archetype& archetype : Data().contents().archetypes()) {
+  for (const hb::Archetype& archetype : TheHandbook().contents().archetypes()) {
     for (const char* size : {"2m x 2m", "2.5m x 3m", "3m x 4m", "6m x 3m", "5m x 5m", "9m x 8m", ""}) {
       for (const std::int64_t seed : {0, 1, 7}) {
         const std::string text = fmt::format("A {} {}", archetype.name(), size);
@@ -92,7 +87,7 @@ TEST(Handbook, AnswersAreSoundForEveryRoomSizeAndSeed) {
 }
 
 TEST(Handbook, AnswersAreSoundForEveryTheme) {
-  for (const hb::Theme& theme : Data().contents().themes()) {
+  for (const hb::Theme& theme : TheHandbook().contents().themes()) {
     SCOPED_TRACE(theme.name());
     ExpectSound(Ask(fmt::format("A bedroom for a {}", theme.keywords(0))));
     ExpectSound(Ask(fmt::format("A small {} kitchen", theme.keywords(0)), 3));
@@ -100,7 +95,7 @@ TEST(Handbook, AnswersAreSoundForEveryTheme) {
 }
 
 TEST(Handbook, FindsItsOwnRoomByEveryName) {
-  for (const hb::Archetype& archetype : Data().contents().archetypes()) {
+  for (const hb::Archetype& archetype : TheHandbook().contents().archetypes()) {
     if (archetype.fallback()) continue;
     EXPECT_EQ(Ask("A " + archetype.name() + ".").room.room_type(), archetype.name());
   }

@@ -12,21 +12,15 @@
 #include <string>
 
 #include "language_worker/handbook/cleaning/clean_constraints.h"
-#include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
 #include "language_worker/handbook/styling/choose_style.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 #include "translator_worker/grammar/translate.h"
 
 namespace flair {
 namespace {
-
-const language::Handbook& Data() {
-  static const auto handbook = language::LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-  if (!handbook.ok()) ADD_FAILURE() << handbook.status();
-  return **handbook;
-}
 
 v1::ConstraintCatalog ReadCatalog() {
   std::ifstream file(FLAIR_SOURCE_DIR "/translator_worker/grammar/testdata/catalog.textproto");
@@ -42,12 +36,14 @@ v1::TranslateRequest Describe(const std::string& text) {
   v1::Brief brief;
   brief.set_text(text);
   v1::TranslateRequest request;
-  *request.mutable_room() = *language::DescribeRoom(brief, Data());
-  *request.mutable_zone_plan() = *language::PlanZones(brief, request.room(), Data());
-  *request.mutable_object_list() = *language::ListObjects(brief, request.room(), request.zone_plan(), Data());
-  *request.mutable_style_sheet() = *language::ChooseStyle(brief, request.room(), request.object_list(), Data());
-  *request.mutable_constraint_list() = language::CleanConstraints(
-      *language::ListConstraints(brief, request.room(), request.zone_plan(), request.object_list(), Data()));
+  *request.mutable_room() = *language::DescribeRoom(brief, language::TheHandbook());
+  *request.mutable_zone_plan() = *language::PlanZones(brief, request.room(), language::TheHandbook());
+  *request.mutable_object_list() =
+      *language::ListObjects(brief, request.room(), request.zone_plan(), language::TheHandbook());
+  *request.mutable_style_sheet() =
+      *language::ChooseStyle(brief, request.room(), request.object_list(), language::TheHandbook());
+  *request.mutable_constraint_list() = language::CleanConstraints(*language::ListConstraints(
+      brief, request.room(), request.zone_plan(), request.object_list(), language::TheHandbook()));
   static const v1::ConstraintCatalog catalog = ReadCatalog();
   *request.mutable_catalog() = catalog;
   return request;
@@ -69,14 +65,14 @@ void ExpectUnderstood(const std::string& text) {
 }
 
 TEST(HandbookBeforeTheGrammar, TheUsualRoomOfEveryKindIsUnderstood) {
-  for (const auto& archetype : Data().contents().archetypes()) {
+  for (const auto& archetype : language::TheHandbook().contents().archetypes()) {
     ExpectUnderstood(fmt::format("A {}.", archetype.name()));
   }
 }
 
 // Where many pieces share a name.
 TEST(HandbookBeforeTheGrammar, LargeRoomsOfEveryKindAreUnderstood) {
-  for (const auto& archetype : Data().contents().archetypes()) {
+  for (const auto& archetype : language::TheHandbook().contents().archetypes()) {
     ExpectUnderstood(fmt::format("A {} of 9 m x 8 m.", archetype.name()));
   }
 }

@@ -8,16 +8,10 @@
 #include <string>
 
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {
 namespace {
-
-const Handbook& Data() {
-  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-  if (!handbook.ok()) ADD_FAILURE() << handbook.status();
-  return **handbook;
-}
 
 bool StandsOnFloor(const hb::Furniture& item) { return item.kind() == hb::FURNITURE_KIND_FLOOR && !item.walk_over(); }
 
@@ -34,10 +28,11 @@ bool Speaks(const hb::Selector& rule, const hb::Furniture& item) {
 }
 
 TEST(HandbookData, EveryFloorPieceHasOneToEightSentences) {
-  for (const hb::Furniture& item : Data().contents().furniture()) {
+  for (const hb::Furniture& item : TheHandbook().contents().furniture()) {
     if (!StandsOnFloor(item)) continue;
     int sentences = item.relations_size();
-    for (const hb::GeneralRule& rule : Data().contents().general_rules()) sentences += Speaks(rule.selector(), item);
+    for (const hb::GeneralRule& rule : TheHandbook().contents().general_rules())
+      sentences += Speaks(rule.selector(), item);
     EXPECT_GE(sentences, 1) << item.name();
     EXPECT_LE(sentences, 8) << item.name();
     EXPECT_LE(item.relations_size(), 5) << item.name();
@@ -45,7 +40,7 @@ TEST(HandbookData, EveryFloorPieceHasOneToEightSentences) {
 }
 
 TEST(HandbookData, EveryPieceIsDescribedAndMadeOfSomething) {
-  for (const hb::Furniture& item : Data().contents().furniture()) {
+  for (const hb::Furniture& item : TheHandbook().contents().furniture()) {
     EXPECT_GT(item.descriptions_size(), 0) << item.name();
     EXPECT_FALSE(item.material_group().empty()) << item.name();
     EXPECT_FALSE(item.category().empty()) << item.name();
@@ -56,17 +51,17 @@ TEST(HandbookData, NothingSoftPrintedOrElectricIsCeramic) {
   constexpr std::array kWords = {"cushion", "blanket", "towel", "runner", "book",   "magazine", "music",   "map",
                                  "bear",    "basket",  "box",   "rack",   "phone",  "console",  "printer", "machine",
                                  "monitor", "toaster", "clock", "lamp",   "bottle", "frame"};
-  for (const hb::Furniture& item : Data().contents().furniture()) {
+  for (const hb::Furniture& item : TheHandbook().contents().furniture()) {
     if (item.material_group() != "ceramic") continue;
     for (const char* word : kWords) EXPECT_EQ(item.name().find(word), std::string::npos) << item.name();
   }
 }
 
 TEST(HandbookData, SurfacePiecesHaveHostsWithRoomOnTop) {
-  for (const hb::Furniture& item : Data().contents().furniture()) {
+  for (const hb::Furniture& item : TheHandbook().contents().furniture()) {
     if (item.kind() != hb::FURNITURE_KIND_SURFACE) continue;
     const bool possible = std::any_of(item.hosts().begin(), item.hosts().end(), [](const std::string& host) {
-      return Data().FindFurniture(host)->top_places() > 0;
+      return TheHandbook().FindFurniture(host)->top_places() > 0;
     });
     EXPECT_TRUE(possible) << item.name();
   }
@@ -82,12 +77,12 @@ const hb::Band& UsualBand(const hb::Archetype& room) {
 }
 
 TEST(HandbookData, FurnitureFitsTheUsualRoomAndCoversAtMostFortyFivePercent) {
-  for (const hb::Archetype& room : Data().contents().archetypes()) {
+  for (const hb::Archetype& room : TheHandbook().contents().archetypes()) {
     const double width_m = room.width_m().typical();
     const double depth_m = room.depth_m().typical();
     double covered_m2 = 0;
     for (const hb::ObjectEntry& entry : UsualBand(room).objects()) {
-      const hb::Furniture& item = *Data().FindFurniture(entry.furniture());
+      const hb::Furniture& item = *TheHandbook().FindFurniture(entry.furniture());
       const double long_m = std::max(item.width_m().typical(), item.depth_m().typical());
       EXPECT_LE(long_m, std::max(width_m, depth_m)) << room.name() << ": " << item.name();
       EXPECT_LE(item.depth_m().typical() + item.clear_front_m(), std::max(width_m, depth_m))
@@ -99,7 +94,7 @@ TEST(HandbookData, FurnitureFitsTheUsualRoomAndCoversAtMostFortyFivePercent) {
 }
 
 TEST(HandbookData, EveryZoneOfABandHasItsPrimaryAndEveryPieceItsZone) {
-  for (const hb::Archetype& room : Data().contents().archetypes()) {
+  for (const hb::Archetype& room : TheHandbook().contents().archetypes()) {
     for (const hb::Band& band : room.bands()) {
       const std::string where = fmt::format("{}, below {} m2", room.name(), band.max_area_m2());
       for (const hb::ObjectEntry& entry : band.objects()) {
@@ -126,7 +121,7 @@ TEST(HandbookData, KnowsThePromisedRooms) {
         "dining room", "kitchen",         "bathroom",    "home office", "library",     "home gym",
         "sewing room", "music room",      "art studio",  "workshop",    "laundry",     "entrance hall",
         "studio flat", "meeting room",    "waiting room"}) {
-    EXPECT_NE(Data().FindArchetype(name), nullptr) << name;
+    EXPECT_NE(TheHandbook().FindArchetype(name), nullptr) << name;
   }
 }
 

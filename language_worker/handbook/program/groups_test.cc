@@ -8,10 +8,10 @@
 #include <map>
 #include <string>
 
-#include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {
 namespace {
@@ -44,14 +44,13 @@ struct Plan {
 };
 
 Plan PlanFor(const std::string& text) {
-  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
   v1::Brief brief;
   brief.set_text(text);
-  const v1::Room room = *DescribeRoom(brief, **handbook);
-  const v1::ZonePlan zones = *PlanZones(brief, room, **handbook);
+  const v1::Room room = *DescribeRoom(brief, TheHandbook());
+  const v1::ZonePlan zones = *PlanZones(brief, room, TheHandbook());
   Plan plan;
-  plan.objects = *ListObjects(brief, room, zones, **handbook);
-  plan.constraints = *ListConstraints(brief, room, zones, plan.objects, **handbook);
+  plan.objects = *ListObjects(brief, room, zones, TheHandbook());
+  plan.constraints = *ListConstraints(brief, room, zones, plan.objects, TheHandbook());
   return plan;
 }
 

@@ -6,21 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {
 namespace {
-
-const Handbook& Data() {
-  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-  return **handbook;
-}
-
-BriefFacts Read(const std::string& text) {
-  v1::Brief brief;
-  brief.set_text(text);
-  return *ReadBrief(brief, Data());
-}
 
 int WishCount(const BriefFacts& facts, const std::string& name) {
   for (const Wish& wish : facts.wishes) {
@@ -35,7 +24,7 @@ struct RoomCase {
   const char* archetype;
 };
 class RoomKind : public testing::TestWithParam<RoomCase> {};
-TEST_P(RoomKind, IsFoundInTheBrief) { EXPECT_EQ(Read(GetParam().text).archetype->name(), GetParam().archetype); }
+TEST_P(RoomKind, IsFoundInTheBrief) { EXPECT_EQ(FactsOf(GetParam().text).archetype->name(), GetParam().archetype); }
 INSTANTIATE_TEST_SUITE_P(Briefs, RoomKind,
                          testing::Values(RoomCase{"plain", "A bedroom that is 4m x 5m.", "bedroom"},
                                          RoomCase{"slash", "A living/dining room that is 6m x 3m.",
@@ -51,7 +40,7 @@ struct WishCase {
   int count;
 };
 class Wishes : public testing::TestWithParam<WishCase> {};
-TEST_P(Wishes, AreCounted) { EXPECT_EQ(WishCount(Read(GetParam().text), GetParam().furniture), GetParam().count); }
+TEST_P(Wishes, AreCounted) { EXPECT_EQ(WishCount(FactsOf(GetParam().text), GetParam().furniture), GetParam().count); }
 INSTANTIATE_TEST_SUITE_P(Briefs, Wishes,
                          testing::Values(WishCase{"word", "a living room with two armchairs", "armchair", 2},
                                          WishCase{"adjectives", "a living room with three deep leather armchairs",
@@ -62,39 +51,39 @@ INSTANTIATE_TEST_SUITE_P(Briefs, Wishes,
                          [](const auto& info) { return info.param.name; });
 
 TEST(ReadBrief, CountsPeople) {
-  EXPECT_EQ(Read("A dining room for eight people").people, 8);
-  EXPECT_EQ(Read("A meeting room for 6").people, 6);
-  EXPECT_FALSE(Read("A bedroom for a vampire").people.has_value());
+  EXPECT_EQ(FactsOf("A dining room for eight people").people, 8);
+  EXPECT_EQ(FactsOf("A meeting room for 6").people, 6);
+  EXPECT_FALSE(FactsOf("A bedroom for a vampire").people.has_value());
 }
 
 TEST(ReadBrief, LargeNumbersMayBeWords) {
-  EXPECT_EQ(WishCount(Read("A dining room with forty dining chairs"), "dining chair"), 40);
-  EXPECT_EQ(WishCount(Read("A library with twenty-four bookshelves and thirteen desks"), "bookshelf"), 24);
-  EXPECT_EQ(WishCount(Read("A library with twenty four bookshelves and thirteen desks"), "desk"), 13);
-  EXPECT_EQ(WishCount(Read("A hall with a hundred stools"), "stool"), 40);
-  EXPECT_EQ(Read("A hall with a hundred stools").too_many.size(), 1u);
-  EXPECT_TRUE(Read("A hall with forty stools").too_many.empty());
-  EXPECT_EQ(Read("A classroom for twenty-five pupils").people, 25);
-  EXPECT_NEAR(*Read("A bedroom of twenty square metres").size.area_m2, 20, 1e-9);
-  EXPECT_NEAR(*Read("A hall of a hundred square metres").size.area_m2, 100, 1e-9);
-  EXPECT_NEAR(*Read("A hall of two hundred square metres").size.area_m2, 200, 1e-9);
+  EXPECT_EQ(WishCount(FactsOf("A dining room with forty dining chairs"), "dining chair"), 40);
+  EXPECT_EQ(WishCount(FactsOf("A library with twenty-four bookshelves and thirteen desks"), "bookshelf"), 24);
+  EXPECT_EQ(WishCount(FactsOf("A library with twenty four bookshelves and thirteen desks"), "desk"), 13);
+  EXPECT_EQ(WishCount(FactsOf("A hall with a hundred stools"), "stool"), 40);
+  EXPECT_EQ(FactsOf("A hall with a hundred stools").too_many.size(), 1u);
+  EXPECT_TRUE(FactsOf("A hall with forty stools").too_many.empty());
+  EXPECT_EQ(FactsOf("A classroom for twenty-five pupils").people, 25);
+  EXPECT_NEAR(*FactsOf("A bedroom of twenty square metres").size.area_m2, 20, 1e-9);
+  EXPECT_NEAR(*FactsOf("A hall of a hundred square metres").size.area_m2, 100, 1e-9);
+  EXPECT_NEAR(*FactsOf("A hall of two hundred square metres").size.area_m2, 200, 1e-9);
 }
 
 TEST(ReadBrief, AKingBedMakesNoKing) {
-  EXPECT_TRUE(Read("a bedroom with a king bed").themes.empty());
-  EXPECT_FALSE(Read("a bedroom for a king").themes.empty());
+  EXPECT_TRUE(FactsOf("a bedroom with a king bed").themes.empty());
+  EXPECT_FALSE(FactsOf("a bedroom for a king").themes.empty());
 }
 
 TEST(ReadBrief, AColourBeforeAPieceBelongsToThePiece) {
-  const BriefFacts piece = Read("A bedroom with a green armchair");
+  const BriefFacts piece = FactsOf("A bedroom with a green armchair");
   EXPECT_TRUE(piece.colours.empty());
   ASSERT_EQ(piece.object_colours.size(), 1u);
   EXPECT_EQ(piece.object_colours[0].first->name(), "armchair");
-  EXPECT_EQ(Read("A small green boho dining room.").colours.size(), 1u);
+  EXPECT_EQ(FactsOf("A small green boho dining room.").colours.size(), 1u);
 }
 
 TEST(ReadBrief, AWordForFewMakesNoNeed) {
-  const auto needs = [](const std::string& text) { return Read(text).needs.size(); };
+  const auto needs = [](const std::string& text) { return FactsOf(text).needs.size(); };
   EXPECT_EQ(needs("A living room with plants"), 1u);
   EXPECT_EQ(needs("A living room with a few plants"), 1u);
   EXPECT_EQ(needs("A living room. Not too many plants."), 0u);
@@ -102,13 +91,13 @@ TEST(ReadBrief, AWordForFewMakesNoNeed) {
 }
 
 TEST(ReadBrief, AGamesRoomIsAGameRoom) {
-  EXPECT_TRUE(Read("Games room").archetype_named);
-  EXPECT_EQ(Read("A games room with a billiard table").archetype, Read("A game room").archetype);
+  EXPECT_TRUE(FactsOf("Games room").archetype_named);
+  EXPECT_EQ(FactsOf("A games room with a billiard table").archetype, FactsOf("A game room").archetype);
 }
 
 TEST(ReadBrief, TheSquareOfSquareMetresIsNoShape) {
-  EXPECT_FALSE(Read("A bedroom of 20 square metres").size.side_ratio.has_value());
-  EXPECT_TRUE(Read("A square bedroom").size.side_ratio.has_value());
+  EXPECT_FALSE(FactsOf("A bedroom of 20 square metres").size.side_ratio.has_value());
+  EXPECT_TRUE(FactsOf("A square bedroom").size.side_ratio.has_value());
 }
 
 }  // namespace

@@ -7,19 +7,10 @@
 #include <algorithm>
 #include <string>
 
-#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {
 namespace {
-
-BriefFacts FactsIn(const std::string& text) {
-  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-  v1::Brief brief;
-  brief.set_text(text);
-  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, **handbook);
-  EXPECT_TRUE(facts.ok()) << text << facts.status();
-  return facts.value_or(BriefFacts());
-}
 
 const Wish* WishFor(const BriefFacts& facts, const std::string& name) {
   const auto wish = std::ranges::find_if(facts.wishes, [&](const Wish& one) { return one.furniture->name() == name; });
@@ -46,7 +37,7 @@ TEST(FurnitureReader, ChairsBelongToTheTableTheyAreNamedWith) {
                 {"An office with a round meeting table for five under the window.", "round meeting table", 5},
                 {"A dining room with a table for 2 by 1 m of rug.", "dining table", 0}};
   for (const auto& expected : kCases) {
-    const BriefFacts facts = FactsIn(expected.text);
+    const BriefFacts facts = FactsOf(expected.text);
     const Wish* table = WishFor(facts, expected.table);
     ASSERT_NE(table, nullptr) << expected.text;
     EXPECT_EQ(table->seats, expected.seats) << expected.text;
@@ -54,45 +45,45 @@ TEST(FurnitureReader, ChairsBelongToTheTableTheyAreNamedWith) {
         << expected.text;
   }
   // Of their own: nothing that they could stand at was named, or they are of another kind.
-  EXPECT_EQ(WishFor(FactsIn("A waiting room with 12 chairs."), "visitor chair")->count, 12);
-  EXPECT_EQ(WishFor(FactsIn("An office with a desk and two visitor chairs."), "visitor chair")->count, 2);
+  EXPECT_EQ(WishFor(FactsOf("A waiting room with 12 chairs."), "visitor chair")->count, 12);
+  EXPECT_EQ(WishFor(FactsOf("An office with a desk and two visitor chairs."), "visitor chair")->count, 2);
 }
 
 TEST(FurnitureReader, AWordForSeveralMeansWhatBelongsToTheRoom) {
-  EXPECT_NE(WishFor(FactsIn("An entrance hall with a bench."), "hall bench"), nullptr);
-  EXPECT_NE(WishFor(FactsIn("A workshop with a bench."), "workbench"), nullptr);
-  EXPECT_NE(WishFor(FactsIn("A dorm room with three beds."), "single bed"), nullptr);
-  EXPECT_NE(WishFor(FactsIn("A bedroom with a bed."), "double bed"), nullptr);
-  EXPECT_NE(WishFor(FactsIn("A classroom with 12 desks."), "school desk"), nullptr);
-  EXPECT_NE(WishFor(FactsIn("A bar with a pool table."), "billiard table"), nullptr);
-  EXPECT_TRUE(FactsIn("A bedroom with a king size bed.").themes.empty());
+  EXPECT_NE(WishFor(FactsOf("An entrance hall with a bench."), "hall bench"), nullptr);
+  EXPECT_NE(WishFor(FactsOf("A workshop with a bench."), "workbench"), nullptr);
+  EXPECT_NE(WishFor(FactsOf("A dorm room with three beds."), "single bed"), nullptr);
+  EXPECT_NE(WishFor(FactsOf("A bedroom with a bed."), "double bed"), nullptr);
+  EXPECT_NE(WishFor(FactsOf("A classroom with 12 desks."), "school desk"), nullptr);
+  EXPECT_NE(WishFor(FactsOf("A bar with a pool table."), "billiard table"), nullptr);
+  EXPECT_TRUE(FactsOf("A bedroom with a king size bed.").themes.empty());
 }
 
 TEST(FurnitureReader, APluralWithoutANumberMeansTwoAtLeast) {
-  const BriefFacts facts = FactsIn("A living room with armchairs and a sofa.");
+  const BriefFacts facts = FactsOf("A living room with armchairs and a sofa.");
   EXPECT_EQ(WishFor(facts, "armchair")->count, 2);
   EXPECT_FALSE(WishFor(facts, "armchair")->counted);
   EXPECT_EQ(WishFor(facts, "sofa")->count, 1);
-  EXPECT_EQ(WishFor(FactsIn("A hotel room with twin beds."), "single bed")->count, 2);
+  EXPECT_EQ(WishFor(FactsOf("A hotel room with twin beds."), "single bed")->count, 2);
 }
 
 TEST(FurnitureReader, RefusalsAreOfAllOfAKindAndNotOfPlaces) {
-  EXPECT_TRUE(Refuses(FactsIn("A living room without any chairs."), "armchair"));
-  EXPECT_TRUE(Refuses(FactsIn("A bedroom with no lamps."), "floor lamp"));
-  EXPECT_TRUE(Refuses(FactsIn("A bathroom with a shower instead of a bathtub."), "bathtub"));
-  const BriefFacts but = FactsIn("A living room with no chairs but two armchairs.");
+  EXPECT_TRUE(Refuses(FactsOf("A living room without any chairs."), "armchair"));
+  EXPECT_TRUE(Refuses(FactsOf("A bedroom with no lamps."), "floor lamp"));
+  EXPECT_TRUE(Refuses(FactsOf("A bathroom with a shower instead of a bathtub."), "bathtub"));
+  const BriefFacts but = FactsOf("A living room with no chairs but two armchairs.");
   EXPECT_TRUE(Refuses(but, "dining chair"));
   EXPECT_FALSE(Refuses(but, "armchair"));
   for (const char* text : {"A bedroom with a desk but not near the bed.", "A bedroom with no more than one bed."}) {
-    EXPECT_FALSE(Refuses(FactsIn(text), "double bed")) << text;
+    EXPECT_FALSE(Refuses(FactsOf(text), "double bed")) << text;
   }
 }
 
 TEST(FurnitureReader, OnlyMeansNothingElse) {
-  EXPECT_TRUE(FactsIn("A bedroom, only a bed and a wardrobe.").nothing_else);
-  EXPECT_TRUE(FactsIn("A study with a desk and nothing else.").nothing_else);
-  EXPECT_FALSE(FactsIn("Just a bedroom with a bed.").nothing_else);
-  EXPECT_FALSE(FactsIn("A bedroom with a bed and only one window.").nothing_else);
+  EXPECT_TRUE(FactsOf("A bedroom, only a bed and a wardrobe.").nothing_else);
+  EXPECT_TRUE(FactsOf("A study with a desk and nothing else.").nothing_else);
+  EXPECT_FALSE(FactsOf("Just a bedroom with a bed.").nothing_else);
+  EXPECT_FALSE(FactsOf("A bedroom with a bed and only one window.").nothing_else);
 }
 
 TEST(FurnitureReader, PlacesAreThoseOfThePieceBeforeThem) {
@@ -110,13 +101,13 @@ TEST(FurnitureReader, PlacesAreThoseOfThePieceBeforeThem) {
                 {"A living room with a piano in the corner.", "upright piano", "The {object} is in a corner.", ""},
                 {"A living room with two sofas facing each other.", "sofa", "The {objects} face each other.", ""}};
   for (const auto& expected : kCases) {
-    const BriefFacts facts = FactsIn(expected.text);
+    const BriefFacts facts = FactsOf(expected.text);
     ASSERT_EQ(facts.places.size(), 1u) << expected.text;
     EXPECT_EQ(facts.places[0].furniture->name(), expected.piece);
     EXPECT_EQ(facts.places[0].asked->relation().text(), expected.sentence);
     EXPECT_EQ(facts.places[0].target == nullptr ? "" : facts.places[0].target->name(), expected.target);
   }
-  EXPECT_TRUE(FactsIn("A bedroom with a desk and a bed near a castle.").places.empty());
+  EXPECT_TRUE(FactsOf("A bedroom with a desk and a bed near a castle.").places.empty());
 }
 
 }  // namespace

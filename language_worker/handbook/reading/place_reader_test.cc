@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {
 namespace {
@@ -18,19 +18,10 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
-BriefFacts PlaceFactsIn(const std::string& text) {
-  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-  v1::Brief brief;
-  brief.set_text(text);
-  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, **handbook);
-  EXPECT_TRUE(facts.ok()) << text << facts.status();
-  return facts.value_or(BriefFacts());
-}
-
 // "floor lamp: is between the armchair and the armchair", with the words for the side of a wall in brackets.
 std::vector<std::string> PlacesIn(const std::string& text) {
   std::vector<std::string> places;
-  for (const Place& place : PlaceFactsIn(text).places) {
+  for (const Place& place : FactsOf(text).places) {
     std::string sentence = place.asked->relation().text();
     const auto put = [&](const std::string& slot, const hb::Furniture* piece) {
       const std::size_t at = sentence.find(slot);
@@ -156,7 +147,7 @@ TEST(PlaceReader, APieceThatWasNamedIsMeantAgain) {
 }
 
 TEST(PlaceReader, WhatIsNotUnderstoodIsKept) {
-  const auto not_known = [](const char* text) { return PlaceFactsIn(text).places_not_known; };
+  const auto not_known = [](const char* text) { return FactsOf(text).places_not_known; };
   EXPECT_THAT(not_known("A living room with a sofa diagonally across the rug."), testing::SizeIs(1));
   EXPECT_THAT(not_known("A bedroom with a desk near the unicorn."), ElementsAre("desk near the unicorn"));
   EXPECT_THAT(not_known("A living room with an armchair between the window and the door."), testing::SizeIs(1));

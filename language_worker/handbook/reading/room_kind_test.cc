@@ -9,18 +9,13 @@
 #include <set>
 #include <string>
 
-#include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/foreign_words.h"
 #include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {
 namespace {
-
-const Handbook& TheHandbook() {
-  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-  return **handbook;
-}
 
 // "living dining room + kitchen; bathroom": the room, what it is too, what it has.
 std::string KindIn(const std::string& text) {
@@ -30,14 +25,6 @@ std::string KindIn(const std::string& text) {
   for (const NamedRoom& one : kind.also) told += " + " + one.archetype->name();
   for (const NamedRoom& one : kind.named) told += "; " + one.archetype->name();
   return told;
-}
-
-v1::Room Describe(const std::string& text) {
-  v1::Brief brief;
-  brief.set_text(text);
-  const absl::StatusOr<v1::Room> room = DescribeRoom(brief, TheHandbook());
-  EXPECT_TRUE(room.ok()) << room.status();
-  return room.value_or(v1::Room());
 }
 
 bool Remarks(const v1::Room& room, const std::string& code) {
@@ -118,8 +105,7 @@ TEST(RoomKind, SeveralKindsHaveTheFurnitureOfAll) {
   for (const char* piece : {"double bed", "desk"}) EXPECT_TRUE(bedroom.contains(piece)) << piece;
   EXPECT_FALSE(pieces("A living room", 24).contains("refrigerator"));
   // There is floor for it.
-  EXPECT_GT(FloorArea(Describe("Open plan kitchen/living/dining")),
-            FloorArea(Describe("A living and dining room")) + 5);
+  EXPECT_GT(FloorArea(RoomOf("Open plan kitchen/living/dining")), FloorArea(RoomOf("A living and dining room")) + 5);
 }
 
 TEST(RoomKind, SaysWhereAUseLies) {
@@ -128,16 +114,16 @@ TEST(RoomKind, SaysWhereAUseLies) {
 }
 
 TEST(RoomKind, WhatIsNoPartOfTheRoomIsReported) {
-  EXPECT_TRUE(Remarks(Describe("Master bedroom with walk-in closet and ensuite."), "other_rooms_named"));
-  EXPECT_FALSE(Remarks(Describe("A living room with a bar."), "other_rooms_named"));
-  EXPECT_TRUE(Remarks(Describe("Open plan kitchen/living/dining, kitchen at the east end."), "place_not_understood"));
+  EXPECT_TRUE(Remarks(RoomOf("Master bedroom with walk-in closet and ensuite."), "other_rooms_named"));
+  EXPECT_FALSE(Remarks(RoomOf("A living room with a bar."), "other_rooms_named"));
+  EXPECT_TRUE(Remarks(RoomOf("Open plan kitchen/living/dining, kitchen at the east end."), "place_not_understood"));
 }
 
 TEST(RoomKind, OtherLanguagesAreTold) {
   for (const char* text : {"Wohnzimmer 5m x 4m", "Ein Wohnzimmer mit Sofa", "Une chambre avec un grand lit",
                            "Salon avec canapé", "Cozinha com mesa", "Slaapkamer met een bed"}) {
     EXPECT_TRUE(IsForeign(Tokenize(text))) << text;
-    EXPECT_TRUE(Remarks(Describe(text), "language_not_known")) << text;
+    EXPECT_TRUE(Remarks(RoomOf(text), "language_not_known")) << text;
   }
   for (const char* text : {"Bedroom 4x4 m", "A salon with a sofa", "sofa, bed", "Living room, chaise longue, 5 x 4 m",
                            "A room for a Wohnzimmer fan"}) {

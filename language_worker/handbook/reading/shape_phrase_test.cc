@@ -4,18 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "absl/status/statusor.h"
-#include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {
 namespace {
 
 class ShapePhrase : public testing::Test {
  protected:
-  static ShapeRequest Read(const std::string& text) {
-    static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-    EXPECT_TRUE(handbook.ok()) << handbook.status();
-    return ReadShape(Tokenize(text), **handbook);
-  }
+  static ShapeRequest Read(const std::string& text) { return ReadShape(Tokenize(text), TheHandbook()); }
 };
 
 TEST_F(ShapePhrase, ReadsLettersInAllTheirSpellings) {

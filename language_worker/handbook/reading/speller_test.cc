@@ -5,17 +5,13 @@
 
 #include <string>
 
-#include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/reading/vocabulary.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {
 namespace {
 
-const Speller& TheSpeller() {
-  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-  EXPECT_TRUE(handbook.ok()) << handbook.status();
-  return (*handbook)->vocabulary().speller;
-}
+const Speller& TheSpeller() { return TheHandbook().vocabulary().speller; }
 
 TEST(IsOneEditAway, LettersLeftOutPutInChangedOrSwapped) {
   for (const char* word : {"kichen", "kiitchen", "kitchan", "ktichen", "itchen", "kitche", "kitchens"}) {

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <string>
 
-#include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/rooms/wall_words.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 #include "room/validation/validate.h"
 
 namespace flair::language {
@@ -18,16 +18,6 @@ namespace {
 
 class AskedOpeningsTest : public testing::Test {
  protected:
-  static v1::Room Describe(const std::string& text, std::int64_t seed = 0) {
-    static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-    v1::Brief brief;
-    brief.set_text(text);
-    brief.set_seed(seed);
-    const absl::StatusOr<v1::Room> room = DescribeRoom(brief, **handbook);
-    EXPECT_TRUE(room.ok()) << room.status();
-    return room.value_or(v1::Room());
-  }
-
   // "door south, window east, window east", in the order of the walls' names.
   static std::string WallsOf(const v1::Room& room) {
     std::vector<std::string> all;
@@ -80,7 +70,7 @@ TEST_F(AskedOpeningsTest, StandInTheWallsThatAreNamed) {
   };
   for (const auto& [text, walls] : kCases) {
     for (int seed = 0; seed < 5; ++seed) {
-      const v1::Room room = Describe(text, seed);
+      const v1::Room room = RoomOf(text, seed);
       EXPECT_EQ(WallsOf(room), walls) << text << " seed " << seed;
       EXPECT_EQ(Remarks(room), 0) << text;
       ExpectSound(room, text);
@@ -89,7 +79,7 @@ TEST_F(AskedOpeningsTest, StandInTheWallsThatAreNamed) {
 }
 
 TEST_F(AskedOpeningsTest, StandWhereAlongTheWallTheyAreWanted) {
-  const auto door = [](const std::string& text) { return Describe(text).openings(0); };
+  const auto door = [](const std::string& text) { return RoomOf(text).openings(0); };
   EXPECT_DOUBLE_EQ(door("A bedroom 4x5 m, a 1 m wide door in the middle of the west wall.").offset_m(), 2);
   EXPECT_DOUBLE_EQ(door("A bedroom 4x5 m, a 90 cm door on the south wall, 50 cm from the west wall.").offset_m(), 0.5);
   // As on the plan: walls run counter-clockwise.
@@ -99,17 +89,17 @@ TEST_F(AskedOpeningsTest, StandWhereAlongTheWallTheyAreWanted) {
 }
 
 TEST_F(AskedOpeningsTest, AreOfTheKindAndSizeThatIsAsked) {
-  const v1::Room tall = Describe("A bedroom 4x5 m with floor-to-ceiling windows on the south wall.");
+  const v1::Room tall = RoomOf("A bedroom 4x5 m with floor-to-ceiling windows on the south wall.");
   EXPECT_EQ(tall.openings(1).sill_height_m(), 0);
   EXPECT_EQ(tall.openings(1).head_height_m(), tall.height_m());
-  EXPECT_DOUBLE_EQ(Describe("A study 4x3 with a 1.4 m wide window on the north wall.").openings(1).width_m(), 1.4);
-  EXPECT_EQ(Describe("A study 4x3 with a sliding door.").openings(0).leaf().swing(), v1::DOOR_SWING_SLIDING);
-  EXPECT_EQ(Describe("A study 4x3 with no door.").openings(0).leaf().swing(), v1::DOOR_SWING_NONE);
+  EXPECT_DOUBLE_EQ(RoomOf("A study 4x3 with a 1.4 m wide window on the north wall.").openings(1).width_m(), 1.4);
+  EXPECT_EQ(RoomOf("A study 4x3 with a sliding door.").openings(0).leaf().swing(), v1::DOOR_SWING_SLIDING);
+  EXPECT_EQ(RoomOf("A study 4x3 with no door.").openings(0).leaf().swing(), v1::DOOR_SWING_NONE);
   // The size of a window is none of the room's.
-  EXPECT_EQ(Describe("A study with a 1.2 m wide window.").floor().vertices(1).x_m(),
-            Describe("A study with a window.").floor().vertices(1).x_m());
+  EXPECT_EQ(RoomOf("A study with a 1.2 m wide window.").floor().vertices(1).x_m(),
+            RoomOf("A study with a window.").floor().vertices(1).x_m());
   // One comes in by another door than that to the garden.
-  const v1::Room garden = Describe("A living room 7x5 with garden doors on the south wall.");
+  const v1::Room garden = RoomOf("A living room 7x5 with garden doors on the south wall.");
   EXPECT_NE(garden.openings(0).wall(), "south");
   EXPECT_EQ(garden.openings(1).wall(), "south");
 }
@@ -121,7 +111,7 @@ TEST_F(AskedOpeningsTest, SayInOneRemarkWhatDoesNotFit) {
         "A bedroom 4x4. The door is on the south wall. The door is on the north wall.",
         "A kitchen with a window above the sink.", "A windowless bedroom with a window on the east wall."}) {
     for (int seed = 0; seed < 5; ++seed) {
-      const v1::Room room = Describe(text, seed);
+      const v1::Room room = RoomOf(text, seed);
       EXPECT_EQ(Remarks(room), 1) << text << " seed " << seed;
       ExpectSound(room, text);
     }
@@ -138,7 +128,7 @@ TEST_F(AskedOpeningsTest, NeverOverlapWhateverIsAsked) {
     for (const char* room : {"A 2x2 m room with ", "A room 4x6 with ", "An L-shaped living room of 30 m2 with "}) {
       for (int seed = 0; seed < 4; ++seed) {
         const std::string text = std::string(room) + what + ".";
-        ExpectSound(Describe(text, seed), text);
+        ExpectSound(RoomOf(text, seed), text);
       }
     }
   }

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <set>
 
-#include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 #include "room/validation/validate.h"
 
 namespace flair::language {
@@ -17,15 +17,6 @@ namespace {
 
 class RoomFloor : public testing::Test {
  protected:
-  static v1::Room Describe(const std::string& text, std::int64_t seed = 0) {
-    static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-    v1::Brief brief;
-    brief.set_text(text);
-    brief.set_seed(seed);
-    const absl::StatusOr<v1::Room> room = DescribeRoom(brief, **handbook);
-    EXPECT_TRUE(room.ok()) << room.status();
-    return room.value_or(v1::Room());
-  }
   static bool Says(const v1::Room& room, const std::string& code) {
     return std::any_of(room.diagnostics().begin(), room.diagnostics().end(), [&](const v1::Diagnostic& diagnostic) {
       return diagnostic.code() == code && diagnostic.severity() == v1::SEVERITY_WARNING;
@@ -49,7 +40,7 @@ TEST_F(RoomFloor, EveryShapeAndSeedIsAValidRoomOfTheSizeAskedFor) {
   for (const auto& expected : kCases) {
     std::set<std::string> outlines;
     for (int seed = 0; seed < 24; ++seed) {
-      const v1::Room room = Describe(expected.text, seed);
+      const v1::Room room = RoomOf(expected.text, seed);
       EXPECT_TRUE(Validate(room).ok()) << expected.text << " seed " << seed << ": " << Validate(room);
       EXPECT_EQ(room.floor().vertices_size(), expected.corners);
       EXPECT_EQ(room.walls(0).name(), "wall_1");
@@ -70,21 +61,21 @@ TEST_F(RoomFloor, EveryShapeAndSeedIsAValidRoomOfTheSizeAskedFor) {
 }
 
 TEST_F(RoomFloor, AnAreaIsThatOfTheFloor) {
-  EXPECT_NEAR(FloorArea(Describe("An L-shaped living room of 30 square metres.")), 30, 0.6);
-  EXPECT_NEAR(FloorArea(Describe("A T-shaped living room of 30 square metres.")), 30, 0.6);
+  EXPECT_NEAR(FloorArea(RoomOf("An L-shaped living room of 30 square metres.")), 30, 0.6);
+  EXPECT_NEAR(FloorArea(RoomOf("A T-shaped living room of 30 square metres.")), 30, 0.6);
 }
 
 TEST_F(RoomFloor, SaysWhatWasDoneInstead) {
-  const v1::Room round = Describe("A round bedroom of 4 m x 4 m.");
+  const v1::Room round = RoomOf("A round bedroom of 4 m x 4 m.");
   EXPECT_EQ(round.floor().vertices_size(), 4);
   EXPECT_TRUE(Says(round, "shape_unknown"));
-  const v1::Room small = Describe("An L-shaped bathroom of 2 m x 2 m.");
+  const v1::Room small = RoomOf("An L-shaped bathroom of 2 m x 2 m.");
   EXPECT_EQ(small.floor().vertices_size(), 4);
   EXPECT_TRUE(Says(small, "shape_too_small"));
 }
 
 TEST_F(RoomFloor, APlainBriefGivesARectangleAndNoRemarkOnShape) {
-  const v1::Room room = Describe("A bedroom that is 4m x 5m with an L-shaped sofa and a round table.");
+  const v1::Room room = RoomOf("A bedroom that is 4m x 5m with an L-shaped sofa and a round table.");
   EXPECT_EQ(room.floor().vertices_size(), 4);
   EXPECT_EQ(room.walls(0).name(), "south");
   EXPECT_FALSE(Says(room, "shape_unknown") || Says(room, "shape_too_small"));

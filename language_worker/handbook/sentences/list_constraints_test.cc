@@ -6,17 +6,12 @@
 #include <map>
 #include <string>
 
-#include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {
 namespace {
-
-const Handbook& Data() {
-  static const auto handbook = LoadHandbook(FLAIR_SOURCE_DIR "/language_worker/handbook/data");
-  return **handbook;
-}
 
 struct Design {
   v1::ObjectList objects;
@@ -27,18 +22,18 @@ Design Ask(const std::string& text, std::int64_t seed) {
   v1::Brief brief;
   brief.set_text(text);
   brief.set_seed(seed);
-  const v1::Room room = *DescribeRoom(brief, Data());
-  const v1::ZonePlan zones = *PlanZones(brief, room, Data());
+  const v1::Room room = *DescribeRoom(brief, TheHandbook());
+  const v1::ZonePlan zones = *PlanZones(brief, room, TheHandbook());
   Design design;
-  design.objects = *ListObjects(brief, room, zones, Data());
-  design.constraints = *ListConstraints(brief, room, zones, design.objects, Data());
+  design.objects = *ListObjects(brief, room, zones, TheHandbook());
+  design.constraints = *ListConstraints(brief, room, zones, design.objects, TheHandbook());
   return design;
 }
 
 // Over every kind of room and a few seeds.
 template <typename Check>
 void ForEachDesign(Check check) {
-  for (const hb::Archetype& archetype : Data().contents().archetypes()) {
+  for (const hb::Archetype& archetype : TheHandbook().contents().archetypes()) {
     for (std::int64_t seed = 0; seed < 3; ++seed) {
       SCOPED_TRACE(archetype.name() + " seed " + std::to_string(seed));
       check(Ask("A " + archetype.name(), seed));
