@@ -191,8 +191,8 @@ TEST(Accuracy, OfSevenMoreRoomsThatWereSealed) {
   EXPECT_EQ(measured.score.silent, 0);
 }
 
-// Eight rooms that were written and labelled independently of the grammar, four of them sealed. 92.7 and 89.5 % of their
-// sentences were correct when they were measured first.
+// Eight rooms that were written and labelled independently of the grammar, four of them sealed. 92.7 and 89.5 % of
+// their sentences were correct when they were measured first.
 TEST(Accuracy, OfRoomsOfAnotherHandThatWereMeasuredAndThenLookedAt) {
   const Measured measured = Measure("invented_rooms_12.jsonl", false);
   EXPECT_GE(measured.correct_share(), 0.97);

@@ -4,12 +4,12 @@
 #include <string_view>
 #include <utility>
 
+#include "english/lexicon.h"
+#include "english/quantities.h"
 #include "translator_worker/grammar/brackets.h"
 #include "translator_worker/grammar/conditions.h"
-#include "translator_worker/grammar/lexicon.h"
 #include "translator_worker/grammar/noun_phrases.h"
 #include "translator_worker/grammar/prepare_tokens.h"
-#include "translator_worker/grammar/quantity.h"
 #include "translator_worker/grammar/raw_term_kinds.h"
 #include "translator_worker/grammar/rewrite_terms.h"
 #include "translator_worker/grammar/term.h"
@@ -39,10 +39,10 @@ class Reader {
       const SceneNames::Found name = names_.Find(tokens_, at_);
       const Phrase phrase = FindPhrase(Context());
       const bool relation_wins =
-          phrase.length == name.length && phrase.word_class == WordClass::kRelation && !name.full;
+          phrase.length == name.length && phrase.word_class == english::v1::WORD_CLASS_RELATION && !name.full;
       // "The lamp stands": a verb, though there is a TV stand.
-      const bool verb = phrase.length == name.length && phrase.word_class == WordClass::kFiller && !name.full &&
-                        VerbFollows(Context());
+      const bool verb = phrase.length == name.length && phrase.word_class == english::v1::WORD_CLASS_FILLER &&
+                        !name.full && VerbFollows(Context());
       if (name.length > 0 && name.length >= phrase.length && !relation_wins && !verb) {
         PushName(name);
       } else if (phrase.length > 0) {
@@ -73,7 +73,7 @@ class Reader {
     raw.term.kind = Term::Kind::kMention;
     raw.term.mention.references = {found.reference};
     const Phrase area = Lexicon::Get().Find(tokens_, at_ + found.length);
-    raw.term.mention.references.front().area = area.length > 0 && area.word_class == WordClass::kArea;
+    raw.term.mention.references.front().area = area.length > 0 && area.word_class == english::v1::WORD_CLASS_AREA;
     raw.term.mention.references.front().any = AnyIsMeant(Context());
     Push(std::move(raw), found.length);
   }
@@ -81,10 +81,10 @@ class Reader {
   void PushOther() {
     const Token& token = tokens_[at_];
     RawTerm raw;
-    if (token.kind == Token::Kind::kDistance) {
+    if (token.kind == Token::Kind::kLength) {
       raw.term.kind = Term::Kind::kDistance;
-      raw.term.distance = token.distance;
-    } else if (token.kind == Token::Kind::kPunctuation) {
+      raw.term.distance = token.length;
+    } else if (token.kind == Token::Kind::kSign) {
       if (token.IsMark('.')) {
         raw.term.kind = Term::Kind::kStop;
       } else if (token.IsMark('/')) {
@@ -117,12 +117,12 @@ class Reader {
     if (Leaves(phrase)) return;
     RawTerm raw;
     switch (phrase.word_class) {
-      case WordClass::kRelation: {
+      case english::v1::WORD_CLASS_RELATION: {
         const bool of_side = phrase.lemma == "near" && ReachedFromSide(Context(), phrase);
         BecomeWord(of_side ? "accessible_from" : phrase.lemma, raw);
         break;
       }
-      case WordClass::kFiller:
+      case english::v1::WORD_CLASS_FILLER:
         if (IsBothAsSubject()) {
           BecomeReference(RefKind::kPronoun, "both", raw);
         } else if (IsBothOfSeveral()) {
@@ -131,20 +131,20 @@ class Reader {
           BecomeWord("keep_clear", raw);
         }
         break;
-      case WordClass::kNot:
+      case english::v1::WORD_CLASS_NOT:
         BecomeWord("not", raw);
         break;
-      case WordClass::kPurpose:
+      case english::v1::WORD_CLASS_PURPOSE:
         raw.term.kind = Term::Kind::kPurpose;
         raw.term.lemma = BeginsReason(tokens_, at_) ? "so" : tokens_[at_].text;
         break;
-      case WordClass::kFeature:
-      case WordClass::kPlace:
-      case WordClass::kGroup:
-      case WordClass::kVague:
+      case english::v1::WORD_CLASS_FEATURE:
+      case english::v1::WORD_CLASS_PLACE:
+      case english::v1::WORD_CLASS_GROUP:
+      case english::v1::WORD_CLASS_VAGUE:
         PushMention(phrase);
         return;
-      case WordClass::kPronoun:
+      case english::v1::WORD_CLASS_PRONOUN:
         // "The two beds": how many, not whatever was spoken of.
         if (phrase.length > 1 &&
             (NounFollows(Context(), at_ + phrase.length) || SideFollows(Context(), at_ + phrase.length))) {
@@ -164,18 +164,18 @@ class Reader {
   // Whether the phrase leaves no term behind; then it has been passed.
   bool Leaves(const Phrase& phrase) {
     switch (phrase.word_class) {
-      case WordClass::kRelation:
+      case english::v1::WORD_CLASS_RELATION:
         if (!TellsWhichOne(Context(), phrase)) return false;
         ++at_;
         return true;
-      case WordClass::kFiller:
+      case english::v1::WORD_CLASS_FILLER:
         if (EndsSideClear(Context(), phrase) || IsBothAsSubject() || IsBothOfSeveral()) return false;
         if (phrase.length > 1 && IsOneOf(tokens_[at_], {"so", "such"})) EndFact();
         break;
-      case WordClass::kWish:
+      case english::v1::WORD_CLASS_WISH:
         analysis_.wish = true;
         break;
-      case WordClass::kCondition:
+      case english::v1::WORD_CLASS_CONDITION:
         if (const std::optional<size_t> next = LeaveOutCondition(tokens_, at_, phrase.length, terms_)) {
           analysis_.partly_conditional = true;
           at_ = *next;
@@ -183,7 +183,7 @@ class Reader {
         }
         analysis_.conditional = true;
         break;
-      case WordClass::kArea:
+      case english::v1::WORD_CLASS_AREA:
         break;
       default:
         return false;
@@ -220,20 +220,20 @@ class Reader {
   void PushMention(const Phrase& phrase) {
     RawTerm raw;
     switch (phrase.word_class) {
-      case WordClass::kFeature:
+      case english::v1::WORD_CLASS_FEATURE:
         BecomeReference(RefKind::kFeature, phrase.lemma, raw);
         raw.term.mention.references.front().plural = true;
         raw.part_of_furniture = IsOneOf(tokens_[at_ + phrase.length - 1], {"doors", "door", "entrance"}) &&
                                 (phrase.length == 1 || (phrase.length == 2 && tokens_[at_].IsWord("the")));
         break;
-      case WordClass::kPlace:
+      case english::v1::WORD_CLASS_PLACE:
         BecomeReference(phrase.lemma == "wall"      ? RefKind::kWall
                         : phrase.lemma == "ceiling" ? RefKind::kCeiling
                         : phrase.lemma == "floor"   ? RefKind::kFloor
                                                     : RefKind::kRoom,
                         "", raw);
         break;
-      case WordClass::kGroup:
+      case english::v1::WORD_CLASS_GROUP:
         BecomeReference(RefKind::kGroup, phrase.lemma, raw);
         raw.negative = IsOneOf(tokens_[at_], {"no", "nothing"});
         break;
@@ -247,21 +247,21 @@ class Reader {
   void BecomePart(const Phrase& phrase, RawTerm& raw) const {
     using Role = RawTerm::Role;
     switch (phrase.word_class) {
-      case WordClass::kModal:
+      case english::v1::WORD_CLASS_MODAL:
         raw.role = Role::kModal;
         break;
-      case WordClass::kQuantity:
+      case english::v1::WORD_CLASS_QUANTITY:
         raw.role = Role::kEach;
         raw.negative = IsOneOf(tokens_[at_], {"none", "neither_one"});
         break;
-      case WordClass::kOrdinal:
+      case english::v1::WORD_CLASS_ORDINAL:
         raw.role = Role::kOrdinal;
         raw.ordinal = std::stoi(phrase.lemma);
         break;
-      case WordClass::kAnd:
+      case english::v1::WORD_CLASS_AND:
         raw.role = Role::kAnd;
         break;
-      case WordClass::kOr:
+      case english::v1::WORD_CLASS_OR:
         raw.role = Role::kOr;
         break;
       default:
@@ -285,7 +285,8 @@ class Reader {
 
 Analysis Analyse(std::string_view text, const SceneNames& names) {
   Analysis analysis;
-  Reader reader(PrepareTokens(JoinQuantities(Tokenize(text))), names, analysis);
+  Reader reader(PrepareTokens(english::JoinLengths(english::KeepClauseMarks(english::Tokenize(text)))), names,
+                analysis);
   analysis.terms = GroupNounPhrases(reader.Run());
   RewriteTerms(analysis.terms);
   return analysis;

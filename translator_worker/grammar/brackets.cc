@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "translator_worker/grammar/lexicon.h"
+#include "english/lexicon.h"
 
 namespace flair::translator {
 namespace {
@@ -30,7 +30,7 @@ class BracketReader {
     // "Enough space (at least 0.6 m) behind": the bracket adds to what is said.
     const bool adds = !IsDimension() && SpaceSpokenOf();
     const bool closed = end_ < tokens_.size() && tokens_[end_].IsMark(')');
-    if (first.kind == Token::Kind::kDistance && (!IsSize() || adds) && end_ <= at_ + 4 && closed) {
+    if (first.kind == Token::Kind::kLength && (!IsSize() || adds) && end_ <= at_ + 4 && closed) {
       return {Bracket::Kind::kOpened, at_ + 1, end_};
     }
     // "0.4 m (ideally 0.5 m)": how much was said.
@@ -58,7 +58,7 @@ class BracketReader {
     const Token& first = tokens_[at_ + 1];
     const bool edge = end_ == at_ + 3 && (Is(at_ + 2, "edge") || Is(at_ + 2, "side") || Is(at_ + 2, "each") ||
                                           Is(at_ + 2, "width") || Is(at_ + 2, "length"));
-    return IsDimension() || (first.kind == Token::Kind::kDistance && first.distance.exact && (end_ == at_ + 2 || edge));
+    return IsDimension() || (first.kind == Token::Kind::kLength && first.length.exact && (end_ == at_ + 2 || edge));
   }
 
   bool Explains() const {
@@ -91,11 +91,11 @@ class BracketReader {
 
   // "(preferably 0.5 m minimum clearance)": the one length in it. One that says where, too, is read like the rest.
   bool TakeFigure() {
-    const auto is_length = [](const Token& token) { return token.kind == Token::Kind::kDistance; };
+    const auto is_length = [](const Token& token) { return token.kind == Token::Kind::kLength; };
     for (size_t i = at_ + 1; i < end_; ++i) {
       const Phrase phrase = Lexicon::Get().Find(tokens_, i);
-      const bool says_where = phrase.word_class == WordClass::kSide ||
-                              (phrase.word_class == WordClass::kRelation && phrase.lemma != "space");
+      const bool says_where = phrase.word_class == english::v1::WORD_CLASS_SIDE ||
+                              (phrase.word_class == english::v1::WORD_CLASS_RELATION && phrase.lemma != "space");
       if (phrase.length > 0 && says_where) return false;
     }
     const auto begin = tokens_.begin() + static_cast<long>(at_) + 1;
@@ -104,7 +104,7 @@ class BracketReader {
     const Token& length = *std::find_if(begin, end, is_length);
     RawTerm raw;
     raw.term.kind = Term::Kind::kDistance;
-    raw.term.distance = length.distance;
+    raw.term.distance = length.length;
     raw.term.begin = length.begin;
     raw.term.end = length.end;
     terms_.push_back(std::move(raw));
@@ -143,7 +143,7 @@ class BracketReader {
     std::vector<std::string> named;
     for (size_t i = at_ + 1; i < end_; ++i) {
       const Phrase phrase = Lexicon::Get().Find(tokens_, i);
-      if (phrase.word_class == WordClass::kSide && phrase.length > 0) named.push_back(phrase.lemma);
+      if (phrase.word_class == english::v1::WORD_CLASS_SIDE && phrase.length > 0) named.push_back(phrase.lemma);
       if (phrase.length > 1) i += phrase.length - 1;
     }
     // "Two sides (preferably the length and one width)": one of them has no name here.

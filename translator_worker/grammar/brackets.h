@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "english/text.h"
 #include "translator_worker/grammar/noun_phrases.h"
 #include "translator_worker/grammar/scene_names.h"
-#include "translator_worker/grammar/token.h"
 
 namespace flair::translator {
 

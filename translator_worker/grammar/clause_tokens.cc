@@ -100,7 +100,7 @@ void TakePartOfRoomForIt(std::vector<Token>& tokens) {
     clause_ended = clause_ended || token.IsMark(',') || IsOneOf(token, {"but", "and"});
     if (part != nullptr && clause_ended && IsOneOf(token, {"it", "them"}) && (&token - 1)->IsWord("from")) {
       token.text = part->text;
-    } else if (!IsAmong(kMeasure, token) && token.kind != Token::Kind::kDistance && !token.IsMark(',')) {
+    } else if (!IsAmong(kMeasure, token) && token.kind != Token::Kind::kLength && !token.IsMark(',')) {
       part = nullptr;
     }
   }
@@ -127,7 +127,7 @@ void DropOfFloor(std::vector<Token>& tokens) {
   std::vector<Token> out;
   for (size_t i = 0; i < tokens.size(); ++i) {
     out.push_back(std::move(tokens[i]));
-    const bool of_floor = out.back().kind == Token::Kind::kDistance && i + 2 < tokens.size() &&
+    const bool of_floor = out.back().kind == Token::Kind::kLength && i + 2 < tokens.size() &&
                           tokens[i + 1].IsWord("of") && tokens[i + 2].IsWord("floor");
     if (!of_floor) continue;
     const bool space = i + 3 < tokens.size() && IsOneOf(tokens[i + 3], {"space", "area"});
@@ -142,7 +142,7 @@ void TakePartOfRoomForOne(std::vector<Token>& tokens) {
   const Token* part = nullptr;
   for (size_t i = 0; i < tokens.size(); ++i) {
     if (IsAmong(kParts, tokens[i])) part = &tokens[i];
-    const bool last = i + 1 == tokens.size() || tokens[i + 1].kind == Token::Kind::kPunctuation;
+    const bool last = i + 1 == tokens.size() || tokens[i + 1].kind == Token::Kind::kSign;
     const bool after_place = i > 0 && IsOneOf(tokens[i - 1], {"of", "to", "near", "by", "beside", "under", "below"});
     if (part != nullptr && last && after_place && tokens[i].IsWord("one")) tokens[i].text = part->text;
   }

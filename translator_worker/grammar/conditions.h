@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "english/text.h"
 #include "translator_worker/grammar/noun_phrases.h"
-#include "translator_worker/grammar/token.h"
 
 namespace flair::translator {
 

@@ -4,7 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "english/lexicon.h"
+#include "english/text.h"
+
 namespace flair::translator {
+
+using Distance = english::Length;
+using english::IsOneOf;
+using english::Lexicon;
+using english::Phrase;
+using english::Token;
 
 // What a noun phrase refers to.
 enum class RefKind {

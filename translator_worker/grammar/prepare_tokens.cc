@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "english/lexicon.h"
 #include "translator_worker/grammar/clause_tokens.h"
-#include "translator_worker/grammar/lexicon.h"
 
 namespace flair::translator {
 namespace {
@@ -45,7 +45,7 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
       listed = true;
       // "Neither beside nor opposite the sink", "nor stand next to it": the second relation is denied as well.
       const size_t verb = end + 1 < tokens.size() && IsOneOf(tokens[end + 1], {"stand", "be", "sit", "lie"}) ? 1 : 0;
-      const bool relates = Lexicon::Get().Find(tokens, end + 1 + verb).word_class == WordClass::kRelation;
+      const bool relates = Lexicon::Get().Find(tokens, end + 1 + verb).word_class == english::v1::WORD_CLASS_RELATION;
       if (relates && end + 1 < tokens.size() && Lexicon::Get().Find(tokens, end + 1).length > 0)
         tokens.insert(tokens.begin() + static_cast<long>(end) + 1, WordLike(tokens[end], "not"));
     }
@@ -85,7 +85,7 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
     const bool to_side =
         i > 1 && (tokens[i - 2].IsWord("to") || tokens[i - 2].IsWord("near")) && tokens[i - 1].IsWord("the");
     const bool begins =
-        i > 1 && i < 5 && tokens[i - 2].IsWord("along") && (i == 2 || tokens[i - 3].kind == Token::Kind::kPunctuation);
+        i > 1 && i < 5 && tokens[i - 2].IsWord("along") && (i == 2 || tokens[i - 3].kind == Token::Kind::kSign);
     const bool after_space = to_side || begins || (at_side && SpaceBefore(tokens, i));
     if (after_space) {
       tokens.erase(tokens.begin() + static_cast<long>(i));
@@ -105,18 +105,18 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
 
 // "At least 0.3 m and at most 0.6 m": one range.
 void JoinBounds(std::vector<Token>& tokens) {
-  const auto is_length = [](const Token& token) { return token.kind == Token::Kind::kDistance; };
+  const auto is_length = [](const Token& token) { return token.kind == Token::Kind::kLength; };
   for (size_t i = 0; i + 2 < tokens.size(); ++i) {
     size_t other = i + 1;
     if (tokens[other].IsMark(',')) ++other;
     if (other + 1 < tokens.size() && (tokens[other].IsWord("and") || tokens[other].IsWord("but"))) ++other;
     if (other == i + 1 || other >= tokens.size() || !is_length(tokens[i]) || !is_length(tokens[other])) continue;
-    const Distance& a = tokens[i].distance;
-    const Distance& b = tokens[other].distance;
+    const Distance& a = tokens[i].length;
+    const Distance& b = tokens[other].length;
     const bool range = a.min_m.has_value() != a.max_m.has_value() && b.min_m.has_value() != b.max_m.has_value() &&
                        a.min_m.has_value() != b.min_m.has_value();
     if (!range) continue;
-    tokens[i].distance = {a.min_m ? a.min_m : b.min_m, a.max_m ? a.max_m : b.max_m, false};
+    tokens[i].length = {a.min_m ? a.min_m : b.min_m, a.max_m ? a.max_m : b.max_m, false};
     tokens[i].end = tokens[other].end;
     tokens.erase(tokens.begin() + static_cast<long>(i) + 1, tokens.begin() + static_cast<long>(other) + 1);
   }
@@ -143,11 +143,11 @@ void EndReasonBeforeClause(std::vector<Token>& tokens) {
     // "... and the front should be accessible".
     bool clause = is_one_of(kModals, tokens[i + 1]) || (reason == "for" && is_one_of(kWishes, tokens[i + 1]));
     for (size_t k = i + 2; k < std::min(tokens.size(), i + kLongestSubject) && !clause; ++k) {
-      if (tokens[k].kind == Token::Kind::kPunctuation || tokens[k].IsWord("and")) break;
+      if (tokens[k].kind == Token::Kind::kSign || tokens[k].IsWord("and")) break;
       clause = tokens[k].IsWord("should") || tokens[k].IsWord("must") || tokens[k].IsWord("needs");
     }
     if (clause) {
-      tokens[i].kind = Token::Kind::kPunctuation;
+      tokens[i].kind = Token::Kind::kSign;
       tokens[i].text = ",";
       reason = "";
     }
@@ -173,8 +173,8 @@ void DropLeftOver(std::vector<Token>& tokens) {
                                                              "clear",   "in",   "for",  "behind"};
   for (size_t i = 1; i + 1 < tokens.size(); ++i) {
     const Token& before = tokens[i - 1];
-    const bool amount = before.kind == Token::Kind::kDistance || before.IsWord("space") || before.IsWord("room") ||
-                        before.IsWord("gap");
+    const bool amount =
+        before.kind == Token::Kind::kLength || before.IsWord("space") || before.IsWord("room") || before.IsWord("gap");
     const bool goes_on = std::find(kAfter.begin(), kAfter.end(), tokens[i + 1].text) != kAfter.end();
     if (tokens[i].IsWord("left") && amount && goes_on) tokens.erase(tokens.begin() + static_cast<long>(i));
   }
@@ -228,7 +228,7 @@ void PutPossessorLast(std::vector<Token>& tokens) {
     const bool verb = i > 0 && IsOneOf(tokens[i - 1], {"is", "are", "be", "stands", "stand", "goes", "sits", "placed",
                                                        "located", "positioned"});
     const bool way = tokens[i].IsWord("in") && tokens[i + 2].IsWord("way");
-    const bool ends = i + 3 == tokens.size() || tokens[i + 3].kind == Token::Kind::kPunctuation ||
+    const bool ends = i + 3 == tokens.size() || tokens[i + 3].kind == Token::Kind::kSign ||
                       IsOneOf(tokens[i + 3], {"so", "because", "for", "to", "while", "and", "with", "since"});
     const bool side = tokens[i].IsWord("to") && (verb || ends) && IsOneOf(tokens[i + 2], {"left", "right"});
     if (!way && !side) continue;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "translator_worker/grammar/token.h"
+#include "english/text.h"
 
 namespace flair::translator {
 

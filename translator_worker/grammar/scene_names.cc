@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "absl/strings/str_join.h"
+#include "english/lexicon.h"
 #include "translator_worker/grammar/furniture_words.h"
-#include "translator_worker/grammar/lexicon.h"
 
 namespace flair::translator {
 namespace {
@@ -73,9 +73,9 @@ bool SameStem(const std::string& a, const std::string& b) {
 
 std::vector<std::string> NameWords(const std::string& name) {
   std::vector<std::string> words;
-  for (const Token& token : Tokenize(name)) {
+  for (const Token& token : english::KeepClauseMarks(english::Tokenize(name))) {
     // "Captain's desk" is found whether or not it is said so.
-    if (token.kind != Token::Kind::kPunctuation && !token.IsWord("'s")) words.push_back(token.text);
+    if (token.kind != Token::Kind::kSign && !token.IsWord("'s")) words.push_back(token.text);
   }
   return words;
 }
@@ -212,7 +212,7 @@ SceneNames::Found SceneNames::FindInZone(const std::vector<Token>& tokens, size_
     if (words == 0) continue;
     size_t next = at + words;
     const Phrase area = Lexicon::Get().Find(tokens, next);
-    if (area.word_class == WordClass::kArea) next += area.length;
+    if (area.word_class == english::v1::WORD_CLASS_AREA) next += area.length;
     if (next < tokens.size() && (tokens[next].IsWord("'s") || tokens[next].IsMark(':'))) ++next;
     Found found = FindObject(tokens, next);
     std::vector<int>& candidates = found.reference.candidates;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "english/text.h"
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
 #include "flair/v1/zone_plan.pb.h"
 #include "translator_worker/grammar/mention.h"
-#include "translator_worker/grammar/token.h"
 
 namespace flair::translator {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "absl/strings/str_split.h"
-#include "translator_worker/grammar/lexicon.h"
+#include "english/lexicon.h"
 #include "translator_worker/grammar/scene_names.h"
 
 namespace flair::translator {
@@ -36,7 +36,7 @@ bool IsAreaWord(const std::vector<Token>& tokens, size_t at) {
   if (at >= tokens.size()) return false;
   // "In the reading space", but not "enough working space".
   if (tokens[at].IsWord("space")) return at > 2 && tokens[at - 2].IsWord("the") && !tokens[at - 3].IsWord("of");
-  return Lexicon::Get().Find(tokens, at, 1).word_class == WordClass::kArea || tokens[at].IsWord("spot") ||
+  return Lexicon::Get().Find(tokens, at, 1).word_class == english::v1::WORD_CLASS_AREA || tokens[at].IsWord("spot") ||
          tokens[at].IsWord("furniture") || tokens[at].IsWord("nook");
 }
 

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "translator_worker/grammar/distance.h"
 #include "translator_worker/grammar/mention.h"
 #include "translator_worker/grammar/scene_names.h"
 

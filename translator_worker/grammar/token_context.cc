@@ -22,13 +22,13 @@ bool VerbFollows(const TokenContext& context) {
 bool NounFollows(const TokenContext& context, size_t at) {
   if (at >= context.tokens.size()) return false;
   return context.names.Find(context.tokens, at).length > 0 ||
-         Lexicon::Get().Find(context.tokens, at).word_class == WordClass::kFeature;
+         Lexicon::Get().Find(context.tokens, at).word_class == english::v1::WORD_CLASS_FEATURE;
 }
 
 bool SideFollows(const TokenContext& context, size_t at) {
   if (at >= context.tokens.size()) return false;
   const Phrase phrase = Lexicon::Get().Find(context.tokens, at);
-  return phrase.length > 0 && phrase.word_class == WordClass::kSide;
+  return phrase.length > 0 && phrase.word_class == english::v1::WORD_CLASS_SIDE;
 }
 
 Phrase FindPhrase(const TokenContext& context) {
@@ -39,33 +39,34 @@ Phrase FindPhrase(const TokenContext& context) {
                               {"behind", "beside", "near", "around", "under", "above", "before", "by", "of", "to"});
   if (placed) return Lexicon::Get().Find(context.tokens, context.at, 1);
   // "It is to the right of ..." says where it is, not what is to be done.
-  const bool to_place = phrase.word_class == WordClass::kModal && phrase.length == 2 &&
+  const bool to_place = phrase.word_class == english::v1::WORD_CLASS_MODAL && phrase.length == 2 &&
                         IsOneOf(context.tokens[context.at], {"is", "are"}) && context.at + 2 < context.tokens.size() &&
                         IsOneOf(context.tokens[context.at + 2], {"the", "its", "either", "one", "each"});
   if (to_place) return Lexicon::Get().Find(context.tokens, context.at, 1);
   // "0.6 m should be left open": kept so, it does not open.
   const size_t after = context.at + phrase.length;
-  if (phrase.word_class == WordClass::kModal && phrase.length > 1 && context.tokens[after - 1].IsWord("left") &&
-      after < context.tokens.size() && IsOneOf(context.tokens[after], {"open", "free", "clear", "unobstructed"}))
+  if (phrase.word_class == english::v1::WORD_CLASS_MODAL && phrase.length > 1 &&
+      context.tokens[after - 1].IsWord("left") && after < context.tokens.size() &&
+      IsOneOf(context.tokens[after], {"open", "free", "clear", "unobstructed"}))
     return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
   // "Side by side with no gap": what comes with it is no partner.
-  if (phrase.length > 1 && phrase.word_class == WordClass::kRelation && context.tokens[after - 1].IsWord("with") &&
-      after < context.tokens.size() &&
-      (IsOneOf(context.tokens[after], {"no", "at"}) || context.tokens[after].kind == Token::Kind::kDistance))
+  if (phrase.length > 1 && phrase.word_class == english::v1::WORD_CLASS_RELATION &&
+      context.tokens[after - 1].IsWord("with") && after < context.tokens.size() &&
+      (IsOneOf(context.tokens[after], {"no", "at"}) || context.tokens[after].kind == Token::Kind::kLength))
     return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
   // "Stands parallel to ensure ...": the last word begins the reason.
   const size_t last = context.at + phrase.length - 1;
-  if (phrase.length > 1 && phrase.word_class == WordClass::kRelation && context.tokens[last].IsWord("to") &&
+  if (phrase.length > 1 && phrase.word_class == english::v1::WORD_CLASS_RELATION && context.tokens[last].IsWord("to") &&
       BeginsReason(context.tokens, last))
     return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
   for (size_t k = 1; k < phrase.length; ++k) {
     const SceneNames::Found name = context.names.Find(context.tokens, context.at + k);
     const Phrase inner = Lexicon::Get().Find(context.tokens, context.at + k);
-    const bool of_feature = (phrase.word_class == WordClass::kPlace || phrase.lemma == "into_room") &&
-                            inner.word_class == WordClass::kFeature && inner.length > 1;
+    const bool of_feature = (phrase.word_class == english::v1::WORD_CLASS_PLACE || phrase.lemma == "into_room") &&
+                            inner.word_class == english::v1::WORD_CLASS_FEATURE && inner.length > 1;
     // "Along a side wall" is not "along" and "a side".
-    const bool of_wall =
-        phrase.word_class == WordClass::kSide && inner.word_class == WordClass::kPlace && inner.length > 1;
+    const bool of_wall = phrase.word_class == english::v1::WORD_CLASS_SIDE &&
+                         inner.word_class == english::v1::WORD_CLASS_PLACE && inner.length > 1;
     const size_t length = std::max(name.length, of_feature || of_wall ? inner.length : 0);
     if (length > 1 && k + length > phrase.length) return Lexicon::Get().Find(context.tokens, context.at, k);
   }
@@ -83,7 +84,7 @@ bool AnyIsMeant(const TokenContext& context) {
 
 bool EndsSideClear(const TokenContext& context, const Phrase& phrase) {
   const auto& [tokens, at, names, terms] = context;
-  if (phrase.word_class != WordClass::kFiller || phrase.length != 1 || terms.empty()) return false;
+  if (phrase.word_class != english::v1::WORD_CLASS_FILLER || phrase.length != 1 || terms.empty()) return false;
   const Token& token = tokens[at];
   if (token.IsWord("accessibility") && terms.back().role == RawTerm::Role::kSide) return true;
   if (!IsOneOf(token, {"clear", "free", "open"})) return false;
@@ -105,12 +106,12 @@ bool ReachedFromSide(const TokenContext& context, const Phrase& phrase) {
   while (next < tokens.size() && IsOneOf(tokens[next], {"the", "its"})) ++next;
   if (next >= tokens.size()) return false;
   const Phrase side = Lexicon::Get().Find(tokens, next);
-  return side.word_class == WordClass::kSide && side.length > 0;
+  return side.word_class == english::v1::WORD_CLASS_SIDE && side.length > 0;
 }
 
 bool TellsWhichOne(const TokenContext& context, const Phrase& phrase) {
   const auto& [tokens, at, names, terms] = context;
-  if (phrase.lemma == "around" && at + 1 < tokens.size() && tokens[at + 1].kind == Token::Kind::kDistance) return true;
+  if (phrase.lemma == "around" && at + 1 < tokens.size() && tokens[at + 1].kind == Token::Kind::kLength) return true;
   if (phrase.length != 1 || at == 0) return false;
   // "Over the round table".
   if (tokens[at].IsWord("round") && IsOneOf(tokens[at - 1], {"the", "a", "each", "every"})) return true;

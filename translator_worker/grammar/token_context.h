@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "translator_worker/grammar/lexicon.h"
+#include "english/lexicon.h"
+#include "english/text.h"
 #include "translator_worker/grammar/noun_phrases.h"
 #include "translator_worker/grammar/scene_names.h"
-#include "translator_worker/grammar/token.h"
 
 namespace flair::translator {
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "english/language.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "fmt/format.h"
@@ -12,6 +13,7 @@
 #include "translator_worker/service/translate_handler.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/unary_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::translator {
 namespace {
@@ -49,22 +51,20 @@ absl::StatusOr<std::unique_ptr<CatalogSource>> MakeSource(const config::v1::Tran
 absl::StatusOr<std::unique_ptr<ModelTranslator>> MakeModel(const config::v1::TranslatorWorkerConfig& config,
                                                            runtime::WorkerContext& worker) {
   if (!config.has_llm()) return nullptr;
-  absl::StatusOr<std::unique_ptr<llm::LlmClient>> client = llm::MakeLlmClient(config.llm(), worker);
-  if (!client.ok()) return client.status();
-  return ModelTranslator::Make(*std::move(client), DefaultPromptFolder(), config.llm().prompts_path());
+  ASSIGN_OR_RETURN(std::unique_ptr<llm::LlmClient> client, llm::MakeLlmClient(config.llm(), worker));
+  return ModelTranslator::Make(std::move(client), DefaultPromptFolder(), config.llm().prompts_path());
 }
 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeTranslatorService(const config::v1::TranslatorWorkerConfig& config,
                                                                      runtime::WorkerContext& worker) {
-  absl::StatusOr<std::unique_ptr<CatalogSource>> source = MakeSource(config);
-  if (!source.ok()) return source.status();
-  absl::StatusOr<std::unique_ptr<ModelTranslator>> model = MakeModel(config, worker);
-  if (!model.ok()) return model.status();
+  RETURN_IF_ERROR(english::Language::CheckInstalled());
+  ASSIGN_OR_RETURN(std::unique_ptr<CatalogSource> source, MakeSource(config));
+  ASSIGN_OR_RETURN(std::unique_ptr<ModelTranslator> model, MakeModel(config, worker));
   // A recording answers the same every time.
-  if (*model != nullptr && !config.llm().replay_path().empty()) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
-  return MakeTranslatorService(*std::move(source), *std::move(model), worker);
+  if (model != nullptr && !config.llm().replay_path().empty()) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
+  return MakeTranslatorService(std::move(source), std::move(model), worker);
 }
 
 std::unique_ptr<grpc::Service> MakeTranslatorService(std::unique_ptr<CatalogSource> source,

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "translator_worker/grammar/composer.h"
-#include "translator_worker/grammar/distance.h"
 #include "translator_worker/grammar/pattern.h"
 
 namespace flair::translator {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "translator_worker/grammar/composer.h"
-#include "translator_worker/grammar/distance.h"
 #include "translator_worker/grammar/mention.h"
 
 namespace flair::translator {
