@@ -13,7 +13,7 @@
 #include "cli/exit_code.h"
 #include "cli/input/usage_error.h"
 #include "fmt/format.h"
-#include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/bootstrap/build_id.h"
 
 namespace {
 

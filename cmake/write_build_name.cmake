@@ -42,7 +42,7 @@ if(NOT BUILD)
 endif()
 
 set(text "// Written by cmake/write_build_name.cmake.
-#include \"worker_runtime/bootstrap/build_name.h\"
+#include \"worker_runtime/bootstrap/build_id.h\"
 
 namespace flair::runtime {
 

@@ -5,7 +5,7 @@
 #include "optimizer_worker/constraints/library.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/service/make_optimizer_service.h"
-#include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
 
 namespace flair {

@@ -2,7 +2,7 @@
 // flair-orchestrator: serves OrchestratorService.
 #include "absl/synchronization/mutex.h"
 #include "orchestrator/service/make_orchestrator_service.h"
-#include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
 
 namespace flair::orchestrator {

@@ -3,7 +3,7 @@
 #include "flair/config/v1/renderer_worker_config.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "renderer_worker/service/make_renderer_service.h"
-#include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
 
 namespace flair {

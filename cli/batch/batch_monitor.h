@@ -8,7 +8,7 @@
 
 #include "cli/batch/batch_progress.h"
 #include "cli/session/batch_session.h"
-#include "worker_runtime/executor/cancellation.h"
+#include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::cli {
 

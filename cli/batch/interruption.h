@@ -4,7 +4,7 @@
 #include <atomic>
 #include <thread>
 
-#include "worker_runtime/executor/cancellation.h"
+#include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::cli {
 

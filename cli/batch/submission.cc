@@ -4,7 +4,7 @@
 #include "absl/strings/ascii.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::cli {
 namespace {

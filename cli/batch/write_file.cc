@@ -9,7 +9,7 @@
 
 #include "cli/exit_code.h"
 #include "fmt/format.h"
-#include "worker_runtime/files/atomic_file.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "optimizer_worker/resolve/resolve_layout.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::cli {
 namespace {

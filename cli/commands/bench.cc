@@ -19,7 +19,7 @@
 #include "cli/output/output_folder.h"
 #include "evaluation/readers/flairgpt_layout.h"
 #include "fmt/format.h"
-#include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {

@@ -21,11 +21,10 @@
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "fmt/format.h"
-#include "room/conversion/room_conversion.h"
-#include "worker_runtime/bootstrap/build_name.h"
+#include "room/conversion/conversion.h"
+#include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
-#include "worker_runtime/grpc/protocol.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {

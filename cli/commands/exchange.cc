@@ -13,7 +13,7 @@
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"
-#include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {

@@ -18,7 +18,7 @@
 #include "optimizer_worker/stages/evaluate_layout.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::cli {
 namespace {

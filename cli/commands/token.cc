@@ -15,8 +15,7 @@
 #include "fmt/format.h"
 #include "google/protobuf/text_format.h"
 #include "orchestrator/access/access_control.h"
-#include "worker_runtime/files/atomic_file.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/contract/ask.h"
 #include "cli/contract/bedroom.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"
-#include "worker_runtime/grpc/status.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::contract {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 #include "room/text_format/scene_text.h"
 
 namespace flair::contract {

@@ -7,7 +7,7 @@
 #include <grpcpp/generic/generic_stub.h>
 
 #include "absl/time/clock.h"
-#include "worker_runtime/grpc/status.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::contract {
 namespace {

@@ -10,7 +10,7 @@
 #include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "orchestrator/store/artifact_id.h"
 #include "room/validation/validate.h"
-#include "worker_runtime/grpc/status.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::contract {
 namespace {

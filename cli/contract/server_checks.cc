@@ -5,7 +5,7 @@
 #include "cli/contract/ask.h"
 #include "cli/contract/common_services.h"
 #include "fmt/ranges.h"
-#include "worker_runtime/grpc/protocol.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::contract {
 namespace {

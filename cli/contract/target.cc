@@ -15,7 +15,7 @@
 #include "absl/time/clock.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
-#include "worker_runtime/grpc/status.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::contract {
 namespace {

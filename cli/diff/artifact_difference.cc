@@ -8,7 +8,7 @@
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::cli {
 namespace {

@@ -19,7 +19,7 @@
 #include "optimizer_worker/service/make_optimizer_service.h"
 #include "renderer_worker/service/make_renderer_service.h"
 #include "translator_worker/service/make_translator_service.h"
-#include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/bootstrap/build_id.h"
 
 namespace flair::cli {
 namespace {

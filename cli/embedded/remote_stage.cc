@@ -11,7 +11,6 @@
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
-#include "worker_runtime/grpc/protocol.h"
 
 namespace flair::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/measure/walls.h"
 #include "optimizer_worker/explain/explain.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 #include "room/scene/scene.h"
 
 namespace flair::cli {

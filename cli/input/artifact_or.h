@@ -9,7 +9,7 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
-#include "room/validation/field.h"
+#include "room/validation/validate.h"
 
 namespace flair::cli {
 

@@ -12,7 +12,7 @@
 #include "cli/input/artifact_form.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "absl/strings/string_view.h"
 #include "absl/time/clock.h"
 #include "fmt/format.h"
-#include "worker_runtime/security/tls_files.h"
+#include "worker_runtime/security/security.h"
 
 namespace flair::cli {
 namespace {

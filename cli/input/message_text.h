@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "room/validation/field.h"
+#include "room/validation/validate.h"
 
 namespace flair::cli {
 

@@ -12,7 +12,7 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"
-#include "worker_runtime/executor/cancellation.h"
+#include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::cli {
 

@@ -6,9 +6,8 @@
 #include "absl/time/clock.h"
 #include "cli/embedded/remote_stage.h"
 #include "renderer_worker/service/make_renderer_service.h"
-#include "worker_runtime/bootstrap/build_name.h"
+#include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/client_call.h"
-#include "worker_runtime/grpc/status.h"
 
 namespace flair::cli {
 namespace {

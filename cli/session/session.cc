@@ -14,7 +14,6 @@
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
-#include "worker_runtime/grpc/connection_trouble.h"
 
 namespace flair::cli {
 namespace {

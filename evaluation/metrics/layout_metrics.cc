@@ -5,7 +5,7 @@
 #include "evaluation/metrics/pathway.h"
 #include "evaluation/metrics/penetration.h"
 #include "evaluation/metrics/reach.h"
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 
 namespace flair::evaluation {
 

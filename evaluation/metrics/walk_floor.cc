@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "room/geometry/footprint.h"
-#include "room/scene/door_area.h"
+#include "room/scene/room.h"
 
 namespace flair::evaluation {
 namespace {

@@ -8,7 +8,7 @@
 #include "evaluation/readers/flairgpt_arguments.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::evaluation {
 namespace {

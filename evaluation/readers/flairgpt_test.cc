@@ -12,7 +12,7 @@
 #include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "nlohmann/json.hpp"
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 
 namespace flair::evaluation {
 namespace {

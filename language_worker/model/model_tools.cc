@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "worker_runtime/files/installed_folder.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::language {
 

@@ -10,7 +10,7 @@
 #include "evaluation/readers/flairgpt_check.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "room/validation/validate.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::language {
 namespace {

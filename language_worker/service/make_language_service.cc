@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "flair/v1/language_service.grpc.pb.h"
+#include "flair/v1/worker_service.pb.h"
 #include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/model/model_tools.h"
 #include "language_worker/service/handbook_handlers.h"
@@ -15,7 +16,7 @@
 #include "llm/answers/prompt_library.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/make_llm_client.h"
-#include "worker_runtime/grpc/unary_call.h"
+#include "worker_runtime/grpc/server_call.h"
 
 namespace flair::language {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::llm {
 namespace {

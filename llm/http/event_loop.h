@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "worker_runtime/clock/timer.h"
+#include "worker_runtime/clock/clock.h"
 
 namespace flair::llm {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "llm/http/test_http.h"
-#include "worker_runtime/clock/fake_clock.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 namespace {

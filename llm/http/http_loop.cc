@@ -10,7 +10,7 @@
 #include "llm/http/curl_multi.h"
 #include "llm/http/event_loop.h"
 #include "llm/http/transfer.h"
-#include "worker_runtime/executor/cancellation.h"
+#include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::llm {
 namespace {

@@ -7,7 +7,6 @@
 #include "llm/http/http_request.h"
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/clock/clock.h"
-#include "worker_runtime/clock/timer.h"
 
 namespace flair::llm {
 

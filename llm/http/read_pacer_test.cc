@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 namespace {
@@ -61,7 +61,9 @@ TEST(PauseEnd, PausesOfManySocketsEndTogether) {
 class PacedSocket {
  public:
   explicit PacedSocket(ReadPacer::PauseRule pause, bool brings_answer = true)
-      : brings_answer_(brings_answer), pacer_(loop_, [this](int fd) { return Read(fd); }, std::move(pause)) {
+      : brings_answer_(brings_answer),
+        pacer_(
+            loop_, [this](int fd) { return Read(fd); }, std::move(pause)) {
     EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, fds_), 0);
   }
   ~PacedSocket() {

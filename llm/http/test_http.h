@@ -11,7 +11,7 @@
 
 #include "llm/http/http_loop.h"
 #include "tests/fixtures/llm_server/scripted_server.h"
-#include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 

@@ -7,7 +7,7 @@
 
 #include "llm/client/retry_hint.h"
 #include "llm/openai/test_client.h"
-#include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 namespace {

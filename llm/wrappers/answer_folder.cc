@@ -7,8 +7,7 @@
 
 #include "fmt/format.h"
 #include "llm/wrappers/answer_json.h"
-#include "worker_runtime/files/atomic_file.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::llm {
 namespace {

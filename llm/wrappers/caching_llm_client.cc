@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::llm {
 

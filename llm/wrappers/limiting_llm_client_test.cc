@@ -4,8 +4,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "llm/wrappers/held_llm_client.h"
-#include "worker_runtime/clock/fake_clock.h"
-#include "worker_runtime/clock/fake_timer.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 namespace {

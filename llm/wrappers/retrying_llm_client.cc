@@ -8,7 +8,7 @@
 #include "fmt/format.h"
 #include "llm/client/retry_hint.h"
 #include "llm/wrappers/timed_wait.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::llm {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "llm/client/llm_client.h"
 #include "worker_runtime/clock/clock.h"
-#include "worker_runtime/clock/timer.h"
 
 namespace flair::llm {
 

@@ -5,8 +5,7 @@
 #include "gtest/gtest.h"
 #include "llm/client/retry_hint.h"
 #include "llm/wrappers/held_llm_client.h"
-#include "worker_runtime/clock/fake_clock.h"
-#include "worker_runtime/clock/fake_timer.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "worker_runtime/clock/timer.h"
-#include "worker_runtime/executor/cancellation.h"
+#include "worker_runtime/bootstrap/call_context.h"
+#include "worker_runtime/clock/clock.h"
 
 namespace flair::llm {
 

@@ -12,7 +12,7 @@
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/library.h"
 #include "optimizer_worker/constraints/registry.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 #include "room/text_format/scene_text.h"
 
 namespace flair::optimizer {

@@ -12,7 +12,7 @@
 #include "optimizer_worker/constraints/call_text.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/whole_room.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

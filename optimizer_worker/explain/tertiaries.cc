@@ -9,7 +9,7 @@
 #include "optimizer_worker/constraints/measure/beside.h"
 #include "optimizer_worker/constraints/room/on_wall.h"
 #include "optimizer_worker/explain/scope.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

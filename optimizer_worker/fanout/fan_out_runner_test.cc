@@ -14,7 +14,7 @@
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/solve_stage_restarts.h"
 #include "optimizer_worker/stages/testing/graphs.h"
-#include "worker_runtime/clock/fake_clock.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::optimizer {
 namespace {
@@ -207,8 +207,8 @@ TEST(FanOut, ACancelledCallerEndsIt) {
   v1::SolveOptions options;
   options.set_max_restart_count(24);
   const FanOutRestartRunner runner(pool, options);
-  const absl::StatusOr<SolveResult> result =
-      SolveLayout(Bedroom(), options, NloptSolver(), [] { return true; }, runner);
+  const absl::StatusOr<SolveResult> result = SolveLayout(
+      Bedroom(), options, NloptSolver(), [] { return true; }, runner);
   EXPECT_EQ(result.status().code(), absl::StatusCode::kCancelled) << result.status();
 }
 

@@ -4,7 +4,7 @@
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
-#include "worker_runtime/grpc/status.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::optimizer {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/optimizer_service.pb.h"
-#include "worker_runtime/executor/cancellation.h"
+#include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::optimizer {
 

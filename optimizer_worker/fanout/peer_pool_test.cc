@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "worker_runtime/clock/fake_clock.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::optimizer {
 namespace {

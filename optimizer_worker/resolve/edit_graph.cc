@@ -7,8 +7,8 @@
 #include "absl/status/statusor.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
-#include "room/conversion/scene_conversion.h"
-#include "room/geometry/angle.h"
+#include "room/conversion/conversion.h"
+#include "room/geometry/pose.h"
 #include "room/validation/validate.h"
 
 namespace flair::optimizer {

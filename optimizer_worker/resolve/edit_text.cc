@@ -10,7 +10,7 @@
 
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/call_text.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/stages/tertiary.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

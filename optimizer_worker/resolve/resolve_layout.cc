@@ -12,7 +12,7 @@
 #include "optimizer_worker/stages/placements.h"
 #include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/tertiary.h"
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 #include "room/validation/validate.h"
 
 namespace flair::optimizer {

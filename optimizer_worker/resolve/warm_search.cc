@@ -9,7 +9,7 @@
 #include "optimizer_worker/stages/pins.h"
 #include "optimizer_worker/stages/polish.h"
 #include "optimizer_worker/stages/tertiary.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

@@ -2,6 +2,7 @@
 #include "optimizer_worker/service/make_optimizer_service.h"
 
 #include "flair/v1/optimizer_service.grpc.pb.h"
+#include "flair/v1/worker_service.pb.h"
 #include "fmt/format.h"
 #include "optimizer_worker/fanout/grpc_peer.h"
 #include "optimizer_worker/service/evaluate_handler.h"
@@ -12,8 +13,7 @@
 #include "optimizer_worker/service/solve_metrics.h"
 #include "optimizer_worker/service/solve_restarts_handler.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
-#include "worker_runtime/grpc/observed_handler.h"
-#include "worker_runtime/grpc/unary_call.h"
+#include "worker_runtime/grpc/server_call.h"
 
 namespace flair::optimizer {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "optimizer_worker/constraints/call_text.h"
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 #include "room/text_format/scene_text.h"
 
 namespace flair::optimizer {

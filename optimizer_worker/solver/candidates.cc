@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

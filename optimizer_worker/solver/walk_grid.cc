@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "room/scene/door_area.h"
+#include "room/scene/room.h"
 
 namespace flair::optimizer {
 namespace {

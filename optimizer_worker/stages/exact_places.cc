@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "optimizer_worker/constraints/room/on_wall.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

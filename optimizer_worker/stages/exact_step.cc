@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

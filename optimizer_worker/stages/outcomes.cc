@@ -8,7 +8,7 @@
 #include "fmt/format.h"
 #include "optimizer_worker/explain/explain.h"
 #include "optimizer_worker/zones/voronoi_zones.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "fmt/format.h"
 #include "optimizer_worker/stages/tertiary.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "optimizer_worker/constraints/registry.h"
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 
 namespace flair::optimizer {
 namespace {

@@ -9,7 +9,7 @@
 #include "optimizer_worker/stages/evaluate_layout.h"
 #include "optimizer_worker/stages/solve_stage_restarts.h"
 #include "optimizer_worker/stages/testing/graphs.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

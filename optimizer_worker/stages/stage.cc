@@ -7,7 +7,7 @@
 #include "optimizer_worker/stages/furnish.h"
 #include "optimizer_worker/stages/polish.h"
 #include "optimizer_worker/stages/tertiary.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "optimizer_worker/stages/pins.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

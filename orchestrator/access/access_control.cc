@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "absl/strings/match.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -15,7 +15,7 @@
 #include "orchestrator/access/rate_limit.h"
 #include "spdlog/logger.h"
 #include "worker_runtime/clock/clock.h"
-#include "worker_runtime/files/file_stamp.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 

@@ -7,8 +7,8 @@
 
 #include "orchestrator/access/access_control.h"
 #include "orchestrator/store/temporary_folder.h"
-#include "worker_runtime/clock/fake_clock.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
 namespace {

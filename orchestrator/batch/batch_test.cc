@@ -8,8 +8,7 @@
 #include "orchestrator/batch/job_id.h"
 #include "orchestrator/store/store_monitor.h"
 #include "orchestrator/store/temporary_folder.h"
-#include "worker_runtime/clock/fake_clock.h"
-#include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -8,7 +8,7 @@
 #include "absl/status/status.h"
 #include "absl/time/time.h"
 #include "flair/v1/job.pb.h"
-#include "worker_runtime/executor/cancellation.h"
+#include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::orchestrator {
 

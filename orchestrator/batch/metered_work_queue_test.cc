@@ -9,8 +9,8 @@
 
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/store/temporary_folder.h"
-#include "worker_runtime/clock/fake_clock.h"
 #include "worker_runtime/metrics/prometheus_metrics.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
 namespace {

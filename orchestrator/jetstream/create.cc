@@ -6,7 +6,7 @@
 
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/job_record.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "orchestrator/jetstream/job_record.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "absl/status/status.h"
 #include "orchestrator/jetstream/queue_parts.h"
-#include "worker_runtime/executor/cancellation.h"
+#include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::orchestrator {
 

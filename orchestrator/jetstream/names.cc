@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "absl/strings/ascii.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 

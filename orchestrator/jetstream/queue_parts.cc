@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "orchestrator/jetstream/news.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -85,12 +85,14 @@ absl::StatusOr<RevisedBatch> QueueParts::GetBatch(const std::string& batch_id) {
 
 absl::StatusOr<RevisedJob> QueueParts::ChangeJob(const std::string& job_id,
                                                  const Change<store::v1::JobRecord>& change) {
-  return ChangeRecord<store::v1::JobRecord>(jobs, job_id, [&] { return GetJob(job_id); }, change);
+  return ChangeRecord<store::v1::JobRecord>(
+      jobs, job_id, [&] { return GetJob(job_id); }, change);
 }
 
 absl::StatusOr<RevisedBatch> QueueParts::ChangeBatch(const std::string& batch_id,
                                                      const Change<store::v1::BatchRecord>& change) {
-  return ChangeRecord<store::v1::BatchRecord>(batches, batch_id, [&] { return GetBatch(batch_id); }, change);
+  return ChangeRecord<store::v1::BatchRecord>(
+      batches, batch_id, [&] { return GetBatch(batch_id); }, change);
 }
 
 std::string QueueParts::LaneOf(const v1::Job& job) const {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -4,7 +4,7 @@
 #include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage.h"
 #include "orchestrator/store/artifact_id.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

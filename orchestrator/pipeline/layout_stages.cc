@@ -3,7 +3,7 @@
 #include "orchestrator/pipeline/lent_request.h"
 #include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -11,7 +11,7 @@
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/store/temporary_folder.h"
-#include "worker_runtime/clock/fake_clock.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
 

@@ -10,7 +10,7 @@
 #include "orchestrator/pipeline/fake_stages.h"
 #include "orchestrator/pipeline/pipeline_for_test.h"
 #include "orchestrator/pipeline/stage.h"
-#include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -9,7 +9,7 @@
 #include "orchestrator/service/embedded_for_test.h"
 #include "orchestrator/service/fake_workers.h"
 #include "orchestrator/store/temporary_folder.h"
-#include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -7,7 +7,7 @@
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 #include "worker_runtime/grpc/server.h"
-#include "worker_runtime/grpc/unary_call.h"
+#include "worker_runtime/grpc/server_call.h"
 
 namespace flair::orchestrator {
 namespace {

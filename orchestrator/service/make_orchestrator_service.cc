@@ -21,9 +21,9 @@
 #include "orchestrator/service/status_reporter.h"
 #include "orchestrator/service/watches.h"
 #include "orchestrator/workers/stage_workers.h"
-#include "worker_runtime/grpc/authorization.h"
-#include "worker_runtime/grpc/status.h"
-#include "worker_runtime/grpc/unary_call.h"
+#include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/grpc/credentials.h"
+#include "worker_runtime/grpc/server_call.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -100,7 +100,8 @@ class Service final : public OrchestratorService {
                            [this](const std::string& id) { hub_.Notify(id); }});
     // Who runs only what it is asked for is no part of a cluster.
     if (config.has_queue() || !config.requested_jobs_only()) {
-      reporter_ = std::make_unique<StatusReporter>(*stores_.queue, [this] { return Status(); }, *worker.logger);
+      reporter_ = std::make_unique<StatusReporter>(
+          *stores_.queue, [this] { return Status(); }, *worker.logger);
     }
     sweeper_.Start();
   }

@@ -14,7 +14,7 @@
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "worker_runtime/security/local_address.h"
+#include "worker_runtime/security/security.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -6,7 +6,7 @@
 #include <deque>
 #include <utility>
 
-#include "worker_runtime/grpc/status.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -14,7 +14,7 @@
 #include "orchestrator/batch/event_hub.h"
 #include "orchestrator/batch/work_queue.h"
 #include "worker_runtime/bootstrap/worker_context.h"
-#include "worker_runtime/grpc/rpc_record.h"
+#include "worker_runtime/grpc/server_call.h"
 
 namespace flair::orchestrator {
 

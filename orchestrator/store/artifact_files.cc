@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "orchestrator/store/artifact_id.h"
-#include "worker_runtime/files/atomic_file.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -13,7 +13,7 @@
 #include "orchestrator/store/digest_functions.h"
 #include "orchestrator/store/log_vfs.h"
 #include "orchestrator/store/schema_sql.h"
-#include "worker_runtime/files/atomic_file.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "orchestrator/store/artifact_table.h"
 #include "orchestrator/store/digest_functions.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -4,7 +4,7 @@
 #include <google/protobuf/util/time_util.h>
 
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -9,7 +9,7 @@
 #include "orchestrator/store/artifact_id.h"
 #include "orchestrator/store/job_store.h"
 #include "orchestrator/store/temporary_folder.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -6,9 +6,8 @@
 #include <chrono>
 #include <utility>
 
-#include "worker_runtime/files/sha256.h"
-#include "worker_runtime/grpc/protocol.h"
-#include "worker_runtime/grpc/status.h"
+#include "worker_runtime/files/files.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::orchestrator {
 namespace {

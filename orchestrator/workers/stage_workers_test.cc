@@ -11,7 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "orchestrator/pipeline/backoff_policy.h"
 #include "orchestrator/workers/test_worker.h"
-#include "worker_runtime/executor/test_gate.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
 namespace {

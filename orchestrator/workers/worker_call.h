@@ -18,7 +18,7 @@
 #include "orchestrator/pipeline/stage_clients.h"
 #include "orchestrator/workers/verdict.h"
 #include "orchestrator/workers/workers_of_stage.h"
-#include "worker_runtime/grpc/status.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::orchestrator {
 

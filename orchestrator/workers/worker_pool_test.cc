@@ -6,7 +6,7 @@
 #include <future>
 #include <thread>
 
-#include "worker_runtime/clock/fake_clock.h"
+#include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "evaluation/metrics/routes.h"
 #include "renderer_worker/drawing/plan.h"
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 
 namespace flair::renderer {
 namespace {

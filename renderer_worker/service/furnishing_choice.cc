@@ -11,7 +11,7 @@
 #include "renderer_worker/assets/asset_furniture.h"
 #include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::renderer {
 namespace {

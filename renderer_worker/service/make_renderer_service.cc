@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "flair/v1/renderer_service.grpc.pb.h"
+#include "flair/v1/worker_service.pb.h"
 #include "renderer_worker/images/image_writer.h"
 #include "renderer_worker/service/contact_sheet_taker.h"
 #include "renderer_worker/service/export_scene_handler.h"
@@ -14,9 +15,7 @@
 #include "renderer_worker/service/render_handler.h"
 #include "renderer_worker/service/render_metrics.h"
 #include "worker_runtime/grpc/channel.h"
-#include "worker_runtime/grpc/client_stream_call.h"
-#include "worker_runtime/grpc/observed_handler.h"
-#include "worker_runtime/grpc/unary_call.h"
+#include "worker_runtime/grpc/server_call.h"
 
 namespace flair::renderer {
 namespace {

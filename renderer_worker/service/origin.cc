@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "flair/v1/renderer_service.pb.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::renderer {
 

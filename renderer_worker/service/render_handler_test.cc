@@ -12,7 +12,7 @@
 #include "renderer_worker/drawing/testdata/read_layout.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/service/render_plan.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::renderer {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "room/conversion/conversion.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "room/conversion/room_conversion.h"
-#include "room/conversion/scene_conversion.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 #include "room/text_format/scene_text.h"
 
 namespace flair {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The empty room as a value: floor, walls, openings and sockets, in room frame R (x east, y north, metres).
+// The empty room as a value: floor, walls, openings and sockets, in room frame R (x east, y north, metres); and the
+// floor that a door needs: what its leaf sweeps, and the passage in front of it.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,6 @@
 #include <vector>
 
 #include "room/geometry/polygon.h"
-#include "room/geometry/segment.h"
 #include "room/geometry/vec2.h"
 
 namespace flair {
@@ -94,5 +94,18 @@ std::vector<Wall> WallsOf(const Polygon& floor, const std::vector<std::string>& 
 
 // A rectangle of `width_m` (x) by `depth_m` (y) with walls south, east, north, west.
 Room RectangularRoom(double width_m, double depth_m);
+
+// The end of the opening that carries the hinges, on the floor's edge. The start when there is no leaf.
+Vec2<double> HingePoint(const Room& room, const Opening& door);
+
+// The sector of radius width_m that the leaf sweeps inside the room, as a polygon around the arc (so that it covers the
+// arc: at most 0.3 % of the radius too large), counter-clockwise. Empty for doors that do not open inwards.
+Polygon SwingArea(const Room& room, const Opening& door, int arc_pieces = 8);
+
+// The same in convex pieces: a leaf that opens wider than a half turn minus the wall is not convex any more.
+std::vector<Polygon> ConvexSwingAreas(const Room& room, const Opening& door, int arc_pieces = 8);
+
+// The rectangle in front of the opening, `depth_m` into the room, widened by `margin_m` at both ends. Convex.
+Polygon PassageArea(const Room& room, const Opening& door, double depth_m, double margin_m = 0);
 
 }  // namespace flair

@@ -7,7 +7,7 @@
 #include <optional>
 #include <sstream>
 
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair {
 namespace {

@@ -10,17 +10,12 @@
 #include "absl/container/flat_hash_set.h"
 #include "absl/status/status.h"
 #include "fmt/format.h"
+#include "room/validation/validate.h"
 
 namespace flair::validation {
 
 // Ids and names that references may point to; what they are part of, or literals, must outlive the set.
 using NameSet = absl::flat_hash_set<std::string_view>;
-
-// What is wrong with one field.
-struct Problem {
-  std::string path;  // "layout_graph.edges[3].weight"
-  std::string text;  // "0 is outside (0, 100]"
-};
 
 // What is wrong with a message, in the order found.
 class Problems {

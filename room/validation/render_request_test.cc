@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "flair/v1/renderer_service.pb.h"
 #include "room/validation/validate.h"
 #include "tests/fixtures/bedroom.h"
 

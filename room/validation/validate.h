@@ -6,20 +6,56 @@
 // references, and safe to compute with.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
-#include "flair/v1/artifact.pb.h"
-#include "flair/v1/job.pb.h"
-#include "flair/v1/language_service.pb.h"
-#include "flair/v1/optimizer_service.pb.h"
-#include "flair/v1/orchestrator_service.pb.h"
-#include "flair/v1/renderer_service.pb.h"
-#include "flair/v1/translator_service.pb.h"
-#include "room/validation/field.h"
+
+// Declared only: a user includes the messages that it has anyway.
+namespace flair::v1 {
+class AddToBatchRequest;
+class Artifact;
+class Brief;
+class ChooseStyleRequest;
+class CleanConstraintsRequest;
+class ComposeContactSheetRequest;
+class ConstraintCatalog;
+class ConstraintList;
+class CreateBatchRequest;
+class CreateJobRequest;
+class DescribeRoomRequest;
+class EvaluateRequest;
+class ExportSceneRequest;
+class JobSpec;
+class LayoutGraph;
+class ListConstraintsRequest;
+class ListObjectsRequest;
+class ObjectList;
+class PlanZonesRequest;
+class Preview;
+class RenderOptions;
+class RenderRequest;
+class Report;
+class Room;
+class SolveOptions;
+class SolveRequest;
+class SolveRestartsRequest;
+class SolvedLayout;
+class StyleSheet;
+class TranslateRequest;
+class ZonePlan;
+}  // namespace flair::v1
 
 namespace flair {
+
+namespace validation {
+// What is wrong with one field.
+struct Problem {
+  std::string path;  // "layout_graph.edges[3].weight"
+  std::string text;  // "0 is outside (0, 100]"
+};
+}  // namespace validation
 
 absl::Status Validate(const v1::Brief& brief, std::string_view path = "brief");
 absl::Status Validate(const v1::Room& room, std::string_view path = "room");

@@ -9,6 +9,8 @@
 #include <limits>
 #include <string>
 
+#include "flair/v1/language_service.pb.h"
+#include "flair/v1/orchestrator_service.pb.h"
 #include "tests/fixtures/bedroom.h"
 
 namespace flair {

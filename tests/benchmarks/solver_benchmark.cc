@@ -19,7 +19,7 @@
 #include "optimizer_worker/stages/scene_costs.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/stage.h"
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 
 namespace flair::optimizer {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "nlohmann/json.hpp"
 #include "tests/fixtures/programs.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::testing {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "evaluation/metrics/overlap.h"
 #include "fmt/format.h"
-#include "room/conversion/scene_conversion.h"
-#include "room/geometry/angle.h"
+#include "room/conversion/conversion.h"
 #include "room/geometry/footprint.h"
-#include "room/scene/door_area.h"
+#include "room/geometry/pose.h"
+#include "room/scene/room.h"
 
 namespace flair::testing {
 namespace {

@@ -11,7 +11,7 @@
 #include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "flair/v1/artifact.pb.h"
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 #include "room/text_format/scene_text.h"
 #include "room/validation/validate.h"
 #include "tests/fuzz/targets.h"

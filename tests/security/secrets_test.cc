@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "tests/security/secure_programs.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::testing {
 namespace {

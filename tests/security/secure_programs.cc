@@ -8,7 +8,7 @@
 
 #include "absl/time/clock.h"
 #include "flair/v1/worker_service.grpc.pb.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 #include "worker_runtime/grpc/client_call.h"
 
 namespace flair::testing {

@@ -19,7 +19,7 @@
 #include "translator_worker/model/passes.h"
 #include "translator_worker/model/prompt_texts.h"
 #include "translator_worker/model/read_calls.h"
-#include "worker_runtime/files/installed_folder.h"
+#include "worker_runtime/files/files.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::translator {

@@ -6,13 +6,14 @@
 #include "english/language.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
+#include "flair/v1/worker_service.pb.h"
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/make_llm_client.h"
 #include "translator_worker/catalog/remote_catalog_source.h"
 #include "translator_worker/service/translate_handler.h"
 #include "worker_runtime/grpc/channel.h"
-#include "worker_runtime/grpc/unary_call.h"
+#include "worker_runtime/grpc/server_call.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::translator {

@@ -9,4 +9,9 @@ namespace flair::runtime {
 // none.
 std::string BuildId();
 
+// What this program was built from, see Producer.build; "unknown" when nobody knows. The same in all programs of one
+// build. Defined in programs only (flair_program): libraries take it from WorkerContext, so that only programs are
+// linked again when it changes.
+std::string BuildName();
+
 }  // namespace flair::runtime

@@ -1,15 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <map>
+#include <mutex>
 #include <string>
 #include <utility>
 
 #include "absl/status/status.h"
 #include "absl/time/time.h"
 #include "worker_runtime/clock/clock.h"
-#include "worker_runtime/executor/cancellation.h"
 
 namespace flair::runtime {
+
+// A request to stop that somebody may make once. Work that can stop polls cancelled(); work that blocks elsewhere
+// leaves a callback. Thread-safe.
+class Cancellation {
+ public:
+  bool cancelled() const { return cancelled_.load(std::memory_order_acquire); }
+
+  // Runs every callback once, in the calling thread. Further calls do nothing.
+  void Cancel() {
+    const std::lock_guard lock(mutex_);
+    cancelled_.store(true, std::memory_order_release);
+    for (auto& [key, callback] : callbacks_) callback();
+    callbacks_.clear();
+  }
+
+ private:
+  friend class OnCancel;
+  std::atomic<bool> cancelled_ = false;
+  std::mutex mutex_;
+  std::map<int, std::function<void()>> callbacks_;
+  int next_key_ = 0;
+};
+
+// Keeps a callback registered while it lives; runs it at once when the cancellation has already been asked for. The
+// callback never runs after the destructor has returned. The callback must not create or destroy an OnCancel of the
+// same cancellation. `cancellation` must outlive it.
+class OnCancel {
+ public:
+  OnCancel(Cancellation& cancellation, std::function<void()> callback) : cancellation_(cancellation) {
+    const std::lock_guard lock(cancellation.mutex_);
+    key_ = cancellation.next_key_++;
+    if (cancellation.cancelled()) {
+      callback();
+    } else {
+      cancellation.callbacks_.emplace(key_, std::move(callback));
+    }
+  }
+  ~OnCancel() {
+    const std::lock_guard lock(cancellation_.mutex_);
+    cancellation_.callbacks_.erase(key_);
+  }
+  OnCancel(const OnCancel&) = delete;
+  OnCancel& operator=(const OnCancel&) = delete;
+
+ private:
+  Cancellation& cancellation_;
+  int key_;
+};
 
 // What a handler knows about the call it answers. Knows nothing of gRPC, so that handlers and solvers can be tested
 // without it. Thread-safe after construction.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <thread>
 
-#include "worker_runtime/files/sha256.h"
+#include "flair/config/v1/runtime_config.pb.h"
+#include "flair/v1/provenance.pb.h"
+#include "worker_runtime/files/files.h"
 #include "worker_runtime/logging/log.h"
 
 namespace flair::runtime {

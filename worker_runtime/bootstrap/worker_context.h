@@ -5,14 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "flair/config/v1/runtime_config.pb.h"
-#include "flair/v1/provenance.pb.h"
-#include "flair/v1/worker_service.pb.h"
-#include "spdlog/logger.h"
 #include "worker_runtime/clock/clock.h"
 #include "worker_runtime/executor/bounded_executor.h"
 #include "worker_runtime/metrics/metrics.h"
 #include "worker_runtime/metrics/rpc_metrics.h"
+
+namespace flair::config::v1 {
+class RuntimeConfig;
+}  // namespace flair::config::v1
+
+namespace flair::v1 {
+class Producer;
+enum Capability : int;
+}  // namespace flair::v1
+
+namespace spdlog {
+class logger;
+}  // namespace spdlog
 
 namespace flair::runtime {
 

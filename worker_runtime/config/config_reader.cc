@@ -16,7 +16,7 @@
 
 #include "flair/config/v1/runtime_config.pb.h"
 #include "worker_runtime/metrics/metrics_endpoint.h"
-#include "worker_runtime/security/exposure.h"
+#include "worker_runtime/security/security.h"
 
 namespace flair::runtime {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <google/protobuf/message.h>
-
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,6 +9,11 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+
+namespace google::protobuf {
+class Descriptor;
+class Message;
+}  // namespace google::protobuf
 
 namespace flair::runtime {
 

@@ -8,9 +8,8 @@
 #include <charconv>
 #include <vector>
 
-#include "worker_runtime/grpc/bearer_token.h"
 #include "worker_runtime/grpc/credentials.h"
-#include "worker_runtime/security/local_address.h"
+#include "worker_runtime/security/security.h"
 
 namespace flair::runtime {
 namespace {

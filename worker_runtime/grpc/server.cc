@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 #include <grpc/grpc.h>
+#include <grpcpp/channel.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/resource_quota.h>
 #include <grpcpp/security/server_credentials.h>
+#include <grpcpp/server.h>
+#include <grpcpp/server_builder.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,8 +19,9 @@
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/credentials.h"
-#include "worker_runtime/grpc/protocol.h"
+#include "worker_runtime/grpc/listener.h"
 
 namespace flair::runtime {
 namespace {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <grpcpp/channel.h>
 #include <grpcpp/impl/service_type.h>
-#include <grpcpp/server.h>
-#include <grpcpp/server_builder.h>
 
 #include <atomic>
 #include <future>
@@ -17,9 +14,19 @@
 #include "absl/time/time.h"
 #include "flair/config/v1/runtime_config.pb.h"
 #include "flair/v1/worker_service.pb.h"
-#include "worker_runtime/grpc/listener.h"
+
+namespace grpc {
+class Channel;
+class Server;
+class ServerBuilder;
+namespace experimental {
+class ExternalConnectionAcceptor;
+}  // namespace experimental
+}  // namespace grpc
 
 namespace flair::runtime {
+
+class Listener;
 
 // A service and the full name under which its health is reported, such as "flair.v1.OptimizerService".
 struct NamedService {

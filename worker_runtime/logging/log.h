@@ -3,9 +3,11 @@
 // a field, it stays one line, and cannot be taken for another field.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -33,5 +35,22 @@ void Log(spdlog::logger& logger, spdlog::level::level_enum level, std::string_vi
 // without fields are written in the same form.
 std::shared_ptr<spdlog::logger> MakeLogger(const std::string& program, const std::string& level,
                                            const std::string& format = "");
+
+using LogFields = std::span<const LogField>;
+
+struct LogLine {
+  std::chrono::system_clock::time_point time;
+  std::string_view level;
+  std::string_view program;
+  std::string_view message;
+  LogFields fields;
+};
+
+// For people and grep, without line break: values that hold spaces, quotes, "=" or signs that cannot be seen are
+// quoted, and the latter written as \n, \x1b and so on.
+std::string TextLogLine(const LogLine& line);
+
+// A JSON object, without line break. What is not UTF-8 is replaced.
+std::string JsonLogLine(const LogLine& line);
 
 }  // namespace flair::runtime

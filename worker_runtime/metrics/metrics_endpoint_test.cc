@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "worker_runtime/metrics/process_metrics.h"
+#include "worker_runtime/metrics/prometheus_metrics.h"
 
 namespace flair::runtime {
 namespace {

@@ -58,4 +58,14 @@ class PrometheusMetrics final : public Metrics, public prometheus::Collectable {
   std::vector<const Watched*> watched_;
 };
 
+// What the running process takes of its machine, under the names that Prometheus's own libraries use, and what it is.
+// Read from /proc when somebody looks; figures that it does not give are 0.
+class ProcessMetrics {
+ public:
+  ProcessMetrics(Metrics& metrics, const std::string& program, const std::string& build);
+
+ private:
+  std::vector<std::unique_ptr<WatchedValue>> watched_;
+};
+
 }  // namespace flair::runtime

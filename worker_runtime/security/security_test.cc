@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "worker_runtime/security/security.h"
+
 #include <gmock/gmock.h>
 
-#include "worker_runtime/security/exposure.h"
-#include "worker_runtime/security/local_address.h"
+#include <filesystem>
+#include <fstream>
+
+#include "absl/time/clock.h"
+#include "tests/fixtures/certificates.h"
 
 namespace flair::runtime {
 namespace {
@@ -10,6 +15,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 TEST(LocalAddress, OnlyThisMachineCanBeMeant) {
   for (const char* address :
@@ -60,6 +66,89 @@ TEST(Exposure, MayBeWanted) {
   runtime.set_allow_insecure(true);
   EXPECT_EQ(ExposureFault(runtime, std::nullopt), "");
   EXPECT_EQ(MetricsExposureFault(runtime), "");
+}
+
+class TlsFiles : public ::testing::Test {
+ protected:
+  TlsFiles() { std::filesystem::create_directories(folder_); }
+  ~TlsFiles() override { std::filesystem::remove_all(folder_); }
+  std::string Fault(const config::v1::TlsConfig& tls, absl::Time now = absl::Now()) {
+    const absl::Status status = CheckTlsFiles(tls, now);
+    EXPECT_TRUE(status.ok() || absl::IsInvalidArgument(status)) << status;
+    return std::string(status.message());
+  }
+  std::string Written(const std::string& name, const std::string& content) {
+    const std::string path = folder_ / name;
+    std::ofstream(path) << content;
+    return path;
+  }
+  static std::string Content(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(::testing::TempDir()) / ("flair_tls_files_" + std::to_string(::getpid()));
+};
+
+TEST_F(TlsFiles, GoodOnesAreGood) {
+  std::filesystem::create_directories(folder_);
+  const testing::CertificateAuthority authority(folder_, "authority");
+  EXPECT_EQ(Fault(authority.Tls(authority.Issue("a"), true)), "");
+  EXPECT_EQ(Fault({}), "");
+}
+
+TEST_F(TlsFiles, SayWhichIsWrongAndHow) {
+  const testing::CertificateAuthority authority(folder_, "authority");
+  const testing::Identity good = authority.Issue("good");
+  config::v1::TlsConfig tls = authority.Tls(good, true);
+  tls.set_certificate_path(folder_ / "none.pem");
+  EXPECT_THAT(Fault(tls),
+              AllOf(StartsWith("runtime.tls.certificate_path: "), HasSubstr("none.pem: cannot be read: No such")));
+  tls.set_certificate_path(good.key_path);
+  EXPECT_THAT(Fault(tls), HasSubstr("certificate_path: " + good.key_path + ": holds no certificate in PEM"));
+  tls = authority.Tls(good, true);
+  tls.set_key_path(good.certificate_path);
+  EXPECT_THAT(Fault(tls), HasSubstr("key_path: " + good.certificate_path + ": holds no private key"));
+  tls.set_key_path(authority.Issue("other").key_path);
+  EXPECT_THAT(Fault(tls), AllOf(StartsWith("runtime.tls.key_path: "),
+                                HasSubstr("is not the key of the certificate in " + good.certificate_path)));
+  tls = authority.Tls(good, true);
+  tls.set_authority_path(Written("authority.txt", "hello"));
+  EXPECT_THAT(Fault(tls), StartsWith("runtime.tls.authority_path: "));
+  tls.set_authority_path(folder_);
+  EXPECT_THAT(Fault(tls), StartsWith("runtime.tls.authority_path: "));
+}
+
+TEST_F(TlsFiles, ADamagedChainIsNoticed) {
+  const testing::CertificateAuthority authority(folder_, "authority");
+  const testing::Identity good = authority.Issue("good");
+  config::v1::TlsConfig tls = authority.Tls(good, true);
+  const std::string whole = Content(good.certificate_path);
+  tls.set_certificate_path(Written("chain.pem", whole + Content(authority.path())));
+  EXPECT_EQ(Fault(tls), "");
+  tls.set_certificate_path(Written("damaged.pem", whole + whole.substr(0, whole.size() / 2)));
+  EXPECT_THAT(Fault(tls), HasSubstr("one of its certificates is damaged"));
+}
+
+TEST_F(TlsFiles, CertificatesHoldForATime) {
+  const testing::CertificateAuthority authority(folder_, "authority");
+  EXPECT_THAT(Fault(authority.Tls(authority.Issue("old", {-10, -1}), true)),
+              HasSubstr("the certificate expired at 20"));
+  EXPECT_THAT(Fault(authority.Tls(authority.Issue("new", {1, 10}), true)), HasSubstr("is not valid before 20"));
+  const config::v1::TlsConfig tls = authority.Tls(authority.Issue("now"), true);
+  EXPECT_THAT(Fault(tls, absl::Now() + absl::Hours(48)), HasSubstr("expired"));
+}
+
+TEST_F(TlsFiles, AKeyWithAPassphraseIsNotAskedFor) {
+  const testing::CertificateAuthority authority(folder_, "authority");
+  const testing::Identity good = authority.Issue("good");
+  const std::string locked = folder_ / "locked.key";
+  ASSERT_EQ(std::system(("openssl pkey -aes256 -passout pass:secret -in " + good.key_path + " -out " + locked).c_str()),
+            0);
+  config::v1::TlsConfig tls = authority.Tls(good, true);
+  tls.set_key_path(locked);
+  EXPECT_THAT(Fault(tls), HasSubstr("the key has a passphrase"));
 }
 
 }  // namespace

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "language_worker/handbook/loading/check_handbook.h"
-#include "worker_runtime/files/installed_folder.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::language {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "optimizer_worker/constraints/formula_cost.h"
-#include "room/geometry/segment.h"
+#include "room/geometry/polygon.h"
 
 namespace flair::optimizer {
 

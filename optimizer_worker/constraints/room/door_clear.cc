@@ -5,7 +5,7 @@
 #include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/measure/room_areas.h"
 #include "optimizer_worker/constraints/whole_room.h"
-#include "room/scene/door_area.h"
+#include "room/scene/room.h"
 
 namespace flair::optimizer {
 

@@ -3,7 +3,7 @@
 
 #include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/facts.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 

@@ -4,7 +4,7 @@
 
 #include "orchestrator/store/artifact_id.h"
 #include "tests/contract/queue/queue_test.h"
-#include "worker_runtime/files/sha256.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::testing {
 namespace {
