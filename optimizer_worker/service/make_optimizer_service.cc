@@ -14,6 +14,7 @@
 #include "optimizer_worker/service/solve_restarts_handler.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "worker_runtime/grpc/server_call.h"
+#include "worker_runtime/logging/log.h"
 
 namespace flair::optimizer {
 namespace {

@@ -16,6 +16,7 @@
 #include "renderer_worker/service/render_metrics.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/server_call.h"
+#include "worker_runtime/logging/log.h"
 
 namespace flair::renderer {
 namespace {

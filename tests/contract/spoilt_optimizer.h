@@ -2,6 +2,9 @@
 // An optimizer that is good but for one fault, on a real port: it asks a good one and spoils the answer.
 #pragma once
 
+#include <grpcpp/server.h>
+#include <grpcpp/server_builder.h>
+
 #include <functional>
 #include <memory>
 #include <optional>

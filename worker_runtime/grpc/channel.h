@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <grpcpp/channel.h>
+
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "absl/status/statusor.h"
 #include "flair/config/v1/runtime_config.pb.h"
-
-namespace grpc {
-class Channel;
-}  // namespace grpc
 
 namespace flair::runtime {
 

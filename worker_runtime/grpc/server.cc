@@ -75,8 +75,8 @@ constexpr int kConnectionAgeMs = 60 * 60 * 1000;
 constexpr int kCallsOfAConnection = 1024;
 constexpr int kMetadataBytes = 16 * 1024;
 // A caller that is not heard of is asked whether it is there; one that asks us more often than this is sent away.
-constexpr int kKeepaliveMs = 60 * 1000;
-constexpr int kKeepaliveTimeoutMs = 20 * 1000;
+constexpr int kClientKeepaliveMs = 60 * 1000;
+constexpr int kClientKeepaliveTimeoutMs = 20 * 1000;
 constexpr int kLeastPingIntervalMs = 10 * 1000;
 // All messages on their way together. gRPC 1.51 reads a message whole before it looks whether it is too long; with this
 // it stops reading, and ends one of the calls that are being read with RESOURCE_EXHAUSTED.
@@ -101,8 +101,8 @@ void LimitCallers(int max_message_mib, grpc::ServerBuilder& builder) {
       {GRPC_ARG_MAX_CONNECTION_AGE_MS, kConnectionAgeMs},
       {GRPC_ARG_MAX_CONCURRENT_STREAMS, kCallsOfAConnection},
       {GRPC_ARG_MAX_METADATA_SIZE, kMetadataBytes},
-      {GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveMs},
-      {GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeoutMs},
+      {GRPC_ARG_KEEPALIVE_TIME_MS, kClientKeepaliveMs},
+      {GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kClientKeepaliveTimeoutMs},
       {GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, kLeastPingIntervalMs}};
   for (const auto& [name, value] : limits) builder.AddChannelArgument(name, value);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <grpcpp/channel.h>
 #include <grpcpp/impl/service_type.h>
 
 #include <atomic>
@@ -16,7 +17,6 @@
 #include "flair/v1/worker_service.pb.h"
 
 namespace grpc {
-class Channel;
 class Server;
 class ServerBuilder;
 namespace experimental {
