@@ -13,7 +13,7 @@
 
 #include "absl/strings/str_join.h"
 #include "fmt/format.h"
-#include "worker_runtime/files/installed_folder.h"
+#include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::english {
