@@ -27,7 +27,7 @@ std::vector<CommandGroup> CommandGroups() {
           {"Place the furniture again", {AddSolve, AddResolve, AddCompare}},
           {"Exchange with other programs", {AddImport, AddExport}},
           {"Stages of your own",
-           {AddCatalog, AddProtocol, AddPrompts, AddContract, AddBench, AddBenchRender, AddBenchResolve,
+           {AddHandbook, AddCatalog, AddProtocol, AddPrompts, AddContract, AddBench, AddBenchRender, AddBenchResolve,
             AddBenchRestarts, AddBenchTranslate}},
           {"Operate", {AddTop, AddDoctor, AddHealth, AddToken}}};
 }

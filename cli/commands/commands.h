@@ -45,6 +45,7 @@ void AddBenchRestarts(CLI::App& program, absl::Status& result);
 void AddBenchTranslate(CLI::App& program, absl::Status& result);
 
 void AddTop(CLI::App& program, absl::Status& result);
+void AddHandbook(CLI::App& program, absl::Status& result);
 void AddDoctor(CLI::App& program, absl::Status& result);
 void AddHealth(CLI::App& program, absl::Status& result);
 void AddToken(CLI::App& program, absl::Status& result);

@@ -140,7 +140,7 @@ absl::Status Design(const DesignArguments& arguments) {
   if (!artifacts.ok()) return artifacts.status();
   std::vector<OutputFile> files = MakeDesignFiles(*job, *artifacts);
   absl::StatusOr<std::vector<OutputFile>> views =
-      DrawViews(arguments.views, {.address = arguments.stages.renderer()},
+      DrawViews(arguments.views, {.address = arguments.stages.addresses.renderer()},
                 artifacts->at(v1::ARTIFACT_KIND_SOLVED_LAYOUT), spec->brief(), arguments.json || arguments.quiet);
   if (!views.ok()) return views.status();
   files.insert(files.end(), std::make_move_iterator(views->begin()), std::make_move_iterator(views->end()));

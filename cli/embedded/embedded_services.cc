@@ -94,19 +94,19 @@ std::string Variable(const char* name) {
 
 absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::Start(const std::string& store_path,
                                                                           const OptionalLlm& llm,
-                                                                          const RemoteStages& remote,
+                                                                          const StageFlags& stages,
                                                                           const config::v1::OrchestratorConfig& asked) {
   std::unique_ptr<EmbeddedServices> services(new EmbeddedServices());
-  absl::Status status = services->StartWorkers(llm, remote, asked.running_job_limit());
+  absl::Status status = services->StartWorkers(llm, stages, asked.running_job_limit());
   if (status.ok()) status = services->StartOrchestrator(store_path, asked);
   if (!status.ok()) return status;
   return services;
 }
 
 absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::StartStages(const OptionalLlm& llm,
-                                                                                const RemoteStages& remote) {
+                                                                                const StageFlags& stages) {
   std::unique_ptr<EmbeddedServices> services(new EmbeddedServices());
-  if (absl::Status status = services->StartWorkers(llm, remote, 1); !status.ok()) return status;
+  if (absl::Status status = services->StartWorkers(llm, stages, 1); !status.ok()) return status;
   return services;
 }
 
@@ -114,29 +114,31 @@ EmbeddedServices::~EmbeddedServices() {
   if (service_ != nullptr) service_->Stop();
 }
 
-absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const RemoteStages& remote, int job_count) {
+absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const StageFlags& stages, int job_count) {
+  auto language = WithLlm<config::v1::LanguageWorkerConfig>(llm, job_count);
+  language.mutable_handbook_overlay_paths()->Add(stages.handbooks.begin(), stages.handbooks.end());
   absl::Status status =
-      StartWorker("flair-language", WithLlm<config::v1::LanguageWorkerConfig>(llm, job_count),
+      StartWorker("flair-language", language,
                   [](const auto& config, auto& context) { return language::MakeLanguageService(config, context); },
-                  {kLanguageStage, language_, stages_.language, remote.language()});
+                  {kLanguageStage, language_, stages_.language, stages.addresses.language()});
   if (!status.ok()) return status;
   status =
       StartWorker("flair-optimizer", config::v1::OptimizerWorkerConfig(),
                   [](const auto& config, auto& context) { return optimizer::MakeOptimizerService(config, context); },
-                  {kOptimizerStage, optimizer_, stages_.optimizer, remote.optimizer()});
+                  {kOptimizerStage, optimizer_, stages_.optimizer, stages.addresses.optimizer()});
   if (!status.ok()) return status;
   // Jobs bring the catalogue of their optimizer with each request; this, of the first one, is for requests that bring
   // none.
   auto translator = WithLlm<config::v1::TranslatorWorkerConfig>(llm, job_count);
-  translator.set_optimizer_address(remote.optimizer().substr(0, remote.optimizer().find(',')));
+  translator.set_optimizer_address(stages.addresses.optimizer().substr(0, stages.addresses.optimizer().find(',')));
   status =
       StartWorker("flair-translator", translator,
                   [](const auto& config, auto& context) { return translator::MakeTranslatorService(config, context); },
-                  {kTranslatorStage, translator_, stages_.translator, remote.translator()});
+                  {kTranslatorStage, translator_, stages_.translator, stages.addresses.translator()});
   if (!status.ok()) return status;
   return StartWorker("flair-renderer", config::v1::RendererWorkerConfig(),
                      [](const auto& config, auto& context) { return renderer::MakeRendererService(config, context); },
-                     {kRendererStage, renderer_, stages_.renderer, remote.renderer()});
+                     {kRendererStage, renderer_, stages_.renderer, stages.addresses.renderer()});
 }
 
 absl::Status EmbeddedServices::StartOrchestrator(const std::string& default_path,

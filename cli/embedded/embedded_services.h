@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "cli/input/stage_flags.h"
 #include "flair/config/v1/llm_config.pb.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "orchestrator/service/make_orchestrator_service.h"
@@ -15,24 +16,21 @@
 
 namespace flair::cli {
 
-// Where stages are that are not to run in this process; empty addresses: they run here.
-using RemoteStages = config::v1::StageAddresses;
-
 // The model that designs and translates; none: the handbook and the grammar do.
 using OptionalLlm = std::optional<config::v1::LlmConfig>;
 
 class EmbeddedServices {
  public:
   // `store_path` is made when missing. FAILED_PRECONDITION when it cannot be used; for a model as llm::MakeLlmClient;
-  // for `remote` stages as ConnectToStage. The translator here takes its catalogue from the optimizer that is used.
-  // What `orchestrator` sets goes before what a command needs otherwise: another store or queue, more jobs at once,
-  // none at all.
+  // for stages elsewhere as ConnectToStage; for handbooks as language::LoadHandbook. The translator here takes its
+  // catalogue from the optimizer that is used. What `orchestrator` sets goes before what a command needs otherwise:
+  // another store or queue, more jobs at once, none at all.
   static absl::StatusOr<std::unique_ptr<EmbeddedServices>> Start(
-      const std::string& store_path, const OptionalLlm& llm = std::nullopt, const RemoteStages& remote = {},
+      const std::string& store_path, const OptionalLlm& llm = std::nullopt, const StageFlags& stages = {},
       const config::v1::OrchestratorConfig& orchestrator = {});
   // The four stages without an orchestrator and its store; orchestrator() must not be called.
   static absl::StatusOr<std::unique_ptr<EmbeddedServices>> StartStages(const OptionalLlm& llm = std::nullopt,
-                                                                       const RemoteStages& remote = {});
+                                                                       const StageFlags& stages = {});
   // Interrupts running jobs, which go on when the store is opened again.
   ~EmbeddedServices();
 
@@ -42,7 +40,7 @@ class EmbeddedServices {
  private:
   EmbeddedServices() = default;
   // For so many jobs at once.
-  absl::Status StartWorkers(const OptionalLlm& llm, const RemoteStages& remote, int job_count);
+  absl::Status StartWorkers(const OptionalLlm& llm, const StageFlags& stages, int job_count);
   absl::Status StartOrchestrator(const std::string& default_path, const config::v1::OrchestratorConfig& asked);
 
   // Made in this order, destroyed in reverse; null for a stage that is elsewhere.

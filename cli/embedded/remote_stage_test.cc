@@ -109,8 +109,8 @@ TEST(RemoteStage, SilenceNamesFlagAddressAndService) {
 TEST(RemoteStage, TheOwnTranslatorTakesTheCatalogueOfTheOptimizerThatIsUsed) {
   OtherOptimizer optimizer;
   const TestServer server({&optimizer});
-  RemoteStages remote;
-  remote.set_optimizer(server.address());
+  StageFlags remote;
+  remote.addresses.set_optimizer(server.address());
   const auto services = EmbeddedServices::StartStages(std::nullopt, remote);
   ASSERT_TRUE(services.ok()) << services.status();
   v1::TranslateRequest request;

@@ -1,24 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which stages servers of others run, as a person says it.
+// Which stages other servers run, and what the language stage of this process reads, as a person says it.
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "CLI/CLI.hpp"
 #include "absl/status/status.h"
-#include "cli/input/llm_flags.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
+
+namespace CLI {
+class App;
+}
 
 namespace flair::cli {
 
-// Empty addresses: stages in this process.
-using StageFlags = config::v1::StageAddresses;
+struct LlmFlags;
 
-// Adds --language, --translator, --optimizer and --renderer; `flags` must outlive the command.
+struct StageFlags {
+  config::v1::StageAddresses addresses;  // an empty address: the stage runs in this process
+  std::vector<std::string> handbooks;    // folders laid over the handbook of the own language stage, in this order
+};
+
+// Adds --language, --translator, --optimizer, --renderer and --handbook; `flags` must outlive the command.
 void AddStageFlags(CLI::App& command, StageFlags& flags);
 
-// INVALID_ARGUMENT when stages are given beside the orchestrator that would have to ask them, or a model that none of
-// the own stages would ask.
+// INVALID_ARGUMENT when stages or handbooks are given that the orchestrator or the language stage would not use, or a
+// model that none of the own stages would ask.
 absl::Status CheckStageFlags(const StageFlags& flags, const std::string& orchestrator, const LlmFlags& llm);
 
 }  // namespace flair::cli

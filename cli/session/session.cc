@@ -37,11 +37,11 @@ Session::Session(std::unique_ptr<EmbeddedServices> services, std::shared_ptr<grp
       address_(std::move(address)) {}
 
 absl::StatusOr<std::unique_ptr<Session>> Session::Open(const std::string& address, const OptionalLlm& llm,
-                                                       const RemoteStages& remote,
+                                                       const StageFlags& stages,
                                                        const config::v1::OrchestratorConfig& orchestrator) {
   if (address.empty()) {
     absl::StatusOr<std::unique_ptr<EmbeddedServices>> services =
-        EmbeddedServices::Start(DefaultStorePath(), llm, remote, orchestrator);
+        EmbeddedServices::Start(DefaultStorePath(), llm, stages, orchestrator);
     if (!services.ok()) return services.status();
     std::shared_ptr<grpc::Channel> channel = (*services)->orchestrator();
     return std::unique_ptr<Session>(new Session(*std::move(services), std::move(channel), "this process"));

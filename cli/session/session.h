@@ -15,11 +15,11 @@ namespace flair::cli {
 
 class Session {
  public:
-  // To the orchestrator at `address`; when it is empty, to one in this process, with the `remote` stages and own ones,
-  // which ask `llm`; `orchestrator` as for EmbeddedServices::Start.
+  // To the orchestrator at `address`; when it is empty, to one in this process, with the `stages` that run elsewhere
+  // and own ones, which ask `llm`; `orchestrator` as for EmbeddedServices::Start.
   static absl::StatusOr<std::unique_ptr<Session>> Open(const std::string& address,
                                                        const OptionalLlm& llm = std::nullopt,
-                                                       const RemoteStages& remote = {},
+                                                       const StageFlags& stages = {},
                                                        const config::v1::OrchestratorConfig& orchestrator = {});
 
   absl::StatusOr<v1::Job> CreateJob(const v1::JobSpec& spec);

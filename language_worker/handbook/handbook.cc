@@ -18,7 +18,8 @@ Handbook::Handbook(hb::Handbook contents, std::string version)
   }
   for (const auto& item : contents_.archetypes()) {
     archetypes_.emplace(item.name(), &item);
-    if (item.fallback() || fallback_ == nullptr) fallback_ = &item;
+    // That of an overlay comes first.
+    if (fallback_ == nullptr || (item.fallback() && !fallback_->fallback())) fallback_ = &item;
   }
   vocabulary_ = std::make_shared<const Vocabulary>(*this);
 }

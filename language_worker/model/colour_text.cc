@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "language_worker/handbook/styling/style_choice.h"
+#include "language_worker/handbook/styling/choose_style.h"
 #include "language_worker/model/furniture_index.h"
 #include "llm/answers/utf8.h"
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "language_worker/handbook/styling/choose_style.h"
-#include "language_worker/handbook/styling/style_choice.h"
 #include "language_worker/model/colour_text.h"
 #include "language_worker/model/prompt_text.h"
 #include "llm/answers/prompt_library.h"

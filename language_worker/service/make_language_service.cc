@@ -17,6 +17,7 @@
 #include "llm/config/check_llm_config.h"
 #include "llm/make_llm_client.h"
 #include "worker_runtime/grpc/server_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -65,7 +66,8 @@ class Service final : public v1::LanguageService::CallbackService {
 
 absl::StatusOr<std::unique_ptr<const Handbook>> ReadHandbook(const config::v1::LanguageWorkerConfig& config) {
   const std::string& path = config.handbook_path();
-  return LoadHandbook(path.empty() ? DefaultHandbookFolder() : std::filesystem::path(path));
+  return LoadHandbook(path.empty() ? DefaultHandbookFolder() : std::filesystem::path(path),
+                      {config.handbook_overlay_paths().begin(), config.handbook_overlay_paths().end()});
 }
 
 }  // namespace
@@ -73,28 +75,25 @@ absl::StatusOr<std::unique_ptr<const Handbook>> ReadHandbook(const config::v1::L
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config::v1::LanguageWorkerConfig& config,
                                                                    runtime::WorkerContext& worker) {
   if (config.has_llm()) {
-    absl::StatusOr<std::unique_ptr<llm::LlmClient>> model = llm::MakeLlmClient(config.llm(), worker);
-    if (!model.ok()) return model.status();
-    return MakeLanguageService(config, *std::move(model), worker);
+    ASSIGN_OR_RETURN(std::unique_ptr<llm::LlmClient> model, llm::MakeLlmClient(config.llm(), worker));
+    return MakeLanguageService(config, std::move(model), worker);
   }
-  auto handbook = ReadHandbook(config);
-  if (!handbook.ok()) return handbook.status();
-  worker.revision = (*handbook)->version();
+  ASSIGN_OR_RETURN(auto handbook, ReadHandbook(config));
+  worker.revision = (handbook)->version();
   worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
-  return std::make_unique<Service<HandbookHandlers>>(worker, *std::move(handbook));
+  return std::make_unique<Service<HandbookHandlers>>(worker, std::move(handbook));
 }
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config::v1::LanguageWorkerConfig& config,
                                                                    std::unique_ptr<llm::LlmClient> model,
                                                                    runtime::WorkerContext& worker) {
-  auto handbook = ReadHandbook(config);
-  if (!handbook.ok()) return handbook.status();
-  auto prompts = llm::PromptLibrary::Load(DefaultPromptsFolder(), config.llm().prompts_path(), LanguagePrompts());
-  if (!prompts.ok()) return prompts.status();
+  ASSIGN_OR_RETURN(auto handbook, ReadHandbook(config));
+  ASSIGN_OR_RETURN(auto prompts,
+                   llm::PromptLibrary::Load(DefaultPromptsFolder(), config.llm().prompts_path(), LanguagePrompts()));
   // A recording answers the same every time.
   if (!config.llm().replay_path().empty()) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
-  worker.revision = fmt::format("{}, {}, prompts {}", (*handbook)->version(), model->identity(), prompts->version());
-  return std::make_unique<Service<ModelHandlers>>(worker, *std::move(handbook), std::move(model), *std::move(prompts));
+  worker.revision = fmt::format("{}, {}, prompts {}", (handbook)->version(), model->identity(), prompts.version());
+  return std::make_unique<Service<ModelHandlers>>(worker, std::move(handbook), std::move(model), std::move(prompts));
 }
 
 void CheckLanguageConfig(const config::v1::LanguageWorkerConfig& config, runtime::ConfigChecker& checker) {

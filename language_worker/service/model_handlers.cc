@@ -17,6 +17,7 @@
 #include "language_worker/model/zones_step.h"
 #include "language_worker/service/own_parts.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -31,10 +32,9 @@ int64_t SeedOf(const Request& request) {
 // The request's own fault, or the answer that its brief brings; nothing when a model is to be asked.
 template <typename Response, typename Request, typename... Data>
 std::optional<absl::StatusOr<Response>> AnswerAtOnce(const Request& request, const Data&... data) {
-  if (absl::Status status = Validate(request); !status.ok()) return status;
-  absl::StatusOr<std::optional<Response>> own = OwnAnswer(request, data...);
-  if (!own.ok()) return own.status();
-  if (*own) return **std::move(own);
+  RETURN_IF_ERROR(Validate(request));
+  ASSIGN_OR_RETURN(std::optional<Response> own, OwnAnswer(request, data...));
+  if (own) return *std::move(own);
   return std::nullopt;
 }
 
@@ -107,7 +107,7 @@ absl::StatusOr<v1::ListObjectsResponse> ModelHandlers::Handle(const v1::ListObje
 
 absl::StatusOr<v1::ChooseStyleResponse> ModelHandlers::Handle(const v1::ChooseStyleRequest& request,
                                                               runtime::CallContext& call) const {
-  if (absl::Status status = Validate(request); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(request));
   const StyleRequest wanted{request.brief(), request.room(), request.object_list()};
   return Answer<v1::ChooseStyleResponse>(
       request, call, [&](llm::Conversation& conversation) { return AskStyle(wanted, tools_, conversation); },
@@ -130,7 +130,7 @@ absl::StatusOr<v1::ListConstraintsResponse> ModelHandlers::Handle(const v1::List
 
 absl::StatusOr<v1::CleanConstraintsResponse> ModelHandlers::Handle(const v1::CleanConstraintsRequest& request,
                                                                    runtime::CallContext& call) const {
-  if (absl::Status status = Validate(request); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(request));
   return Answer<v1::CleanConstraintsResponse>(
       request, call,
       [&](llm::Conversation& conversation) {

@@ -5,6 +5,7 @@
 
 #include "language_worker/model/placements.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -36,7 +37,7 @@ absl::StatusOr<std::optional<v1::PlanZonesResponse>> OwnAnswer(const v1::PlanZon
 absl::StatusOr<std::optional<v1::ListObjectsResponse>> OwnAnswer(const v1::ListObjectsRequest& request) {
   if (!request.brief().has_object_list()) return std::nullopt;
   const v1::ObjectList& list = request.brief().object_list();
-  if (absl::Status status = Validate(list, request.zone_plan(), "brief.object_list"); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(list, request.zone_plan(), "brief.object_list"));
   auto response = FromBrief<v1::ListObjectsResponse>();
   *response.mutable_object_list() = list;
   return response;

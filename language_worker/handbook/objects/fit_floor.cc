@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "language_worker/handbook/program/groups.h"
+#include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 
 namespace flair::language {

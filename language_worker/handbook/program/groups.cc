@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/handbook/program/groups.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
 
 namespace flair::language {

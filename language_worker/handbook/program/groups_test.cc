@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who sits where: tables with their chairs, rows that look to the front, and what goes when there is no room.
-#include "language_worker/handbook/program/groups.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "language_worker/handbook/objects/list_objects.h"
+#include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
 #include "language_worker/handbook/testing/test_handbook.h"

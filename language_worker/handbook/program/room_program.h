@@ -61,4 +61,38 @@ std::vector<std::string> WithSubstitutes(const google::protobuf::RepeatedPtrFiel
 // The program for a room of that floor area. Deterministic.
 RoomProgram MakeRoomProgram(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice);
 
+// Questions to a program that is being made.
+
+// Whether a class stands on the floor and is not walked over.
+bool IsFloorPiece(const hb::Furniture& furniture);
+
+bool Lists(const std::vector<ProgramItem>& items, const std::string& name);
+bool Lists(const RoomProgram& program, const std::string& name);
+
+bool HasZone(const RoomProgram& program, const std::string& name);
+
+// The zone where a class belongs when nothing says so; empty when there are none.
+std::string HomeOf(const hb::Furniture& furniture, const RoomProgram& program);
+
+// How many can sit, or lie, on a piece of its usual size; 0 when it is for none.
+int PlacesOn(const hb::Furniture& furniture);
+
+// Takes a class out of a program.
+void Remove(const std::string& name, RoomProgram& program);
+
+// Brings what the brief asks for into the program of its kind of room: wishes with the seats that belong to them, what
+// it refuses, one piece for each person, and nothing else where it says so.
+void ApplyWishes(const BriefFacts& facts, const Handbook& handbook, RoomProgram& program);
+
+// How many can sit round a table of that size: 0.6 m each along its sides, one at each end that is wide enough; round
+// ones by their circumference.
+int SeatsRound(const hb::Furniture& table, double width_m, double depth_m);
+
+// The least width from `start_m` on at which that many can sit round a table of that depth.
+double WidthForSeats(const hb::Furniture& table, int seats, double start_m, double depth_m);
+
+// Says which seats belong to which pieces, takes as many tables as the people need, and gives every table with its
+// chairs, and every row of what stands in rows, a zone of its own: they are placed together.
+void SplitIntoGroups(double area_m2, const Handbook& handbook, RoomProgram& program);
+
 }  // namespace flair::language

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/handbook/program/wishes.h"
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "language_worker/handbook/program/program_items.h"
+#include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
 
 namespace flair::language {

@@ -15,6 +15,7 @@
 #include "language_worker/handbook/reading/unknown_things.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 #include "language_worker/handbook/reading/words.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -29,9 +30,7 @@ class BriefReader {
   }
 
   absl::StatusOr<BriefFacts> Read() {
-    absl::StatusOr<SizeRequest> size = ReadSize(tokens_, handbook_.contents());
-    if (!size.ok()) return size.status();
-    facts_.size = *size;
+    ASSIGN_OR_RETURN(facts_.size, ReadSize(tokens_, handbook_.contents()));
     ReadArchetype();
     const std::vector<bool> room_words = used_;
     FurnitureReader furniture(handbook_, tokens_, used_, facts_);

@@ -23,9 +23,9 @@ struct RoomCase {
   const char* text;
   const char* archetype;
 };
-class RoomKind : public testing::TestWithParam<RoomCase> {};
-TEST_P(RoomKind, IsFoundInTheBrief) { EXPECT_EQ(FactsOf(GetParam().text).archetype->name(), GetParam().archetype); }
-INSTANTIATE_TEST_SUITE_P(Briefs, RoomKind,
+class NamedKind : public testing::TestWithParam<RoomCase> {};
+TEST_P(NamedKind, IsFoundInTheBrief) { EXPECT_EQ(FactsOf(GetParam().text).archetype->name(), GetParam().archetype); }
+INSTANTIATE_TEST_SUITE_P(Briefs, NamedKind,
                          testing::Values(RoomCase{"plain", "A bedroom that is 4m x 5m.", "bedroom"},
                                          RoomCase{"slash", "A living/dining room that is 6m x 3m.",
                                                   "living dining room"},

@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "language_worker/handbook/program/program_items.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/testing/test_handbook.h"
 

@@ -11,6 +11,7 @@
 
 #include "absl/status/status.h"
 #include "language_worker/handbook/reading/size_owner.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -241,7 +242,7 @@ void ReadSizeWords(const std::vector<Token>& tokens, const hb::Handbook& handboo
 absl::Status Check(const SizeRequest& size) {
   for (const auto& side_m : {size.width_m, size.depth_m}) {
     if (!side_m) continue;
-    if (absl::Status status = CheckSide(*side_m); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckSide(*side_m));
   }
   if (size.area_m2 && (*size.area_m2 < 1.5 || *size.area_m2 > 2000)) {
     return absl::InvalidArgumentError(fmt::format(
@@ -282,7 +283,7 @@ absl::StatusOr<SizeRequest> ReadSize(const std::vector<Token>& tokens, const hb:
     if (single.depth_m && !size.depth_m) size.depth_m = single.depth_m;
   }
   ReadSizeWords(tokens, handbook, owner, size);
-  if (absl::Status status = Check(size); !status.ok()) return status;
+  RETURN_IF_ERROR(Check(size));
   return size;
 }
 

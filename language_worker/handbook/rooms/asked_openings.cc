@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/handbook/rooms/asked_openings.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "language_worker/handbook/rooms/wall_words.h"
+#include "language_worker/handbook/rooms/openings.h"
+#include "language_worker/handbook/rooms/walls.h"
 
 namespace flair::language {
 namespace {

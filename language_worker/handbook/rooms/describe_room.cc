@@ -13,7 +13,7 @@
 #include "language_worker/handbook/reading/words.h"
 #include "language_worker/handbook/rooms/openings.h"
 #include "language_worker/handbook/rooms/room_floor.h"
-#include "language_worker/handbook/rooms/room_size.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -131,28 +131,26 @@ void RemarkOnOpenings(const BriefFacts& facts, const std::vector<std::string>& n
 
 absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& handbook) {
   if (brief.has_room()) return brief.room();
-  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
-  if (!facts.ok()) return facts.status();
-  const hb::Archetype& archetype = EffectiveArchetype(*facts, handbook);
+  ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
+  const hb::Archetype& archetype = EffectiveArchetype(facts, handbook);
   const Choice choice(brief.seed(), brief.text());
-  const RoomSize size = ChooseRoomSize(*facts, handbook, choice);
+  const RoomSize size = ChooseRoomSize(facts, handbook, choice);
   v1::Room room;
   room.set_room_type(archetype.name());
   room.set_title(TitleOf(brief.text()));
   room.set_height_m(size.height_m);
-  SetFloor(ReadShape(Tokenize(brief.text()), handbook), facts->size, size, choice, room);
-  const std::vector<std::string> not_made = AddOpenings(PlanOpenings(*facts, archetype, FloorArea(room)), choice, room);
+  SetFloor(ReadShape(Tokenize(brief.text()), handbook), facts.size, size, choice, room);
+  const std::vector<std::string> not_made = AddOpenings(PlanOpenings(facts, archetype, FloorArea(room)), choice, room);
   if (!size.assumption.empty()) Remark(v1::SEVERITY_NOTE, "size_assumed", size.assumption, room);
-  RemarkOnBrief(*facts, archetype, room);
-  RemarkOnOpenings(*facts, not_made, room);
+  RemarkOnBrief(facts, archetype, room);
+  RemarkOnOpenings(facts, not_made, room);
   return room;
 }
 
 absl::StatusOr<v1::ZonePlan> PlanZones(const v1::Brief& brief, const v1::Room& room, const Handbook& handbook) {
-  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
-  if (!facts.ok()) return facts.status();
+  ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
   const Choice choice(brief.seed(), brief.text());
-  const RoomProgram program = MakeRoomProgram(*facts, handbook, FloorArea(room), choice);
+  const RoomProgram program = MakeRoomProgram(facts, handbook, FloorArea(room), choice);
   std::vector<LeftOut> left_out;
   const std::vector<SizedItem> fitting = FitFloor(program, handbook, ExtentOf(room), left_out);
   v1::ZonePlan plan;

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "language_worker/handbook/rooms/asked_openings.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 
 namespace flair::language {

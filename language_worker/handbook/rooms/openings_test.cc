@@ -9,7 +9,7 @@
 #include <string>
 
 #include "language_worker/handbook/rooms/describe_room.h"
-#include "language_worker/handbook/rooms/wall_words.h"
+#include "language_worker/handbook/rooms/walls.h"
 #include "language_worker/handbook/testing/test_handbook.h"
 #include "room/validation/validate.h"
 

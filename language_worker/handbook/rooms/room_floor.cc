@@ -7,7 +7,109 @@
 #include <cmath>
 #include <vector>
 
+#include "language_worker/handbook/program/room_program.h"
+
 namespace flair::language {
+
+namespace {
+
+// Of the floor of a further kind that a room is, what remains where ways are shared.
+constexpr double kShared = 0.8;
+
+// Sides of a given area: shorter by longer as asked or as usual, never below what can be furnished.
+void SidesOf(double area_m2, double ratio, bool deeper, RoomSize& size) {
+  const double shorter_m = std::max(1.2, RoundToStep(std::sqrt(area_m2 * ratio)));
+  const double longer_m = std::max(1.2, RoundToStep(area_m2 / shorter_m));
+  size.width_m = deeper ? shorter_m : longer_m;
+  size.depth_m = deeper ? longer_m : shorter_m;
+}
+
+// How much larger a room is for more people than it usually has: each takes a place of their own and shares the ways.
+double CrowdFactor(const BriefFacts& facts, const hb::Archetype& archetype) {
+  constexpr double kShareOfPlaces = 0.6, kEach_m2 = 3;
+  if (!facts.people || archetype.per_person().empty()) return 1;
+  const double usual_m2 = archetype.width_m().typical() * archetype.depth_m().typical();
+  for (const hb::Band& band : archetype.bands()) {
+    if (band.max_area_m2() > 0 && usual_m2 >= band.max_area_m2()) continue;
+    for (const hb::ObjectEntry& entry : band.objects()) {
+      if (entry.furniture() != archetype.per_person()) continue;
+      const double usual = std::max(1, entry.count());
+      const double more = std::max(0.0, *facts.people / usual - 1);
+      // Few have most of a room to themselves; many take what a place and its share of the ways need.
+      return 1 + std::min(kShareOfPlaces * more, kEach_m2 * usual * more / usual_m2);
+    }
+    break;
+  }
+  return 1;
+}
+
+// The least floor on which what the brief asks for can be used. [Handbook facts] furniture covers 20 to 29 % of the
+// floor in the recorded rooms and up to 49 % in small bedrooms; some of that comes without being asked for.
+double FloorForWishes(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice) {
+  constexpr double kMostCovered = 0.33, kMostCoveredIfSmall = 0.4;
+  constexpr double kLargest_m2 = 400, kRowsTake = 2;
+  double asked_m2 = 0;
+  const RoomProgram program = MakeRoomProgram(facts, handbook, area_m2, choice);
+  for (const ProgramItem& item : program.floor_items) {
+    const hb::Furniture& furniture = *item.furniture;
+    if (!item.requested || item.optional) continue;
+    // Between rows one walks, and before them somebody stands.
+    const bool in_rows = std::ranges::any_of(
+        program.archetype->rows(), [&](const hb::Rows& rows) { return rows.furniture() == furniture.name(); });
+    asked_m2 += item.count * furniture.width_m().typical() * furniture.depth_m().typical() * (in_rows ? kRowsTake : 1);
+  }
+  return std::min(kLargest_m2, asked_m2 / (facts.size.area_factor < 1 ? kMostCoveredIfSmall : kMostCovered));
+}
+
+double Low(const hb::Extent& extent) { return extent.min() > 0 ? extent.min() : extent.typical(); }
+double High(const hb::Extent& extent) { return extent.max() > 0 ? extent.max() : extent.typical(); }
+
+}  // namespace
+
+RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const Choice& choice) {
+  const hb::Archetype& archetype = EffectiveArchetype(facts, handbook);
+  const SizeRequest& asked = facts.size;
+  double area_factor = asked.area_factor, height_m = archetype.height_m() > 0 ? archetype.height_m() : 3.0;
+  for (const hb::Changes* changes : AllChanges(facts)) {
+    if (changes->area_factor() > 0) area_factor *= changes->area_factor();
+    if (changes->room_height_m() > 0) height_m = std::max(height_m, changes->room_height_m());
+  }
+  RoomSize size;
+  size.height_m = asked.height_m.value_or(height_m);
+  const double width_m = archetype.width_m().typical(), depth_m = archetype.depth_m().typical();
+  const double usual_ratio = std::min(width_m, depth_m) / std::max(width_m, depth_m);
+  const bool deeper = depth_m >= width_m;
+  if (asked.width_m && asked.depth_m) {
+    size.width_m = *asked.width_m;
+    size.depth_m = *asked.depth_m;
+  } else if (asked.area_m2) {
+    SidesOf(*asked.area_m2, asked.side_ratio.value_or(0.8), deeper, size);
+  } else if (asked.width_m || asked.depth_m) {
+    const double given_m = asked.width_m.value_or(asked.depth_m.value_or(0));
+    const double other_m = std::max(1.2, RoundToStep(0.8 * given_m));
+    size.width_m = asked.width_m ? given_m : other_m;
+    size.depth_m = asked.depth_m ? given_m : other_m;
+    size.assumption = fmt::format("Only one side is given; the other is taken as {:g} m.", other_m);
+  } else {
+    const bool named = archetype.name() != handbook.fallback_archetype().name();
+    area_factor *= CrowdFactor(facts, archetype);
+    double all_m2 = width_m * depth_m;
+    const std::vector<FurtherKind> also = AlsoOf(facts, archetype);
+    for (const FurtherKind& one : also) all_m2 += kShared * one.share * UsualArea(*one.archetype);
+    const double usual_m2 = all_m2 * area_factor;
+    const double needed_m2 = FloorForWishes(facts, handbook, usual_m2, choice);
+    const bool larger = needed_m2 > usual_m2 || !also.empty();
+    SidesOf(std::max(usual_m2, needed_m2), asked.side_ratio.value_or(usual_ratio), deeper, size);
+    if (area_factor <= 2.5 && !asked.side_ratio && named && !larger) {
+      size.width_m = std::clamp(size.width_m, Low(archetype.width_m()), High(archetype.width_m()));
+      size.depth_m = std::clamp(size.depth_m, Low(archetype.depth_m()), High(archetype.depth_m()));
+    }
+    size.assumption = fmt::format("The brief gives no size in numbers; {:g} m x {:g} m {}.", size.width_m, size.depth_m,
+                                  larger ? "has room for what it asks for" : "is usual for this " + archetype.name());
+  }
+  return size;
+}
+
 namespace {
 
 constexpr double kLeastArmM = 1.5;

@@ -22,6 +22,9 @@ using Group = std::vector<const v1::Object*>;
 // (a runner, a mat) lie under the others. False for what stands on no top.
 bool TakesCentre(const v1::ObjectList& objects, const v1::Object& object);
 
+// "bookshelves" of "bookshelf": as the class says, or by rule.
+std::string PluralOf(const std::string& name, const Handbook& handbook);
+
 // Writes the sentences of relations about groups of objects: decides whether a relation applies, pairs objects with
 // partners and fills in the words. The arguments must outlive it.
 class SentenceWriter {
@@ -54,7 +57,6 @@ class SentenceWriter {
   std::vector<v1::Sentence> WriteNeighbours(const hb::Relation& relation, const Group& group) const;
   Group RowBefore(const v1::Object& object) const;
   std::string NameOf(const Group& group) const;
-  std::string Plural(const std::string& name) const;
   bool IsPlural(const std::string& name) const;
   std::string ZoneName(const v1::Object& object) const;
   std::string CornerOf(const v1::Object& object) const;

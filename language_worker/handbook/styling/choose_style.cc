@@ -3,14 +3,129 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/sentences/fill.h"
-#include "language_worker/handbook/styling/style_choice.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
+
+namespace {
+
+template <typename List>
+const auto& Pick(const List& list, const Choice& choice, const std::string& key) {
+  return list[static_cast<int>(choice.Index(key, static_cast<std::size_t>(list.size())))];
+}
+
+// What the brief names, else what its themes say, else what suits the kind of room.
+const hb::Style* PickStyle(const BriefFacts& facts, const Handbook& handbook, const Choice& choice) {
+  if (!facts.styles.empty()) return facts.styles.front();
+  for (const hb::Theme* theme : facts.themes) {
+    if (theme->styles_size() == 0) continue;
+    if (const hb::Style* style = handbook.FindStyle(Pick(theme->styles(), choice, "style.theme"))) return style;
+  }
+  const hb::Archetype& archetype = EffectiveArchetype(facts, handbook);
+  if (archetype.styles_size() > 0) {
+    if (const hb::Style* style = handbook.FindStyle(Pick(archetype.styles(), choice, "style.room"))) return style;
+  }
+  return &handbook.contents().styles(0);
+}
+
+hb::Finish PlainCeiling() {
+  hb::Finish finish;
+  finish.set_material("matt white paint");
+  finish.mutable_colour()->set_name("white");
+  finish.mutable_colour()->set_hex("#FAFAF7");
+  return finish;
+}
+
+}  // namespace
+
+StyleChoice::StyleChoice(const BriefFacts& facts, const Handbook& handbook, const Choice& choice)
+    : handbook_(handbook),
+      choice_(choice),
+      object_colours_(facts.object_colours),
+      style_(PickStyle(facts, handbook, choice)) {
+  palette_ = Pick(style_->palettes(), choice, "style.palette");
+  wall_ = Pick(style_->walls(), choice, "style.wall");
+  floor_ = Pick(style_->floors(), choice, "style.floor");
+  ceiling_ = style_->ceilings_size() > 0 ? Pick(style_->ceilings(), choice, "style.ceiling") : PlainCeiling();
+  title_ = style_->title().empty() ? style_->name() : style_->title();
+  if (facts.colours.empty()) return;
+  // Colours of the brief lead the palette and take the walls.
+  hb::Palette led;
+  for (const hb::NamedColour* colour : facts.colours) *led.add_colours() = *colour;
+  for (const hb::NamedColour& colour : palette_.colours()) *led.add_colours() = colour;
+  palette_ = led;
+  *wall_.mutable_colour() = *facts.colours.front();
+  wall_.clear_description();
+  if (title_.find(facts.colours.front()->name()) == std::string::npos)
+    title_ = facts.colours.front()->name() + " " + title_;
+}
+
+const hb::MaterialChoice* StyleChoice::MaterialOf(const std::string& group) const {
+  std::vector<const hb::MaterialChoice*> options;
+  for (const std::string& wanted : {group, std::string()}) {
+    for (const hb::MaterialChoice& material : style_->materials()) {
+      if (material.group() == wanted) options.push_back(&material);
+    }
+    if (!options.empty()) return options[choice_.Index("material." + wanted, options.size())];
+  }
+  return nullptr;
+}
+
+StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number) const {
+  Look look;
+  const hb::MaterialChoice* material = MaterialOf(furniture.material_group());
+  look.material = !furniture.fixed_material().empty() ? furniture.fixed_material()
+                  : material != nullptr               ? material->material()
+                                                      : "painted wood";
+  const auto& colours = material != nullptr && material->colours_size() > 0 ? material->colours() : palette_.colours();
+  look.colour =
+      colours[static_cast<int>(choice_.Index("colour." + furniture.name(), static_cast<std::size_t>(colours.size())))];
+  if (const hb::NamedColour* fixed = handbook_.FindColour(furniture.fixed_colour())) look.colour = *fixed;
+  for (const auto& [piece, colour] : object_colours_) {
+    if (piece->name() == furniture.name()) look.colour = *colour;
+  }
+  if (style_->adjectives_size() > 0) {
+    const std::size_t turn =
+        choice_.Index("adjective." + furniture.name(), static_cast<std::size_t>(style_->adjectives_size()));
+    look.adjective = style_->adjectives(static_cast<int>((turn + static_cast<std::size_t>(number)) %
+                                                         static_cast<std::size_t>(style_->adjectives_size())));
+  }
+  return look;
+}
+
+std::string StyleChoice::Describe(const hb::Furniture& furniture, const Look& look) const {
+  std::string text = "A {adjective} {name} in {material}, {colour}.";
+  if (furniture.descriptions_size() > 0)
+    text = Pick(furniture.descriptions(), choice_, "description." + furniture.name());
+  // Books, sheet music: what is its own plural takes no article.
+  if (furniture.plural() == furniture.name() && text.starts_with("A ")) text.erase(0, 2);
+  text = Fill(text, {{"adjective", look.adjective},
+                     {"material", look.material},
+                     {"colour", look.colour.name()},
+                     {"style", title_},
+                     {"name", furniture.name()}});
+  return Polish(text);
+}
+
+v1::Colour ToColour(const hb::NamedColour& colour) {
+  v1::Colour message;
+  message.set_name(colour.name());
+  const bool good = colour.hex().size() == 7;
+  const long rgb = good ? std::strtol(colour.hex().c_str() + 1, nullptr, 16) : 0x808080;
+  message.set_red(static_cast<int>(rgb >> 16) & 255);
+  message.set_green(static_cast<int>(rgb >> 8) & 255);
+  message.set_blue(static_cast<int>(rgb) & 255);
+  return message;
+}
+
 namespace {
 
 void AddSurface(const char* surface, const hb::Finish& finish, v1::StyleSheet& sheet) {
@@ -80,10 +195,9 @@ std::string Summary(const StyleChoice& style, const v1::Room& room, const Choice
 
 absl::StatusOr<v1::StyleSheet> ChooseStyle(const v1::Brief& brief, const v1::Room& room, const v1::ObjectList& objects,
                                            const Handbook& handbook) {
-  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, handbook);
-  if (!facts.ok()) return facts.status();
+  ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
   const Choice choice(brief.seed(), brief.text());
-  const StyleChoice style(*facts, handbook, choice);
+  const StyleChoice style(facts, handbook, choice);
   v1::StyleSheet sheet;
   sheet.set_name(style.title());
   sheet.set_summary(Summary(style, room, choice));
@@ -102,7 +216,7 @@ absl::StatusOr<v1::StyleSheet> ChooseStyle(const v1::Brief& brief, const v1::Roo
     *entry.mutable_colour() = ToColour(look.colour);
     entry.set_description(object.description());
   }
-  const hb::OpeningRules& rules = EffectiveArchetype(*facts, handbook).openings();
+  const hb::OpeningRules& rules = EffectiveArchetype(facts, handbook).openings();
   for (const v1::Opening& opening : room.openings()) AddOpening(opening, rules, style, choice, sheet);
   return sheet;
 }
