@@ -9,6 +9,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
 #include "orchestrator/store/artifact_id.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 
@@ -26,7 +27,7 @@ class ArtifactStore {
   // Gives one artifact its id, stores it and names it.
   absl::StatusOr<v1::ArtifactRef> Put(v1::Artifact& artifact) {
     SealedArtifact sealed = SealArtifact(artifact);
-    if (absl::Status status = PutAll(std::span(&sealed, 1)); !status.ok()) return status;
+    RETURN_IF_ERROR(PutAll(std::span(&sealed, 1)));
     return std::move(sealed.ref);
   }
 

@@ -19,8 +19,7 @@ struct StageRecord {
   // The stage's place in the job's artifacts, which are kept in that order; a stage's new artifact replaces its old
   // one.
   int stage_index = 0;
-  // Under which the event's artifact is found again by any job with this brief (WorkQueue::FindResult); empty: under
-  // none. Jobs that have an artifact in common have one brief.
+  // Under which the event's artifact is found again (WorkQueue::FindResult); empty: under none.
   std::string result_key;
 };
 

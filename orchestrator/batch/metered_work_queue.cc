@@ -163,8 +163,8 @@ class MeteredWorkQueue final : public WorkQueue {
   absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) override {
     return inner_->EndedBefore(time, after, limit);
   }
-  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& brief, const std::string& key) override {
-    return inner_->FindResult(brief, key);
+  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) override {
+    return inner_->FindResult(key);
   }
   absl::StatusOr<v1::Job> GetJob(const std::string& job_id) override { return inner_->GetJob(job_id); }
   absl::StatusOr<std::vector<v1::Job>> ListJobs(const ListFilter& filter) override { return inner_->ListJobs(filter); }

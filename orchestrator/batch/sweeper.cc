@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "worker_runtime/status/status_macros.h"
+
 namespace flair::orchestrator {
 namespace {
 
@@ -55,7 +57,7 @@ absl::StatusOr<Deleted> Sweeper::Step() {
   const absl::StatusOr<EndedPage> page =
       queue_.EndedBefore(clock_.Now() - *keep_ended_, next_, static_cast<int>(kEntriesPerStep));
   if (!page.ok()) return page.status();
-  if (absl::Status status = DeleteAll(*page, *deleted); !status.ok()) return status;
+  RETURN_IF_ERROR(DeleteAll(*page, *deleted));
   // A page that was left before its end is looked at again.
   if (deleted->done) next_ = page->next;
   deleted->done = deleted->done && next_.empty() && page->job_ids.size() < kEntriesPerStep;
@@ -73,12 +75,12 @@ absl::Status Sweeper::DeleteAll(const EndedPage& page, Deleted& deleted) {
     return absl::OkStatus();
   };
   for (const std::string& id : page.job_ids) {
-    if (absl::Status status = add(queue_.DeleteJob(id, artifacts_)); !status.ok()) return status;
+    RETURN_IF_ERROR(add(queue_.DeleteJob(id, artifacts_)));
   }
   for (const std::string& id : page.batch_ids) {
     if (deleted.job_count >= kJobsPerStep) deleted.done = false;
     if (!deleted.done) return absl::OkStatus();
-    if (absl::Status status = add(queue_.DeleteBatch(id, kJobsPerStep, artifacts_)); !status.ok()) return status;
+    RETURN_IF_ERROR(add(queue_.DeleteBatch(id, kJobsPerStep, artifacts_)));
   }
   return absl::OkStatus();
 }

@@ -124,10 +124,8 @@ class WorkQueue {
   // turn. Null when none waits. Its attempt_count says how often it has been taken.
   virtual absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) = 0;
 
-  // What a stage made before under a key of ResultKey(), for a job with that brief (BriefDigest); nothing when nothing.
-  // What another process has just recorded may be found a second late.
-  virtual absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& brief,
-                                                                    const std::string& key) = 0;
+  // What a stage made before under a key of ResultKey(); nothing when nothing was made.
+  virtual absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) = 0;
 
   // ---- What is known
 

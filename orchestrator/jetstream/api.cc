@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "worker_runtime/status/status_macros.h"
+
 namespace flair::orchestrator {
 namespace {
 
@@ -66,9 +68,8 @@ absl::StatusOr<json> JetStreamApi::Parse(const absl::StatusOr<NatsMessage>& answ
 }
 
 absl::StatusOr<StoredAck> JetStreamApi::ParseAck(const absl::StatusOr<NatsMessage>& answer) const {
-  const absl::StatusOr<json> parsed = Parse(answer);
-  if (!parsed.ok()) return parsed.status();
-  return StoredAck{parsed->value("seq", uint64_t{0}), parsed->value("duplicate", false)};
+  ASSIGN_OR_RETURN(const json parsed, Parse(answer));
+  return StoredAck{parsed.value("seq", uint64_t{0}), parsed.value("duplicate", false)};
 }
 
 absl::StatusOr<NatsMessage> JetStreamApi::Request(const NatsRequest& request) {

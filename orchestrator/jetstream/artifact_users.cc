@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -91,9 +92,7 @@ absl::StatusOr<std::vector<std::string>> ArtifactUsers::Add(std::span<const Use>
         return revisions[i].status();
       }
     }
-    absl::StatusOr<std::vector<Use>> again = AddToKnown(known, user);
-    if (!again.ok()) return again.status();
-    left = *std::move(again);
+    ASSIGN_OR_RETURN(left, AddToKnown(known, user));
   }
   return unused;
 }
@@ -106,11 +105,10 @@ absl::StatusOr<std::vector<ArtifactUsers::Use>> ArtifactUsers::AddToKnown(std::s
     ids.push_back(use.artifact_id);
     by_id[use.artifact_id] = use;
   }
-  absl::StatusOr<std::vector<Known>> read = Read(ids);
-  if (!read.ok()) return read.status();
+  ASSIGN_OR_RETURN(std::vector<Known> read, Read(ids));
   std::vector<Bucket::Change> changes;
   std::vector<Use> changed;
-  for (Known& known : *read) {
+  for (Known& known : read) {
     const auto use = by_id.extract(known.artifact_id);
     if (use.empty() || !AddUser(known.users, user, use.mapped().result_key)) continue;
     changes.push_back({UsersKey(known.artifact_id), runtime::CanonicalBytes(known.users), known.revision});
@@ -138,9 +136,7 @@ absl::StatusOr<std::vector<std::string>> ArtifactUsers::Remove(std::span<const s
     std::vector<std::string> left(some.begin(), some.end());
     // Again for those that somebody else has changed meanwhile.
     while (!left.empty()) {
-      const absl::StatusOr<std::vector<std::string>> again = RemoveFrom(left, user_id, free);
-      if (!again.ok()) return again.status();
-      left = *again;
+      ASSIGN_OR_RETURN(left, RemoveFrom(left, user_id, free));
     }
   }
   return free;
@@ -149,12 +145,11 @@ absl::StatusOr<std::vector<std::string>> ArtifactUsers::Remove(std::span<const s
 absl::StatusOr<std::vector<std::string>> ArtifactUsers::RemoveFrom(std::span<const std::string> artifact_ids,
                                                                    const std::string& user_id,
                                                                    std::vector<std::string>& free) {
-  absl::StatusOr<std::vector<Known>> read = Read(artifact_ids);
-  if (!read.ok()) return read.status();
+  ASSIGN_OR_RETURN(std::vector<Known> read, Read(artifact_ids));
   std::set<std::string> without_users(artifact_ids.begin(), artifact_ids.end());
   std::vector<Known> unused;
   std::vector<Known> used;
-  for (Known& known : *read) {
+  for (Known& known : read) {
     without_users.erase(known.artifact_id);
     if (!RemoveUser(known.users, user_id)) continue;
     const bool stays = !known.users.users().empty() || known.users.kept_for_good();
@@ -173,7 +168,7 @@ absl::StatusOr<std::vector<std::string>> ArtifactUsers::RemoveFrom(std::span<con
     again.push_back(used[i].artifact_id);
   }
   // First nobody finds them any more; whoever found one before that becomes its user, or sees that it has none.
-  if (absl::Status status = RemoveResults(unused); !status.ok()) return status;
+  RETURN_IF_ERROR(RemoveResults(unused));
   std::vector<Bucket::Revision> removals;
   for (const Known& known : unused) removals.push_back({UsersKey(known.artifact_id), known.revision});
   const std::vector<absl::StatusOr<bool>> removed = parts_.index.RemoveAll(removals);
@@ -210,10 +205,9 @@ absl::Status ArtifactUsers::RemoveResults(std::span<const Known> unused) {
 }
 
 absl::StatusOr<bool> ArtifactUsers::IsOwnedBy(const std::string& owner_token, const std::string& artifact_id) {
-  const absl::StatusOr<std::vector<Known>> known = Read(std::span(&artifact_id, 1));
-  if (!known.ok()) return known.status();
-  return !known->empty() && std::ranges::any_of(known->front().users.users(),
-                                                [&](const User& user) { return user.owner_token() == owner_token; });
+  ASSIGN_OR_RETURN(const std::vector<Known> known, Read(std::span(&artifact_id, 1)));
+  return !known.empty() && std::ranges::any_of(known.front().users.users(),
+                                               [&](const User& user) { return user.owner_token() == owner_token; });
 }
 
 }  // namespace flair::orchestrator

@@ -9,6 +9,7 @@
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/jetstream/job_record.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -27,11 +28,10 @@ absl::Status BatchCare::VisitJobs(const std::string& batch_id, int64_t job_count
     const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_.jobs.GetAll(ids);
     std::vector<RevisedJob> jobs;
     for (size_t i = 0; i < ids.size(); ++i) {
-      absl::StatusOr<RevisedJob> job = parts_.ParseJob(ids[i], entries[i]);
-      if (!job.ok()) return job.status();
-      jobs.push_back(*std::move(job));
+      ASSIGN_OR_RETURN(RevisedJob job, parts_.ParseJob(ids[i], entries[i]));
+      jobs.push_back(std::move(job));
     }
-    if (absl::Status status = visit(std::move(jobs)); !status.ok()) return status;
+    RETURN_IF_ERROR(visit(std::move(jobs)));
   }
   return absl::OkStatus();
 }
@@ -58,9 +58,8 @@ absl::Status BatchCare::CancelThese(std::vector<RevisedJob> jobs, absl::Time now
     std::vector<RevisedJob> again;
     for (size_t i = 0; i < jobs.size(); ++i) {
       if (absl::IsAborted(revisions[i].status())) {
-        absl::StatusOr<RevisedJob> job = parts_.GetJob(jobs[i].value.job().id());
-        if (!job.ok()) return job.status();
-        again.push_back(*std::move(job));
+        ASSIGN_OR_RETURN(RevisedJob job, parts_.GetJob(jobs[i].value.job().id()));
+        again.push_back(std::move(job));
         continue;
       }
       if (!revisions[i].ok()) return revisions[i].status();
@@ -70,7 +69,7 @@ absl::Status BatchCare::CancelThese(std::vector<RevisedJob> jobs, absl::Time now
         parts_.TellHolder(jobs[i].value.job().id());
       }
     }
-    if (absl::Status status = ends_.Publish(ended); !status.ok()) return status;
+    RETURN_IF_ERROR(ends_.Publish(ended));
     for (const v1::Job& job : ended) parts_.TellOfJob(job);
     jobs = std::move(again);
   }
@@ -88,7 +87,7 @@ absl::Status BatchCare::RepairThese(const std::vector<RevisedJob>& jobs) {
           parts_.QueueMessage(job.value.job(), fmt::format("{}-again-{}", job.value.job().id(), job.revision)));
     }
   }
-  if (absl::Status status = ends_.Publish(ended); !status.ok()) return status;
+  RETURN_IF_ERROR(ends_.Publish(ended));
   for (const absl::StatusOr<StoredAck>& ack : parts_.api.PublishAll(missing)) {
     if (!ack.ok()) return ack.status();
   }
@@ -105,19 +104,16 @@ absl::StatusOr<bool> BatchCare::Close(const std::string& batch_id, bool waits) {
   // Who adds to an open one repeats what was not answered.
   if (batch.open() || (waits && !cancelled)) return false;
   // Taken first: what comes later is of a job that was retried.
-  const absl::StatusOr<uint64_t> last = parts_.reader.LastSequence(parts_.names.queue_stream());
-  if (!last.ok()) return last.status();
-  const absl::StatusOr<int64_t> ended = ends_.CountAll(batch);
-  if (!ended.ok()) return ended.status();
-  if (*ended >= batch.job_count()) {
+  ASSIGN_OR_RETURN(const uint64_t last, parts_.reader.LastSequence(parts_.names.queue_stream()));
+  ASSIGN_OR_RETURN(const int64_t ended, ends_.CountAll(batch));
+  if (ended >= batch.job_count()) {
     const std::string subject = parts_.names.Batch(OwnerToken(batch.owner()), batch_id);
-    if (absl::Status status = lanes_.Remove(lanes_.LaneOf(subject), *last); !status.ok()) return status;
+    RETURN_IF_ERROR(lanes_.Remove(lanes_.LaneOf(subject), last));
     return false;
   }
   if (waits) return true;
   if (cancelled) {
-    absl::Status status = CancelJobs(batch_id, batch.job_count(), parts_.clock.Now());
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(CancelJobs(batch_id, batch.job_count(), parts_.clock.Now()));
   }
   const absl::Status status =
       VisitJobs(batch_id, batch.job_count(), [this](const std::vector<RevisedJob>& jobs) { return RepairThese(jobs); });

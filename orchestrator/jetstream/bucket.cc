@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "absl/strings/escaping.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -60,9 +61,8 @@ std::vector<absl::StatusOr<Bucket::Entry>> Bucket::GetAll(std::span<const std::s
 }
 
 absl::StatusOr<uint64_t> Bucket::Put(std::string_view key, std::string_view value) {
-  const absl::StatusOr<StoredAck> ack = api_.Publish(WriteRequest(SubjectOf(key), value));
-  if (!ack.ok()) return ack.status();
-  return ack->sequence;
+  ASSIGN_OR_RETURN(const StoredAck ack, api_.Publish(WriteRequest(SubjectOf(key), value)));
+  return ack.sequence;
 }
 
 absl::StatusOr<uint64_t> Bucket::Update(std::string_view key, std::string_view value, uint64_t expected,
@@ -77,9 +77,8 @@ absl::StatusOr<uint64_t> Bucket::Update(std::string_view key, std::string_view v
   if (ack.ok()) return ack->sequence;
   if (!absl::IsAborted(ack.status()) || asked == 1) return ack.status();
   // An earlier question may have been heard without our hearing the answer.
-  const absl::StatusOr<Entry> now = Get(key);
-  if (!now.ok()) return now.status();
-  if (now->value == value) return now->revision;
+  ASSIGN_OR_RETURN(const Entry now, Get(key));
+  if (now.value == value) return now.revision;
   return ack.status();
 }
 

@@ -4,6 +4,7 @@
 
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/job_record.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 
@@ -22,7 +23,7 @@ absl::Status JetStreamWorkQueue::Cancel(const std::string& job_id, absl::Time no
   const v1::Job& changed = job->value.job();
   if (ended) {
     // Its message stays until somebody is handed it.
-    if (absl::Status status = ends_.Publish(std::span(&changed, 1)); !status.ok()) return status;
+    RETURN_IF_ERROR(ends_.Publish(std::span(&changed, 1)));
   }
   if (ended) {
     parts_->TellOfJob(changed);
@@ -33,18 +34,16 @@ absl::Status JetStreamWorkQueue::Cancel(const std::string& job_id, absl::Time no
 }
 
 absl::StatusOr<bool> JetStreamWorkQueue::Retry(const std::string& job_id) {
-  const absl::StatusOr<RevisedJob> failed = parts_->GetJob(job_id);
-  if (!failed.ok()) return failed.status();
-  const v1::Job& job = failed->value.job();
+  ASSIGN_OR_RETURN(const RevisedJob failed, parts_->GetJob(job_id));
+  const v1::Job& job = failed.value.job();
   if (job.state() != v1::JOB_STATE_FAILED) return false;
   if (!job.batch_id().empty()) {
-    const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(job.batch_id());
-    if (!batch.ok()) return batch.status();
-    if (batch->value.batch().state() == v1::BATCH_STATE_CANCELLED) return false;
+    ASSIGN_OR_RETURN(const RevisedBatch batch, parts_->GetBatch(job.batch_id()));
+    if (batch.value.batch().state() == v1::BATCH_STATE_CANCELLED) return false;
   }
   // The end goes first: with it, the batch would seem to have come to its own. Without it, one that is found later is
   // given back; see BatchCare.
-  if (absl::Status status = ends_.Remove(job); !status.ok()) return status;
+  RETURN_IF_ERROR(ends_.Remove(job));
   bool retried = false;
   const absl::StatusOr<RevisedJob> now =
       parts_->ChangeJob(job_id, [&](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
@@ -57,11 +56,11 @@ absl::StatusOr<bool> JetStreamWorkQueue::Retry(const std::string& job_id) {
   if (!retried) {
     // Somebody else did, and the end that was removed may have been of the run after that.
     if (!HasEnded(now->value)) return false;
-    if (absl::Status status = ends_.Publish(std::span(&waiting, 1)); !status.ok()) return status;
+    RETURN_IF_ERROR(ends_.Publish(std::span(&waiting, 1)));
     return false;
   }
   const NatsRequest message = parts_->QueueMessage(waiting, fmt::format("{}-retry-{}", job_id, now->revision));
-  if (absl::Status status = parts_->api.Publish(message).status(); !status.ok()) return status;
+  RETURN_IF_ERROR(parts_->api.Publish(message).status());
   Queued(message.subject);
   parts_->TellOfJob(waiting);
   return true;

@@ -15,6 +15,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_split.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -89,7 +90,7 @@ std::string ShownAddress(const config::v1::QueueConfig& config) {
 }
 
 absl::Status CheckQueueConfig(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls) {
-  if (absl::Status status = CheckAddress(config, tls); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckAddress(config, tls));
   const std::string& name = config.name();
   const bool good_name =
       std::ranges::all_of(name, [](char c) { return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-'; });
@@ -132,7 +133,7 @@ absl::StatusOr<NatsOptionsPtr> MakeConnectOptions(const config::v1::QueueConfig&
   natsOptions_SetFailRequestsOnDisconnect(made, true);
   const bool encrypted = std::ranges::any_of(servers, [](const std::string& s) { return s.starts_with("tls://"); });
   if (encrypted && tls != nullptr) {
-    if (absl::Status status = SetTls(made, *tls); !status.ok()) return status;
+    RETURN_IF_ERROR(SetTls(made, *tls));
   }
   if (!config.credentials_path().empty()) {
     // cnats reads it when it connects, and then says no more than that it could not.

@@ -10,6 +10,7 @@
 
 #include "orchestrator/jetstream/connect_error.h"
 #include "orchestrator/jetstream/connect_options.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -86,10 +87,9 @@ void NatsInbox::Close() { natsSubscription_Unsubscribe(subscription_); }
 
 absl::StatusOr<std::unique_ptr<NatsConnection>> NatsConnection::Open(const config::v1::QueueConfig& config,
                                                                      const config::v1::TlsConfig* tls) {
-  absl::StatusOr<NatsOptionsPtr> options = MakeConnectOptions(config, tls);
-  if (!options.ok()) return options.status();
+  ASSIGN_OR_RETURN(NatsOptionsPtr options, MakeConnectOptions(config, tls));
   natsConnection* connection = nullptr;
-  const natsStatus status = natsConnection_Connect(&connection, options->get());
+  const natsStatus status = natsConnection_Connect(&connection, options.get());
   if (status != NATS_OK) return DescribeConnectError(config, tls, status);
   return std::unique_ptr<NatsConnection>(new NatsConnection(connection, ShownAddress(config)));
 }
@@ -113,7 +113,7 @@ absl::Status NatsConnection::CheckSize(const NatsRequest& request) const {
 }
 
 absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, absl::Duration limit) {
-  if (absl::Status status = CheckSize(request); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckSize(request));
   if (!connected()) return Unreachable("no connection");
   const MessagePtr message = MakeMessage(request, "");
   if (message == nullptr) return absl::ResourceExhaustedError("no memory for a message");
@@ -126,7 +126,7 @@ absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, 
 }
 
 absl::Status NatsConnection::Publish(const NatsRequest& request, const std::string& reply) {
-  if (absl::Status status = CheckSize(request); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckSize(request));
   if (!connected()) return Unreachable("no connection");
   const MessagePtr message = MakeMessage(request, reply);
   if (message == nullptr) return absl::ResourceExhaustedError("no memory for a message");

@@ -7,6 +7,7 @@
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/job_record.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -49,24 +50,23 @@ absl::StatusOr<v1::Job> JetStreamWorkQueue::CreateJob(const v1::Job& job, const 
   const std::string key = RequestKey(job.owner(), RequestKind::kJob, request_id, job.id());
   store::v1::JobRecord record = NewRecord(job, request_id);
   while (true) {
-    const absl::StatusOr<std::string> id = IdOfRequest(key, job.id());
-    if (!id.ok()) return id.status();
-    record.mutable_job()->set_id(*id);
-    const absl::StatusOr<uint64_t> made = parts_->jobs.Update(*id, runtime::CanonicalBytes(record), 0);
+    ASSIGN_OR_RETURN(const std::string id, IdOfRequest(key, job.id()));
+    record.mutable_job()->set_id(id);
+    const absl::StatusOr<uint64_t> made = parts_->jobs.Update(id, runtime::CanonicalBytes(record), 0);
     if (made.ok()) break;
     if (!absl::IsAborted(made.status())) return made.status();
-    absl::StatusOr<RevisedJob> known = parts_->GetJob(*id);
+    absl::StatusOr<RevisedJob> known = parts_->GetJob(id);
     if (known.ok()) {
       record = std::move(known->value);
       break;
     }
     if (!absl::IsNotFound(known.status())) return known.status();
     // It is being forgotten: the request may make another one.
-    if (absl::Status status = RemoveRequest(key, *id); !status.ok()) return status;
+    RETURN_IF_ERROR(RemoveRequest(key, id));
   }
   // Again for a job that was made before and has never run: who made it may not have come so far.
   if (record.job().state() == v1::JOB_STATE_QUEUED && record.job().attempt_count() == 0) {
-    if (absl::Status status = PutIntoQueue(std::span(&record.job(), 1)); !status.ok()) return status;
+    RETURN_IF_ERROR(PutIntoQueue(std::span(&record.job(), 1)));
   }
   return record.job();
 }
@@ -76,13 +76,12 @@ absl::StatusOr<store::v1::BatchRecord> JetStreamWorkQueue::CreateBatch(const sto
       RequestKey(batch.batch().owner(), RequestKind::kBatch, batch.request_id(), batch.batch().id());
   store::v1::BatchRecord record = batch;
   while (true) {
-    const absl::StatusOr<std::string> id = IdOfRequest(key, batch.batch().id());
-    if (!id.ok()) return id.status();
-    record.mutable_batch()->set_id(*id);
-    const absl::StatusOr<uint64_t> made = parts_->batches.Update(*id, runtime::CanonicalBytes(record), 0);
+    ASSIGN_OR_RETURN(const std::string id, IdOfRequest(key, batch.batch().id()));
+    record.mutable_batch()->set_id(id);
+    const absl::StatusOr<uint64_t> made = parts_->batches.Update(id, runtime::CanonicalBytes(record), 0);
     if (made.ok()) return record;
     if (!absl::IsAborted(made.status())) return made.status();
-    absl::StatusOr<RevisedBatch> known = parts_->GetBatch(*id);
+    absl::StatusOr<RevisedBatch> known = parts_->GetBatch(id);
     if (known.ok()) return std::move(known->value);
     // The last step of its deletion is being made just now.
     if (!absl::IsNotFound(known.status())) return known.status();
@@ -98,20 +97,19 @@ absl::StatusOr<bool> JetStreamWorkQueue::HasRequest(RequestKind kind, const std:
 
 absl::StatusOr<v1::Batch> JetStreamWorkQueue::AddJobs(const std::string& batch_id, std::span<const v1::Job> jobs,
                                                       bool last) {
-  const absl::StatusOr<RevisedBatch> before = parts_->GetBatch(batch_id);
-  if (!before.ok()) return before.status();
-  if (absl::Status status = CheckPlaces(jobs, before->value.batch()); !status.ok()) return status;
+  ASSIGN_OR_RETURN(const RevisedBatch before, parts_->GetBatch(batch_id));
+  RETURN_IF_ERROR(CheckPlaces(jobs, before.value.batch()));
   const auto counted = static_cast<size_t>(std::ranges::count_if(
-      jobs, [&](const v1::Job& job) { return job.batch_index() < before->value.batch().job_count(); }));
-  if (absl::Status status = CompareSpecs(jobs.first(counted)); !status.ok()) return status;
+      jobs, [&](const v1::Job& job) { return job.batch_index() < before.value.batch().job_count(); }));
+  RETURN_IF_ERROR(CompareSpecs(jobs.first(counted)));
   const std::span<const v1::Job> added = jobs.subspan(counted);
-  if (absl::Status status = AddRecords(batch_id, added); !status.ok()) return status;
-  if (absl::Status status = PutIntoQueue(added); !status.ok()) return status;
+  RETURN_IF_ERROR(AddRecords(batch_id, added));
+  RETURN_IF_ERROR(PutIntoQueue(added));
   // Last, so that what a batch counts is there.
   const absl::StatusOr<RevisedBatch> after =
       parts_->ChangeBatch(batch_id, [&](store::v1::BatchRecord& record) -> absl::StatusOr<bool> {
         v1::Batch& batch = *record.mutable_batch();
-        if (absl::Status status = CheckPlaces(jobs, batch); !status.ok()) return status;
+        RETURN_IF_ERROR(CheckPlaces(jobs, batch));
         const int64_t count = jobs.empty() ? 0 : jobs.back().batch_index() + 1;
         const bool open = batch.open() && !last;
         if (batch.job_count() >= count && batch.open() == open) return false;
@@ -150,9 +148,8 @@ absl::Status JetStreamWorkQueue::CompareSpecs(std::span<const v1::Job> jobs) {
   for (const v1::Job& job : jobs) ids.push_back(job.id());
   const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(ids);
   for (size_t i = 0; i < jobs.size(); ++i) {
-    const absl::StatusOr<RevisedJob> known = parts_->ParseJob(ids[i], entries[i]);
-    if (!known.ok()) return known.status();
-    if (runtime::CanonicalBytes(known->value.job().spec()) == runtime::CanonicalBytes(jobs[i].spec())) continue;
+    ASSIGN_OR_RETURN(const RevisedJob known, parts_->ParseJob(ids[i], entries[i]));
+    if (runtime::CanonicalBytes(known.value.job().spec()) == runtime::CanonicalBytes(jobs[i].spec())) continue;
     return absl::AlreadyExistsError(fmt::format("specs: place {} of batch {} has another spec; make another batch",
                                                 jobs[i].batch_index(), jobs[i].batch_id()));
   }
@@ -163,7 +160,7 @@ absl::Status JetStreamWorkQueue::PutIntoQueue(std::span<const v1::Job> jobs) {
   std::vector<NatsRequest> messages;
   for (const v1::Job& job : jobs) messages.push_back(parts_->QueueMessage(job, job.id()));
   if (messages.size() == 1) {
-    if (absl::Status status = parts_->api.Publish(messages.front()).status(); !status.ok()) return status;
+    RETURN_IF_ERROR(parts_->api.Publish(messages.front()).status());
   } else {
     for (const absl::StatusOr<StoredAck>& ack : parts_->api.PublishAll(messages)) {
       if (!ack.ok()) return ack.status();

@@ -14,6 +14,7 @@
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/job_record.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -70,18 +71,15 @@ absl::StatusOr<int64_t> JetStreamWorkQueue::DeleteArtifacts(std::span<const std:
   if (ids.empty()) return 0;
   const absl::StatusOr<int64_t> mark = artifacts.Mark();
   if (!mark.ok()) return mark;
-  const absl::StatusOr<std::vector<std::string>> free = users_.Remove(ids, user_id);
-  if (!free.ok()) return free.status();
-  return artifacts.Delete(*free, *mark);
+  ASSIGN_OR_RETURN(const std::vector<std::string> free, users_.Remove(ids, user_id));
+  return artifacts.Delete(free, *mark);
 }
 
 absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteJob(const std::string& job_id, ArtifactStore& artifacts) {
-  const absl::StatusOr<RevisedJob> job = parts_->GetJob(job_id);
-  if (!job.ok()) return job.status();
-  if (absl::Status status = CheckDeletable(job->value.job()); !status.ok()) return status;
-  const std::string& owner = job->value.job().owner();
-  const absl::Status noted = parts_->requests.Put(NoteKey(owner, job_id), kJobNote).status();
-  if (!noted.ok()) return noted;
+  ASSIGN_OR_RETURN(const RevisedJob job, parts_->GetJob(job_id));
+  RETURN_IF_ERROR(CheckDeletable(job.value.job()));
+  const std::string& owner = job.value.job().owner();
+  RETURN_IF_ERROR(parts_->requests.Put(NoteKey(owner, job_id), kJobNote).status());
   return ForgetJob(job_id, owner, artifacts);
 }
 
@@ -92,8 +90,7 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::ForgetJob(const std::string& job_id,
   const absl::Status hidden = parts_
                                   ->ChangeJob(job_id,
                                               [](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
-                                                if (absl::Status status = CheckDeletable(record.job()); !status.ok())
-                                                  return status;
+                                                RETURN_IF_ERROR(CheckDeletable(record.job()));
                                                 record.set_deleting(true);
                                                 return true;
                                               })
@@ -108,16 +105,12 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::ForgetJob(const std::string& job_id,
   if (!job.ok() && !absl::IsNotFound(job.status())) return job.status();
   if (job.ok()) {
     const store::v1::JobRecord& record = job->value;
-    const absl::StatusOr<int64_t> count = DeleteArtifacts(ArtifactsOf(std::span(&record, 1)), job_id, artifacts);
-    if (!count.ok()) return count.status();
-    deleted.artifact_count = *count;
-    absl::Status status = RemoveRequest(RequestKey(owner, RequestKind::kJob, record.request_id(), job_id), job_id);
-    if (!status.ok()) return status;
-    const absl::StatusOr<bool> removed = parts_->jobs.Remove({job_id, job->revision});
-    if (!removed.ok()) return removed.status();
-    deleted.job_count = *removed ? 1 : 0;
+    ASSIGN_OR_RETURN(deleted.artifact_count, DeleteArtifacts(ArtifactsOf(std::span(&record, 1)), job_id, artifacts));
+    RETURN_IF_ERROR(RemoveRequest(RequestKey(owner, RequestKind::kJob, record.request_id(), job_id), job_id));
+    ASSIGN_OR_RETURN(const bool removed, parts_->jobs.Remove({job_id, job->revision}));
+    deleted.job_count = removed ? 1 : 0;
   }
-  if (absl::Status status = RemoveNote(owner, job_id); !status.ok()) return status;
+  RETURN_IF_ERROR(RemoveNote(owner, job_id));
   return deleted;
 }
 
@@ -125,11 +118,10 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::ForgetJob(const std::string& job_id,
 absl::StatusOr<RevisedBatch> JetStreamWorkQueue::BeginToDelete(const std::string& batch_id) {
   absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(batch_id);
   if (!batch.ok() || batch->value.has_deleted_job_count()) return batch;
-  const absl::StatusOr<bool> ended = BatchHasEnded(batch_id);
-  if (!ended.ok()) return ended.status();
+  ASSIGN_OR_RETURN(const bool ended, BatchHasEnded(batch_id));
   return parts_->ChangeBatch(batch_id, [&](store::v1::BatchRecord& record) -> absl::StatusOr<bool> {
     v1::Batch& now = *record.mutable_batch();
-    if (absl::Status status = CheckDeletable(now, *ended); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckDeletable(now, ended));
     if (record.has_deleted_job_count()) return false;
     now.set_state(v1::BATCH_STATE_CANCELLED);
     record.set_deleted_job_count(now.job_count());
@@ -224,10 +216,9 @@ absl::Status JetStreamWorkQueue::DeleteDoomed(const std::string& batch_id, int64
     store::v1::ArtifactIds doomed;
     if (!doomed.ParseFromString(entry->value)) return absl::DataLossError("the queue's note of artifacts is damaged");
     const std::vector<std::string> ids(doomed.ids().begin(), doomed.ids().end());
-    const absl::StatusOr<int64_t> count = DeleteArtifacts(ids, batch_id, artifacts);
-    if (!count.ok()) return count.status();
-    deleted.artifact_count += *count;
-    if (absl::Status status = parts_->index.Remove({key, entry->revision}).status(); !status.ok()) return status;
+    ASSIGN_OR_RETURN(const int64_t count, DeleteArtifacts(ids, batch_id, artifacts));
+    deleted.artifact_count += count;
+    RETURN_IF_ERROR(parts_->index.Remove({key, entry->revision}).status());
   }
   deleted.done = true;
   return absl::OkStatus();
@@ -255,10 +246,10 @@ absl::Status JetStreamWorkQueue::ForgetBatch(const store::v1::BatchRecord& recor
 
 absl::StatusOr<Deleted> JetStreamWorkQueue::FinishDeletions(ArtifactStore& artifacts) {
   Deleted all{.done = true};
-  const auto notes = parts_->reader.Read(parts_->requests.stream(),
-                                         {.filter = parts_->requests.SubjectOf(std::string("*.") + kDeleting + ".*")});
-  if (!notes.ok()) return notes.status();
-  for (const StreamReader::Message& note : *notes) {
+  ASSIGN_OR_RETURN(const auto notes,
+                   parts_->reader.Read(parts_->requests.stream(),
+                                       {.filter = parts_->requests.SubjectOf(std::string("*.") + kDeleting + ".*")}));
+  for (const StreamReader::Message& note : notes) {
     const std::string key(parts_->requests.KeyOf(note.subject));
     const std::string id(TokenAt(key, 2));
     if (note.content == kJobNote) {
@@ -271,10 +262,10 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::FinishDeletions(ArtifactStore& artif
     } else {
       const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(id);
       if (!batch.ok() && !absl::IsNotFound(batch.status())) return batch.status();
-      if (absl::Status status = batch.ok() ? ForgetBatch(batch->value) : absl::OkStatus(); !status.ok()) return status;
+      RETURN_IF_ERROR(batch.ok() ? ForgetBatch(batch->value) : absl::OkStatus());
     }
     // Also where nothing else is left that would say whose it was.
-    if (absl::Status status = RemoveRequest(key, note.content); !status.ok()) return status;
+    RETURN_IF_ERROR(RemoveRequest(key, note.content));
   }
   return all;
 }

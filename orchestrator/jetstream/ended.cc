@@ -7,6 +7,7 @@
 #include "absl/strings/numbers.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/job_record.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -30,9 +31,8 @@ absl::StatusOr<EndedPage> JetStreamWorkQueue::EndedBefore(absl::Time time, const
     const std::string key(parts_->requests.KeyOf(request.subject));
     if (TokenAt(key, 1) == "single") alone.push_back(request.content);
     if (TokenAt(key, 1) != "batch") continue;
-    const absl::StatusOr<bool> ended = BatchEndedBefore(time, request.content);
-    if (!ended.ok()) return ended.status();
-    if (*ended) page.batch_ids.push_back(request.content);
+    ASSIGN_OR_RETURN(const bool ended, BatchEndedBefore(time, request.content));
+    if (ended) page.batch_ids.push_back(request.content);
   }
   const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(alone);
   for (size_t i = 0; i < alone.size(); ++i) {
@@ -52,10 +52,9 @@ absl::StatusOr<bool> JetStreamWorkQueue::BatchEndedBefore(absl::Time time, const
   if (batch->value.has_deleted_job_count()) return true;
   if (batch->value.batch().open()) return false;
   absl::Time last_end = ToTime(batch->value.batch().create_time());
-  const absl::StatusOr<std::string> last_job = ends_.LastOf(batch_id);
-  if (!last_job.ok()) return last_job.status();
-  if (!last_job->empty()) {
-    const absl::StatusOr<RevisedJob> job = parts_->GetJob(*last_job);
+  ASSIGN_OR_RETURN(const std::string last_job, ends_.LastOf(batch_id));
+  if (!last_job.empty()) {
+    const absl::StatusOr<RevisedJob> job = parts_->GetJob(last_job);
     if (!job.ok() && !absl::IsNotFound(job.status())) return job.status();
     // Retried, or just ended.
     if (job.ok() && !HasEnded(job->value)) return false;

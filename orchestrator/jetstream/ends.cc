@@ -6,6 +6,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "worker_runtime/status/status_macros.h"
+
 namespace flair::orchestrator {
 namespace {
 
@@ -69,13 +71,11 @@ absl::StatusOr<std::string> Ends::LastOf(const std::string& batch_id) {
 absl::StatusOr<int64_t> Ends::CountAll(const v1::Batch& batch) {
   const std::string all = parts_.names.End(batch.id(), "*", "*", "*");
   if (batch.job_count() <= kListed) {
-    const auto subjects = parts_.reader.Subjects(parts_.names.ends_stream(), all);
-    if (!subjects.ok()) return subjects.status();
-    return static_cast<int64_t>(subjects->size());
+    ASSIGN_OR_RETURN(const auto subjects, parts_.reader.Subjects(parts_.names.ends_stream(), all));
+    return static_cast<int64_t>(subjects.size());
   }
-  const auto counts = parts_.reader.Count(parts_.names.ends_stream(), std::span(&all, 1));
-  if (!counts.ok()) return counts.status();
-  return counts->front();
+  ASSIGN_OR_RETURN(const auto counts, parts_.reader.Count(parts_.names.ends_stream(), std::span(&all, 1)));
+  return counts.front();
 }
 
 // Jobs by how they ended. Of few, the subjects are listed; of many, the servers count.
@@ -83,9 +83,8 @@ absl::StatusOr<std::map<Ends::Outcome, int64_t>> Ends::CountOutcomes(const v1::B
   const std::string stream = parts_.names.ends_stream();
   std::map<Outcome, int64_t> counts;
   if (batch.job_count() <= kListed) {
-    const auto subjects = parts_.reader.Subjects(stream, parts_.names.End(batch.id(), "*", "*", "*"));
-    if (!subjects.ok()) return subjects.status();
-    for (const auto& [subject, count] : *subjects) {
+    ASSIGN_OR_RETURN(const auto subjects, parts_.reader.Subjects(stream, parts_.names.End(batch.id(), "*", "*", "*")));
+    for (const auto& [subject, count] : subjects) {
       ++counts[{std::string(TokenAt(subject, kStateToken)), std::string(TokenAt(subject, kStateToken + 1))}];
     }
     return counts;
@@ -99,9 +98,8 @@ absl::StatusOr<std::map<Ends::Outcome, int64_t>> Ends::CountOutcomes(const v1::B
     for (const Outcome& outcome : outcomes) {
       filters.push_back(parts_.names.End(batch.id(), outcome.first, outcome.second, "*"));
     }
-    const auto found = parts_.reader.Count(stream, filters);
-    if (!found.ok()) return found.status();
-    for (size_t i = 0; i < outcomes.size(); ++i) counts[outcomes[i]] = (*found)[i];
+    ASSIGN_OR_RETURN(const auto found, parts_.reader.Count(stream, filters));
+    for (size_t i = 0; i < outcomes.size(); ++i) counts[outcomes[i]] = (found)[i];
     outcomes.clear();
     const auto failed = counts.extract(Outcome(Number(v1::JOB_STATE_FAILED), "*"));
     if (failed.empty() || failed.mapped() == 0) continue;
@@ -113,9 +111,8 @@ absl::StatusOr<std::map<Ends::Outcome, int64_t>> Ends::CountOutcomes(const v1::B
 }
 
 absl::Status Ends::Count(v1::Batch& batch) {
-  const auto counts = CountOutcomes(batch);
-  if (!counts.ok()) return counts.status();
-  for (const auto& [outcome, count_64] : *counts) {
+  ASSIGN_OR_RETURN(const auto counts, CountOutcomes(batch));
+  for (const auto& [outcome, count_64] : counts) {
     const auto count = static_cast<int>(count_64);
     if (count == 0) continue;
     if (outcome.first == Number(v1::JOB_STATE_SUCCEEDED)) batch.set_succeeded_count(batch.succeeded_count() + count);
@@ -134,14 +131,14 @@ absl::Status Ends::Count(v1::Batch& batch) {
 }
 
 absl::StatusOr<std::vector<BatchEnd>> Ends::Read(const std::string& filter, int64_t sequence, int limit) {
-  const auto messages = parts_.reader.Read(parts_.names.ends_stream(),
-                                           {.filter = filter,
-                                            .first_sequence = static_cast<uint64_t>(std::max<int64_t>(0, sequence)) + 1,
-                                            .limit = limit,
-                                            .with_content = false});
-  if (!messages.ok()) return messages.status();
+  ASSIGN_OR_RETURN(const auto messages,
+                   parts_.reader.Read(parts_.names.ends_stream(),
+                                      {.filter = filter,
+                                       .first_sequence = static_cast<uint64_t>(std::max<int64_t>(0, sequence)) + 1,
+                                       .limit = limit,
+                                       .with_content = false}));
   std::vector<BatchEnd> ends;
-  for (const StreamReader::Message& message : *messages) {
+  for (const StreamReader::Message& message : messages) {
     ends.push_back({static_cast<int64_t>(message.sequence), std::string(TokenAt(message.subject, kJobToken))});
   }
   return ends;
@@ -156,11 +153,10 @@ absl::StatusOr<std::vector<std::string>> Ends::JobsIn(const std::string& batch_i
   const std::string filter = parts_.names.End(batch_id, Number(state), "*", "*");
   std::vector<std::string> ids;
   for (int64_t sequence = 0;;) {
-    const absl::StatusOr<std::vector<BatchEnd>> ends = Read(filter, sequence, kReadAtOnce);
-    if (!ends.ok()) return ends.status();
-    for (const BatchEnd& end : *ends) ids.push_back(end.job_id);
-    if (static_cast<int>(ends->size()) < kReadAtOnce) break;
-    sequence = ends->back().sequence;
+    ASSIGN_OR_RETURN(const std::vector<BatchEnd> ends, Read(filter, sequence, kReadAtOnce));
+    for (const BatchEnd& end : ends) ids.push_back(end.job_id);
+    if (static_cast<int>(ends.size()) < kReadAtOnce) break;
+    sequence = ends.back().sequence;
   }
   std::ranges::sort(ids, std::greater());
   return ids;

@@ -11,6 +11,7 @@
 
 #include "absl/strings/numbers.h"
 #include "orchestrator/store/artifact_id.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -62,7 +63,7 @@ absl::Status JetStreamArtifacts::PutAll(std::span<const SealedArtifact> artifact
   }
   // Also where it is there: who deletes it, since nobody had it, sees that it is wanted again.
   for (const SealedArtifact* artifact : others) {
-    if (absl::Status status = Write(artifact->ref.id(), artifact->bytes); !status.ok()) return status;
+    RETURN_IF_ERROR(Write(artifact->ref.id(), artifact->bytes));
   }
   return absl::OkStatus();
 }
@@ -110,26 +111,23 @@ absl::StatusOr<v1::Artifact> JetStreamArtifacts::Get(const std::string& id) {
     return absl::InvalidArgumentError(
         fmt::format("artifact_id: \"{}\" is not an id; expected 64 characters 0-9 and a-f", id.substr(0, 80)));
   }
-  const absl::StatusOr<std::string> bytes = Read(id);
-  if (!bytes.ok()) return bytes.status();
+  ASSIGN_OR_RETURN(const std::string bytes, Read(id));
   v1::Artifact artifact;
-  if (!AreBytesOf(*bytes, id) || !artifact.ParseFromString(*bytes)) return Damaged(id);
+  if (!AreBytesOf(bytes, id) || !artifact.ParseFromString(bytes)) return Damaged(id);
   return artifact;
 }
 
 absl::StatusOr<int64_t> JetStreamArtifacts::Mark() {
-  const absl::StatusOr<uint64_t> last = parts_->reader.LastSequence(artifacts_.stream());
-  if (!last.ok()) return last.status();
-  return static_cast<int64_t>(*last);
+  ASSIGN_OR_RETURN(const uint64_t last, parts_->reader.LastSequence(artifacts_.stream()));
+  return static_cast<int64_t>(last);
 }
 
 absl::StatusOr<int64_t> JetStreamArtifacts::Delete(std::span<const std::string> ids, int64_t mark) {
   int64_t deleted = 0;
   for (size_t first = 0; first < ids.size(); first += kDeletedAtOnce) {
-    const absl::StatusOr<int64_t> some = DeleteSome(ids.subspan(first, std::min(kDeletedAtOnce, ids.size() - first)),
-                                                    static_cast<uint64_t>(std::max<int64_t>(0, mark)));
-    if (!some.ok()) return some.status();
-    deleted += *some;
+    ASSIGN_OR_RETURN(const int64_t some, DeleteSome(ids.subspan(first, std::min(kDeletedAtOnce, ids.size() - first)),
+                                                    static_cast<uint64_t>(std::max<int64_t>(0, mark))));
+    deleted += some;
   }
   return deleted;
 }
@@ -144,8 +142,7 @@ absl::StatusOr<int64_t> JetStreamArtifacts::DeleteSome(std::span<const std::stri
     // The value that says how many pieces there are goes last, as it came.
     if (entries[i]->value.starts_with(kPieces)) {
       const nlohmann::json pieces = {{"filter", artifacts_.SubjectOf(ids[i] + ".*")}, {"seq", mark + 1}};
-      const absl::Status purged = parts_->api.Call("STREAM.PURGE." + artifacts_.stream(), pieces).status();
-      if (!purged.ok()) return purged;
+      RETURN_IF_ERROR(parts_->api.Call("STREAM.PURGE." + artifacts_.stream(), pieces).status());
     }
     removals.push_back({ids[i], entries[i]->revision});
   }

@@ -9,6 +9,7 @@
 
 #include "orchestrator/jetstream/job_record.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -70,7 +71,7 @@ absl::Status JetStreamLease::Write(const std::function<void(store::v1::JobRecord
       return absl::OkStatus();
     }
     if (!absl::IsAborted(revision.status())) return revision.status();
-    if (absl::Status status = ReadAgain(); !status.ok()) return status;
+    RETURN_IF_ERROR(ReadAgain());
   }
 }
 
@@ -100,12 +101,11 @@ absl::Status JetStreamLease::BecomeUser(std::span<const StageRecord> records) {
   ArtifactUsers::User user;
   user.set_id(job_.batch_id().empty() ? job_.id() : job_.batch_id());
   user.set_owner_token(OwnerToken(job_.owner()));
-  const absl::StatusOr<std::vector<std::string>> unused = users_.Add(uses, user);
-  if (!unused.ok()) return unused.status();
+  ASSIGN_OR_RETURN(const std::vector<std::string> unused, users_.Add(uses, user));
   for (const StageRecord& record : records) {
     const std::string& id = record.event.artifact().id();
     const bool reused = record.event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED;
-    if (reused && std::ranges::find(*unused, id) != unused->end()) return ArtifactIsGone(id);
+    if (reused && std::ranges::find(unused, id) != unused.end()) return ArtifactIsGone(id);
   }
   for (const ArtifactUsers::Use& use : uses) used_.insert(use.artifact_id);
   return absl::OkStatus();
@@ -113,7 +113,7 @@ absl::Status JetStreamLease::BecomeUser(std::span<const StageRecord> records) {
 
 // What others may find by the artifact: it is there, whoever holds the job now.
 absl::Status JetStreamLease::Index(std::span<const StageRecord> records) {
-  if (absl::Status status = BecomeUser(records); !status.ok()) return status;
+  RETURN_IF_ERROR(BecomeUser(records));
   std::vector<NatsRequest> entries;
   for (const StageRecord& record : records) {
     if (record.result_key.empty() || !record.event.has_artifact()) continue;
@@ -133,10 +133,9 @@ absl::Status JetStreamLease::RecordAll(std::span<const StageRecord> records) {
   {
     std::lock_guard lock(mutex_);
     if (hold_->lost || done_) return Refused();
-    if (absl::Status status = Index(records); !status.ok()) return status;
-    const absl::Status status = Write([&](store::v1::JobRecord& job) { AddStageRecords(job, records); },
-                                      [this] { return !hold_->lost && !hold_->cancellation.cancelled(); });
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(Index(records));
+    RETURN_IF_ERROR(Write([&](store::v1::JobRecord& job) { AddStageRecords(job, records); },
+                          [this] { return !hold_->lost && !hold_->cancellation.cancelled(); }));
   }
   parts_.TellOfJob(job_);
   return absl::OkStatus();
@@ -147,7 +146,7 @@ absl::Status JetStreamLease::End(const JobEnd& end) {
   {
     std::lock_guard lock(mutex_);
     if (hold_->lost || done_) return Refused();
-    if (absl::Status status = Index(end.records); !status.ok()) return status;
+    RETURN_IF_ERROR(Index(end.records));
     const absl::Status status =
         Close([&](store::v1::JobRecord& job) { EndJob(job, end); }, [this] { return !hold_->lost; });
     if (!status.ok()) return status;
@@ -166,9 +165,8 @@ absl::Status JetStreamLease::Return(absl::Duration delay, const std::string& rea
     const bool later = delay > absl::ZeroDuration();
     const absl::Time not_before = later ? parts_.clock.Now() + delay : absl::InfinitePast();
     const absl::Duration limit = parts_.clock.Elapsed() + kReturnLimit;
-    const absl::Status status = Close([&](store::v1::JobRecord& job) { ReturnJob(job, not_before, reason); },
-                                      [&] { return !hold_->lost && parts_.clock.Elapsed() < limit; });
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(Close([&](store::v1::JobRecord& job) { ReturnJob(job, not_before, reason); },
+                          [&] { return !hold_->lost && parts_.clock.Elapsed() < limit; }));
   }
   keeper_.Remove(*hold_);
   const std::string refusal =

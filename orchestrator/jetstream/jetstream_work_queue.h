@@ -48,7 +48,7 @@ class JetStreamWorkQueue final : public WorkQueue {
   absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) override;
 
   absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) override;
-  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& brief, const std::string& key) override;
+  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) override;
 
   absl::StatusOr<v1::Job> GetJob(const std::string& job_id) override;
   absl::StatusOr<std::vector<v1::Job>> ListJobs(const ListFilter& filter) override;

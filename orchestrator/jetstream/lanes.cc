@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "worker_runtime/status/status_macros.h"
+
 namespace flair::orchestrator {
 namespace {
 
@@ -105,7 +107,7 @@ absl::StatusOr<std::optional<Handed>> Lanes::Next(const Lane& lane) {
     has_consumer = found->second.has_consumer;
   }
   if (!has_consumer) {
-    if (absl::Status status = MakeConsumer(lane); !status.ok()) return status;
+    RETURN_IF_ERROR(MakeConsumer(lane));
   }
   absl::StatusOr<std::optional<Handed>> handed = Ask(lane);
   std::lock_guard lock(mutex_);
@@ -120,13 +122,11 @@ absl::StatusOr<std::optional<Handed>> Lanes::Next(const Lane& lane) {
 absl::StatusOr<std::optional<Handed>> Lanes::Ask(const Lane& lane) {
   // An inbox for this question alone: what is handed out keeps the subject under which it was queued, so that nothing
   // in it says which of several questions it answers.
-  auto inbox = parts_.connection->OpenInbox();
-  if (!inbox.ok()) return inbox.status();
-  const absl::Status asked = parts_.connection->Publish(
+  ASSIGN_OR_RETURN(auto inbox, parts_.connection->OpenInbox());
+  RETURN_IF_ERROR(parts_.connection->Publish(
       {"$JS.API.CONSUMER.MSG.NEXT." + parts_.names.queue_stream() + "." + lane.consumer, kQuestion, {}},
-      (*inbox)->subject() + ".1");
-  if (!asked.ok()) return asked;
-  const absl::StatusOr<NatsMessage> message = (*inbox)->Next(kOneAnswer);
+      (inbox)->subject() + ".1"));
+  const absl::StatusOr<NatsMessage> message = (inbox)->Next(kOneAnswer);
   if (!message.ok()) return parts_.connection->Unreachable("no answer in time");
   if (message->status == 503) return parts_.connection->Unreachable("the consumer is gone, or has no leader just now");
   // No message now; or the consumer goes or moves just now, which the next look sees.

@@ -8,6 +8,7 @@
 
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_split.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -22,9 +23,8 @@ const char kWake[] = "wake";
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<LeaseKeeper>> LeaseKeeper::Start(QueueParts& parts) {
-  absl::StatusOr<std::unique_ptr<NatsInbox>> inbox = parts.connection->OpenInbox();
-  if (!inbox.ok()) return inbox.status();
-  return std::unique_ptr<LeaseKeeper>(new LeaseKeeper(parts, *std::move(inbox)));
+  ASSIGN_OR_RETURN(std::unique_ptr<NatsInbox> inbox, parts.connection->OpenInbox());
+  return std::unique_ptr<LeaseKeeper>(new LeaseKeeper(parts, std::move(inbox)));
 }
 
 LeaseKeeper::LeaseKeeper(QueueParts& parts, std::unique_ptr<NatsInbox> inbox)
@@ -104,10 +104,9 @@ absl::Duration LeaseKeeper::SendDue() {
 }
 
 absl::Status LeaseKeeper::Send(int64_t key, const Kept& kept, absl::Duration now) {
-  const absl::Status sent = parts_.connection->Publish(
+  RETURN_IF_ERROR(parts_.connection->Publish(
       {kept.hold->acknowledge, "+WPI", {}},
-      fmt::format("{}.{}_{}_{}", inbox_->subject(), kProgress, key, absl::ToInt64Milliseconds(now)));
-  if (!sent.ok()) return sent;
+      fmt::format("{}.{}_{}_{}", inbox_->subject(), kProgress, key, absl::ToInt64Milliseconds(now))));
   return parts_.connection->Publish(parts_.jobs.GetRequest(kept.hold->job_id),
                                     fmt::format("{}.{}_{}_0", inbox_->subject(), kRecord, key));
 }

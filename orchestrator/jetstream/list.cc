@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "orchestrator/jetstream/jetstream_work_queue.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -29,9 +30,8 @@ bool IsBefore(const std::string& id, const ListFilter& filter) { return filter.b
 }  // namespace
 
 absl::StatusOr<v1::Job> JetStreamWorkQueue::GetJob(const std::string& job_id) {
-  absl::StatusOr<RevisedJob> job = parts_->GetJob(job_id);
-  if (!job.ok()) return job.status();
-  return std::move(*job->value.mutable_job());
+  ASSIGN_OR_RETURN(RevisedJob job, parts_->GetJob(job_id));
+  return std::move(job->value.mutable_job());
 }
 
 absl::StatusOr<std::vector<v1::JobEvent>> JetStreamWorkQueue::EventsAfter(const std::string& job_id, int64_t sequence,
@@ -74,9 +74,7 @@ absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::ListOfBatch(const ListF
   std::vector<std::string> ids;
   if (filter.state == v1::JOB_STATE_SUCCEEDED || filter.state == v1::JOB_STATE_FAILED ||
       filter.state == v1::JOB_STATE_CANCELLED) {
-    absl::StatusOr<std::vector<std::string>> ended = ends_.JobsIn(filter.batch_id, filter.state);
-    if (!ended.ok()) return ended.status();
-    ids = *std::move(ended);
+    ASSIGN_OR_RETURN(ids, ends_.JobsIn(filter.batch_id, filter.state));
   } else {
     for (int64_t i = batch->value.batch().job_count() - 1; i >= 0; --i) ids.push_back(BatchJobId(filter.batch_id, i));
   }
@@ -97,8 +95,8 @@ absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::ListJobs(const ListFilt
     jobs.insert(jobs.end(), found->begin(), found->end());
     return absl::OkStatus();
   };
-  const absl::Status status =
-      VisitRequests(filter, "*", [&] { return static_cast<int>(jobs.size()) < filter.limit; }, add);
+  const absl::Status status = VisitRequests(
+      filter, "*", [&] { return static_cast<int>(jobs.size()) < filter.limit; }, add);
   if (!status.ok()) return status;
   return jobs;
 }
@@ -113,8 +111,8 @@ absl::StatusOr<std::vector<v1::Batch>> JetStreamWorkQueue::ListBatches(const Lis
     batches.push_back(std::move(*batch->value.mutable_batch()));
     return absl::OkStatus();
   };
-  const absl::Status status =
-      VisitRequests(filter, "batch", [&] { return static_cast<int>(batches.size()) < filter.limit; }, add);
+  const absl::Status status = VisitRequests(
+      filter, "batch", [&] { return static_cast<int>(batches.size()) < filter.limit; }, add);
   if (!status.ok()) return status;
   return batches;
 }
@@ -125,19 +123,18 @@ absl::Status JetStreamWorkQueue::VisitRequests(
     const std::function<absl::Status(const std::string& kind, const std::string& id)>& visit) {
   const std::string& stream = parts_->requests.stream();
   const std::string owner = filter.owner.has_value() ? OwnerToken(*filter.owner) : "*";
-  const absl::StatusOr<uint64_t> last = parts_->reader.LastSequence(stream);
-  if (!last.ok()) return last.status();
-  uint64_t end = *last + 1;
+  ASSIGN_OR_RETURN(const uint64_t last, parts_->reader.LastSequence(stream));
+  uint64_t end = last + 1;
   while (end > 1 && more()) {
     const uint64_t first = end > kRequestsAtOnce ? end - kRequestsAtOnce : 1;
-    auto messages = parts_->reader.Read(stream, {.filter = parts_->requests.SubjectOf(owner + "." + kind + ".*"),
-                                                 .first_sequence = first,
-                                                 .limit = static_cast<int>(end - first)});
-    if (!messages.ok()) return messages.status();
-    std::erase_if(*messages, [end](const StreamReader::Message& message) { return message.sequence >= end; });
+    ASSIGN_OR_RETURN(auto messages,
+                     parts_->reader.Read(stream, {.filter = parts_->requests.SubjectOf(owner + "." + kind + ".*"),
+                                                  .first_sequence = first,
+                                                  .limit = static_cast<int>(end - first)}));
+    std::erase_if(messages, [end](const StreamReader::Message& message) { return message.sequence >= end; });
     // Made on several machines, some may be a little out of order.
-    std::ranges::sort(*messages, std::greater(), &StreamReader::Message::content);
-    for (const StreamReader::Message& message : *messages) {
+    std::ranges::sort(messages, std::greater(), &StreamReader::Message::content);
+    for (const StreamReader::Message& message : messages) {
       if (!more()) break;
       const std::string key(parts_->requests.KeyOf(message.subject));
       if (TokenAt(key, kKindToken) == kDeleting) continue;
@@ -151,39 +148,32 @@ absl::Status JetStreamWorkQueue::VisitRequests(
 }
 
 absl::StatusOr<v1::Batch> JetStreamWorkQueue::FindBatch(const std::string& batch_id) {
-  absl::StatusOr<RevisedBatch> record = parts_->GetBatch(batch_id);
-  if (!record.ok()) return record.status();
-  return std::move(*record->value.mutable_batch());
+  ASSIGN_OR_RETURN(RevisedBatch record, parts_->GetBatch(batch_id));
+  return std::move(record->value.mutable_batch());
 }
 
 absl::StatusOr<v1::Batch> JetStreamWorkQueue::GetBatch(const std::string& batch_id) {
-  const absl::StatusOr<RevisedBatch> record = parts_->GetBatch(batch_id);
-  if (!record.ok()) return record.status();
-  v1::Batch batch = record->value.batch();
-  if (absl::Status status = ends_.Count(batch); !status.ok()) return status;
-  const auto waiting = lanes_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id));
-  if (!waiting.ok()) return waiting.status();
-  const absl::StatusOr<Lanes::Depth> depth = lanes_.DepthOf(*waiting);
-  if (!depth.ok()) return depth.status();
-  batch.set_running_count(std::min(batch.open_count(), static_cast<int>(depth->handed)));
+  ASSIGN_OR_RETURN(const RevisedBatch record, parts_->GetBatch(batch_id));
+  v1::Batch batch = record.value.batch();
+  RETURN_IF_ERROR(ends_.Count(batch));
+  ASSIGN_OR_RETURN(const auto waiting, lanes_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id)));
+  ASSIGN_OR_RETURN(const Lanes::Depth depth, lanes_.DepthOf(waiting));
+  batch.set_running_count(std::min(batch.open_count(), static_cast<int>(depth.handed)));
   return batch;
 }
 
 absl::StatusOr<bool> JetStreamWorkQueue::BatchHasEnded(const std::string& batch_id) {
-  const absl::StatusOr<RevisedBatch> record = parts_->GetBatch(batch_id);
-  if (!record.ok()) return record.status();
-  const v1::Batch& batch = record->value.batch();
+  ASSIGN_OR_RETURN(const RevisedBatch record, parts_->GetBatch(batch_id));
+  const v1::Batch& batch = record.value.batch();
   if (batch.open()) return false;
   // Most of the time the few that are left are enough to know. The last ends are counted, since the messages of ended
   // jobs go a little later.
-  const auto messages = lanes_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id));
-  if (!messages.ok()) return messages.status();
-  for (const auto& [subject, count] : *messages) {
+  ASSIGN_OR_RETURN(const auto messages, lanes_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id)));
+  for (const auto& [subject, count] : messages) {
     if (count > kCountedAtOnce && batch.state() != v1::BATCH_STATE_CANCELLED) return false;
   }
-  const absl::StatusOr<int64_t> ended = ends_.CountAll(batch);
-  if (!ended.ok()) return ended.status();
-  return *ended >= batch.job_count();
+  ASSIGN_OR_RETURN(const int64_t ended, ends_.CountAll(batch));
+  return ended >= batch.job_count();
 }
 
 absl::StatusOr<std::vector<BatchEnd>> JetStreamWorkQueue::EndsAfter(const std::string& batch_id, int64_t sequence,
@@ -192,18 +182,15 @@ absl::StatusOr<std::vector<BatchEnd>> JetStreamWorkQueue::EndsAfter(const std::s
 }
 
 absl::StatusOr<int64_t> JetStreamWorkQueue::CountQueued() {
-  const auto messages = lanes_.Look(">");
-  if (!messages.ok()) return messages.status();
-  const absl::StatusOr<Lanes::Depth> depth = lanes_.DepthOf(*messages);
-  if (!depth.ok()) return depth.status();
-  return depth->waiting;
+  ASSIGN_OR_RETURN(const auto messages, lanes_.Look(">"));
+  ASSIGN_OR_RETURN(const Lanes::Depth depth, lanes_.DepthOf(messages));
+  return depth.waiting;
 }
 
 absl::StatusOr<int64_t> JetStreamWorkQueue::CountOpen(const std::string& owner) {
-  const auto messages = lanes_.Look(parts_->names.AllOf(OwnerToken(owner)));
-  if (!messages.ok()) return messages.status();
+  ASSIGN_OR_RETURN(const auto messages, lanes_.Look(parts_->names.AllOf(OwnerToken(owner))));
   int64_t open = 0;
-  for (const auto& [subject, count] : *messages) {
+  for (const auto& [subject, count] : messages) {
     if (TokenAt(subject, 3) != "named") open += count;
   }
   return open;
@@ -214,8 +201,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::OwnsArtifact(const std::string& owner, 
   return users_.IsOwnedBy(OwnerToken(owner), artifact_id);
 }
 
-absl::StatusOr<std::optional<v1::ArtifactRef>> JetStreamWorkQueue::FindResult(const std::string&,
-                                                                              const std::string& key) {
+absl::StatusOr<std::optional<v1::ArtifactRef>> JetStreamWorkQueue::FindResult(const std::string& key) {
   const absl::StatusOr<Bucket::Entry> entry = parts_->index.Get("result." + key);
   if (absl::IsNotFound(entry.status())) return std::nullopt;
   if (!entry.ok()) return entry.status();

@@ -18,9 +18,10 @@ namespace flair::orchestrator {
 //   stream NAME-ends       jobs of batches that have ended, the latest end of each
 //     NAME.ends.BATCH.STATE.KIND.JOB  STATE and KIND: the numbers of JobState and FailureKind
 //   buckets NAME-jobs (JobRecord by job), NAME-batches (BatchRecord by batch), NAME-requests (ids by
-//   OWNER.single.REQUEST and OWNER.batch.REQUEST, in the order in which they were made; OWNER.deleting.ID, see delete.cc),
-//   NAME-index (result.KEY: ArtifactRef; users.ARTIFACT: ArtifactUsers; doomed.BATCH.PLACE: see delete.cc), NAME-status (OrchestratorStatus, forgotten soon), NAME-artifacts (see artifacts.h) subject
-//   NAME.news      hints, which may be lost; see news.h
+//   OWNER.single.REQUEST and OWNER.batch.REQUEST, in the order in which they were made; OWNER.deleting.ID, see
+//   delete.cc), NAME-index (result.KEY: ArtifactRef; users.ARTIFACT: ArtifactUsers; doomed.BATCH.PLACE: see delete.cc),
+//   NAME-status (OrchestratorStatus, forgotten soon), NAME-artifacts (see artifacts.h) subject NAME.news      hints,
+//   which may be lost; see news.h
 // A bucket is a stream KV_BUCKET with subjects $KV.BUCKET.KEY, as NATS's own tools know them.
 class QueueNames {
  public:

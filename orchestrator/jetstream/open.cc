@@ -7,16 +7,16 @@
 #include "orchestrator/jetstream/jetstream_artifacts.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/streams.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
 
 absl::StatusOr<std::unique_ptr<QueueParts>> Connect(const config::v1::QueueConfig& config,
                                                     const config::v1::TlsConfig* tls, const runtime::Clock& clock) {
-  if (absl::Status status = CheckQueueConfig(config, tls); !status.ok()) return status;
-  absl::StatusOr<std::unique_ptr<NatsConnection>> connection = NatsConnection::Open(config, tls);
-  if (!connection.ok()) return connection.status();
-  return std::make_unique<QueueParts>(*std::move(connection), config, clock);
+  RETURN_IF_ERROR(CheckQueueConfig(config, tls));
+  ASSIGN_OR_RETURN(std::unique_ptr<NatsConnection> connection, NatsConnection::Open(config, tls));
+  return std::make_unique<QueueParts>(std::move(connection), config, clock);
 }
 
 int ReplicaCount(const config::v1::QueueConfig& config) { return std::max(1, config.replica_count()); }
@@ -26,21 +26,17 @@ int ReplicaCount(const config::v1::QueueConfig& config) { return std::max(1, con
 absl::StatusOr<std::unique_ptr<WorkQueue>> OpenJetStreamQueue(const config::v1::QueueConfig& config,
                                                               const config::v1::TlsConfig* tls,
                                                               const runtime::Clock& clock) {
-  absl::StatusOr<std::unique_ptr<QueueParts>> parts = Connect(config, tls, clock);
-  if (!parts.ok()) return parts.status();
-  absl::Status status = MakeQueueStreams((*parts)->api, (*parts)->names, ReplicaCount(config));
-  if (!status.ok()) return status;
-  return JetStreamWorkQueue::Open(*std::move(parts));
+  ASSIGN_OR_RETURN(std::unique_ptr<QueueParts> parts, Connect(config, tls, clock));
+  RETURN_IF_ERROR(MakeQueueStreams((parts)->api, (parts)->names, ReplicaCount(config)));
+  return JetStreamWorkQueue::Open(std::move(parts));
 }
 
 absl::StatusOr<std::unique_ptr<ArtifactStore>> OpenJetStreamArtifacts(const config::v1::QueueConfig& config,
                                                                       const config::v1::TlsConfig* tls,
                                                                       const runtime::Clock& clock) {
-  absl::StatusOr<std::unique_ptr<QueueParts>> parts = Connect(config, tls, clock);
-  if (!parts.ok()) return parts.status();
-  absl::Status status = MakeArtifactStream((*parts)->api, (*parts)->names, ReplicaCount(config));
-  if (!status.ok()) return status;
-  return std::make_unique<JetStreamArtifacts>(*std::move(parts));
+  ASSIGN_OR_RETURN(std::unique_ptr<QueueParts> parts, Connect(config, tls, clock));
+  RETURN_IF_ERROR(MakeArtifactStream((parts)->api, (parts)->names, ReplicaCount(config)));
+  return std::make_unique<JetStreamArtifacts>(std::move(parts));
 }
 
 }  // namespace flair::orchestrator

@@ -5,6 +5,7 @@
 
 #include "orchestrator/jetstream/news.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -34,9 +35,8 @@ absl::StatusOr<Revised<Message>> ChangeRecord(Bucket& bucket, const std::string&
   while (true) {
     absl::StatusOr<Revised<Message>> record = get();
     if (!record.ok()) return record;
-    const absl::StatusOr<bool> changed = change(record->value);
-    if (!changed.ok()) return changed.status();
-    if (!*changed) return record;
+    ASSIGN_OR_RETURN(const bool changed, change(record->value));
+    if (!changed) return record;
     const absl::StatusOr<uint64_t> revision =
         bucket.Update(id, runtime::CanonicalBytes(record->value), record->revision);
     // Somebody else was faster.

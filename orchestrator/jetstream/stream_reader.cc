@@ -10,6 +10,7 @@
 #include "absl/strings/escaping.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_split.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -80,10 +81,9 @@ absl::StatusOr<std::vector<int64_t>> StreamReader::Count(const std::string& stre
 
 absl::StatusOr<std::map<std::string, int64_t>> StreamReader::Subjects(const std::string& stream,
                                                                       const std::string& filter) {
-  const absl::StatusOr<json> info = api_.Call("STREAM.INFO." + stream, json{{"subjects_filter", filter}});
-  if (!info.ok()) return info.status();
+  ASSIGN_OR_RETURN(const json info, api_.Call("STREAM.INFO." + stream, json{{"subjects_filter", filter}}));
   std::map<std::string, int64_t> counts;
-  const json subjects = info->value("state", json::object()).value("subjects", json::object());
+  const json subjects = info.value("state", json::object()).value("subjects", json::object());
   for (const auto& [subject, count] : subjects.items()) {
     if (count.is_number_integer()) counts[subject] = count.get<int64_t>();
   }
@@ -132,22 +132,21 @@ absl::StatusOr<std::vector<StreamReader::Message>> StreamReader::ReadOneByOne(co
 
 absl::StatusOr<std::vector<StreamReader::Message>> StreamReader::ReadOnce(const std::string& stream,
                                                                           const Range& range) {
-  const absl::StatusOr<json> made = api_.Call(
-      "CONSUMER.CREATE." + stream, ConsumerOf(stream, range.filter, range.first_sequence, range.with_content));
-  if (!made.ok()) return made.status();
-  const std::string consumer = made->value("name", "");
-  absl::StatusOr<std::unique_ptr<NatsInbox>> inbox = api_.connection().OpenInbox();
-  if (!inbox.ok()) return inbox.status();
+  ASSIGN_OR_RETURN(const json made,
+                   api_.Call("CONSUMER.CREATE." + stream,
+                             ConsumerOf(stream, range.filter, range.first_sequence, range.with_content)));
+  const std::string consumer = made.value("name", "");
+  ASSIGN_OR_RETURN(std::unique_ptr<NatsInbox> inbox, api_.connection().OpenInbox());
   const json next = {{"batch", range.limit}, {"no_wait", true}};
   if (absl::Status status = api_.connection().Publish(
-          {"$JS.API.CONSUMER.MSG.NEXT." + stream + "." + consumer, next.dump(), {}}, (*inbox)->subject() + ".0");
+          {"$JS.API.CONSUMER.MSG.NEXT." + stream + "." + consumer, next.dump(), {}}, (inbox)->subject() + ".0");
       !status.ok()) {
     return status;
   }
   std::vector<Message> read;
-  const int64_t there = made->value("num_pending", int64_t{0});
+  const int64_t there = made.value("num_pending", int64_t{0});
   while (static_cast<int64_t>(read.size()) < std::min<int64_t>(range.limit, there)) {
-    absl::StatusOr<NatsMessage> message = (*inbox)->Next(kOneMessage);
+    absl::StatusOr<NatsMessage> message = (inbox)->Next(kOneMessage);
     if (!message.ok()) return absl::UnavailableError("the queue's servers stopped while they were read");
     if (message->status != 0) break;
     read.push_back({std::move(message->subject), std::move(message->content), ParseDelivery(message->reply).sequence});
@@ -157,9 +156,8 @@ absl::StatusOr<std::vector<StreamReader::Message>> StreamReader::ReadOnce(const 
 }
 
 absl::StatusOr<uint64_t> StreamReader::LastSequence(const std::string& stream) {
-  const absl::StatusOr<json> info = api_.Call("STREAM.INFO." + stream, nullptr);
-  if (!info.ok()) return info.status();
-  return info->value("state", json::object()).value("last_seq", uint64_t{0});
+  ASSIGN_OR_RETURN(const json info, api_.Call("STREAM.INFO." + stream, nullptr));
+  return info.value("state", json::object()).value("last_seq", uint64_t{0});
 }
 
 }  // namespace flair::orchestrator

@@ -9,6 +9,7 @@
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/job_record.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -30,7 +31,7 @@ uint64_t SequenceOf(const std::string& holder) {
 
 absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Take(const TakeFilter& filter) {
   if (!filter.any) {
-    if (absl::Status status = WantNamed(filter.job_ids); !status.ok()) return status;
+    RETURN_IF_ERROR(WantNamed(filter.job_ids));
   }
   int passed_over = 0;
   for (const Lane& lane : lanes_.Candidates(filter)) {
@@ -45,17 +46,15 @@ absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Take(const TakeFilter
 }
 
 absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::TakeFrom(const Lane& lane, int& passed_over) {
-  const absl::StatusOr<v1::BatchState> state = StateOfLane(lane);
-  if (!state.ok()) return state.status();
-  if (*state == v1::BATCH_STATE_PAUSED) return nullptr;
+  ASSIGN_OR_RETURN(const v1::BatchState state, StateOfLane(lane));
+  if (state == v1::BATCH_STATE_PAUSED) return nullptr;
   // Those of a cancelled batch are handed out to be ended. Of one that is cancelled from now on, whoever cancels it
   // sees to the jobs that run.
-  const bool cancelled = *state == v1::BATCH_STATE_CANCELLED;
+  const bool cancelled = state == v1::BATCH_STATE_CANCELLED;
   for (; passed_over < kPassedOverAtOnce; ++passed_over) {
-    const absl::StatusOr<std::optional<Handed>> handed = lanes_.Next(lane);
-    if (!handed.ok()) return handed.status();
-    if (!handed->has_value()) return nullptr;
-    absl::StatusOr<std::unique_ptr<Lease>> lease = Begin(lane, **handed, cancelled);
+    ASSIGN_OR_RETURN(const std::optional<Handed> handed, lanes_.Next(lane));
+    if (!handed.has_value()) return nullptr;
+    absl::StatusOr<std::unique_ptr<Lease>> lease = Begin(lane, *handed, cancelled);
     if (!lease.ok() || *lease != nullptr) return lease;
   }
   return nullptr;
@@ -84,9 +83,8 @@ absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Begin(const Lane& lan
       return nullptr;
     }
     if (!job.ok()) return job.status();
-    const absl::StatusOr<bool> may_run = MayRun(handed, job->value, batch_cancelled);
-    if (!may_run.ok()) return may_run.status();
-    if (!*may_run) return nullptr;
+    ASSIGN_OR_RETURN(const bool may_run, MayRun(handed, job->value, batch_cancelled));
+    if (!may_run) return nullptr;
     auto hold = std::make_shared<Hold>();
     hold->job_id = handed.job_id;
     hold->holder = fmt::format("{}/{}@{}", process_, next_run_++, handed.sequence);
@@ -108,13 +106,12 @@ absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Begin(const Lane& lan
 absl::StatusOr<bool> JetStreamWorkQueue::MayRun(const Handed& handed, const store::v1::JobRecord& record,
                                                 bool batch_cancelled) {
   if (HasEnded(record)) {
-    if (absl::Status status = ends_.Publish(std::span(&record.job(), 1)); !status.ok()) return status;
+    RETURN_IF_ERROR(ends_.Publish(std::span(&record.job(), 1)));
     Acknowledge(handed, "+ACK");
     return false;
   }
-  const absl::StatusOr<bool> elsewhere = OtherMessageRuns(handed, record);
-  if (!elsewhere.ok()) return elsewhere.status();
-  if (*elsewhere) {
+  ASSIGN_OR_RETURN(const bool elsewhere, OtherMessageRuns(handed, record));
+  if (elsewhere) {
     Acknowledge(handed, "+ACK");
     return false;
   }
@@ -126,7 +123,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::MayRun(const Handed& handed, const stor
         return true;
       });
   if (!ended.ok()) return ended.status();
-  if (absl::Status status = ends_.Publish(std::span(&ended->value.job(), 1)); !status.ok()) return status;
+  RETURN_IF_ERROR(ends_.Publish(std::span(&ended->value.job(), 1)));
   Acknowledge(handed, "+ACK");
   parts_->TellOfJob(ended->value.job());
   return false;
@@ -153,8 +150,7 @@ absl::Status JetStreamWorkQueue::WantNamed(const std::set<std::string>& job_ids)
     if (wanted.state() != v1::JOB_STATE_QUEUED) continue;
     const std::string lane = parts_->names.Named(OwnerToken(wanted.owner()), id);
     const NatsRequest message{lane, id, {{"Nats-Msg-Id", fmt::format("{}-named-{}", id, job->revision)}}};
-    const absl::StatusOr<StoredAck> ack = parts_->api.Publish(message);
-    if (!ack.ok()) return ack.status();
+    ASSIGN_OR_RETURN(const StoredAck ack, parts_->api.Publish(message));
     lanes_.Want(lane);
   }
   return absl::OkStatus();

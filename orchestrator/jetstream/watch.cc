@@ -6,6 +6,7 @@
 
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/news.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -27,7 +28,7 @@ std::string RandomName() {
 
 absl::StatusOr<std::unique_ptr<WorkQueue>> JetStreamWorkQueue::Open(std::unique_ptr<QueueParts> parts) {
   std::unique_ptr<JetStreamWorkQueue> queue(new JetStreamWorkQueue(std::move(parts)));
-  if (absl::Status status = queue->Start(); !status.ok()) return status;
+  RETURN_IF_ERROR(queue->Start());
   return queue;
 }
 
@@ -40,16 +41,11 @@ JetStreamWorkQueue::JetStreamWorkQueue(std::unique_ptr<QueueParts> parts)
       users_(*parts_) {}
 
 absl::Status JetStreamWorkQueue::Start() {
-  absl::StatusOr<std::unique_ptr<NatsInbox>> news = parts_->connection->Subscribe(parts_->names.news_subject());
-  if (!news.ok()) return news.status();
-  news_ = *std::move(news);
-  absl::StatusOr<std::unique_ptr<LeaseKeeper>> keeper = LeaseKeeper::Start(*parts_);
-  if (!keeper.ok()) return keeper.status();
-  keeper_ = *std::move(keeper);
+  ASSIGN_OR_RETURN(news_, parts_->connection->Subscribe(parts_->names.news_subject()));
+  ASSIGN_OR_RETURN(keeper_, LeaseKeeper::Start(*parts_));
   // Those that wait are known before the first Take.
-  const auto messages = lanes_.Look(">");
-  if (!messages.ok()) return messages.status();
-  lanes_.See(*messages);
+  ASSIGN_OR_RETURN(const auto messages, lanes_.Look(">"));
+  lanes_.See(messages);
   news_thread_ = std::thread([this] { HearNews(); });
   look_thread_ = std::thread([this] { LookNowAndThen(); });
   return absl::OkStatus();

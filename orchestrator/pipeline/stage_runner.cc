@@ -48,7 +48,6 @@ StageRunner::StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClient
       options_(options),
       steps_(steps),
       job_(lease.job()),
-      brief_(BriefDigest(job_.spec())),
       cancellation_(lease.cancellation()) {
   for (const v1::JobEvent& event : lease.history()) {
     const bool ended =
@@ -83,7 +82,7 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
       [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
   if (!revision.ok()) return revision.status();
   const std::string key = KeyOf(stage, run, *revision);
-  auto known = queue_.FindResult(brief_, key);
+  auto known = queue_.FindResult(key);
   if (!known.ok()) return OfStore(known.status());
   if (known->has_value()) {
     absl::StatusOr<Output> reused = Reuse(stage_index, **known);

@@ -52,8 +52,6 @@ class StageRunner {
   const PipelineOptions& options_;
   StepLog& steps_;
   const v1::Job& job_;
-  // See BriefDigest.
-  const std::string brief_;
   runtime::Cancellation& cancellation_;
   // The last event with which each stage ended in an earlier run, so that it is not told twice.
   std::map<std::string, v1::JobEvent, std::less<>> history_;

@@ -91,7 +91,7 @@ std::map<std::string, std::vector<std::string>> ReadArtifacts(const std::string&
       if (ref.kind() != v1::ARTIFACT_KIND_REPORT) ids.push_back(ref.id());
     }
     int ends = 0;
-    const std::vector<v1::JobEvent> events = *store->events().After(job.id(), 0, 10000);
+    const std::vector<v1::JobEvent> events = *store->jobs().EventsAfter(job.id(), 0, 10000);
     for (const v1::JobEvent& event : events) ends += event.kind() == v1::JOB_EVENT_KIND_ENDED ? 1 : 0;
     EXPECT_EQ(ends, 1) << job.id();
   }
@@ -116,7 +116,7 @@ TEST(Crash, EveryJobEndsOnceWithTheArtifactsOfAnUndisturbedRun) {
 // Of its own stages, each once: what it had before it was killed was not made twice, nor was another job's used.
 void ExpectEachStageRunOnce(JobStore& store, const v1::Job& replay) {
   std::map<std::string, int> finished;
-  const std::vector<v1::JobEvent> events = *store.events().After(replay.id(), 0, 10000);
+  const std::vector<v1::JobEvent> events = *store.jobs().EventsAfter(replay.id(), 0, 10000);
   for (const v1::JobEvent& event : events) {
     finished[event.stage()] += event.kind() == v1::JOB_EVENT_KIND_STAGE_FINISHED ? 1 : 0;
   }

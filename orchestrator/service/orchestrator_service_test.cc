@@ -7,7 +7,7 @@
 #include "orchestrator/pipeline/fake_stages.h"
 #include "orchestrator/service/embedded_for_test.h"
 #include "orchestrator/service/fake_workers.h"
-#include "orchestrator/store/artifact_rows.h"
+#include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/temporary_folder.h"
 #include "worker_runtime/testing/fakes.h"
 
@@ -193,8 +193,7 @@ TEST_F(OrchestratorServiceTest, HandsOutArtifactsAndNoticesDamage) {
   SealedArtifact damaged;
   damaged.ref.set_id(request.artifact_id());
   damaged.bytes = "x";
-  const SealedArtifact* const all[] = {&damaged};
-  ASSERT_TRUE((*ArtifactRows::Open(folder_.path() + "/artifacts/small.db"))->PutAll(all).ok());
+  ASSERT_TRUE((*LocalArtifacts::Open(folder_.path() + "/artifacts"))->PutAll(std::span(&damaged, 1)).ok());
   EXPECT_EQ(orchestrator_->Ask(&Stub::GetArtifact, request).status().code(), absl::StatusCode::kDataLoss);
 }
 

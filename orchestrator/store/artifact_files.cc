@@ -17,6 +17,7 @@
 
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -38,7 +39,7 @@ int64_t TimeOf(const struct stat& info) { return int64_t{info.st_mtim.tv_sec} * 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<ArtifactStore>> ArtifactFiles::Open(const std::string& folder) {
-  if (absl::Status status = MakeFolder(folder); !status.ok()) return status;
+  RETURN_IF_ERROR(MakeFolder(folder));
   return std::make_unique<ArtifactFiles>(folder);
 }
 
@@ -59,7 +60,7 @@ std::string ArtifactFiles::PathOf(const std::string& id) const {
 
 absl::Status ArtifactFiles::PutAll(std::span<const SealedArtifact> artifacts) {
   for (const SealedArtifact& artifact : artifacts) {
-    if (absl::Status status = PutOne(artifact); !status.ok()) return status;
+    RETURN_IF_ERROR(PutOne(artifact));
   }
   return absl::OkStatus();
 }

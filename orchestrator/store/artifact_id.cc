@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "absl/strings/ascii.h"
-#include "absl/strings/escaping.h"
 #include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
@@ -70,12 +69,6 @@ v1::Brief BriefOf(const v1::JobSpec& spec) {
   const absl::string_view trimmed = absl::StripAsciiWhitespace(spec.brief().text());
   if (trimmed.size() != spec.brief().text().size()) brief.set_text(std::string(trimmed));
   return brief;
-}
-
-std::string BriefDigest(const v1::JobSpec& spec) {
-  constexpr size_t kBytes = 8;
-  const std::string hex = runtime::Sha256Hex(runtime::CanonicalBytes(BriefOf(spec))).substr(0, 2 * kBytes);
-  return absl::HexStringToBytes(hex);
 }
 
 std::string ResultKey(std::string_view stage, std::string_view revision, std::string_view options_digest,

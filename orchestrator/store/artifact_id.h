@@ -39,11 +39,6 @@ bool IsArtifactId(std::string_view id);
 // The brief that all of a job is made from: as it was asked for, without white space around it.
 v1::Brief BriefOf(const v1::JobSpec& spec);
 
-// The beginning of the digest of BriefOf, 8 bytes. All that a job has begins with its brief, and an artifact's id
-// covers what it was made from: jobs that have an artifact in common have one brief, and so has what may be used again.
-// Where two briefs have one digest, nothing is mixed up.
-std::string BriefDigest(const v1::JobSpec& spec);
-
 // Key of the index for re-use: the stage, what makes it (see StageClients::Revision), its options and its inputs. With
 // `job_id`, a key that no other job finds.
 std::string ResultKey(std::string_view stage, std::string_view revision, std::string_view options_digest,

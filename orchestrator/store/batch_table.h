@@ -13,8 +13,8 @@
 
 namespace flair::orchestrator {
 
-// Jobs that were asked for together, and the order in which they ended. Each call is one step for other processes; to
-// join several, hold a Transaction. Thread-safe.
+// Queries about batches, and the order in which their jobs ended. Each call is one step for other processes; to join
+// several, hold a Transaction. Thread-safe.
 class BatchTable {
  public:
   explicit BatchTable(Database& database) : database_(database) {}

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -14,14 +13,20 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "worker_runtime/status/status_macros.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace flair::orchestrator {
 
-// One prepared statement in use: bind in order, step, read columns. Errors are kept and come out of Step. Goes back to
-// its database when destroyed, ready for the next use.
+// A value to be bound as a blob; strings are bound as text.
+struct Blob {
+  std::string_view bytes;
+};
+
+// One prepared statement in use: bind in order, step, read columns. Errors are kept and come out of Step. When
+// destroyed, it goes back to its database for the next use.
 class Statement {
  public:
   Statement(sqlite3* connection, sqlite3_stmt* statement) : connection_(connection), statement_(statement) {}
@@ -31,11 +36,7 @@ class Statement {
 
   Statement& Bind(int64_t value);
   Statement& Bind(std::string_view text);
-  Statement& BindBytes(std::string_view bytes);
-  Statement& BindNull();
-  // For statements with numbered parameters ("?1").
-  Statement& BindAt(int parameter, int64_t value);
-  Statement& BindAt(int parameter, std::string_view text);
+  Statement& Bind(Blob blob);
 
   // True when there is a row to read, false after the last.
   absl::StatusOr<bool> Step();
@@ -43,12 +44,12 @@ class Statement {
   // The first column of every row that is left.
   absl::StatusOr<std::vector<std::string>> Texts();
 
-  // For statements without rows: steps to the end.
+  // Steps to the end.
   absl::Status Run();
 
   int64_t Int(int column) const;
+  // Of text and blobs alike.
   std::string Text(int column) const;
-  std::string Bytes(int column) const { return Text(column); }
 
  private:
   absl::Status Error() const;
@@ -59,14 +60,13 @@ class Statement {
   int code_ = 0;
 };
 
-// One connection to an SQLite file in WAL mode. Used by one thread at a time: hold lock() while using it. Several
-// processes may have the same file open.
+// One connection to an SQLite file in WAL mode. Several processes may have the same file open. The queries below take
+// lock() themselves; hold it while using statements directly, one thread at a time.
 class Database {
  public:
-  // Steps of a schema's history, oldest first: each runs once per file, a new one is added at the end, old ones never
-  // change.
+  // Steps of a schema's history, oldest first: each runs once per file, new ones are added at the end.
   using Schema = std::span<const std::string_view>;
-  // That of jobs.db.
+  // The schema of jobs.db.
   static Schema JobSchema();
 
   // Opens or makes the file and brings its schema up to date. UNAVAILABLE when it cannot be opened or written,
@@ -76,52 +76,100 @@ class Database {
 
   [[nodiscard]] std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
 
-  // A prepared statement, kept for the next time: `sql` must be one of few texts. A statement that cannot be prepared
-  // is an error at its first Step.
-  Statement Prepare(std::string_view sql);
+  // A prepared statement with the values bound, kept for the next time: `sql` must be one of few texts. A statement
+  // that cannot be prepared is an error at its first Step.
+  template <typename... Values>
+  Statement Prepare(std::string_view sql, const Values&... values) {
+    Statement statement = PrepareUnbound(sql);
+    (statement.Bind(values), ...);
+    return statement;
+  }
 
-  // Rows changed by the last statement.
-  int64_t changes() const;
+  // Runs a statement that returns no rows.
+  template <typename... Values>
+  absl::Status Run(std::string_view sql, const Values&... values) {
+    const auto held = lock();
+    return Prepare(sql, values...).Run();
+  }
+  // The same; returns how many rows it changed.
+  template <typename... Values>
+  absl::StatusOr<int64_t> RunAndCount(std::string_view sql, const Values&... values) {
+    const auto held = lock();
+    RETURN_IF_ERROR(Prepare(sql, values...).Run());
+    return changes();
+  }
+  // Whether the query has a row.
+  template <typename... Values>
+  absl::StatusOr<bool> Exists(std::string_view sql, const Values&... values) {
+    const auto held = lock();
+    return Prepare(sql, values...).Step();
+  }
+  // The first column of the first row; 0 or empty when there is none.
+  template <typename... Values>
+  absl::StatusOr<int64_t> FirstInt(std::string_view sql, const Values&... values) {
+    const auto held = lock();
+    Statement select = Prepare(sql, values...);
+    ASSIGN_OR_RETURN(const bool row, select.Step());
+    return row ? select.Int(0) : 0;
+  }
+  template <typename... Values>
+  absl::StatusOr<std::string> FirstText(std::string_view sql, const Values&... values) {
+    const auto held = lock();
+    Statement select = Prepare(sql, values...);
+    ASSIGN_OR_RETURN(const bool row, select.Step());
+    return row ? select.Text(0) : "";
+  }
+  // The first column of every row.
+  template <typename... Values>
+  absl::StatusOr<std::vector<std::string>> Texts(std::string_view sql, const Values&... values) {
+    const auto held = lock();
+    return Prepare(sql, values...).Texts();
+  }
 
   absl::Status Execute(const std::string& sql);
 
-  // Returns when all that was committed before, by whatever process, survives a loss of power. Needs no lock; several
-  // who wait share one flush.
-  absl::Status FlushLog();
-
  private:
   friend class Transaction;
-  // How much the transactions after it survive; cheap when nothing changes.
-  absl::Status SetFlushedAtOnce(bool at_once);
   Database(std::string path, sqlite3* connection) : path_(std::move(path)), connection_(connection) {}
+  Statement PrepareUnbound(std::string_view sql);
+  int64_t changes() const;
+  // Whether the transactions after this one are flushed when they commit; cheap when nothing changes.
+  absl::Status SetFlushedAtOnce(bool at_once);
   absl::Status Configure();
   absl::Status EnterWal();
   absl::Status Migrate(Schema schema);
-  absl::Status OpenLog();
 
   const std::string path_;
   sqlite3* connection_;
   bool flushed_at_once_ = false;
   std::recursive_mutex mutex_;
   std::map<std::string, sqlite3_stmt*, std::less<>> statements_;
-
-  // The write-ahead log, which stays the same file while a connection is open.
-  int log_file_ = -1;
-  std::atomic<int64_t> flushes_asked_ = 0;
-  std::mutex flush_mutex_;
-  int64_t flushes_answered_ = 0;
 };
+
+// All rows of a query, each read with `read(const Statement&)`, which returns absl::StatusOr<Row>.
+template <typename Row, typename Read>
+absl::StatusOr<std::vector<Row>> ReadRows(Statement select, const Read& read) {
+  std::vector<Row> rows;
+  while (true) {
+    ASSIGN_OR_RETURN(const bool more, select.Step());
+    if (!more) return rows;
+    ASSIGN_OR_RETURN(Row row, read(select));
+    rows.push_back(std::move(row));
+  }
+}
 
 // Everything between Begin and Commit happens or does not; destroyed without Commit, it does not. Takes the write lock
 // at once, so that what was read is still true when it is written.
 class Transaction {
  public:
+  // What the committed transaction survives. With kPowerLoss, the commit waits until the write-ahead log, with all that
+  // was committed before, is on the disk (PRAGMA synchronous = FULL).
   enum class Durability { kProcessCrash, kPowerLoss };
 
   static absl::StatusOr<Transaction> Begin(Database& database, Durability durability = Durability::kProcessCrash);
   Transaction(Transaction&& other) noexcept;
   ~Transaction();
-  // Then lets the database go, so that those who are told of the change can read it.
+  // Then releases the lock, so that listeners which are notified of the change can read it.
   absl::Status Commit();
 
  private:

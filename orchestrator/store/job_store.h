@@ -6,16 +6,37 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "orchestrator/store/artifact_table.h"
 #include "orchestrator/store/batch_table.h"
 #include "orchestrator/store/database.h"
 #include "orchestrator/store/deletion_table.h"
-#include "orchestrator/store/event_table.h"
 #include "orchestrator/store/job_table.h"
-#include "orchestrator/store/owner_lock.h"
-#include "orchestrator/store/status_table.h"
 
 namespace flair::orchestrator {
+
+// A process's claim to be alive: a file that it keeps locked. The kernel releases the lock however the process ends, so
+// no clock and no process number decides whether the owner of a job is dead. Works between containers that share the
+// folder on one machine.
+class OwnerLock {
+ public:
+  // Makes FOLDER/ID.lock under a new id and locks it.
+  static absl::StatusOr<OwnerLock> Acquire(const std::string& folder);
+  OwnerLock(OwnerLock&& other) noexcept;
+  OwnerLock& operator=(OwnerLock&&) = delete;
+  // Unlocks and removes the file.
+  ~OwnerLock();
+
+  const std::string& id() const { return id_; }
+
+  // True when no process holds the lock of that id; then its file is removed.
+  static bool IsDead(const std::string& folder, const std::string& id);
+
+ private:
+  OwnerLock(std::string id, std::string path, int file) : id_(std::move(id)), path_(std::move(path)), file_(file) {}
+
+  std::string id_;
+  std::string path_;
+  int file_;
+};
 
 // The tables of a store's folder, jobs.db, and this process's claim to be alive, owners/. Several processes may have it
 // open. Thread-safe.
@@ -30,10 +51,7 @@ class JobStore {
   const std::string& owner() const { return owner_.id(); }
   Database& database() { return *database_; }
   JobTable& jobs() { return jobs_; }
-  EventTable& events() { return events_; }
-  ArtifactTable& artifacts() { return artifacts_; }
   BatchTable& batches() { return batches_; }
-  StatusTable& statuses() { return statuses_; }
   DeletionTable& deletions() { return deletions_; }
 
   // Makes RUNNING jobs whose process has died QUEUED again.
@@ -42,17 +60,15 @@ class JobStore {
   std::string owners_path() const { return path_ + "/owners"; }
 
  private:
-  JobStore(std::string path, std::unique_ptr<Database> database, OwnerLock owner);
+  JobStore(std::string path, std::unique_ptr<Database> database, OwnerLock owner)
+      : path_(std::move(path)), owner_(std::move(owner)), database_(std::move(database)) {}
 
   const std::string path_;
   OwnerLock owner_;
   std::unique_ptr<Database> database_;
-  JobTable jobs_;
-  EventTable events_;
-  ArtifactTable artifacts_;
-  BatchTable batches_;
-  StatusTable statuses_;
-  DeletionTable deletions_;
+  JobTable jobs_{*database_};
+  BatchTable batches_{*database_};
+  DeletionTable deletions_{*database_};
 };
 
 }  // namespace flair::orchestrator

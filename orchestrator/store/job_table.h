@@ -8,22 +8,23 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "flair/v1/artifact.pb.h"
 #include "flair/v1/job.pb.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/store/database.h"
 
 namespace flair::orchestrator {
 
-// One run of a job: who runs it, and the how manyth run it is. What is written for a run that has been superseded does
-// not match any more.
+// One run of a job: who runs it, and the how manyth run it is. Writes for a run that has been superseded do not match
+// any more.
 struct JobHold {
   std::string job_id;
   std::string owner;
   int attempt = 0;
 };
 
-// Queries about jobs. Each call is one step for other processes; to join several, hold a Transaction. A Job read here
-// has its artifacts too. Thread-safe.
+// Queries about jobs, their events and artifacts, and what stages made before. Each call is one step for other
+// processes; to join several, hold a Transaction. A Job read here has its artifacts too. Thread-safe.
 class JobTable {
  public:
   explicit JobTable(Database& database) : database_(database) {}
@@ -64,8 +65,8 @@ class JobTable {
   // Makes the RUNNING jobs of a dead owner QUEUED again.
   absl::Status Release(const std::string& owner);
 
-  // Runs before the one that goes on, in a row, that ended without a word and stored nothing.
-  absl::StatusOr<int> LostRunCount(const std::string& id);
+  // Consecutive runs before the one that goes on whose process died and that stored nothing.
+  absl::StatusOr<int64_t> LostRunCount(const std::string& id);
 
   // For the run that holds a RUNNING job; false, and nothing done, when another one does or none: its stage; QUEUED
   // again, not before some time; ended with job.state(), stage, error, failure_kind and end_time.
@@ -79,17 +80,28 @@ class JobTable {
   // Makes a FAILED job QUEUED again; false when it is not FAILED.
   absl::StatusOr<bool> Retry(const std::string& id);
 
-  // Remembers that somebody wants the job to end; of a batch, all its RUNNING ones.
+  // Remembers that a job, or all RUNNING ones of a batch, are to be cancelled.
   absl::Status RequestCancel(const std::string& id);
   absl::Status RequestCancelOfBatch(const std::string& batch_id);
   absl::StatusOr<bool> CancelRequested(const std::string& id);
 
+  // Stores an event under the job's next sequence number.
+  absl::Status AppendEvent(v1::JobEvent event);
+  // At most `limit` events after a sequence number, in order.
+  absl::StatusOr<std::vector<v1::JobEvent>> EventsAfter(const std::string& job_id, int64_t sequence, int limit);
+
+  // The artifacts of a job, in stage order; a stage's new artifact replaces its old one.
+  absl::StatusOr<std::vector<v1::ArtifactRef>> ArtifactsOf(const std::string& job_id);
+  absl::Status Attach(const std::string& job_id, int stage_index, const v1::ArtifactRef& artifact);
+
+  // What was made under a key of ResultKey(); nothing when nothing was. The latest result wins.
+  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key);
+  absl::Status SetResult(const std::string& key, const v1::ArtifactRef& artifact);
+
  private:
-  absl::StatusOr<v1::Job> Read(Statement& row);
-  // Text of the first column of the first row; empty when there is none.
-  absl::StatusOr<std::string> First(Statement& select);
-  absl::StatusOr<int64_t> Number(Statement& select);
-  absl::StatusOr<bool> ChangesOne(Statement& update);
+  absl::StatusOr<v1::Job> Read(const Statement& row);
+  template <typename... Values>
+  absl::StatusOr<bool> ChangesOne(std::string_view sql, const Values&... values);
 
   Database& database_;
 };

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <span>
 #include <string>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -14,14 +12,14 @@
 #include "flair/v1/artifact.pb.h"
 #include "orchestrator/batch/artifact_store.h"
 #include "orchestrator/store/artifact_files.h"
-#include "orchestrator/store/artifact_rows.h"
+#include "orchestrator/store/database.h"
 
 namespace flair::orchestrator {
 
 // Artifacts in a folder of this machine: small ones as rows of FOLDER/small.db, which is written and flushed once for
 // all of a job, larger ones as files (see ArtifactFiles), which a database would have to copy. What is there as a file
 // is found whatever its size. Several processes may share a folder, several machines may not: SQLite's locks do not
-// hold over a network.
+// hold over a network. Errors also as Database. Thread-safe.
 class LocalArtifacts final : public ArtifactStore {
  public:
   // Makes the folder. UNAVAILABLE when that is not possible or it cannot be written to, or as Database::Open.
@@ -37,19 +35,10 @@ class LocalArtifacts final : public ArtifactStore {
   absl::StatusOr<std::vector<std::string>> FindIds(const std::string& prefix);
 
  private:
-  LocalArtifacts(const std::string& folder, std::unique_ptr<ArtifactRows> rows)
-      : files_(folder), rows_(std::move(rows)) {}
-
-  void RememberRows(std::span<const SealedArtifact* const> artifacts);
-  // Those that need not be looked for among the files.
-  std::vector<v1::ArtifactRef> WithoutRows(std::span<const v1::ArtifactRef> artifacts);
+  LocalArtifacts(const std::string& folder, std::unique_ptr<Database> rows) : files_(folder), rows_(std::move(rows)) {}
 
   ArtifactFiles files_;
-  const std::unique_ptr<ArtifactRows> rows_;
-
-  std::mutex mutex_;
-  // Stored as rows, and not flushed since.
-  std::unordered_set<std::string> new_rows_;
+  const std::unique_ptr<Database> rows_;
 };
 
 }  // namespace flair::orchestrator

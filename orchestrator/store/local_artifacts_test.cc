@@ -49,17 +49,6 @@ TEST_F(LocalArtifactsTest, OnlyLargeOnesAreFiles) {
   EXPECT_EQ(other->Get(large)->brief().text(), std::string(100'000, 'l'));
 }
 
-TEST_F(LocalArtifactsTest, RowsAreNotLookedForAmongTheFiles) {
-  v1::ArtifactRef refs[1];
-  refs[0].set_id(Put(TextOf(1000, 's')));
-  // One that cannot be flushed.
-  const std::filesystem::path path = ArtifactFiles(folder_.path()).PathOf(refs[0].id());
-  std::filesystem::create_directories(path.parent_path());
-  std::filesystem::create_symlink("/proc/self/status", path);
-  EXPECT_TRUE(artifacts_->Flush(refs).ok());
-  EXPECT_FALSE(Open()->Flush(refs).ok());
-}
-
 TEST_F(LocalArtifactsTest, SmallFilesOfBeforeAreFoundAndDeleted) {
   v1::Artifact artifact = TextOf(10, 'a');
   const std::string id = ArtifactFiles(folder_.path()).Put(artifact)->id();
@@ -92,12 +81,10 @@ TEST_F(LocalArtifactsTest, ARowThatIsDamagedIsNoticedAndMendedWhenPutAgain) {
   v1::Artifact artifact = TextOf(10, 'a');
   SealedArtifact sealed = SealArtifact(artifact);
   const std::string good = sealed.bytes;
-  const auto rows = *ArtifactRows::Open(folder_.path() + "/small.db");
-  const SealedArtifact* const all[] = {&sealed};
   for (size_t at = 0; at < good.size(); ++at) {
     sealed.bytes = good;
     sealed.bytes[at] ^= 0x21;
-    ASSERT_TRUE(rows->PutAll(all).ok());
+    ASSERT_TRUE(artifacts_->PutAll(std::span(&sealed, 1)).ok());
     EXPECT_TRUE(absl::IsDataLoss(artifacts_->Get(artifact.id()).status())) << "byte " << at;
   }
   Put(artifact);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stores of the version before this one go on: their jobs, what can be used again, and what goes with whom.
+// Stores of earlier versions go on: their jobs, what can be used again, and what is deleted with whom.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sqlite3.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "absl/strings/escaping.h"
@@ -15,6 +16,9 @@
 
 namespace flair::orchestrator {
 namespace {
+
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
 
 v1::JobSpec SpecOfBrief(const std::string& text) {
   v1::JobSpec spec;
@@ -61,9 +65,7 @@ class StoreOfVersion3 : public ::testing::Test {
 
   std::unique_ptr<WorkQueue> OpenNow() { return *SqliteWorkQueue::Open(folder_.path(), runtime::SystemClock()); }
 
-  bool IsFound(WorkQueue& queue, const std::string& brief, const std::string& text) {
-    return queue.FindResult(BriefDigest(SpecOfBrief(brief)), KeyOfText(text))->has_value();
-  }
+  bool IsFound(WorkQueue& queue, const std::string& text) { return queue.FindResult(KeyOfText(text))->has_value(); }
 
   TemporaryFolder folder_;
   sqlite3* connection_ = nullptr;
@@ -82,9 +84,8 @@ TEST_F(StoreOfVersion3, IsListedAndUsedAgain) {
   ASSERT_EQ(jobs->back().artifacts_size(), 1);
   EXPECT_EQ(jobs->back().artifacts(0).id(), room);
   EXPECT_EQ(jobs->back().artifacts(0).size_bytes(), 7);
-  EXPECT_EQ((*queue->FindResult(BriefDigest(SpecOfBrief("A bedroom.")), KeyOfText("room")))->id(), room);
-  EXPECT_TRUE(IsFound(*queue, "A kitchen.", "kitchen"));
-  EXPECT_FALSE(IsFound(*queue, "A kitchen.", "room"));
+  EXPECT_EQ((*queue->FindResult(KeyOfText("room")))->id(), room);
+  EXPECT_TRUE(IsFound(*queue, "kitchen"));
   EXPECT_TRUE(*queue->OwnsArtifact("ada", room));
   EXPECT_FALSE(*queue->OwnsArtifact("bob", room));
 }
@@ -98,12 +99,12 @@ TEST_F(StoreOfVersion3, GivesUpWhatNoJobHasAnyMore) {
   const auto queue = OpenNow();
   EXPECT_EQ(queue->DeleteJob("j1", *artifacts_)->artifact_count, 1);
   EXPECT_FALSE(artifacts_->Get(own).ok());
-  EXPECT_FALSE(IsFound(*queue, "A bedroom.", "own"));
+  EXPECT_FALSE(IsFound(*queue, "own"));
   EXPECT_TRUE(artifacts_->Get(shared).ok());
-  EXPECT_TRUE(IsFound(*queue, "A bedroom.", "shared"));
+  EXPECT_TRUE(IsFound(*queue, "shared"));
   EXPECT_EQ(queue->DeleteJob("j2", *artifacts_)->artifact_count, 1);
   EXPECT_FALSE(artifacts_->Get(shared).ok());
-  EXPECT_FALSE(IsFound(*queue, "A bedroom.", "shared"));
+  EXPECT_FALSE(IsFound(*queue, "shared"));
 }
 
 TEST_F(StoreOfVersion3, KeepsWhatAJobOfNowUsesAgain) {
@@ -126,7 +127,7 @@ TEST_F(StoreOfVersion3, KeepsWhatAJobOfNowUsesAgain) {
   }
   EXPECT_EQ(queue->DeleteJob("j1", *artifacts_)->artifact_count, 0);
   EXPECT_TRUE(artifacts_->Get(shared).ok());
-  EXPECT_TRUE(IsFound(*queue, "A bedroom.", "shared"));
+  EXPECT_TRUE(IsFound(*queue, "shared"));
   EXPECT_EQ(queue->DeleteJob("j2", *artifacts_)->artifact_count, 1);
   EXPECT_FALSE(artifacts_->Get(shared).ok());
 }
@@ -139,6 +140,68 @@ TEST_F(StoreOfVersion3, EndsADeletionThatWaited) {
   const auto queue = OpenNow();
   EXPECT_EQ(queue->FinishDeletions(*artifacts_)->artifact_count, 1);
   EXPECT_FALSE(artifacts_->Get(gone).ok());
+}
+
+// See tests/fixtures/stores/paused_batch_4273379/README.md.
+class PausedBatchOfVersion4 : public ::testing::Test {
+ protected:
+  PausedBatchOfVersion4() {
+    std::filesystem::copy(FLAIR_SOURCE_DIR "/tests/fixtures/stores/paused_batch_4273379/home", folder_.path(),
+                          std::filesystem::copy_options::recursive);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(PausedBatchOfVersion4, GoesOnToItsEndWithAllArtifacts) {
+  const auto queue = *SqliteWorkQueue::Open(folder_.path(), runtime::SystemClock());
+  const auto artifacts = *LocalArtifacts::Open(folder_.path() + "/artifacts");
+  const std::string batch_id = queue->ListBatches({})->at(0).id();
+  EXPECT_EQ(queue->GetBatch(batch_id)->state(), v1::BATCH_STATE_PAUSED);
+  EXPECT_EQ(*queue->Take({}), nullptr);
+  int artifact_count = 0;
+  const std::vector<v1::Job> done = *queue->ListJobs({.batch_id = batch_id, .state = v1::JOB_STATE_SUCCEEDED});
+  EXPECT_EQ(done.size(), 2u);
+  for (const v1::Job& job : done) {
+    for (const v1::ArtifactRef& ref : job.artifacts()) {
+      const absl::StatusOr<v1::Artifact> artifact = artifacts->Get(ref.id());
+      ASSERT_TRUE(artifact.ok()) << artifact.status();
+      EXPECT_EQ(KindOf(*artifact), ref.kind());
+      ++artifact_count;
+    }
+    EXPECT_FALSE(queue->EventsAfter(job.id(), 0, 100)->empty());
+  }
+  EXPECT_EQ(artifact_count, 22);
+
+  ASSERT_TRUE(queue->SetBatchState(batch_id, v1::BATCH_STATE_ACTIVE).ok());
+  std::vector<std::string> ended;
+  while (const auto lease = *queue->Take({})) {
+    ended.push_back(lease->job().id());
+    ASSERT_TRUE(lease->End({.time = absl::Now()}).ok());
+  }
+  EXPECT_THAT(ended,
+              ElementsAre(EndsWith("-00000002"), EndsWith("-00000003"), EndsWith("-00000004"), EndsWith("-00000005")));
+  EXPECT_TRUE(*queue->BatchHasEnded(batch_id));
+  EXPECT_EQ(queue->EndsAfter(batch_id, 0, 100)->size(), 6u);
+}
+
+TEST_F(PausedBatchOfVersion4, KeepsItsResultsForReuseUntilItsJobsAreDeleted) {
+  const auto queue = *SqliteWorkQueue::Open(folder_.path(), runtime::SystemClock());
+  const auto artifacts = *LocalArtifacts::Open(folder_.path() + "/artifacts");
+  const auto store = *JobStore::Open(folder_.path());
+  const std::vector<std::string> keys = *store->database().Texts("SELECT key FROM results");
+  EXPECT_EQ(keys.size(), 22u);
+  for (const std::string& key : keys) {
+    const auto ref = queue->FindResult(key);
+    ASSERT_TRUE(ref.ok() && ref->has_value()) << key;
+    EXPECT_TRUE(artifacts->Get((*ref)->id()).ok());
+  }
+  const std::string batch_id = queue->ListBatches({})->at(0).id();
+  ASSERT_TRUE(queue->CancelBatch(batch_id, absl::Now()).ok());
+  const absl::StatusOr<Deleted> deleted = queue->DeleteBatch(batch_id, 100, *artifacts);
+  ASSERT_TRUE(deleted.ok()) << deleted.status();
+  EXPECT_EQ(deleted->artifact_count, 22);
+  EXPECT_EQ(*store->database().FirstInt("SELECT count(*) FROM results"), 0);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "worker_runtime/status/status_macros.h"
+
 namespace flair::orchestrator {
 
 SqliteLease::SqliteLease(SqliteWorkQueue& queue, v1::Job job, std::vector<v1::JobEvent> history, int lost_run_count,
@@ -17,8 +19,7 @@ SqliteLease::SqliteLease(SqliteWorkQueue& queue, v1::Job job, std::vector<v1::Jo
       history_(std::move(history)),
       lost_run_count_(lost_run_count),
       cancellation_(std::move(cancellation)),
-      hold_{job_.id(), store_.owner(), job_.attempt_count()},
-      holder_(job_) {}
+      hold_{job_.id(), store_.owner(), job_.attempt_count()} {}
 
 SqliteLease::~SqliteLease() {
   if (!done_ && !lost_) (void)Return(absl::ZeroDuration(), "");
@@ -34,34 +35,26 @@ absl::Status SqliteLease::CheckHeld(const absl::StatusOr<bool>& changed) {
 
 absl::Status SqliteLease::Append(std::span<const StageRecord> records) {
   if (records.empty()) return absl::OkStatus();
-  absl::Status status = CheckNotDeleted(records);
-  if (!status.ok()) return status;
-  const absl::StatusOr<int64_t> last = store_.events().LastSequence(job_.id());
-  if (!last.ok()) return last.status();
-  int64_t sequence = *last;
+  RETURN_IF_ERROR(CheckNotDeleted(records));
   for (const StageRecord& record : records) {
-    v1::JobEvent event = record.event;
-    event.set_sequence(++sequence);
-    if (status.ok()) status = store_.events().Insert(event);
-    if (status.ok() && event.has_artifact()) {
-      status = store_.artifacts().Attach(holder_, record.stage_index, event.artifact());
+    const v1::ArtifactRef& artifact = record.event.artifact();
+    RETURN_IF_ERROR(store_.jobs().AppendEvent(record.event));
+    if (record.event.has_artifact()) {
+      RETURN_IF_ERROR(store_.jobs().Attach(job_.id(), record.stage_index, artifact));
     }
-    if (status.ok() && !record.result_key.empty()) {
-      status = store_.artifacts().SetResult(holder_.brief, record.result_key, event.artifact());
-    }
+    if (!record.result_key.empty()) RETURN_IF_ERROR(store_.jobs().SetResult(record.result_key, artifact));
   }
-  return status;
+  return absl::OkStatus();
 }
 
 absl::Status SqliteLease::CheckNotDeleted(std::span<const StageRecord> records) {
-  const absl::StatusOr<bool> any = store_.deletions().Any();
-  if (!any.ok() || !*any) return any.status();
+  ASSIGN_OR_RETURN(const bool any, store_.deletions().Any());
+  if (!any) return absl::OkStatus();
   for (const StageRecord& record : records) {
     if (!record.event.has_artifact()) continue;
     const std::string& id = record.event.artifact().id();
-    const absl::StatusOr<bool> deleted = store_.deletions().WasDeleted(id, job_.id());
-    if (!deleted.ok()) return deleted.status();
-    if (*deleted) return ArtifactIsGone(id);
+    ASSIGN_OR_RETURN(const bool deleted, store_.deletions().WasDeleted(id, job_.id()));
+    if (deleted) return ArtifactIsGone(id);
   }
   return absl::OkStatus();
 }
@@ -78,25 +71,22 @@ absl::Status SqliteLease::Write(Transaction::Durability durability, std::span<co
                                 const std::function<absl::Status()>& change) {
   absl::Status status;
   {
-    auto transaction = Transaction::Begin(store_.database(), durability);
-    if (!transaction.ok()) return transaction.status();
+    ASSIGN_OR_RETURN(auto transaction, Transaction::Begin(store_.database(), durability));
     status = change();
-    if (status.ok()) status = transaction->Commit();
+    if (status.ok()) status = transaction.Commit();
   }
   if (IsArtifactGone(status)) SettleDeletions(records);
-  if (status.ok() && !records.empty()) queue_.no_results_.Forget(holder_.brief);
   return status;
 }
 
 absl::Status SqliteLease::RecordAll(std::span<const StageRecord> records) {
   if (records.empty()) return absl::OkStatus();
-  const absl::Status status = Write(Transaction::Durability::kProcessCrash, records, [&] {
+  RETURN_IF_ERROR(Write(Transaction::Durability::kProcessCrash, records, [&]() -> absl::Status {
     const bool made_something = std::ranges::any_of(records, [](const auto& it) { return it.event.has_artifact(); });
-    absl::Status held = CheckHeld(store_.jobs().SetStage(hold_, records.back().event.stage(), made_something));
-    return held.ok() ? Append(records) : held;
-  });
-  if (!status.ok()) return status;
-  queue_.Tell(job_.id());
+    RETURN_IF_ERROR(CheckHeld(store_.jobs().SetStage(hold_, records.back().event.stage(), made_something)));
+    return Append(records);
+  }));
+  queue_.NotifyChanged(job_.id());
   return absl::OkStatus();
 }
 
@@ -108,21 +98,20 @@ absl::Status SqliteLease::End(const JobEnd& end) {
   job.set_error_code(static_cast<int>(end.error.code()));
   job.set_failure_kind(end.failure_kind);
   *job.mutable_end_time() = google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(end.time));
-  const absl::Status status = Write(Transaction::Durability::kPowerLoss, end.records, [&] {
-    absl::Status ended = CheckHeld(store_.jobs().End(hold_, job));
-    if (ended.ok()) ended = Append(end.records);
-    return ended.ok() ? queue_.AppendEnded(job) : ended;
-  });
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(Write(Transaction::Durability::kPowerLoss, end.records, [&]() -> absl::Status {
+    RETURN_IF_ERROR(CheckHeld(store_.jobs().End(hold_, job)));
+    RETURN_IF_ERROR(Append(end.records));
+    return queue_.AppendEnded(job);
+  }));
   done_ = true;
-  queue_.Tell(job_.id());
-  if (!job_.batch_id().empty()) queue_.TellOfBatch(job_.batch_id());
+  queue_.NotifyChanged(job_.id());
+  if (!job_.batch_id().empty()) queue_.NotifyBatchChanged(job_.batch_id());
   return absl::OkStatus();
 }
 
 absl::Status SqliteLease::Return(absl::Duration delay, const std::string& reason) {
   const absl::Time not_before = delay > absl::ZeroDuration() ? queue_.clock_.Now() + delay : absl::InfinitePast();
-  const absl::Status status = Write(Transaction::Durability::kProcessCrash, {}, [&] {
+  RETURN_IF_ERROR(Write(Transaction::Durability::kProcessCrash, {}, [&] {
     absl::Status held = CheckHeld(store_.jobs().Requeue(hold_, not_before));
     if (!held.ok() || reason.empty()) return held;
     v1::JobEvent event;
@@ -130,12 +119,11 @@ absl::Status SqliteLease::Return(absl::Duration delay, const std::string& reason
     event.set_kind(v1::JOB_EVENT_KIND_WAITING);
     event.set_message(reason);
     event.set_state(v1::JOB_STATE_QUEUED);
-    return store_.events().Append(event);
-  });
-  if (!status.ok()) return status;
+    return store_.jobs().AppendEvent(event);
+  }));
   done_ = true;
-  queue_.Tell(job_.id());
-  queue_.TellOfWork();
+  queue_.NotifyChanged(job_.id());
+  queue_.NotifyWork();
   return absl::OkStatus();
 }
 

@@ -32,7 +32,7 @@ class SqliteLease final : public Lease {
   bool lost() override { return lost_; }
 
  private:
-  // Makes a change of several steps, or none; ends the wait for the deletion of those artifacts when that was why not.
+  // Makes a change in one transaction; when that fails since one of the artifacts was deleted, settles their deletions.
   absl::Status Write(Transaction::Durability durability, std::span<const StageRecord> records,
                      const std::function<absl::Status()>& change);
   // `changed`: whether the run still held the job. ABORTED when not.
@@ -40,7 +40,7 @@ class SqliteLease final : public Lease {
   // In a transaction of the caller's. ArtifactIsGone when one of the artifacts may have been deleted.
   absl::Status Append(std::span<const StageRecord> records);
   absl::Status CheckNotDeleted(std::span<const StageRecord> records);
-  // Ends the wait for the deletion of what this run missed, so that the next run may store it.
+  // Turns what waits for its deletion into what was deleted, so that the next run may store it.
   void SettleDeletions(std::span<const StageRecord> records);
 
   SqliteWorkQueue& queue_;
@@ -51,7 +51,6 @@ class SqliteLease final : public Lease {
   // Shared with the queue, which cancels it.
   const std::shared_ptr<runtime::Cancellation> cancellation_;
   const JobHold hold_;
-  const ArtifactHolder holder_;
   std::atomic<bool> lost_ = false;
   bool done_ = false;
 };

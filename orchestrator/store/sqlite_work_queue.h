@@ -9,7 +9,6 @@
 
 #include "absl/status/statusor.h"
 #include "orchestrator/batch/work_queue.h"
-#include "orchestrator/store/brief_set.h"
 #include "orchestrator/store/job_store.h"
 #include "orchestrator/store/store_monitor.h"
 #include "worker_runtime/clock/clock.h"
@@ -42,20 +41,34 @@ class SqliteWorkQueue final : public WorkQueue {
   absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) override;
 
   absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) override;
-  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& brief, const std::string& key) override;
+  absl::StatusOr<std::optional<v1::ArtifactRef>> FindResult(const std::string& key) override {
+    return store_->jobs().FindResult(key);
+  }
 
-  absl::StatusOr<v1::Job> GetJob(const std::string& job_id) override;
-  absl::StatusOr<std::vector<v1::Job>> ListJobs(const ListFilter& filter) override;
+  absl::StatusOr<v1::Job> GetJob(const std::string& job_id) override { return store_->jobs().Get(job_id); }
+  absl::StatusOr<std::vector<v1::Job>> ListJobs(const ListFilter& filter) override {
+    return store_->jobs().List(filter);
+  }
   absl::StatusOr<std::vector<v1::JobEvent>> EventsAfter(const std::string& job_id, int64_t sequence,
-                                                        int limit) override;
-  absl::StatusOr<v1::Batch> GetBatch(const std::string& batch_id) override;
-  absl::StatusOr<v1::Batch> FindBatch(const std::string& batch_id) override;
-  absl::StatusOr<std::vector<v1::Batch>> ListBatches(const ListFilter& filter) override;
+                                                        int limit) override {
+    return store_->jobs().EventsAfter(job_id, sequence, limit);
+  }
+  absl::StatusOr<v1::Batch> GetBatch(const std::string& batch_id) override {
+    return store_->batches().GetWithCounts(batch_id);
+  }
+  absl::StatusOr<v1::Batch> FindBatch(const std::string& batch_id) override { return store_->batches().Get(batch_id); }
+  absl::StatusOr<std::vector<v1::Batch>> ListBatches(const ListFilter& filter) override {
+    return store_->batches().List(filter);
+  }
   absl::StatusOr<bool> BatchHasEnded(const std::string& batch_id) override;
-  absl::StatusOr<std::vector<BatchEnd>> EndsAfter(const std::string& batch_id, int64_t sequence, int limit) override;
-  absl::StatusOr<int64_t> CountQueued() override;
-  absl::StatusOr<int64_t> CountOpen(const std::string& owner) override;
-  absl::StatusOr<bool> OwnsArtifact(const std::string& owner, const std::string& artifact_id) override;
+  absl::StatusOr<std::vector<BatchEnd>> EndsAfter(const std::string& batch_id, int64_t sequence, int limit) override {
+    return store_->batches().EndsAfter(batch_id, sequence, limit);
+  }
+  absl::StatusOr<int64_t> CountQueued() override { return store_->jobs().CountQueued(); }
+  absl::StatusOr<int64_t> CountOpen(const std::string& owner) override { return store_->jobs().CountOpen(owner); }
+  absl::StatusOr<bool> OwnsArtifact(const std::string& owner, const std::string& artifact_id) override {
+    return store_->jobs().OwnsArtifact(owner, artifact_id);
+  }
 
   absl::Status ReportStatus(const v1::OrchestratorStatus& status) override;
   absl::StatusOr<std::vector<v1::OrchestratorStatus>> Orchestrators() override;
@@ -64,20 +77,25 @@ class SqliteWorkQueue final : public WorkQueue {
   friend class SqliteLease;
   SqliteWorkQueue(std::unique_ptr<JobStore> store, const runtime::Clock& clock);
 
+  // A transaction that survives a loss of power.
+  absl::StatusOr<Transaction> BeginDurable() {
+    return Transaction::Begin(store_->database(), Transaction::Durability::kPowerLoss);
+  }
+
   absl::StatusOr<std::string> ChooseJob(const TakeFilter& filter);
   absl::StatusOr<std::string> ChooseOfAnyBatch();
   absl::StatusOr<bool> BatchIsActive(const std::string& batch_id);
   absl::StatusOr<int64_t> AddNewJobs(const v1::Batch& batch, std::span<const v1::Job> jobs);
   // In a transaction of the caller's.
   absl::StatusOr<bool> EndWaitingJob(const std::string& job_id, const std::string& batch_id, absl::Time time);
-  absl::Status CloseForEver(const std::string& batch_id);
+  absl::Status CloseCancelled(const std::string& batch_id);
   absl::Status AppendEnded(const v1::Job& job);
-  absl::Status DeleteUnlessHad(const std::string& artifact_id, ArtifactStore& artifacts, int64_t& deleted_count);
+  absl::Status DeleteUnlessUsed(const std::string& artifact_id, ArtifactStore& artifacts, int64_t& deleted_count);
   absl::StatusOr<Deleted> RemoveLastJobs(const std::string& batch_id, int64_t limit);
 
-  void Tell(const std::string& job_id);
-  void TellOfBatch(const std::string& batch_id);
-  void TellOfWork();
+  void NotifyChanged(const std::string& job_id);
+  void NotifyBatchChanged(const std::string& batch_id);
+  void NotifyWork();
   void CancelHeld(const std::string& job_id);
   void HonourCancelRequests();
   void OnChange();
@@ -86,9 +104,6 @@ class SqliteWorkQueue final : public WorkQueue {
 
   const std::unique_ptr<JobStore> store_;
   const runtime::Clock& clock_;
-
-  // Of which most jobs of a batch are: their stages are not looked up one by one.
-  BriefSet no_results_;
 
   std::mutex listener_mutex_;
   Listener listener_;

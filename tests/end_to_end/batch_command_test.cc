@@ -185,6 +185,21 @@ TEST_F(BatchCommand, WaitsWhilePausedAndEndsWhenCancelled) {
   EXPECT_THAT(again.err, HasSubstr("which was cancelled; to run them all the same give the batch another --name"));
 }
 
+// See tests/fixtures/stores/paused_batch_4273379/README.md.
+TEST_F(BatchCommand, APausedBatchOfAnEarlierStoreGoesOn) {
+  const std::string fixture = FLAIR_SOURCE_DIR "/tests/fixtures/stores/paused_batch_4273379";
+  fs::copy(fixture + "/home", folder_ / "home", fs::copy_options::recursive);
+  const std::string list = Batch({"list"}).out;
+  EXPECT_THAT(list, AllOf(HasSubstr("  paused     2/6  "), HasSubstr("  paused\n")));
+  EXPECT_EQ(Batch({"resume", list.substr(0, list.find(' '))}).exit_code, 0);
+  const Finished run =
+      Flair({"batch", fixture + "/briefs.jsonl", "--out", folder_ / "out", "--set", "optimizer.restarts=1", "--size",
+             "256", "--name", "paused", "--keep", "brief,room,layout,pictures,report"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, AllOf(HasSubstr("which is known and goes on\n"), HasSubstr("6 jobs: 6 succeeded\n")));
+  EXPECT_EQ(Layouts("out").size(), 6u);
+}
+
 TEST_F(BatchCommand, FailedJobsAreToldByKindAndRunAgainWhenAsked) {
   WriteAll(folder_ / "briefs.jsonl", "A bathroom.\n");
   fs::create_directories(folder_ / "answers");  // of a model that has none

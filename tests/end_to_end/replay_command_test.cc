@@ -5,7 +5,6 @@
 #include <signal.h>
 
 #include "nlohmann/json.hpp"
-#include "orchestrator/store/artifact_rows.h"
 #include "orchestrator/store/job_store.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "tests/fixtures/programs.h"
@@ -47,13 +46,12 @@ class ReplayCommand : public ::testing::Test {
   void MoveFirstObjectIn(const std::string& job) const {
     auto store = *orchestrator::JobStore::Open(folder_ / "home");
     const auto artifacts = *orchestrator::LocalArtifacts::Open(folder_ / "home" / "artifacts");
-    const orchestrator::ArtifactHolder holder(*store->jobs().Get(job));
-    const std::vector<v1::ArtifactRef> refs = *store->artifacts().OfJob(job);
+    const std::vector<v1::ArtifactRef> refs = *store->jobs().ArtifactsOf(job);
     for (size_t i = 0; i < refs.size(); ++i) {
       if (refs[i].kind() != v1::ARTIFACT_KIND_SOLVED_LAYOUT) continue;
       v1::Artifact layout = *artifacts->Get(refs[i].id());
       layout.mutable_solved_layout()->mutable_placements(0)->set_x_m(1.25);
-      ASSERT_TRUE(store->artifacts().Attach(holder, static_cast<int>(i), *artifacts->Put(layout)).ok());
+      ASSERT_TRUE(store->jobs().Attach(job, static_cast<int>(i), *artifacts->Put(layout)).ok());
     }
   }
 
@@ -150,16 +148,15 @@ TEST_F(ReplayCommand, AnotherBuildThatDoesTheSameIsCalledOut) {
 TEST_F(ReplayCommand, SaysWhichArtifactIsDamagedOrGone) {
   const std::string job = Design();
   const std::string objects = json::parse(ReadAll(folder_ / "out" / "objects.json"))["id"];
-  const auto rows = *orchestrator::ArtifactRows::Open(folder_ / "home" / "artifacts/small.db");
+  const auto artifacts = *orchestrator::LocalArtifacts::Open(folder_ / "home" / "artifacts");
   orchestrator::SealedArtifact sealed;
   sealed.ref.set_id(objects);
   sealed.bytes = "damaged";
-  const orchestrator::SealedArtifact* const all[] = {&sealed};
-  ASSERT_TRUE(rows->PutAll(all).ok());
+  ASSERT_TRUE(artifacts->PutAll(std::span(&sealed, 1)).ok());
   const Finished damaged = Replay(job, {"--from", "solve"});
   EXPECT_EQ(damaged.exit_code, 5) << damaged.err;
   EXPECT_THAT(damaged.err, HasSubstr(objects));
-  ASSERT_TRUE(*rows->Delete(objects, std::numeric_limits<int64_t>::max()));
+  ASSERT_EQ(*artifacts->Delete(std::span(&objects, 1), std::numeric_limits<int64_t>::max()), 1);
   const Finished gone = Replay(job, {"--from", "solve"});
   EXPECT_EQ(gone.exit_code, 2) << gone.err;
   EXPECT_THAT(gone.err, HasSubstr("artifact " + objects + ": not in this store"));

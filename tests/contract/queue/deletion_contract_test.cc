@@ -22,7 +22,7 @@ TEST_P(DeletionContract, AJobGoesWithWhatOnlyItHas) {
   WatchedQueue queue = Open();
   const std::string shared = RunAlone(queue, "job-1", {"shared", "own"}).front();
   RunAlone(queue, "job-2", {"shared"});
-  EXPECT_TRUE(queue->FindResult(BriefOfJobs(), "key-of-own").value().has_value());
+  EXPECT_TRUE(queue->FindResult("key-of-own").value().has_value());
   const auto deleted = queue->DeleteJob("job-1", *artifacts_);
   ASSERT_TRUE(deleted.ok()) << deleted.status();
   EXPECT_EQ(deleted->job_count, 1);
@@ -31,9 +31,9 @@ TEST_P(DeletionContract, AJobGoesWithWhatOnlyItHas) {
   EXPECT_TRUE(absl::IsNotFound(queue->GetJob("job-1").status()));
   EXPECT_THAT(*queue->EventsAfter("job-1", 0, 10), IsEmpty());
   EXPECT_EQ(queue->ListJobs({})->size(), 1);
-  EXPECT_FALSE(queue->FindResult(BriefOfJobs(), "key-of-own").value().has_value());
+  EXPECT_FALSE(queue->FindResult("key-of-own").value().has_value());
   EXPECT_TRUE(absl::IsNotFound(artifacts_->Get(IdOf("own")).status()));
-  EXPECT_TRUE(queue->FindResult(BriefOfJobs(), "key-of-shared").value().has_value());
+  EXPECT_TRUE(queue->FindResult("key-of-shared").value().has_value());
   EXPECT_TRUE(artifacts_->Get(shared).ok());
   EXPECT_TRUE(absl::IsNotFound(queue->DeleteJob("job-1", *artifacts_).status()));
   // The last that has it.
@@ -123,7 +123,7 @@ TEST_P(DeletionContract, ARunThatFoundWhatThenWasDeletedIsToldSo) {
   auto lease = queue.Take();
   ASSERT_NE(lease, nullptr);
   // It looks, and reads; then it goes.
-  const auto found = queue->FindResult(BriefOfJobs(), "key-of-own");
+  const auto found = queue->FindResult("key-of-own");
   ASSERT_TRUE(found.ok() && found->has_value());
   ASSERT_TRUE(artifacts_->Get((*found)->id()).ok());
   ASSERT_TRUE(queue->DeleteJob("job-1", *artifacts_).ok());
@@ -135,7 +135,7 @@ TEST_P(DeletionContract, ARunThatFoundWhatThenWasDeletedIsToldSo) {
   lease.reset();
   lease = queue.Take();
   ASSERT_NE(lease, nullptr);
-  EXPECT_FALSE(queue->FindResult(BriefOfJobs(), "key-of-own").value().has_value());
+  EXPECT_FALSE(queue->FindResult("key-of-own").value().has_value());
   ASSERT_TRUE(Store(*lease, "own").ok());
   ASSERT_TRUE(EndAs(*lease, v1::JOB_STATE_SUCCEEDED).ok());
   EXPECT_TRUE(artifacts_->Get(IdOf("own")).ok());

@@ -106,10 +106,10 @@ TEST_P(JobsContract, WhatARunRecordsIsSeenByAll) {
   EXPECT_EQ(events->front().stage(), "brief");
   EXPECT_THAT(*other->EventsAfter("job-1", 0, 1), SizeIs(1));
   EXPECT_THAT(*other->EventsAfter("no-such-job", 0, 10), IsEmpty());
-  const auto result = other->FindResult(BriefOfJobs(), "key-of-solve");
+  const auto result = other->FindResult("key-of-solve");
   ASSERT_TRUE(result.ok() && result->has_value());
   EXPECT_EQ((*result)->id(), ArtifactId('b'));
-  EXPECT_FALSE(other->FindResult(BriefOfJobs(), "another-key")->has_value());
+  EXPECT_FALSE(other->FindResult("another-key")->has_value());
 }
 
 TEST_P(JobsContract, WhatAnotherProcessMadeIsFoundThoughItWasNotThereBefore) {
@@ -119,12 +119,12 @@ TEST_P(JobsContract, WhatAnotherProcessMadeIsFoundThoughItWasNotThereBefore) {
   const auto lease = queue.Take();
   ASSERT_NE(lease, nullptr);
   for (const char* key : {"key-of-solve", "key-of-room"}) {
-    EXPECT_FALSE(queue->FindResult(BriefOfJobs(), key)->has_value());
-    EXPECT_FALSE(other->FindResult(BriefOfJobs(), key)->has_value());
+    EXPECT_FALSE(queue->FindResult(key)->has_value());
+    EXPECT_FALSE(other->FindResult(key)->has_value());
   }
   ASSERT_TRUE(lease->Record(StageMade(*lease, "solve", 8, 'a', "key-of-solve")).ok());
-  EXPECT_TRUE(queue->FindResult(BriefOfJobs(), "key-of-solve")->has_value());
-  EXPECT_TRUE(other.WaitUntil([&] { return other->FindResult(BriefOfJobs(), "key-of-solve")->has_value(); }));
+  EXPECT_TRUE(queue->FindResult("key-of-solve")->has_value());
+  EXPECT_TRUE(other.WaitUntil([&] { return other->FindResult("key-of-solve")->has_value(); }));
 }
 
 TEST_P(JobsContract, StepsAreStoredTogetherAndTheLastWithTheEnd) {
@@ -155,7 +155,7 @@ TEST_P(JobsContract, StepsAreStoredTogetherAndTheLastWithTheEnd) {
   EXPECT_EQ(events->at(2).stage(), "solve");
   EXPECT_EQ(events->at(3).kind(), v1::JOB_EVENT_KIND_ENDED);
   for (const char* key : {"key-of-brief", "key-of-room", "key-of-solve"}) {
-    const auto result = queue->FindResult(BriefOfJobs(), key);
+    const auto result = queue->FindResult(key);
     EXPECT_TRUE(result.ok() && result->has_value()) << key;
   }
 }

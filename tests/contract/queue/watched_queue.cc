@@ -62,8 +62,6 @@ std::unique_ptr<orchestrator::Lease> WatchedQueue::Take(const orchestrator::Take
   return lease;
 }
 
-std::string BriefOfJobs() { return orchestrator::BriefDigest(NewJob("any").spec()); }
-
 v1::Job NewJob(const std::string& id, const std::string& text) {
   v1::Job job;
   job.set_id(id);

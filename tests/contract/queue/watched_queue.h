@@ -35,9 +35,6 @@ class WatchedQueue {
   std::unique_ptr<orchestrator::WorkQueue> queue_;
 };
 
-// The BriefDigest of those below that are given no other text.
-std::string BriefOfJobs();
-
 // A job that asks for a room of that name.
 v1::Job NewJob(const std::string& id, const std::string& text = "a bedroom");
 // A job at a place of a batch.
