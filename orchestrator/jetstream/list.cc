@@ -31,7 +31,7 @@ bool IsBefore(const std::string& id, const ListFilter& filter) { return filter.b
 
 absl::StatusOr<v1::Job> JetStreamWorkQueue::GetJob(const std::string& job_id) {
   ASSIGN_OR_RETURN(RevisedJob job, parts_->GetJob(job_id));
-  return std::move(job->value.mutable_job());
+  return std::move(*job.value.mutable_job());
 }
 
 absl::StatusOr<std::vector<v1::JobEvent>> JetStreamWorkQueue::EventsAfter(const std::string& job_id, int64_t sequence,
@@ -149,7 +149,7 @@ absl::Status JetStreamWorkQueue::VisitRequests(
 
 absl::StatusOr<v1::Batch> JetStreamWorkQueue::FindBatch(const std::string& batch_id) {
   ASSIGN_OR_RETURN(RevisedBatch record, parts_->GetBatch(batch_id));
-  return std::move(record->value.mutable_batch());
+  return std::move(*record.value.mutable_batch());
 }
 
 absl::StatusOr<v1::Batch> JetStreamWorkQueue::GetBatch(const std::string& batch_id) {
