@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string_view>
 
@@ -12,59 +11,13 @@
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/registry.h"
-#include "optimizer_worker/explain/explain.h"
+#include "optimizer_worker/constraints/shortfall.h"
 
 namespace flair::cli {
 namespace {
 
 using optimizer::Arguments;
 using optimizer::ConstraintFacts;
-
-// {PARAMETER} stands for its value, {PARAMETER|words} for the words where the call leaves it out.
-const std::map<std::string_view, std::string_view>& Templates() {
-  static const std::map<std::string_view, std::string_view> templates = {
-      {"accessible", "has {min_clearance_m|0.60 m} of free floor before its {sides}"},
-      {"against_wall", "has its {side} flush on {wall|a wall}"},
-      {"away_from", "keeps at least {min_distance_m} from {target}"},
-      {"away_from_feature", "keeps at least {min_distance_m} from every {feature}"},
-      {"between", "stands between {first} and {second}"},
-      {"ceiling_above", "hangs above the middle of {target}"},
-      {"ceiling_center", "hangs from the middle of the ceiling"},
-      {"centered_on_wall", "stands in the middle of {wall|a wall}, its back on it"},
-      {"central", "stands in the middle third of the room"},
-      {"clear_of_feature", "blocks no {feature}"},
-      {"close_to_feature", "is within {max_distance_m} of a {feature}"},
-      {"faces_feature", "looks at a {feature}"},
-      {"facing", "faces {target}"},
-      {"facing_into_room", "faces into the room"},
-      {"in_corner", "stands in a corner"},
-      {"in_front_of", "stands before {target}, at most {distance_m} away"},
-      {"in_zone", "stands in the {zone} zone"},
-      {"near", "is at most {max_distance_m} from {target}"},
-      {"near_wall", "has its {side} within {max_distance_m} of {wall|a wall}"},
-      {"next_to", "stands right beside {target}"},
-      {"not_against_wall", "keeps {min_distance_m} away from the walls"},
-      {"not_facing", "does not look at {target}"},
-      {"not_in_corner", "stays out of the corners"},
-      {"on", "stands wholly on {target}"},
-      {"on_top_center", "stands in the middle of {host}"},
-      {"on_top_corner", "stands at the {corner} corner of {host}"},
-      {"on_wall_above", "hangs above {target}"},
-      {"on_wall_facing", "hangs where {target} looks"},
-      {"on_wall_in_zone", "hangs on a wall of the {zone} zone"},
-      {"on_wall_near", "hangs close to {target}"},
-      {"parallel", "faces the same way as {target}"},
-      {"parallel_to_wall", "stands parallel to the walls"},
-      {"perpendicular", "stands at a right angle to {target}"},
-      {"row", "stands in one row with its like: {objects}"},
-      {"rug_under_center", "lies centred under {object}"},
-      {"rug_under_forward", "lies half under {object}, before its front"},
-      {"surround", "stands round {center}, evenly spread with its like: {objects}"},
-      {"under_center", "lies centred under {target}"},
-      {"under_window", "stands under a window"},
-  };
-  return templates;
-}
 
 std::string SpacedOut(std::string_view words) {
   std::string text(words);
@@ -149,8 +102,7 @@ std::string CallInWords(const v1::ConstraintEdge& edge, const Scene& scene) {
   const std::optional<ReadCall> call = Read(edge, scene);
   if (!call) return fmt::format("meets {}", edge.type());
   const auto value = [&](std::string_view slot) { return Filled(slot, call->facts, call->arguments, scene); };
-  const auto found = Templates().find(call->facts.name);
-  if (found != Templates().end()) return WithSlots(found->second, '{', '}', value);
+  if (!call->facts.phrase.empty()) return WithSlots(call->facts.phrase, '{', '}', value);
   // A type without words of its own: "Daylight falls on `object`." becomes "is so that daylight falls on the desk".
   std::string words = WithSlots(call->facts.summary, '`', '`', value);
   if (words.ends_with('.')) words.pop_back();

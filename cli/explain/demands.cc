@@ -9,7 +9,7 @@
 #include "cli/explain/call_words.h"
 #include "cli/explain/sentence_words.h"
 #include "fmt/format.h"
-#include "optimizer_worker/explain/explain.h"
+#include "optimizer_worker/constraints/shortfall.h"
 
 namespace flair::cli {
 namespace {

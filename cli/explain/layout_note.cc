@@ -10,7 +10,7 @@
 #include "cli/explain/sentence_words.h"
 #include "cli/explain/standing.h"
 #include "fmt/format.h"
-#include "optimizer_worker/explain/explain.h"
+#include "optimizer_worker/constraints/shortfall.h"
 #include "room/geometry/polygon.h"
 #include "room/validation/validate.h"
 

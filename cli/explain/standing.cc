@@ -12,7 +12,7 @@
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/measure/walls.h"
-#include "optimizer_worker/explain/explain.h"
+#include "optimizer_worker/constraints/shortfall.h"
 #include "room/geometry/pose.h"
 
 namespace flair::cli {

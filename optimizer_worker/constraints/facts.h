@@ -12,6 +12,7 @@
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/registry.h"
+#include "optimizer_worker/constraints/shortfall.h"
 
 namespace flair::optimizer {
 
@@ -40,11 +41,17 @@ struct ConstraintFacts {
   std::string family;
   // One sentence: what holds when the cost is zero.
   std::string summary;
+  // What an object that keeps the call does, for `explain`: "keeps at least {min_distance_m} from {target}".
+  // {PARAMETER} stands for its value, {PARAMETER|words} for the words where the call leaves it out. Empty: the summary
+  // is used.
+  std::string phrase = {};
   // Formula, symbols, unit, source; what the released library does otherwise and why we differ.
   std::string doc;
   std::vector<v1::ParameterSpec> parameters = {};
   std::vector<SentenceExample> sentences = {};
   std::vector<LayoutExample> layouts = {};
+  // By how much a call of this type that costs something misses what it asks, in words. Null: told by the cost alone.
+  std::optional<Shortfall> (*shortfall)(const PlacedCall& call) = nullptr;
   absl::StatusOr<std::unique_ptr<Cost>> (*bind)(const Arguments& arguments, const BindContext& context) = nullptr;
   // A whole-room term that the optimizer adds itself.
   bool built_in = false;

@@ -46,9 +46,13 @@ inline void AddReaction(const Frame<double>& moved, double gx, double gy, double
 }
 
 template <typename Formula>
-concept OnlyRelative = requires { requires Formula::kOnlyRelative; };
+concept OnlyRelative = requires {
+  requires Formula::kOnlyRelative;
+};
 template <typename Formula>
-concept SeesZero = requires { requires Formula::kSeesZero; };
+concept SeesZero = requires {
+  requires Formula::kSeesZero;
+};
 
 template <typename Formula>
 class FormulaCost final : public Cost {

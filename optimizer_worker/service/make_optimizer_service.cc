@@ -1,23 +1,108 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/service/make_optimizer_service.h"
 
+#include <algorithm>
+
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/worker_service.pb.h"
 #include "fmt/format.h"
 #include "optimizer_worker/fanout/grpc_peer.h"
-#include "optimizer_worker/service/evaluate_handler.h"
-#include "optimizer_worker/service/list_constraint_types_handler.h"
-#include "optimizer_worker/service/producer.h"
-#include "optimizer_worker/service/resolve_handler.h"
-#include "optimizer_worker/service/solve_handler.h"
-#include "optimizer_worker/service/solve_metrics.h"
-#include "optimizer_worker/service/solve_restarts_handler.h"
+#include "optimizer_worker/service/optimizer_handlers.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "worker_runtime/grpc/server_call.h"
 #include "worker_runtime/logging/log.h"
+#include "worker_runtime/metrics/metrics.h"
 
 namespace flair::optimizer {
 namespace {
+
+using runtime::MetricFamily;
+using runtime::MetricKind;
+
+constexpr MetricFamily kRestarts{.kind = MetricKind::kCounter,
+                                 .name = "flair_optimizer_restarts_total",
+                                 .help =
+                                     "Restarts of the solver: of solves that this program drives (own), wherever "
+                                     "they were done, and for other optimizers (peer).",
+                                 .labels = {"requester"}};
+constexpr MetricFamily kEvaluations{.kind = MetricKind::kCounter,
+                                    .name = "flair_optimizer_evaluations_total",
+                                    .help = "Evaluations of the cost in these restarts.",
+                                    .labels = {"requester"}};
+constexpr MetricFamily kConstraints{.kind = MetricKind::kCounter,
+                                    .name = "flair_optimizer_constraints_total",
+                                    .help = "Constraints of solved layouts, by how they came out.",
+                                    .labels = {"outcome"}};
+constexpr MetricFamily kStageDuration{.kind = MetricKind::kHistogram,
+                                      .name = "flair_optimizer_stage_duration_seconds",
+                                      .help = "Wall time of a stage of a solve.",
+                                      .labels = {"stage"},
+                                      .buckets = runtime::kSecondsBuckets};
+
+double Seconds(const google::protobuf::Duration& duration) {
+  return static_cast<double>(duration.seconds()) + 1e-9 * duration.nanos();
+}
+
+// Counts what solving took, from the answers: nothing is counted while a solver runs. Thread-safe. `metrics` outlives
+// it.
+class SolveMetrics {
+ public:
+  explicit SolveMetrics(runtime::Metrics& metrics);
+
+  // To be told of answers (runtime::ObservedHandler).
+  void operator()(const v1::SolveRequest& request, const v1::SolveResponse& response, absl::Duration duration) const;
+  // Of restarts done for another optimizer.
+  void operator()(const v1::SolveRestartsRequest& request, const v1::SolveRestartsResponse& response,
+                  absl::Duration duration) const;
+
+ private:
+  runtime::Metrics& metrics_;
+  runtime::Counter& own_restarts_;
+  runtime::Counter& peer_restarts_;
+  runtime::Counter& own_evaluations_;
+  runtime::Counter& peer_evaluations_;
+  runtime::Counter& satisfied_;
+  runtime::Counter& violated_;
+  runtime::Counter& dropped_;
+};
+
+SolveMetrics::SolveMetrics(runtime::Metrics& metrics)
+    : metrics_(metrics),
+      own_restarts_(metrics.GetCounter(kRestarts, {"own"})),
+      peer_restarts_(metrics.GetCounter(kRestarts, {"peer"})),
+      own_evaluations_(metrics.GetCounter(kEvaluations, {"own"})),
+      peer_evaluations_(metrics.GetCounter(kEvaluations, {"peer"})),
+      satisfied_(metrics.GetCounter(kConstraints, {"satisfied"})),
+      violated_(metrics.GetCounter(kConstraints, {"violated"})),
+      dropped_(metrics.GetCounter(kConstraints, {"dropped"})) {
+  metrics.Declare(kStageDuration);
+}
+
+void SolveMetrics::operator()(const v1::SolveRequest&, const v1::SolveResponse& response, absl::Duration) const {
+  const v1::SolvedLayout& layout = response.solved_layout();
+  for (const v1::StageOutcome& stage : layout.stage_outcomes()) {
+    own_restarts_.Add(stage.restart_count());
+    own_evaluations_.Add(static_cast<double>(stage.evaluation_count()));
+  }
+  const int stage_count = std::min(layout.stage_outcomes_size(), response.stage_durations_size());
+  for (int i = 0; i < stage_count; ++i) {
+    metrics_.GetHistogram(kStageDuration, {layout.stage_outcomes(i).stage()})
+        .Observe(Seconds(response.stage_durations(i)));
+  }
+  for (const v1::EdgeOutcome& edge : layout.edge_outcomes()) {
+    if (edge.status() == v1::OUTCOME_STATUS_SATISFIED) satisfied_.Add();
+    if (edge.status() == v1::OUTCOME_STATUS_VIOLATED) violated_.Add();
+    if (edge.status() == v1::OUTCOME_STATUS_DROPPED) dropped_.Add();
+  }
+}
+
+void SolveMetrics::operator()(const v1::SolveRestartsRequest&, const v1::SolveRestartsResponse& response,
+                              absl::Duration) const {
+  peer_restarts_.Add(response.outcomes_size());
+  for (const v1::RestartOutcome& outcome : response.outcomes()) {
+    peer_evaluations_.Add(static_cast<double>(outcome.evaluation_count()));
+  }
+}
 
 class Service final : public v1::OptimizerService::CallbackService {
  public:
@@ -30,40 +115,34 @@ class Service final : public v1::OptimizerService::CallbackService {
   grpc::ServerUnaryReactor* ListConstraintTypes(grpc::CallbackServerContext* context,
                                                 const v1::ListConstraintTypesRequest* request,
                                                 v1::ListConstraintTypesResponse* response) override {
-    return runtime::ServeUnary(worker_, "ListConstraintTypes", context, request, response, list_constraint_types_);
+    return runtime::ServeUnary(worker_, "ListConstraintTypes", context, request, response, handlers_);
   }
   grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
                                   v1::SolveResponse* response) override {
-    return runtime::ServeUnary(worker_, "Solve", context, request, response, counted_solve_);
+    return runtime::ServeUnary(worker_, "Solve", context, request, response, counted_);
   }
   grpc::ServerUnaryReactor* SolveRestarts(grpc::CallbackServerContext* context, const v1::SolveRestartsRequest* request,
                                           v1::SolveRestartsResponse* response) override {
     context->AddInitialMetadata(kProducerMetadata, identity_);
-    return runtime::ServeUnary(worker_, "SolveRestarts", context, request, response, counted_solve_restarts_);
+    return runtime::ServeUnary(worker_, "SolveRestarts", context, request, response, counted_);
   }
   grpc::ServerUnaryReactor* Resolve(grpc::CallbackServerContext* context, const v1::ResolveRequest* request,
                                     v1::ResolveResponse* response) override {
-    return runtime::ServeUnary(worker_, "Resolve", context, request, response, resolve_);
+    return runtime::ServeUnary(worker_, "Resolve", context, request, response, handlers_);
   }
   grpc::ServerUnaryReactor* Evaluate(grpc::CallbackServerContext* context, const v1::EvaluateRequest* request,
                                      v1::EvaluateResponse* response) override {
-    return runtime::ServeUnary(worker_, "Evaluate", context, request, response, evaluate_);
+    return runtime::ServeUnary(worker_, "Evaluate", context, request, response, handlers_);
   }
 
  private:
   runtime::WorkerContext& worker_;
   const std::string identity_;
   const NloptSolver solver_;
-  ListConstraintTypesHandler list_constraint_types_;
   PeerPool peers_;
-  SolveHandler solve_{solver_, peers_};
-  SolveRestartsHandler solve_restarts_{solver_};
-  ResolveHandler resolve_{solver_};
-  EvaluateHandler evaluate_{solver_};
+  const OptimizerHandlers handlers_{solver_, peers_};
   const SolveMetrics metrics_{worker_.metrics};
-  runtime::ObservedHandler<SolveHandler, const SolveMetrics&> counted_solve_{solve_, worker_.clock, metrics_};
-  runtime::ObservedHandler<SolveRestartsHandler, const SolveMetrics&> counted_solve_restarts_{solve_restarts_,
-                                                                                              worker_.clock, metrics_};
+  runtime::ObservedHandler<const OptimizerHandlers, const SolveMetrics&> counted_{handlers_, worker_.clock, metrics_};
 };
 
 }  // namespace

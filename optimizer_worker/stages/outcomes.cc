@@ -6,7 +6,7 @@
 #include <map>
 
 #include "fmt/format.h"
-#include "optimizer_worker/explain/explain.h"
+#include "optimizer_worker/constraints/shortfall.h"
 #include "optimizer_worker/zones/voronoi_zones.h"
 #include "room/geometry/pose.h"
 

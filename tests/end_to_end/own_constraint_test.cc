@@ -11,7 +11,7 @@
 #include "cli/explain/call_words.h"
 #include "nlohmann/json.hpp"
 #include "optimizer_worker/constraints/call_text.h"
-#include "optimizer_worker/explain/explain.h"
+#include "optimizer_worker/constraints/shortfall.h"
 #include "room/text_format/scene_text.h"
 #include "tests/fixtures/programs.h"
 #include "tests/fixtures/scripted_model.h"

@@ -1,22 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/constraints/feature/clear_of_feature.h"
+// Keeps an object out of the space that a door, window or socket needs.
+//   cost = sum over areas of depth^2                                                                         [m2]
+//   areas  door: swing and passage (room/door_clear.h); window: its width, 0.5 m into the room; socket: 0.15 m wide,
+//   0.1 m depth  shortest push out of the area that does not go through the wall
+// Zero exactly when nothing is blocked. An object of known height that ends below a window's sill never blocks it. The
+// released ind_not_block_fixed_object jumps at contact, ignores sockets and knows no heights (SEMANTICS.md section 3).
+#include <fmt/format.h>
+
+#include <vector>
 
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/formula_cost.h"
+#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/measure/room_areas.h"
 #include "optimizer_worker/constraints/room/door_clear.h"
+#include "room/geometry/footprint.h"
 
 namespace flair::optimizer {
 
-template <typename T>
-T ClearOfFeature::operator()(const Frames<T, 1>& frames) const {
-  const Box<T> box(footprint, frames[0]);
-  T sum(0.0);
-  for (const ConvexPiece& area : areas) sum += SquaredPenetration<T>(box, area);
-  return sum;
-}
-
 namespace {
+
+struct ClearOfFeature {
+  static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
+  Footprint footprint;
+  std::vector<ConvexPiece> areas;
+
+  template <typename T>
+  T operator()(const Frames<T, 1>& frames) const {
+    const Box<T> box(footprint, frames[0]);
+    T sum(0.0);
+    for (const ConvexPiece& area : areas) sum += SquaredPenetration<T>(box, area);
+    return sum;
+  }
+};
 
 constexpr double kWindowDepth_m = 0.5;
 constexpr double kSocketWidth_m = 0.15;
@@ -57,6 +75,13 @@ std::vector<ConvexPiece> AreasOf(const Scene& scene, int object, FeatureKind kin
   return {};
 }
 
+std::optional<Shortfall> ClearOfFeatureShortfall(const PlacedCall& call) {
+  const double depth = call.CostRoot();
+  return Worst(
+      {{fmt::format("{} reaches {:.2f} m into the floor before {}", call.NameOf("object"), depth, call.FeatureName()),
+        depth, "m"}});
+}
+
 }  // namespace
 
 ConstraintFacts ClearOfFeatureFacts() {
@@ -65,6 +90,7 @@ ConstraintFacts ClearOfFeatureFacts() {
       .aliases = {"ind_not_block_fixed_object", "io_not_block_fixed_object"},
       .family = "feature",
       .summary = "`object` does not block any door, window or socket.",
+      .phrase = "blocks no {feature}",
       .doc =
           "cost = sum of squared penetration of the areas that the features need [m2]: swing and passage of a door, "
           "0.5 m "
@@ -83,6 +109,7 @@ ConstraintFacts ClearOfFeatureFacts() {
                   Violated("4x3 room; socket south 1; shelf 1x0.3 at 1.2,0.15,0 height 2",
                            "object=shelf feature=socket"),
                   Violated("4x3 room; door south 1 0.9; shelf 1x0.3 at 1.2,0.6,15", "object=shelf feature=door")},
+      .shortfall = ClearOfFeatureShortfall,
       .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
         const int object = a.Object("object");
         return MakeCost(

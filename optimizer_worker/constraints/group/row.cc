@@ -1,15 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/constraints/group/row.h"
-
+// Stands objects side by side.
+//   cost = sum over neighbours (a left of b) of  out(gap, [0, 0.05])^2 + offset^2 + (1 - cos(theta_a - theta_b)) [m2]
+//   gap     air between the right side of a and the left side of b;  offset  of b's back from the line of a's back
+// Neighbours are next to each other in order along the first object's right, wherever they stand in the list. Zero
+// exactly when they form one row with flush backs and the same heading.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "optimizer_worker/autodiff/smooth.h"
+#include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/measure/pairwise.h"
+#include "room/scene/scene.h"
 
 namespace flair::optimizer {
+
+namespace {
+
+class RowCost final : public Cost {
+ public:
+  static constexpr int kMaxObjects = 16;
+
+  // Two to kMaxObjects objects.
+  RowCost(const Scene& scene, const std::vector<int>& objects);
+
+  std::span<const int> objects() const override { return objects_; }
+  double ValueAt(std::span<const Frame<double>> frames) const override;
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
+
+ private:
+  // Positions in objects_, from left to right.
+  std::array<size_t, kMaxObjects> Order(std::span<const Frame<double>> frames) const;
+  template <typename T>
+  T NeighbourCost(const Footprint& left, const Frame<T>& left_frame, const Footprint& right,
+                  const Frame<T>& right_frame) const;
+
+  std::vector<int> objects_;
+  std::vector<Footprint> footprints_;
+};
 
 RowCost::RowCost(const Scene& scene, const std::vector<int>& objects) : objects_(objects) {
   std::sort(objects_.begin(), objects_.end());
@@ -61,10 +92,19 @@ double RowCost::GradientAt(std::span<const Frame<double>> frames, std::span<doub
   return sum;
 }
 
+std::optional<Shortfall> RowShortfall(const PlacedCall& call) {
+  const std::vector<int>& objects = call.arguments().Objects("objects");
+  return Worst(
+      {OffBy(fmt::format("one of {} and its neighbours", call.Name(objects[0])), "one flush row", call.CostRoot())});
+}
+
+}  // namespace
+
 ConstraintFacts RowFacts() {
   return {.name = "row",
           .family = "group",
           .summary = "`objects` stand side by side in one row, backs flush, facing the same way.",
+          .phrase = "stands in one row with its like: {objects}",
           .doc =
               "cost = sum over neighbours of squared gap beyond [0, 0.05 m] + squared offset of the backs + (1 - cos "
               "of the "
@@ -75,6 +115,7 @@ ConstraintFacts RowFacts() {
                                 "objects=a,b,c"),
                       Violated("5x4 room; a 1x0.6 at 1,0.3,0; b 0.6x0.4 at 2.9,0.4,10; c 0.8x0.6 at 1.92,0.3,0",
                                "objects=a,b,c")},
+          .shortfall = RowShortfall,
           .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
             const std::vector<int>& objects = a.Objects("objects");
             if (objects.size() < 2 || objects.size() > static_cast<size_t>(RowCost::kMaxObjects)) {

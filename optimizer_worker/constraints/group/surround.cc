@@ -1,24 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/constraints/group/surround.h"
-
+// Seats objects round a centre object.
+//   cost = sum over seats of  out(gap, [0, 0.1])^2 + max(|along - place| - play, 0)^2 + (1 + f . n)              [m2]
+//   gap, along  of the middle of the seat's front, outward from and along the side of the centre object
+//   f, n        the seat's front direction and the side's outward normal
+// Places: one on every side of the centre object that has room for a seat, long sides first (two seats: the two long
+// sides), the rest where most length is left; evenly spread along each side, play a quarter of the spare width. Seats
+// take the places that cost least together. Zero exactly when every seat is at a place of its own and faces the centre
+// object. Sides are judged where the centre object is now: the cost may jump when it comes too near to a wall. The
+// released io_surround deals places in list order round a stale pose (SEMANTICS.md section 4).
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
+#include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/pairwise.h"
 #include "optimizer_worker/constraints/measure/walls.h"
+#include "room/geometry/angle.h"
+#include "room/scene/scene.h"
 
 namespace flair::optimizer {
+
 namespace {
+
+class SurroundCost final : public Cost {
+ public:
+  static constexpr int kMaxSeats = 16;
+
+  // At most kMaxSeats seats.
+  SurroundCost(const Scene& scene, int center, const std::vector<int>& seats);
+
+  std::span<const int> objects() const override { return objects_; }
+  double ValueAt(std::span<const Frame<double>> frames) const override;
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
+
+ private:
+  struct Place {
+    Side side;
+    // Along the side from its middle.
+    double along_m;
+    double play_m;
+  };
+  struct Places {
+    std::array<Place, kMaxSeats> items;
+    int count = 0;
+  };
+
+  Places PlacesAround(const Frame<double>& center) const;
+  bool HasRoom(const Frame<double>& center, Side side) const;
+  void AddPlaces(Side side, int count, Places& places) const;
+  // The place of each seat, cheapest together: greedy, then exchanged pairwise while that helps.
+  std::array<int, kMaxSeats> Assign(std::span<const Frame<double>> frames, const Places& places) const;
+  template <typename T>
+  T SeatCost(const Frame<T>& center, const Frame<T>& seat, const Footprint& footprint, const Place& place) const;
+
+  std::vector<int> objects_;
+  // Where the centre and the seats are in objects_.
+  size_t center_ = 0;
+  std::vector<size_t> seats_;
+  Footprint table_;
+  std::vector<Footprint> footprints_;
+  double widest_m_ = 0;
+  double shallowest_m_ = 0;
+  FloorShape floor_;
+};
 
 constexpr double kAir_m = 0.1;
 
 size_t PositionOf(const std::vector<int>& sorted, int object) {
   return static_cast<size_t>(std::lower_bound(sorted.begin(), sorted.end(), object) - sorted.begin());
 }
-
-}  // namespace
 
 SurroundCost::SurroundCost(const Scene& scene, int center, const std::vector<int>& seats)
     : objects_(seats), table_(scene.objects[static_cast<size_t>(center)].footprint), floor_(scene.room.floor) {
@@ -158,12 +212,28 @@ double SurroundCost::GradientAt(std::span<const Frame<double>> frames, std::span
   return sum;
 }
 
+std::optional<Shortfall> SurroundShortfall(const PlacedCall& call) {
+  const std::string center = call.Name(call.arguments().Object("center"));
+  std::vector<Shortfall> misses;
+  for (int seat : call.arguments().Objects("objects")) {
+    const Frame<double> frame = call.FrameOf(seat);
+    const Vec2<double> to_center = call.FrameOf(call.arguments().Object("center")).center - frame.center;
+    misses.push_back(TooFar(call.Name(seat), center, call.GapBetween(seat, call.arguments().Object("center")), 0.1));
+    misses.push_back(Turned(SideOf(call.Name(seat), Side::kFront), center, AngleOf(frame.front, to_center), kPi / 4));
+  }
+  if (const std::optional<Shortfall> worst = Worst(misses)) return worst;
+  return Worst({OffBy("one of those round " + center, "an even place", call.CostRoot())});
+}
+
+}  // namespace
+
 ConstraintFacts SurroundFacts() {
   return {
       .name = "surround",
       .aliases = {"io_surround", "p_surround"},
       .family = "group",
       .summary = "`objects` stand round `center`, at its free sides, evenly spread, each facing it.",
+      .phrase = "stands round {center}, evenly spread with its like: {objects}",
       .doc =
           "cost = sum over seats of squared gap beyond [0, 0.1 m] + squared distance along the side from its place + "
           "(1 - "
@@ -183,6 +253,7 @@ ConstraintFacts SurroundFacts() {
                            "center=table objects=a,b"),
                   Violated("5x5 room; table 1x1 at 2.5,2.5,0; a 0.5x0.5 at 2.5,1.6,170; b 0.5x0.5 at 2.5,3.4,180",
                            "center=table objects=a,b")},
+      .shortfall = SurroundShortfall,
       .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
         const std::vector<int>& seats = a.Objects("objects");
         if (seats.size() > static_cast<size_t>(SurroundCost::kMaxSeats)) {

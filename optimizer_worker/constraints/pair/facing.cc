@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/constraints/pair/facing.h"
+// Turns an object towards another.
+//   cost = (|FL - c| - |BL - c|)+^2 + (|FR - c| - |BR - c|)+^2 + (d_left + d_right - w)^2                      [m2]
+//   c                 centre of the target;  FL, BL, FR, BR  front and back corners of the object
+//   d_left, d_right   distances of c from the lines through its left and right side, w its width
+// With both, the same with roles swapped and (f1 . f2 + 1)^2. Zero exactly when the target's centre is ahead within the
+// strip of the object's width (with both: facing each other). As the released io_facing.
+#include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/formula_cost.h"
+#include "room/geometry/angle.h"
+#include "room/geometry/footprint.h"
 
 namespace flair::optimizer {
 
@@ -24,14 +34,46 @@ T Faces(const Footprint& footprint, const Frame<T>& frame, const Vec2<T>& point)
   return sum + SquaredHinge(2.0 * Magnitude(p.x) - footprint.width_m);
 }
 
-}  // namespace
+struct Facing {
+  static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  Footprint object;
+  Footprint target;
+  bool both;
 
-template <typename T>
-T Facing::operator()(const Frames<T, 2>& frames) const {
-  const T one_way = Faces(object, frames[0], frames[1].center);
-  if (!both) return one_way;
-  return one_way + Faces(target, frames[1], frames[0].center) + Square(Dot(frames[0].front, frames[1].front) + 1.0);
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    const T one_way = Faces(object, frames[0], frames[1].center);
+    if (!both) return one_way;
+    return one_way + Faces(target, frames[1], frames[0].center) + Square(Dot(frames[0].front, frames[1].front) + 1.0);
+  }
+};
+
+// How an object misses looking at another: out of its strip, or behind.
+Shortfall NotFaced(const PlacedCall& call, int object, int target) {
+  const Frame<double> frame = call.FrameOf(object);
+  const Vec2<double> p = frame.ToObject(call.FrameOf(target).center);
+  const double aside = std::abs(p.x) - call.FootprintOf(object).width_m / 2;
+  if (p.y >= 0 && aside > 0) {
+    return {fmt::format("{} is {:.2f} m to the side of where {} looks", call.Name(target), aside, call.Name(object)),
+            aside, "m"};
+  }
+  return Turned(SideOf(call.Name(object), Side::kFront), call.Name(target),
+                p.y >= 0 ? 0 : AngleOf(frame.front, call.FrameOf(target).center - frame.center));
 }
+
+std::optional<Shortfall> FacingShortfall(const PlacedCall& call) {
+  const int object = call.object(), target = call.target();
+  std::vector<Shortfall> misses = {NotFaced(call, object, target)};
+  if (call.arguments().Flag("both")) {
+    misses.push_back(NotFaced(call, target, object));
+    misses.push_back(Turned(call.Name(object), fmt::format("facing {} squarely", call.Name(target)),
+                            kPi - AngleOf(call.FrameOf(object).front, call.FrameOf(target).front)));
+  }
+  return Worst(misses);
+}
+
+}  // namespace
 
 ConstraintFacts FacingFacts() {
   return {
@@ -39,6 +81,7 @@ ConstraintFacts FacingFacts() {
       .aliases = {"io_facing", "p_facing", "ind_facing"},
       .family = "pair",
       .summary = "`object` faces `target`: the target's centre is straight ahead of it, within its width.",
+      .phrase = "faces {target}",
       .doc =
           "cost = squared differences of corner distances when the target is behind + squared lateral excess of its "
           "centre over the strip of the object's width [m2]; with both also the other way and opposed headings. As "
@@ -52,6 +95,7 @@ ConstraintFacts FacingFacts() {
                   Violated("5x4 room; a 2x1 at 2,1,20; b 1x1 at 3.8,3,30", "object=a target=b"),
                   Violated("5x4 room; a 2x1 at 2,3,10; b 1x1 at 2.3,1,30", "object=a target=b"),
                   Violated("5x4 room; a 2x1 at 2,1,0; b 1x1 at 2,3,100", "object=a target=b both=true")},
+      .shortfall = FacingShortfall,
       .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
         const int object = a.Object("object");
         const int target = a.Object("target");

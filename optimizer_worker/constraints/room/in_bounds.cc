@@ -1,15 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/constraints/room/in_bounds.h"
-
+// Keeps an object on the floor.
+//   cost = sum over corners C and half-planes of the floor's hull of max(-h(C), 0)^2 + sum over pockets of depth^2 [m2]
+//   h(C)   signed distance of the corner from the half-plane's edge, positive inside
+//   depth  penetration of the rectangle into a part of the hull that is not floor (none in a rectangle)
+// Zero exactly when the whole rectangle is on the floor. For a rectangular room [Paper] Eq. in_bounds: the released
+// function is 10 times this. The weight is the solver's.
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/formula_cost.h"
+#include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/whole_room.h"
+#include "room/geometry/footprint.h"
 
 namespace flair::optimizer {
 
-template <typename T>
-T InBoundsFormula::operator()(const Frames<T, 1>& frames) const {
-  return floor.SquaredExcess(Box<T>(footprint, frames[0]));
-}
+namespace {
+
+struct InBoundsFormula {
+  static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
+  Footprint footprint;
+  FloorShape floor;
+
+  template <typename T>
+  T operator()(const Frames<T, 1>& frames) const {
+    return floor.SquaredExcess(Box<T>(footprint, frames[0]));
+  }
+};
+
+}  // namespace
 
 std::unique_ptr<Cost> InBounds(const Scene& scene, int object) {
   return MakeCost(InBoundsFormula{scene.objects[static_cast<size_t>(object)].footprint, FloorShape(scene.room.floor)},

@@ -1,22 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/constraints/room/no_overlap.h"
-
+// Keeps two objects out of each other.
+//   cost = max(-gap(A, B), 0)^2                                                                   [m2]
+//   gap  signed gap of the two rectangles (measure/gap.h): minus the length of the shortest push that parts them
+// Zero exactly when they are apart or touch; continuously differentiable at contact; pushes apart in the cheapest
+// direction. The paper's Eq. no_overlap sums squared edge lengths of the intersection, which jumps from 0 to 10 at
+// contact and has no usable slope (SEMANTICS.md section 5).
 #include <fmt/format.h>
 
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/whole_room.h"
+#include "room/geometry/footprint.h"
 
 namespace flair::optimizer {
 
-template <typename T>
-T NoOverlap::operator()(const Frames<T, 2>& frames) const {
-  // Most pairs are far apart: their circles do not meet.
-  const double dx = ValueOf(frames[0].center.x) - ValueOf(frames[1].center.x);
-  const double dy = ValueOf(frames[0].center.y) - ValueOf(frames[1].center.y);
-  if (dx * dx + dy * dy >= reach_m * reach_m) return T(0.0);
-  return SquaredPenetration<T>(Box<T>(first, frames[0]), Box<T>(second, frames[1]));
-}
+namespace {
+
+struct NoOverlap {
+  static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  Footprint first;
+  Footprint second;
+  // Their circles meet when the centres are closer than this.
+  double reach_m = CircumscribedRadius(first) + CircumscribedRadius(second);
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    // Most pairs are far apart: their circles do not meet.
+    const double dx = ValueOf(frames[0].center.x) - ValueOf(frames[1].center.x);
+    const double dy = ValueOf(frames[0].center.y) - ValueOf(frames[1].center.y);
+    if (dx * dx + dy * dy >= reach_m * reach_m) return T(0.0);
+    return SquaredPenetration<T>(Box<T>(first, frames[0]), Box<T>(second, frames[1]));
+  }
+};
+
+}  // namespace
 
 bool CanCollide(const Scene& scene, int a, int b) {
   const Object& first = scene.objects[static_cast<size_t>(a)];

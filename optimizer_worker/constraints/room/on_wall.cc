@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/constraints/room/on_wall.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/beside.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/whole_room.h"
 
@@ -28,6 +34,33 @@ std::unique_ptr<Cost> OnWall(const Scene& scene, int object) {
   if (o.kind != ObjectKind::kWall) return nullptr;
   return MakeCost(OnWallFormula{o.footprint, HangingWalls(scene.room, scene.BottomOf(object), scene.TopOf(object))},
                   {object});
+}
+
+Shortfall NotHanging(const PlacedCall& call, int object) {
+  const Scene& scene = call.scene();
+  double least = std::numeric_limits<double>::infinity();
+  for (const HangingWall& place : HangingWalls(scene.room, scene.BottomOf(object), scene.TopOf(object))) {
+    least = std::min(least, HangsOn(call.FootprintOf(object), call.FrameOf(object), place));
+  }
+  return OffBy(call.Name(object), "a place flat on one wall, clear of its doors and windows",
+               std::isfinite(least) ? std::sqrt(least) : 0);
+}
+
+std::vector<Shortfall> OffBeside(const PlacedCall& call, double most_along_m, double most_away_m, const char* place) {
+  const int object = call.object(), target = call.target();
+  const Wall& wall = call.BestWall(
+      [&](const Wall& w) { return SideOnWall(call.FootprintOf(object), call.FrameOf(object), Side::kBack, w); });
+  const WallView<double> view(call.FootprintOf(target), call.FrameOf(target), wall);
+  const double offset = wall.Offset(call.FrameOf(object).center);
+  const bool above = most_along_m == 0;
+  const double along =
+      above ? std::abs(offset - view.Middle()) : std::max({0.0, view.low - offset, offset - view.high});
+  return {
+      {fmt::format("{} hangs {:.2f} m along the wall from {} {}", call.Name(object), along, place, call.Name(target)),
+       along - most_along_m, "m"},
+      TooFar(call.Name(target), fmt::format("{}, where {} hangs", WallName(wall), call.Name(object)), view.distance,
+             most_away_m),
+      NotHanging(call, object)};
 }
 
 ConstraintFacts OnWallFacts() {

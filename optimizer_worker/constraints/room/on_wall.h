@@ -12,6 +12,7 @@
 
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/walls.h"
+#include "optimizer_worker/constraints/shortfall.h"
 #include "room/geometry/footprint.h"
 #include "room/scene/scene.h"
 
@@ -41,6 +42,12 @@ T HangsOn(const Footprint& footprint, const Frame<T>& frame, const HangingWall& 
   }
   return sum;
 }
+
+// How an object misses hanging on any wall.
+Shortfall NotHanging(const PlacedCall& call, int object);
+// How `object` misses hanging beside `target`: metres along the wall from its middle to the interval that the target
+// covers (to the middle of it when most_along_m is 0), and how far the target stands from that wall.
+std::vector<Shortfall> OffBeside(const PlacedCall& call, double most_along_m, double most_away_m, const char* place);
 
 struct OnWallFormula {
   static constexpr int kObjects = 1;

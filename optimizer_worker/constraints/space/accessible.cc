@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/constraints/space/accessible.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -129,12 +131,43 @@ double AccessibleCost::GradientAt(std::span<const Frame<double>> frames, std::sp
   return sum;
 }
 
+namespace {
+
+std::optional<Shortfall> AccessibleShortfall(const PlacedCall& call) {
+  const int object = call.object();
+  const double depth =
+      call.arguments().Has("min_clearance_m") ? call.arguments().Number("min_clearance_m") : kStandingRoom_m;
+  std::vector<Shortfall> misses;
+  for (Side side : call.arguments().Sides("sides")) {
+    const Box<double> strip = Box<double>::Before(call.FootprintOf(object), call.FrameOf(object), side, depth);
+    const std::string floor = fmt::format("the {:.2f} m before {}", depth, SideOf(call.Name(object), side));
+    for (int i = 0; i < static_cast<int>(call.scene().objects.size()); ++i) {
+      const Object& other = call.scene().objects[static_cast<size_t>(i)];
+      const bool belongs = call.linked() != nullptr && call.linked()->BelongsAt(object, i, side);
+      if (i == object || other.kind != ObjectKind::kFloor || other.walk_over || belongs) continue;
+      const double into = -Gap<double>(strip, call.BoxOf(i));
+      misses.push_back({fmt::format("{} reaches {:.2f} m into {}", call.Name(i), into, floor), into, "m"});
+    }
+    for (const Wall& wall : call.scene().room.walls) {
+      double beyond = 0;
+      for (int k = 0; k < 4; ++k) beyond = std::max(beyond, -wall.Height(strip.value(k)));
+      misses.push_back({fmt::format("{} are cut off by {} by {:.2f} m", floor, WallName(wall), beyond), beyond, "m"});
+    }
+  }
+  if (const std::optional<Shortfall> worst = Worst(misses)) return worst;
+  const double into = call.CostRoot();
+  return Worst({{fmt::format("a door swings {:.2f} m into the floor before {}", into, call.Name(object)), into, "m"}});
+}
+
+}  // namespace
+
 ConstraintFacts AccessibleFacts() {
   return {
       .name = "accessible",
       .aliases = {"ind_accessible", "io_accessible"},
       .family = "space",
       .summary = "The floor before the given sides of `object` is free and inside the room, `min_clearance_m` deep.",
+      .phrase = "has {min_clearance_m|0.60 m} of free floor before its {sides}",
       .doc =
           "cost = sum over sides of squared distances of the clearance rectangle outside the room + squared "
           "penetration of "
@@ -155,6 +188,7 @@ ConstraintFacts AccessibleFacts() {
                   Violated("4x4 room; bed 1.6x2 at 2,1,0; desk 1x0.6 at 2.1,2.6,170", "object=bed"),
                   Violated("4x4 room; bed 1.6x2 at 1,1,4; desk 1x0.6 at 2,3.7,180", "object=bed sides=left"),
                   Violated("4x4 room; door south 0.1 0.9; bed 1.6x2 at 2.2,1,5", "object=bed sides=left")},
+      .shortfall = AccessibleShortfall,
       .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
         const double clearance = a.Has("min_clearance_m") ? a.Number("min_clearance_m") : kStandingRoom_m;
         return std::make_unique<AccessibleCost>(context, a.Object("object"), a.Sides("sides"), clearance);

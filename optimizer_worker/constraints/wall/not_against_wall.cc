@@ -1,34 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/constraints/wall/not_against_wall.h"
+// Keeps an object, or one of its sides, away from all walls.
+//   cost = sum over corners C and walls of max(min - d(C, wall), 0)^2                                       [m2]
+//   C  the object's corners, or the two ends of the given side;  d  signed distance to the wall's line in a convex room
+// In other rooms d is the gap between the whole object and each wall, once per wall. Zero exactly when everything is at
+// least min_distance_m from every wall. The released ind_not_against_wall is 10 times this, lets corners pass through
+// walls and refuses the side that its own documentation names (SEMANTICS.md section 3).
+#include <optional>
+#include <vector>
 
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/formula_cost.h"
+#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/measure/gap.h"
+#include "room/geometry/footprint.h"
+#include "room/scene/room.h"
 
 namespace flair::optimizer {
 
-template <typename T>
-T NotAgainstWall::operator()(const Frames<T, 1>& frames) const {
-  T sum(0.0);
-  if (!convex && !side.has_value()) {
-    const Box<T> box(footprint, frames[0]);
-    for (const ConvexPiece& piece : pieces) sum += SquaredNearness<T>(box, piece, min_distance_m);
+namespace {
+
+struct NotAgainstWall {
+  static constexpr int kObjects = 1;
+  Footprint footprint;
+  std::optional<Side> side;
+  double min_distance_m;
+  std::vector<Wall> walls;
+  // The walls' lines bound the room.
+  bool convex;
+  // The same walls as pieces, for rooms that are not convex.
+  std::vector<ConvexPiece> pieces;
+
+  template <typename T>
+  T operator()(const Frames<T, 1>& frames) const {
+    T sum(0.0);
+    if (!convex && !side.has_value()) {
+      const Box<T> box(footprint, frames[0]);
+      for (const ConvexPiece& piece : pieces) sum += SquaredNearness<T>(box, piece, min_distance_m);
+      return sum;
+    }
+    const auto corner_cost = [this, &sum](const Vec2<T>& corner) {
+      for (const Wall& wall : walls) {
+        const bool beside = ValueOf(wall.Offset(corner)) < 0 || ValueOf(wall.Offset(corner)) > wall.length_m;
+        if (convex || !beside) sum += SquaredHinge(min_distance_m - wall.Height(corner));
+      }
+    };
+    if (side.has_value()) {
+      const SideEdge<T> edge = EdgeOf(footprint, frames[0], *side);
+      corner_cost(edge.first);
+      corner_cost(edge.second);
+    } else {
+      for (const Vec2<T>& corner : Corners(footprint, frames[0])) corner_cost(corner);
+    }
     return sum;
   }
-  const auto corner_cost = [this, &sum](const Vec2<T>& corner) {
-    for (const Wall& wall : walls) {
-      const bool beside = ValueOf(wall.Offset(corner)) < 0 || ValueOf(wall.Offset(corner)) > wall.length_m;
-      if (convex || !beside) sum += SquaredHinge(min_distance_m - wall.Height(corner));
-    }
-  };
-  if (side.has_value()) {
-    const SideEdge<T> edge = EdgeOf(footprint, frames[0], *side);
-    corner_cost(edge.first);
-    corner_cost(edge.second);
-  } else {
-    for (const Vec2<T>& corner : Corners(footprint, frames[0])) corner_cost(corner);
+};
+
+std::optional<Shortfall> NotAgainstWallShortfall(const PlacedCall& call) {
+  const int object = call.object();
+  const std::optional<Side> side = call.arguments().MaybeSide("side");
+  const Box<double> box =
+      side ? Box<double>::Before(call.FootprintOf(object), call.FrameOf(object), *side, 0) : call.BoxOf(object);
+  const std::string what = side ? SideOf(call.Name(object), *side) : call.Name(object);
+  std::vector<Shortfall> misses;
+  for (const Wall& wall : call.scene().room.walls) {
+    const ConvexPiece piece(Segment{wall.start, wall.end});
+    misses.push_back(TooNear(what, WallName(wall), Gap<double>(box, piece), call.arguments().Number("min_distance_m")));
   }
-  return sum;
+  return Worst(misses);
 }
+
+}  // namespace
 
 ConstraintFacts NotAgainstWallFacts() {
   return {
@@ -36,6 +77,7 @@ ConstraintFacts NotAgainstWallFacts() {
       .aliases = {"ind_not_against_wall", "io_not_against_wall", "ind_not_next_to_wall"},
       .family = "wall",
       .summary = "`object` (or its given side) is at least `min_distance_m` from every wall.",
+      .phrase = "keeps {min_distance_m} away from the walls",
       .doc =
           "cost = sum over corners and walls of max(min_distance_m - distance, 0)^2 [m2]. The released function is 10 "
           "times this and calls places beyond the wall fine.",
@@ -50,6 +92,7 @@ ConstraintFacts NotAgainstWallFacts() {
                   Satisfied("4x3 room; table 1x1 at 2,0.6,0", "object=table side=front"),
                   Violated("4x3 room; table 1x1 at 2,0.6,0", "object=table side=back"),
                   Violated("room 0,0 4,0 4,2 2,2 2,4 0,4; table 1x1 at 1.4,2.6,0", "object=table")},
+      .shortfall = NotAgainstWallShortfall,
       .bind = [](const Arguments& a, const BindContext& context) -> absl::StatusOr<std::unique_ptr<Cost>> {
         const int object = a.Object("object");
         const Room& room = context.scene.room;

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/constraints/shortfall.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/walls.h"
+#include "optimizer_worker/constraints/registry.h"
+#include "room/geometry/angle.h"
+
+namespace flair::optimizer {
+namespace {
+
+constexpr double kLeast_m = 1e-3, kLeast_deg = 0.1, kMetresPerDegree = 0.02;
+
+double Degrees(double angle_rad) { return angle_rad * 180 / kPi; }
+
+bool IsMissed(const Shortfall& s) { return s.missed_by > (s.unit == "deg" ? kLeast_deg : kLeast_m); }
+double Weight(const Shortfall& s) { return s.unit == "deg" ? kMetresPerDegree * s.missed_by : s.missed_by; }
+
+// "the desk and the chair", the objects that the call names.
+std::string AllNamed(const v1::ConstraintEdge& edge, const Scene& scene) {
+  std::string names;
+  for (int object : NamedObjects(edge, scene)) {
+    names += (names.empty() ? "" : " and ") + NameForPeople(scene, object);
+  }
+  return names.empty() ? "the room" : names;
+}
+
+}  // namespace
+
+std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished& where) {
+  const ConstraintFacts* const facts = FindConstraint(edge.type());
+  if (facts == nullptr) return std::nullopt;
+  const absl::StatusOr<Arguments> arguments = Arguments::Resolve(*facts, edge, where.scene);
+  if (!arguments.ok()) return std::nullopt;
+  const PlacedCall call(edge, *arguments, where);
+  const double missed = call.CostRoot();
+  if (missed == 0) return std::nullopt;
+  if (facts->shortfall != nullptr) {
+    if (std::optional<Shortfall> shortfall = facts->shortfall(call)) return shortfall;
+  }
+  if (facts->built_in) return std::nullopt;
+  // Several small misses may add up to what none of them is; and a new type may measure none.
+  return Worst(
+      {{fmt::format("what is asked of {} is missed by {:.2f} m", AllNamed(edge, where.scene), missed), missed, "m"}});
+}
+
+std::string NameForPeople(const Scene& scene, int object) {
+  const Object& what = scene.objects[static_cast<size_t>(object)];
+  const std::string name = what.name.empty() ? what.id : what.name;
+  const auto count = std::count_if(scene.objects.begin(), scene.objects.end(),
+                                   [&](const Object& other) { return other.name == what.name; });
+  if (count <= 1) return "the " + name;
+  // The number of its id when it has one, else its place among its likes.
+  const size_t number = what.id.find_last_not_of("0123456789") + 1;
+  if (number < what.id.size()) return fmt::format("{} {}", name, what.id.substr(number));
+  const auto before = std::count_if(scene.objects.begin(), scene.objects.begin() + object,
+                                    [&](const Object& other) { return other.name == what.name; });
+  return fmt::format("{} {}", name, before + 1);
+}
+
+double PlacedCall::CostRoot() const {
+  const absl::StatusOr<std::unique_ptr<Cost>> cost =
+      Bind(edge_, BindContext{where_.scene, where_.zone_centers, where_.linked});
+  if (!cost.ok()) return 0;
+  std::vector<Pose<double>> poses;
+  for (int object : (*cost)->objects()) poses.push_back(where_.layout[static_cast<size_t>(object)]);
+  return std::sqrt((*cost)->Value(poses));
+}
+
+double PlacedCall::NearestFeatureGap() const {
+  const std::optional<Side> side = arguments_.Has("side") ? arguments_.MaybeSide("side") : std::optional<Side>();
+  const Box<double> box = SideBoxOf(object(), side);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Segment& segment : FeatureSegments(scene().room, arguments_.Feature("feature"))) {
+    nearest = std::min(nearest, Gap<double>(box, ConvexPiece(segment)));
+  }
+  return nearest;
+}
+
+std::string PlacedCall::FeatureName() const {
+  const FeatureKind kind = arguments_.Feature("feature");
+  const bool several = FeatureSegments(scene().room, kind).size() > 1;
+  return fmt::format("the {}{}", several ? "nearest " : "", std::string(optimizer::FeatureName(kind)));
+}
+
+std::string WallName(const Wall& wall) {
+  for (const char* name : {"north", "east", "south", "west"}) {
+    if (wall.name == name) return fmt::format("the {} wall", name);
+  }
+  return wall.name;
+}
+
+std::string SideOf(const std::string& object, Side side) {
+  return fmt::format("the {} of {}", std::string(SideName(side)), object);
+}
+
+Shortfall TooFar(const std::string& what, const std::string& from, double distance_m, double most_m) {
+  return {fmt::format("{} is {:.2f} m from {}, at most {:.2f} m", what, distance_m, from, most_m), distance_m - most_m,
+          "m"};
+}
+
+Shortfall TooNear(const std::string& what, const std::string& from, double distance_m, double least_m) {
+  return {fmt::format("{} is {:.2f} m from {}, at least {:.2f} m", what, std::max(0.0, distance_m), from, least_m),
+          least_m - distance_m, "m"};
+}
+
+Shortfall OffBy(const std::string& what, const std::string& from, double distance_m) {
+  return {fmt::format("{} is {:.2f} m off {}", what, std::abs(distance_m), from), std::abs(distance_m), "m"};
+}
+
+Shortfall Turned(const std::string& what, const std::string& from, double angle_rad, double most_rad) {
+  const std::string limit = most_rad > 0 ? fmt::format(", at most {:.0f}", Degrees(most_rad)) : "";
+  return {fmt::format("{} is turned {:.0f} degrees from {}{}", what, Degrees(angle_rad), from, limit),
+          Degrees(angle_rad - most_rad), "deg"};
+}
+
+std::vector<Shortfall> OffWall(const PlacedCall& call, int object, Side side, const Wall& wall) {
+  const Footprint& footprint = call.FootprintOf(object);
+  const Frame<double> frame = call.FrameOf(object);
+  const Vec2<double> middle = MiddleOf(footprint, frame, side);
+  const std::string what = SideOf(call.Name(object), side), place = WallName(wall);
+  const double overhang = std::sqrt(SquaredOverhang(footprint, middle, side, wall));
+  return {OffBy(what, place, wall.Height(middle)),
+          Turned(what, place, AngleOf(NormalOf(frame, side), -wall.inward_normal)),
+          {fmt::format("{} reaches {:.2f} m beyond the end of {}", call.Name(object), overhang, place), overhang, "m"}};
+}
+
+std::optional<Shortfall> OffMiddle(const PlacedCall& call, int object, int target) {
+  return Worst({OffBy(call.Name(object), "the middle of " + call.Name(target),
+                      Norm(call.FrameOf(object).center - call.FrameOf(target).center))});
+}
+
+std::optional<Shortfall> Worst(const std::vector<Shortfall>& shortfalls) {
+  std::optional<Shortfall> worst;
+  for (const Shortfall& shortfall : shortfalls) {
+    if (IsMissed(shortfall) && (!worst || Weight(shortfall) > Weight(*worst))) worst = shortfall;
+  }
+  return worst;
+}
+
+double AngleOf(const Vec2<double>& a, const Vec2<double>& b) { return std::abs(std::atan2(Cross(a, b), Dot(a, b))); }
+
+}  // namespace flair::optimizer

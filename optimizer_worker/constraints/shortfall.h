@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why a call does not hold, in the terms of its sentence: what was measured, and what would be right. Each type
+// measures its own shortfall beside its formula, with the phrases below.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flair/v1/layout_graph.pb.h"
+#include "optimizer_worker/constraints/arguments.h"
+#include "optimizer_worker/constraints/linked_pairs.h"
+#include "optimizer_worker/constraints/measure/gap.h"
+#include "room/scene/scene.h"
+
+namespace flair::optimizer {
+
+// The part of a call that is missed by most.
+struct Shortfall {
+  // "the desk is 0.92 m from the window, at most 0.50 m". No capital, no full stop.
+  std::string sentence;
+  double missed_by = 0;
+  // "m" or "deg".
+  std::string unit;
+};
+
+// What a call is measured in.
+struct Furnished {
+  const Scene& scene;
+  const Layout& layout;
+  // Mean point of each zone.
+  std::span<const Vec2<double>> zone_centers;
+  // As for BindContext.
+  const LinkedPairs* linked = nullptr;
+};
+
+// For a call that binds and whose objects all have poses; in general terms for a type without a shortfall of its own.
+// nullopt when its cost is 0, when no measure of it is off by more than 1 mm or 0.1 degrees, and for whole-room terms.
+// Pure; safe to call from several threads.
+std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished& where);
+
+// "the desk"; "dining chair 2" when the scene has several of that name.
+std::string NameForPeople(const Scene& scene, int object);
+
+// One call in its layout.
+class PlacedCall {
+ public:
+  PlacedCall(const v1::ConstraintEdge& edge, const Arguments& arguments, const Furnished& where)
+      : edge_(edge), arguments_(arguments), where_(where) {}
+
+  const Arguments& arguments() const { return arguments_; }
+  const Scene& scene() const { return where_.scene; }
+  const LinkedPairs* linked() const { return where_.linked; }
+  int object() const { return arguments_.Object("object"); }
+  int target() const { return arguments_.Object("target"); }
+
+  std::string Name(int object) const { return NameForPeople(where_.scene, object); }
+  std::string NameOf(std::string_view parameter) const { return Name(arguments_.Object(parameter)); }
+  const Footprint& FootprintOf(int object) const { return where_.scene.objects[static_cast<size_t>(object)].footprint; }
+  Frame<double> FrameOf(int object) const { return flair::FrameOf(where_.layout[static_cast<size_t>(object)]); }
+  Box<double> BoxOf(int object) const { return {FootprintOf(object), FrameOf(object)}; }
+  // The strip of no depth along a side, or the whole object.
+  Box<double> SideBoxOf(int object, std::optional<Side> side) const {
+    return side ? Box<double>::Before(FootprintOf(object), FrameOf(object), *side, 0) : BoxOf(object);
+  }
+  double GapBetween(int a, int b) const { return Gap<double>(BoxOf(a), BoxOf(b)); }
+  // Root of the call's cost, a length: for calls whose parts say no more.
+  double CostRoot() const;
+  // The wall of least `cost(wall)`, or the one that the call names.
+  template <typename WallCost>
+  const Wall& BestWall(const WallCost& cost) const {
+    const std::vector<Wall>& walls = scene().room.walls;
+    const int named = arguments_.Has("wall") ? arguments_.MaybeWall("wall") : -1;
+    if (named >= 0) return walls[static_cast<size_t>(named)];
+    return *std::min_element(walls.begin(), walls.end(),
+                             [&](const Wall& a, const Wall& b) { return cost(a) < cost(b); });
+  }
+  // Gap from the object, or its side when the call names one, to the nearest feature of the call's kind.
+  double NearestFeatureGap() const;
+  // "the door", "the nearest window".
+  std::string FeatureName() const;
+
+ private:
+  const v1::ConstraintEdge& edge_;
+  const Arguments& arguments_;
+  const Furnished& where_;
+};
+
+// "the south wall"; a wall that is just numbered keeps its name.
+std::string WallName(const Wall& wall);
+// "the front of the desk".
+std::string SideOf(const std::string& object, Side side);
+
+// All may be negative or 0: then nothing is missed.
+Shortfall TooFar(const std::string& what, const std::string& from, double distance_m, double most_m);
+Shortfall TooNear(const std::string& what, const std::string& from, double distance_m, double least_m);
+Shortfall OffBy(const std::string& what, const std::string& from, double distance_m);
+// `angle_rad` from where it should look.
+Shortfall Turned(const std::string& what, const std::string& from, double angle_rad, double most_rad = 0);
+// How a side misses lying on a wall.
+std::vector<Shortfall> OffWall(const PlacedCall& call, int object, Side side, const Wall& wall);
+// From the middle of one to the middle of the other.
+std::optional<Shortfall> OffMiddle(const PlacedCall& call, int object, int target);
+
+// The one that is missed by most, a degree counting as much as 2 cm; nullopt when none is missed by 1 mm or 0.1
+// degrees.
+std::optional<Shortfall> Worst(const std::vector<Shortfall>& shortfalls);
+
+// Angle between two directions, [0, pi].
+double AngleOf(const Vec2<double>& a, const Vec2<double>& b);
+
+}  // namespace flair::optimizer
