@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <mutex>
 
-#include "optimizer_worker/stages/restart_runner.h"
+#include "optimizer_worker/stages/stage.h"
 
 namespace flair::cli {
 

@@ -7,7 +7,6 @@
 #include "cli/bench/statistics.h"
 #include "fmt/format.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
-#include "optimizer_worker/stages/evaluate_layout.h"
 #include "optimizer_worker/stages/solve_layout.h"
 
 namespace flair::cli {

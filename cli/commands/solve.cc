@@ -15,7 +15,7 @@
 #include "cli/session/stage_call.h"
 #include "fmt/format.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
-#include "optimizer_worker/stages/evaluate_layout.h"
+#include "optimizer_worker/stages/solve_layout.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"

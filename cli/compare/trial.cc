@@ -10,7 +10,7 @@
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
-#include "optimizer_worker/stages/evaluate_layout.h"
+#include "optimizer_worker/stages/solve_layout.h"
 #include "room/validation/validate.h"
 
 namespace flair::cli {

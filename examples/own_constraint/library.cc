@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What flair-optimizer-example understands: all that flair-optimizer does, and daylight from the side.
-#include "optimizer_worker/constraints/library.h"
+#include "optimizer_worker/constraints/facts.h"
 
 namespace flair::optimizer {
 

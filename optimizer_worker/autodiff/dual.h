@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "room/geometry/pose.h"
+
 namespace flair::optimizer {
 
 // N numbers kept two by two, as every x86-64 and ARM64 adds and multiplies them. Each lane is worked out like a double
@@ -119,6 +121,25 @@ inline double ValueOf(double x) { return x; }
 template <int N>
 double ValueOf(const Dual<N>& x) {
   return x.value;
+}
+
+// The values of vectors and frames, without their derivatives.
+
+template <typename T>
+Vec2<double> ValueOf(const Vec2<T>& v) {
+  return {ValueOf(v.x), ValueOf(v.y)};
+}
+
+template <typename T>
+Frame<double> ValueOf(const Frame<T>& f) {
+  return {ValueOf(f.center), ValueOf(f.right), ValueOf(f.front)};
+}
+
+template <typename T, size_t K>
+std::array<Frame<double>, K> ValuesOf(const std::array<Frame<T>, K>& frames) {
+  std::array<Frame<double>, K> values;
+  for (size_t k = 0; k < K; ++k) values[k] = ValueOf(frames[k]);
+  return values;
 }
 
 }  // namespace flair::optimizer

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "optimizer_worker/constraints/facts.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 namespace {
@@ -146,23 +147,19 @@ absl::StatusOr<Arguments::Value> Arguments::ResolveOne(const ParameterSpec& spec
       }
       for (const std::string& item : value.texts().items()) {
         if (spec.kind() == v1::PARAMETER_KIND_SIDES) {
-          const absl::StatusOr<Side> side = SideOf(spec, item);
-          if (!side.ok()) return side.status();
-          if (std::find(resolved.sides.begin(), resolved.sides.end(), *side) == resolved.sides.end()) {
-            resolved.sides.push_back(*side);
+          ASSIGN_OR_RETURN(const Side side, SideOf(spec, item));
+          if (std::find(resolved.sides.begin(), resolved.sides.end(), side) == resolved.sides.end()) {
+            resolved.sides.push_back(side);
           }
         } else {
-          const absl::StatusOr<int> object = ObjectIndex(spec, item, scene);
-          if (!object.ok()) return object.status();
-          resolved.indices.push_back(*object);
+          ASSIGN_OR_RETURN(const int object, ObjectIndex(spec, item, scene));
+          resolved.indices.push_back(object);
         }
       }
       return resolved;
     }
     case v1::PARAMETER_KIND_NUMBER: {
-      const absl::StatusOr<double> number = NumberOf(spec, value);
-      if (!number.ok()) return number.status();
-      resolved.number = *number;
+      ASSIGN_OR_RETURN(resolved.number, NumberOf(spec, value));
       return resolved;
     }
     case v1::PARAMETER_KIND_BOOLEAN:
@@ -174,20 +171,18 @@ absl::StatusOr<Arguments::Value> Arguments::ResolveOne(const ParameterSpec& spec
   }
   if (value.value_case() != ArgumentValue::kText) return WrongType(spec, "a text");
   if (spec.kind() == v1::PARAMETER_KIND_SIDE) {
-    const absl::StatusOr<Side> side = SideOf(spec, value.text());
-    if (!side.ok()) return side.status();
-    resolved.sides.push_back(*side);
+    ASSIGN_OR_RETURN(const Side side, SideOf(spec, value.text()));
+    resolved.sides.push_back(side);
     return resolved;
   }
-  const absl::StatusOr<int> index = IndexOfText(spec, value.text(), scene);
-  if (!index.ok()) return index.status();
-  resolved.indices.push_back(*index);
+  ASSIGN_OR_RETURN(const int index, IndexOfText(spec, value.text(), scene));
+  resolved.indices.push_back(index);
   return resolved;
 }
 
 absl::StatusOr<Arguments> Arguments::Resolve(const ConstraintFacts& facts, const v1::ConstraintEdge& edge,
                                              const Scene& scene) {
-  if (absl::Status names = CheckNames(facts, edge); !names.ok()) return names;
+  RETURN_IF_ERROR(CheckNames(facts, edge));
   Arguments arguments;
   for (const ParameterSpec& spec : facts.parameters) {
     const ArgumentValue* value = spec.has_default_value() ? &spec.default_value() : nullptr;
@@ -198,11 +193,10 @@ absl::StatusOr<Arguments> Arguments::Resolve(const ConstraintFacts& facts, const
       if (!spec.required()) continue;
       return absl::InvalidArgumentError(fmt::format("{} needs argument {}", facts.name, spec.name()));
     }
-    absl::StatusOr<Value> resolved = ResolveOne(spec, *value, scene);
-    if (!resolved.ok()) return resolved.status();
-    arguments.values_.push_back(*std::move(resolved));
+    ASSIGN_OR_RETURN(Value resolved, ResolveOne(spec, *value, scene));
+    arguments.values_.push_back(std::move(resolved));
   }
-  if (absl::Status differ = arguments.CheckObjectsDiffer(scene); !differ.ok()) return differ;
+  RETURN_IF_ERROR(arguments.CheckObjectsDiffer(scene));
   return arguments;
 }
 

@@ -10,7 +10,6 @@
 
 #include "optimizer_worker/constraints/call_text.h"
 #include "optimizer_worker/constraints/facts.h"
-#include "optimizer_worker/constraints/library.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "room/geometry/pose.h"
 #include "room/text_format/scene_text.h"

@@ -4,6 +4,7 @@
 #include <utility>
 
 namespace flair::optimizer {
+
 namespace {
 
 v1::ParameterSpec Parameter(std::string name, v1::ParameterKind kind, std::string doc, bool required) {
@@ -78,6 +79,21 @@ v1::ParameterSpec FlagParameter(std::string name, std::string doc, bool default_
   v1::ParameterSpec spec = Parameter(std::move(name), v1::PARAMETER_KIND_BOOLEAN, std::move(doc), false);
   spec.mutable_default_value()->set_flag(default_flag);
   return spec;
+}
+
+// Every type's facts, from its own file.
+#define CONSTRAINT(family, Type, file) ConstraintFacts Type##Facts();
+#include "optimizer_worker/constraints/constraint_list.inc"
+#undef CONSTRAINT
+
+ConstraintLibrary OurLibrary() {
+  return {.program = "flair-optimizer",
+          .version = "1",
+          .types = {
+#define CONSTRAINT(family, Type, file) Type##Facts(),
+#include "optimizer_worker/constraints/constraint_list.inc"
+#undef CONSTRAINT
+          }};
 }
 
 }  // namespace flair::optimizer

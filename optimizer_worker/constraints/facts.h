@@ -77,4 +77,23 @@ v1::ParameterSpec CornerParameter(std::string name, std::string doc, Corner defa
 v1::ParameterSpec LengthParameter(std::string name, std::string doc, double min_m, double max_m, double default_m);
 v1::ParameterSpec FlagParameter(std::string name, std::string doc, bool default_flag);
 
+// Which constraints a program has.
+
+struct ConstraintLibrary {
+  // What the catalogue, layouts and peers call it, such as "flair-optimizer" and "1". Libraries that differ must differ
+  // here: optimizers share the restarts of a solve only with those that say the same.
+  std::string program;
+  std::string version;
+  // Names and aliases are unique.
+  std::vector<ConstraintFacts> types;
+};
+
+// All that constraint_list.inc names.
+ConstraintLibrary OurLibrary();
+
+// What this program has: OurLibrary(), unless the program defines this function itself, in one of its own sources, and
+// answers with more (examples/own_constraint/library.cc). The linker takes the definition beside this header only where
+// there is no other. Called once.
+ConstraintLibrary LibraryOfProgram();
+
 }  // namespace flair::optimizer

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing else may be in this file, or programs could not replace it; see library.h.
-#include "optimizer_worker/constraints/library.h"
+#include "optimizer_worker/constraints/facts.h"
 
 namespace flair::optimizer {
 

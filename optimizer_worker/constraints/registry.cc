@@ -9,7 +9,7 @@
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/call_text.h"
 #include "optimizer_worker/constraints/facts.h"
-#include "optimizer_worker/constraints/library.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 
@@ -63,9 +63,8 @@ absl::StatusOr<std::unique_ptr<Cost>> Bind(const v1::ConstraintEdge& edge, const
   if (facts == nullptr) {
     return absl::InvalidArgumentError(fmt::format("there is no constraint type \"{}\" in the catalogue", edge.type()));
   }
-  absl::StatusOr<Arguments> arguments = Arguments::Resolve(*facts, edge, context.scene);
-  if (!arguments.ok()) return arguments.status();
-  return facts->bind(*arguments, context);
+  ASSIGN_OR_RETURN(Arguments arguments, Arguments::Resolve(*facts, edge, context.scene));
+  return facts->bind(arguments, context);
 }
 
 std::vector<int> NamedObjects(const v1::ConstraintEdge& edge, const Scene& scene) {

@@ -12,7 +12,6 @@
 
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
-#include "optimizer_worker/stages/solve_stage_restarts.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 #include "worker_runtime/testing/fakes.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "optimizer_worker/fanout/peer_optimizer.h"
+#include "optimizer_worker/fanout/peer_pool.h"
 #include "worker_runtime/clock/clock.h"
 #include "worker_runtime/grpc/channel.h"
 

@@ -7,6 +7,7 @@
 #include "fmt/format.h"
 
 namespace flair::optimizer {
+
 namespace {
 
 constexpr absl::Duration kFirstRest = absl::Seconds(1), kLongestRest = absl::Minutes(1);

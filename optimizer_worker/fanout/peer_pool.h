@@ -13,10 +13,23 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "optimizer_worker/fanout/peer_optimizer.h"
+#include "absl/status/statusor.h"
+#include "flair/v1/optimizer_service.pb.h"
 #include "worker_runtime/clock/clock.h"
+#include "worker_runtime/executor/cancellation.h"
 
 namespace flair::optimizer {
+
+class PeerOptimizer {
+ public:
+  virtual ~PeerOptimizer() = default;
+  // For logs.
+  virtual const std::string& name() const = 0;
+  // OptimizerService.SolveRestarts; waits for the answer, which is not checked. CANCELLED soon after `cancellation` was
+  // asked for. Thread-safe.
+  virtual absl::StatusOr<v1::SolveRestartsResponse> SolveRestarts(const v1::SolveRestartsRequest& request,
+                                                                  runtime::Cancellation& cancellation) = 0;
+};
 
 // Thread-safe. All solves of this process share the peers: a peer has at most kMostCalls calls at a time, and who waits
 // for one is served in the order of coming. A peer that fails rests for a second, then two, four ... up to a minute;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/fanout/range_plan.h"
-
 #include <gtest/gtest.h>
+
+#include "optimizer_worker/fanout/fan_out_runner.h"
 
 namespace flair::optimizer {
 namespace {

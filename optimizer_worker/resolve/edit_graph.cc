@@ -10,6 +10,7 @@
 #include "room/conversion/conversion.h"
 #include "room/geometry/pose.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 namespace {
@@ -154,7 +155,7 @@ class Editor {
     if (size.has_depth_m()) object->set_depth_m(size.depth_m());
     if (size.has_height_m()) object->set_height_m(size.height_m());
     problem_.touched.insert(size.object_id());
-    if (absl::Status status = Check("resize_object"); !status.ok()) return status;
+    RETURN_IF_ERROR(Check("resize_object"));
     v1::Placement* placement = FindPlacement(size.object_id());
     if (placement == nullptr || FindPin(size.object_id()) >= 0) return absl::OkStatus();
     placement->set_x_m(placement->x_m() - grown_m / 2 * std::sin(placement->theta_rad()));
@@ -172,10 +173,9 @@ class Editor {
     for (int i = objects.size() - 1; i > 0 && objects[i - 1].role() > object.role(); --i)
       objects.SwapElements(i, i - 1);
     problem_.touched.insert(object.id());
-    if (absl::Status status = Check("add_object"); !status.ok()) return status;
+    RETURN_IF_ERROR(Check("add_object"));
     for (int i = 0; i < added.edges_size(); ++i) {
-      const absl::Status status = AddEdge(added.edges(i), fmt::format("add_object.edges[{}]", i).c_str());
-      if (!status.ok()) return status;
+      RETURN_IF_ERROR(AddEdge(added.edges(i), fmt::format("add_object.edges[{}]", i).c_str()));
     }
     return absl::OkStatus();
   }

@@ -8,7 +8,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/layout_edit.pb.h"
 #include "flair/v1/solved_layout.pb.h"
-#include "optimizer_worker/stages/remove_objects.h"
+#include "optimizer_worker/stages/leave_out.h"
 
 namespace flair::optimizer {
 

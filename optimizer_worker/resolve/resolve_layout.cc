@@ -14,6 +14,7 @@
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/conversion/conversion.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 namespace {
@@ -27,7 +28,7 @@ absl::StatusOr<PartialLayout> StateOf(const SolveInput& input, const PlacementLi
     if (input.scene.IndexOf(placement.object_id()) >= 0) *known.Add() = placement;
   }
   PartialLayout state(input.scene);
-  if (absl::Status status = ReadPlacements(input, known, state); !status.ok()) return status;
+  RETURN_IF_ERROR(ReadPlacements(input, known, state));
   return state;
 }
 
@@ -52,19 +53,18 @@ Baseline MakeBaseline(const SolveInput& input, const v1::SolvedLayout& layout, c
 
 // What stood on something that is gone now, and what that was.
 absl::StatusOr<std::map<int, Object>> LostCarriers(const SolveInput& input, const v1::SolvedLayout& layout) {
-  const absl::StatusOr<Scene> old = SceneFromProto(layout.graph());
-  if (!old.ok()) return old.status();
-  PartialLayout state(*old);
+  ASSIGN_OR_RETURN(const Scene old, SceneFromProto(layout.graph()));
+  PartialLayout state(old);
   for (const v1::Placement& placement : layout.placements()) {
-    const int object = old->IndexOf(placement.object_id());
+    const int object = old.IndexOf(placement.object_id());
     if (object >= 0) state.Place(object, {placement.x_m(), placement.y_m(), placement.theta_rad()});
   }
   std::map<int, Object> lost;
-  for (int i = 0; i < static_cast<int>(old->objects.size()); ++i) {
-    if (old->objects[i].kind != ObjectKind::kSurface || !state.placed[i]) continue;
-    const int carrier = CarrierOf(*old, i, state), now = input.scene.IndexOf(old->objects[i].id);
-    if (carrier < 0 || now < 0 || input.scene.IndexOf(old->objects[carrier].id) >= 0) continue;
-    lost.emplace(now, old->objects[carrier]);
+  for (int i = 0; i < static_cast<int>(old.objects.size()); ++i) {
+    if (old.objects[i].kind != ObjectKind::kSurface || !state.placed[i]) continue;
+    const int carrier = CarrierOf(old, i, state), now = input.scene.IndexOf(old.objects[i].id);
+    if (carrier < 0 || now < 0 || input.scene.IndexOf(old.objects[carrier].id) >= 0) continue;
+    lost.emplace(now, old.objects[carrier]);
   }
   return lost;
 }
@@ -81,9 +81,8 @@ std::vector<LeftOut> WithoutCarrier(const std::map<int, Object>& lost_carriers, 
 
 // Everything anew, but for the pins.
 absl::StatusOr<WarmResult> SolveAnew(const SolveInput& input) {
-  absl::StatusOr<std::vector<Branch>> branches = Driver(input, LocalRestartRunner()).Run();
-  if (!branches.ok()) return branches.status();
-  Branch& best = branches->front();
+  ASSIGN_OR_RETURN(std::vector<Branch> branches, Driver(input, LocalRestartRunner()).Run());
+  Branch& best = branches.front();
   return WarmResult{std::move(best.state), std::move(best.outcomes), std::move(best.durations)};
 }
 
@@ -111,39 +110,33 @@ std::vector<std::string> MovedIds(const SolveInput& input, const PartialLayout& 
 absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, const EditList& edits,
                                             const v1::SolveOptions& options, const Solver& solver,
                                             const CancelCheck& cancelled) {
-  if (absl::Status status = Validate(layout); !status.ok()) return status;
-  const absl::StatusOr<EditedProblem> problem = ApplyEdits(layout, edits);
-  if (!problem.ok()) return problem.status();
+  RETURN_IF_ERROR(Validate(layout));
+  ASSIGN_OR_RETURN(const EditedProblem problem, ApplyEdits(layout, edits));
   v1::SolveOptions one = options;
   one.clear_variant_count();
-  const absl::StatusOr<SolveInput> input = MakeSolveInput(problem->graph, one, solver, cancelled);
-  if (!input.ok()) return input.status();
-  const absl::StatusOr<PartialLayout> before = StateOf(*input, layout.placements());
-  if (!before.ok()) return before.status();
+  ASSIGN_OR_RETURN(const SolveInput input, MakeSolveInput(problem.graph, one, solver, cancelled));
+  ASSIGN_OR_RETURN(const PartialLayout before, StateOf(input, layout.placements()));
   const absl::StatusOr<PartialLayout> now =
-      StateOf(*input, PlacementList(problem->placements.begin(), problem->placements.end()));
+      StateOf(input, PlacementList(problem.placements.begin(), problem.placements.end()));
   if (!now.ok()) return now.status();
 
-  WarmStart start{*now, *before, {}, {}, {}};
-  for (const Pin& pin : input->pins) start.state.Place(pin.object, pin.pose);
-  for (int i = 0; i < static_cast<int>(input->scene.objects.size()); ++i) {
-    if (problem->touched.contains(input->scene.objects[i].id)) start.touched.push_back(i);
+  WarmStart start{*now, before, {}, {}, {}};
+  for (const Pin& pin : input.pins) start.state.Place(pin.object, pin.pose);
+  for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
+    if (problem.touched.contains(input.scene.objects[i].id)) start.touched.push_back(i);
   }
-  start.baseline = MakeBaseline(*input, layout, *problem, *before, start.touched);
-  absl::StatusOr<std::map<int, Object>> lost = LostCarriers(*input, layout);
-  if (!lost.ok()) return lost.status();
-  start.lost_carriers = *std::move(lost);
-  absl::StatusOr<WarmResult> found = Search(*input, start);
-  if (!found.ok()) return found.status();
+  start.baseline = MakeBaseline(input, layout, problem, before, start.touched);
+  ASSIGN_OR_RETURN(start.lost_carriers, LostCarriers(input, layout));
+  ASSIGN_OR_RETURN(WarmResult found, Search(input, start));
 
   ResolveResult result;
-  result.moved_ids = MovedIds(*input, *before, found->state);
-  result.stage_durations = found->durations;
-  Branch branch{std::move(found->state), 0, std::move(found->outcomes), std::move(found->durations)};
+  result.moved_ids = MovedIds(input, before, found.state);
+  result.stage_durations = found.durations;
+  Branch branch{std::move(found.state), 0, std::move(found.outcomes), std::move(found.durations)};
   branch.left_out = WithoutCarrier(start.lost_carriers, branch.state);
-  if (input->settings.leave_out_misfits) LeaveOutOf(*input, branch);
-  result.layout = MakeSolvedLayout(*input, {branch});
-  for (const v1::Diagnostic& diagnostic : problem->diagnostics) *result.layout.add_diagnostics() = diagnostic;
+  if (input.settings.leave_out_misfits) LeaveOutOf(input, branch);
+  result.layout = MakeSolvedLayout(input, {branch});
+  for (const v1::Diagnostic& diagnostic : problem.diagnostics) *result.layout.add_diagnostics() = diagnostic;
   return result;
 }
 

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimizer_worker/resolve/follow.h"
-#include "optimizer_worker/stages/furnish.h"
-#include "optimizer_worker/stages/pins.h"
+#include "optimizer_worker/resolve/layout_state.h"
+#include "optimizer_worker/stages/placements.h"
 #include "optimizer_worker/stages/polish.h"
+#include "optimizer_worker/stages/stage.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 namespace {
@@ -40,7 +41,7 @@ class WarmSearch {
     BringAlong();
     PlaceNewcomers();
     for (absl::Status (WarmSearch::*step)() : {&WarmSearch::SettleFloor, &WarmSearch::SettleTertiaries}) {
-      if (absl::Status status = (this->*step)(); !status.ok()) return status;
+      RETURN_IF_ERROR((this->*step)());
     }
     return std::move(result_);
   }

@@ -7,13 +7,10 @@
 
 #include "optimizer_worker/constraints/call_text.h"
 #include "optimizer_worker/constraints/facts.h"
-#include "optimizer_worker/constraints/library.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/fanout/fan_out_runner.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
-#include "optimizer_worker/stages/evaluate_layout.h"
 #include "optimizer_worker/stages/solve_layout.h"
-#include "optimizer_worker/stages/solve_stage_restarts.h"
 #include "room/conversion/scene_conversion.h"
 #include "room/text_format/scene_text.h"
 #include "room/validation/validate.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/solver/crowding.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <vector>
+
+#include "optimizer_worker/solver/search.h"
 
 namespace flair::optimizer {
 namespace {

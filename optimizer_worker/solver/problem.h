@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "optimizer_worker/constraints/cost.h"
-#include "optimizer_worker/solver/objective.h"
+#include "optimizer_worker/solver/solver.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

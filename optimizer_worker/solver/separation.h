@@ -9,7 +9,7 @@
 
 #include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
-#include "optimizer_worker/solver/objective.h"
+#include "optimizer_worker/solver/solver.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {

@@ -10,8 +10,8 @@
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/stages/driver.h"
 #include "optimizer_worker/stages/fit_diagnostics.h"
+#include "optimizer_worker/stages/leave_out.h"
 #include "optimizer_worker/stages/outcomes.h"
-#include "optimizer_worker/stages/remove_objects.h"
 #include "optimizer_worker/stages/scene_costs.h"
 
 namespace flair::optimizer {

@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "optimizer_worker/solver/parallel.h"
-#include "optimizer_worker/stages/pins.h"
-#include "optimizer_worker/stages/polish_holding.h"
-#include "optimizer_worker/stages/variants.h"
+#include "optimizer_worker/stages/polish.h"
+#include "optimizer_worker/stages/solved_layout.h"
+#include "optimizer_worker/stages/stage.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 namespace {
@@ -68,9 +69,8 @@ absl::StatusOr<std::vector<Branch>> Driver::Primaries(const StageSpec& stage) co
   const int count = RestartsOf(input_.settings, stage);
   const bool may_add = wants_variants() && input_.settings.max_restarts == 0;
   for (int batch = 0; batch < (may_add ? kMostBatches : 1); ++batch) {
-    absl::StatusOr<std::vector<RestartResult>> more = runner_.Run(input_, stage, before, batch * count, count);
-    if (!more.ok()) return more.status();
-    std::move(more->begin(), more->end(), std::back_inserter(results));
+    ASSIGN_OR_RETURN(std::vector<RestartResult> more, runner_.Run(input_, stage, before, batch * count, count));
+    std::move(more.begin(), more.end(), std::back_inserter(results));
     chosen = BestDistinct(
         results.size(), wanted, [&](size_t i) { return results[i].score; },
         [&](size_t a, size_t b) { return differ(results[a].state, results[b].state); });
@@ -120,7 +120,7 @@ absl::Status Driver::Furnish(const SolveInput& input, Branch& branch, bool may_g
     gave_up = may_give_up && input.OutOfTime();
     if (gave_up) return absl::OkStatus();
     if (kind == StageKind::kPolish) branch.unpolished = branch.state;
-    if (absl::Status status = Extend(input, branch, kind, zone); !status.ok()) return status;
+    RETURN_IF_ERROR(Extend(input, branch, kind, zone));
   }
   return absl::OkStatus();
 }
@@ -217,28 +217,25 @@ absl::StatusOr<std::vector<Branch>> Driver::FurnishEnough(std::vector<Branch> st
   const bool any_gave_up = furnished.size() < starts.size();
   std::vector<Branch> best = Distinct(furnished);
   if (best.size() < wanted && furnished.size() > best.size()) {
-    const absl::Status held = HoldApart(furnished);
-    if (!held.ok()) return held;
+    RETURN_IF_ERROR(HoldApart(furnished));
     std::move(best.begin(), best.end(), std::back_inserter(furnished));
     best = Distinct(std::move(furnished));
   }
   if (any_gave_up && !best.front().outcomes.empty()) best.front().outcomes.back().set_stopped_early(true);
   if (!wants_variants()) {
-    if (absl::Status status = PolishOn(best.front()); !status.ok()) return status;
+    RETURN_IF_ERROR(PolishOn(best.front()));
   }
   const size_t complete = std::min(wanted, best.size());
-  const absl::Status tertiaries = ForBranches(best, 0, complete, [&](const SolveInput& input, Branch& branch, size_t) {
+  RETURN_IF_ERROR(ForBranches(best, 0, complete, [&](const SolveInput& input, Branch& branch, size_t) {
     branch.complete = true;
     return Extend(input, branch, StageKind::kTertiary, -1);
-  });
-  if (!tertiaries.ok()) return tertiaries;
+  }));
   return best;
 }
 
 absl::StatusOr<std::vector<Branch>> Driver::Run() const {
-  absl::StatusOr<std::vector<Branch>> starts = Starts();
-  if (!starts.ok()) return starts.status();
-  return FurnishEnough(*std::move(starts));
+  ASSIGN_OR_RETURN(std::vector<Branch> starts, Starts());
+  return FurnishEnough(std::move(starts));
 }
 
 }  // namespace flair::optimizer

@@ -10,7 +10,6 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/solved_layout.pb.h"
-#include "optimizer_worker/stages/restart_runner.h"
 #include "optimizer_worker/stages/solve_input.h"
 #include "optimizer_worker/stages/stage.h"
 

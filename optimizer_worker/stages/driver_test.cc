@@ -10,8 +10,8 @@
 
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
+#include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/testing/graphs.h"
-#include "optimizer_worker/stages/variants.h"
 
 namespace flair::optimizer {
 namespace {

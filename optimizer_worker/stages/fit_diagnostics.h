@@ -2,12 +2,15 @@
 // What does not fit in a layout, in words: which object, in the way of what, by how much.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "flair/v1/provenance.pb.h"
+#include "optimizer_worker/solver/separation.h"
 #include "optimizer_worker/stages/scene_costs.h"
 #include "optimizer_worker/stages/solve_input.h"
 #include "optimizer_worker/stages/stage.h"
+#include "room/scene/scene.h"
 
 namespace flair::optimizer {
 
@@ -32,5 +35,18 @@ std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const SceneC
 // "no free place of 1.60 m x 0.90 m; the largest free one is 1.20 m x 0.80 m": for a floor object, with what else is
 // placed as it stands.
 std::string NoFreePlace(const SolveInput& input, const PartialLayout& state, int object);
+
+// The largest empty place on the floor of a furnished room.
+
+struct FreePlace {
+  // Long and short side; 0 when the floor is full.
+  double long_m = 0;
+  double short_m = 0;
+};
+
+// The rectangle of largest area, along the axes, that holds no solid object of `standing`, no door's swing and nothing
+// outside the floor. Accurate to the raster of 0.05 m, on the safe side: what is found is free.
+FreePlace LargestFreePlace(const Scene& scene, const KeepOut& keep_out, std::span<const int> standing,
+                           const Layout& layout);
 
 }  // namespace flair::optimizer

@@ -6,14 +6,14 @@
 
 #include "fmt/format.h"
 #include "optimizer_worker/stages/fit_diagnostics.h"
-#include "optimizer_worker/stages/furnish.h"
-#include "optimizer_worker/stages/pins.h"
 #include "optimizer_worker/stages/placements.h"
 #include "optimizer_worker/stages/polish.h"
-#include "optimizer_worker/stages/remove_objects.h"
+#include "optimizer_worker/stages/stage.h"
 #include "optimizer_worker/stages/tertiary.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
+
 namespace {
 
 // Solves of the rest; each leaves out what the one before could not place.
@@ -110,13 +110,12 @@ absl::StatusOr<std::vector<Branch>> SolveRest(const SolveInput& input, const Res
   }
   v1::LayoutGraph rest = input.graph;
   RemoveObjects(ids, rest);
-  absl::StatusOr<SolveInput> part = MakeSolveInput(rest, {}, input.solver, input.cancelled);
-  if (!part.ok()) return part.status();
-  part->settings = input.settings;
-  part->out_of_time = input.out_of_time;
-  absl::StatusOr<std::vector<Branch>> branches = Driver(*part, runner).Run();
+  ASSIGN_OR_RETURN(SolveInput part, MakeSolveInput(rest, {}, input.solver, input.cancelled));
+  part.settings = input.settings;
+  part.out_of_time = input.out_of_time;
+  absl::StatusOr<std::vector<Branch>> branches = Driver(part, runner).Run();
   if (!branches.ok()) return branches.status();
-  for (Branch& branch : *branches) branch.state = Widen(*part, branch.state, input);
+  for (Branch& branch : *branches) branch.state = Widen(part, branch.state, input);
   return branches;
 }
 
@@ -195,9 +194,7 @@ absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input,
       branches.assign(1, std::move(trial));
       break;
     }
-    absl::StatusOr<std::vector<Branch>> rest = SolveRest(input, runner, out);
-    if (!rest.ok()) return rest.status();
-    branches = *std::move(rest);
+    ASSIGN_OR_RETURN(branches, SolveRest(input, runner, out));
     for (Branch& branch : branches) branch.left_out = out;
   }
   if (!branches.front().left_out.empty()) PutBackWhatFits(input, branches.front());
@@ -206,6 +203,75 @@ absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input,
     if (branches[i].complete) LeaveOutOf(input, branches[i]);
   }
   return branches;
+}
+
+namespace {
+
+template <typename Message, typename Drop>
+void Erase(google::protobuf::RepeatedPtrField<Message>& list, const Drop& drop) {
+  int kept = 0;
+  for (int i = 0; i < list.size(); ++i) {
+    if (drop(list[i])) continue;
+    if (kept != i) list.SwapElements(kept, i);
+    ++kept;
+  }
+  list.DeleteSubrange(kept, list.size() - kept);
+}
+
+v1::Diagnostic About(const char* code, const v1::ConstraintEdge& edge, std::string message) {
+  v1::Diagnostic diagnostic;
+  diagnostic.set_severity(v1::SEVERITY_NOTE);
+  diagnostic.set_code(code);
+  diagnostic.set_subject_id(edge.id());
+  diagnostic.set_message(std::move(message));
+  return diagnostic;
+}
+
+// What becomes of an edge: "" when it may stay as it is now, else the removed object that it cannot do without.
+std::string Shrink(const IdSet& ids, v1::ConstraintEdge& edge, bool& shrunk) {
+  for (v1::Argument& argument : *edge.mutable_arguments()) {
+    if (ids.contains(argument.value().text())) return argument.value().text();
+    if (!argument.value().has_texts()) continue;
+    auto& items = *argument.mutable_value()->mutable_texts()->mutable_items();
+    const int before = items.size();
+    const std::string first = before > 0 ? items[0] : "";
+    Erase(items, [&](const std::string& item) { return ids.contains(item); });
+    if (before > 0 && items.empty()) return first;
+    shrunk = shrunk || items.size() < before;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<v1::Diagnostic> RemoveObjects(const IdSet& ids, v1::LayoutGraph& graph) {
+  std::vector<v1::Diagnostic> diagnostics;
+  Erase(*graph.mutable_edges(), [&](v1::ConstraintEdge& edge) {
+    bool shrunk = false;
+    const std::string gone = Shrink(ids, edge, shrunk);
+    if (!gone.empty()) {
+      diagnostics.push_back(
+          About("edge_removed", edge,
+                fmt::format("\"{}\" ({}) is gone with \"{}\", which it names", edge.id(), edge.type(), gone)));
+    } else if (shrunk) {
+      diagnostics.push_back(
+          About("edge_shortened", edge,
+                fmt::format("\"{}\" ({}) is about the objects that are left", edge.id(), edge.type())));
+    }
+    return !gone.empty();
+  });
+  const auto gone = [&](const std::string& id) { return ids.contains(id); };
+  Erase(*graph.mutable_object_list()->mutable_objects(), [&](const v1::Object& object) { return gone(object.id()); });
+  for (v1::Object& object : *graph.mutable_object_list()->mutable_objects()) {
+    if (gone(object.host_id())) object.clear_host_id();
+  }
+  Erase(*graph.mutable_pinned_placements(), [&](const v1::Placement& pin) { return gone(pin.object_id()); });
+  Erase(*graph.mutable_style_sheet()->mutable_objects(),
+        [&](const v1::ObjectStyle& style) { return gone(style.subject_id()); });
+  for (v1::Sentence& sentence : *graph.mutable_constraint_list()->mutable_sentences()) {
+    Erase(*sentence.mutable_subject_ids(), gone);
+  }
+  return diagnostics;
 }
 
 }  // namespace flair::optimizer

@@ -2,12 +2,15 @@
 // Misfits left out: what cannot stand in a room with the rest does not have to.
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "flair/v1/layout_graph.pb.h"
 #include "optimizer_worker/stages/driver.h"
-#include "optimizer_worker/stages/restart_runner.h"
 #include "optimizer_worker/stages/solve_input.h"
+#include "optimizer_worker/stages/stage.h"
 
 namespace flair::optimizer {
 
@@ -21,5 +24,11 @@ void LeaveOutOf(const SolveInput& input, Branch& branch);
 // less important that fits only without it. Returns `branches` when everything fits. Errors as Driver::Run.
 absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input, const RestartRunner& runner,
                                                         std::vector<Branch> branches);
+
+using IdSet = std::set<std::string, std::less<>>;
+
+// Takes objects out of a graph with all that refers to them: edges that name them (one that lists several objects only
+// loses the name), pins, hosts, sentences' subjects and styles. Returns a diagnostic per edge changed or taken out.
+std::vector<v1::Diagnostic> RemoveObjects(const IdSet& ids, v1::LayoutGraph& graph);
 
 }  // namespace flair::optimizer

@@ -2,6 +2,8 @@
 // Stage "polish": all floor objects together, ending exactly feasible.
 #pragma once
 
+#include <span>
+
 #include "optimizer_worker/stages/stage.h"
 
 namespace flair::optimizer {
@@ -18,5 +20,10 @@ inline constexpr int kPolishPasses = 2;
 // floor (the paper places them first; they do not act on the floor).
 RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart,
                             int passes = kPolishPasses);
+
+// As PolishRestart over all floor objects that may move, but `held` ones move only as far as the exact step has to push
+// them: the polish of a variant that would otherwise become the same layout as another.
+RestartResult PolishHolding(const SolveInput& input, const PartialLayout& before, std::span<const int> held,
+                            int restart);
 
 }  // namespace flair::optimizer

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "optimizer_worker/solver/nlopt_solver.h"
-#include "optimizer_worker/stages/evaluate_layout.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 #include "room/geometry/polygon.h"

@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "optimizer_worker/solver/nlopt_solver.h"
-#include "optimizer_worker/stages/evaluate_layout.h"
-#include "optimizer_worker/stages/solve_stage_restarts.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 #include "room/geometry/pose.h"
 

@@ -4,12 +4,13 @@
 #include <algorithm>
 
 #include "optimizer_worker/solver/parallel.h"
-#include "optimizer_worker/stages/furnish.h"
+#include "optimizer_worker/stages/placements.h"
 #include "optimizer_worker/stages/polish.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {
+
 namespace {
 
 constexpr int kNotRun = -1;
@@ -155,6 +156,18 @@ Problem MakeProblem(const SolveInput& input, const SceneCosts& costs, const Stag
     if (before.placed[i]) problem.SetPlaced(i, true);
   }
   return problem;
+}
+
+PartialLayout StartOf(const SolveInput& input) {
+  PartialLayout start(input.scene);
+  for (const Pin& pin : input.pins) start.Place(pin.object, pin.pose);
+  return start;
+}
+
+StageSpec FreeStage(const SolveInput& input, StageKind kind, int zone) {
+  StageSpec stage = MakeStage(input.scene, kind, zone);
+  std::erase_if(stage.objects, [&input](int object) { return input.pinned[object] != 0; });
+  return stage;
 }
 
 }  // namespace flair::optimizer

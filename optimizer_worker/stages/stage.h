@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "optimizer_worker/solver/search.h"
 #include "optimizer_worker/stages/scene_costs.h"
 #include "optimizer_worker/stages/solve_input.h"
@@ -70,5 +71,32 @@ size_t BestOf(const std::vector<RestartResult>& results);
 // The terms that a stage counts, among `costs`.
 Problem MakeProblem(const SolveInput& input, const SceneCosts& costs, const StageSpec& stage,
                     const PartialLayout& before);
+
+// Where the restarts of a stage run: on this process's threads, or spread over other optimizers as well.
+
+class RestartRunner {
+ public:
+  virtual ~RestartRunner() = default;
+  // As RunRestarts, whose results it must give bit for bit. Thread-safe.
+  virtual absl::StatusOr<std::vector<RestartResult>> Run(const SolveInput& input, const StageSpec& stage,
+                                                         const PartialLayout& before, int first, int count) const = 0;
+};
+
+// Runs them on the settings' threads.
+class LocalRestartRunner final : public RestartRunner {
+ public:
+  absl::StatusOr<std::vector<RestartResult>> Run(const SolveInput& input, const StageSpec& stage,
+                                                 const PartialLayout& before, int first, int count) const override {
+    return RunRestarts(input, stage, before, first, count);
+  }
+};
+
+// Objects that the user has pinned: they stand from the start, count in every cost, and no stage moves them.
+
+// The layout before the first stage: the pinned objects only.
+PartialLayout StartOf(const SolveInput& input);
+
+// MakeStage without the pinned objects.
+StageSpec FreeStage(const SolveInput& input, StageKind kind, int zone = -1);
 
 }  // namespace flair::optimizer

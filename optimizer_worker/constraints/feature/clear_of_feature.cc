@@ -12,8 +12,8 @@
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/convex_piece.h"
+#include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/gap.h"
-#include "optimizer_worker/constraints/measure/room_areas.h"
 #include "optimizer_worker/constraints/room/door_clear.h"
 #include "room/geometry/footprint.h"
 

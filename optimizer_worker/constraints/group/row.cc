@@ -13,7 +13,7 @@
 #include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
-#include "optimizer_worker/constraints/measure/pairwise.h"
+#include "optimizer_worker/constraints/measure/choose.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {

@@ -16,8 +16,8 @@
 
 #include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
-#include "optimizer_worker/constraints/measure/pairwise.h"
 #include "optimizer_worker/constraints/measure/walls.h"
 #include "room/geometry/angle.h"
 #include "room/scene/scene.h"

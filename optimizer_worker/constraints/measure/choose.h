@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The least of several ways in which a sentence can hold.
+// What formulas over several ways or many objects are made of.
 #pragma once
 
 #include <limits>
+#include <span>
 #include <type_traits>
 
-#include "optimizer_worker/autodiff/frame_value.h"
+#include "optimizer_worker/autodiff/dual.h"
 #include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 
@@ -28,6 +29,27 @@ T LeastOf(const Ways& ways, const std::array<Frame<T>, K>& frames, const WayCost
   } else {
     return least == 0 ? T(0.0) : way_cost(ways[best], frames);
   }
+}
+
+// Sums over many objects are differentiated one object at a time: three partials, whatever the number of objects.
+
+// Adds the gradient of `term(frame_i, frame_j)` to `gradient` (three numbers per frame) and returns its value. The term
+// depends only on how the two stand to each other.
+template <typename Term>
+double AddPair(std::span<const Frame<double>> frames, size_t i, size_t j, std::span<double> gradient,
+               const Term& term) {
+  const Dual<3> value = term(DualFrame<3, 0>(frames[i]), DualFrame<3, 3>(frames[j]));
+  for (int k = 0; k < 3; ++k) gradient[3 * i + k] += value.partial[k];
+  AddReaction(frames[i], value.partial[0], value.partial[1], value.partial[2], frames[j], gradient.subspan(3 * j, 3));
+  return value.value;
+}
+
+// The same for a term of one object.
+template <typename Term>
+double AddSingle(std::span<const Frame<double>> frames, size_t i, std::span<double> gradient, const Term& term) {
+  const Dual<3> value = term(DualFrame<3, 0>(frames[i]));
+  for (int k = 0; k < 3; ++k) gradient[3 * i + k] += value.partial[k];
+  return value.value;
 }
 
 }  // namespace flair::optimizer

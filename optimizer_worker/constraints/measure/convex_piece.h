@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "optimizer_worker/autodiff/frame_value.h"
+#include "optimizer_worker/autodiff/dual.h"
 #include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"

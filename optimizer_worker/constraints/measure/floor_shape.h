@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/measure/gap.h"
 #include "room/scene/room.h"
 
@@ -64,5 +65,14 @@ class FloorShape {
   std::vector<HalfPlane> half_planes_;
   std::vector<ConvexPiece> pockets_;
 };
+
+// Areas at the walls that objects keep out of. Each reaches far behind its wall and can be left into the room or
+// along the wall only, never through the wall.
+
+// A convex area of which one edge lies on the wall, extended behind it.
+ConvexPiece AreaAtWall(const Polygon& area, const Wall& wall);
+
+// The rectangle over [start_m, end_m] of a wall, `depth_m` into the room.
+ConvexPiece StripAtWall(const Wall& wall, double start_m, double end_m, double depth_m);
 
 }  // namespace flair::optimizer

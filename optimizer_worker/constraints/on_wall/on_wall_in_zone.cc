@@ -10,7 +10,7 @@
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
-#include "optimizer_worker/constraints/measure/zones.h"
+#include "optimizer_worker/constraints/measure/on_top.h"
 #include "optimizer_worker/constraints/room/on_wall.h"
 #include "room/geometry/footprint.h"
 #include "room/geometry/vec2.h"

@@ -2,8 +2,8 @@
 #include "optimizer_worker/constraints/room/door_clear.h"
 
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/gap.h"
-#include "optimizer_worker/constraints/measure/room_areas.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "room/scene/room.h"
 

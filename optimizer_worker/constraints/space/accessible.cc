@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "optimizer_worker/constraints/facts.h"
-#include "optimizer_worker/constraints/measure/pairwise.h"
+#include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/room/door_clear.h"
 
 namespace flair::optimizer {
