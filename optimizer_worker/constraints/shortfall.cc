@@ -10,7 +10,7 @@
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/measure/walls.h"
 #include "optimizer_worker/constraints/registry.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 namespace {

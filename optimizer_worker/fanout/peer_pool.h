@@ -15,8 +15,8 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/optimizer_service.pb.h"
+#include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/clock/clock.h"
-#include "worker_runtime/executor/cancellation.h"
 
 namespace flair::optimizer {
 

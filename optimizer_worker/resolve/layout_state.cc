@@ -8,10 +8,10 @@
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/stages/exact_step.h"
 #include "optimizer_worker/stages/fit_diagnostics.h"
-#include "optimizer_worker/stages/polish.h"
 #include "optimizer_worker/stages/outcomes.h"
+#include "optimizer_worker/stages/polish.h"
 #include "optimizer_worker/stages/tertiary.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 

@@ -11,7 +11,7 @@
 #include "optimizer_worker/fanout/fan_out_runner.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
 #include "optimizer_worker/stages/solve_layout.h"
-#include "room/conversion/scene_conversion.h"
+#include "room/conversion/conversion.h"
 #include "room/text_format/scene_text.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/bootstrap/build_id.h"

@@ -12,7 +12,7 @@
 #include "optimizer_worker/stages/outcomes.h"
 #include "optimizer_worker/stages/placements.h"
 #include "optimizer_worker/stages/solve_input.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 

@@ -10,8 +10,8 @@
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
-#include "room/geometry/angle.h"
-#include "room/geometry/segment.h"
+#include "room/geometry/polygon.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 

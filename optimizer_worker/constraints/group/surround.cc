@@ -19,7 +19,7 @@
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/walls.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {

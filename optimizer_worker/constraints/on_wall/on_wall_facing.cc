@@ -14,8 +14,8 @@
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/room/on_wall.h"
-#include "room/geometry/angle.h"
 #include "room/geometry/footprint.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 

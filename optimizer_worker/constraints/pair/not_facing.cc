@@ -7,7 +7,7 @@
 #include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
-#include "room/geometry/angle.h"
+#include "room/geometry/pose.h"
 
 namespace flair::optimizer {
 

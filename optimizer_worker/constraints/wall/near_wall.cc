@@ -15,8 +15,8 @@
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/walls.h"
-#include "room/geometry/angle.h"
 #include "room/geometry/footprint.h"
+#include "room/geometry/pose.h"
 #include "room/scene/room.h"
 
 namespace flair::optimizer {
