@@ -65,8 +65,8 @@ absl::Status ReadPlacements(const SolveInput& input,
 
 namespace {
 
-constexpr int kSweeps = 3;
-constexpr double kNoise = 0.3;
+constexpr int kFurnishSweeps = 3;
+constexpr double kFurnishNoise = 0.3;
 
 std::vector<int> OrderOf(const StageSpec& stage, int restart, Random& random) {
   std::vector<int> order = stage.objects;
@@ -86,8 +86,8 @@ RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, co
                                  input.keep_out, &input.walk_grid, {},      input.Over()};
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
 
-  search.Construct(OrderOf(stage, restart, random), restart == 0 ? 0.0 : kNoise, random);
-  search.Sweep(stage.objects, kSweeps, CandidateDensity{}, random);
+  search.Construct(OrderOf(stage, restart, random), restart == 0 ? 0.0 : kFurnishNoise, random);
+  search.Sweep(stage.objects, kFurnishSweeps, CandidateDensity{}, random);
   const Layout swept = search.layout();
   const double swept_score = search.Score();
   search.Descend(stage.objects, {.max_evaluations = 40, .relative_tolerance = 1e-3, .absolute_tolerance = 1e-4});

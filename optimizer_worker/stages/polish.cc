@@ -10,8 +10,8 @@ namespace flair::optimizer {
 
 namespace {
 
-constexpr int kSweeps = 2;
-constexpr double kNoise = 0.2;
+constexpr int kPolishSweeps = 2;
+constexpr double kPolishNoise = 0.2;
 constexpr CandidateDensity kSparse{.wall_samples = 2, .floor_samples = 10, .partner_samples = 1};
 
 // The smaller partners of an object: what moves along when it moves.
@@ -41,13 +41,13 @@ std::vector<int> Neighbourhood(const SolveInput& input, const StageSpec& stage, 
 }
 
 void Improve(const SolveInput& input, const StageSpec& stage, LayoutSearch& search, Random& random) {
-  search.Sweep(stage.objects, kSweeps, kSparse, random);
+  search.Sweep(stage.objects, kPolishSweeps, kSparse, random);
   for (int anchor : stage.objects) {
     const std::vector<int> members = MembersOf(input, stage, anchor);
     if (!members.empty()) search.MoveTogether(anchor, members, kSparse, random);
   }
   const int attempts = 2 * static_cast<int>(stage.objects.size());
-  for (int i = 0; i < attempts; ++i) search.Replace(Neighbourhood(input, stage, random), kNoise, random);
+  for (int i = 0; i < attempts; ++i) search.Replace(Neighbourhood(input, stage, random), kPolishNoise, random);
 }
 
 // Descends from where `search` is, makes the layout exact and lets it settle. Returns the score.
