@@ -7,7 +7,7 @@
 #include "cli/batch/batch_progress.h"
 #include "cli/batch/kept_files.h"
 #include "nlohmann/json.hpp"
-#include "tests/fixtures/process.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::cli {
 namespace {

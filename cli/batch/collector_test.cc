@@ -6,7 +6,7 @@
 
 #include "cli/batch/fake_batch_service.h"
 #include "nlohmann/json.hpp"
-#include "tests/fixtures/process.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::cli {
 namespace {

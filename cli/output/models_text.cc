@@ -7,7 +7,6 @@
 #include "cli/output/artifact_text.h"
 #include "cli/output/printable.h"
 #include "fmt/format.h"
-#include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/summary.h"
 #include "worker_runtime/text/counted.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/fixtures/process.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::cli {
 namespace {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "absl/strings/ascii.h"
-#include "orchestrator/pipeline/replay.h"
 #include "orchestrator/pipeline/stage.h"
 
 namespace flair::cli {

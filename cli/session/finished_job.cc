@@ -9,7 +9,6 @@
 #include "cli/input/artifact_file.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
-#include "orchestrator/pipeline/replay.h"
 #include "orchestrator/pipeline/stage.h"
 
 namespace flair::cli {

@@ -2,8 +2,8 @@
 #include "orchestrator/batch/failure.h"
 
 #include "absl/strings/cord.h"
-#include "orchestrator/pipeline/backoff_policy.h"
 #include "orchestrator/pipeline/stage.h"
+#include "orchestrator/pipeline/stage_clients.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -6,12 +6,12 @@
 #include <future>
 
 #include "orchestrator/batch/job_runner.h"
-#include "orchestrator/pipeline/fake_stages.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/job_store.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/fake_stages.h"
 #include "spdlog/sinks/null_sink.h"
 #include "worker_runtime/testing/fakes.h"
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "orchestrator/batch/failure.h"
-#include "orchestrator/pipeline/model_budget.h"
 #include "orchestrator/pipeline/stage_runner.h"
+#include "orchestrator/pipeline/summary.h"
 
 namespace flair::orchestrator {
 namespace {

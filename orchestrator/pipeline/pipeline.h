@@ -12,14 +12,14 @@
 #include "flair/v1/job.pb.h"
 #include "orchestrator/batch/artifact_store.h"
 #include "orchestrator/batch/work_queue.h"
-#include "orchestrator/pipeline/backoff_policy.h"
-#include "orchestrator/pipeline/catalog_cache.h"
+#include "orchestrator/pipeline/stage.h"
 #include "orchestrator/pipeline/stage_clients.h"
-#include "orchestrator/pipeline/step_log.h"
 #include "worker_runtime/clock/clock.h"
 #include "worker_runtime/executor/bounded_executor.h"
 
 namespace flair::orchestrator {
+
+class StepLog;
 
 struct PipelineOptions {
   // That one call of a stage may take.

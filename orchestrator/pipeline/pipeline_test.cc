@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "orchestrator/pipeline/fake_stages.h"
-#include "orchestrator/pipeline/pipeline_for_test.h"
 #include "orchestrator/pipeline/stage.h"
+#include "orchestrator/testing/fake_stages.h"
+#include "orchestrator/testing/pipeline_for_test.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/pipeline/replay.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
-#include "orchestrator/pipeline/fake_stages.h"
-#include "orchestrator/pipeline/pipeline_for_test.h"
 #include "orchestrator/pipeline/stage.h"
+#include "orchestrator/testing/fake_stages.h"
+#include "orchestrator/testing/pipeline_for_test.h"
 
 namespace flair::orchestrator {
 namespace {

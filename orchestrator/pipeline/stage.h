@@ -1,27 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The stages of a job: what each needs, makes and asks for, and which of them a replay runs.
 #pragma once
 
-#include <array>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
+#include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/job.pb.h"
 #include "flair/v1/model_call.pb.h"
-#include "orchestrator/pipeline/catalog_cache.h"
+#include "orchestrator/batch/work_queue.h"
 #include "orchestrator/pipeline/stage_clients.h"
 
 namespace flair::orchestrator {
 
+// What an optimizer understands, the same for all jobs.
+struct SharedCatalog {
+  v1::ConstraintCatalog catalog;
+  // SHA-256 of its canonical bytes, in hex.
+  std::string digest;
+};
+
+// The catalogue of each optimizer that was asked: every job wants it, and an optimizer of one revision has one.
+// Thread-safe.
+class CatalogCache {
+ public:
+  // Asks the optimizer unless one of its revision was asked before. Errors as StageClients.
+  absl::StatusOr<std::shared_ptr<const SharedCatalog>> Get(StageClients& clients, StageCall& call);
+
+ private:
+  std::mutex mutex_;
+  // By revision.
+  std::map<std::string, std::shared_ptr<const SharedCatalog>> catalogs_;
+};
+
 // What a stage is given. Valid during the stage only.
 struct StageRun {
+  // Stage::name.
+  std::string_view stage;
   const std::string& job_id;
   const v1::JobSpec& spec;
-  // By kind, see Input(); a stage sees only its own inputs.
+  // In no order; a stage sees only its own inputs.
   std::span<const v1::Artifact* const> inputs;
   // What the stage's `options` or `asked` function returned, and its digest; both empty while that function runs.
   std::string_view options;
@@ -65,15 +91,9 @@ struct Stage {
   bool (*wanted)(const v1::JobSpec&) = nullptr;
 };
 
-// The stages in order; a stage's inputs are outputs of stages before it. Stages of which none needs another run at the
-// same time.
+// The stages in order, see stages.cc; a stage's inputs are outputs of stages before it. Stages of which none needs
+// another run at the same time.
 std::span<const Stage> Stages();
-
-// The input of that kind; it is there because the stage's table entry says so.
-const v1::Artifact& Input(const StageRun& run, v1::ArtifactKind kind);
-
-// Key of the stage's request, the same whenever the stage is run again for the same job.
-std::string RequestId(const StageRun& run, std::string_view stage);
 
 // Its place in Stages(); -1 when there is no stage of that name.
 int StageIndex(std::string_view name);
@@ -84,28 +104,21 @@ std::string StageNames();
 // Most pictures that a job may ask for beside its preview, each a stage "view_1", "view_2", ...
 inline constexpr int kFurtherViewLimit = 4;
 
-// What specs ask of the stages that take something from them.
+// What a spec asks of the first stage.
 std::string AskedBrief(const v1::JobSpec& spec);
-std::string AskedOfModels(const v1::JobSpec& spec);
-std::string AskedOfSolver(const v1::JobSpec& spec);
-std::string AskedOfRenderer(const v1::JobSpec& spec);
 
-// The stages' functions, one file each for the worker they ask.
-absl::StatusOr<v1::Artifact> RunBrief(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunRoom(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunZones(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunObjects(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunStyle(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunConstraints(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunCleaning(const StageRun& run);
-absl::StatusOr<StageOptions> TranslationOptions(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunRender(const StageRun& run);
-absl::StatusOr<StageOptions> ReportOptions(const StageRun& run);
-absl::StatusOr<v1::Artifact> RunReport(const StageRun& run);
+// Index of the first stage that a replay runs. The stage must be known (CheckReplay).
+int FirstStageOf(const v1::Replay& replay);
 
-// A stage that draws a further view; `number` counts from 0.
-Stage FurtherViewStage(int number);
+// Says whether a job can replay `earlier`, the job that it names: INVALID_ARGUMENT for a stage that there is not and
+// for another brief than that job's where its brief is taken, FAILED_PRECONDITION when that job did not come so far.
+absl::Status CheckReplay(const v1::JobSpec& spec, const v1::Job& earlier);
+
+// Names the earlier job's artifact of a stage. FAILED_PRECONDITION when it has none.
+absl::StatusOr<v1::ArtifactRef> ArtifactToTake(const v1::Replay& replay, int stage_index, WorkQueue& queue);
+absl::StatusOr<v1::ArtifactRef> ArtifactToTake(const v1::Replay& replay, int stage_index, const v1::Job& earlier);
+
+// For each stage whether the specs ask for another result of it, of itself or because one of its inputs is another.
+std::vector<bool> StagesAskedToDiffer(const v1::JobSpec& first, const v1::JobSpec& second);
 
 }  // namespace flair::orchestrator

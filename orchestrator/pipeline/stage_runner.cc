@@ -3,15 +3,59 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "google/protobuf/util/time_util.h"
 #include "orchestrator/batch/failure.h"
-#include "orchestrator/pipeline/replay.h"
+#include "orchestrator/pipeline/stage.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
+namespace {
+
+// Work of a job that a crash may take with it, beside the stages that run. A write takes less than a hundredth of it.
+constexpr absl::Duration kWorkKeptBack = absl::Milliseconds(500);
+
+}  // namespace
+
+absl::Status StepLog::Add(StageRecord record, std::optional<SealedArtifact> artifact, Urgency urgency) {
+  const google::protobuf::Duration& took = record.event.duration();
+  std::lock_guard lock(mutex_);
+  work_ += absl::Seconds(took.seconds()) + absl::Nanoseconds(took.nanos());
+  kept_.push_back(std::move(record));
+  if (artifact.has_value()) kept_artifacts_.push_back(*std::move(artifact));
+  return urgency == Urgency::kAtOnce || work_ > kWorkKeptBack ? StoreKept() : absl::OkStatus();
+}
+
+absl::Status StepLog::Store() {
+  std::lock_guard lock(mutex_);
+  return StoreKept();
+}
+
+absl::StatusOr<std::vector<StageRecord>> StepLog::TakeLast() {
+  std::lock_guard lock(mutex_);
+  return TakeKept();
+}
+
+// What is recorded is there: first the artifacts.
+absl::StatusOr<std::vector<StageRecord>> StepLog::TakeKept() {
+  work_ = absl::ZeroDuration();
+  std::vector<StageRecord> records = std::exchange(kept_, {});
+  // Nobody deletes what is stored before it is recorded.
+  RETURN_IF_ERROR(lease_.Announce(records));
+  RETURN_IF_ERROR(artifacts_.PutAll(std::exchange(kept_artifacts_, {})));
+  return records;
+}
+
+absl::Status StepLog::StoreKept() {
+  const absl::StatusOr<std::vector<StageRecord>> records = TakeKept();
+  return records.ok() ? lease_.RecordAll(*records) : records.status();
+}
+
 namespace {
 
 google::protobuf::Duration ToProto(absl::Duration duration) {
@@ -64,13 +108,11 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
     return TakeFromEarlierJob(stage_index);
   }
   StageClients::Call no_deadline;
-  StageRun run{job_.id(), job_.spec(), inputs,   "",        "",         options_.build,
-               timings,   model_usage, clients_, catalogs_, no_deadline};
+  StageRun run{stage.name,     job_.id(), job_.spec(), inputs,   "",        "",
+               options_.build, timings,   model_usage, clients_, catalogs_, no_deadline};
   StageOptions options;
   if (stage.options != nullptr) {
-    absl::StatusOr<StageOptions> found = Retry<StageOptions>(stage.options, run);
-    if (!found.ok()) return found.status();
-    options = *std::move(found);
+    ASSIGN_OR_RETURN(options, Retry<StageOptions>(stage.options, run));
   } else if (stage.asked != nullptr) {
     options.bytes = stage.asked(job_.spec());
   }
@@ -78,10 +120,11 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
   run.options = options.bytes;
   run.options_digest = options_digest;
   run.catalog = options.catalog.get();
-  const absl::StatusOr<Revision> revision = Retry<Revision>(
-      [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run);
-  if (!revision.ok()) return revision.status();
-  const std::string key = KeyOf(stage, run, *revision);
+  ASSIGN_OR_RETURN(
+      const Revision revision,
+      Retry<Revision>(
+          [&stage](const StageRun& current) { return current.clients.Revision(stage.output, current.call); }, run));
+  const std::string key = KeyOf(stage, run, revision);
   auto known = queue_.FindResult(key);
   if (!known.ok()) return OfStore(known.status());
   if (known->has_value()) {
@@ -89,7 +132,7 @@ absl::StatusOr<StageRunner::Output> StageRunner::Run(int stage_index, std::span<
     // A file that is gone or damaged is made again.
     if (reused.ok() || (!absl::IsNotFound(reused.status()) && !absl::IsDataLoss(reused.status()))) return reused;
   }
-  return MakeAndStore(stage_index, run, *revision);
+  return MakeAndStore(stage_index, run, revision);
 }
 
 std::string StageRunner::KeyOf(const Stage& stage, const StageRun& run, const Revision& revision) const {
@@ -103,9 +146,8 @@ std::string StageRunner::KeyOf(const Stage& stage, const StageRun& run, const Re
 // What the replayed job had. Without it there is nothing to go on from.
 absl::StatusOr<StageRunner::Output> StageRunner::TakeFromEarlierJob(int stage_index) const {
   const v1::Replay& replay = job_.spec().replay();
-  const absl::StatusOr<v1::ArtifactRef> ref = ArtifactToTake(replay, stage_index, queue_);
-  if (!ref.ok()) return ref.status();
-  absl::StatusOr<Output> taken = Reuse(stage_index, *ref);
+  ASSIGN_OR_RETURN(const v1::ArtifactRef ref, ArtifactToTake(replay, stage_index, queue_));
+  absl::StatusOr<Output> taken = Reuse(stage_index, ref);
   if (taken.ok()) return taken;
   return absl::Status(taken.status().code(),
                       fmt::format("{}; it was to be taken from job {}: run that again from \"{}\" or an earlier stage",
@@ -118,28 +160,25 @@ absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, c
   const Stage& stage = Stages()[static_cast<size_t>(stage_index)];
   // Somebody watches a job that stands alone; in a batch it would be half of all that is stored.
   if (job_.batch_id().empty()) {
-    const absl::Status status = Record({Event(v1::JOB_EVENT_KIND_STAGE_STARTED, stage), stage_index, ""}, {});
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(Record({Event(v1::JOB_EVENT_KIND_STAGE_STARTED, stage), stage_index, ""}, {}));
   }
   const absl::Duration start = clock_.Elapsed();
-  absl::StatusOr<v1::Artifact> artifact = Make(stage, run, revision);
-  if (!artifact.ok()) return artifact.status();
+  ASSIGN_OR_RETURN(v1::Artifact artifact, Make(stage, run, revision));
   // The first stage is made from what it is asked; that is its content.
-  if (!run.inputs.empty()) artifact->set_options_digest(std::string(run.options_digest));
+  if (!run.inputs.empty()) artifact.set_options_digest(std::string(run.options_digest));
   const std::vector<std::string> input_ids = InputIds(run);
-  artifact->mutable_made_from_ids()->Assign(input_ids.begin(), input_ids.end());
-  SealedArtifact sealed = SealArtifact(*artifact);
+  artifact.mutable_made_from_ids()->Assign(input_ids.begin(), input_ids.end());
+  SealedArtifact sealed = SealArtifact(artifact);
   v1::JobEvent event = Event(v1::JOB_EVENT_KIND_STAGE_FINISHED, stage);
-  event.set_message(Summarize(*artifact));
-  if (const std::string models = SummarizeModels(*artifact); !models.empty()) {
+  event.set_message(Summarize(artifact));
+  if (const std::string models = SummarizeModels(artifact); !models.empty()) {
     event.set_message(fmt::format("{}  ({})", event.message(), models));
   }
   *event.mutable_artifact() = sealed.ref;
   *event.mutable_duration() = ToProto(clock_.Elapsed() - start);
-  const bool paid_for = !artifact->model_calls().empty();
-  const absl::Status status = Record({event, stage_index, KeyOf(stage, run, revision)}, std::move(sealed), paid_for);
-  if (!status.ok()) return status;
-  Output output{*std::move(artifact), {}};
+  const bool paid_for = !artifact.model_calls().empty();
+  RETURN_IF_ERROR(Record({event, stage_index, KeyOf(stage, run, revision)}, std::move(sealed), paid_for));
+  Output output{std::move(artifact), {}};
   output.timing.set_stage(std::string(stage.name));
   *output.timing.mutable_duration() = event.duration();
   return output;
@@ -154,9 +193,9 @@ absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Res
   for (int attempt = 0;; ++attempt) {
     StageClients::Call call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
     runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
-    StageRun current{run.job_id,         run.spec,     run.inputs,  run.options,
-                     run.options_digest, run.build,    run.timings, run.model_usage,
-                     run.clients,        run.catalogs, call,        run.catalog};
+    StageRun current{run.stage,          run.job_id, run.spec,    run.inputs,      run.options,
+                     run.options_digest, run.build,  run.timings, run.model_usage, run.clients,
+                     run.catalogs,       call,       run.catalog};
     absl::StatusOr<Result> result = cancellation_.cancelled()
                                         ? absl::StatusOr<Result>(absl::CancelledError("the job was cancelled"))
                                         : function(current);
@@ -206,7 +245,7 @@ absl::StatusOr<StageRunner::Output> StageRunner::Reuse(int stage_index, const v1
   event.set_message(Summarize(output.artifact));
   *event.mutable_artifact() = ref;
   *event.mutable_duration() = ToProto(clock_.Elapsed() - start);
-  if (absl::Status status = Record({event, stage_index, ""}, {}); !status.ok()) return status;
+  RETURN_IF_ERROR(Record({event, stage_index, ""}, {}));
   *output.timing.mutable_duration() = event.duration();
   output.timing.set_reused(true);
   return output;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What was found and what models used, in numbers and in words for people.
 #pragma once
 
 #include <string>
@@ -19,5 +20,11 @@ std::string SummarizeUsage(const v1::ModelUsage& usage);
 
 // A step of a model call that asked for a better answer.
 bool IsRepair(const v1::ModelCall& call);
+
+// Adds what the calls behind an artifact consumed.
+void AddUsage(const v1::Artifact& artifact, v1::ModelUsage& usage);
+
+// The options of a request: those of the job with what is left of its budget, never below 0.
+v1::ModelOptions OptionsLeft(const v1::ModelOptions& job_options, const v1::ModelUsage& spent);
 
 }  // namespace flair::orchestrator

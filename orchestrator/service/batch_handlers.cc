@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The RPCs of batches.
+// The RPCs of batches, and those that delete what has ended.
+
 #include <fmt/format.h>
 #include <google/protobuf/util/time_util.h>
 
@@ -7,9 +8,9 @@
 #include <vector>
 
 #include "orchestrator/service/orchestrator_handlers.h"
-#include "orchestrator/service/paging.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -50,11 +51,11 @@ absl::StatusOr<v1::Batch> OrchestratorHandlers::Add(const v1::Batch& batch, int6
                                                     const google::protobuf::RepeatedPtrField<v1::JobSpec>& specs,
                                                     bool last, const Caller& caller, JobAdmission::Entry& entry) {
   for (const v1::JobSpec& spec : specs) {
-    if (absl::Status status = CheckSpec(spec, caller); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckSpec(spec, caller));
   }
   // Those that are there already need no room.
   const int64_t added = std::max<int64_t>(0, first_index + specs.size() - batch.job_count());
-  if (absl::Status status = entry.Grant(added); !status.ok()) return status;
+  RETURN_IF_ERROR(entry.Grant(added));
   std::vector<v1::Job> jobs;
   jobs.reserve(static_cast<size_t>(specs.size()));
   for (int i = 0; i < specs.size(); ++i) {
@@ -75,7 +76,7 @@ absl::StatusOr<v1::Batch> OrchestratorHandlers::Add(const v1::Batch& batch, int6
 
 absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const v1::CreateBatchRequest& request,
                                                                           const Caller& caller) {
-  if (absl::Status status = Validate(request); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(request));
   store::v1::BatchRecord record;
   record.set_request_id(caller.RequestKey(request.request_id()));
   record.set_specs_digest(DigestOf(request));
@@ -93,48 +94,44 @@ absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const 
       UnlessRepeated(entry.Grant(request.specs_size()), RequestKind::kBatch, request.request_id(), caller);
   for (int i = 0; status.ok() && i < request.specs_size(); ++i) status = CheckSpec(request.specs(i), caller);
   if (!status.ok()) return status;
-  const absl::StatusOr<store::v1::BatchRecord> made = queue_.CreateBatch(record);
-  if (!made.ok()) return made.status();
-  if (made->specs_digest() != record.specs_digest()) {
+  ASSIGN_OR_RETURN(const store::v1::BatchRecord made, queue_.CreateBatch(record));
+  if (made.specs_digest() != record.specs_digest()) {
     return absl::AlreadyExistsError(fmt::format("request_id: \"{}\" made batch {} of other specs; use a new id",
-                                                request.request_id(), made->batch().id()));
+                                                request.request_id(), made.batch().id()));
   }
-  if (made->batch().open()) {
-    status = Add(made->batch(), 0, request.specs(), !request.open(), caller, entry).status();
+  if (made.batch().open()) {
+    status = Add(made.batch(), 0, request.specs(), !request.open(), caller, entry).status();
     if (!status.ok()) return status;
   }
-  runner_.Request({}, made->batch().id());
-  return Answer<v1::CreateBatchResponse>(queue_.GetBatch(made->batch().id()));
+  runner_.Request({}, made.batch().id());
+  return Answer<v1::CreateBatchResponse>(queue_.GetBatch(made.batch().id()));
 }
 
 absl::StatusOr<v1::AddToBatchResponse> OrchestratorHandlers::AddToBatch(const v1::AddToBatchRequest& request,
                                                                         const Caller& caller) {
-  if (absl::Status status = Validate(request); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(request));
   // Before the batch is read: what a call before this one adds needs no room.
   JobAdmission::Entry entry(admission_, caller);
-  const absl::StatusOr<v1::Batch> batch = VisibleBatch(request.batch_id(), caller);
-  if (!batch.ok()) return batch.status();
+  ASSIGN_OR_RETURN(const v1::Batch batch, VisibleBatch(request.batch_id(), caller));
   return Answer<v1::AddToBatchResponse>(
-      Add(*batch, request.first_index(), request.specs(), request.last(), caller, entry));
+      Add(batch, request.first_index(), request.specs(), request.last(), caller, entry));
 }
 
 absl::StatusOr<v1::GetBatchResponse> OrchestratorHandlers::GetBatch(const v1::GetBatchRequest& request,
                                                                     const Caller& caller) {
-  if (absl::Status status = VisibleBatch(request.batch_id(), caller).status(); !status.ok()) return status;
+  RETURN_IF_ERROR(VisibleBatch(request.batch_id(), caller).status());
   return Answer<v1::GetBatchResponse>(queue_.GetBatch(request.batch_id()));
 }
 
 absl::StatusOr<v1::ListBatchesResponse> OrchestratorHandlers::ListBatches(const v1::ListBatchesRequest& request,
                                                                           const Caller& caller) {
-  const absl::StatusOr<int> limit = PageLimit(request.page_size());
-  if (!limit.ok()) return limit.status();
+  ASSIGN_OR_RETURN(const int limit, PageLimit(request.page_size()));
   ListFilter filter;
-  filter.limit = *limit + 1;
+  filter.limit = limit + 1;
   filter.before = request.page_token();
   filter.owner = caller.OwnerFilter();
-  absl::StatusOr<std::vector<v1::Batch>> batches = queue_.ListBatches(filter);
-  if (!batches.ok()) return batches.status();
-  return PageOf<v1::ListBatchesResponse>(*std::move(batches), *limit,
+  ASSIGN_OR_RETURN(std::vector<v1::Batch> batches, queue_.ListBatches(filter));
+  return PageOf<v1::ListBatchesResponse>(std::move(batches), limit,
                                          [](v1::ListBatchesResponse& page) { return page.mutable_batches(); });
 }
 
@@ -170,9 +167,8 @@ absl::Status OrchestratorHandlers::RetryJobs(std::span<const v1::Job> jobs, cons
   const absl::StatusOr<int64_t> granted = entry.GrantSome(static_cast<int64_t>(jobs.size()));
   if (!granted.ok()) return granted.status();
   for (const v1::Job& job : jobs.first(static_cast<size_t>(*granted))) {
-    const absl::StatusOr<bool> retried = queue_.Retry(job.id());
-    if (!retried.ok()) return retried.status();
-    if (*retried) response.set_retried_count(response.retried_count() + 1);
+    ASSIGN_OR_RETURN(const bool retried, queue_.Retry(job.id()));
+    if (retried) response.set_retried_count(response.retried_count() + 1);
   }
   if (*granted == static_cast<int64_t>(jobs.size())) return absl::OkStatus();
   return absl::ResourceExhaustedError(
@@ -182,40 +178,71 @@ absl::Status OrchestratorHandlers::RetryJobs(std::span<const v1::Job> jobs, cons
 
 absl::StatusOr<v1::RetryBatchResponse> OrchestratorHandlers::RetryBatch(const v1::RetryBatchRequest& request,
                                                                         const Caller& caller) {
-  const absl::StatusOr<v1::Batch> batch = VisibleBatch(request.batch_id(), caller);
-  if (!batch.ok()) return batch.status();
-  if (batch->state() == v1::BATCH_STATE_CANCELLED) {
-    return absl::FailedPreconditionError(fmt::format("batch_id: {} is cancelled; make another batch", batch->id()));
+  ASSIGN_OR_RETURN(const v1::Batch batch, VisibleBatch(request.batch_id(), caller));
+  if (batch.state() == v1::BATCH_STATE_CANCELLED) {
+    return absl::FailedPreconditionError(fmt::format("batch_id: {} is cancelled; make another batch", batch.id()));
   }
   if (request.job_ids_size() > kPage) {
     return absl::InvalidArgumentError(
         fmt::format("job_ids: {} jobs are too many; at most {}", request.job_ids_size(), kPage));
   }
   // Also for those that wait again when there is no room for the rest.
-  runner_.Request({}, batch->id());
+  runner_.Request({}, batch.id());
   v1::RetryBatchResponse response;
   std::vector<v1::Job> named;
   for (const std::string& id : request.job_ids()) {
-    absl::StatusOr<v1::Job> job = VisibleJob(id, caller);
-    if (!job.ok()) return job.status();
-    if (IsAskedFor(*job, request)) named.push_back(*std::move(job));
+    ASSIGN_OR_RETURN(v1::Job job, VisibleJob(id, caller));
+    if (IsAskedFor(job, request)) named.push_back(std::move(job));
   }
-  if (absl::Status status = RetryJobs(named, caller, response); !status.ok()) return status;
+  RETURN_IF_ERROR(RetryJobs(named, caller, response));
   ListFilter filter;
   filter.limit = kPage;
-  filter.batch_id = batch->id();
+  filter.batch_id = batch.id();
   filter.state = v1::JOB_STATE_FAILED;
   for (bool more = request.job_ids().empty(); more;) {
-    absl::StatusOr<std::vector<v1::Job>> jobs = queue_.ListJobs(filter);
-    if (!jobs.ok()) return jobs.status();
-    more = jobs->size() == kPage;
-    if (more) filter.before = jobs->back().id();
-    std::erase_if(*jobs, [&](const v1::Job& job) { return !IsAskedFor(job, request); });
-    if (absl::Status status = RetryJobs(*jobs, caller, response); !status.ok()) return status;
+    ASSIGN_OR_RETURN(std::vector<v1::Job> jobs, queue_.ListJobs(filter));
+    more = jobs.size() == kPage;
+    if (more) filter.before = jobs.back().id();
+    std::erase_if(jobs, [&](const v1::Job& job) { return !IsAskedFor(job, request); });
+    RETURN_IF_ERROR(RetryJobs(jobs, caller, response));
   }
-  absl::StatusOr<v1::Batch> now = queue_.GetBatch(batch->id());
-  if (!now.ok()) return now.status();
-  *response.mutable_batch() = *std::move(now);
+  ASSIGN_OR_RETURN(v1::Batch now, queue_.GetBatch(batch.id()));
+  *response.mutable_batch() = std::move(now);
+  return response;
+}
+
+namespace {
+
+// Jobs of a batch that one call deletes: some seconds.
+constexpr int kJobsPerCall = 1000;
+
+// In the words of VisibleJob and VisibleBatch, whoever deleted it meanwhile.
+absl::Status Gone(const absl::Status& status, const char* field, const char* what, const std::string& id) {
+  if (!absl::IsNotFound(status)) return status;
+  return absl::NotFoundError(fmt::format("{}: no {} \"{}\" in this store", field, what, id));
+}
+
+}  // namespace
+
+absl::StatusOr<v1::DeleteJobResponse> OrchestratorHandlers::DeleteJob(const v1::DeleteJobRequest& request,
+                                                                      const Caller& caller) {
+  ASSIGN_OR_RETURN(const v1::Job job, VisibleJob(request.job_id(), caller));
+  const absl::StatusOr<Deleted> deleted = queue_.DeleteJob(job.id(), artifacts_);
+  if (!deleted.ok()) return Gone(deleted.status(), "job_id", "job", job.id());
+  v1::DeleteJobResponse response;
+  response.set_deleted_artifact_count(deleted->artifact_count);
+  return response;
+}
+
+absl::StatusOr<v1::DeleteBatchResponse> OrchestratorHandlers::DeleteBatch(const v1::DeleteBatchRequest& request,
+                                                                          const Caller& caller) {
+  ASSIGN_OR_RETURN(const v1::Batch batch, VisibleBatch(request.batch_id(), caller));
+  const absl::StatusOr<Deleted> deleted = queue_.DeleteBatch(batch.id(), kJobsPerCall, artifacts_);
+  if (!deleted.ok()) return Gone(deleted.status(), "batch_id", "batch", batch.id());
+  v1::DeleteBatchResponse response;
+  response.set_deleted_job_count(deleted->job_count);
+  response.set_deleted_artifact_count(deleted->artifact_count);
+  response.set_done(deleted->done);
   return response;
 }
 

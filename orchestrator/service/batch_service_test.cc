@@ -5,10 +5,11 @@
 #include <atomic>
 #include <set>
 
-#include "orchestrator/pipeline/fake_stages.h"
-#include "orchestrator/service/embedded_for_test.h"
-#include "orchestrator/service/fake_workers.h"
 #include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/embedded_for_test.h"
+#include "orchestrator/testing/fake_stages.h"
+#include "orchestrator/testing/fake_workers.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
@@ -43,9 +44,8 @@ class BatchServiceTest : public ::testing::Test {
     request.set_request_id(request_id);
     request.set_open(true);
     request.set_label("briefs.jsonl");
-    auto response = orchestrator_->Ask(&Stub::CreateBatch, request);
-    if (!response.ok()) return response.status();
-    return response->batch();
+    ASSIGN_OR_RETURN(auto response, orchestrator_->Ask(&Stub::CreateBatch, request));
+    return response.batch();
   }
 
   absl::StatusOr<v1::Batch> Add(const std::string& batch_id, int64_t first, int count, bool last,
@@ -57,9 +57,8 @@ class BatchServiceTest : public ::testing::Test {
       request.add_specs()->mutable_brief()->set_text(text + std::to_string(i));
     }
     request.set_last(last);
-    auto response = orchestrator_->Ask(&Stub::AddToBatch, request);
-    if (!response.ok()) return response.status();
-    return response->batch();
+    ASSIGN_OR_RETURN(auto response, orchestrator_->Ask(&Stub::AddToBatch, request));
+    return response.batch();
   }
 
   // The ends until the stream ends.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "worker_runtime/status/status_macros.h"
+
 namespace flair::orchestrator {
 
 std::shared_ptr<std::mutex> JobAdmission::TurnOf(const std::string& owner) {
@@ -39,13 +41,10 @@ absl::StatusOr<JobAdmission::Entry::Counts> JobAdmission::Entry::Keep(int64_t jo
     admission_.kept_ = others + job_count;
     kept_ = job_count;
   }
-  const absl::StatusOr<int64_t> queued = admission_.queue_.CountQueued();
-  if (!queued.ok()) return queued.status();
-  Counts counts = {.queued = *queued + others};
+  ASSIGN_OR_RETURN(const int64_t queued, admission_.queue_.CountQueued());
+  Counts counts = {.queued = queued + others};
   if (turn_ == nullptr) return counts;
-  const absl::StatusOr<int64_t> open = admission_.queue_.CountOpen(caller_.name);
-  if (!open.ok()) return open.status();
-  counts.open = *open;
+  ASSIGN_OR_RETURN(counts.open, admission_.queue_.CountOpen(caller_.name));
   return counts;
 }
 
@@ -68,10 +67,9 @@ absl::Status JobAdmission::Entry::Grant(int64_t job_count) {
 }
 
 absl::StatusOr<int64_t> JobAdmission::Entry::GrantSome(int64_t job_count) {
-  const absl::StatusOr<Counts> counts = Keep(job_count);
-  if (!counts.ok()) return counts.status();
-  int64_t room = admission_.queued_job_limit_ - counts->queued;
-  if (caller_.open_job_limit > 0) room = std::min(room, caller_.open_job_limit - counts->open);
+  ASSIGN_OR_RETURN(const Counts counts, Keep(job_count));
+  int64_t room = admission_.queued_job_limit_ - counts.queued;
+  if (caller_.open_job_limit > 0) room = std::min(room, caller_.open_job_limit - counts.open);
   return std::clamp<int64_t>(room, 0, job_count);
 }
 

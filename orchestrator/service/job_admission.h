@@ -9,7 +9,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "orchestrator/access/caller.h"
+#include "orchestrator/access/access_control.h"
 #include "orchestrator/batch/work_queue.h"
 
 namespace flair::orchestrator {

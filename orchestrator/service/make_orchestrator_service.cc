@@ -6,6 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <optional>
 #include <random>
 #include <thread>
@@ -16,49 +19,20 @@
 #include "orchestrator/batch/metered_work_queue.h"
 #include "orchestrator/batch/sweeper.h"
 #include "orchestrator/pipeline/pipeline.h"
-#include "orchestrator/service/open_stores.h"
+#include "orchestrator/service/orchestrator_config.h"
 #include "orchestrator/service/orchestrator_handlers.h"
-#include "orchestrator/service/status_reporter.h"
 #include "orchestrator/service/watches.h"
 #include "orchestrator/workers/stage_workers.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/credentials.h"
 #include "worker_runtime/grpc/server_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
 
 google::protobuf::Timestamp ToProto(absl::Time time) {
   return google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(time));
-}
-
-int RunningJobLimit(const config::v1::OrchestratorConfig& config) {
-  if (config.running_job_limit() > 0) return config.running_job_limit();
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-int QueuedJobLimit(const config::v1::OrchestratorConfig& config) {
-  return config.queued_job_limit() > 0 ? config.queued_job_limit() : 1000000;
-}
-
-PipelineOptions MakePipelineOptions(const config::v1::OrchestratorConfig& config, const std::string& build) {
-  PipelineOptions options;
-  options.build = build;
-  if (config.has_stage_deadline_seconds()) options.stage_deadline = absl::Seconds(config.stage_deadline_seconds());
-  return options;
-}
-
-JobRunnerOptions MakeRunnerOptions(const config::v1::OrchestratorConfig& config) {
-  JobRunnerOptions options;
-  options.running_job_limit = config.takes_no_jobs() ? 0 : RunningJobLimit(config);
-  options.requested_jobs_only = config.requested_jobs_only();
-  if (config.attempt_limit() > 0) options.attempt_limit = config.attempt_limit();
-  return options;
-}
-
-std::optional<absl::Duration> KeepEnded(const config::v1::OrchestratorConfig& config) {
-  if (!config.has_keep_ended_seconds()) return std::nullopt;
-  return absl::Seconds(config.keep_ended_seconds());
 }
 
 // What of the status never changes.
@@ -70,9 +44,54 @@ v1::OrchestratorStatus Introduce(const config::v1::OrchestratorConfig& config, c
   status.set_id(fmt::format("{}-{}-{:06x}", host, ::getpid(), random() & 0xffffffu));
   status.set_host(host);
   status.set_build(worker.build);
-  status.set_running_limit(MakeRunnerOptions(config).running_job_limit);
+  status.set_running_limit(RunnerOptionsOf(config).running_job_limit);
   *status.mutable_start_time() = ToProto(worker.clock.Now());
   return status;
+}
+
+// Tells the other orchestrators of a queue how this one does, every two seconds, from a thread of its own. The
+// arguments outlive it.
+class StatusReporter {
+ public:
+  StatusReporter(WorkQueue& queue, std::function<v1::OrchestratorStatus()> status, spdlog::logger& logger);
+  ~StatusReporter();
+
+ private:
+  void Run();
+
+  WorkQueue& queue_;
+  const std::function<v1::OrchestratorStatus()> status_;
+  spdlog::logger& logger_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+StatusReporter::StatusReporter(WorkQueue& queue, std::function<v1::OrchestratorStatus()> status, spdlog::logger& logger)
+    : queue_(queue), status_(std::move(status)), logger_(logger), thread_([this] { Run(); }) {}
+
+StatusReporter::~StatusReporter() {
+  {
+    std::lock_guard lock(mutex_);
+    stopping_ = true;
+    wake_.notify_all();
+  }
+  thread_.join();
+}
+
+void StatusReporter::Run() {
+  bool failed = false;
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    lock.unlock();
+    const absl::Status status = queue_.ReportStatus(status_());
+    // Once per outage.
+    if (!status.ok() && !failed) logger_.warn("cannot report to the queue: {}", std::string(status.message()));
+    failed = !status.ok();
+    lock.lock();
+    wake_.wait_for(lock, std::chrono::seconds(2), [&] { return stopping_; });
+  }
 }
 
 struct Stores {
@@ -90,8 +109,8 @@ class Service final : public OrchestratorService {
         workers_(channels, {.calls = config.stage_calls()}, worker.clock),
         introduction_(Introduce(config, worker)),
         pipeline_(*stores_.queue, *stores_.artifacts, workers_.clients(), worker.clock,
-                  MakePipelineOptions(config, worker.build)),
-        runner_(*stores_.queue, pipeline_, worker.clock, *worker.logger, MakeRunnerOptions(config)),
+                  PipelineOptionsOf(config, worker.build)),
+        runner_(*stores_.queue, pipeline_, worker.clock, *worker.logger, RunnerOptionsOf(config)),
         handlers_(*stores_.queue, *stores_.artifacts, runner_, worker.clock, QueuedJobLimit(config),
                   [this] { return Status(); }),
         watches_(hub_, worker),
@@ -145,7 +164,7 @@ class Service final : public OrchestratorService {
     const std::string id = request->job_id();
     const auto admit = [this, id, caller = Admit(*context)]() -> absl::Status {
       if (!caller.ok()) return caller.status();
-      if (absl::Status status = handlers_.VisibleJob(id, *caller).status(); !status.ok()) return status;
+      RETURN_IF_ERROR(handlers_.VisibleJob(id, *caller).status());
       runner_.Request({id});
       return absl::OkStatus();
     };
@@ -157,7 +176,7 @@ class Service final : public OrchestratorService {
     const std::string id = request->batch_id();
     const auto admit = [this, id, caller = Admit(*context)]() -> absl::Status {
       if (!caller.ok()) return caller.status();
-      if (absl::Status status = handlers_.VisibleBatch(id, *caller).status(); !status.ok()) return status;
+      RETURN_IF_ERROR(handlers_.VisibleBatch(id, *caller).status());
       runner_.Request({}, id);
       return absl::OkStatus();
     };
@@ -188,9 +207,7 @@ class Service final : public OrchestratorService {
     return runtime::StartUnary(
         worker_, rpc, runtime::internal::CallIdsOf(request), context,
         [this, caller = *caller, &request, &response, handle](runtime::CallContext&) -> absl::Status {
-          absl::StatusOr<Response> answer = (handlers_.*handle)(request, caller);
-          if (!answer.ok()) return answer.status();
-          response = *std::move(answer);
+          ASSIGN_OR_RETURN(response, (handlers_.*handle)(request, caller));
           return absl::OkStatus();
         });
   }
@@ -228,32 +245,13 @@ absl::StatusOr<std::unique_ptr<OrchestratorService>> MakeOrchestratorService(
   absl::StatusOr<std::unique_ptr<AccessControl>> access =
       AccessControl::Open(config.tokens_path(), context.clock, context.logger);
   if (!access.ok()) return access.status();
-  absl::StatusOr<std::unique_ptr<WorkQueue>> queue = OpenWorkQueue(config, context.clock);
-  if (!queue.ok()) return queue.status();
-  absl::StatusOr<std::unique_ptr<ArtifactStore>> artifacts = OpenArtifactStore(config, context.clock);
-  if (!artifacts.ok()) return artifacts.status();
+  ASSIGN_OR_RETURN(std::unique_ptr<WorkQueue> queue, OpenWorkQueue(config, context.clock));
+  ASSIGN_OR_RETURN(std::unique_ptr<ArtifactStore> artifacts, OpenArtifactStore(config, context.clock));
   context.capabilities = {v1::CAPABILITY_DETERMINISTIC};
   return std::make_unique<Service>(
       config, context, channels,
-      Stores{MakeMeteredWorkQueue(*std::move(queue), context.metrics, context.clock, context.logger),
-             *std::move(artifacts), *std::move(access)});
-}
-
-void CheckOrchestratorConfig(const config::v1::OrchestratorConfig& config, runtime::ConfigChecker& checker) {
-  if (config.store_path().empty() && !config.has_queue()) {
-    checker.Report("store_path", "missing; expected a folder, or a queue");
-  }
-  checker.Range("attempt_limit", config.attempt_limit(), 0, 100);
-  checker.Range("running_job_limit", config.running_job_limit(), 0, 256);
-  checker.Range("queued_job_limit", config.queued_job_limit(), 0, 10000000);
-  if (config.has_stage_deadline_seconds()) {
-    checker.Range("stage_deadline_seconds", config.stage_deadline_seconds(), 0.001, 86400);
-  }
-  if (config.has_keep_ended_seconds()) {
-    checker.Range("keep_ended_seconds", config.keep_ended_seconds(), 60, 315360000);
-  }
-  CheckStageConfig(config, checker);
-  CheckQueueExposure(config, checker);
+      Stores{MakeMeteredWorkQueue(std::move(queue), context.metrics, context.clock, context.logger),
+             std::move(artifacts), *std::move(access)});
 }
 
 }  // namespace flair::orchestrator

@@ -6,10 +6,10 @@
 
 #include <vector>
 
-#include "orchestrator/pipeline/replay.h"
-#include "orchestrator/service/paging.h"
+#include "orchestrator/pipeline/stage.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 
@@ -58,40 +58,36 @@ absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::
   v1::Job job = NewJob(request.spec());
   job.set_id(ids_.Next());
   job.set_owner(caller.name);
-  absl::StatusOr<v1::Job> made = queue_.CreateJob(job, caller.RequestKey(request.request_id()));
-  if (!made.ok()) return made.status();
-  if (runtime::CanonicalBytes(made->spec()) != runtime::CanonicalBytes(request.spec())) {
-    return absl::AlreadyExistsError(fmt::format("request_id: \"{}\" made job {} with another spec; use a new id",
-                                                request.request_id(), made->id()));
+  ASSIGN_OR_RETURN(v1::Job made, queue_.CreateJob(job, caller.RequestKey(request.request_id())));
+  if (runtime::CanonicalBytes(made.spec()) != runtime::CanonicalBytes(request.spec())) {
+    return absl::AlreadyExistsError(
+        fmt::format("request_id: \"{}\" made job {} with another spec; use a new id", request.request_id(), made.id()));
   }
-  runner_.Request({made->id()});
+  runner_.Request({made.id()});
   v1::CreateJobResponse response;
-  *response.mutable_job() = *std::move(made);
+  *response.mutable_job() = std::move(made);
   return response;
 }
 
 absl::StatusOr<v1::GetJobResponse> OrchestratorHandlers::GetJob(const v1::GetJobRequest& request,
                                                                 const Caller& caller) {
-  absl::StatusOr<v1::Job> job = VisibleJob(request.job_id(), caller);
-  if (!job.ok()) return job.status();
+  ASSIGN_OR_RETURN(v1::Job job, VisibleJob(request.job_id(), caller));
   v1::GetJobResponse response;
-  *response.mutable_job() = *std::move(job);
+  *response.mutable_job() = std::move(job);
   return response;
 }
 
 absl::StatusOr<v1::ListJobsResponse> OrchestratorHandlers::ListJobs(const v1::ListJobsRequest& request,
                                                                     const Caller& caller) {
-  const absl::StatusOr<int> limit = PageLimit(request.page_size());
-  if (!limit.ok()) return limit.status();
+  ASSIGN_OR_RETURN(const int limit, PageLimit(request.page_size()));
   ListFilter filter;
-  filter.limit = *limit + 1;
+  filter.limit = limit + 1;
   filter.before = request.page_token();
   filter.owner = caller.OwnerFilter();
   filter.batch_id = request.batch_id();
   filter.state = request.state();
-  absl::StatusOr<std::vector<v1::Job>> jobs = queue_.ListJobs(filter);
-  if (!jobs.ok()) return jobs.status();
-  return PageOf<v1::ListJobsResponse>(*std::move(jobs), *limit,
+  ASSIGN_OR_RETURN(std::vector<v1::Job> jobs, queue_.ListJobs(filter));
+  return PageOf<v1::ListJobsResponse>(std::move(jobs), limit,
                                       [](v1::ListJobsResponse& page) { return page.mutable_jobs(); });
 }
 
@@ -99,7 +95,7 @@ absl::StatusOr<v1::CancelJobResponse> OrchestratorHandlers::CancelJob(const v1::
                                                                       const Caller& caller) {
   absl::StatusOr<v1::Job> job = VisibleJob(request.job_id(), caller);
   if (!job.ok()) return job.status();
-  if (absl::Status status = queue_.Cancel(request.job_id(), clock_.Now()); !status.ok()) return status;
+  RETURN_IF_ERROR(queue_.Cancel(request.job_id(), clock_.Now()));
   job = queue_.GetJob(request.job_id());
   if (!job.ok()) return job.status();
   v1::CancelJobResponse response;
@@ -110,31 +106,27 @@ absl::StatusOr<v1::CancelJobResponse> OrchestratorHandlers::CancelJob(const v1::
 absl::StatusOr<v1::GetArtifactResponse> OrchestratorHandlers::GetArtifact(const v1::GetArtifactRequest& request,
                                                                           const Caller& caller) {
   if (!caller.sees_all) {
-    const absl::StatusOr<bool> owns = queue_.OwnsArtifact(caller.name, request.artifact_id());
-    if (!owns.ok()) return owns.status();
-    if (!*owns) {
+    ASSIGN_OR_RETURN(const bool owns, queue_.OwnsArtifact(caller.name, request.artifact_id()));
+    if (!owns) {
       return absl::NotFoundError(fmt::format("artifact {}: not in this store", request.artifact_id().substr(0, 80)));
     }
   }
-  absl::StatusOr<v1::Artifact> artifact = artifacts_.Get(request.artifact_id());
-  if (!artifact.ok()) return artifact.status();
+  ASSIGN_OR_RETURN(v1::Artifact artifact, artifacts_.Get(request.artifact_id()));
   v1::GetArtifactResponse response;
-  *response.mutable_artifact() = *std::move(artifact);
+  *response.mutable_artifact() = std::move(artifact);
   return response;
 }
 
 absl::StatusOr<v1::GetClusterResponse> OrchestratorHandlers::GetCluster(const v1::GetClusterRequest&,
                                                                         const Caller& caller) {
-  if (absl::Status status = caller.CheckOperator("GetCluster"); !status.ok()) return status;
-  const absl::StatusOr<int64_t> queued = queue_.CountQueued();
-  if (!queued.ok()) return queued.status();
-  const absl::StatusOr<std::vector<v1::OrchestratorStatus>> others = queue_.Orchestrators();
-  if (!others.ok()) return others.status();
+  RETURN_IF_ERROR(caller.CheckOperator("GetCluster"));
+  ASSIGN_OR_RETURN(const int64_t queued, queue_.CountQueued());
+  ASSIGN_OR_RETURN(const std::vector<v1::OrchestratorStatus> others, queue_.Orchestrators());
   v1::GetClusterResponse response;
-  response.set_queued_count(*queued);
+  response.set_queued_count(queued);
   v1::OrchestratorStatus& own = *response.add_orchestrators();
   own = status_();
-  for (const v1::OrchestratorStatus& other : *others) {
+  for (const v1::OrchestratorStatus& other : others) {
     if (other.id() != own.id()) *response.add_orchestrators() = other;
   }
   return response;

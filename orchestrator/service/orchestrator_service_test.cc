@@ -4,11 +4,11 @@
 #include <fstream>
 #include <future>
 
-#include "orchestrator/pipeline/fake_stages.h"
-#include "orchestrator/service/embedded_for_test.h"
-#include "orchestrator/service/fake_workers.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/embedded_for_test.h"
+#include "orchestrator/testing/fake_stages.h"
+#include "orchestrator/testing/fake_workers.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {

@@ -1,20 +1,145 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/workers/grpc_stage_clients.h"
 
 #include <fmt/format.h>
+#include <grpcpp/client_context.h>
+#include <grpcpp/completion_queue.h>
+#include <grpcpp/support/async_unary_call.h>
 
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
+#include "absl/status/status.h"
+#include "absl/time/time.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
-#include "orchestrator/workers/worker_call.h"
+#include "orchestrator/pipeline/stage_clients.h"
+#include "orchestrator/workers/stage_workers.h"
+#include "orchestrator/workers/worker_pool.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::orchestrator {
 namespace {
+
+// One request to one worker or, when that one takes its time, to a second one as well: the first answer counts, and the
+// other call is cancelled. All calls of stages are idempotent by request id. Waits in the calling thread, which alone
+// drives the calls. Used once.
+template <typename Service, typename Request, typename Response>
+class WorkerCall {
+ public:
+  using Method = std::unique_ptr<grpc::ClientAsyncResponseReaderInterface<Response>> (Service::StubInterface::*)(
+      grpc::ClientContext*, const Request&, grpc::CompletionQueue*);
+
+  // How the call to one worker ended, or goes on.
+  struct Attempt {
+    Place place;
+    std::shared_ptr<Connection> connection;
+    grpc::ClientContext context;
+    std::unique_ptr<grpc::ClientAsyncResponseReaderInterface<Response>> reader;
+    Response response;
+    grpc::Status grpc_status;
+    // Of an attempt that has ended.
+    absl::Status status;
+  };
+
+  WorkerCall(WorkersOfStage& workers, Method method, const Request& request, runtime::CallContext& call)
+      : workers_(workers), method_(method), request_(request), call_(call) {}
+
+  // Calls the worker of `place` and, after `hedge_after`, one that is neither that nor `tried`. Gives back all places.
+  // Returns the attempt that counts.
+  Attempt& Run(const Place& place, const std::set<WorkerId>& tried, absl::Duration hedge_after) {
+    std::set<WorkerId> taken = tried;
+    taken.insert(place.worker);
+    const auto cancel = [this] { CancelAll(); };
+    runtime::OnCancel guard(call_.cancellation(), cancel);
+    Begin(place);
+    Attempt* winner = nullptr;
+    while (running_ > 0) {
+      Attempt* ended = Next(attempts_.size() == 1 && winner == nullptr ? hedge_after : absl::InfiniteDuration());
+      if (ended == nullptr) {
+        if (std::optional<Place> second = workers_.pool().TryTake(taken)) Begin(*second);
+      } else if (winner == nullptr && VerdictOf(ended->status) == Verdict::kGood) {
+        winner = ended;
+        // To cancel what has ended is work too.
+        if (running_ > 0) CancelAll();
+      }
+    }
+    events_.Shutdown();
+    void* tag = nullptr;
+    for (bool ok = false; events_.Next(&tag, &ok);) {
+    }
+    return winner == nullptr ? attempts_.front() : *winner;
+  }
+
+  // One or two, the first first.
+  const std::deque<Attempt>& attempts() const { return attempts_; }
+
+ private:
+  void Begin(const Place& place) {
+    std::lock_guard lock(mutex_);
+    Attempt& attempt = attempts_.emplace_back();
+    attempt.place = place;
+    attempt.connection = workers_.ConnectionTo(place.worker);
+    if (attempt.connection == nullptr) {
+      End(attempt, absl::UnavailableError("it has gone"));
+      return;
+    }
+    if (call_.deadline() != absl::InfiniteFuture()) attempt.context.set_deadline(absl::ToChronoTime(call_.deadline()));
+    typename Service::StubInterface& stub = attempt.connection->template StubOf<Service>();
+    attempt.reader = (stub.*method_)(&attempt.context, request_, &events_);
+    attempt.reader->StartCall();
+    attempt.reader->Finish(&attempt.response, &attempt.grpc_status, &attempt);
+    ++running_;
+    if (cancelled_) attempt.context.TryCancel();
+  }
+
+  // The attempt that ended next; null when none did within `patience`.
+  Attempt* Next(absl::Duration patience) {
+    void* tag = nullptr;
+    bool ok = false;
+    if (patience == absl::InfiniteDuration()) {
+      events_.Next(&tag, &ok);
+    } else if (events_.AsyncNext(&tag, &ok, std::chrono::system_clock::now() + absl::ToChronoNanoseconds(patience)) ==
+               grpc::CompletionQueue::TIMEOUT) {
+      return nullptr;
+    }
+    --running_;
+    Attempt& attempt = *static_cast<Attempt*>(tag);
+    End(attempt, runtime::FromGrpcStatus(attempt.grpc_status));
+    return &attempt;
+  }
+
+  void End(Attempt& attempt, absl::Status status) {
+    attempt.status = std::move(status);
+    workers_.pool().End(attempt.place, VerdictOf(attempt.status));
+  }
+
+  void CancelAll() {
+    std::lock_guard lock(mutex_);
+    cancelled_ = true;
+    for (Attempt& attempt : attempts_) attempt.context.TryCancel();
+  }
+
+  WorkersOfStage& workers_;
+  const Method method_;
+  const Request& request_;
+  runtime::CallContext& call_;
+  grpc::CompletionQueue events_;
+  int running_ = 0;
+  // Guards the list against CancelAll from other threads.
+  std::mutex mutex_;
+  bool cancelled_ = false;
+  // Stays where it is as it grows.
+  std::deque<Attempt> attempts_;
+};
 
 // Workers that one call may lose, or fail at on trial, before that is its answer: a request that ends every worker must
 // not end them all.
@@ -84,11 +209,6 @@ class Stage {
   const absl::Duration hedge_after_;
 };
 
-using Language = v1::LanguageService::StubInterface;
-using Translator = v1::TranslatorService::StubInterface;
-using Optimizer = v1::OptimizerService::StubInterface;
-using Renderer = v1::RendererService::StubInterface;
-
 class GrpcStageClients final : public StageClients {
  public:
   explicit GrpcStageClients(const StageCallers& callers)
@@ -97,42 +217,23 @@ class GrpcStageClients final : public StageClients {
         optimizer_(callers.optimizer, callers.hedge_after),
         renderer_(callers.renderer, callers.hedge_after) {}
 
-  absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest& request, Call& call) override {
-    return language_.Ask(&Language::PrepareAsyncDescribeRoom, request, call);
+#define FLAIR_ASK(stage, Service, Rpc)                                                          \
+  absl::StatusOr<v1::Rpc##Response> Rpc(const v1::Rpc##Request& request, Call& call) override { \
+    return stage.Ask(&v1::Service::StubInterface::PrepareAsync##Rpc, request, call);            \
   }
-  absl::StatusOr<v1::PlanZonesResponse> PlanZones(const v1::PlanZonesRequest& request, Call& call) override {
-    return language_.Ask(&Language::PrepareAsyncPlanZones, request, call);
-  }
-  absl::StatusOr<v1::ListObjectsResponse> ListObjects(const v1::ListObjectsRequest& request, Call& call) override {
-    return language_.Ask(&Language::PrepareAsyncListObjects, request, call);
-  }
-  absl::StatusOr<v1::ChooseStyleResponse> ChooseStyle(const v1::ChooseStyleRequest& request, Call& call) override {
-    return language_.Ask(&Language::PrepareAsyncChooseStyle, request, call);
-  }
-  absl::StatusOr<v1::ListConstraintsResponse> ListConstraints(const v1::ListConstraintsRequest& request,
-                                                              Call& call) override {
-    return language_.Ask(&Language::PrepareAsyncListConstraints, request, call);
-  }
-  absl::StatusOr<v1::CleanConstraintsResponse> CleanConstraints(const v1::CleanConstraintsRequest& request,
-                                                                Call& call) override {
-    return language_.Ask(&Language::PrepareAsyncCleanConstraints, request, call);
-  }
-  absl::StatusOr<v1::TranslateResponse> Translate(const v1::TranslateRequest& request, Call& call) override {
-    return translator_.Ask(&Translator::PrepareAsyncTranslate, request, call);
-  }
-  absl::StatusOr<v1::ListConstraintTypesResponse> ListConstraintTypes(const v1::ListConstraintTypesRequest& request,
-                                                                      Call& call) override {
-    return optimizer_.Ask(&Optimizer::PrepareAsyncListConstraintTypes, request, call);
-  }
-  absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest& request, Call& call) override {
-    return optimizer_.Ask(&Optimizer::PrepareAsyncSolve, request, call);
-  }
-  absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest& request, Call& call) override {
-    return optimizer_.Ask(&Optimizer::PrepareAsyncEvaluate, request, call);
-  }
-  absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest& request, Call& call) override {
-    return renderer_.Ask(&Renderer::PrepareAsyncRender, request, call);
-  }
+  FLAIR_ASK(language_, LanguageService, DescribeRoom)
+  FLAIR_ASK(language_, LanguageService, PlanZones)
+  FLAIR_ASK(language_, LanguageService, ListObjects)
+  FLAIR_ASK(language_, LanguageService, ChooseStyle)
+  FLAIR_ASK(language_, LanguageService, ListConstraints)
+  FLAIR_ASK(language_, LanguageService, CleanConstraints)
+  FLAIR_ASK(translator_, TranslatorService, Translate)
+  FLAIR_ASK(optimizer_, OptimizerService, ListConstraintTypes)
+  FLAIR_ASK(optimizer_, OptimizerService, Solve)
+  FLAIR_ASK(optimizer_, OptimizerService, Evaluate)
+  FLAIR_ASK(renderer_, RendererService, Render)
+#undef FLAIR_ASK
+
   absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind kind, Call& call) override {
     switch (kind) {
       case v1::ARTIFACT_KIND_BRIEF:

@@ -1,15 +1,88 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/workers/stage_channels.h"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
+#include <netdb.h>
+#include <sys/socket.h>
 
+#include <charconv>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_split.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
-#include "orchestrator/workers/addresses.h"
 
 namespace flair::orchestrator {
+namespace {
+
+constexpr char kDns[] = "dns:///";
+
+// The port at the end of "HOST:PORT", [1, 65535].
+std::optional<int> PortOf(const std::string& address) {
+  const size_t colon = address.rfind(':');
+  if (colon == std::string::npos || colon == 0) return std::nullopt;
+  int port = 0;
+  const char* end = address.data() + address.size();
+  const auto [rest, error] = std::from_chars(address.data() + colon + 1, end, port);
+  if (error != std::errc() || rest != end || port < 1 || port > 65535) return std::nullopt;
+  return port;
+}
+
+}  // namespace
+
+absl::StatusOr<StageAddresses> ParseStageAddresses(const std::string& text) {
+  StageAddresses addresses;
+  for (const auto piece : absl::StrSplit(text, ',')) {
+    const std::string part(absl::StripAsciiWhitespace(piece));
+    const bool unix_socket = part.starts_with("unix:") && part.size() > 5;
+    const bool name = part.starts_with(kDns);
+    const std::string host_port = name ? part.substr(std::strlen(kDns)) : part;
+    const std::optional<int> port = PortOf(host_port);
+    if (!unix_socket && (!port.has_value() || (!name && part.find('/') != std::string::npos))) {
+      return absl::InvalidArgumentError(fmt::format(
+          "address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535], or several of "
+          "these with commas between",
+          part));
+    }
+    if (name) {
+      addresses.names.push_back({host_port.substr(0, host_port.rfind(':')), *port});
+    } else {
+      addresses.workers.push_back(part);
+    }
+  }
+  return addresses;
+}
+
+absl::StatusOr<std::vector<std::string>> LookUpHost(const std::string& host) {
+  addrinfo hints = {};
+  hints.ai_family = AF_UNSPEC;
+  hints.ai_socktype = SOCK_STREAM;
+  hints.ai_flags = AI_ADDRCONFIG;
+  addrinfo* found = nullptr;
+  const int error = getaddrinfo(host.c_str(), nullptr, &hints, &found);
+  if (error != 0) return absl::UnavailableError(fmt::format("the name {} is not known: {}", host, gai_strerror(error)));
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, freeaddrinfo);
+  std::set<std::string> addresses;
+  for (const addrinfo* entry = found; entry != nullptr; entry = entry->ai_next) {
+    char text[INET6_ADDRSTRLEN] = {};
+    const void* address = entry->ai_family == AF_INET6
+                              ? static_cast<void*>(&reinterpret_cast<sockaddr_in6*>(entry->ai_addr)->sin6_addr)
+                              : static_cast<void*>(&reinterpret_cast<sockaddr_in*>(entry->ai_addr)->sin_addr);
+    if (inet_ntop(entry->ai_family, address, text, sizeof(text)) != nullptr) addresses.insert(text);
+  }
+  return std::vector<std::string>(addresses.begin(), addresses.end());
+}
+
+std::string JoinHostPort(const std::string& host, int port) {
+  return host.find(':') == std::string::npos ? fmt::format("{}:{}", host, port) : fmt::format("[{}]:{}", host, port);
+}
 
 ConnectWorker ConnectorTo(const std::string& service, const runtime::ChannelOptions& options) {
   return [service, options](const std::string& address, const std::string& server_name) {

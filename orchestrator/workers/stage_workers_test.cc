@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calls of stages to real servers on sockets, which come, go, hang, fail and fill up.
 #include "orchestrator/workers/stage_workers.h"
 
 #include <gmock/gmock.h>
@@ -9,14 +8,45 @@
 
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
-#include "orchestrator/pipeline/backoff_policy.h"
-#include "orchestrator/workers/test_worker.h"
+#include "orchestrator/pipeline/stage_clients.h"
+#include "orchestrator/testing/test_worker.h"
+#include "orchestrator/workers/stage_channels.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+
+TEST(Addresses, AreListedWithCommas) {
+  const StageAddresses addresses = *ParseStageAddresses("a:1, 10.0.0.1:2,unix:/run/x,dns:///workers:50053,[::1]:7");
+  EXPECT_THAT(addresses.workers, ElementsAre("a:1", "10.0.0.1:2", "unix:/run/x", "[::1]:7"));
+  ASSERT_EQ(addresses.names.size(), 1u);
+  EXPECT_EQ(addresses.names[0].host, "workers");
+  EXPECT_EQ(addresses.names[0].port, 50053);
+}
+
+TEST(Addresses, OfOtherFormsAreNamed) {
+  for (const char* bad : {"", "a", "a:", ":1", "a:0", "a:65536", "a:1x", "unix:", "dns:///", "dns:///a", "dns:///:1",
+                          "http://a:1", "dns://server/a:1", "a:1,", "a:1,,b:2"}) {
+    const absl::Status status = ParseStageAddresses(bad).status();
+    EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << bad;
+    EXPECT_THAT(std::string(status.message()), HasSubstr("expected HOST:PORT, unix:PATH or dns:///NAME:PORT")) << bad;
+  }
+}
+
+TEST(Addresses, OfTheMachineItselfAreKnown) {
+  EXPECT_THAT(*LookUpHost("127.0.0.3"), ElementsAre("127.0.0.3"));
+  EXPECT_THAT(*LookUpHost("localhost"), ::testing::Contains("127.0.0.1"));
+  EXPECT_EQ(LookUpHost("no-such-name.invalid").status().code(), absl::StatusCode::kUnavailable);
+}
+
+TEST(Addresses, HaveBracketsWhereTheyHaveColons) {
+  EXPECT_EQ(JoinHostPort("10.0.0.1", 7), "10.0.0.1:7");
+  EXPECT_EQ(JoinHostPort("fd00::7", 7), "[fd00::7]:7");
+}
 
 // Addresses that nobody else listens at or calls from, so that a port there is free when it is wanted, and again.
 constexpr char kOwnHost[] = "127.0.9.1";
@@ -54,9 +84,8 @@ class StageWorkersTest : public ::testing::Test {
   // Who answered one call; or why nobody did.
   absl::StatusOr<std::string> Solve(absl::Duration within = absl::Seconds(60)) {
     StageCall call("r", absl::Now() + within, runtime::SystemClock());
-    absl::StatusOr<v1::SolveResponse> answer = workers_->clients().Solve({}, call);
-    if (!answer.ok()) return answer.status();
-    return answer->producer().program();
+    ASSIGN_OR_RETURN(v1::SolveResponse answer, workers_->clients().Solve({}, call));
+    return answer.producer().program();
   }
 
   // Answers by worker of calls that are made by so many at once.

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/workers/worker_pool.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
+
+#include "orchestrator/pipeline/stage_clients.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -11,46 +16,139 @@ namespace {
 constexpr absl::Duration kShortestWait = absl::Milliseconds(1);
 constexpr absl::Duration kLongestWait = absl::Hours(1);
 
+// How long a worker that is full is left alone: doubled as long as it stays full.
+constexpr absl::Duration kFirstRest = absl::Milliseconds(20);
+constexpr absl::Duration kLongestRest = absl::Seconds(2);
+
+// Part of the newest call in the mean.
+constexpr double kNewest = 0.2;
+
 }  // namespace
 
+Verdict VerdictOf(const absl::Status& status) {
+  switch (status.code()) {
+    case absl::StatusCode::kResourceExhausted:
+      // The request cannot be carried to any worker.
+      return IsMessageTooLarge(status) ? Verdict::kGood : Verdict::kFull;
+    case absl::StatusCode::kUnavailable:
+    case absl::StatusCode::kUnimplemented:
+      return Verdict::kLost;
+    case absl::StatusCode::kInternal:
+    case absl::StatusCode::kUnknown:
+    case absl::StatusCode::kDataLoss:
+      return Verdict::kFailed;
+    case absl::StatusCode::kDeadlineExceeded:
+      return Verdict::kLate;
+    case absl::StatusCode::kCancelled:
+      return Verdict::kNone;
+    default:
+      return Verdict::kGood;
+  }
+}
+
+void Circuit::Succeed() {
+  failures_in_a_row_ = 0;
+  open_ = false;
+  on_trial_ = false;
+}
+
+void Circuit::GiveUp(bool on_trial) {
+  if (on_trial) on_trial_ = false;
+}
+
+bool Circuit::Fail(bool on_trial, absl::Duration now) {
+  if (open_ && !on_trial) return false;
+  on_trial_ = false;
+  ++failures_in_a_row_;
+  return OpenIfTooMany(now);
+}
+
+bool Circuit::Retract(int failures_before, absl::Duration now) {
+  if (open_) return false;
+  failures_in_a_row_ = std::max(failures_in_a_row_, failures_before) + 1;
+  return OpenIfTooMany(now);
+}
+
+bool Circuit::OpenIfTooMany(absl::Duration now) {
+  if (failures_in_a_row_ < failure_limit_) return false;
+  open_ = true;
+  trial_time_ = now + recovery_;
+  return true;
+}
+
+bool WorkerPool::Worker::HasRoom(int limit, absl::Duration now) const {
+  return circuit.Allows(now) && in_flight < limit && now >= rest_end;
+}
+
+v1::WorkerStatus WorkerPool::Worker::Status(const std::string& stage) const {
+  v1::WorkerStatus status;
+  status.set_stage(stage);
+  status.set_address(address);
+  if (presence == Presence::kGone) status.set_state(v1::WORKER_STATE_GONE);
+  if (presence == Presence::kReady) {
+    status.set_state(circuit.open() ? v1::WORKER_STATE_BROKEN : v1::WORKER_STATE_READY);
+  }
+  status.set_in_flight_count(in_flight);
+  status.set_call_count(call_count);
+  status.set_failure_count(failure_count);
+  const int64_t nanoseconds = absl::ToInt64Nanoseconds(mean);
+  status.mutable_call_duration()->set_seconds(nanoseconds / 1000000000);
+  status.mutable_call_duration()->set_nanos(static_cast<int>(nanoseconds % 1000000000));
+  return status;
+}
+
 WorkerId WorkerPool::Add(const std::string& address) {
-  std::lock_guard lock(mutex_);
-  return roster_.Add(address);
+  const std::lock_guard lock(mutex_);
+  const WorkerId id = next_worker_++;
+  workers_.emplace(id, Worker{.address = address, .circuit = Circuit(options_.failure_limit, options_.recovery)});
+  return id;
+}
+
+template <typename Change>
+void WorkerPool::Update(WorkerId id, const Change& change) {
+  const std::lock_guard lock(mutex_);
+  if (const auto found = workers_.find(id); found != workers_.end()) change(found->second);
+  ServeLine();
 }
 
 void WorkerPool::SetReady(WorkerId id, std::optional<std::string> revision) {
-  std::lock_guard lock(mutex_);
-  roster_.SetReady(id, std::move(revision));
-  ServeLine();
+  Update(id, [&](Worker& worker) {
+    if (worker.presence != Presence::kReady) {
+      worker.rest = worker.mean = absl::ZeroDuration();
+      worker.rest_end = -absl::InfiniteDuration();
+      worker.circuit.AllowTrial();
+    }
+    worker.presence = Presence::kReady;
+    worker.revision = std::move(revision);
+  });
 }
 
 void WorkerPool::SetConnecting(WorkerId id) {
-  std::lock_guard lock(mutex_);
-  roster_.SetConnecting(id);
-  ServeLine();
+  Update(id, [](Worker& worker) { worker.presence = Presence::kConnecting; });
 }
 
 void WorkerPool::SetGone(WorkerId id, absl::Status reason) {
-  std::lock_guard lock(mutex_);
-  roster_.SetGone(id, std::move(reason));
-  ServeLine();
+  Update(id, [&](Worker& worker) {
+    worker.presence = Presence::kGone;
+    worker.reason = std::move(reason);
+  });
 }
 
 void WorkerPool::Remove(WorkerId id) {
-  std::lock_guard lock(mutex_);
-  roster_.Remove(id);
+  const std::lock_guard lock(mutex_);
+  workers_.erase(id);
   ServeLine();
 }
 
 void WorkerPool::SetFound(absl::Status lookup) {
-  std::lock_guard lock(mutex_);
-  roster_.SetFound(std::move(lookup));
+  const std::lock_guard lock(mutex_);
+  lookup_ = std::move(lookup);
   ServeLine();
 }
 
 std::optional<Place> WorkerPool::TryTake(const std::set<WorkerId>& tried) {
-  std::lock_guard lock(mutex_);
-  return roster_.Begin(tried, clock_.Elapsed());
+  const std::lock_guard lock(mutex_);
+  return Begin(tried);
 }
 
 absl::StatusOr<Place> WorkerPool::Take(const std::set<WorkerId>& tried, runtime::CallContext& call) {
@@ -58,9 +156,8 @@ absl::StatusOr<Place> WorkerPool::Take(const std::set<WorkerId>& tried, runtime:
 }
 
 absl::StatusOr<std::optional<std::string>> WorkerPool::Revision(runtime::CallContext& call) {
-  absl::StatusOr<Place> place = WaitInLine({}, true, call);
-  if (!place.ok()) return place.status();
-  return std::move(place->revision);
+  ASSIGN_OR_RETURN(Place place, WaitInLine({}, true, call));
+  return std::move(place.revision);
 }
 
 absl::StatusOr<Place> WorkerPool::WaitInLine(const std::set<WorkerId>& tried, bool only_asks,
@@ -69,7 +166,7 @@ absl::StatusOr<Place> WorkerPool::WaitInLine(const std::set<WorkerId>& tried, bo
   bool cancelled = false;
   // Before the lock and after it, since a cancel comes with locks of its own.
   runtime::OnCancel guard(call.cancellation(), [&] {
-    std::lock_guard lock(mutex_);
+    const std::lock_guard lock(mutex_);
     cancelled = true;
     waiter.wake.notify_all();
   });
@@ -77,12 +174,12 @@ absl::StatusOr<Place> WorkerPool::WaitInLine(const std::set<WorkerId>& tried, bo
   const auto in_line = line_.insert(line_.end(), &waiter);
   while (true) {
     ServeLine();
-    if (waiter.place.has_value() || !waiter.end.ok()) break;
+    if (waiter.done()) break;
     if (cancelled || call.cancelled()) {
       waiter.end = call.CheckAlive();
       break;
     }
-    const absl::Duration patience = std::min(roster_.NextChange(clock_.Elapsed()), call.deadline() - clock_.Now());
+    const absl::Duration patience = std::min(NextChange(clock_.Elapsed()), call.deadline() - clock_.Now());
     if (patience == absl::InfiniteDuration()) {
       waiter.wake.wait(lock);
     } else {
@@ -94,56 +191,161 @@ absl::StatusOr<Place> WorkerPool::WaitInLine(const std::set<WorkerId>& tried, bo
   return waiter.end;
 }
 
-// Those who came first are served first, but do not keep others from workers that they cannot use themselves.
+// First come, first served; but nobody is kept from a worker that those before cannot use.
 void WorkerPool::ServeLine() {
-  const absl::Duration now = clock_.Elapsed();
-  std::optional<WorkerRoster::Wait> untried;
+  // Once a call that may go to any worker finds no place, none like it does.
+  bool any_has_room = true;
   for (Waiter* waiter : line_) {
-    if (waiter->place.has_value() || !waiter->end.ok()) continue;
-    Serve(*waiter, now, untried);
-    if (waiter->place.has_value() || !waiter->end.ok()) waiter->wake.notify_all();
+    if (waiter->done()) continue;
+    if (waiter->only_asks) {
+      if (const Worker* next = Next(waiter->tried)) waiter->place = Place{.revision = next->revision};
+    } else if (any_has_room || !waiter->tried.empty()) {
+      waiter->place = Begin(waiter->tried);
+      if (waiter->tried.empty()) any_has_room = waiter->place.has_value();
+    }
+    if (!waiter->place.has_value()) {
+      const WaitFor wait = WhatFor(waiter->tried);
+      if (wait == WaitFor::kNothing) {
+        waiter->end = NoneIsThere();
+      } else if (wait == WaitFor::kTrial && waiter->openings.has_value() && openings_ > *waiter->openings) {
+        waiter->end = absl::UnavailableError(
+            fmt::format("no {} worker works: calls to all that are there fail ({})", options_.stage, options_.setting));
+      } else if (wait == WaitFor::kTrial && !waiter->openings.has_value()) {
+        waiter->openings = openings_;
+      }
+    }
+    if (waiter->done()) waiter->wake.notify_all();
   }
 }
 
-// `untried`: what calls that may go to any worker wait for, once one of them found no place; then none does.
-void WorkerPool::Serve(Waiter& waiter, absl::Duration now, std::optional<WorkerRoster::Wait>& untried) {
-  using Wait = WorkerRoster::Wait;
-  const bool takes_any = waiter.tried.empty() && !waiter.only_asks;
-  if (!takes_any || !untried.has_value()) {
-    waiter.place = waiter.only_asks ? roster_.Next(waiter.tried, now) : roster_.Begin(waiter.tried, now);
-    if (waiter.place.has_value()) return;
+std::optional<Place> WorkerPool::Begin(const std::set<WorkerId>& tried) {
+  const absl::Duration now = clock_.Elapsed();
+  std::pair<const WorkerId, Worker>* best = nullptr;
+  for (auto& entry : workers_) {
+    const Worker& worker = entry.second;
+    if (worker.presence != Presence::kReady || tried.contains(entry.first)) continue;
+    if (!worker.HasRoom(options_.in_flight_limit, now)) continue;
+    // An open circuit with room is one whose trial is due.
+    if (best == nullptr || worker.circuit.open() || worker.last_use < best->second.last_use) best = &entry;
+    if (worker.circuit.open()) break;
   }
-  const Wait wait = takes_any && untried.has_value() ? *untried : roster_.WhatFor(waiter.tried);
-  if (takes_any) untried = wait;
-  if (wait == Wait::kNone) {
-    waiter.end = roster_.NoneIsThere();
-  } else if (wait == Wait::kTrial && waiter.openings.has_value() && roster_.openings() > *waiter.openings) {
-    waiter.end = roster_.NoneWorks();
-  } else if (wait == Wait::kTrial && !waiter.openings.has_value()) {
-    waiter.openings = roster_.openings();
+  if (best == nullptr) return std::nullopt;
+  Worker& worker = best->second;
+  ++worker.in_flight;
+  worker.last_use = ++call_count_;
+  return Place{.worker = best->first,
+               .on_trial = worker.circuit.Begin(),
+               .failures_in_a_row = worker.circuit.failures_in_a_row(),
+               .begin_time = now,
+               .revision = worker.revision};
+}
+
+const WorkerPool::Worker* WorkerPool::Next(const std::set<WorkerId>& tried) const {
+  const Worker* next = nullptr;
+  for (const auto& [id, worker] : workers_) {
+    if (worker.presence != Presence::kReady || tried.contains(id)) continue;
+    const auto order = [](const Worker& w) { return std::pair(w.circuit.open(), w.last_use); };
+    if (next == nullptr || order(worker) < order(*next)) next = &worker;
   }
+  return next;
 }
 
 void WorkerPool::End(const Place& place, Verdict verdict) {
-  std::lock_guard lock(mutex_);
-  roster_.End(place, verdict, clock_.Elapsed());
-  ServeLine();
+  Update(place.worker, [&](Worker& worker) { EndCall(worker, place, verdict); });
+}
+
+void WorkerPool::EndCall(Worker& worker, const Place& place, Verdict verdict) {
+  const absl::Duration now = clock_.Elapsed();
+  const absl::Duration duration = now - place.begin_time;
+  --worker.in_flight;
+  // A call that came with hardly any time left says nothing of the worker.
+  if (verdict == Verdict::kLate && duration < worker.mean / 2) verdict = Verdict::kNone;
+  if (verdict != Verdict::kNone) ++worker.call_count;
+  switch (verdict) {
+    case Verdict::kGood:
+      worker.mean = worker.mean == absl::ZeroDuration() ? duration : worker.mean + (duration - worker.mean) * kNewest;
+      worker.rest = absl::ZeroDuration();
+      worker.circuit.Succeed();
+      break;
+    case Verdict::kFull:
+      worker.circuit.GiveUp(place.on_trial);
+      // Calls that were under way together are refused together; that is one refusal.
+      if (now < worker.rest_end) break;
+      worker.rest = std::clamp(worker.rest * 2, kFirstRest, kLongestRest);
+      worker.rest_end = now + worker.rest;
+      break;
+    case Verdict::kLost:
+    case Verdict::kFailed:
+    case Verdict::kLate:
+      ++worker.failure_count;
+      if (worker.circuit.Fail(place.on_trial, now)) ++openings_;
+      break;
+    case Verdict::kNone:
+      worker.circuit.GiveUp(place.on_trial);
+      break;
+  }
 }
 
 void WorkerPool::ReportBadAnswer(const Place& place) {
-  std::lock_guard lock(mutex_);
-  roster_.ReportBadAnswer(place, clock_.Elapsed());
-  ServeLine();
+  Update(place.worker, [&](Worker& worker) {
+    ++worker.failure_count;
+    if (worker.circuit.Retract(place.failures_in_a_row, clock_.Elapsed())) ++openings_;
+  });
+}
+
+WorkerPool::WaitFor WorkerPool::WhatFor(const std::set<WorkerId>& tried) const {
+  if (!lookup_.has_value()) return WaitFor::kRoom;
+  WaitFor wait = WaitFor::kNothing;
+  for (const auto& [id, worker] : workers_) {
+    if (worker.presence == Presence::kGone || tried.contains(id)) continue;
+    if (worker.presence == Presence::kConnecting || !worker.circuit.open()) return WaitFor::kRoom;
+    wait = WaitFor::kTrial;
+  }
+  return wait;
+}
+
+absl::Status WorkerPool::NoneIsThere() const {
+  if (workers_.empty()) {
+    const std::string why = lookup_->ok() ? "its name has no address" : std::string(lookup_->message());
+    return absl::UnavailableError(
+        fmt::format("no {} worker is there: {}; start one or fix {}", options_.stage, why, options_.setting));
+  }
+  // A reason that no patience mends is for those who can mend it.
+  for (const auto& [id, worker] : workers_) {
+    if (worker.presence == Presence::kGone && !absl::IsUnavailable(worker.reason)) return worker.reason;
+  }
+  const Worker& first = workers_.begin()->second;
+  const std::string reason(first.reason.message());
+  if (workers_.size() == 1) {
+    return absl::UnavailableError(fmt::format("{} worker at {} is not reachable: {}; start it or fix {}",
+                                              options_.stage, first.address, reason, options_.setting));
+  }
+  return absl::UnavailableError(fmt::format("none of {} {} workers is reachable: that at {}: {}; start them or fix {}",
+                                            workers_.size(), options_.stage, first.address, reason, options_.setting));
+}
+
+absl::Duration WorkerPool::NextChange(absl::Duration now) const {
+  absl::Duration next = absl::InfiniteDuration();
+  for (const auto& [id, worker] : workers_) {
+    if (worker.presence != Presence::kReady) continue;
+    for (const absl::Duration time : {worker.rest_end, worker.circuit.trial_time()}) {
+      if (time > now) next = std::min(next, time - now);
+    }
+  }
+  return next;
 }
 
 int WorkerPool::waiting() const {
-  std::lock_guard lock(mutex_);
+  const std::lock_guard lock(mutex_);
   return static_cast<int>(line_.size());
 }
 
 std::vector<v1::WorkerStatus> WorkerPool::Status() const {
-  std::lock_guard lock(mutex_);
-  return roster_.Status();
+  const std::lock_guard lock(mutex_);
+  std::vector<v1::WorkerStatus> all;
+  for (const auto& [id, worker] : workers_) all.push_back(worker.Status(options_.stage));
+  std::ranges::sort(all, {}, [](const v1::WorkerStatus& status) { return status.address(); });
+  return all;
 }
 
 }  // namespace flair::orchestrator

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <list>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -14,36 +15,118 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/orchestrator_service.pb.h"
-#include "orchestrator/workers/verdict.h"
-#include "orchestrator/workers/worker_roster.h"
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/clock/clock.h"
 
 namespace flair::orchestrator {
 
-// The workers of one stage, and the calls that want one: who goes to which, and who waits. Calls go to the best worker
-// (WorkerRoster) and, when all are full, wait in line. Knows nothing of gRPC. Thread-safe.
+// What the end of a call says about its worker. docs/workers.md has the table.
+enum class Verdict {
+  // It works: it answered, or refused the request for what is in it.
+  kGood,
+  // It has more to do than it takes (RESOURCE_EXHAUSTED). Others may have room.
+  kFull,
+  // It could not be reached, is gone or serves something else (UNAVAILABLE, UNIMPLEMENTED). Others may be there.
+  kLost,
+  // It failed (INTERNAL, UNKNOWN, DATA_LOSS).
+  kFailed,
+  // It did not answer in time (DEADLINE_EXCEEDED).
+  kLate,
+  // Nothing: we gave the call up.
+  kNone,
+};
+
+Verdict VerdictOf(const absl::Status& status);
+
+// A circuit breaker: whether a worker is called although calls to it failed. Closed: it is. Open, after `failure_limit`
+// failures in a row: not until `recovery` has passed; then one trial call is made, whose end closes the circuit or
+// opens it again. Times are those of Clock::Elapsed. Not thread-safe.
+class Circuit {
+ public:
+  Circuit(int failure_limit, absl::Duration recovery) : failure_limit_(failure_limit), recovery_(recovery) {}
+
+  bool Allows(absl::Duration now) const { return !open_ || (now >= trial_time_ && !on_trial_); }
+  bool open() const { return open_; }
+  // When an open one allows a trial.
+  absl::Duration trial_time() const { return trial_time_; }
+  int failures_in_a_row() const { return failures_in_a_row_; }
+
+  // A call begins, which Allows() allowed. Says whether it is the trial.
+  bool Begin() { return on_trial_ = open_; }
+
+  // The ends of a call. A call that was not the trial and fails while the circuit is open began before it opened, and
+  // changes nothing.
+  void Succeed();
+  void GiveUp(bool on_trial);
+  // Says whether the circuit opened.
+  bool Fail(bool on_trial, absl::Duration now);
+
+  // An answer that had been taken for a success was bad. `failures_before`: failures in a row before that success. Says
+  // whether the circuit opened.
+  bool Retract(int failures_before, absl::Duration now);
+
+  // The worker has come back: the next call is the trial.
+  void AllowTrial() { trial_time_ = -absl::InfiniteDuration(); }
+
+ private:
+  bool OpenIfTooMany(absl::Duration now);
+
+  const int failure_limit_;
+  const absl::Duration recovery_;
+  int failures_in_a_row_ = 0;
+  bool open_ = false;
+  bool on_trial_ = false;
+  absl::Duration trial_time_;
+};
+
+using WorkerId = int64_t;
+
+// See StageCallConfig for the limits.
+struct WorkerPoolOptions {
+  // For messages: the stage, and the setting that says where its workers are.
+  std::string stage;
+  std::string setting;
+  int in_flight_limit = 16;
+  int failure_limit = 5;
+  absl::Duration recovery = absl::Seconds(5);
+};
+
+// A call's right to a worker; given back with End.
+struct Place {
+  WorkerId worker = 0;
+  bool on_trial = false;
+  // Of the worker, before the call.
+  int failures_in_a_row = 0;
+  // When the call began (Clock::Elapsed).
+  absl::Duration begin_time = {};
+  // The worker's, when the call began.
+  std::optional<std::string> revision = {};
+};
+
+// The workers of one stage, and the calls that want one. Calls go to the workers in rotation: to the one that has
+// waited longest, of those that are ready, have room and whose circuit is closed; one whose trial is due comes first.
+// When none is free, calls wait in line. Knows nothing of gRPC. Thread-safe.
 class WorkerPool {
  public:
-  WorkerPool(WorkerPoolOptions options, const runtime::Clock& clock) : clock_(clock), roster_(std::move(options)) {}
+  WorkerPool(WorkerPoolOptions options, const runtime::Clock& clock) : options_(std::move(options)), clock_(clock) {}
 
   // ---- Who is there
 
   // A worker that is about to be reached.
   WorkerId Add(const std::string& address);
-  // It is there, as that revision (StageClients::Revision); anew, when it was not before.
+  // It is there and of that revision (StageClients::Revision).
   void SetReady(WorkerId id, std::optional<std::string> revision);
   // It was lost and may be back in a moment.
   void SetConnecting(WorkerId id);
-  // It is not there, or of no use. UNAVAILABLE, or how calls are to end if all are like that.
+  // It is not there, or cannot be used. UNAVAILABLE, or how calls are to end if all are like that.
   void SetGone(WorkerId id, absl::Status reason);
   void Remove(WorkerId id);
-  // All that are to be known now are added; or why not. Until then calls wait.
+  // All workers that are known now are added; or why they could not be looked up. Until then calls wait.
   void SetFound(absl::Status lookup);
 
   // ---- Calls
 
-  // A place at the best worker but those `tried` already; waits in line while all are full, and while the broken ones
+  // A place at a worker other than those `tried` already; waits in line while all are full, and while the broken ones
   // may not be tried. UNAVAILABLE when none is there; CANCELLED or DEADLINE_EXCEEDED by `call`.
   absl::StatusOr<Place> Take(const std::set<WorkerId>& tried, runtime::CallContext& call);
   // The same without waiting; nothing when no worker has room.
@@ -62,6 +145,28 @@ class WorkerPool {
   std::vector<v1::WorkerStatus> Status() const;
 
  private:
+  enum class Presence { kConnecting, kReady, kGone };
+  struct Worker {
+    std::string address;
+    Circuit circuit;
+    Presence presence = Presence::kConnecting;
+    // Why it is gone.
+    absl::Status reason = {};
+    std::optional<std::string> revision = {};
+    // Number of the last call that it took, of all calls of the stage.
+    int64_t last_use = 0;
+    int in_flight = 0;
+    // A full one is left alone until `rest_end`.
+    absl::Duration rest = {};
+    absl::Duration rest_end = -absl::InfiniteDuration();
+    // Moving mean of what answered calls took.
+    absl::Duration mean = {};
+    int64_t call_count = 0;
+    int64_t failure_count = 0;
+
+    bool HasRoom(int limit, absl::Duration now) const;
+    v1::WorkerStatus Status(const std::string& stage) const;
+  };
   struct Waiter {
     const std::set<WorkerId>& tried;
     // Only wants to know who would take it.
@@ -71,15 +176,39 @@ class WorkerPool {
     std::optional<Place> place = {};
     absl::Status end = {};
     std::condition_variable wake = {};
+
+    bool done() const { return place.has_value() || !end.ok(); }
   };
+  // What a call for which there is no place may wait for: nothing, since no worker is there; room, or a worker that is
+  // being reached; the trial of a broken one.
+  enum class WaitFor { kNothing, kRoom, kTrial };
+
   absl::StatusOr<Place> WaitInLine(const std::set<WorkerId>& tried, bool only_asks, runtime::CallContext& call);
+  // Calls `change` with the worker if it is still there, then serves the line.
+  template <typename Change>
+  void Update(WorkerId id, const Change& change);
+
   // All below: with mutex_ held.
   void ServeLine();
-  void Serve(Waiter& waiter, absl::Duration now, std::optional<WorkerRoster::Wait>& untried);
+  std::optional<Place> Begin(const std::set<WorkerId>& tried);
+  // The worker that would take the next call; null when there is none.
+  const Worker* Next(const std::set<WorkerId>& tried) const;
+  void EndCall(Worker& worker, const Place& place, Verdict verdict);
+  WaitFor WhatFor(const std::set<WorkerId>& tried) const;
+  absl::Status NoneIsThere() const;
+  // How long until something may change that nobody reports.
+  absl::Duration NextChange(absl::Duration now) const;
 
+  const WorkerPoolOptions options_;
   const runtime::Clock& clock_;
   mutable std::mutex mutex_;
-  WorkerRoster roster_;
+  std::map<WorkerId, Worker> workers_;
+  // How looking for workers ended; nothing before.
+  std::optional<absl::Status> lookup_;
+  WorkerId next_worker_ = 1;
+  int64_t call_count_ = 0;
+  // How often a circuit opened.
+  int64_t openings_ = 0;
   std::list<Waiter*> line_;
 };
 

@@ -2,6 +2,7 @@
 #include "orchestrator/workers/worker_pool.h"
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <future>
 #include <thread>
@@ -12,6 +13,91 @@ namespace flair::orchestrator {
 namespace {
 
 using ::testing::HasSubstr;
+
+constexpr absl::Duration kRecovery = absl::Seconds(5);
+
+// Made to fail as often as it takes, at time 0.
+Circuit Broken() {
+  Circuit circuit(3, kRecovery);
+  for (int i = 0; i < 3; ++i) circuit.Fail(circuit.Begin(), absl::ZeroDuration());
+  return circuit;
+}
+
+TEST(Circuit, OpensAfterFailuresInARow) {
+  Circuit circuit(3, kRecovery);
+  EXPECT_FALSE(circuit.Fail(circuit.Begin(), absl::ZeroDuration()));
+  EXPECT_FALSE(circuit.Fail(circuit.Begin(), absl::ZeroDuration()));
+  EXPECT_TRUE(circuit.Allows(absl::ZeroDuration()));
+  EXPECT_TRUE(circuit.Fail(circuit.Begin(), absl::ZeroDuration()));
+  EXPECT_TRUE(circuit.open());
+  EXPECT_FALSE(circuit.Allows(kRecovery - absl::Nanoseconds(1)));
+}
+
+TEST(Circuit, ASuccessBetweenFailuresKeepsItClosed) {
+  Circuit circuit(3, kRecovery);
+  for (int i = 0; i < 10; ++i) {
+    circuit.Fail(circuit.Begin(), absl::ZeroDuration());
+    circuit.Fail(circuit.Begin(), absl::ZeroDuration());
+    circuit.Begin();
+    circuit.Succeed();
+  }
+  EXPECT_FALSE(circuit.open());
+}
+
+TEST(Circuit, AllowsOneTrialWhenItsTimeHasCome) {
+  Circuit circuit = Broken();
+  ASSERT_TRUE(circuit.Allows(kRecovery));
+  EXPECT_TRUE(circuit.Begin());
+  EXPECT_FALSE(circuit.Allows(kRecovery));
+}
+
+TEST(Circuit, ClosesWhenTheTrialSucceeds) {
+  Circuit circuit = Broken();
+  circuit.Begin();
+  circuit.Succeed();
+  EXPECT_FALSE(circuit.open());
+  EXPECT_TRUE(circuit.Allows(kRecovery));
+  EXPECT_FALSE(circuit.Begin()) << "calls are on trial no more";
+}
+
+TEST(Circuit, OpensAnewWhenTheTrialFails) {
+  Circuit circuit = Broken();
+  EXPECT_TRUE(circuit.Fail(circuit.Begin(), kRecovery));
+  EXPECT_FALSE(circuit.Allows(2 * kRecovery - absl::Nanoseconds(1)));
+  EXPECT_TRUE(circuit.Allows(2 * kRecovery));
+}
+
+TEST(Circuit, AnotherTrialFollowsOneThatWasGivenUp) {
+  Circuit circuit = Broken();
+  circuit.GiveUp(circuit.Begin());
+  EXPECT_TRUE(circuit.open());
+  EXPECT_TRUE(circuit.Allows(kRecovery));
+}
+
+TEST(Circuit, CallsFromBeforeItOpenedDoNotProlongIt) {
+  Circuit circuit = Broken();
+  EXPECT_FALSE(circuit.Fail(false, absl::Seconds(4)));
+  EXPECT_TRUE(circuit.Allows(kRecovery));
+}
+
+TEST(Circuit, AWorkerThatIsThereAnewIsTriedAtOnce) {
+  Circuit circuit = Broken();
+  circuit.AllowTrial();
+  EXPECT_TRUE(circuit.Allows(absl::ZeroDuration()));
+  EXPECT_TRUE(circuit.Begin());
+}
+
+TEST(Circuit, AnswersThatWereNoneCountAsFailuresInARow) {
+  Circuit circuit(3, kRecovery);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(circuit.open());
+    const int before = circuit.failures_in_a_row();
+    circuit.Begin();
+    circuit.Succeed();
+    circuit.Retract(before, absl::ZeroDuration());
+  }
+  EXPECT_TRUE(circuit.open());
+}
 
 class WorkerPoolTest : public ::testing::Test {
  protected:
@@ -56,7 +142,7 @@ class WorkerPoolTest : public ::testing::Test {
   runtime::CallContext call_;
 };
 
-TEST_F(WorkerPoolTest, EqualWorkersTakeTurns) {
+TEST_F(WorkerPoolTest, WorkersTakeTurns) {
   const std::set<WorkerId> workers = {AddReady("a:1"), AddReady("b:1"), AddReady("c:1")};
   for (int round = 0; round < 10; ++round) {
     std::set<WorkerId> called;
@@ -69,82 +155,11 @@ TEST_F(WorkerPoolTest, EqualWorkersTakeTurns) {
   }
 }
 
-TEST_F(WorkerPoolTest, TheSeedDecidesWhichOfEqualWorkersIsFirst) {
-  std::set<WorkerId> first;
-  for (uint64_t seed = 0; seed < 20; ++seed) {
-    WorkerPoolOptions options = options_;
-    options.seed = seed;
-    WorkerId chosen[2];
-    for (WorkerId& worker : chosen) {
-      WorkerPool pool(options, clock_);
-      for (const char* address : {"a:1", "b:1", "c:1"}) pool.SetReady(pool.Add(address), "1");
-      worker = pool.TryTake({})->worker;
-    }
-    EXPECT_EQ(chosen[0], chosen[1]) << "the same seed, the same choice";
-    first.insert(chosen[0]);
-  }
-  EXPECT_EQ(first.size(), 3u);
-}
-
-// Four callers at once, for as long as it takes to see the shares.
-TEST_F(WorkerPoolTest, ASlowWorkerGetsLess) {
-  const WorkerId slow = AddReady("slow:1");
-  AddReady("b:1");
-  AddReady("c:1");
-  std::map<absl::Duration, Place> running;
-  std::map<WorkerId, int> calls;
-  for (int i = 0; i < 400; ++i) {
-    const Place place = *pool_.TryTake({});
-    ++calls[place.worker];
-    const absl::Duration takes = absl::Milliseconds(place.worker == slow ? 100 : 10) + absl::Microseconds(i);
-    running.emplace(clock_.Elapsed() + takes, place);
-    if (running.size() < 4) continue;
-    clock_.Advance(running.begin()->first - clock_.Elapsed());
-    pool_.End(running.begin()->second, Verdict::kGood);
-    running.erase(running.begin());
-  }
-  EXPECT_GT(calls[slow], 0);
-  EXPECT_LT(calls[slow], 40) << "of 400, with an even share of 133";
-}
-
-TEST_F(WorkerPoolTest, AWorkerThatWasSlowIsTriedAgain) {
-  const WorkerId slow = AddReady("slow:1"), other = AddReady("b:1");
-  ASSERT_EQ(Call(absl::Seconds(2), Verdict::kGood, {other}), slow);
-  ASSERT_EQ(Call(absl::Milliseconds(10), Verdict::kGood, {slow}), other);
-  int until_tried = 0;
-  for (; until_tried < 100000 && Call(absl::Milliseconds(10)) != slow; ++until_tried) {
-  }
-  EXPECT_GT(until_tried, 1000) << "ten seconds";
-  EXPECT_LT(until_tried, 100000);
-}
-
-TEST_F(WorkerPoolTest, SmallDifferencesOfSpeedAreLeftAside) {
-  const WorkerId slower = AddReady("slower:1");
-  AddReady("b:1");
-  int calls = 0;
-  for (int i = 0; i < 100; ++i) {
-    const Place place = *pool_.TryTake({});
-    calls += place.worker == slower ? 1 : 0;
-    clock_.Advance(absl::Milliseconds(place.worker == slower ? 15 : 10));
-    pool_.End(place, Verdict::kGood);
-  }
-  EXPECT_EQ(calls, 50);
-}
-
-TEST_F(WorkerPoolTest, AWorkerThatHangsGetsNoMoreThanAFewCalls) {
-  const WorkerId hanging = AddReady("hanging:1");
-  AddReady("b:1");
-  int hung = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const Place place = *pool_.TryTake({});
-    clock_.Advance(absl::Milliseconds(10));
-    if (place.worker == hanging) {
-      ++hung;
-    } else {
-      pool_.End(place, Verdict::kGood);
-    }
-  }
-  EXPECT_LE(hung, 2);
+TEST_F(WorkerPoolTest, ABusyWorkerKeepsItsTurn) {
+  const WorkerId busy = AddReady("busy:1"), other = AddReady("b:1");
+  EXPECT_EQ(pool_.TryTake({other})->worker, busy);
+  EXPECT_EQ(pool_.TryTake({})->worker, other);
+  EXPECT_EQ(pool_.TryTake({})->worker, busy) << "in rotation, however many calls it has";
 }
 
 TEST_F(WorkerPoolTest, NoWorkerGetsMoreThanItMay) {
@@ -313,6 +328,34 @@ TEST_F(WorkerPoolTest, AFullWorkerIsNotBrokenAndOthersAreCalledMeanwhile) {
   }
   EXPECT_EQ(StatusOf("a:1").state(), v1::WORKER_STATE_READY);
   EXPECT_EQ(StatusOf("a:1").failure_count(), 0);
+}
+
+TEST_F(WorkerPoolTest, AFullWorkerIsLeftAloneForAMomentLongerEachTime) {
+  const WorkerId a = AddReady("a:1");
+  for (const int rest_ms : {20, 40, 80}) {
+    ASSERT_EQ(Call(absl::ZeroDuration(), Verdict::kFull), a);
+    EXPECT_EQ(Call(), -1);
+    clock_.Advance(absl::Milliseconds(rest_ms) - absl::Nanoseconds(1));
+    EXPECT_EQ(Call(), -1);
+    clock_.Advance(absl::Nanoseconds(1));
+  }
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_EQ(Call(absl::ZeroDuration(), Verdict::kFull), a);
+    clock_.Advance(absl::Seconds(2));
+  }
+  ASSERT_EQ(Call(absl::Milliseconds(1), Verdict::kGood), a);
+  ASSERT_EQ(Call(absl::ZeroDuration(), Verdict::kFull), a);
+  clock_.Advance(absl::Milliseconds(20));
+  EXPECT_EQ(Call(), a) << "an answer ends it";
+}
+
+TEST_F(WorkerPoolTest, CallsThatWereRefusedTogetherAreOneRefusal) {
+  const WorkerId a = AddReady("a:1");
+  std::vector<Place> places;
+  for (int i = 0; i < 4; ++i) places.push_back(*pool_.TryTake({}));
+  for (const Place& place : places) pool_.End(place, Verdict::kFull);
+  clock_.Advance(absl::Milliseconds(20));
+  EXPECT_EQ(Call(), a);
 }
 
 TEST_F(WorkerPoolTest, AWorkerThatIsThereAnewIsTriedAtOnce) {

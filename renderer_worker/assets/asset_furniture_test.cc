@@ -11,7 +11,7 @@
 #include "renderer_worker/assets/fit_mesh.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/gltf/write_mesh_glb.h"
-#include "tests/fixtures/process.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::renderer {
 namespace {

@@ -8,6 +8,7 @@
 #include "fmt/format.h"
 #include "room/geometry/pose.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair {
 namespace {
@@ -91,7 +92,7 @@ v1::Polygon PolygonToProto(const Polygon& polygon) {
 }
 
 absl::StatusOr<Room> RoomFromProto(const v1::Room& message) {
-  if (absl::Status status = Validate(message); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(message));
   Room room;
   room.floor = PolygonFromProto(message.floor());
   std::vector<std::string> names;
@@ -212,11 +213,10 @@ absl::Status BadPlacement(int index, const std::string& problem) {
 }  // namespace
 
 absl::StatusOr<Scene> SceneFromProto(const v1::LayoutGraph& graph) {
-  if (absl::Status status = Validate(graph); !status.ok()) return status;
-  absl::StatusOr<Room> room = RoomFromProto(graph.room());
-  if (!room.ok()) return room.status();
+  RETURN_IF_ERROR(Validate(graph));
+  ASSIGN_OR_RETURN(Room room, RoomFromProto(graph.room()));
   Scene scene;
-  scene.room = *std::move(room);
+  scene.room = std::move(room);
   for (const v1::Zone& zone : graph.zone_plan().zones()) scene.zones.push_back({.id = zone.id(), .name = zone.name()});
   for (const v1::Object& object : graph.object_list().objects()) {
     scene.objects.push_back(ObjectFromProto(object, scene));

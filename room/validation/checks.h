@@ -17,6 +17,9 @@ namespace flair::validation {
 // Of points in a room or beside it, metres.
 inline constexpr Range kCoordinate{.least = -1000, .most = 1000};
 
+// Of seeds: up to 2^53, so that every one is exact in a double.
+inline constexpr Range kSeed{.least = 0, .most = 9007199254740992.0, .open_most = true};
+
 // What the parts of one problem may refer to. Sets that are null are not known, and references to them not followed.
 struct Known {
   const NameSet* zones = nullptr;

@@ -16,7 +16,7 @@
 #include <string>
 
 #include "flair/v1/orchestrator_service.grpc.pb.h"
-#include "orchestrator/service/fake_workers.h"
+#include "orchestrator/testing/fake_workers.h"
 #include "tests/benchmarks/recorded_stages.h"
 #include "tests/fixtures/nats_server.h"
 #include "tests/fixtures/programs.h"

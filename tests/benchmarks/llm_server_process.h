@@ -12,7 +12,7 @@
 #include "llm/http/http_request.h"
 #include "llm/openai/openai_options.h"
 #include "tests/fixtures/llm_server/scripted_server.h"
-#include "tests/fixtures/process.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::testing {
 

@@ -7,15 +7,15 @@
 #include <atomic>
 #include <thread>
 
-#include "orchestrator/pipeline/backoff_policy.h"
 #include "orchestrator/pipeline/pipeline.h"
-#include "orchestrator/service/embedded_for_test.h"
-#include "orchestrator/service/fake_workers.h"
+#include "orchestrator/pipeline/stage_clients.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/embedded_for_test.h"
+#include "orchestrator/testing/fake_workers.h"
+#include "orchestrator/testing/test_worker.h"
 #include "orchestrator/workers/stage_workers.h"
-#include "orchestrator/workers/test_worker.h"
 #include "tests/benchmarks/recorded_stages.h"
 
 namespace flair::orchestrator {

@@ -11,7 +11,6 @@
 #include "absl/time/clock.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "nlohmann/json.hpp"
-#include "tests/fixtures/http_get.h"
 #include "tests/fixtures/programs.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"

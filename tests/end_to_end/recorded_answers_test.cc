@@ -7,7 +7,7 @@
 
 #include "cli/input/artifact_file.h"
 #include "tests/end_to_end/layout_checks.h"
-#include "tests/fixtures/process.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::testing {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "tests/fixtures/process.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::testing {
 

@@ -5,6 +5,7 @@
 
 #include "absl/time/clock.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::testing {
 namespace {
@@ -53,9 +54,8 @@ absl::StatusOr<v1::Job> OrchestratorCaller::CreateJob(const std::string& text, c
   request.set_request_id(request_id);
   request.mutable_spec()->mutable_brief()->set_text(text);
   request.mutable_spec()->mutable_render_options()->set_size_px(256);
-  const auto response = Ask(&Stub::CreateJob, request);
-  if (!response.ok()) return response.status();
-  return response->job();
+  ASSIGN_OR_RETURN(const auto response, Ask(&Stub::CreateJob, request));
+  return response.job();
 }
 
 absl::StatusOr<v1::Job> OrchestratorCaller::EndOf(const std::string& job_id) {
@@ -64,9 +64,8 @@ absl::StatusOr<v1::Job> OrchestratorCaller::EndOf(const std::string& job_id) {
   const absl::Status watched =
       ReadToTheEnd(stub_->WatchJob(&context, OfJob<v1::WatchJobRequest>(job_id)), v1::WatchJobResponse());
   if (!watched.ok()) return watched;
-  const auto response = Ask(&Stub::GetJob, OfJob<v1::GetJobRequest>(job_id));
-  if (!response.ok()) return response.status();
-  return response->job();
+  ASSIGN_OR_RETURN(const auto response, Ask(&Stub::GetJob, OfJob<v1::GetJobRequest>(job_id)));
+  return response.job();
 }
 
 absl::StatusOr<v1::Batch> OrchestratorCaller::CreateBatch(const std::string& text, const std::string& request_id,
@@ -78,9 +77,8 @@ absl::StatusOr<v1::Batch> OrchestratorCaller::CreateBatch(const std::string& tex
     spec.mutable_brief()->set_text(text);
     spec.mutable_render_options()->set_size_px(256);
   }
-  const auto response = Ask(&Stub::CreateBatch, request);
-  if (!response.ok()) return response.status();
-  return response->batch();
+  ASSIGN_OR_RETURN(const auto response, Ask(&Stub::CreateBatch, request));
+  return response.batch();
 }
 
 absl::StatusOr<v1::ListJobsResponse> OrchestratorCaller::ListJobs() {

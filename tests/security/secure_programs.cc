@@ -10,6 +10,7 @@
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::testing {
 namespace {
@@ -72,9 +73,8 @@ std::vector<ServerProgram*> SecurePrograms::programs() {
 }
 
 absl::Status AskWho(const std::string& address, const runtime::ChannelOptions& options) {
-  const auto channel = runtime::MakeChannel(address, v1::WorkerService::service_full_name(), options);
-  if (!channel.ok()) return channel.status();
-  const auto stub = v1::WorkerService::NewStub(*channel);
+  ASSIGN_OR_RETURN(const auto channel, runtime::MakeChannel(address, v1::WorkerService::service_full_name(), options));
+  const auto stub = v1::WorkerService::NewStub(channel);
   runtime::CallContext call;
   return runtime::UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call,
                                absl::Now() + kPatience)

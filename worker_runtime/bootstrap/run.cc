@@ -13,6 +13,7 @@
 #include "worker_runtime/logging/log.h"
 #include "worker_runtime/metrics/metrics_endpoint.h"
 #include "worker_runtime/metrics/prometheus_metrics.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -38,27 +39,23 @@ Worker::~Worker() = default;
 absl::Status Worker::StartMetrics() {
   if (metrics_ == nullptr) return absl::OkStatus();
   process_metrics_ = std::make_unique<ProcessMetrics>(*metrics_, resources_.program(), context().build);
-  auto endpoint = MetricsEndpoint::Start(config_.metrics_address(), *metrics_);
-  if (!endpoint.ok()) return endpoint.status();
-  metrics_endpoint_ = *std::move(endpoint);
+  ASSIGN_OR_RETURN(metrics_endpoint_, MetricsEndpoint::Start(config_.metrics_address(), *metrics_));
   return absl::OkStatus();
 }
 
 absl::Status Worker::Start() {
-  if (absl::Status status = StartMetrics(); !status.ok()) return status;
+  RETURN_IF_ERROR(StartMetrics());
   const std::string listen = config_.listen_address().empty() ? "127.0.0.1:0" : config_.listen_address();
-  auto server = Server::Start({.program = resources_.program(),
-                               .revision = context().revision,
-                               .build = context().build,
-                               .capabilities = context().capabilities,
-                               .configuration_digest = ConfigurationDigest(context()),
-                               .listen_address = listen,
-                               .max_message_mib = config_.max_message_mib(),
-                               .tls = config_.has_tls() ? std::optional(config_.tls()) : std::nullopt,
-                               .open_calls = context().rpc_metrics.open_calls()},
-                              std::move(services_));
-  if (!server.ok()) return server.status();
-  server_ = *std::move(server);
+  ASSIGN_OR_RETURN(server_, Server::Start({.program = resources_.program(),
+                                           .revision = context().revision,
+                                           .build = context().build,
+                                           .capabilities = context().capabilities,
+                                           .configuration_digest = ConfigurationDigest(context()),
+                                           .listen_address = listen,
+                                           .max_message_mib = config_.max_message_mib(),
+                                           .tls = config_.has_tls() ? std::optional(config_.tls()) : std::nullopt,
+                                           .open_calls = context().rpc_metrics.open_calls()},
+                                          std::move(services_)));
   Say("listening on", server_->address());
   if (metrics_endpoint_ != nullptr) Say("metrics on", metrics_endpoint_->address());
   Log(*context().logger, spdlog::level::info, "listening",

@@ -10,6 +10,7 @@
 
 #include "worker_runtime/grpc/credentials.h"
 #include "worker_runtime/security/security.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -54,7 +55,7 @@ grpc::ChannelArguments Arguments(const std::string& address, const std::string& 
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2000);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveMs);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeoutMs);
-  // Retrying is the caller's: see orchestrator/pipeline/backoff_policy.h.
+  // Retrying is the caller's: see orchestrator/pipeline/stage_clients.h.
   arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
   if (!options.server_name.empty()) arguments.SetString(GRPC_ARG_DEFAULT_AUTHORITY, options.server_name);
   if (options.only_while_serving || address.starts_with("dns:")) {
@@ -81,12 +82,10 @@ ChannelOptions ChannelOptionsOf(const config::v1::RuntimeConfig& runtime) {
 
 absl::StatusOr<std::shared_ptr<grpc::Channel>> MakeChannel(const std::string& address, const std::string& service,
                                                            const ChannelOptions& options) {
-  if (absl::Status status = CheckAddress(address, options); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckAddress(address, options));
   std::shared_ptr<grpc::ChannelCredentials> credentials = grpc::InsecureChannelCredentials();
   if (options.tls.has_value()) {
-    absl::StatusOr<std::shared_ptr<grpc::ChannelCredentials>> made = MakeChannelCredentials(*options.tls);
-    if (!made.ok()) return made.status();
-    credentials = *std::move(made);
+    ASSIGN_OR_RETURN(credentials, MakeChannelCredentials(*options.tls));
   }
   const grpc::ChannelArguments arguments = Arguments(address, service, options);
   if (options.token.empty()) return grpc::CreateCustomChannel(address, credentials, arguments);

@@ -10,6 +10,7 @@
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -40,9 +41,8 @@ class HeldPort {
 
 // What a call to `address` ends with.
 absl::Status Call(const std::string& address, absl::Duration within = absl::Seconds(30)) {
-  const auto channel = MakeChannel(address, v1::WorkerService::service_full_name());
-  if (!channel.ok()) return channel.status();
-  const auto stub = v1::WorkerService::NewStub(*channel);
+  ASSIGN_OR_RETURN(const auto channel, MakeChannel(address, v1::WorkerService::service_full_name()));
+  const auto stub = v1::WorkerService::NewStub(channel);
   CallContext call;
   return UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call,
                       absl::Now() + within)

@@ -11,6 +11,7 @@
 
 #include "absl/time/clock.h"
 #include "worker_runtime/security/security.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -38,7 +39,7 @@ std::shared_ptr<grpc::ChannelCredentials> NewChannelCredentials(const config::v1
 }  // namespace
 
 absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> MakeServerCredentials(const config::v1::TlsConfig& tls) {
-  if (absl::Status status = CheckTlsFiles(tls, absl::Now()); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckTlsFiles(tls, absl::Now()));
   grpc::experimental::TlsServerCredentialsOptions options(Watch(tls, tls.require_client_certificate()));
   options.watch_identity_key_cert_pairs();
   if (tls.require_client_certificate()) {
@@ -55,7 +56,7 @@ absl::StatusOr<std::shared_ptr<grpc::ChannelCredentials>> MakeChannelCredentials
   const std::lock_guard lock(mutex);
   std::weak_ptr<grpc::ChannelCredentials>& made = known[tls.SerializeAsString()];
   if (std::shared_ptr<grpc::ChannelCredentials> credentials = made.lock()) return credentials;
-  if (absl::Status status = CheckTlsFiles(tls, absl::Now()); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckTlsFiles(tls, absl::Now()));
   std::shared_ptr<grpc::ChannelCredentials> credentials = NewChannelCredentials(tls);
   made = credentials;
   return credentials;

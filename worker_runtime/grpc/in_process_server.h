@@ -8,6 +8,7 @@
 #include "absl/status/statusor.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 #include "worker_runtime/grpc/server.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 
@@ -27,20 +28,18 @@ class InProcessServer {
                                                                 const std::string& service_name,
                                                                 const MakeService& make) {
     std::unique_ptr<InProcessServer> result(new InProcessServer(program, config));
-    absl::StatusOr<std::unique_ptr<grpc::Service>> service = make(result->resources_.context());
-    if (!service.ok()) return service.status();
+    ASSIGN_OR_RETURN(std::unique_ptr<grpc::Service> service, make(result->resources_.context()));
     std::vector<NamedService> services;
-    services.push_back({service_name, *std::move(service)});
-    auto server = Server::Start({.program = program,
-                                 .revision = result->resources_.context().revision,
-                                 .build = result->resources_.context().build,
-                                 .capabilities = result->resources_.context().capabilities,
-                                 .configuration_digest = ConfigurationDigest(result->resources_.context()),
-                                 .listen_address = "",
-                                 .max_message_mib = config.max_message_mib()},
-                                std::move(services));
-    if (!server.ok()) return server.status();
-    result->server_ = *std::move(server);
+    services.push_back({service_name, std::move(service)});
+    ASSIGN_OR_RETURN(result->server_,
+                     Server::Start({.program = program,
+                                    .revision = result->resources_.context().revision,
+                                    .build = result->resources_.context().build,
+                                    .capabilities = result->resources_.context().capabilities,
+                                    .configuration_digest = ConfigurationDigest(result->resources_.context()),
+                                    .listen_address = "",
+                                    .max_message_mib = config.max_message_mib()},
+                                   std::move(services)));
     return result;
   }
 

@@ -22,6 +22,7 @@
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/credentials.h"
 #include "worker_runtime/grpc/listener.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -117,12 +118,10 @@ Server::Server(const ServerOptions& options, std::vector<NamedService> services)
 }
 
 absl::Status Server::Listen(const ServerOptions& options, grpc::ServerBuilder& builder) {
-  if (absl::Status status = CheckListenAddress(options.listen_address); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckListenAddress(options.listen_address));
   std::shared_ptr<grpc::ServerCredentials> credentials = grpc::InsecureServerCredentials();
   if (options.tls.has_value()) {
-    absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> made = MakeServerCredentials(*options.tls);
-    if (!made.ok()) return made.status();
-    credentials = *std::move(made);
+    ASSIGN_OR_RETURN(credentials, MakeServerCredentials(*options.tls));
   }
   EnableHealthAndReflectionOnce();
   if (options.listen_address.starts_with("unix:")) {
@@ -130,9 +129,7 @@ absl::Status Server::Listen(const ServerOptions& options, grpc::ServerBuilder& b
     builder.AddListeningPort(address_, credentials);
     return absl::OkStatus();
   }
-  absl::StatusOr<std::unique_ptr<Listener>> listener = Listener::Bind(options.listen_address);
-  if (!listener.ok()) return listener.status();
-  listener_ = *std::move(listener);
+  ASSIGN_OR_RETURN(listener_, Listener::Bind(options.listen_address));
   address_ = listener_->address();
   using Type = grpc::ServerBuilder::experimental_type::ExternalConnectionType;
   acceptor_ = builder.experimental().AddExternalConnectionAcceptor(Type::FROM_FD, credentials);
@@ -144,7 +141,7 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
   std::unique_ptr<Server> server(new Server(options, std::move(services)));
   grpc::ServerBuilder builder;
   if (!options.listen_address.empty()) {
-    if (absl::Status status = server->Listen(options, builder); !status.ok()) return status;
+    RETURN_IF_ERROR(server->Listen(options, builder));
     LimitCallers(options.max_message_mib, builder);
   }
   // All our services answer by callback; the threads for others would only wait.

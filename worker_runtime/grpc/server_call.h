@@ -19,6 +19,7 @@
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 #include "worker_runtime/clock/clock.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 
@@ -108,15 +109,11 @@ grpc::ServerUnaryReactor* ServeUnary(WorkerContext& worker, std::string_view met
                                      Handler& handler) {
   return StartUnary(worker, method, internal::CallIdsOf(*request), *context,
                     [&worker, request, response, &handler](CallContext& call) -> absl::Status {
-                      absl::StatusOr<Response> answer = [&]() -> absl::StatusOr<Response> {
-                        if constexpr (requires { handler.Handle(*request, call); }) {
-                          return handler.Handle(*request, call);
-                        } else {
-                          return handler(*request, call);
-                        }
-                      }();
-                      if (!answer.ok()) return answer.status();
-                      *response = *std::move(answer);
+                      if constexpr (requires { handler.Handle(*request, call); }) {
+                        ASSIGN_OR_RETURN(*response, handler.Handle(*request, call));
+                      } else {
+                        ASSIGN_OR_RETURN(*response, handler(*request, call));
+                      }
                       if constexpr (requires { response->mutable_producer(); }) {
                         if (response->has_producer()) SignProducer(worker, *response->mutable_producer());
                       }
@@ -214,9 +211,7 @@ grpc::ServerReadReactor<Request>* ServeClientStream(WorkerContext& worker, std::
   const std::shared_ptr<Taker> shared = std::move(taker);
   call->Start({.take = [call, shared](CallContext& of) { return shared->Take(call->message(), of); },
                .finish = [&worker, shared, response](CallContext& of) -> absl::Status {
-                 absl::StatusOr<Response> answer = shared->Finish(of);
-                 if (!answer.ok()) return answer.status();
-                 *response = *std::move(answer);
+                 ASSIGN_OR_RETURN(*response, shared->Finish(of));
                  if constexpr (requires { response->mutable_producer(); }) {
                    if (response->has_producer()) response->mutable_producer()->set_build(worker.build);
                  }

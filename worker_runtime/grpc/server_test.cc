@@ -25,6 +25,7 @@
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/in_process_server.h"
 #include "worker_runtime/grpc/server_call.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::runtime {
@@ -180,10 +181,9 @@ class ListeningServer : public ::testing::Test {
                           release_.Wait();
                           return absl::StatusOr<v1::SolveResponse>(v1::SolveResponse());
                         })});
-    auto server = Server::Start(
-        {.listen_address = address, .open_calls = resources_.context().rpc_metrics.open_calls()}, std::move(services));
-    if (!server.ok()) return server.status();
-    server_ = *std::move(server);
+    ASSIGN_OR_RETURN(
+        server_, Server::Start({.listen_address = address, .open_calls = resources_.context().rpc_metrics.open_calls()},
+                               std::move(services)));
     channel_ = *MakeChannel(server_->address(), v1::OptimizerService::service_full_name());
     return absl::OkStatus();
   }

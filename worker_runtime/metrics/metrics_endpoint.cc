@@ -39,26 +39,26 @@ Response Answer(http::status status, std::string body) {
   return response;
 }
 
-Response Answer(const Request& request, const Page& page) {
+Response Answer(const Request& request, const PrometheusMetrics& metrics) {
   const std::string_view target(request.target().data(), request.target().size());
-  if (target.substr(0, target.find('?')) != page.path) {
-    return Answer(http::status::not_found, "There is only " + page.path + ".\n");
+  if (target.substr(0, target.find('?')) != "/metrics") {
+    return Answer(http::status::not_found, "There is only /metrics.\n");
   }
   if (request.method() != http::verb::get) {
     Response response = Answer(http::status::method_not_allowed, "Only GET.\n");
     response.set(http::field::allow, "GET");
     return response;
   }
-  Response response = Answer(http::status::ok, page.text());
-  response.set(http::field::content_type, page.content_type);
+  Response response = Answer(http::status::ok, prometheus::TextSerializer().Serialize(metrics.Collect()));
+  response.set(http::field::content_type, "text/plain; version=0.0.4; charset=utf-8");
   return response;
 }
 
 // One request and its answer. Lives as long as an operation of it is under way, and tells `done` at its end.
 class Connection final : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(tcp::socket socket, const Page& page, std::function<void()> done)
-      : stream_(std::move(socket)), page_(page), done_(std::move(done)) {
+  Connection(tcp::socket socket, const PrometheusMetrics& metrics, std::function<void()> done)
+      : stream_(std::move(socket)), metrics_(metrics), done_(std::move(done)) {
     parser_.header_limit(kHeaderLimitBytes);
     parser_.body_limit(0);
   }
@@ -69,7 +69,7 @@ class Connection final : public std::enable_shared_from_this<Connection> {
     stream_.expires_after(patience);
     http::async_read(stream_, buffer_, parser_, [self = shared_from_this()](error_code error, size_t) {
       if (!error) {
-        self->Send(Answer(self->parser_.get(), self->page_));
+        self->Send(Answer(self->parser_.get(), self->metrics_));
       } else if (error.category() == http::make_error_code(http::error::bad_method).category() &&
                  error != http::error::end_of_stream) {
         self->Send(Answer(http::status::bad_request, "Not a request that is understood here.\n"));
@@ -87,20 +87,30 @@ class Connection final : public std::enable_shared_from_this<Connection> {
   }
 
   beast::tcp_stream stream_;
-  const Page& page_;
+  const PrometheusMetrics& metrics_;
   const std::function<void()> done_;
   beast::flat_buffer buffer_{kHeaderLimitBytes};
   http::request_parser<http::empty_body> parser_;
   std::optional<Response> response_;
 };
 
+bool IsHost(std::string_view host) {
+  if (host.starts_with("[") && host.ends_with("]") && host.size() > 2) {
+    host = host.substr(1, host.size() - 2);
+    return host.find_first_not_of("0123456789abcdefABCDEF:.") == std::string_view::npos;
+  }
+  return !host.empty() && host.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._") ==
+                              std::string_view::npos;
+}
+
 }  // namespace
 
 // All but Listen, Start and the destructor runs on its thread.
-class OnePageServer::Form {
+class MetricsEndpoint::Server {
  public:
-  Form(Page page, absl::Duration patience) : page_(std::move(page)), patience_(absl::ToInt64Milliseconds(patience)) {}
-  ~Form() {
+  Server(const PrometheusMetrics& metrics, absl::Duration patience)
+      : metrics_(metrics), patience_(absl::ToInt64Milliseconds(patience)) {}
+  ~Server() {
     context_.stop();
     if (thread_.joinable()) thread_.join();
     stopped_ = true;
@@ -135,7 +145,7 @@ class OnePageServer::Form {
       if (error) return AcceptLater();
       accepting_ = false;
       ++open_count_;
-      std::make_shared<Connection>(std::move(socket), page_, [this] {
+      std::make_shared<Connection>(std::move(socket), metrics_, [this] {
         --open_count_;
         Accept();
       })->Start(patience_);
@@ -152,7 +162,7 @@ class OnePageServer::Form {
     });
   }
 
-  const Page page_;
+  const PrometheusMetrics& metrics_;
   const std::chrono::milliseconds patience_;
   int open_count_ = 0;
   bool accepting_ = false;
@@ -163,31 +173,6 @@ class OnePageServer::Form {
   asio::steady_timer pause_{context_};
   std::thread thread_;
 };
-
-OnePageServer::OnePageServer(std::unique_ptr<Form> form, int port) : form_(std::move(form)), port_(port) {}
-OnePageServer::~OnePageServer() = default;
-
-std::unique_ptr<OnePageServer> OnePageServer::Start(const std::string& host, const std::string& port, Page page,
-                                                    absl::Duration patience) {
-  auto form = std::make_unique<Form>(std::move(page), patience);
-  const std::optional<int> bound = form->Listen(host, port);
-  if (!bound.has_value()) return nullptr;
-  form->Start();
-  return std::unique_ptr<OnePageServer>(new OnePageServer(std::move(form), *bound));
-}
-
-namespace {
-
-bool IsHost(std::string_view host) {
-  if (host.starts_with("[") && host.ends_with("]") && host.size() > 2) {
-    host = host.substr(1, host.size() - 2);
-    return host.find_first_not_of("0123456789abcdefABCDEF:.") == std::string_view::npos;
-  }
-  return !host.empty() && host.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._") ==
-                              std::string_view::npos;
-}
-
-}  // namespace
 
 absl::Status CheckMetricsAddress(const std::string& address) {
   const size_t colon = address.rfind(':');
@@ -201,7 +186,7 @@ absl::Status CheckMetricsAddress(const std::string& address) {
       fmt::format("\"{}\": expected HOST:PORT with a port in [0, 65535], such as 127.0.0.1:9090", address));
 }
 
-MetricsEndpoint::MetricsEndpoint(std::unique_ptr<OnePageServer> server, std::string address)
+MetricsEndpoint::MetricsEndpoint(std::unique_ptr<Server> server, std::string address)
     : server_(std::move(server)), address_(std::move(address)) {}
 
 MetricsEndpoint::~MetricsEndpoint() = default;
@@ -215,16 +200,15 @@ absl::StatusOr<std::unique_ptr<MetricsEndpoint>> MetricsEndpoint::Start(const st
   const size_t colon = address.rfind(':');
   std::string host = address.substr(0, colon);
   if (host.starts_with("[")) host = host.substr(1, host.size() - 2);
-  auto server = OnePageServer::Start(host, address.substr(colon + 1),
-                                     {"/metrics", "text/plain; version=0.0.4; charset=utf-8",
-                                      [&metrics] { return prometheus::TextSerializer().Serialize(metrics.Collect()); }},
-                                     patience);
-  if (server == nullptr) {
+  auto server = std::make_unique<Server>(metrics, patience);
+  const std::optional<int> port = server->Listen(host, address.substr(colon + 1));
+  if (!port.has_value()) {
     return absl::UnavailableError(fmt::format(
         "metrics_address {}: cannot listen there: the address is in use, not of this machine, or not permitted",
         address));
   }
-  std::string bound = fmt::format("{}:{}", address.substr(0, colon), server->port());
+  server->Start();
+  std::string bound = fmt::format("{}:{}", address.substr(0, colon), *port);
   return std::unique_ptr<MetricsEndpoint>(new MetricsEndpoint(std::move(server), std::move(bound)));
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -11,36 +10,8 @@
 
 namespace flair::runtime {
 
-struct Page {
-  // Such as "/metrics".
-  std::string path;
-  std::string content_type;
-  // Called for every request, on the server's thread.
-  std::function<std::string()> text;
-};
-
-// An HTTP server with one page and one thread. Takes a few connections at a time, each for one request of a few
-// kilobytes, so that callers of whatever kind cannot take files, memory or threads from the program.
-class OnePageServer {
- public:
-  // Port "0" takes a free one. A caller has `patience` to send the request and to take the answer. Null when it cannot
-  // listen there.
-  static std::unique_ptr<OnePageServer> Start(const std::string& host, const std::string& port, Page page,
-                                              absl::Duration patience);
-  // Closes all connections.
-  ~OnePageServer();
-
-  int port() const { return port_; }
-
- private:
-  class Form;
-  OnePageServer(std::unique_ptr<Form> form, int port);
-
-  const std::unique_ptr<Form> form_;
-  const int port_;
-};
-
-// Answers GET /metrics over HTTP with the figures of the process; see OnePageServer.
+// Answers GET /metrics over HTTP with the figures of the process, on one thread. Takes a few connections at a time,
+// each for one request of a few kilobytes, so that no caller can take files, memory or threads from the program.
 class MetricsEndpoint {
  public:
   // `address` is "HOST:PORT"; port 0 takes a free one. INVALID_ARGUMENT for an address of another form, UNAVAILABLE
@@ -56,9 +27,10 @@ class MetricsEndpoint {
   const std::string& address() const { return address_; }
 
  private:
-  MetricsEndpoint(std::unique_ptr<OnePageServer> server, std::string address);
+  class Server;
+  MetricsEndpoint(std::unique_ptr<Server> server, std::string address);
 
-  const std::unique_ptr<OnePageServer> server_;
+  const std::unique_ptr<Server> server_;
   const std::string address_;
 };
 

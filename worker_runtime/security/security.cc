@@ -15,6 +15,8 @@
 #include <memory>
 #include <string>
 
+#include "worker_runtime/status/status_macros.h"
+
 namespace flair::runtime {
 namespace {
 
@@ -59,7 +61,7 @@ bool Exposed(const std::string& address, const config::v1::RuntimeConfig& runtim
 }
 
 constexpr char kElse[] =
-    "or listen on 127.0.0.1, or set runtime.allow_insecure: true if only friends reach that network";
+    "or listen on 127.0.0.1, or set runtime.allow_insecure: true if only trusted machines can reach that network";
 
 }  // namespace
 
@@ -133,7 +135,7 @@ absl::Status CheckPeriod(const X509* certificate, const Source& source, absl::Ti
 // The first certificate of a file that holds nothing but certificates.
 absl::Status ReadCertificates(const Source& source, Certificate& first) {
   File file;
-  if (absl::Status status = source.Open(file); !status.ok()) return status;
+  RETURN_IF_ERROR(source.Open(file));
   first.reset(PEM_read_X509(file.get(), nullptr, nullptr, nullptr));
   if (first == nullptr) return source.Fault("holds no certificate in PEM (\"-----BEGIN CERTIFICATE-----\")");
   Certificate next;
@@ -147,7 +149,7 @@ absl::Status ReadCertificates(const Source& source, Certificate& first) {
 
 absl::Status CheckKey(const Source& source, const X509* certificate, const std::string& certificate_path) {
   File file;
-  if (absl::Status status = source.Open(file); !status.ok()) return status;
+  RETURN_IF_ERROR(source.Open(file));
   bool asked = false;
   const Key key(PEM_read_PrivateKey(file.get(), nullptr, &NoPassphrase, &asked));
   if (asked) return source.Fault("the key has a passphrase, which nobody could type; expected one without");
@@ -166,7 +168,7 @@ absl::Status CheckFiles(const config::v1::TlsConfig& tls, absl::Time now, const 
   }
   if (!tls.key_path().empty()) {
     const Source source = {names.key, tls.key_path()};
-    if (absl::Status status = CheckKey(source, certificate.get(), tls.certificate_path()); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckKey(source, certificate.get(), tls.certificate_path()));
   }
   if (tls.authority_path().empty()) return absl::OkStatus();
   Certificate authority;

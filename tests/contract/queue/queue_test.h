@@ -10,7 +10,7 @@
 
 #include "tests/contract/queue/queue_forms.h"
 #include "tests/contract/queue/watched_queue.h"
-#include "tests/fixtures/process.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::testing {
 

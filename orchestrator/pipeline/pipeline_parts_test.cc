@@ -1,16 +1,103 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/pipeline/step_log.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
+#include <utility>
+
+#include "orchestrator/pipeline/stage.h"
+#include "orchestrator/pipeline/stage_clients.h"
+#include "orchestrator/pipeline/stage_runner.h"
+#include "orchestrator/testing/fake_stages.h"
 
 namespace flair::orchestrator {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+
+// One of revision `answering` answers, whichever is thought to.
+class OptimizersOfRevisions : public FakeStages {
+ public:
+  std::optional<std::string> answering;
+
+  absl::StatusOr<v1::ListConstraintTypesResponse> ListConstraintTypes(const v1::ListConstraintTypesRequest& request,
+                                                                      Call& call) override {
+    auto response = FakeStages::ListConstraintTypes(request, call);
+    if (!response.ok()) return response;
+    response->mutable_catalog()->set_library("of " + answering.value_or("nobody"));
+    call.SetAnswerer({answering, [] {}});
+    return response;
+  }
+  std::string Ask(CatalogCache& cache, std::optional<std::string> revision) {
+    set_revision(std::move(revision));
+    StageCall call;
+    const auto catalog = cache.Get(*this, call);
+    return catalog.ok() ? (*catalog)->catalog.library() : catalog.status().ToString();
+  }
+  int asked() const { return calls("ListConstraintTypes"); }
+};
+
+TEST(CatalogCache, AsksOptimizersOfOneRevisionOnce) {
+  OptimizersOfRevisions optimizers;
+  CatalogCache cache;
+  optimizers.answering = "1";
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(optimizers.Ask(cache, "1"), "of 1");
+  EXPECT_EQ(optimizers.asked(), 1);
+  optimizers.answering = "2";
+  EXPECT_EQ(optimizers.Ask(cache, "2"), "of 2");
+  EXPECT_EQ(optimizers.Ask(cache, "1"), "of 1");
+  EXPECT_EQ(optimizers.asked(), 2);
+}
+
+TEST(CatalogCache, KeepsWhatIsAnsweredAsThatOfWhoAnswered) {
+  OptimizersOfRevisions optimizers;
+  CatalogCache cache;
+  optimizers.answering = "2";
+  EXPECT_EQ(optimizers.Ask(cache, "1"), "of 2");
+  optimizers.answering = "1";
+  EXPECT_EQ(optimizers.Ask(cache, "1"), "of 1");
+  EXPECT_EQ(optimizers.Ask(cache, "2"), "of 2");
+  EXPECT_EQ(optimizers.asked(), 2);
+}
+
+TEST(CatalogCache, AsksThoseThatDoNotSayWhichTheyAreEachTime) {
+  OptimizersOfRevisions optimizers;
+  CatalogCache cache;
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(optimizers.Ask(cache, std::nullopt), "of nobody");
+  EXPECT_EQ(optimizers.asked(), 2);
+}
+
+TEST(BackoffPolicy, GrowsToItsLimitWithinTheSpread) {
+  const BackoffPolicy policy;
+  const absl::Status full = absl::ResourceExhaustedError("the queue is full");
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    const absl::Duration most = std::min(absl::Milliseconds(100) * (1 << std::min(attempt, 10)), absl::Seconds(2));
+    const absl::Duration delay = *policy.DelayAfter(full, attempt, "j1");
+    EXPECT_LE(delay, most);
+    EXPECT_GE(delay, most / 2);
+  }
+}
+
+TEST(BackoffPolicy, SpreadsCallersThatFailedTogether) {
+  const BackoffPolicy policy;
+  const absl::Status down = absl::UnavailableError("down");
+  EXPECT_NE(policy.DelayAfter(down, 0, "j1"), policy.DelayAfter(down, 0, "j2"));
+}
+
+TEST(BackoffPolicy, EndsWithTheLastAttempt) {
+  const BackoffPolicy policy{.unavailable_attempt_limit = 3};
+  const absl::Status down = absl::UnavailableError("down");
+  EXPECT_TRUE(policy.DelayAfter(down, 1, "j1").has_value());
+  EXPECT_FALSE(policy.DelayAfter(down, 2, "j1").has_value());
+}
+
+TEST(WaitUnlessCancelled, ReturnsAtOnceWhenCancelled) {
+  runtime::CallContext call;
+  call.cancellation().Cancel();
+  WaitUnlessCancelled(absl::Hours(1), call);
+}
 
 // Remembers what is stored by its stages, a write "brief room".
 class RememberingLease final : public Lease {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/pipeline/backoff_policy.h"
+#include "orchestrator/pipeline/stage_clients.h"
 
 #include <algorithm>
 #include <cmath>

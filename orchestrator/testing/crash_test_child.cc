@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "orchestrator/pipeline/fake_stages.h"
-#include "orchestrator/service/embedded_for_test.h"
-#include "orchestrator/service/fake_workers.h"
+#include "orchestrator/testing/embedded_for_test.h"
+#include "orchestrator/testing/fake_stages.h"
+#include "orchestrator/testing/fake_workers.h"
 
 namespace flair::orchestrator {
 namespace {

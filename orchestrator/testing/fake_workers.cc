@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/service/fake_workers.h"
+#include "orchestrator/testing/fake_workers.h"
 
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/pipeline/fake_stages.h"
+#include "orchestrator/testing/fake_stages.h"
 
 #include <google/protobuf/text_format.h>
 
 #include "tests/fixtures/bedroom.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -72,68 +73,68 @@ int FakeStages::all_calls() const {
 }
 
 absl::StatusOr<v1::DescribeRoomResponse> FakeStages::DescribeRoom(const v1::DescribeRoomRequest& request, Call& call) {
-  if (absl::Status status = Begin("DescribeRoom", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("DescribeRoom", call));
   v1::DescribeRoomResponse response;
   *response.mutable_room() = FakeRoom(request.brief().text());
   *response.mutable_producer() = Fake("room");
-  if (absl::Status status = AskModel(request, "DescribeRoom", response); !status.ok()) return status;
+  RETURN_IF_ERROR(AskModel(request, "DescribeRoom", response));
   return response;
 }
 
 absl::StatusOr<v1::PlanZonesResponse> FakeStages::PlanZones(const v1::PlanZonesRequest& request, Call& call) {
-  if (absl::Status status = Begin("PlanZones", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("PlanZones", call));
   v1::PlanZonesResponse response;
   *response.mutable_zone_plan() = testing::BedroomZones();
   *response.mutable_producer() = Fake("zones");
-  if (absl::Status status = AskModel(request, "PlanZones", response); !status.ok()) return status;
+  RETURN_IF_ERROR(AskModel(request, "PlanZones", response));
   return response;
 }
 
 absl::StatusOr<v1::ListObjectsResponse> FakeStages::ListObjects(const v1::ListObjectsRequest& request, Call& call) {
-  if (absl::Status status = Begin("ListObjects", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("ListObjects", call));
   v1::ListObjectsResponse response;
   *response.mutable_object_list()->add_objects() = testing::BedroomBed("bed_1");
   *response.mutable_producer() = Fake("objects");
-  if (absl::Status status = AskModel(request, "ListObjects", response); !status.ok()) return status;
+  RETURN_IF_ERROR(AskModel(request, "ListObjects", response));
   return response;
 }
 
 absl::StatusOr<v1::ChooseStyleResponse> FakeStages::ChooseStyle(const v1::ChooseStyleRequest& request, Call& call) {
-  if (absl::Status status = Begin("ChooseStyle", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("ChooseStyle", call));
   auto response = Parse<v1::ChooseStyleResponse>(R"pb(style_sheet { name: "plain" summary: "Plain." })pb");
   *response.mutable_producer() = Fake("style");
-  if (absl::Status status = AskModel(request, "ChooseStyle", response); !status.ok()) return status;
+  RETURN_IF_ERROR(AskModel(request, "ChooseStyle", response));
   return response;
 }
 
 absl::StatusOr<v1::ListConstraintsResponse> FakeStages::ListConstraints(const v1::ListConstraintsRequest& request,
                                                                         Call& call) {
-  if (absl::Status status = Begin("ListConstraints", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("ListConstraints", call));
   v1::ListConstraintsResponse response;
   *response.mutable_constraint_list()->add_sentences() = testing::BedroomSentence("bed_1");
   *response.mutable_producer() = Fake("constraints");
-  if (absl::Status status = AskModel(request, "ListConstraints", response); !status.ok()) return status;
+  RETURN_IF_ERROR(AskModel(request, "ListConstraints", response));
   return response;
 }
 
 absl::StatusOr<v1::CleanConstraintsResponse> FakeStages::CleanConstraints(const v1::CleanConstraintsRequest& request,
                                                                           Call& call) {
-  if (absl::Status status = Begin("CleanConstraints", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("CleanConstraints", call));
   v1::CleanConstraintsResponse response;
   *response.mutable_constraint_list() = request.constraint_list();
   *response.mutable_producer() = Fake("cleaning");
-  if (absl::Status status = AskModel(request, "CleanConstraints", response); !status.ok()) return status;
+  RETURN_IF_ERROR(AskModel(request, "CleanConstraints", response));
   return response;
 }
 
 absl::StatusOr<v1::ListConstraintTypesResponse> FakeStages::ListConstraintTypes(const v1::ListConstraintTypesRequest&,
                                                                                 Call& call) {
-  if (absl::Status status = Begin("ListConstraintTypes", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("ListConstraintTypes", call));
   return Parse<v1::ListConstraintTypesResponse>(R"pb(catalog { library: "fake 1" })pb");
 }
 
 absl::StatusOr<v1::TranslateResponse> FakeStages::Translate(const v1::TranslateRequest& request, Call& call) {
-  if (absl::Status status = Begin("Translate", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("Translate", call));
   v1::TranslateResponse response;
   v1::LayoutGraph& graph = *response.mutable_layout_graph();
   *graph.mutable_room() = request.room();
@@ -144,12 +145,12 @@ absl::StatusOr<v1::TranslateResponse> FakeStages::Translate(const v1::TranslateR
   *graph.add_edges() = testing::BedroomEdge("bed_1");
   graph.set_catalog_library(request.catalog().library());
   *response.mutable_producer() = Fake("translation");
-  if (absl::Status status = AskModel(request, "Translate", response); !status.ok()) return status;
+  RETURN_IF_ERROR(AskModel(request, "Translate", response));
   return response;
 }
 
 absl::StatusOr<v1::SolveResponse> FakeStages::Solve(const v1::SolveRequest& request, Call& call) {
-  if (absl::Status status = Begin("Solve", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("Solve", call));
   auto response = Parse<v1::SolveResponse>(R"pb(
     solved_layout {
       placements { object_id: "bed_1" x_m: 2 y_m: 4 theta_rad: 3 }
@@ -162,7 +163,7 @@ absl::StatusOr<v1::SolveResponse> FakeStages::Solve(const v1::SolveRequest& requ
 }
 
 absl::StatusOr<v1::EvaluateResponse> FakeStages::Evaluate(const v1::EvaluateRequest&, Call& call) {
-  if (absl::Status status = Begin("Evaluate", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("Evaluate", call));
   return Parse<v1::EvaluateResponse>(R"pb(
     edge_outcomes { edge_id: "e1" status: OUTCOME_STATUS_SATISFIED }
     metrics { oob_percent: 0.5 reachable_floor_share: 1 reachable_front_share: 1 }
@@ -170,7 +171,7 @@ absl::StatusOr<v1::EvaluateResponse> FakeStages::Evaluate(const v1::EvaluateRequ
 }
 
 absl::StatusOr<v1::RenderResponse> FakeStages::Render(const v1::RenderRequest& request, Call& call) {
-  if (absl::Status status = Begin("Render", call); !status.ok()) return status;
+  RETURN_IF_ERROR(Begin("Render", call));
   v1::RenderResponse response;
   v1::Preview& preview = *response.mutable_preview();
   preview.set_view(v1::PREVIEW_VIEW_PLAN);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/workers/connection.h"
+#include "orchestrator/workers/connections.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Briefs, rooms and zone plans.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,10 +8,20 @@
 #include "room/validation/checks.h"
 
 namespace flair::validation {
+
+void CheckDiagnostics(const google::protobuf::RepeatedPtrField<v1::Diagnostic>& diagnostics, const Field& at) {
+  for (int i = 0; i < diagnostics.size(); ++i) {
+    const v1::Diagnostic& diagnostic = diagnostics[i];
+    at[i]["severity"].Enum(diagnostic.severity(), v1::Severity_IsValid(diagnostic.severity()));
+    at[i]["code"].Id(diagnostic.code());
+    at[i]["message"].Text(diagnostic.message(), 1, 10000);
+  }
+}
+
 namespace {
 
 constexpr double kTolerance_m = 1e-6;
-constexpr Range kExtent{.least = 1, .most = 100};
+constexpr Range kFloorExtent{.least = 1, .most = 100};
 constexpr Range kRoomHeight{.least = 2, .most = 12};
 constexpr Range kPositive{.least = 0, .most = 100, .open_least = true};
 constexpr Range kFromZero{.least = 0, .most = 100};
@@ -38,8 +49,8 @@ void CheckFloor(const v1::Polygon& floor, const Field& at) {
   if (std::abs(box.min.x) > kTolerance_m || std::abs(box.min.y) > kTolerance_m) {
     at.Reject("its bounding box starts at ({}, {}); must start at (0, 0)", box.min.x, box.min.y);
   }
-  if (!kExtent.Holds(box.width_m()) || !kExtent.Holds(box.height_m())) {
-    at.Reject("is {} m x {} m; each must be in {}", box.width_m(), box.height_m(), kExtent.Text());
+  if (!kFloorExtent.Holds(box.width_m()) || !kFloorExtent.Holds(box.height_m())) {
+    at.Reject("is {} m x {} m; each must be in {}", box.width_m(), box.height_m(), kFloorExtent.Text());
   }
 }
 
@@ -162,6 +173,86 @@ NameSet OpeningIds(const v1::Room& room) {
   NameSet ids;
   for (const v1::Opening& opening : room.openings()) ids.insert(opening.id());
   return ids;
+}
+
+void Check(const v1::ZonePlan& plan, const Field& at) {
+  if (!at["zones"].Count(plan.zones_size(), 1, 50, "zones")) return;
+  NameSet seen;
+  for (int i = 0; i < plan.zones_size(); ++i) {
+    const v1::Zone& zone = plan.zones(i);
+    const Field field = at["zones"][i];
+    field["id"].NewId(zone.id(), seen);
+    field["name"].Text(zone.name(), 1, 100);
+    field["purpose"].Text(zone.purpose(), 0, 2000);
+  }
+  CheckDiagnostics(plan.diagnostics(), at["diagnostics"]);
+}
+
+NameSet ZoneIds(const v1::ZonePlan& plan) {
+  NameSet ids;
+  for (const v1::Zone& zone : plan.zones()) ids.insert(zone.id());
+  return ids;
+}
+
+namespace {
+
+constexpr int kLongestBrief = 4000;
+
+std::string_view Trimmed(std::string_view text) {
+  const size_t first = text.find_first_not_of(" \t\r\n\v\f");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n\v\f") - first + 1);
+}
+
+// Byte of the first control character (C0, DEL), or npos.
+size_t FindControlCharacter(std::string_view text) {
+  const auto found = std::find_if(text.begin(), text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+  return found == text.end() ? std::string_view::npos : static_cast<size_t>(found - text.begin());
+}
+
+// Whether a letter of any script is in it. Counts two- and three-byte characters outside the symbol blocks U+2000 to
+// U+2BFF and U+FE00 to U+FE0F as letters, four-byte ones (emoji) not.
+bool HasLetter(std::string_view text) {
+  for (size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= 0xC3 && c < 0xE0)) return true;
+    if (c < 0xE0 || c >= 0xF0 || i + 1 >= text.size()) continue;
+    const auto next = static_cast<unsigned char>(text[i + 1]);
+    const bool symbol = (c == 0xE2 && next >= 0x80 && next < 0xB0) || (c == 0xEF && next == 0xB8);
+    if (!symbol) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void Check(const v1::Brief& brief, const Field& at) {
+  const Field text = at["text"];
+  const std::string_view trimmed = Trimmed(brief.text());
+  if (trimmed.empty()) {
+    text.Reject("is empty; say what room you want, such as \"A bedroom that is 4m x 5m.\"");
+  } else if (text.Text(trimmed, 1, kLongestBrief)) {
+    const size_t control = FindControlCharacter(trimmed);
+    if (control != std::string_view::npos) {
+      text.Reject("has the control character 0x{:02x} at byte {}; plain text only",
+                  static_cast<unsigned char>(trimmed[control]), control);
+    } else if (!HasLetter(trimmed)) {
+      text.Reject("\"{}\" has no word; say what room you want, such as \"A bedroom that is 4m x 5m.\"", trimmed);
+    }
+  }
+  at["seed"].InRange(static_cast<double>(brief.seed()), kSeed);
+  if (brief.has_room()) Check(brief.room(), at["room"]);
+  if (brief.has_zone_plan()) Check(brief.zone_plan(), at["zone_plan"]);
+  const NameSet zones = ZoneIds(brief.zone_plan()), objects = ObjectIds(brief.object_list());
+  if (brief.has_object_list()) {
+    Check(brief.object_list(), {.zones = brief.has_zone_plan() ? &zones : nullptr}, at["object_list"]);
+  }
+  if (brief.has_constraint_list()) {
+    Check(brief.constraint_list(), {.objects = brief.has_object_list() ? &objects : nullptr}, at["constraint_list"]);
+  }
 }
 
 }  // namespace flair::validation
