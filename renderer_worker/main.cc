@@ -5,14 +5,14 @@
 #include "renderer_worker/service/make_renderer_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair {
 namespace {
 
 absl::Status Assemble(const config::v1::RendererWorkerConfig& config, runtime::Worker& worker) {
-  absl::StatusOr<std::unique_ptr<grpc::Service>> service = renderer::MakeRendererService(config, worker.context());
-  if (!service.ok()) return service.status();
-  worker.Serve(v1::RendererService::service_full_name(), *std::move(service));
+  ASSIGN_OR_RETURN(std::unique_ptr<grpc::Service> service, renderer::MakeRendererService(config, worker.context()));
+  worker.Serve(v1::RendererService::service_full_name(), std::move(service));
   return absl::OkStatus();
 }
 

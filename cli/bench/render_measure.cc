@@ -8,8 +8,7 @@
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "renderer_worker/service/export_scene_handler.h"
-#include "renderer_worker/service/render_handler.h"
+#include "renderer_worker/service/handlers.h"
 
 namespace flair::cli {
 namespace {

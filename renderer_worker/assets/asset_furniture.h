@@ -6,10 +6,21 @@
 #include <mutex>
 #include <string>
 
+#include "flair/v1/object_list.pb.h"
 #include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/scene/furnishing.h"
+#include "renderer_worker/scene/mesh.h"
 
 namespace flair::renderer {
+
+// Width, depth and height of the box round a mesh's triangles; 0 for a mesh without.
+Vec3 ExtentOf(const Mesh& mesh);
+
+// An asset (x right, y front, z up, any unit and origin) as a piece of furniture in frame O: scaled to the object's
+// width and depth, its height in proportion (by the mean of both scales, on walls by that of the width) but at most a
+// quarter higher than the object's; what stands has its underside at 0, what hangs on a wall is centred in the object's
+// height, what hangs from the ceiling reaches up to it. An extent of nothing stays nothing.
+Mesh Fitted(const Mesh& asset, const v1::Object& object);
 
 // Furniture from a user's own models: the asset whose words and size fit an object best, scaled to its width and depth;
 // where none fits well enough, or it is missing or broken, what `fallback` makes. Assets keep their own proportions of

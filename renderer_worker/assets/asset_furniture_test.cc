@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "renderer_worker/assets/fit_mesh.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/gltf/write_mesh_glb.h"
 #include "tests/fixtures/programs.h"

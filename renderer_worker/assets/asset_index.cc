@@ -4,17 +4,61 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <set>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "fmt/format.h"
-#include "renderer_worker/assets/words.h"
 #include "renderer_worker/furniture/classes.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
+
+namespace {
+
+constexpr size_t kMaxWords = 64;
+constexpr size_t kMaxWordBytes = 40;
+constexpr std::array<std::string_view, 16> kTellNothing = {"a",  "an", "and", "at", "by", "for", "from", "in",
+                                                           "is", "it", "of",  "on", "or", "the", "to",   "with"};
+
+bool IsLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c & 0x80) != 0;
+}
+
+std::string Singular(std::string word) {
+  if (word.size() > 3 && word.back() == 's' && word[word.size() - 2] != 's') word.pop_back();
+  return word;
+}
+
+}  // namespace
+
+// The words of a text: letters and digits (all bytes beyond ASCII count as letters), lower case in ASCII, without words
+// that tell nothing ("the", "with") and without a plural's s. At most 64, each at most 40 bytes.
+std::vector<std::string> WordsOf(std::string_view text) {
+  std::vector<std::string> words;
+  std::string word;
+  const auto finish = [&] {
+    const bool told = std::find(kTellNothing.begin(), kTellNothing.end(), word) == kTellNothing.end();
+    if (!word.empty() && word.size() <= kMaxWordBytes && told) words.push_back(Singular(std::move(word)));
+    word.clear();
+  };
+  for (const char c : text) {
+    if (!IsLetter(c)) {
+      finish();
+      if (words.size() >= kMaxWords) return words;
+    } else {
+      word.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+    }
+  }
+  finish();
+  return words;
+}
+
 namespace {
 
 constexpr int kCandidates = 60;
@@ -55,9 +99,19 @@ struct Known {
   std::optional<Vec3> size;
 };
 
+// Tags are no name and have no head noun: only when all that tell a class tell the same one.
+std::string ClassOfTags(const std::string& tags) {
+  std::set<std::string> told;
+  for (const std::string& tag : WordsOf(tags)) {
+    if (const std::string_view found = ClassFromWords(tag); !found.empty()) told.emplace(found);
+  }
+  return told.size() == 1 ? *told.begin() : std::string();
+}
+
 Known KnownOf(const AssetEntry& entry) {
   Known known{entry.id, std::string(ClassFromWords(entry.name)), {}, {}, entry.size_m};
-  if (known.class_name.empty()) known.class_name = ClassFromWords(entry.tags);
+  if (known.class_name.empty()) known.class_name = ClassOfTags(entry.tags);
+  if (known.class_name == "box") known.class_name.clear();
   for (const std::string& text : {entry.name, entry.tags}) {
     for (std::string& word : WordsOf(text)) known.name_words.insert(std::move(word));
   }
@@ -109,11 +163,9 @@ class FtsIndex final : public AssetIndex {
     insert->reset();
     if (sqlite3_exec(opened, "COMMIT", nullptr, nullptr, nullptr) != SQLITE_OK)
       return Failed(opened, "enter the assets");
-    absl::StatusOr<Statement> search = Prepare(
-        opened,
-        "SELECT rowid, bm25(asset, 8.0, 4.0, 1.0) AS rank FROM asset WHERE asset MATCH ? ORDER BY rank, rowid LIMIT ?");
-    if (!search.ok()) return search.status();
-    search_ = *std::move(search);
+    ASSIGN_OR_RETURN(search_, Prepare(opened,
+                                      "SELECT rowid, bm25(asset, 8.0, 4.0, 1.0) AS rank FROM asset WHERE asset MATCH ? "
+                                      "ORDER BY rank, rowid LIMIT ?"));
     return absl::OkStatus();
   }
 
@@ -128,10 +180,9 @@ class FtsIndex final : public AssetIndex {
     }
     words.insert(words.end(), wanted.style.begin(), wanted.style.end());
     if (words.empty()) return std::vector<AssetMatch>();
-    absl::StatusOr<std::vector<std::pair<size_t, double>>> candidates = Candidates(QueryOf(words));
-    if (!candidates.ok()) return candidates.status();
+    ASSIGN_OR_RETURN(auto candidates, Candidates(QueryOf(words)));
     std::vector<AssetMatch> matches;
-    for (const auto& [entry, text] : *candidates) {
+    for (const auto& [entry, text] : candidates) {
       const double score = Score(known_[entry], wanted, text);
       if (score >= kLeastAssetScore) matches.push_back({entry, score});
     }
@@ -206,7 +257,7 @@ double WithSize(double score, Vec3 asset_size, const v1::Object& object) {
 
 absl::StatusOr<std::unique_ptr<AssetIndex>> AssetIndex::Make(std::span<const AssetEntry> entries) {
   auto index = std::make_unique<FtsIndex>();
-  if (absl::Status filled = index->Fill(entries); !filled.ok()) return filled;
+  RETURN_IF_ERROR(index->Fill(entries));
   return index;
 }
 

@@ -8,6 +8,7 @@
 
 #include "fmt/format.h"
 #include "renderer_worker/gltf/limited_json.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -81,9 +82,7 @@ absl::StatusOr<std::unique_ptr<AssetLibrary>> AssetLibrary::Open(const fs::path&
   library->folder_ = folder;
   library->manifest_ = *std::move(manifest);
   if (file.filename() == "annotations.json") TakePaths(folder, library->manifest_);
-  auto index = AssetIndex::Make(library->manifest_.entries);
-  if (!index.ok()) return index.status();
-  library->index_ = *std::move(index);
+  ASSIGN_OR_RETURN(library->index_, AssetIndex::Make(library->manifest_.entries));
   return library;
 }
 
@@ -95,9 +94,8 @@ AssetLibrary::Loaded AssetLibrary::Load(const AssetEntry& entry) const {
     if (own.ok()) bytes = std::move(own);
   }
   if (!bytes.ok()) return bytes.status();
-  absl::StatusOr<AssetMesh> mesh = ReadAsset(*bytes, entry.axes);
-  if (!mesh.ok()) return mesh.status();
-  return std::make_shared<const AssetMesh>(*std::move(mesh));
+  ASSIGN_OR_RETURN(AssetMesh mesh, ReadAsset(*bytes, entry.axes));
+  return std::make_shared<const AssetMesh>(std::move(mesh));
 }
 
 AssetLibrary::Loaded AssetLibrary::MeshOf(size_t entry) const {

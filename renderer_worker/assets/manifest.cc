@@ -7,6 +7,7 @@
 
 #include "fmt/format.h"
 #include "renderer_worker/gltf/limited_json.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -151,14 +152,13 @@ absl::StatusOr<Manifest> ReadManifest(std::string_view text) {
     return absl::ResourceExhaustedError(
         fmt::format("the manifest has {} bytes, {} at most are read", text.size(), kMaxManifestBytes));
   }
-  absl::StatusOr<Json> json = ParseLimitedJson(text);
-  if (!json.ok()) return json.status();
+  ASSIGN_OR_RETURN(Json json, ParseLimitedJson(text));
   Reader reader;
-  const Json* assets = Find(*json, "assets");
+  const Json* assets = Find(json, "assets");
   if (assets != nullptr && assets->is_array()) {
     ReadOwn(*assets, reader);
-  } else if (json->is_object()) {
-    ReadAnnotations(*json, reader);
+  } else if (json.is_object()) {
+    ReadAnnotations(json, reader);
   } else {
     return absl::InvalidArgumentError(
         "a manifest must be {\"assets\": [...]} or annotations {\"UID\": {\"name\": ...}, ...}");

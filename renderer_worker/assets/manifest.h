@@ -9,7 +9,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/provenance.pb.h"
 #include "renderer_worker/gltf/read_asset.h"
-#include "renderer_worker/scene/vector.h"
+#include "renderer_worker/scene/mesh.h"
 
 namespace flair::renderer {
 

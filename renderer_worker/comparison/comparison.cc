@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "worker_runtime/status/status_macros.h"
+
 namespace flair::renderer {
 namespace {
 
@@ -56,8 +58,8 @@ absl::StatusOr<PlanChange> ReadChange(const v1::ObjectChange& change, const std:
     if (id.empty() || object != nullptr) return absl::OkStatus();
     return absl::InvalidArgumentError(fmt::format("{}.{}: \"{}\" is no object of its layout", path, field, id));
   };
-  if (absl::Status status = missing("before_object_id", change.before_object_id(), was); !status.ok()) return status;
-  if (absl::Status status = missing("after_object_id", change.after_object_id(), is); !status.ok()) return status;
+  RETURN_IF_ERROR(missing("before_object_id", change.before_object_id(), was));
+  RETURN_IF_ERROR(missing("after_object_id", change.after_object_id(), is));
   if (was == nullptr && is == nullptr) {
     return absl::InvalidArgumentError(path + ": names no object; before_object_id, after_object_id or both");
   }
@@ -71,15 +73,13 @@ absl::StatusOr<PlanChange> ReadChange(const v1::ObjectChange& change, const std:
 }  // namespace
 
 absl::StatusOr<Comparison> ReadComparison(const v1::RenderRequest& request) {
-  const absl::StatusOr<PlanLayers> layers = LayersOfComparison(request.options());
-  if (!layers.ok()) return layers.status();
-  absl::StatusOr<Plan> first = ReadPlan(request.solved_layout(), *layers);
-  if (!first.ok()) return first.status();
-  Comparison comparison{.title = first->title};
-  comparison.panels.push_back({*std::move(first), request.caption(), request.remark(), {}, {}});
+  ASSIGN_OR_RETURN(const PlanLayers layers, LayersOfComparison(request.options()));
+  ASSIGN_OR_RETURN(Plan first, ReadPlan(request.solved_layout(), layers));
+  Comparison comparison{.title = first.title};
+  comparison.panels.push_back({std::move(first), request.caption(), request.remark(), {}, {}});
   for (int i = 0; i < request.beside_size(); ++i) {
     const v1::ComparedLayout& other = request.beside(i);
-    absl::StatusOr<Plan> plan = ReadPlan(other.solved_layout(), *layers);
+    absl::StatusOr<Plan> plan = ReadPlan(other.solved_layout(), layers);
     if (!plan.ok()) {
       return absl::Status(plan.status().code(), fmt::format("beside[{}].{}", i, std::string(plan.status().message())));
     }

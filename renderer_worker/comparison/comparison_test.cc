@@ -6,9 +6,8 @@
 
 #include <algorithm>
 
-#include "renderer_worker/comparison/arrange.h"
 #include "renderer_worker/comparison/draw_comparison.h"
-#include "renderer_worker/drawing/testdata/read_layout.h"
+#include "renderer_worker/drawing/testing/read_layout.h"
 
 namespace flair::renderer {
 namespace {

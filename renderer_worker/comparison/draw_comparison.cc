@@ -4,19 +4,155 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <vector>
 
-#include "renderer_worker/comparison/arrange.h"
-#include "renderer_worker/comparison/change_list.h"
+#include "absl/status/statusor.h"
+#include "renderer_worker/comparison/comparison.h"
 #include "renderer_worker/comparison/marks.h"
-#include "renderer_worker/comparison/names.h"
+#include "renderer_worker/drawing/canvas.h"
 #include "renderer_worker/drawing/layers.h"
-#include "renderer_worker/drawing/on_surface.h"
 #include "renderer_worker/drawing/panel.h"
 #include "renderer_worker/drawing/plan_sheet.h"
+#include "renderer_worker/drawing/sheet.h"
 #include "renderer_worker/drawing/text.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
+
+// Where everything lies on the paper, in S.
+struct ComparisonSheet {
+  Sheet paper;                // its plan_mm is where the panels are
+  std::vector<Sheet> panels;  // one each, all of one scale; side_mm is where the caption goes
+  Box list_mm;                // of changes; without height when there are none
+  Box foot_mm;                // scale and signs
+};
+
+namespace {
+
+constexpr double kLeastColumnMm = 88;
+constexpr double kRowMm = 5.4;
+constexpr double kAboveMm = 3;
+constexpr int kMostRows = 12;
+
+int ColumnCount(double width_mm) { return std::max(1, static_cast<int>(width_mm / kLeastColumnMm)); }
+
+int RowCount(const Comparison& comparison, double width_mm) {
+  const int columns = ColumnCount(width_mm);
+  return std::min(kMostRows, (comparison.change_count + columns - 1) / columns);
+}
+
+std::string WordsOf(const PlanChange& change) {
+  if (change.kind == ChangeKind::kAdded) return change.words.empty() ? "added" : "added, " + change.words;
+  if (change.kind == ChangeKind::kRemoved) return change.words.empty() ? "removed" : "removed, " + change.words;
+  return change.words;
+}
+
+void DrawRow(Canvas& canvas, const PlanChange& change, Point left_mm, double width_mm) {
+  DrawChangeNumber(canvas, change, left_mm + Point{3, kRowMm / 2});
+  const TextBlock name{change.name, {.size_mm = 3.1, .colour = kPanelInk, .bold = true}};
+  const double name_width = std::min(Measure(canvas, name).width, 0.5 * width_mm);
+  const double y = left_mm.y + 0.75;
+  DrawText(canvas, {name.text, name.style, name_width + 0.5}, {left_mm.x + 7, y});
+  DrawText(canvas, {WordsOf(change), {.size_mm = 3.1, .colour = kPanelSoft}, width_mm - name_width - 11},
+           {left_mm.x + 9 + name_width, y});
+}
+
+}  // namespace
+
+// What the list of all changes takes of paper of that width, millimetres; 0 when there are none.
+double ChangeListHeight(const Comparison& comparison, double width_mm) {
+  return comparison.change_count == 0 ? 0 : kAboveMm + kRowMm * RowCount(comparison, width_mm);
+}
+
+// Number, name and words of each, in columns; the last place says how many more there are.
+void DrawChangeList(Canvas& canvas, const Comparison& comparison, const Box& box) {
+  if (comparison.change_count == 0) return;
+  const int columns = ColumnCount(box.width()), rows = RowCount(comparison, box.width());
+  const double width = box.width() / columns;
+  Rule(canvas, box.x0, box.x1, box.y0 + 0.6);
+  int place = 0;
+  for (const ComparisonPanel& panel : comparison.panels) {
+    for (const PlanChange& change : panel.changes) {
+      const Point at{box.x0 + (place / rows) * width, box.y0 + kAboveMm / 2 + 0.8 + (place % rows) * kRowMm};
+      if (place + 1 == columns * rows && comparison.change_count > columns * rows) {
+        DrawText(canvas,
+                 {fmt::format("and {} more", comparison.change_count - place), {.size_mm = 3.1, .colour = kPanelSoft}},
+                 at + Point{7, 0.75});
+        return;
+      }
+      DrawRow(canvas, change, at, width);
+      ++place;
+    }
+  }
+}
+
+namespace {
+
+constexpr double kCaptionMm = 15;
+constexpr double kFootMm = 9;
+constexpr double kGapMm = 6;
+constexpr double kMarginMm = 12;
+
+// The sheet at a scale with so many columns of panels; none when a plan does not fit its panel.
+std::optional<ComparisonSheet> SheetAt(const Comparison& comparison, v1::PaperSize paper, bool portrait, int scale,
+                                       int columns) {
+  ComparisonSheet made;
+  made.paper = EmptySheet(paper, portrait, scale);
+  const Box inner = Box{0, 0, made.paper.size_mm.width, made.paper.size_mm.height}.Grown(-kMarginMm);
+  const double list_mm = ChangeListHeight(comparison, inner.width());
+  made.foot_mm = {inner.x0, inner.y1 - kFootMm, inner.x1, inner.y1};
+  made.list_mm = {inner.x0, made.foot_mm.y0 - list_mm, inner.x1, made.foot_mm.y0};
+  made.paper.plan_mm = {inner.x0, inner.y0, inner.x1, made.list_mm.y0 - kGapMm / 2};
+  const int count = static_cast<int>(comparison.panels.size()), rows = (count + columns - 1) / columns;
+  const double width = (inner.width() - (columns - 1) * kGapMm) / columns;
+  const double height = (made.paper.plan_mm.height() - (rows - 1) * kGapMm) / rows;
+  for (int i = 0; i < count; ++i) {
+    Sheet panel = EmptySheet(paper, portrait, scale);
+    const double x = inner.x0 + (i % columns) * (width + kGapMm), y = inner.y0 + (i / columns) * (height + kGapMm);
+    panel.side_mm = {x, y, x + width, y + kCaptionMm};
+    panel.plan_mm = {x, y + kCaptionMm, x + width, y + height};
+    const Box needed = PaperNeeded(comparison.panels[i].plan, panel);
+    if (needed.width() > panel.plan_mm.width() || needed.height() > panel.plan_mm.height()) return std::nullopt;
+    const Point middle = needed.centre(), target = panel.plan_mm.centre();
+    panel.origin_mm = {target.x - middle.x, target.y - middle.y};
+    made.panels.push_back(panel);
+  }
+  return made;
+}
+
+std::optional<ComparisonSheet> BestAt(const Comparison& comparison, v1::PaperSize paper, int scale) {
+  const int count = static_cast<int>(comparison.panels.size());
+  // Side by side goes before one above the other, and landscape before portrait.
+  for (bool portrait : {false, true}) {
+    for (int columns = count; columns >= 1; --columns) {
+      if (columns != count && count % columns == 1) continue;  // nobody stands alone
+      if (auto sheet = SheetAt(comparison, paper, portrait, scale, columns); sheet.has_value()) return sheet;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// The way up and the rows of panels with which all plans are drawn largest, at the given or else at the largest common
+// scale. INVALID_ARGUMENT when they fit at none.
+absl::StatusOr<ComparisonSheet> ArrangeComparison(const Comparison& comparison, const v1::RenderOptions& options) {
+  const std::string_view paper = EmptySheet(options.paper(), false, 1000).paper;
+  if (options.has_scale_denominator()) {
+    auto sheet = BestAt(comparison, options.paper(), options.scale_denominator());
+    if (sheet.has_value()) return *std::move(sheet);
+    return absl::InvalidArgumentError(fmt::format("options.scale_denominator: {} plans do not fit {} at 1:{}",
+                                                  comparison.panels.size(), paper, options.scale_denominator()));
+  }
+  for (const int scale : CommonScales()) {
+    if (auto sheet = BestAt(comparison, options.paper(), scale); sheet.has_value()) return *std::move(sheet);
+  }
+  return absl::InvalidArgumentError(
+      fmt::format("beside: {} plans do not fit {} at any scale", comparison.panels.size(), paper));
+}
+
 namespace {
 
 // How far what is drawn steps back where something is marked.
@@ -96,35 +232,29 @@ struct Made {
 };
 
 absl::StatusOr<Made> Make(const v1::RenderRequest& request) {
-  absl::StatusOr<Comparison> comparison = ReadComparison(request);
-  if (!comparison.ok()) return comparison.status();
-  absl::StatusOr<ComparisonSheet> sheet = ArrangeComparison(*comparison, request.options());
-  if (!sheet.ok()) return sheet.status();
-  if (absl::Status status = CheckFonts(); !status.ok()) return status;
-  return Made{*std::move(comparison), *std::move(sheet)};
+  ASSIGN_OR_RETURN(Comparison comparison, ReadComparison(request));
+  ASSIGN_OR_RETURN(ComparisonSheet sheet, ArrangeComparison(comparison, request.options()));
+  RETURN_IF_ERROR(CheckFonts());
+  return Made{std::move(comparison), std::move(sheet)};
 }
 
 }  // namespace
 
 absl::StatusOr<DrawnPlan> DrawComparison(const v1::RenderRequest& request) {
-  const absl::StatusOr<Made> made = Make(request);
-  if (!made.ok()) return made.status();
-  const absl::StatusOr<double> px_per_mm = PixelsPerMm(made->sheet.paper, request.options());
-  if (!px_per_mm.ok()) return px_per_mm.status();
-  absl::StatusOr<Pixels> pixels =
-      DrawOnPixels(made->sheet.paper, *px_per_mm, [&](Canvas& canvas) { made->Draw(canvas); });
+  ASSIGN_OR_RETURN(const Made made, Make(request));
+  ASSIGN_OR_RETURN(const double px_per_mm, PixelsPerMm(made.sheet.paper, request.options()));
+  absl::StatusOr<Pixels> pixels = DrawOnPixels(made.sheet.paper, px_per_mm, [&](Canvas& canvas) { made.Draw(canvas); });
   if (!pixels.ok()) return pixels.status();
   return DrawnPlan{.pixels = *std::move(pixels),
-                   .title = made->comparison.title,
-                   .scale = made->sheet.paper.scale,
-                   .paper = made->sheet.paper.paper};
+                   .title = made.comparison.title,
+                   .scale = made.sheet.paper.scale,
+                   .paper = made.sheet.paper.paper};
 }
 
 absl::StatusOr<std::string> DrawComparisonDocument(const v1::RenderRequest& request, const DrawingMetadata& metadata) {
-  const absl::StatusOr<Made> made = Make(request);
-  if (!made.ok()) return made.status();
-  return DrawInDocument(made->sheet.paper, made->comparison.title, request.options(), metadata,
-                        [&](Canvas& canvas) { made->Draw(canvas); });
+  ASSIGN_OR_RETURN(const Made made, Make(request));
+  return DrawInDocument(made.sheet.paper, made.comparison.title, request.options(), metadata,
+                        [&](Canvas& canvas) { made.Draw(canvas); });
 }
 
 }  // namespace flair::renderer

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plans of several layouts on one sheet, at one scale, with what became of each object. Pure: the same request gives
-// the same bytes. Thread-safe. Errors as draw_plan.h; those of other layouts begin with "beside[i].".
 #pragma once
 
 #include <string>
@@ -10,6 +8,9 @@
 #include "renderer_worker/drawing/draw_plan.h"
 
 namespace flair::renderer {
+
+// Plans of several layouts on one sheet, at one scale, with what became of each object. Pure: the same request gives
+// the same bytes. Thread-safe. Errors as draw_plan.h; those of other layouts begin with "beside[i].".
 
 // As DrawPlan; `labels` stays empty.
 absl::StatusOr<DrawnPlan> DrawComparison(const v1::RenderRequest& request);

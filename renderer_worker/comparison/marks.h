@@ -21,4 +21,10 @@ void DrawMarks(Canvas& canvas, const ComparisonPanel& panel, const Sheet& sheet)
 // A small picture of the mark, for the legend.
 void DrawMarkSign(Canvas& canvas, ChangeKind kind, const Box& box);
 
+// The numbers of changes, each at its object, and the names of other things where there is room in them.
+void DrawNames(Canvas& canvas, const ComparisonPanel& panel, const Sheet& sheet);
+
+// The number of a change as it stands in the plan and in the list.
+void DrawChangeNumber(Canvas& canvas, const PlanChange& change, Point centre_mm);
+
 }  // namespace flair::renderer

@@ -1,16 +1,149 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/contact_sheet/contact_sheet.h"
 
+#include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
 #include <new>
 #include <utility>
 
-#include "renderer_worker/contact_sheet/sheet_band.h"
+#include "absl/status/status.h"
+#include "renderer_worker/drawing/canvas.h"
+#include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/drawing/text.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
+
+// A strip of white pixels to draw on, one unit a pixel, origin at its upper left corner.
+class SheetBand {
+ public:
+  SheetBand(int width_px, int height_px);
+
+  // RESOURCE_EXHAUSTED when something of it could not be had.
+  absl::Status status() const;
+  Canvas& canvas() { return *canvas_; }
+  // With the upper left corner there.
+  void Put(const Pixels& picture, int left_px, int top_px);
+  // Below what `pixels` holds already; it must have the room.
+  void AppendTo(Pixels& pixels) const;
+
+ private:
+  struct Free {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+  };
+  std::unique_ptr<cairo_surface_t, Free> surface_;
+  std::unique_ptr<cairo_t, Free> cairo_;
+  std::unique_ptr<Canvas> canvas_;
+};
+
+namespace {
+
+constexpr int kDefaultTilePx = 480;
+constexpr int kLeastTilePx = 64;
+constexpr int kReadableRemarkTilePx = 110;
+constexpr double kSheetAspect = 4.0 / 3;
+
+SheetGrid GridOf(int tile_count, int tile_px, bool has_heading) {
+  SheetGrid grid;
+  grid.tile_count = tile_count;
+  grid.tile_px = tile_px;
+  grid.gap_px = std::max(6, tile_px / 16);
+  grid.caption_px = std::clamp(static_cast<int>(std::lround(tile_px * 0.085)), 13, 34);
+  grid.remark_lines = tile_px < kReadableRemarkTilePx ? 0 : 2;
+  grid.remark_px = std::clamp(static_cast<int>(std::lround(tile_px * 0.06)), 11, 24);
+  grid.heading_px = has_heading ? std::clamp(tile_px / 5, 28, 84) : 0;
+  // As wide for its height as wished.
+  const double cells = std::sqrt(tile_count * kSheetAspect * grid.cell_height_px() / grid.cell_width_px());
+  const int most = std::max(1, (kLargestSheetPx - grid.gap_px) / grid.cell_width_px());
+  grid.column_count = std::clamp(static_cast<int>(std::lround(cells)), 1, std::min(most, tile_count));
+  const auto rows = [&] { return (tile_count + grid.column_count - 1) / grid.column_count; };
+  grid.row_count = rows();
+  // Tall cells may overflow below while there is room to the right.
+  while (grid.height_px() > kLargestSheetPx && grid.width_px() + grid.cell_width_px() <= kLargestSheetPx) {
+    ++grid.column_count;
+    grid.row_count = rows();
+  }
+  return grid;
+}
+
+bool Fits(const SheetGrid& grid) { return grid.width_px() <= kLargestSheetPx && grid.height_px() <= kLargestSheetPx; }
+
+}  // namespace
+
+absl::StatusOr<SheetGrid> ArrangeSheet(int tile_count, std::optional<int> tile_px, bool has_heading) {
+  if (tile_px) {
+    const SheetGrid grid = GridOf(tile_count, *tile_px, has_heading);
+    if (Fits(grid)) return grid;
+  }
+  int largest = kDefaultTilePx;
+  if (tile_px) largest = *tile_px - 1;
+  for (; largest >= kLeastTilePx; --largest) {
+    const SheetGrid grid = GridOf(tile_count, largest, has_heading);
+    if (!Fits(grid)) continue;
+    if (!tile_px) return grid;
+    return absl::InvalidArgumentError(
+        fmt::format("options.tile_px: {} tiles of {} px make a sheet larger than {} px; at most {}", tile_count,
+                    *tile_px, kLargestSheetPx, largest));
+  }
+  return absl::InvalidArgumentError(fmt::format("options.tile_count: {} tiles do not fit a sheet of {} x {} px",
+                                                tile_count, kLargestSheetPx, kLargestSheetPx));
+}
+
+SheetBand::SheetBand(int width_px, int height_px)
+    : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_px, height_px)),
+      cairo_(cairo_create(surface_.get())),
+      canvas_(std::make_unique<Canvas>(cairo_.get())) {
+  cairo_set_source_rgb(cairo_.get(), 1, 1, 1);
+  cairo_paint(cairo_.get());
+}
+
+absl::Status SheetBand::status() const {
+  if (cairo_surface_status(surface_.get()) == CAIRO_STATUS_SUCCESS &&
+      cairo_status(cairo_.get()) == CAIRO_STATUS_SUCCESS)
+    return absl::OkStatus();
+  return absl::ResourceExhaustedError("no memory for the contact sheet; ask for smaller tiles");
+}
+
+void SheetBand::Put(const Pixels& picture, int left_px, int top_px) {
+  cairo_surface_flush(surface_.get());
+  unsigned char* rows = cairo_image_surface_get_data(surface_.get());
+  if (rows == nullptr) return;
+  const int stride = cairo_image_surface_get_stride(surface_.get());
+  for (int y = 0; y < picture.height_px; ++y) {
+    const uint8_t* from = picture.rgb.data() + static_cast<size_t>(y) * static_cast<size_t>(picture.width_px) * 3;
+    unsigned char* to = rows + static_cast<ptrdiff_t>(top_px + y) * stride + static_cast<ptrdiff_t>(left_px) * 4;
+    for (int x = 0; x < picture.width_px; ++x, from += 3, to += 4) {
+      const uint32_t pixel = uint32_t{from[0]} << 16 | uint32_t{from[1]} << 8 | from[2];
+      std::memcpy(to, &pixel, 4);
+    }
+  }
+  cairo_surface_mark_dirty(surface_.get());
+}
+
+void SheetBand::AppendTo(Pixels& pixels) const {
+  cairo_surface_flush(surface_.get());
+  const unsigned char* rows = cairo_image_surface_get_data(surface_.get());
+  const int stride = cairo_image_surface_get_stride(surface_.get());
+  const int width = cairo_image_surface_get_width(surface_.get());
+  const int height = cairo_image_surface_get_height(surface_.get());
+  for (int y = 0; y < height; ++y) {
+    const unsigned char* from = rows + static_cast<ptrdiff_t>(y) * stride;
+    for (int x = 0; x < width; ++x, from += 4) {
+      uint32_t pixel = 0;
+      std::memcpy(&pixel, from, 4);
+      for (const int shift : {16, 8, 0}) pixels.rgb.push_back(static_cast<uint8_t>(pixel >> shift));
+    }
+  }
+  pixels.width_px = width;
+  pixels.height_px += height;
+}
+
 namespace {
 
 const Rgb kInk = Hex(0x2B2926);
@@ -50,7 +183,7 @@ absl::StatusOr<std::unique_ptr<ContactSheet>> ContactSheet::Make(const SheetGrid
     return absl::ResourceExhaustedError("no memory for the contact sheet; ask for smaller tiles");
   }
   SheetBand heading(grid.width_px(), grid.gap_px + grid.heading_px);
-  if (absl::Status status = heading.status(); !status.ok()) return status;
+  RETURN_IF_ERROR(heading.status());
   if (grid.heading_px > 0) DrawHeading(heading, grid, title);
   heading.AppendTo(sheet->pixels_);
   return sheet;
@@ -60,9 +193,9 @@ absl::StatusOr<std::unique_ptr<ContactSheet>> ContactSheet::Make(const SheetGrid
 absl::Status ContactSheet::Next(const TileText& text) {
   const int column = added_count_ % grid_.column_count;
   if (column == 0) {
-    if (absl::Status status = EndBand(); !status.ok()) return status;
+    RETURN_IF_ERROR(EndBand());
     band_ = std::make_unique<SheetBand>(grid_.width_px(), grid_.cell_height_px());
-    if (absl::Status status = band_->status(); !status.ok()) return status;
+    RETURN_IF_ERROR(band_->status());
   }
   ++added_count_;
   const double left = grid_.gap_px + column * grid_.cell_width_px();
@@ -88,7 +221,7 @@ absl::Status ContactSheet::Add(const Pixels& picture, const TileText& text) {
     return absl::InternalError(fmt::format("a tile of {} px for a place of {} px",
                                            std::max(picture.width_px, picture.height_px), grid_.tile_px));
   const int column = added_count_ % grid_.column_count;
-  if (absl::Status status = Next(text); !status.ok()) return status;
+  RETURN_IF_ERROR(Next(text));
   band_->Put(picture, grid_.gap_px + column * grid_.cell_width_px() + (grid_.tile_px - picture.width_px) / 2,
              (grid_.tile_px - picture.height_px) / 2);
   return absl::OkStatus();
@@ -96,7 +229,7 @@ absl::Status ContactSheet::Add(const Pixels& picture, const TileText& text) {
 
 absl::Status ContactSheet::AddBroken(const std::string& reason, const TileText& text) {
   const double left = grid_.gap_px + added_count_ % grid_.column_count * grid_.cell_width_px();
-  if (absl::Status status = Next(text); !status.ok()) return status;
+  RETURN_IF_ERROR(Next(text));
   const double width = grid_.tile_px;
   Canvas& canvas = band_->canvas();
   canvas.Rectangle({left + 1, 1, left + width - 1, width - 1}, width * 0.03);
@@ -121,7 +254,7 @@ absl::Status ContactSheet::EndBand() {
 }
 
 absl::StatusOr<Pixels> ContactSheet::Finish() {
-  if (absl::Status status = EndBand(); !status.ok()) return status;
+  RETURN_IF_ERROR(EndBand());
   return std::move(pixels_);
 }
 

@@ -47,14 +47,6 @@ void Canvas::Line(Point from, Point to) {
   LineTo(to);
 }
 
-void Canvas::Polyline(std::initializer_list<Point> points) {
-  bool first = true;
-  for (Point point : points) {
-    first ? MoveTo(point) : LineTo(point);
-    first = false;
-  }
-}
-
 void Canvas::Polygon(std::span<const Point> points) {
   if (points.empty()) return;
   MoveTo(points.front());

@@ -14,7 +14,7 @@ namespace flair::renderer {
 
 class Lettering;
 
-enum class Dash { kSolid, kDashed, kDotted };
+enum class Dash { kSolid, kDashed };
 
 // How a path is drawn along: widths and dashes are in millimetres of paper whatever the frame.
 struct Stroke {
@@ -48,7 +48,6 @@ class Canvas {
   void Arc(Point centre, double radius, double from_rad, double to_rad);
   void Close();
   void Line(Point from, Point to);
-  void Polyline(std::initializer_list<Point> points);
   void Polygon(std::span<const Point> points);
   void Rectangle(const Box& box, double radius = 0);
   void Ellipse(Point centre, double radius_x, double radius_y);

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "renderer_worker/drawing/draw_plan.h"
-#include "renderer_worker/drawing/on_surface.h"
+#include "renderer_worker/drawing/lettering.h"
 #include "renderer_worker/drawing/plan_sheet.h"
-#include "renderer_worker/drawing/surface.h"
 #include "renderer_worker/drawing/text.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -142,19 +142,18 @@ absl::StatusOr<std::string> DrawInDocument(const Sheet& sheet, const std::string
     Canvas canvas(cairo.get());
     draw(canvas);
     cairo_show_page(cairo.get());
-    if (absl::Status status = StatusOf(cairo_status(cairo.get())); !status.ok()) return status;
+    RETURN_IF_ERROR(StatusOf(cairo_status(cairo.get())));
   }
   cairo_surface_finish(surface.get());
-  if (absl::Status status = StatusOf(cairo_surface_status(surface.get())); !status.ok()) return status;
+  RETURN_IF_ERROR(StatusOf(cairo_surface_status(surface.get())));
   return svg ? WithMetadata(std::move(file), about) : file;
 }
 
 absl::StatusOr<std::string> DrawPlanDocument(const v1::SolvedLayout& layout, const v1::RenderOptions& options,
                                              const DrawingMetadata& metadata) {
-  const absl::StatusOr<PlanSheet> made = MakePlanSheet(layout, options);
-  if (!made.ok()) return made.status();
-  return DrawInDocument(made->sheet, made->plan.title, options, metadata,
-                        [&](Canvas& canvas) { DrawSheet(canvas, made->plan, made->sheet); });
+  ASSIGN_OR_RETURN(const PlanSheet made, MakePlanSheet(layout, options));
+  return DrawInDocument(made.sheet, made.plan.title, options, metadata,
+                        [&](Canvas& canvas) { DrawSheet(canvas, made.plan, made.sheet); });
 }
 
 }  // namespace flair::renderer

@@ -6,11 +6,58 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer_worker/drawing/on_surface.h"
+#include "renderer_worker/drawing/layers.h"
+#include "renderer_worker/drawing/lettering.h"
 #include "renderer_worker/drawing/plan_sheet.h"
-#include "renderer_worker/drawing/surface.h"
+#include "renderer_worker/drawing/text.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
+namespace {
+
+void DrawFrame(Canvas& canvas, const Sheet& sheet) {
+  canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
+  canvas.Fill(Hex(0xFFFFFF));
+  canvas.Rectangle(Box{0, 0, sheet.size_mm.width, sheet.size_mm.height}.Grown(-6));
+  canvas.Draw({Hex(0x8A8379), 0.25});
+}
+
+}  // namespace
+
+absl::StatusOr<PlanSheet> MakePlanSheet(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
+  ASSIGN_OR_RETURN(const PlanLayers layers, LayersOf(options));
+  ASSIGN_OR_RETURN(Plan plan, ReadPlan(layout, layers));
+  ASSIGN_OR_RETURN(const Sheet sheet, ChooseSheet(plan, options));
+  RETURN_IF_ERROR(CheckFonts());
+  return PlanSheet{std::move(plan), sheet};
+}
+
+void DrawRoom(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  DrawFloor(canvas, plan, sheet);
+  if (plan.layers.zones) DrawZones(canvas, plan, sheet);
+  DrawRugs(canvas, plan, sheet);
+  if (plan.layers.circulation) DrawRoutes(canvas, plan, sheet);
+  DrawFurniture(canvas, plan, sheet);
+  DrawWalls(canvas, plan, sheet);
+  DrawOpenings(canvas, plan, sheet);
+  DrawSockets(canvas, plan, sheet);
+  DrawMounted(canvas, plan, sheet);
+}
+
+std::vector<PlacedLabel> DrawSheet(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  DrawFrame(canvas, sheet);
+  canvas.Rectangle(sheet.plan_mm.Grown(4));
+  canvas.Clip();
+  DrawRoom(canvas, plan, sheet);
+  DrawBlocked(canvas, plan, sheet);
+  if (plan.layers.constraints) DrawConstraints(canvas, plan, sheet);
+  DrawDimensions(canvas, plan, sheet);
+  std::vector<PlacedLabel> labels = DrawLabels(canvas, plan, sheet);
+  canvas.Unclip();
+  DrawSidePanel(canvas, plan, sheet);
+  return labels;
+}
+
 namespace {
 
 constexpr double kMmPerInch = 25.4;
@@ -92,14 +139,13 @@ absl::StatusOr<double> PixelsPerMm(const Sheet& sheet, const v1::RenderOptions& 
 }
 
 absl::StatusOr<Pixels> DrawOnPixels(int width_px, int height_px, double px_per_mm, const Drawing& draw) {
-  const absl::StatusOr<SurfacePtr> surface = MakeImage(width_px, height_px);
-  if (!surface.ok()) return surface.status();
-  const CairoPtr cairo(cairo_create(surface->get()));
+  ASSIGN_OR_RETURN(const SurfacePtr surface, MakeImage(width_px, height_px));
+  const CairoPtr cairo(cairo_create(surface.get()));
   cairo_scale(cairo.get(), px_per_mm, px_per_mm);
   Canvas canvas(cairo.get());
   draw(canvas);
-  if (absl::Status status = StatusOf(cairo_status(cairo.get())); !status.ok()) return status;
-  return ReadPixels(surface->get());
+  RETURN_IF_ERROR(StatusOf(cairo_status(cairo.get())));
+  return ReadPixels(surface.get());
 }
 
 absl::StatusOr<Pixels> DrawOnPixels(const Sheet& sheet, double px_per_mm, const Drawing& draw) {
@@ -108,17 +154,15 @@ absl::StatusOr<Pixels> DrawOnPixels(const Sheet& sheet, double px_per_mm, const 
 }
 
 absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
-  const absl::StatusOr<PlanSheet> made = MakePlanSheet(layout, options);
-  if (!made.ok()) return made.status();
-  const Sheet& sheet = made->sheet;
-  const absl::StatusOr<double> px_per_mm = PixelsPerMm(sheet, options);
-  if (!px_per_mm.ok()) return px_per_mm.status();
+  ASSIGN_OR_RETURN(const PlanSheet made, MakePlanSheet(layout, options));
+  const Sheet& sheet = made.sheet;
+  ASSIGN_OR_RETURN(const double px_per_mm, PixelsPerMm(sheet, options));
   DrawnPlan drawn;
   absl::StatusOr<Pixels> pixels =
-      DrawOnPixels(sheet, *px_per_mm, [&](Canvas& canvas) { drawn.labels = DrawSheet(canvas, made->plan, sheet); });
+      DrawOnPixels(sheet, px_per_mm, [&](Canvas& canvas) { drawn.labels = DrawSheet(canvas, made.plan, sheet); });
   if (!pixels.ok()) return pixels.status();
   drawn.pixels = *std::move(pixels);
-  drawn.title = made->plan.title;
+  drawn.title = made.plan.title;
   drawn.scale = sheet.scale;
   drawn.paper = sheet.paper;
   return drawn;
@@ -129,15 +173,14 @@ absl::StatusOr<Pixels> DrawPlanTile(const v1::SolvedLayout& layout, int width_px
     return absl::InvalidArgumentError(
         fmt::format("tile: {} x {} px; sides must be in [16, 4096]", width_px, height_px));
   }
-  const absl::StatusOr<Plan> plan = ReadPlan(layout, {.dimensions = false});
-  if (!plan.ok()) return plan.status();
+  ASSIGN_OR_RETURN(const Plan plan, ReadPlan(layout, {.dimensions = false}));
   // As if printed 110 mm wide: line weights are millimetres.
   const double px_per_mm = std::max(width_px, height_px) / 110.0;
-  const Sheet sheet = TileSheet(*plan, {width_px / px_per_mm, height_px / px_per_mm});
+  const Sheet sheet = TileSheet(plan, {width_px / px_per_mm, height_px / px_per_mm});
   return DrawOnPixels(width_px, height_px, px_per_mm, [&](Canvas& canvas) {
     canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
     canvas.Fill(Hex(0xFFFFFF));
-    DrawRoom(canvas, *plan, sheet);
+    DrawRoom(canvas, plan, sheet);
   });
 }
 

@@ -11,10 +11,11 @@
 #include "flair/v1/renderer_service.pb.h"
 #include "renderer_worker/drawing/labels.h"
 
+namespace flair::renderer {
+
 // Plans of layouts: one geometry, drawn by the same commands as pixels, SVG and PDF. Pure: the same bytes for the same
 // layout and options. Thread-safe. Errors of all: INVALID_ARGUMENT names the field that cannot be drawn,
 // RESOURCE_EXHAUSTED when there is no memory for the picture, FAILED_PRECONDITION when no font is installed.
-namespace flair::renderer {
 
 // 8-bit RGB, rows from the top, no padding.
 struct Pixels {

@@ -8,7 +8,7 @@
 
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/drawing/plan.h"
-#include "renderer_worker/drawing/testdata/read_geometry.h"
+#include "renderer_worker/drawing/testing/read_geometry.h"
 
 namespace flair::renderer {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "renderer_worker/drawing/clearances.h"
+#include "renderer_worker/drawing/dimensions.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/text.h"
 
@@ -83,7 +83,7 @@ class LabelLayer {
     item.theta_rad = object.theta_rad;
     item.half_width_mm = object.width_m / 2 * sheet_.mm_per_m();
     item.half_depth_mm = object.depth_m / 2 * sheet_.mm_per_m();
-    item.ellipse = object.symbol->outline == Outline::kEllipse;
+    item.ellipse = object.shown_as->outline() == FurnitureClass::ELLIPSE;
     item.badge_mm = BadgeSize(object.key + 1);
     std::vector<Form> forms;
     if (object.walk_over) item.shyness = 10;

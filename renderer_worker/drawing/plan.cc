@@ -8,9 +8,42 @@
 #include <map>
 #include <numbers>
 
-#include "renderer_worker/drawing/symbols/symbol_table.h"
+#include "renderer_worker/furniture/classes.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
+
+absl::StatusOr<PlanLayers> LayersOf(const v1::RenderOptions& options) {
+  if (options.layers().empty()) return PlanLayers{};
+  PlanLayers layers{false, false, false, false, false, false};
+  for (int i = 0; i < options.layers_size(); ++i) {
+    switch (options.layers(i)) {
+      case v1::PLAN_LAYER_FLOOR_PIECES:
+        layers.floor_pieces = true;
+        break;
+      case v1::PLAN_LAYER_TERTIARY:
+        layers.tertiary = true;
+        break;
+      case v1::PLAN_LAYER_ZONES:
+        layers.zones = true;
+        break;
+      case v1::PLAN_LAYER_DIMENSIONS:
+        layers.dimensions = true;
+        break;
+      case v1::PLAN_LAYER_CONSTRAINTS:
+        layers.constraints = true;
+        break;
+      case v1::PLAN_LAYER_CIRCULATION:
+        layers.circulation = true;
+        break;
+      default:
+        return absl::InvalidArgumentError(
+            fmt::format("options.layers[{}]: {} is no layer", i, static_cast<int>(options.layers(i))));
+    }
+  }
+  return layers;
+}
+
 namespace {
 
 absl::Status Invalid(const std::string& message) { return absl::InvalidArgumentError(message); }
@@ -198,10 +231,10 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
     PlanObject read;
     read.id = object.id();
     read.name = object.name();
-    read.symbol = SymbolFor(object);
+    read.shown_as = &ClassNamed(ClassOf(object));
     const auto style = styles.find(object.id());
     const bool coloured = style != styles.end() && style->second->has_colour();
-    read.ink.fill = SoftenForPrint(coloured ? FromProto(style->second->colour()) : Hex(read.symbol->default_colour));
+    read.ink.fill = SoftenForPrint(coloured ? FromProto(style->second->colour()) : Hex(read.shown_as->plan_colour()));
     read.ink.line = LineColourFor(read.ink.fill);
     read.kind = object.kind();
     read.walk_over = object.walk_over();
@@ -210,8 +243,8 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
     read.width_m = object.width_m();
     read.depth_m = object.depth_m();
     read.top_m = pose.z_m() + object.height_m();
-    read.level_m =
-        read.symbol->level_m > 0 && object.kind() == v1::OBJECT_KIND_FLOOR ? read.symbol->level_m : read.top_m;
+    const double level_m = read.shown_as->plan_level_m();
+    read.level_m = level_m > 0 && object.kind() == v1::OBJECT_KIND_FLOOR ? level_m : read.top_m;
     int zone = -1;
     for (int z = 0; z < graph.zone_plan().zones_size(); ++z) {
       if (!object.zone_id().empty() && graph.zone_plan().zones(z).id() == object.zone_id()) zone = z;
@@ -244,13 +277,13 @@ absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout, const PlanLayers& 
   plan.title = room.title().empty() ? (room.room_type().empty() ? "Room" : room.room_type()) : room.title();
   plan.height_m = std::isfinite(room.height_m()) ? room.height_m() : 0;
   ReadStyle(layout.graph().style_sheet(), plan);
-  if (absl::Status status = ReadFloor(room, plan); !status.ok()) return status;
-  if (absl::Status status = ReadOpenings(room, plan); !status.ok()) return status;
-  if (absl::Status status = ReadZones(layout, plan); !status.ok()) return status;
-  if (absl::Status status = ReadObjects(layout, plan); !status.ok()) return status;
+  RETURN_IF_ERROR(ReadFloor(room, plan));
+  RETURN_IF_ERROR(ReadOpenings(room, plan));
+  RETURN_IF_ERROR(ReadZones(layout, plan));
+  RETURN_IF_ERROR(ReadObjects(layout, plan));
   if (layers.constraints) ReadEdges(layout, plan);
   if (layers.circulation) {
-    if (absl::Status status = ReadRoutes(layout, plan); !status.ok()) return status;
+    RETURN_IF_ERROR(ReadRoutes(layout, plan));
   }
   return plan;
 }

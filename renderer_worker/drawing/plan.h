@@ -5,12 +5,26 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "flair/v1/renderer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "renderer_worker/drawing/box.h"
-#include "renderer_worker/drawing/plan_layers.h"
 #include "renderer_worker/drawing/symbols/symbol.h"
+#include "renderer_worker/furniture/furniture.pb.h"
 
 namespace flair::renderer {
+
+// What is drawn beside walls and openings; as it is when nothing is asked for.
+struct PlanLayers {
+  bool floor_pieces = true;
+  bool tertiary = true;
+  bool zones = true;
+  bool dimensions = true;
+  bool constraints = false;
+  bool circulation = false;
+};
+
+// The layers of the options; INVALID_ARGUMENT for one that does not exist.
+absl::StatusOr<PlanLayers> LayersOf(const v1::RenderOptions& options);
 
 // What a plan shows, free of messages: everything resolved, every number finite. Room frame R, metres and radians.
 struct PlanWall {
@@ -45,7 +59,7 @@ struct PlanZone {
 struct PlanObject {
   std::string id;
   std::string name;
-  const Symbol* symbol = nullptr;
+  const FurnitureClass* shown_as = nullptr;
   Ink ink;
   v1::ObjectKind kind = v1::OBJECT_KIND_FLOOR;
   bool walk_over = false;

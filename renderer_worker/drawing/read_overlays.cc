@@ -10,6 +10,7 @@
 #include "evaluation/metrics/routes.h"
 #include "renderer_worker/drawing/plan.h"
 #include "room/conversion/conversion.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -129,11 +130,9 @@ void ReadEdges(const v1::SolvedLayout& layout, Plan& plan) {
 }
 
 absl::Status ReadRoutes(const v1::SolvedLayout& layout, Plan& plan) {
-  const absl::StatusOr<Scene> scene = SceneFromProto(layout.graph());
-  if (!scene.ok()) return scene.status();
-  const absl::StatusOr<PartialLayout> partial = PosesFromPlacements(*scene, layout.placements());
-  if (!partial.ok()) return partial.status();
-  const evaluation::Routes routes = evaluation::FindRoutes({*scene, partial->layout, partial->placed});
+  ASSIGN_OR_RETURN(const Scene scene, SceneFromProto(layout.graph()));
+  ASSIGN_OR_RETURN(const PartialLayout partial, PosesFromPlacements(scene, layout.placements()));
+  const evaluation::Routes routes = evaluation::FindRoutes({scene, partial.layout, partial.placed});
   for (const evaluation::Route& route : routes.routes) {
     std::vector<Point>& points = plan.routes_m.emplace_back();
     for (const Vec2<double>& point : route.points) points.push_back({point.x, point.y});

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "renderer_worker/drawing/dimension_layout.h"
+#include "renderer_worker/drawing/dimensions.h"
 
 namespace flair::renderer {
 namespace {

@@ -3,7 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Bathrooms and pools.
 namespace flair::renderer {
@@ -67,8 +68,6 @@ void Mixer(Piece& p, Vec3 at, float size, Vec3 towards) {
   p.make.Bar(stuff::Steel(), at + Vec3{0, 0, 0.65F * size}, at + towards * (-0.3F * size) + Vec3{0, 0, 1.05F * size},
              0.6F * r, 8);
 }
-
-}  // namespace
 
 void MakeBath(Piece& p) {
   const float tap = std::min(0.12F, 0.2F * p.h), top = p.h - tap;
@@ -181,6 +180,14 @@ void MakeBasin(Piece& p) {
       },
       0.004F);
   Mixer(p, {0, -0.36F * p.d, top - 0.002F}, tap, {0, 1, 0});
+}
+
+}  // namespace
+
+std::span<const PieceMaker> BathroomMakers() {
+  static constexpr PieceMaker kMakers[] = {
+      {"bath", MakeBath}, {"pool", MakePool}, {"shower", MakeShower}, {"toilet", MakeToilet}, {"basin", MakeBasin}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

@@ -3,7 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/furniture/piece.h"
 
 // What one sleeps in, for a night or for good. Heads are at the back.
 namespace flair::renderer {
@@ -34,8 +35,9 @@ void MakeBedding(Piece& p, const Bedding& b, bool several_pillows) {
               wide = std::min(0.72F, 0.88F * pitch);
   for (int i = 0; i < count; ++i) {
     const float x = b.left + pitch * (0.5F + static_cast<float>(i));
-    p.make.In(Frame::TurnedX({x, b.back + 0.03F * depth, b.top - 0.1F * thick}, 0.22F),
-              [&] { p.make.Pillow(p.is.pale, {-wide / 2, 0, 0}, {wide / 2, size, 0.42F * size}); });
+    p.make.In(Frame::TurnedX({x, b.back + 0.03F * depth, b.top - 0.1F * thick}, 0.22F), [&] {
+      p.make.Pillow(p.is.pale, {-wide / 2, 0, 0}, {wide / 2, size, 0.42F * size});
+    });
   }
 }
 
@@ -71,8 +73,6 @@ void Canopy(Piece& p, float post) {
     }
   }
 }
-
-}  // namespace
 
 void MakeBed(Piece& p) {
   const bool canopy = p.h > 1.5F || p.Says("canopy") || p.Says("four-poster") || p.Says("four poster");
@@ -208,6 +208,14 @@ void MakeCoffin(Piece& p) {
       }
     }
   });
+}
+
+}  // namespace
+
+std::span<const PieceMaker> BedMakers() {
+  static constexpr PieceMaker kMakers[] = {
+      {"bed", MakeBed}, {"bunk_bed", MakeBunkBed}, {"cot", MakeCot}, {"coffin", MakeCoffin}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

@@ -3,7 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Chairs, stools and benches.
 namespace flair::renderer {
@@ -36,8 +37,6 @@ void Posts(Piece& p, float seat, float leg, float top) {
                  {0.75F * leg, 0.75F * leg});
   }
 }
-
-}  // namespace
 
 void MakeChair(Piece& p) {
   const float seat = SeatHeight(p), leg = std::min(0.019F, 0.06F * p.smaller()), above = p.h - seat;
@@ -220,6 +219,18 @@ void MakeThrone(Piece& p) {
     p.make.Ellipsoid(p.is.metal, {x, p.d / 2 - post, seat + 0.34F * above}, {post, post, post}, 12, 6);
   }
   p.make.Ellipsoid(p.is.metal, {0, -0.4F * p.d, p.h - 0.04F * above}, {0.06F * p.w, 0.04F * p.d, 0.06F * above}, 12, 8);
+}
+
+}  // namespace
+
+std::span<const PieceMaker> ChairMakers() {
+  static constexpr PieceMaker kMakers[] = {{"chair", MakeChair},
+                                           {"office_chair", MakeOfficeChair},
+                                           {"rocking_chair", MakeRockingChair},
+                                           {"stool", MakeStool},
+                                           {"bench", MakeBench},
+                                           {"throne", MakeThrone}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

@@ -3,12 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // What things are put into or hung on.
 namespace flair::renderer {
-namespace {}  // namespace
-
+namespace {
 void MakeTrunk(Piece& p) {
   const float body = 0.62F * p.h, strap = std::min(0.04F, 0.06F * p.w), y = p.d / 2 - 0.015F * p.d;
   p.make.Box(p.is.hard, {-0.49F * p.w, -y, 0}, {0.49F * p.w, y, body}, 0.008F);
@@ -212,6 +211,20 @@ void MakeFoldingScreen(Piece& p) {
       p.make.Box(p.is.pale, {rail, -0.3F * half, low}, {length - rail, 0.3F * half, p.h - 0.5F * rail}, 0);
     });
   }
+}
+
+}  // namespace
+
+std::span<const PieceMaker> ContainerMakers() {
+  static constexpr PieceMaker kMakers[] = {{"trunk", MakeTrunk},
+                                           {"barrel", MakeBarrel},
+                                           {"basket", MakeBasket},
+                                           {"coat_stand", MakeCoatStand},
+                                           {"garment_rack", MakeGarmentRack},
+                                           {"rack", MakeRack},
+                                           {"ladder", MakeLadder},
+                                           {"folding_screen", MakeFoldingScreen}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

@@ -3,12 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // What one makes things with.
 namespace flair::renderer {
-namespace {}  // namespace
-
+namespace {
 void MakeEasel(Piece& p) {
   const float r = std::min(0.02F, 0.04F * p.w), tilt = std::atan2(0.5F * p.d, p.h);
   for (const float side : {-1.0F, 1.0F}) {
@@ -229,6 +228,16 @@ void MakeGlobe(Piece& p) {
                   36);
     });
   }
+}
+
+}  // namespace
+
+std::span<const PieceMaker> CraftMakers() {
+  static constexpr PieceMaker kMakers[] = {{"easel", MakeEasel},         {"sewing_machine", MakeSewingMachine},
+                                           {"mannequin", MakeMannequin}, {"ironing_board", MakeIroningBoard},
+                                           {"loom", MakeLoom},           {"spinning_wheel", MakeSpinningWheel},
+                                           {"telescope", MakeTelescope}, {"globe", MakeGlobe}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

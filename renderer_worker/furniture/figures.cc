@@ -3,12 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Figures and toys.
 namespace flair::renderer {
-namespace {}  // namespace
-
+namespace {
 void MakeOrb(Piece& p) {
   const float stand = p.Says("ball") && !p.Says("crystal") ? 0 : 0.16F * p.h,
               r = std::min(0.5F * p.smaller(), 0.5F * (p.h - stand));
@@ -140,6 +139,14 @@ void MakeTent(Piece& p) {
       },
       0.008F);
   p.make.Cushion(p.is.pale, {-0.26F * p.w, -0.26F * p.d, 0}, {0.26F * p.w, 0.2F * p.d, 0.06F * p.h}, 0.04F);
+}
+
+}  // namespace
+
+std::span<const PieceMaker> FigureMakers() {
+  static constexpr PieceMaker kMakers[] = {
+      {"orb", MakeOrb}, {"statue", MakeStatue}, {"toy", MakeToy}, {"tent", MakeTent}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

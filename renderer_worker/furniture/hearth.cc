@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Fire and water, carts and small things, and the box that everything else is shown as.
 namespace flair::renderer {
@@ -12,10 +12,11 @@ namespace {
 void Fire(Piece& p, Vec3 at, float size, float intensity_cd) {
   const Material bark = BaseMaterialOf("bark").look;
   for (int i = 0; i < 3; ++i) {
-    p.make.In(
-        Frame::TurnedZ(at + Vec3{0, 0, 0.16F * size * static_cast<float>(i == 2)},
-                       i == 2 ? 0.3F : 1.2F * static_cast<float>(i) - 0.6F),
-        [&] { p.make.Bar(bark, {-0.6F * size, 0, 0.12F * size}, {0.6F * size, 0, 0.12F * size}, 0.11F * size, 9); });
+    p.make.In(Frame::TurnedZ(at + Vec3{0, 0, 0.16F * size * static_cast<float>(i == 2)},
+                             i == 2 ? 0.3F : 1.2F * static_cast<float>(i) - 0.6F),
+              [&] {
+                p.make.Bar(bark, {-0.6F * size, 0, 0.12F * size}, {0.6F * size, 0, 0.12F * size}, 0.11F * size, 9);
+              });
   }
   p.Flame(at + Vec3{0, 0, 0.2F * size}, 1.0F * size, intensity_cd);
   for (const float x : {-0.34F, 0.34F})
@@ -23,8 +24,6 @@ void Fire(Piece& p, Vec3 at, float size, float intensity_cd) {
         stuff::FlameStuff(), at + Vec3{x * size, 0.06F * size, 0.2F * size},
         std::array<Vec2, 4>{{{0, 0}, {0.14F * size, 0.16F * size}, {0.08F * size, 0.4F * size}, {0, 0.66F * size}}}, 8);
 }
-
-}  // namespace
 
 void MakeCauldron(Piece& p) {
   const float leg = 0.18F * p.h, body = 0.62F * p.h, pot_top = 0.86F * p.h;
@@ -163,8 +162,9 @@ void MakeCart(Piece& p) {
     for (const float sy : {-1.0F, 1.0F}) {
       const float x = sx * (p.w / 2 - 2 * r), y = sy * (p.d / 2 - 2 * r);
       p.make.Bar(p.is.metal, {x, y, 1.6F * wheel}, {x, y, p.h - r}, r, 8);
-      p.make.In({{x, y, wheel}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}},
-                [&] { p.make.Cylinder(stuff::Rubber(), {0, 0, -0.4F * wheel}, wheel, 0.8F * wheel, 0.003F, 14); });
+      p.make.In({{x, y, wheel}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, [&] {
+        p.make.Cylinder(stuff::Rubber(), {0, 0, -0.4F * wheel}, wheel, 0.8F * wheel, 0.003F, 14);
+      });
     }
     p.make.Bar(p.is.metal, {sx * (p.w / 2 - 2 * r), -p.d / 2 + 2 * r, p.h - r},
                {sx * (p.w / 2 - 2 * r), p.d / 2 - 2 * r, p.h - r}, r, 8);
@@ -220,21 +220,22 @@ void MakeOrganizer(Piece& p) {            // pots of pens, trays of small things
   }
 }
 
-// Nothing is known of it: a well-made box with a label on its front, a lid and feet.
+// Nothing is known of it but its size: a plain block.
 void MakeBox(Piece& p) {
-  const float foot = std::min(0.03F, 0.06F * p.h), lid = std::min(0.05F, 0.12F * p.h), in = 0.01F * p.smaller(),
-              y = p.d / 2 - in;
-  p.LegsAt(p.is.hard, 0.42F * p.w, 0.42F * p.d, foot + 0.002F, std::min(0.03F, 0.06F * p.smaller()), 0.9F);
-  p.make.Box(p.is.hard, {-p.w / 2 + in, -p.d / 2 + in, foot}, {p.w / 2 - in, y, p.h - lid}, 0.006F);
-  p.make.Box(p.is.hard, {-p.w / 2, -p.d / 2, p.h - 0.96F * lid}, {p.w / 2, p.d / 2, p.h}, 0.008F);
-  const float wide = std::min(0.3F * p.w, 0.3F), high = std::min({0.16F * p.h, 0.6F * wide, 0.12F}),
-              z = 0.62F * (p.h - lid);
-  p.make.Box(stuff::Paper(), {-wide / 2, y - 0.001F, z - high / 2}, {wide / 2, y + 0.4F * in, z + high / 2}, 0);
-  for (int i = 0; i < 3; ++i) {  // lines of writing
-    const float line = z + high * (0.22F - 0.22F * static_cast<float>(i)), to = wide * (i == 2 ? 0.1F : 0.38F);
-    p.make.Box(stuff::Black(), {-0.38F * wide, y + 0.3F * in, line - 0.04F * high},
-               {to, y + 0.55F * in, line + 0.04F * high}, 0);
-  }
+  p.make.Box(p.is.hard, {-p.w / 2, -p.d / 2, 0}, {p.w / 2, p.d / 2, p.h}, std::min(0.008F, 0.04F * p.smaller()));
+}
+
+}  // namespace
+
+std::span<const PieceMaker> HearthMakers() {
+  static constexpr PieceMaker kMakers[] = {{"cauldron", MakeCauldron},
+                                           {"fireplace", MakeFireplace},
+                                           {"log_stack", MakeLogStack},
+                                           {"aquarium", MakeAquarium},
+                                           {"cart", MakeCart},
+                                           {"organizer", MakeOrganizer},
+                                           {"box", MakeBox}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

@@ -3,7 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Kitchens and what washes.
 namespace flair::renderer {
@@ -102,8 +103,6 @@ void OvenFront(Piece& p, float bottom, float top, float front) {
     p.Knob({p.w * (-0.32F + 0.16F * static_cast<float>(i)), front + 0.004F, top - 0.5F * panel},
            std::min(0.016F, 0.25F * panel));
 }
-
-}  // namespace
 
 void MakeCounter(Piece& p) {
   const Unit u = BaseUnit(p, p.h);
@@ -227,6 +226,21 @@ void MakeRangeHood(Piece& p) {
                {0.16F * p.w, 0.3F * p.d});
   p.make.Box(p.is.hard, {-0.15F * p.w, -0.5F * p.d, 0.54F * p.h}, {0.15F * p.w, 0.1F * p.d, p.h}, 0.004F);
   p.make.Box(stuff::Bulb(), {-0.3F * p.w, -0.1F * p.d, -0.002F}, {0.3F * p.w, 0.1F * p.d, 0.004F}, 0);
+}
+
+}  // namespace
+
+std::span<const PieceMaker> KitchenMakers() {
+  static constexpr PieceMaker kMakers[] = {{"counter", MakeCounter},
+                                           {"kitchen_island", MakeKitchenIsland},
+                                           {"sink", MakeSink},
+                                           {"hob", MakeHob},
+                                           {"fridge", MakeFridge},
+                                           {"washing_machine", MakeWashingMachine},
+                                           {"dishwasher", MakeDishwasher},
+                                           {"small_appliance", MakeSmallAppliance},
+                                           {"range_hood", MakeRangeHood}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

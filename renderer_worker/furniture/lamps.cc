@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // What shines.
 namespace flair::renderer {
@@ -29,8 +29,6 @@ void ShadeWithBulb(Piece& p, Vec3 base, float bottom, float top, float height, f
   shade.emission = shade.emission * 0.8F;
   p.make.Cylinder(shade, base + Vec3{0, 0, 0.95F * height}, 0.99F * top, 0.02F * height, 0, 28);
 }
-
-}  // namespace
 
 void MakeFloorLamp(Piece& p) {
   const float r = 0.5F * p.smaller(), pole = std::min(0.013F, 0.06F * r * 2),
@@ -92,8 +90,9 @@ void MakeTableLamp(Piece& p) {
     p.make.Box(stuff::Glass(), {-0.8F * r, -0.8F * r, 0.08F * p.h}, {0.8F * r, 0.8F * r, 0.7F * p.h}, 0);
     p.make.Cylinder(stuff::Ivory(), {0, 0, 0.08F * p.h}, 0.35F * r, 0.24F * p.h, 0.003F, 14);
     p.Flame({0, 0, 0.33F * p.h}, 0.2F * p.h, 12);
-    p.make.In({{0, 0, 0.88F * p.h}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
-              [&] { p.make.Hoop(p.is.metal, {0, 0.05F * p.h, 0}, 0.06F * p.h, 0.02F * p.h, 16); });
+    p.make.In({{0, 0, 0.88F * p.h}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, [&] {
+      p.make.Hoop(p.is.metal, {0, 0.05F * p.h, 0}, 0.06F * p.h, 0.02F * p.h, 16);
+    });
     return;
   }
   if (p.Says("desk") || p.Says("task") || p.Says("adjustable") || p.Says("work") || p.Says("reading") ||
@@ -229,6 +228,17 @@ void MakeChandelier(Piece& p) {
     p.make.Tube(p.is.metal, std::array<Vec3, 4>{{at(0.03F, 0.55F), at(0.4F, 0.36F), at(0.7F, 0.3F), at(0.86F, 0.33F)}},
                 std::array{0.4F * thick}, 5);
   }
+}
+
+}  // namespace
+
+std::span<const PieceMaker> LampMakers() {
+  static constexpr PieceMaker kMakers[] = {{"floor_lamp", MakeFloorLamp},
+                                           {"table_lamp", MakeTableLamp},
+                                           {"wall_lamp", MakeWallLamp},
+                                           {"pendant", MakePendant},
+                                           {"chandelier", MakeChandelier}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

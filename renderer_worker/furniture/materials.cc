@@ -2,38 +2,28 @@
 #include "renderer_worker/furniture/materials.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <string>
 
-#include "renderer_worker/scene/surfaces.h"
+#include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/scene/shell.h"
 
 namespace flair::renderer {
 namespace {
 
-struct Meaning {
-  std::string_view material;
-  std::string_view words;  // parted by blanks
-};
-
-#define MEANS(material, words) {#material, words},
-constexpr Meaning kMeanings[] = {
-#include "renderer_worker/furniture/material_words.inc"
-};
-#undef MEANS
-
-BaseMaterial Base(std::string_view name, MaterialKind kind, unsigned srgb, float roughness, float metallic,
-                  Pattern pattern, float size_m, float second) {
+BaseMaterial Read(const FurnitureMaterial& data) {
   Material look;
-  look.name = name;
-  look.colour = LinearHex(srgb);
-  look.roughness = roughness;
-  look.metallic = metallic;
-  look.opacity = kind == MaterialKind::kGlass ? 0.25F : 1;
-  look.pattern = pattern;
-  look.pattern_size_m = size_m;
-  look.second_colour = look.colour * second;
-  return {name, kind, look};
+  look.name = data.name();
+  look.colour = LinearHex(data.colour());
+  look.roughness = data.roughness();
+  look.metallic = data.metallic();
+  look.opacity = data.kind() == FurnitureMaterial::GLASS ? 0.25F : 1;
+  look.pattern = static_cast<Pattern>(data.pattern());
+  if (data.pattern_size_m() > 0) look.pattern_size_m = data.pattern_size_m();
+  look.second_colour = look.colour * (data.second_colour_factor() > 0 ? data.second_colour_factor() : 1);
+  return {data.name(), data.kind(), look};
 }
 
 const BaseMaterial* Find(std::string_view name) {
@@ -44,13 +34,11 @@ const BaseMaterial* Find(std::string_view name) {
 }
 
 const BaseMaterial* OfWord(std::string_view word) {
-  if (const BaseMaterial* base = Find(word); base != nullptr) return base;
-  for (const Meaning& meaning : kMeanings) {
-    for (size_t at = meaning.words.find(word); at != std::string_view::npos; at = meaning.words.find(word, at + 1)) {
-      const size_t end = at + word.size();
-      if ((at == 0 || meaning.words[at - 1] == ' ') && (end == meaning.words.size() || meaning.words[end] == ' ')) {
-        return Find(meaning.material);
-      }
+  const auto& materials = Furniture().material();
+  for (int i = 0; i < materials.size(); ++i) {
+    const auto& words = materials[i].words();
+    if (materials[i].name() == word || std::find(words.begin(), words.end(), word) != words.end()) {
+      return &BaseMaterials()[static_cast<size_t>(i)];
     }
   }
   return nullptr;
@@ -76,12 +64,11 @@ Vec3 LinearHex(unsigned srgb) {
 Vec3 Blend(Vec3 from, Vec3 to, float share) { return from * (1 - share) + to * share; }
 
 std::span<const BaseMaterial> BaseMaterials() {
-#define MATERIAL(name, kind, srgb, roughness, metallic, pattern, size_m, second) \
-  Base(#name, MaterialKind::kind, srgb, roughness, metallic, Pattern::pattern, size_m, second),
-  static const std::vector<BaseMaterial> kMaterials{
-#include "renderer_worker/furniture/material_list.inc"
-  };
-#undef MATERIAL
+  static const std::vector<BaseMaterial> kMaterials = [] {
+    std::vector<BaseMaterial> materials;
+    for (const FurnitureMaterial& data : Furniture().material()) materials.push_back(Read(data));
+    return materials;
+  }();
   return kMaterials;
 }
 
@@ -111,7 +98,7 @@ std::vector<const BaseMaterial*> MaterialsInWords(std::string_view text) {
   take();
   // "walnut wooden shelves": wood says nothing beside the name of a tree.
   const auto tree = [](const BaseMaterial* base) {
-    return base->kind == MaterialKind::kWood && base->look.pattern == Pattern::kWood && base->name != "wood";
+    return base->kind == FurnitureMaterial::WOOD && base->look.pattern == Pattern::kWood && base->name != "wood";
   };
   if (std::any_of(found.begin(), found.end(), tree)) {
     std::erase_if(found, [](const BaseMaterial* base) { return base->name == "wood"; });
@@ -152,5 +139,164 @@ Material Shaded(const Material& material, float factor, std::string_view suffix)
   shaded.second_colour = shade(material.second_colour);
   return shaded;
 }
+
+namespace {
+
+bool IsHard(const BaseMaterial& m) { return m.kind != FurnitureMaterial::CLOTH; }
+bool IsCloth(const BaseMaterial& m) { return m.kind == FurnitureMaterial::CLOTH; }
+bool IsMetal(const BaseMaterial& m) { return m.kind == FurnitureMaterial::METAL; }
+
+using Words = std::vector<const BaseMaterial*>;
+
+const BaseMaterial& MaterialOf(const std::string& name, std::string_view usual) {
+  return BaseMaterialOf(name.empty() ? usual : name);
+}
+
+template <typename Predicate>
+const BaseMaterial* First(const Words& named, Predicate predicate) {
+  const auto at = std::find_if(named.begin(), named.end(), [&](const BaseMaterial* m) { return predicate(*m); });
+  return at != named.end() ? *at : nullptr;
+}
+
+// What the style names, most telling first.
+struct Choice {
+  const BaseMaterial* hard = nullptr;
+  const BaseMaterial* soft = nullptr;
+  const BaseMaterial* metal = nullptr;
+};
+
+Choice Choose(const Words& named, const ClassMaterials& look) {
+  Choice choice{First(named, IsHard), First(named, IsCloth), First(named, IsMetal)};
+  // "walnut and brass": the metal is for the fittings when there is something else for the body, and where the body
+  // is not of metal by nature.
+  if (choice.hard != nullptr && IsMetal(*choice.hard) && !IsMetal(MaterialOf(look.hard(), "oak"))) {
+    const BaseMaterial* body = First(named, [](const BaseMaterial& m) { return IsHard(m) && !IsMetal(m); });
+    if (body != nullptr) choice.hard = body;
+  }
+  return choice;
+}
+
+// Colours say which part they are of: "dark walnut" is a wood's, "antique brass" a metal's.
+enum class Part { kHard, kSoft, kMetal };
+
+Part PartColoured(const ClassMaterials& look, const Choice& choice, const Words& named, const v1::Colour& colour) {
+  const Words said = MaterialsInWords(colour.name());
+  if (!said.empty() && IsCloth(*said.front())) return Part::kSoft;
+  const bool hard_is_metal = IsMetal(choice.hard != nullptr ? *choice.hard : MaterialOf(look.hard(), "oak"));
+  if (!said.empty() && IsMetal(*said.front())) return hard_is_metal ? Part::kHard : Part::kMetal;
+  if (!said.empty()) return Part::kHard;
+  if (look.styled() == ClassMaterials::HARD) {
+    return choice.soft != nullptr && choice.hard == nullptr ? Part::kSoft : Part::kHard;
+  }
+  // Upholstery of which only wood or metal is named, in a brown that suits the wood: the wood's.
+  if (!named.empty() && choice.soft == nullptr && choice.hard != nullptr &&
+      choice.hard->kind == FurnitureMaterial::WOOD) {
+    const Vec3 difference = LinearOf(colour) - choice.hard->look.colour;
+    if (Length(difference) < 0.12F) return Part::kHard;
+  }
+  return Part::kSoft;
+}
+
+}  // namespace
+
+Palette PaletteOf(const ClassMaterials& look, const v1::Object& object, const v1::ObjectStyle* style) {
+  Words named = style != nullptr ? MaterialsInWords(style->material()) : Words();
+  const Words by_name = MaterialsInWords(object.name());
+  named.insert(named.end(), by_name.begin(), by_name.end());
+  const Choice choice = Choose(named, look);
+  const BaseMaterial& hard = choice.hard != nullptr ? *choice.hard : MaterialOf(look.hard(), "oak");
+  const BaseMaterial& soft = choice.soft != nullptr ? *choice.soft : MaterialOf(look.soft(), "linen");
+  const BaseMaterial& metal = choice.metal != nullptr ? *choice.metal : MaterialOf(look.metal(), "steel");
+  Palette palette;
+  palette.hard = hard.look, palette.soft = soft.look, palette.metal = metal.look;
+  if (look.hard_colour() != 0 && choice.hard == nullptr) palette.hard = Coloured(hard, LinearHex(look.hard_colour()));
+  if (look.soft_colour() != 0 && choice.soft == nullptr) palette.soft = Coloured(soft, LinearHex(look.soft_colour()));
+  if (style != nullptr && style->has_colour()) {
+    palette.styled = true;
+    const Vec3 colour = LinearOf(style->colour());
+    switch (PartColoured(look, choice, named, style->colour())) {
+      case Part::kHard:
+        palette.hard = Coloured(hard, colour);
+        break;
+      case Part::kSoft:
+        palette.soft = Coloured(soft, colour);
+        break;
+      case Part::kMetal:
+        palette.metal = Coloured(metal, colour);
+        break;
+    }
+  }
+  // Glass as the body of a piece that is not of glass by nature is thick enough to be seen.
+  if (palette.hard.opacity < 1 && &hard != &MaterialOf(look.hard(), "oak")) palette.hard.opacity = 0.35F;
+  palette.hard.name += ", body";
+  palette.soft.name += ", soft";
+  palette.metal.name += ", fittings";
+  palette.colour = look.styled() == ClassMaterials::HARD ? palette.hard.colour : palette.soft.colour;
+  palette.pale = palette.soft;
+  palette.pale.name = "pale " + palette.soft.name;
+  palette.pale.colour = Blend(palette.soft.colour, {0.80F, 0.78F, 0.73F}, 0.82F);
+  palette.pale.second_colour = palette.pale.colour * 0.9F;
+  palette.accent = Shaded(palette.soft, 0.55F, "deep");
+  return palette;
+}
+
+namespace stuff {
+namespace {
+
+Material See(std::string_view name, unsigned srgb, float opacity) {
+  Material material = PlainMaterial(name, srgb, 0.04F);
+  material.opacity = opacity;
+  return material;
+}
+
+Material Shining(std::string_view name, unsigned srgb, Vec3 emission) {
+  Material material = PlainMaterial(name, srgb, 0.8F);
+  material.emission = emission;
+  return material;
+}
+
+}  // namespace
+
+#define STUFF(function, ...)                       \
+  const Material& function() {                     \
+    static const Material kMaterial = __VA_ARGS__; \
+    return kMaterial;                              \
+  }
+STUFF(White, PlainMaterial("white glaze", 0xF1F1EE, 0.18F))
+STUFF(Black, PlainMaterial("black plastic", 0x232427, 0.4F))
+STUFF(Rubber, PlainMaterial("rubber", 0x2A2A2C, 0.85F))
+STUFF(Steel, PlainMaterial("brushed steel", 0xB6B9BB, 0.32F, 1))
+STUFF(Mirror, PlainMaterial("mirror", 0xE6EBEC, 0.03F, 1))
+STUFF(Glass, See("clear glass", 0xDCEBE9, 0.22F))
+STUFF(Screen, PlainMaterial("dark screen", 0x14161A, 0.08F))
+STUFF(Lit, Shining("lit screen", 0x8FB7D6, {0.32F, 0.46F, 0.58F}))
+STUFF(Shade, Shining("lamp shade", 0xF0E4CC, {0.95F, 0.72F, 0.44F}))
+STUFF(Bulb, Shining("bulb", 0xFFF4DC, {2.6F, 2.0F, 1.3F}))
+STUFF(FlameStuff, Shining("flame", 0xFFB04A, {3.2F, 1.5F, 0.4F}))
+STUFF(Embers, Shining("embers", 0xC8642A, {0.9F, 0.3F, 0.05F}))
+STUFF(Water, See("water", 0x7FB6C4, 0.75F))
+STUFF(Soil, PlainMaterial("soil", 0x3E2E22, 0.98F))
+STUFF(Paper, PlainMaterial("paper", 0xEFE8D6, 0.9F))
+STUFF(Ivory, PlainMaterial("ivory", 0xF3EDDC, 0.25F))
+STUFF(Cork, PlainMaterial("cork", 0xB98A5A, 0.95F))
+#undef STUFF
+
+const Material& Leaf(int tint) {
+  static const std::array<Material, 3> kLeaves{PlainMaterial("leaf", 0x4F7D3C, 0.55F),
+                                               PlainMaterial("light leaf", 0x76A350, 0.55F),
+                                               PlainMaterial("dark leaf", 0x2F5A35, 0.55F)};
+  return kLeaves[static_cast<size_t>(tint % 3)];
+}
+
+const Material& Book(int tint) {
+  static const std::array<Material, 7> kBooks{
+      PlainMaterial("book, red", 0x7F4038, 0.7F),   PlainMaterial("book, blue", 0x465A70, 0.7F),
+      PlainMaterial("book, green", 0x5A6A53, 0.7F), PlainMaterial("book, ochre", 0xB08F5A, 0.7F),
+      PlainMaterial("book, cream", 0xD8CFBC, 0.7F), PlainMaterial("book, brown", 0x5F4A3A, 0.7F),
+      PlainMaterial("book, slate", 0x4A4F57, 0.7F)};
+  return kBooks[static_cast<size_t>(tint % 7)];
+}
+
+}  // namespace stuff
 
 }  // namespace flair::renderer

@@ -5,22 +5,22 @@
 #include <string_view>
 #include <vector>
 
+#include "flair/v1/object_list.pb.h"
 #include "flair/v1/style_sheet.pb.h"
-#include "renderer_worker/scene/material.h"
+#include "renderer_worker/furniture/furniture.pb.h"
+#include "renderer_worker/scene/mesh.h"
 
 // What furniture is made of. Thread-safe; nothing here fails.
 namespace flair::renderer {
 
-enum class MaterialKind { kWood, kPaint, kMetal, kCloth, kStone, kGlass };
-
 // A material that words name.
 struct BaseMaterial {
   std::string_view name;
-  MaterialKind kind;
+  FurnitureMaterial::Kind kind;
   Material look;
 };
 
-// Every base material, in the order of material_list.inc.
+// Every base material, in the order of materials.textproto.
 std::span<const BaseMaterial> BaseMaterials();
 // By its own name; "wood" for a name that is none.
 const BaseMaterial& BaseMaterialOf(std::string_view name);
@@ -39,5 +39,42 @@ Vec3 LinearHex(unsigned srgb);
 Vec3 Blend(Vec3 from, Vec3 to, float share);
 // The same material, lighter (above 1) or darker (below 1), under another name.
 Material Shaded(const Material& material, float factor, std::string_view suffix);
+
+// The materials of one piece.
+struct Palette {
+  Material hard;
+  Material soft;
+  Material metal;
+  Material pale;    // of the soft colour, much lighter: pillows, mattresses
+  Material accent;  // of the soft colour, deeper: throws, piping, figures
+  Vec3 colour;      // what the style calls the dominant colour, or the class does
+  bool styled = false;
+};
+
+// Reads the words and the colour of `style` (may be null) and the name of `object`.
+Palette PaletteOf(const ClassMaterials& look, const v1::Object& object, const v1::ObjectStyle* style);
+
+// Materials that no style changes.
+namespace stuff {
+const Material& White();  // glazed ceramic, enamel
+const Material& Black();  // plastic
+const Material& Rubber();
+const Material& Steel();
+const Material& Mirror();
+const Material& Glass();
+const Material& Screen();  // of something switched off
+const Material& Lit();     // of something switched on
+const Material& Shade();   // of a lamp, shining
+const Material& Bulb();
+const Material& FlameStuff();
+const Material& Embers();  // behind a stove's window
+const Material& Water();
+const Material& Leaf(int tint);
+const Material& Soil();
+const Material& Paper();
+const Material& Cork();
+const Material& Book(int tint);
+const Material& Ivory();
+}  // namespace stuff
 
 }  // namespace flair::renderer

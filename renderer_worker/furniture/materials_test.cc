@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "renderer_worker/furniture/piece.h"
+#include "renderer_worker/furniture/classes.h"
 
 namespace flair::renderer {
 namespace {
@@ -24,22 +24,13 @@ std::vector<std::string> Named(std::string_view text) {
 
 TEST(Materials, EveryWordMeansAMaterialAndNoWordMeansTwo) {
   std::set<std::string> seen;
-  const auto check = [&seen](const std::string& material, const std::string& words) {
-    EXPECT_EQ(BaseMaterialOf(material).name, material);
-    std::string word;
-    for (const char c : words + " ") {
-      if (c != ' ') {
-        word += c;
-        continue;
-      }
+  for (const FurnitureMaterial& material : Furniture().material()) {
+    EXPECT_EQ(BaseMaterialOf(material.name()).name, material.name());
+    for (const std::string& word : material.words()) {
       EXPECT_TRUE(seen.insert(word).second) << word;
-      EXPECT_THAT(Named(word), ElementsAre(material)) << word;
-      word.clear();
+      EXPECT_THAT(Named(word), ElementsAre(material.name())) << word;
     }
-  };
-#define MEANS(material, words) check(#material, words);
-#include "renderer_worker/furniture/material_words.inc"
-#undef MEANS
+  }
 }
 
 TEST(Materials, AreWhatTheGltfModelAllows) {
@@ -73,8 +64,14 @@ v1::ObjectStyle Style(const std::string& material, const std::string& colour, in
   return style;
 }
 
-constexpr ClassLook kSofa{.hard = "walnut", .dominant = ClassLook::Dominant::kSoft};
-constexpr ClassLook kTable{.hard = "oak"};
+ClassMaterials Sofa() {
+  ClassMaterials materials;
+  materials.set_hard("walnut");
+  materials.set_styled(ClassMaterials::SOFT);
+  return materials;
+}
+
+const ClassMaterials kSofa = Sofa(), kTable;
 
 TEST(Palette, TheColourOfASofaIsThatOfItsCloth) {
   const v1::ObjectStyle style = Style("linen", "sage", 150, 170, 140);

@@ -27,18 +27,35 @@ const std::array<Vec2, 6> kArrow{{{-0.5F, -0.2F}, {0, -0.2F}, {0, -0.4F}, {0.5F,
 
 std::vector<Case> Shapes() {
   return {
-      {"box", [](Modeller& m, const Material& a) { m.Box(a, {-0.5F, -0.4F, 0}, {0.5F, 0.4F, 0.8F}, 0.01F); }, 0.64F,
-       0.002F},
-      {"sharp box", [](Modeller& m, const Material& a) { m.Box(a, {0.5F, 0.4F, 0}, {-0.5F, -0.4F, 0.8F}, 0); }, 0.64F,
-       1e-4F},
-      {"cushion", [](Modeller& m, const Material& a) { m.Cushion(a, {-0.5F, -0.4F, 0}, {0.5F, 0.4F, 0.8F}, 0.05F); },
+      {"box",
+       [](Modeller& m, const Material& a) {
+         m.Box(a, {-0.5F, -0.4F, 0}, {0.5F, 0.4F, 0.8F}, 0.01F);
+       },
+       0.64F, 0.002F},
+      {"sharp box",
+       [](Modeller& m, const Material& a) {
+         m.Box(a, {0.5F, 0.4F, 0}, {-0.5F, -0.4F, 0.8F}, 0);
+       },
+       0.64F, 1e-4F},
+      {"cushion",
+       [](Modeller& m, const Material& a) {
+         m.Cushion(a, {-0.5F, -0.4F, 0}, {0.5F, 0.4F, 0.8F}, 0.05F);
+       },
        0.64F, 0.02F},
       {"full cushion",
-       [](Modeller& m, const Material& a) { m.Cushion(a, {-0.5F, -0.4F, 0}, {0.5F, 0.4F, 0.8F}, 0.05F, 0.05F); }, 0.56F,
-       0.06F},
-      {"pillow", [](Modeller& m, const Material& a) { m.Pillow(a, {-0.5F, -0.4F, 0}, {0.5F, 0.4F, 0.8F}); }, 0.42F,
-       0.08F},
-      {"taper", [](Modeller& m, const Material& a) { m.Taper(a, {}, {0.25F, 0.2F}, {0, 0, 0.8F}, {0.5F, 0.4F}); },
+       [](Modeller& m, const Material& a) {
+         m.Cushion(a, {-0.5F, -0.4F, 0}, {0.5F, 0.4F, 0.8F}, 0.05F, 0.05F);
+       },
+       0.56F, 0.06F},
+      {"pillow",
+       [](Modeller& m, const Material& a) {
+         m.Pillow(a, {-0.5F, -0.4F, 0}, {0.5F, 0.4F, 0.8F});
+       },
+       0.42F, 0.08F},
+      {"taper",
+       [](Modeller& m, const Material& a) {
+         m.Taper(a, {}, {0.25F, 0.2F}, {0, 0, 0.8F}, {0.5F, 0.4F});
+       },
        0.3733F, 0.001F},
       {"slab", [](Modeller& m, const Material& a) { m.Slab(a, kArrow, 0, 0.8F, 0.005F); }, 0.8F * 0.45F, 0.01F},
       {"lathe",
@@ -56,11 +73,19 @@ std::vector<Case> Shapes() {
          m.Ring(a, {}, std::array<Vec2, 4>{{{0.4F, 0}, {0.5F, 0}, {0.5F, 0.8F}, {0.4F, 0.8F}}}, 64, {1, 0.8F});
        },
        kPiFloat * 0.8F * (0.2F - 0.128F), 0.002F},
-      {"ellipsoid", [](Modeller& m, const Material& a) { m.Ellipsoid(a, {0, 0, 0.4F}, {0.5F, 0.4F, 0.4F}, 64, 32); },
+      {"ellipsoid",
+       [](Modeller& m, const Material& a) {
+         m.Ellipsoid(a, {0, 0, 0.4F}, {0.5F, 0.4F, 0.4F}, 64, 32);
+       },
        4 * kPiFloat / 3 * 0.08F, 0.002F},
       {"sheet",
        [](Modeller& m, const Material& a) {
-         m.Sheet(a, 4, 4, [](float u, float v) { return Vec3{u - 0.5F, 0.8F * v - 0.4F, 0.4F}; }, 0.8F);
+         m.Sheet(
+             a, 4, 4,
+             [](float u, float v) {
+               return Vec3{u - 0.5F, 0.8F * v - 0.4F, 0.4F};
+             },
+             0.8F);
        },
        0.64F, 1e-3F},
   };

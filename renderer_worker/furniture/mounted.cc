@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // What hangs, and screens.
 namespace flair::renderer {
@@ -68,8 +68,6 @@ void Motif(Piece& p, float x, float z, float y, bool abstract) {
     }
   });
 }
-
-}  // namespace
 
 void MakePicture(Piece& p) {
   const float rail = std::min(0.045F, 0.08F * std::min(p.w, p.h));
@@ -257,6 +255,15 @@ void MakeCeilingFan(Piece& p) {
       });
     });
   }
+}
+
+}  // namespace
+
+std::span<const PieceMaker> MountedMakers() {
+  static constexpr PieceMaker kMakers[] = {
+      {"picture", MakePicture},       {"mirror", MakeMirror}, {"clock", MakeClock},   {"board", MakeBoard},
+      {"television", MakeTelevision}, {"screen", MakeScreen}, {"laptop", MakeLaptop}, {"ceiling_fan", MakeCeilingFan}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Instruments and what sounds.
 namespace flair::renderer {
@@ -22,8 +22,6 @@ void Keys(Piece& p, float left, float right, float back, float front, float top)
     }
   }
 }
-
-}  // namespace
 
 void MakeUprightPiano(Piece& p) {
   const float key = std::min(0.68F, 0.6F * p.h), body = 0.14F * p.d, board = std::min(0.03F, 0.06F * p.d);
@@ -225,6 +223,19 @@ void MakeSpeaker(Piece& p) {
   cone(0, 0.32F * p.h, std::min(0.4F * p.w, 0.22F * p.h));
   if (p.h > 1.6F * p.w) cone(0, 0.6F * p.h, std::min(0.34F * p.w, 0.12F * p.h));
   cone(0, 0.82F * p.h, std::min(0.22F * p.w, 0.09F * p.h));
+}
+
+}  // namespace
+
+std::span<const PieceMaker> MusicMakers() {
+  static constexpr PieceMaker kMakers[] = {{"upright_piano", MakeUprightPiano},
+                                           {"grand_piano", MakeGrandPiano},
+                                           {"keyboard", MakeKeyboard},
+                                           {"drums", MakeDrums},
+                                           {"guitar", MakeGuitar},
+                                           {"music_stand", MakeMusicStand},
+                                           {"speaker", MakeSpeaker}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,31 +14,6 @@
 #include "renderer_worker/scene/furnishing.h"
 
 namespace flair::renderer {
-
-// What a class of furniture is made of unless its style says otherwise.
-struct ClassLook {
-  enum class Dominant { kHard, kSoft };
-  std::string_view hard = "oak";    // frames and bodies
-  std::string_view soft = "linen";  // upholstery and textiles
-  std::string_view metal = "steel";
-  Dominant dominant = Dominant::kHard;  // what takes the style's colour
-  unsigned soft_colour = 0;             // instead of the base material's; 0 keeps it
-  unsigned hard_colour = 0;
-};
-
-// The materials of one piece.
-struct Palette {
-  Material hard;
-  Material soft;
-  Material metal;
-  Material pale;    // of the soft colour, much lighter: pillows, mattresses
-  Material accent;  // of the soft colour, deeper: throws, piping, figures
-  Vec3 colour;      // what the style calls the dominant colour, or the class does
-  bool styled = false;
-};
-
-// Reads the words and the colour of `style` (may be null) and the name of `object`.
-Palette PaletteOf(const ClassLook& look, const v1::Object& object, const v1::ObjectStyle* style);
 
 // One piece of furniture in the making: [-w/2, w/2] x [-d/2, d/2] x [0, h], front at +y, metres.
 struct Piece {
@@ -73,27 +49,33 @@ struct Piece {
   void Foliage(Vec3 centre, Vec3 radii, int leaves, float leaf, const Material& material);
 };
 
-// Materials that no style changes.
-namespace stuff {
-const Material& White();  // glazed ceramic, enamel
-const Material& Black();  // plastic
-const Material& Rubber();
-const Material& Steel();
-const Material& Mirror();
-const Material& Glass();
-const Material& Screen();  // of something switched off
-const Material& Lit();     // of something switched on
-const Material& Shade();   // of a lamp, shining
-const Material& Bulb();
-const Material& FlameStuff();
-const Material& Embers();  // behind a stove's window
-const Material& Water();
-const Material& Leaf(int tint);
-const Material& Soil();
-const Material& Paper();
-const Material& Cork();
-const Material& Book(int tint);
-const Material& Ivory();
-}  // namespace stuff
+// Makes a piece of furniture that fills its box, about: it is stretched to it in the end.
+struct PieceMaker {
+  std::string_view name;  // what records call it
+  void (*make)(Piece& piece);
+};
+
+// The maker of that name; null when there is none.
+const PieceMaker* MakerNamed(std::string_view name);
+
+// The makers by family, each in the file of its name.
+std::span<const PieceMaker> BathroomMakers();
+std::span<const PieceMaker> BedMakers();
+std::span<const PieceMaker> ChairMakers();
+std::span<const PieceMaker> ContainerMakers();
+std::span<const PieceMaker> CraftMakers();
+std::span<const PieceMaker> DecorMakers();
+std::span<const PieceMaker> FigureMakers();
+std::span<const PieceMaker> HearthMakers();
+std::span<const PieceMaker> KitchenMakers();
+std::span<const PieceMaker> LampMakers();
+
+std::span<const PieceMaker> MountedMakers();
+std::span<const PieceMaker> MusicMakers();
+std::span<const PieceMaker> SeatingMakers();
+std::span<const PieceMaker> SportMakers();
+std::span<const PieceMaker> StorageMakers();
+std::span<const PieceMaker> TableMakers();
+std::span<const PieceMaker> TextileMakers();
 
 }  // namespace flair::renderer

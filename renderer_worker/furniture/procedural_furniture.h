@@ -4,11 +4,26 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "absl/container/flat_hash_map.h"
 #include "renderer_worker/scene/furnishing.h"
 
 namespace flair::renderer {
+
+// Extents that a mesh is made for, metres: what is smaller, larger or no number at all is brought to the nearest.
+inline constexpr float kSmallestExtent_m = 0.002F;
+inline constexpr float kLargestExtent_m = 100;
+
+struct MadePiece {
+  Mesh mesh;
+  std::vector<LampLight> lights;
+};
+
+// The mesh of `object` as a piece of class `class_name` (a box when that is no class), in the look of `style`, which
+// may be null. Equal input gives equal bits.
+MadePiece MakePiece(std::string_view class_name, const v1::Object& object, const v1::ObjectStyle* style);
 
 // Furniture of our own making: a parametric mesh for every class of furniture, in the size of its object and the
 // materials of its style. Equal objects share one mesh as long as somebody holds it.

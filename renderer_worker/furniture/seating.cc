@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Sofas and what is upholstered.
 namespace flair::renderer {
@@ -53,19 +54,19 @@ void SeatCushions(Piece& p, const SofaShape& s, int count) {
   for (int i = 0; i < count; ++i) {
     const float from = left + pitch * static_cast<float>(i) + gap, to = from + pitch - 2 * gap;
     p.make.Cushion(p.is.soft, {from, -p.d / 2 + s.back, deck}, {to, p.d / 2, s.seat}, round, 0.012F);
-    p.make.In(Frame::TurnedX({0, -p.d / 2 + 0.9F * s.back, s.seat - 0.02F * p.h}, 0.13F),
-              [&] { p.make.Cushion(p.is.soft, {from, 0, 0}, {to, thick, 0.98F * (p.h - s.seat)}, round, 0.035F); });
+    p.make.In(Frame::TurnedX({0, -p.d / 2 + 0.9F * s.back, s.seat - 0.02F * p.h}, 0.13F), [&] {
+      p.make.Cushion(p.is.soft, {from, 0, 0}, {to, thick, 0.98F * (p.h - s.seat)}, round, 0.035F);
+    });
   }
 }
 
 void ScatterCushion(Piece& p, Vec3 at, float size, float lean, float turn, const Material& material) {
   p.make.In(Frame::TurnedZ(at, turn), [&] {
-    p.make.In(Frame::TurnedX({}, lean),
-              [&] { p.make.Pillow(material, {-size / 2, 0, 0}, {size / 2, 0.36F * size, size}); });
+    p.make.In(Frame::TurnedX({}, lean), [&] {
+      p.make.Pillow(material, {-size / 2, 0, 0}, {size / 2, 0.36F * size, size});
+    });
   });
 }
-
-}  // namespace
 
 void MakeSofa(Piece& p) {
   const SofaShape s = ShapeOf(p);
@@ -152,6 +153,17 @@ void MakeBeanBag(Piece& p) {
       },
       0.02F * p.smaller());
   p.make.Ellipsoid(p.is.accent, {0, -0.16F * p.d, 0.95F * p.h}, {0.05F * p.w, 0.05F * p.d, 0.05F * p.h}, 12, 6);
+}
+
+}  // namespace
+
+std::span<const PieceMaker> SeatingMakers() {
+  static constexpr PieceMaker kMakers[] = {{"sofa", MakeSofa},
+                                           {"armchair", MakeArmchair},
+                                           {"daybed", MakeDaybed},
+                                           {"pouf", MakePouf},
+                                           {"bean_bag", MakeBeanBag}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

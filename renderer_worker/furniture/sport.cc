@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // What one trains with.
 namespace flair::renderer {
@@ -11,8 +11,9 @@ namespace {
 
 // A disc that stands upright, its axis along x.
 void UprightDisc(Piece& p, const Material& material, Vec3 centre, float radius, float thick, int sides = 24) {
-  p.make.In({centre, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}},
-            [&] { p.make.Cylinder(material, {0, 0, -thick / 2}, radius, thick, 0.005F, sides); });
+  p.make.In({centre, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, [&] {
+    p.make.Cylinder(material, {0, 0, -thick / 2}, radius, thick, 0.005F, sides);
+  });
 }
 
 void Dumbbell(Piece& p, Vec3 centre, float length, float radius, bool along_y) {
@@ -23,8 +24,6 @@ void Dumbbell(Piece& p, Vec3 centre, float length, float radius, bool along_y) {
       p.make.Cylinder(stuff::Rubber(), {0, 0, z}, radius, 0.28F * length, 0.006F, 6);
   });
 }
-
-}  // namespace
 
 void MakeTreadmill(Piece& p) {
   // One runs towards the back of the box, where the display is.
@@ -110,8 +109,9 @@ void MakeRowingMachine(Piece& p) {
               r = std::min(0.42F * p.h, 0.14F * length), tube = std::min(0.035F, 0.08F * width);
   p.make.In(lengthwise ? Frame{} : Frame{{}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, [&] {
     const float y = -0.5F * length + r;
-    p.make.In({{0, y, p.h - r}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}},
-              [&] { p.make.Cylinder(p.is.hard, {0, 0, -0.24F * width}, r, 0.48F * width, 0.02F, 28); });
+    p.make.In({{0, y, p.h - r}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, [&] {
+      p.make.Cylinder(p.is.hard, {0, 0, -0.24F * width}, r, 0.48F * width, 0.02F, 28);
+    });
     p.make.Bar(p.is.metal, {0, y, 0.5F * p.h}, {0, 0.48F * length, 0.32F * p.h}, 1.3F * tube, 10);
     for (const float at : {y, 0.46F * length}) {
       p.make.Box(p.is.hard, {-0.5F * width, at - tube, 0}, {0.5F * width, at + tube, 1.6F * tube}, 0.01F);
@@ -209,6 +209,18 @@ void MakePunchingBag(Piece& p) {
   p.make.Lathe(p.is.hard, {},
                std::array<Vec2, 4>{{{0.5F, 0}, {0.5F, 0.06F * p.h}, {0.4F, 0.1F * p.h}, {0.12F, 0.13F * p.h}}}, 26,
                {p.w, p.d});
+}
+
+}  // namespace
+
+std::span<const PieceMaker> SportMakers() {
+  static constexpr PieceMaker kMakers[] = {{"treadmill", MakeTreadmill},
+                                           {"exercise_bike", MakeExerciseBike},
+                                           {"rowing_machine", MakeRowingMachine},
+                                           {"weight_bench", MakeWeightBench},
+                                           {"weights", MakeWeights},
+                                           {"punching_bag", MakePunchingBag}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Cabinets and shelves.
 namespace flair::renderer {
@@ -90,8 +90,6 @@ void RowOfBooks(Piece& p, float left, float right, float back, float depth, floa
     ++index;
   }
 }
-
-}  // namespace
 
 void MakeWardrobe(Piece& p) {
   const CabinetCarcass c = SolidCarcass(p, std::min(0.08F, 0.06F * p.h), true);
@@ -247,6 +245,15 @@ void MakeShelf(Piece& p) {
       }
     }
   }
+}
+
+}  // namespace
+
+std::span<const PieceMaker> StorageMakers() {
+  static constexpr PieceMaker kMakers[] = {{"wardrobe", MakeWardrobe},   {"dresser", MakeDresser},
+                                           {"tv_stand", MakeTvStand},    {"cabinet", MakeCabinet},
+                                           {"bookshelf", MakeBookshelf}, {"shelf", MakeShelf}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

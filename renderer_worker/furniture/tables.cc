@@ -3,7 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Tables and desks.
 namespace flair::renderer {
@@ -68,10 +69,6 @@ void Drawers(Piece& p, float left, float right, float bottom, float top, int cou
   }
 }
 
-}  // namespace
-
-void MakeTable(Piece& p) { Round(p) ? MakeRoundTable(p) : FourLegs(p, LegHalf(p, 0.036F), true); }
-
 void MakeRoundTable(Piece& p) { Pedestal(p); }
 
 void MakeCoffeeTable(Piece& p) {
@@ -95,6 +92,8 @@ void MakeCoffeeTable(Piece& p) {
   p.Book({-0.24F * p.w, -size / 2, 0.3F * p.h + 0.55F * thick},
          {-0.24F * p.w + size, size / 2, 0.3F * p.h + 0.55F * thick + 0.03F}, 3);
 }
+
+void MakeTable(Piece& p) { Round(p) ? MakeRoundTable(p) : FourLegs(p, LegHalf(p, 0.036F), true); }
 
 void MakeSideTable(Piece& p) {
   if (Round(p) || p.Says("pedestal") || (std::abs(p.w - p.d) < 0.02F * p.w && !p.Says("drawer") && p.Chance(7) < 0.5F))
@@ -207,6 +206,16 @@ void MakePoolTable(Piece& p) {
     p.make.Ellipsoid(stuff::Book(i), {along_x ? along : across, along_x ? across : along, p.h - 0.04F * p.h + r},
                      {r, r, r}, 10, 6);
   }
+}
+
+}  // namespace
+
+std::span<const PieceMaker> TableMakers() {
+  static constexpr PieceMaker kMakers[] = {
+      {"table", MakeTable},          {"round_table", MakeRoundTable}, {"coffee_table", MakeCoffeeTable},
+      {"side_table", MakeSideTable}, {"nightstand", MakeNightstand},  {"desk", MakeDesk},
+      {"vanity", MakeVanity},        {"workbench", MakeWorkbench},    {"pool_table", MakePoolTable}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

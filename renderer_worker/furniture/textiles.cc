@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer_worker/furniture/families.h"
+#include "renderer_worker/furniture/piece.h"
 
 // Rugs, mats, cushions.
 namespace flair::renderer {
@@ -17,8 +17,6 @@ void Border(Piece& p, const Material& material, float inset, float wide, float b
     p.make.Box(material, {side * x, -y + wide, bottom}, {side * (x - wide), y - wide, top}, 0);
   }
 }
-
-}  // namespace
 
 void MakeRug(Piece& p) {
   const float fringe = std::min(0.05F, 0.04F * std::max(p.w, p.d)), thick = p.h;
@@ -129,6 +127,15 @@ void MakeCurtain(Piece& p) {
       });
     }
   }
+}
+
+}  // namespace
+
+std::span<const PieceMaker> TextileMakers() {
+  static constexpr PieceMaker kMakers[] = {{"rug", MakeRug},         {"round_rug", MakeRoundRug},
+                                           {"mat", MakeMat},         {"cushion", MakeCushion},
+                                           {"blanket", MakeBlanket}, {"curtain", MakeCurtain}};
+  return kMakers;
 }
 
 }  // namespace flair::renderer

@@ -9,6 +9,7 @@
 
 #include "fmt/format.h"
 #include "renderer_worker/gltf/limited_json.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer::gltf {
 namespace {
@@ -103,10 +104,8 @@ absl::StatusOr<AssetFile> AssetFile::Open(std::string_view bytes) {
         fmt::format("its JSON has {} bytes, {} at most are read", json_size, kMaxJsonBytes));
   }
   AssetFile file;
-  absl::StatusOr<nlohmann::json> json = ParseLimitedJson(bytes.substr(20, json_size));
-  if (!json.ok()) return json.status();
-  file.json_ = *std::move(json);
-  if (absl::Status readable = CheckRequired(file.json_); !readable.ok()) return readable;
+  ASSIGN_OR_RETURN(file.json_, ParseLimitedJson(bytes.substr(20, json_size)));
+  RETURN_IF_ERROR(CheckRequired(file.json_));
   const size_t binary = 20 + (json_size + 3) / 4 * 4;
   if (bytes.size() >= binary + 8 && WordAt(bytes, binary + 4) == kBinaryChunk) {
     const size_t size = WordAt(bytes, binary);
@@ -156,47 +155,44 @@ absl::StatusOr<AssetFile::Elements> AssetFile::ElementsOf(size_t accessor, std::
   elements.count = *count;
   const std::optional<size_t> view_index = CountOf(*json, "bufferView");
   if (!view_index.has_value()) return Wrong(fmt::format("accessor {} has no buffer view", accessor));
-  absl::StatusOr<std::string_view> view = View(*view_index);
-  if (!view.ok()) return view.status();
+  ASSIGN_OR_RETURN(std::string_view view, View(*view_index));
   elements.stride = CountOf(*Item("bufferViews", *view_index), "byteStride").value_or(size);
   const size_t offset = CountOf(*json, "byteOffset").value_or(0);
   // `count` is bounded and so is a stride that fits the view: no product overflows.
-  if (elements.stride < size || elements.stride > 252 + size || offset > view->size() ||
-      (elements.count - 1) * elements.stride + size > view->size() - offset) {
+  if (elements.stride < size || elements.stride > 252 + size || offset > view.size() ||
+      (elements.count - 1) * elements.stride + size > view.size() - offset) {
     return Wrong(fmt::format("accessor {} leaves its buffer view", accessor));
   }
-  elements.bytes = view->substr(offset);
+  elements.bytes = view.substr(offset);
   return elements;
 }
 
 absl::StatusOr<std::vector<float>> AssetFile::Numbers(size_t accessor, std::string_view type, size_t components,
                                                       size_t max_count) const {
-  absl::StatusOr<Elements> elements = ElementsOf(accessor, type, components, max_count);
-  if (!elements.ok()) return elements.status();
+  ASSIGN_OR_RETURN(Elements elements, ElementsOf(accessor, type, components, max_count));
   std::vector<float> numbers;
-  numbers.reserve(elements->count * components);
-  const size_t size = SizeOf(elements->component_type);
-  for (size_t i = 0; i < elements->count; ++i) {
+  numbers.reserve(elements.count * components);
+  const size_t size = SizeOf(elements.component_type);
+  for (size_t i = 0; i < elements.count; ++i) {
     for (size_t c = 0; c < components; ++c) {
-      numbers.push_back(ComponentAt(elements->bytes, i * elements->stride + c * size, elements->component_type,
-                                    elements->normalized));
+      numbers.push_back(
+          ComponentAt(elements.bytes, i * elements.stride + c * size, elements.component_type, elements.normalized));
     }
   }
   return numbers;
 }
 
 absl::StatusOr<std::vector<uint32_t>> AssetFile::Indices(size_t accessor, size_t bound, size_t max_count) const {
-  absl::StatusOr<Elements> elements = ElementsOf(accessor, "SCALAR", 1, max_count);
-  if (!elements.ok()) return elements.status();
-  const int type = elements->component_type;
+  ASSIGN_OR_RETURN(Elements elements, ElementsOf(accessor, "SCALAR", 1, max_count));
+  const int type = elements.component_type;
   if (type != 5121 && type != 5123 && type != 5125) return Wrong(fmt::format("accessor {} holds no indices", accessor));
   std::vector<uint32_t> indices;
-  indices.reserve(elements->count);
-  for (size_t i = 0; i < elements->count; ++i) {
-    const size_t at = i * elements->stride;
-    const uint32_t index = type == 5121   ? ValueAt<uint8_t>(elements->bytes, at)
-                           : type == 5123 ? ValueAt<uint16_t>(elements->bytes, at)
-                                          : ValueAt<uint32_t>(elements->bytes, at);
+  indices.reserve(elements.count);
+  for (size_t i = 0; i < elements.count; ++i) {
+    const size_t at = i * elements.stride;
+    const uint32_t index = type == 5121   ? ValueAt<uint8_t>(elements.bytes, at)
+                           : type == 5123 ? ValueAt<uint16_t>(elements.bytes, at)
+                                          : ValueAt<uint32_t>(elements.bytes, at);
     if (index >= bound)
       return Wrong(fmt::format("index {} of accessor {} is no vertex, there are {}", index, accessor, bound));
     indices.push_back(index);

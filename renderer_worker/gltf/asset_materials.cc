@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "fmt/format.h"
-#include "renderer_worker/gltf/image_header.h"
 #include "renderer_worker/gltf/limited_json.h"
+#include "renderer_worker/images/file_header.h"
 
 namespace flair::renderer::gltf {
+
 namespace {
 
 using Json = nlohmann::json;
@@ -127,14 +131,14 @@ std::shared_ptr<const SurfaceImage> AssetMaterials::ImageAt(size_t texture) {
   if (!view_index.has_value()) return left_out("it has no picture in the file");
   const absl::StatusOr<std::string_view> view = file_.View(*view_index);
   if (!view.ok()) return left_out(std::string(view.status().message()));
-  const std::optional<ImageHeader> header = ReadImageHeader(*view);
-  if (!header.has_value()) return left_out("it is neither PNG nor JPEG");
+  const absl::StatusOr<FileHeader> header = ReadFileHeader(*view);
+  if (!header.ok() || header->mime_type == nullptr) return left_out("it is neither PNG nor JPEG");
   if (header->width_px < 1 || header->height_px < 1 || header->width_px > kMaxImageSide_px ||
       header->height_px > kMaxImageSide_px || view->size() > kMaxImageBytes) {
     return left_out(fmt::format("it has {} x {} px in {} bytes, at most {} px a side and {} bytes are handed on",
                                 header->width_px, header->height_px, view->size(), kMaxImageSide_px, kMaxImageBytes));
   }
-  return std::make_shared<SurfaceImage>(SurfaceImage{std::string(header->mime_type), std::string(*view)});
+  return std::make_shared<SurfaceImage>(SurfaceImage{header->mime_type, std::string(*view)});
 }
 
 }  // namespace flair::renderer::gltf

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer_worker/gltf/asset_file.h"
-#include "renderer_worker/scene/material.h"
+#include "renderer_worker/scene/mesh.h"
 
 namespace flair::renderer::gltf {
 

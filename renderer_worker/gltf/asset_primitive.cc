@@ -8,8 +8,58 @@
 
 #include "fmt/format.h"
 #include "renderer_worker/gltf/limited_json.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer::gltf {
+namespace {
+
+// All of an array's numbers, or nothing.
+template <size_t kCount>
+std::optional<std::array<float, kCount>> Numbers(const nlohmann::json& json, const char* name) {
+  const nlohmann::json& items = ArrayOf(json, name);
+  if (items.size() != kCount) return std::nullopt;
+  std::array<float, kCount> numbers{};
+  for (size_t i = 0; i < kCount; ++i) {
+    if (!items[i].is_number()) return std::nullopt;
+    numbers[i] = static_cast<float>(items[i].get<double>());
+    if (!std::isfinite(numbers[i])) return std::nullopt;
+  }
+  return numbers;
+}
+
+// Rows of a unit quaternion's rotation are columns here.
+std::array<Vec3, 3> Rotation(std::array<float, 4> q) {
+  const float length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  if (!(length > 1e-6F) || !std::isfinite(length)) return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  const float x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
+  return {Vec3{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
+          Vec3{2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
+          Vec3{2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)}};
+}
+
+}  // namespace
+
+Affine operator*(const Affine& outer, const Affine& inner) {
+  Affine both;
+  for (size_t i = 0; i < 3; ++i) both.columns[i] = outer.Direction(inner.columns[i]);
+  both.columns[3] = outer.Point(inner.columns[3]);
+  return both;
+}
+
+Affine TransformOf(const nlohmann::json& node) {
+  Affine transform;
+  if (const auto m = Numbers<16>(node, "matrix")) {
+    for (size_t i = 0; i < 4; ++i) transform.columns[i] = {(*m)[4 * i], (*m)[4 * i + 1], (*m)[4 * i + 2]};
+    return transform;
+  }
+  const std::array<Vec3, 3> turned = Rotation(Numbers<4>(node, "rotation").value_or(std::array<float, 4>{0, 0, 0, 1}));
+  const auto scale = Numbers<3>(node, "scale").value_or(std::array<float, 3>{1, 1, 1});
+  for (size_t i = 0; i < 3; ++i) transform.columns[i] = turned[i] * scale[i];
+  const auto moved = Numbers<3>(node, "translation").value_or(std::array<float, 3>{});
+  transform.columns[3] = {moved[0], moved[1], moved[2]};
+  return transform;
+}
+
 namespace {
 
 using Json = nlohmann::json;
@@ -47,7 +97,7 @@ absl::Status PrimitiveReader::AddMesh(size_t index, const Affine& transform) {
   const Json* mesh = file_.Item("meshes", index);
   if (mesh == nullptr) return absl::InvalidArgumentError(fmt::format("there is no mesh {}", index));
   for (const Json& primitive : ArrayOf(*mesh, "primitives")) {
-    if (absl::Status added = AddPrimitive(primitive, transform); !added.ok()) return added;
+    RETURN_IF_ERROR(AddPrimitive(primitive, transform));
   }
   return absl::OkStatus();
 }
@@ -55,9 +105,7 @@ absl::Status PrimitiveReader::AddMesh(size_t index, const Affine& transform) {
 absl::StatusOr<std::vector<uint32_t>> PrimitiveReader::Triangles(const Json& json, size_t vertex_count) const {
   std::vector<uint32_t> corners;
   if (const std::optional<size_t> accessor = CountOf(json, "indices")) {
-    auto read = file_.Indices(*accessor, vertex_count, 3 * kMaxAssetTriangles);
-    if (!read.ok()) return read.status();
-    corners = *std::move(read);
+    ASSIGN_OR_RETURN(corners, file_.Indices(*accessor, vertex_count, 3 * kMaxAssetTriangles));
   } else {
     corners.resize(vertex_count);
     for (size_t i = 0; i < vertex_count; ++i) corners[i] = static_cast<uint32_t>(i);
@@ -82,23 +130,20 @@ absl::StatusOr<PrimitiveReader::Primitive> PrimitiveReader::Read(const Json& jso
   const Json* attributes = Find(json, "attributes");
   const std::optional<size_t> positions = attributes == nullptr ? std::nullopt : CountOf(*attributes, "POSITION");
   if (!positions.has_value()) return absl::InvalidArgumentError("a primitive has no positions");
-  auto numbers = file_.Numbers(*positions, "VEC3", 3, kMaxAssetVertices - vertex_count_);
-  if (!numbers.ok()) return numbers.status();
+  ASSIGN_OR_RETURN(auto numbers, file_.Numbers(*positions, "VEC3", 3, kMaxAssetVertices - vertex_count_));
   Primitive read;
-  read.positions = Triples(*numbers);
+  read.positions = Triples(numbers);
   const size_t count = read.positions.size();
   if (const std::optional<size_t> normals = CountOf(*attributes, "NORMAL")) {
-    auto values = file_.Numbers(*normals, "VEC3", 3, count);
-    if (!values.ok()) return values.status();
-    if (values->size() == 3 * count) read.normals = Triples(*values);
+    ASSIGN_OR_RETURN(auto values, file_.Numbers(*normals, "VEC3", 3, count));
+    if (values.size() == 3 * count) read.normals = Triples(values);
   }
   if (material.material.image != nullptr) {
     const std::string name = fmt::format("TEXCOORD_{}", material.uv.set);
     if (const std::optional<size_t> uvs = CountOf(*attributes, name.c_str())) {
-      auto values = file_.Numbers(*uvs, "VEC2", 2, count);
-      if (!values.ok()) return values.status();
-      for (size_t i = 0; i + 1 < values->size(); i += 2) {
-        const Vec2 uv = material.uv.Of({(*values)[i], (*values)[i + 1]});
+      ASSIGN_OR_RETURN(auto values, file_.Numbers(*uvs, "VEC2", 2, count));
+      for (size_t i = 0; i + 1 < values.size(); i += 2) {
+        const Vec2 uv = material.uv.Of({(values)[i], (values)[i + 1]});
         read.uvs.push_back(std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : Vec2{});
       }
       read.uvs.resize(count);
@@ -107,9 +152,7 @@ absl::StatusOr<PrimitiveReader::Primitive> PrimitiveReader::Read(const Json& jso
   if (const std::optional<size_t> colours = CountOf(*attributes, "COLOR_0")) {
     read.tint = MeanColour(file_, *colours, count).value_or(read.tint);
   }
-  auto triangles = Triangles(json, count);
-  if (!triangles.ok()) return triangles.status();
-  read.indices = *std::move(triangles);
+  ASSIGN_OR_RETURN(read.indices, Triangles(json, count));
   return read;
 }
 
@@ -128,45 +171,44 @@ absl::Status PrimitiveReader::AddPrimitive(const Json& json, const Affine& trans
   if (mode < 4 || mode > 6) return absl::OkStatus();  // points and lines
   const size_t material_index = CountOf(json, "material").value_or(SIZE_MAX);
   const AssetMaterial& material = materials_.At(material_index);
-  absl::StatusOr<Primitive> read = Read(json, material);
-  if (!read.ok()) return read.status();
+  ASSIGN_OR_RETURN(Primitive read, Read(json, material));
   // A mesh of few triangles may have many vertices and be in many nodes.
-  read_vertex_count_ += read->positions.size();
+  read_vertex_count_ += read.positions.size();
   if (read_vertex_count_ > 4 * kMaxAssetVertices) {
     return absl::ResourceExhaustedError(fmt::format("its meshes repeat more than {} vertices", 4 * kMaxAssetVertices));
   }
-  if (read->indices.empty()) return absl::OkStatus();
-  triangle_count_ += read->indices.size() / 3;
+  if (read.indices.empty()) return absl::OkStatus();
+  triangle_count_ += read.indices.size() / 3;
   if (triangle_count_ > kMaxAssetTriangles) {
     return absl::ResourceExhaustedError(fmt::format("it has more than {} triangles", kMaxAssetTriangles));
   }
-  for (Vec3& p : read->positions) {
+  for (Vec3& p : read.positions) {
     p = transform.Point(p);
     if (!Near(p)) return absl::InvalidArgumentError("a vertex is not finite or farther than 1e8 from the origin");
   }
-  MeshPart& part = PartOf(material_index, material, read->tint);
+  MeshPart& part = PartOf(material_index, material, read.tint);
   const bool mirrored = transform.Determinant() < 0;
   // Without normals every triangle is flat: each corner its own vertex.
-  const bool flat = read->normals.empty();
+  const bool flat = read.normals.empty();
   const auto add = [&](uint32_t corner, Vec3 normal) {
-    part.positions.push_back(read->positions[corner]);
+    part.positions.push_back(read.positions[corner]);
     part.normals.push_back(Near(normal) ? Normalized(normal) : Vec3{0, 0, 1});
-    part.uvs.push_back(read->uvs.empty() ? Vec2{} : read->uvs[corner]);
+    part.uvs.push_back(read.uvs.empty() ? Vec2{} : read.uvs[corner]);
   };
   const auto base = static_cast<uint32_t>(part.positions.size());
   if (!flat) {
-    for (uint32_t i = 0; i < read->positions.size(); ++i) {
-      Vec3 normal = transform.Normal(read->normals[i]);
+    for (uint32_t i = 0; i < read.positions.size(); ++i) {
+      Vec3 normal = transform.Normal(read.normals[i]);
       if (mirrored) normal = -normal;
       add(i, normal * (1 / std::max(1e-30F, std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)}))));
     }
   }
-  for (size_t i = 0; i < read->indices.size(); i += 3) {
-    uint32_t a = read->indices[i], b = read->indices[i + 1], c = read->indices[i + 2];
+  for (size_t i = 0; i < read.indices.size(); i += 3) {
+    uint32_t a = read.indices[i], b = read.indices[i + 1], c = read.indices[i + 2];
     if (mirrored) std::swap(b, c);
     if (flat) {
-      const Vec3 ab = read->positions[b] - read->positions[a];
-      const Vec3 ac = read->positions[c] - read->positions[a];
+      const Vec3 ab = read.positions[b] - read.positions[a];
+      const Vec3 ac = read.positions[c] - read.positions[a];
       const Vec3 normal = Cross(Normalized(ab), Normalized(ac));
       const auto next = static_cast<uint32_t>(part.positions.size());
       for (const uint32_t corner : {a, b, c}) add(corner, normal);
@@ -175,7 +217,7 @@ absl::Status PrimitiveReader::AddPrimitive(const Json& json, const Affine& trans
       part.indices.insert(part.indices.end(), {base + a, base + b, base + c});
     }
   }
-  vertex_count_ += flat ? read->indices.size() : read->positions.size();
+  vertex_count_ += flat ? read.indices.size() : read.positions.size();
   if (vertex_count_ > kMaxAssetVertices) {
     return absl::ResourceExhaustedError(fmt::format("it has more than {} vertices", kMaxAssetVertices));
   }

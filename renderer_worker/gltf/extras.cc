@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "fmt/format.h"
-#include "renderer_worker/gltf/numbers.h"
+#include "renderer_worker/gltf/frame.h"
 
 namespace flair::renderer::gltf {
 namespace {

@@ -3,16 +3,83 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "renderer_worker/gltf/glb_buffer.h"
-#include "renderer_worker/gltf/material_book.h"
+#include "renderer_worker/gltf/tiny_gltf.h"
 #include "renderer_worker/scene/mesh.h"
 
 namespace flair::renderer::gltf {
+
+// Vertices and indices of one primitive, in glTF's frame. `uvs` may be empty.
+struct Vertices {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;
+  std::vector<Vec2> uvs;
+  std::vector<uint32_t> indices;
+};
+
+// Collects what goes into the binary chunk and describes it in the model: vertices interleaved in one view per stride,
+// indices in one view per width, images in views of their own. Every offset is a multiple of 4.
+class GlbBuffer {
+ public:
+  // `model` must outlive this.
+  explicit GlbBuffer(tinygltf::Model& model) : model_(model) {}
+
+  // A primitive without material. Positions must not be empty and every index must be one of them.
+  tinygltf::Primitive Add(const Vertices& vertices);
+
+  // Number of the image.
+  int AddImage(std::string_view mime_type, std::string_view bytes);
+
+  // Puts all together; call once, at the end.
+  void Finish();
+
+ private:
+  struct Section {
+    std::vector<unsigned char> bytes;
+    std::vector<int> accessors;
+  };
+  int AddAccessor(Section& section, size_t offset, int component_type, int type, size_t count);
+  void FinishSection(Section& section, int target, size_t stride);
+
+  tinygltf::Model& model_;
+  Section plain_;     // position, normal: 24 bytes
+  Section textured_;  // position, normal, uv: 32 bytes
+  Section short_indices_;
+  Section long_indices_;
+  std::vector<std::vector<unsigned char>> images_;
+};
+
+// The materials of a file, each once. Patterns become textures that tile; emission above 1 uses
+// KHR_materials_emissive_strength.
+class MaterialBook {
+ public:
+  // Both must outlive this.
+  MaterialBook(tinygltf::Model& model, GlbBuffer& buffer) : model_(model), buffer_(buffer) {}
+
+  // Number of the material in the file.
+  int NumberOf(const Material& material);
+
+  // What texture coordinates of the scene are multiplied with in the file; (0, 0) where the material has no texture.
+  static Vec2 UvScale(const Material& material);
+
+ private:
+  int Write(const Material& material);
+  int TextureOf(const Material& material);
+  int SamplerNumber();
+
+  tinygltf::Model& model_;
+  GlbBuffer& buffer_;
+  std::map<std::string, std::vector<std::pair<Material, int>>> written_;  // by name
+  std::map<const SurfaceImage*, int> images_;                             // texture of each
+  std::map<std::string, int> patterns_;                                   // texture of each, by its PNG
+};
 
 // Which frame a mesh is in: R for the shell, O for furniture.
 enum class MeshFrame { kRoom, kObject };
@@ -42,5 +109,8 @@ class MeshBook {
   MaterialBook& materials_;
   std::map<uint64_t, std::vector<Written>> written_;  // by digest of the content
 };
+
+// The bytes of a model with one buffer. RESOURCE_EXHAUSTED: more than GLB holds; INTERNAL: what JSON cannot hold.
+absl::StatusOr<std::string> GlbText(const tinygltf::Model& model);
 
 }  // namespace flair::renderer::gltf

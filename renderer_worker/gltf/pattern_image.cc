@@ -10,9 +10,222 @@
 #include <mutex>
 #include <vector>
 
-#include "renderer_worker/gltf/pattern_tone.h"
-
 namespace flair::renderer::gltf {
+namespace {
+
+static_assert(static_cast<int>(Pattern::kWallpaper) == static_cast<int>(Figure::kWallpaper));
+
+// [0, 1), the same for the same cell.
+float Random(int x, int y, int salt) {
+  uint32_t h = static_cast<uint32_t>(x) * 0x9E3779B1U ^ static_cast<uint32_t>(y) * 0x85EBCA77U ^
+               static_cast<uint32_t>(salt) * 0xC2B2AE3DU;
+  h ^= h >> 15;
+  h *= 0x2C1B3C6DU;
+  h ^= h >> 12;
+  h *= 0x297A2D39U;
+  h ^= h >> 15;
+  return static_cast<float>(h >> 8) / 16777216.0F;
+}
+
+int Wrapped(int i, int period) { return ((i % period) + period) % period; }
+
+float Smooth(float t) { return t * t * (3 - 2 * t); }
+
+// Value noise in [0, 1] that repeats after period_x by period_y cells; x and y not negative.
+float Noise(float x, float y, int period_x, int period_y, int salt) {
+  int x0 = static_cast<int>(x);
+  int y0 = static_cast<int>(y);
+  const float tx = Smooth(x - static_cast<float>(x0));
+  const float ty = Smooth(y - static_cast<float>(y0));
+  if (x0 >= period_x) x0 %= period_x;
+  if (y0 >= period_y) y0 %= period_y;
+  const int x1 = x0 + 1 == period_x ? 0 : x0 + 1;
+  const int y1 = y0 + 1 == period_y ? 0 : y0 + 1;
+  const float low = Random(x0, y0, salt) * (1 - tx) + Random(x1, y0, salt) * tx;
+  const float high = Random(x0, y1, salt) * (1 - tx) + Random(x1, y1, salt) * tx;
+  return low * (1 - ty) + high * ty;
+}
+
+// 1 on the edge of a cell of `extent`, 0 from `width` inwards on.
+float Joint(float at, float extent, float width) {
+  const float distance = std::min(at, extent - at);
+  return std::clamp(1.5F - distance / width, 0.0F, 1.0F);
+}
+
+// Fibres along u, `length` units before they repeat: fine streaks over broad figure.
+float Grain(float u, float v, int length, int breadth, int salt) {
+  const float figure = Noise(u * 0.5F, v * 2, std::max(1, length / 2), breadth * 2, salt);
+  const float streak = Noise(u, v * 12 + figure * 3, length, breadth * 12, salt + 1);
+  return 0.45F * figure + 0.55F * streak;
+}
+
+Tone Board(float along, float across, float length, float width, float joint, int id) {
+  const float gap = std::max(Joint(across, width, joint), Joint(along, length, joint));
+  const float tint = Random(id, 3, 17);
+  const float grain = Grain(along + 37 * tint, across, 4096, 64, id);
+  return {std::max(gap, 0.30F * grain), 0.88F + 0.16F * tint};
+}
+
+Tone Planks(float u, float v) {
+  const int row = static_cast<int>(v);
+  const float shifted = u + 16 * Random(row, 0, 5);
+  const int board = Wrapped(static_cast<int>(std::floor(shifted / 8)), 2);
+  const float along = shifted - 8 * std::floor(shifted / 8);
+  return Board(along, v - static_cast<float>(row), 8, 1, 0.02F, row * 2 + board);
+}
+
+// Staves of 1 by 4, laid at right angles; on the diagonal each row of cells moves by one.
+Tone Herringbone(float u, float v) {
+  const int i = static_cast<int>(u);
+  const int j = static_cast<int>(v);
+  const float fu = u - static_cast<float>(i);
+  const float fv = v - static_cast<float>(j);
+  const int step = Wrapped(i - j, 8);
+  if (step < 4) {
+    return Board(static_cast<float>(step) + fu, fv, 4, 1, 0.03F, Wrapped(i - step, 8) * 8 + j);
+  }
+  const int below = 7 - step;  // cells of the same stave below this one
+  return Board(static_cast<float>(below) + fv, fu, 4, 1, 0.03F, 64 + i * 8 + Wrapped(j - below, 8));
+}
+
+Tone Tiles(float u, float v) {
+  const int i = static_cast<int>(u);
+  const int j = static_cast<int>(v);
+  const float joint =
+      std::max(Joint(u - static_cast<float>(i), 1, 0.018F), Joint(v - static_cast<float>(j), 1, 0.018F));
+  return {std::max(joint, 0.10F * Noise(u * 3, v * 3, 12, 12, 9)), 0.94F + 0.10F * Random(i, j, 11)};
+}
+
+Tone Bricks(float u, float v) {
+  constexpr float kCourse = 1 / 3.0F;
+  const int row = static_cast<int>(v / kCourse);
+  const float shifted = u + (row % 2 == 0 ? 0.0F : 0.5F);
+  const int brick = Wrapped(static_cast<int>(std::floor(shifted)), 4);
+  const float joint = std::max(Joint(shifted - std::floor(shifted), 1, 0.03F),
+                               Joint(v - static_cast<float>(row) * kCourse, kCourse, 0.03F));
+  return {joint, 0.84F + 0.22F * Random(brick, row, 21) - 0.05F * Noise(u * 8, v * 8, 32, 32, 22)};
+}
+
+Tone Stone(float u, float v) {
+  const float broad = Noise(u, v, 4, 4, 31);
+  const float middle = Noise(u * 3, v * 3, 12, 12, 32);
+  const float fine = Noise(u * 13, v * 13, 52, 52, 33);
+  return {0.5F * broad + 0.3F * middle + 0.2F * fine, 1};
+}
+
+// Cells round scattered points, 8 by 8 before they repeat; the joint is where the two nearest are equally far.
+Tone Stones(float u, float v) {
+  const int i = static_cast<int>(u);
+  const int j = static_cast<int>(v);
+  float nearest = 1e9F, second = 1e9F, tone = 0;
+  for (int a = i - 1; a <= i + 1; ++a) {
+    for (int b = j - 1; b <= j + 1; ++b) {
+      const int cell_x = Wrapped(a, 8);
+      const int cell_y = Wrapped(b, 8);
+      const float dx = static_cast<float>(a) + 0.15F + 0.7F * Random(cell_x, cell_y, 34) - u;
+      const float dy = static_cast<float>(b) + 0.15F + 0.7F * Random(cell_x, cell_y, 35) - v;
+      const float distance = std::sqrt(dx * dx + dy * dy);
+      if (distance < nearest) {
+        second = nearest;
+        nearest = distance;
+        tone = Random(cell_x, cell_y, 36);
+      } else {
+        second = std::min(second, distance);
+      }
+    }
+  }
+  const float joint = std::clamp(1.4F - (second - nearest) / 0.07F, 0.0F, 1.0F);
+  const float grain = 0.5F * Noise(u * 4, v * 4, 32, 32, 37) + 0.5F * Noise(u * 16, v * 16, 128, 128, 38);
+  return {std::max(joint, 0.30F * grain), 0.82F + 0.26F * tone};
+}
+
+Tone Carpet(float u, float v) {
+  const float tuft = Random(Wrapped(static_cast<int>(u * 2), 128), Wrapped(static_cast<int>(v * 2), 128), 41);
+  return {0.55F * tuft + 0.25F * Noise(u / 8, v / 8, 8, 8, 42), 0.94F + 0.10F * tuft};
+}
+
+Tone Fabric(float u, float v) {
+  const bool over = (static_cast<int>(u) + static_cast<int>(v)) % 2 == 0;
+  const float across = over ? v - std::floor(v) : u - std::floor(u);
+  const float roundness = 4 * across * (1 - across);
+  const float thread = over ? Random(0, static_cast<int>(v), 51) : Random(static_cast<int>(u), 1, 52);
+  return {0.45F * (1 - roundness) + 0.25F * thread, 0.96F + 0.06F * roundness};
+}
+
+// A lozenge with a blossom, every second column half a repeat lower.
+Tone Wallpaper(float u, float v) {
+  const int column = static_cast<int>(u * 2);
+  const float x = 2 * (u * 2 - static_cast<float>(column)) - 1;
+  const float y_shifted = v + (column % 2 == 0 ? 0.0F : 0.5F);
+  const float y = 2 * (y_shifted - std::floor(y_shifted)) - 1;
+  const float lozenge = std::abs(x) + std::abs(y);
+  const float radius = std::sqrt(x * x + 0.45F * y * y);
+  const float petals = 0.34F + 0.13F * std::cos(6 * std::atan2(y * 0.67F, x));
+  const bool figure = radius < petals || std::abs(lozenge - 0.92F) < 0.035F;
+  const bool heart = radius < 0.09F;
+  return {figure && !heart ? 1.0F : 0.0F, 1};
+}
+
+}  // namespace
+
+Figure FigureOf(const Material& material) {
+  if (material.pattern == Pattern::kStone && material.pattern_size_m < 1) return Figure::kStones;
+  return static_cast<Figure>(material.pattern);
+}
+
+Vec2 PeriodOf(Figure figure) {
+  switch (figure) {
+    case Figure::kPlain:
+      return {0, 0};
+    case Figure::kWood:
+      return {8, 4};
+    case Figure::kPlanks:
+      return {16, 8};
+    case Figure::kHerringbone:
+    case Figure::kStones:
+      return {8, 8};
+    case Figure::kTiles:
+    case Figure::kStone:
+      return {4, 4};
+    case Figure::kBricks:
+      return {4, 8 / 3.0F};
+    case Figure::kCarpet:
+    case Figure::kFabric:
+      return {64, 64};
+    case Figure::kWallpaper:
+      return {1, 1};
+  }
+  return {0, 0};
+}
+
+Tone ToneAt(Figure figure, float u, float v) {
+  switch (figure) {
+    case Figure::kPlain:
+      return {};
+    case Figure::kWood:
+      return {0.6F * Grain(u, v, 8, 4, 61), 0.95F + 0.08F * Noise(u * 0.5F, v, 4, 4, 62)};
+    case Figure::kPlanks:
+      return Planks(u, v);
+    case Figure::kHerringbone:
+      return Herringbone(u, v);
+    case Figure::kTiles:
+      return Tiles(u, v);
+    case Figure::kBricks:
+      return Bricks(u, v);
+    case Figure::kStone:
+      return Stone(u, v);
+    case Figure::kStones:
+      return Stones(u, v);
+    case Figure::kCarpet:
+      return Carpet(u, v);
+    case Figure::kFabric:
+      return Fabric(u, v);
+    case Figure::kWallpaper:
+      return Wallpaper(u, v);
+  }
+  return {};
+}
+
 namespace {
 
 // A tone's number: 16 shades of 16 mixtures.

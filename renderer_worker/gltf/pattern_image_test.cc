@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer_worker/gltf/pattern_tone.h"
-
 namespace flair::renderer::gltf {
 namespace {
 

@@ -10,6 +10,7 @@
 #include "renderer_worker/gltf/asset_file.h"
 #include "renderer_worker/gltf/asset_primitive.h"
 #include "renderer_worker/gltf/limited_json.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -54,12 +55,12 @@ class Walk {
     }
     const Affine transform = outer * gltf::TransformOf(*node);
     if (const std::optional<size_t> mesh = CountOf(*node, "mesh")) {
-      if (absl::Status added = primitives_.AddMesh(*mesh, transform); !added.ok()) return added;
+      RETURN_IF_ERROR(primitives_.AddMesh(*mesh, transform));
     }
     for (const Json& child : ArrayOf(*node, "children")) {
       if (!child.is_number_unsigned())
         return absl::InvalidArgumentError(fmt::format("node {} has a child of no number", index));
-      if (absl::Status visited = Visit(child.get<size_t>(), transform, depth + 1); !visited.ok()) return visited;
+      RETURN_IF_ERROR(Visit(child.get<size_t>(), transform, depth + 1));
     }
     return absl::OkStatus();
   }
@@ -67,7 +68,7 @@ class Walk {
   absl::Status VisitAll(const Affine& turn) {
     const std::vector<size_t> roots = Roots();
     for (const size_t root : roots) {
-      if (absl::Status visited = Visit(root, turn, 0); !visited.ok()) return visited;
+      RETURN_IF_ERROR(Visit(root, turn, 0));
     }
     return absl::OkStatus();
   }
@@ -115,15 +116,14 @@ absl::Status CheckAxes(const AssetAxes& axes) {
 }
 
 absl::StatusOr<AssetMesh> ReadAsset(std::string_view bytes, const AssetAxes& axes) {
-  if (absl::Status valid = CheckAxes(axes); !valid.ok()) return valid;
+  RETURN_IF_ERROR(CheckAxes(axes));
   if (bytes.size() > kMaxAssetBytes) {
     return absl::ResourceExhaustedError(
         fmt::format("it has {} bytes, {} at most are read", bytes.size(), kMaxAssetBytes));
   }
-  absl::StatusOr<gltf::AssetFile> file = gltf::AssetFile::Open(bytes);
-  if (!file.ok()) return file.status();
+  ASSIGN_OR_RETURN(gltf::AssetFile file, gltf::AssetFile::Open(bytes));
   AssetMesh asset;
-  if (absl::Status visited = Walk(*file, asset).VisitAll(TurnOf(axes)); !visited.ok()) return visited;
+  RETURN_IF_ERROR(Walk(file, asset).VisitAll(TurnOf(axes)));
   if (asset.mesh.parts.empty()) return absl::NotFoundError("it has no triangles");
   if (asset.notes.size() > kMaxNotes) asset.notes.resize(kMaxNotes);
   return asset;

@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "renderer_worker/drawing/testdata/read_layout.h"
+#include "renderer_worker/drawing/testing/read_layout.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/gltf/testing/read_model.h"
 

@@ -4,10 +4,8 @@
 #include <utility>
 
 #include "fmt/format.h"
-#include "renderer_worker/gltf/glb_buffer.h"
-#include "renderer_worker/gltf/glb_text.h"
-#include "renderer_worker/gltf/material_book.h"
 #include "renderer_worker/gltf/mesh_book.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 
@@ -16,13 +14,12 @@ absl::StatusOr<std::string> WriteMeshGlb(const Mesh& mesh, const std::string& na
   gltf::GlbBuffer buffer(model);
   gltf::MaterialBook materials(model, buffer);
   gltf::MeshBook meshes(model, buffer, materials);
-  absl::StatusOr<int> number = meshes.NumberOf(mesh, gltf::MeshFrame::kObject, name);
-  if (!number.ok()) return number.status();
-  if (*number < 0) return absl::InternalError(fmt::format("the mesh of {} has no triangles", name));
+  ASSIGN_OR_RETURN(int number, meshes.NumberOf(mesh, gltf::MeshFrame::kObject, name));
+  if (number < 0) return absl::InternalError(fmt::format("the mesh of {} has no triangles", name));
   buffer.Finish();
   tinygltf::Node node;
   node.name = name;
-  node.mesh = *number;
+  node.mesh = number;
   model.nodes.push_back(std::move(node));
   tinygltf::Scene scene;
   scene.nodes = {0};

@@ -19,16 +19,16 @@ int64_t BigEndian(std::string_view bytes, size_t at, size_t count) {
   return value;
 }
 
-absl::StatusOr<FileHeader> Sized(const char* name, int64_t width, int64_t height) {
+absl::StatusOr<FileHeader> Sized(const char* name, const char* mime_type, int64_t width, int64_t height) {
   if (width < 1 || height < 1 || width > INT32_MAX || height > INT32_MAX)
     return absl::InvalidArgumentError(fmt::format("is said to be {} x {} px", width, height));
-  return FileHeader{name, static_cast<int>(width), static_cast<int>(height)};
+  return FileHeader{name, mime_type, static_cast<int>(width), static_cast<int>(height)};
 }
 
 absl::StatusOr<FileHeader> ReadPng(std::string_view bytes) {
   if (bytes.size() < 33 || bytes.substr(12, 4) != "IHDR")
     return absl::InvalidArgumentError("is a PNG that ends in its header");
-  return Sized("picture.png", BigEndian(bytes, 16, 4), BigEndian(bytes, 20, 4));
+  return Sized("picture.png", "image/png", BigEndian(bytes, 16, 4), BigEndian(bytes, 20, 4));
 }
 
 absl::StatusOr<FileHeader> ReadJpeg(std::string_view bytes) {
@@ -46,7 +46,7 @@ absl::StatusOr<FileHeader> ReadJpeg(std::string_view bytes) {
       continue;
     }
     const bool is_frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
-    if (is_frame) return Sized("picture.jpg", BigEndian(bytes, at + 7, 2), BigEndian(bytes, at + 5, 2));
+    if (is_frame) return Sized("picture.jpg", "image/jpeg", BigEndian(bytes, at + 7, 2), BigEndian(bytes, at + 5, 2));
     at += 2 + static_cast<size_t>(BigEndian(bytes, at + 2, 2));
   }
   return absl::InvalidArgumentError("is a JPEG that ends in its header");
@@ -58,7 +58,7 @@ absl::StatusOr<FileHeader> ReadFileHeader(std::string_view bytes) {
   if (bytes.empty()) return absl::InvalidArgumentError("is empty");
   if (bytes.starts_with("\x89PNG\r\n\x1A\n"sv)) return ReadPng(bytes);
   if (bytes.starts_with("\xFF\xD8\xFF"sv)) return ReadJpeg(bytes);
-  if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv)) return FileHeader{"picture.tif", 0, 0};
+  if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv)) return FileHeader{"picture.tif", nullptr, 0, 0};
   return absl::InvalidArgumentError("is none of PNG, JPEG and TIFF");
 }
 

@@ -10,6 +10,7 @@ namespace flair::renderer {
 // What the first bytes of an image file say, found without any image library.
 struct FileHeader {
   const char* file_name = nullptr;  // a name with the ending of the format
+  const char* mime_type = nullptr;  // "image/png" or "image/jpeg"; null for TIFF, which glTF does not know
   int width_px = 0;                 // 0 where only a decoder can tell (TIFF)
   int height_px = 0;
 };

@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
+#include <cstdint>
 
 #include "renderer_worker/images/file_header.h"
-#include "renderer_worker/images/load_module.h"
+#include "renderer_worker/images/image_writer.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -15,11 +16,11 @@ namespace {
 constexpr uint64_t kMostDecodedBytes = uint64_t{256} << 20;
 
 // Shrinks rows as they come: every pixel of the result is the mean of the source pixels whose middle it covers.
-class Shrinker {
+class Shrinker final : public RowSink {
  public:
   Shrinker(int box_width, int box_height) : box_width_(box_width), box_height_(box_height) {}
 
-  bool Start(int width, int height) {
+  void Start(int width, int height) override {
     width_ = width;
     height_ = height;
     const double scale =
@@ -29,10 +30,9 @@ class Shrinker {
     pixels_.rgb.reserve(static_cast<size_t>(pixels_.width_px) * static_cast<size_t>(pixels_.height_px) * 3);
     sums_.assign(static_cast<size_t>(pixels_.width_px) * 3, 0);
     counts_.assign(static_cast<size_t>(pixels_.width_px), 0);
-    return true;
   }
 
-  bool Row(const uint8_t* rgb) {
+  void Row(const uint8_t* rgb) override {
     for (int64_t x = 0; x < width_; ++x) {
       const size_t to = static_cast<size_t>(x * pixels_.width_px / width_);
       for (size_t c = 0; c < 3; ++c) sums_[3 * to + c] += rgb[3 * x + static_cast<int64_t>(c)];
@@ -41,7 +41,6 @@ class Shrinker {
     const auto row_of = [this](int64_t y) { return y * pixels_.height_px / height_; };
     ++y_;
     if (y_ == height_ || row_of(y_) != row_of(y_ - 1)) EndRow();
-    return true;
   }
 
   Pixels Take() { return std::move(pixels_); }
@@ -66,49 +65,21 @@ class Shrinker {
   std::vector<uint64_t> counts_;
 };
 
-struct Reading {
-  Shrinker shrinker;
-  std::string error;
-  bool no_memory = false;
-
-  template <typename Step>
-  bool Guard(const Step& step) {
-    try {
-      return step();
-    } catch (const std::bad_alloc&) {
-      no_memory = true;
-      return false;
-    }
-  }
-};
-
 }  // namespace
 
 absl::StatusOr<Pixels> ReadImage(std::string_view bytes, int box_width_px, int box_height_px) {
-  const absl::StatusOr<FileHeader> header = ReadFileHeader(bytes);
-  if (!header.ok()) return header.status();
-  if (std::max(header->width_px, header->height_px) > kLargestReadSidePx) {
-    return absl::InvalidArgumentError(fmt::format("is said to be {} x {} px; at most {} px a side", header->width_px,
-                                                  header->height_px, kLargestReadSidePx));
+  ASSIGN_OR_RETURN(const FileHeader header, ReadFileHeader(bytes));
+  if (std::max(header.width_px, header.height_px) > kLargestReadSidePx) {
+    return absl::InvalidArgumentError(fmt::format("is said to be {} x {} px; at most {} px a side", header.width_px,
+                                                  header.height_px, kLargestReadSidePx));
   }
-  const absl::StatusOr<const EncoderModule*> module = LoadImageModule();
-  if (!module.ok()) return module.status();
-  Reading reading{Shrinker(box_width_px, box_height_px), "", false};
-  const DecoderRequest request{header->file_name, bytes.data(), bytes.size(), kLargestReadSidePx, kMostDecodedBytes};
-  const DecoderStart start = [](void* context, int width_px, int height_px) {
-    auto* to = static_cast<Reading*>(context);
-    return to->Guard([&] { return to->shrinker.Start(width_px, height_px); });
-  };
-  const DecoderRow row = [](void* context, const uint8_t* rgb) {
-    return static_cast<Reading*>(context)->shrinker.Row(rgb);
-  };
-  const EncoderSink error = [](void* context, const char* text, size_t count) {
-    static_cast<Reading*>(context)->error.append(text, count);
-  };
-  const bool read = (*module)->decode(request, start, row, error, &reading);
-  if (reading.no_memory) return absl::ResourceExhaustedError("no memory for the picture");
-  if (!read) return absl::InvalidArgumentError("cannot be read: " + reading.error);
-  return reading.shrinker.Take();
+  ASSIGN_OR_RETURN(const ImageModule* module, LoadImageModule());
+  Shrinker shrinker(box_width_px, box_height_px);
+  const std::string error =
+      module->decode({header.file_name, bytes.data(), bytes.size(), kLargestReadSidePx, kMostDecodedBytes}, shrinker);
+  if (error == kNoMemory) return absl::ResourceExhaustedError("no memory for the picture");
+  if (!error.empty()) return absl::InvalidArgumentError("cannot be read: " + error);
+  return shrinker.Take();
 }
 
 }  // namespace flair::renderer

@@ -5,19 +5,16 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <utility>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "flair/v1/preview.pb.h"
 #include "renderer_worker/drawing/draw_plan.h"
-#include "renderer_worker/images/encoder_module.h"
+#include "renderer_worker/images/image_module.h"
 
 namespace flair::renderer {
-
-// Name and value, in the order they are written. PNG and EXR keep all; JPEG and TIFF keep names that they know, and get
-// the rest as lines "name: value" of their ImageDescription.
-using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
 // One or more channels of an EXR that lie side by side in memory: value c of pixel p is [p * channels.size() + c], rows
 // from the top. `floats` for kHalf and kFloat, `numbers` for kUint32. Halves end at 65504.
@@ -49,7 +46,27 @@ class ImageWriter {
   }
 };
 
-// Writes through OpenImageIO, which is loaded on first use (load_module.h).
+// Writes through OpenImageIO, which is loaded on first use (LoadImageModule).
 std::unique_ptr<ImageWriter> MakeImageWriter();
+
+// Prepares a writer on a thread of its own while something is drawn; its end waits for it. Without a thread to be had
+// the first picture does it. Borrows the writer.
+class PrepareBeside {
+ public:
+  explicit PrepareBeside(ImageWriter& writer) {
+    try {
+      thread_ = std::jthread([&writer] { writer.Prepare(); });
+    } catch (const std::system_error&) {
+    }
+  }
+
+ private:
+  std::jthread thread_;
+};
+
+// The module, loaded by the first call of the process (0.4 s) and never unloaded: beside the program, in ../lib or
+// ../lib/flair of it, in $FLAIR_MODULE_DIR, or where it was built. UNAVAILABLE when it is not there or of another
+// version. Thread-safe.
+absl::StatusOr<const ImageModule*> LoadImageModule();
 
 }  // namespace flair::renderer

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "renderer_worker/furniture/rest_height.h"
+#include "renderer_worker/furniture/classes.h"
 #include "renderer_worker/scene/cameras.h"
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/scene/shell.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -38,7 +39,7 @@ absl::Status PlaceObjects(const v1::SolvedLayout& layout, const FurnishingSource
   for (int i = 0; i < objects.size(); ++i) {
     const auto at = placements.find(objects[i].id());
     if (at == placements.end()) continue;
-    if (absl::Status status = CheckObject(objects[i], *at->second, i); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckObject(objects[i], *at->second, i));
     const auto style = styles.find(objects[i].id());
     SceneObject placed;
     placed.object = &objects[i];
@@ -113,18 +114,17 @@ std::vector<DaylightWindow> WindowsOf(const RoomShape& shape) {
 }  // namespace
 
 absl::StatusOr<Scene> BuildScene(const v1::SolvedLayout& layout, const FurnishingSource& source) {
-  absl::StatusOr<RoomShape> shape = ShapeOf(layout.graph().room());
-  if (!shape.ok()) return shape.status();
+  ASSIGN_OR_RETURN(RoomShape shape, ShapeOf(layout.graph().room()));
   Scene scene;
   scene.layout = &layout;
-  scene.shell = BuildShell(*shape, layout.graph().style_sheet());
-  scene.windows = WindowsOf(*shape);
-  if (absl::Status status = PlaceObjects(layout, source, scene); !status.ok()) return status;
+  scene.shell = BuildShell(shape, layout.graph().style_sheet());
+  scene.windows = WindowsOf(shape);
+  RETURN_IF_ERROR(PlaceObjects(layout, source, scene));
   SettleOnHosts(scene);
-  HangOnWalls(*shape, scene);
-  const Sight sight(*shape, scene.objects);
-  scene.birdseye = BirdseyeCamera(*shape, sight);
-  scene.perspective = PerspectiveCamera(*shape, sight);
+  HangOnWalls(shape, scene);
+  const Sight sight(shape, scene.objects);
+  scene.birdseye = BirdseyeCamera(shape, sight);
+  scene.perspective = PerspectiveCamera(shape, sight);
   return scene;
 }
 

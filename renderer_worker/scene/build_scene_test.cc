@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer_worker/scene/cut_away.h"
-#include "renderer_worker/scene/sample_rooms.h"
+#include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/scene/scene.h"
+#include "renderer_worker/scene/testing/sample_rooms.h"
 
 namespace flair::renderer {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/scene/surfaces.h"
-
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/scene/shell.h"
 
 namespace flair::renderer {
 namespace {
@@ -27,53 +27,23 @@ float Channel(int value) {
   return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
 }
 
-struct Finish {
-  std::array<std::string_view, 7> words;
-  Pattern pattern;
-  float roughness;
-  float size_m;
-  float second;  // the second colour as a factor of the first
-};
+using Finishes = google::protobuf::RepeatedPtrField<SurfaceFinish>;
 
-// First match decides. Sizes are those of the trade: boards 14 cm, herringbone staves 9 cm, tiles 30 cm.
-constexpr Finish kFloors[] = {
-    {{"herringbone", "parquet", "chevron"}, Pattern::kHerringbone, 0.38F, 0.09F, 0.55F},
-    {{"carpet", "rug", "sisal", "wool", "seagrass"}, Pattern::kCarpet, 0.97F, 0.01F, 0.72F},
-    {{"cobble", "slab", "flag", "rough stone", "slate", "earth"}, Pattern::kStone, 0.8F, 0.55F, 0.55F},
-    {{"tile", "terracotta", "mosaic", "checker", "ceramic", "porcelain"}, Pattern::kTiles, 0.3F, 0.3F, 0.7F},
-    {{"marble", "granite", "travertine", "terrazzo"}, Pattern::kTiles, 0.22F, 0.6F, 0.8F},
-    {{"brick"}, Pattern::kBricks, 0.85F, 0.22F, 0.75F},
-    {{"concrete", "screed", "microcement", "stone", "rubber", "vinyl"}, Pattern::kStone, 0.6F, 3.0F, 0.88F},
-    {{"oak", "wood", "board", "plank", "laminate", "bamboo", "pine"}, Pattern::kPlanks, 0.42F, 0.14F, 0.5F},
-    {{"walnut", "ash", "maple", "timber", "birch", "teak", "parquetry"}, Pattern::kPlanks, 0.42F, 0.14F, 0.5F},
-};
-constexpr Finish kWalls[] = {
-    {{"damask", "wallpaper", "paper", "floral", "stripe"}, Pattern::kWallpaper, 0.8F, 0.32F, 0.72F},
-    {{"brick"}, Pattern::kBricks, 0.88F, 0.22F, 1.35F},
-    {{"tile", "ceramic", "subway"}, Pattern::kTiles, 0.25F, 0.15F, 0.8F},
-    {{"panel", "wainscot", "wood", "log", "timber", "plank"}, Pattern::kPlanks, 0.5F, 0.12F, 0.6F},
-    {{"stone", "rock", "rubble", "slate", "cave"}, Pattern::kStone, 0.9F, 0.45F, 0.6F},
-    {{"fabric", "silk", "velvet", "linen", "grasscloth"}, Pattern::kFabric, 0.9F, 0.006F, 0.8F},
-    {{"concrete", "limewash", "plaster", "stucco", "clay"}, Pattern::kStone, 0.9F, 4.0F, 0.93F},
-};
-
-template <size_t kCount>
-void ApplyFinish(const Finish (&finishes)[kCount], const v1::SurfaceStyle& surface, Material& material) {
+void ApplyFinish(const Finishes& finishes, const v1::SurfaceStyle& surface, Material& material) {
   const std::string words = Lower(surface.material() + " " + surface.description());
   if (surface.has_colour()) material.colour = LinearOf(surface.colour());
   material.pattern = Pattern::kPlain;
   material.second_colour = material.colour;
   if (!surface.material().empty()) material.name = surface.material();
-  for (const Finish& finish : finishes) {
-    for (std::string_view word : finish.words) {
-      if (word.empty() || words.find(word) == std::string::npos) continue;
-      material.pattern = finish.pattern;
-      material.roughness = finish.roughness;
-      material.pattern_size_m = finish.size_m;
-      material.second_colour = material.colour * finish.second;
-      return;
-    }
-  }
+  const auto finish = std::find_if(finishes.begin(), finishes.end(), [&](const SurfaceFinish& each) {
+    return std::any_of(each.words().begin(), each.words().end(),
+                       [&](const std::string& word) { return words.find(word) != std::string::npos; });
+  });
+  if (finish == finishes.end()) return;
+  material.pattern = static_cast<Pattern>(finish->pattern());
+  material.roughness = finish->roughness();
+  material.pattern_size_m = finish->pattern_size_m();
+  material.second_colour = material.colour * finish->second_colour_factor();
 }
 
 constexpr float kDarkWall = 0.36F;  // below, the wall's lightest channel calls for darker ceilings and joinery
@@ -108,8 +78,8 @@ ShellMaterials ShellMaterialsOf(const v1::StyleSheet& style) {
   m.ceiling = Plain("ceiling paint", {0.85F, 0.85F, 0.84F}, 0.95F);
   bool own_ceiling = false;
   for (const v1::SurfaceStyle& surface : style.surfaces()) {
-    if (surface.surface() == "floor") ApplyFinish(kFloors, surface, m.floor);
-    if (surface.surface() == "walls") ApplyFinish(kWalls, surface, m.wall);
+    if (surface.surface() == "floor") ApplyFinish(Furniture().floor(), surface, m.floor);
+    if (surface.surface() == "walls") ApplyFinish(Furniture().wall(), surface, m.wall);
     if (surface.surface() != "ceiling" || !surface.has_colour()) continue;
     m.ceiling.colour = LinearOf(surface.colour());
     own_ceiling = true;

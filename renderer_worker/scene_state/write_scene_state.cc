@@ -9,6 +9,7 @@
 
 #include "fmt/format.h"
 #include "renderer_worker/gltf/write_mesh_glb.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -155,8 +156,7 @@ absl::StatusOr<std::string> Text(const Json& json) {
 }  // namespace
 
 absl::StatusOr<std::string> WriteSceneState(const Scene& scene) {
-  absl::StatusOr<Json> objects = ObjectsOf(scene);
-  if (!objects.ok()) return objects.status();
+  ASSIGN_OR_RETURN(Json objects, ObjectsOf(scene));
   const v1::Room& room = scene.layout->graph().room();
   Json state = {{"format", "sceneState"},
                 {"scene",
@@ -167,7 +167,7 @@ absl::StatusOr<std::string> WriteSceneState(const Scene& scene) {
                   {"unit", 1.0},
                   {"assetSource", Json::array({kSceneStateAssetPrefix})},
                   {"arch", ArchOf(room)},
-                  {"object", *std::move(objects)}}},
+                  {"object", std::move(objects)}}},
                 {"selected", Json::array()}};
   return Text(state);
 }
@@ -177,12 +177,10 @@ absl::StatusOr<std::vector<SceneStateFile>> SceneStateAssets(const Scene& scene)
   std::vector<SceneStateFile> files;
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& shown = scene.objects[i];
-    absl::StatusOr<std::string> glb = WriteMeshGlb(*shown.furnishing.mesh, shown.object->name());
-    if (!glb.ok()) return glb.status();
-    absl::StatusOr<std::string> annotations = Text(AnnotationsOf(shown));
-    if (!annotations.ok()) return annotations.status();
-    files.push_back({fmt::format("{0}/{0}.glb", names[i]), *std::move(glb)});
-    files.push_back({fmt::format("{}/data.json", names[i]), *std::move(annotations)});
+    ASSIGN_OR_RETURN(std::string glb, WriteMeshGlb(*shown.furnishing.mesh, shown.object->name()));
+    ASSIGN_OR_RETURN(std::string annotations, Text(AnnotationsOf(shown)));
+    files.push_back({fmt::format("{0}/{0}.glb", names[i]), std::move(glb)});
+    files.push_back({fmt::format("{}/data.json", names[i]), std::move(annotations)});
   }
   return files;
 }

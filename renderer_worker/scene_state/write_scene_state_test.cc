@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "renderer_worker/drawing/testdata/read_layout.h"
+#include "renderer_worker/drawing/testing/read_layout.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/gltf/testing/read_model.h"
 

@@ -9,6 +9,7 @@
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/images/image_reader.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -23,7 +24,7 @@ absl::StatusOr<Pixels> DrawTile(const v1::ContactSheetTile& tile, int tile_px) {
     return absl::InvalidArgumentError("the image " + std::string(pixels.status().message()));
   }
   if (!tile.has_solved_layout()) return absl::InvalidArgumentError(tile.remark());
-  if (absl::Status status = Validate(tile.solved_layout()); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(tile.solved_layout()));
   return DrawPlanTile(tile.solved_layout(), tile_px, tile_px);
 }
 
@@ -44,21 +45,17 @@ absl::Status ContactSheetTaker::Take(const v1::ComposeContactSheetRequest& reque
     return absl::ResourceExhaustedError(
         fmt::format("{} contact sheets are being drawn; try again later", kMostOpenSheets));
   }
-  if (absl::Status status = Validate(request, message_count_); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(request, message_count_));
   return message_count_++ == 0 ? Begin(request.options()) : Add(request.tile());
 }
 
 absl::Status ContactSheetTaker::Begin(const v1::ContactSheetOptions& options) {
   std::optional<int> tile_px;
   if (options.has_tile_px()) tile_px = options.tile_px();
-  absl::StatusOr<SheetGrid> grid = ArrangeSheet(options.tile_count(), tile_px, !options.title().empty());
-  if (!grid.ok()) return grid.status();
-  grid_ = *grid;
+  ASSIGN_OR_RETURN(grid_, ArrangeSheet(options.tile_count(), tile_px, !options.title().empty()));
   title_ = options.title();
   if (options.format() != v1::PREVIEW_FORMAT_UNSPECIFIED) format_ = options.format();
-  absl::StatusOr<std::unique_ptr<ContactSheet>> sheet = ContactSheet::Make(grid_, title_);
-  if (!sheet.ok()) return sheet.status();
-  sheet_ = *std::move(sheet);
+  ASSIGN_OR_RETURN(sheet_, ContactSheet::Make(grid_, title_));
   return absl::OkStatus();
 }
 
@@ -85,19 +82,17 @@ absl::StatusOr<v1::ComposeContactSheetResponse> ContactSheetTaker::Finish(runtim
     return absl::InvalidArgumentError(
         fmt::format("options.tile_count: {} tiles were announced, {} came", grid_.tile_count, sheet_->added_count()));
   }
-  const absl::StatusOr<Pixels> pixels = sheet_->Finish();
-  if (!pixels.ok()) return pixels.status();
+  ASSIGN_OR_RETURN(const Pixels pixels, sheet_->Finish());
   ImageMetadata metadata;
   if (!title_.empty()) metadata.emplace_back("Title", title_);
   metadata.emplace_back("Software", fmt::format("flair-renderer contact_sheet {}", kContactSheetVersion));
-  absl::StatusOr<std::string> file = writer_.Write(format_, *pixels, metadata);
-  if (!file.ok()) return file.status();
+  ASSIGN_OR_RETURN(std::string file, writer_.Write(format_, pixels, metadata));
   v1::ComposeContactSheetResponse response;
   v1::Preview& preview = *response.mutable_sheet();
   preview.set_format(format_);
-  preview.set_width_px(pixels->width_px);
-  preview.set_height_px(pixels->height_px);
-  preview.set_image(*std::move(file));
+  preview.set_width_px(pixels.width_px);
+  preview.set_height_px(pixels.height_px);
+  preview.set_image(std::move(file));
   for (v1::Diagnostic& diagnostic : diagnostics_) *response.add_diagnostics() = std::move(diagnostic);
   response.mutable_producer()->set_program("flair-renderer");
   response.mutable_producer()->set_method("contact_sheet");

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/service/export_scene_handler.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer_worker/drawing/testdata/read_layout.h"
+#include "renderer_worker/drawing/testing/read_layout.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
+#include "renderer_worker/service/handlers.h"
 
 namespace flair::renderer {
 namespace {

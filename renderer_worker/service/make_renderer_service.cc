@@ -3,22 +3,63 @@
 
 #include <algorithm>
 #include <atomic>
+#include <string>
 #include <thread>
 #include <utility>
 
+#include "absl/strings/ascii.h"
+#include "absl/strings/strip.h"
+#include "absl/time/time.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
+#include "flair/v1/renderer_service.pb.h"
 #include "flair/v1/worker_service.pb.h"
 #include "renderer_worker/images/image_writer.h"
 #include "renderer_worker/service/contact_sheet_taker.h"
-#include "renderer_worker/service/export_scene_handler.h"
 #include "renderer_worker/service/furnishing_choice.h"
-#include "renderer_worker/service/render_handler.h"
-#include "renderer_worker/service/render_metrics.h"
+#include "renderer_worker/service/handlers.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/server_call.h"
 #include "worker_runtime/logging/log.h"
+#include "worker_runtime/metrics/metrics.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
+
+// Counts what pictures take, by view. Thread-safe. `metrics` outlives it.
+class RenderMetrics {
+ public:
+  explicit RenderMetrics(runtime::Metrics& metrics);
+
+  // To be told of answers (runtime::ObservedHandler).
+  void operator()(const v1::RenderRequest& request, const v1::RenderResponse& response, absl::Duration duration) const;
+
+ private:
+  runtime::Metrics& metrics_;
+};
+
+namespace {
+
+constexpr runtime::MetricFamily kDuration{.kind = runtime::MetricKind::kHistogram,
+                                          .name = "flair_render_duration_seconds",
+                                          .help = "Time to draw or trace a picture and to encode it.",
+                                          .labels = {"view"},
+                                          .buckets = runtime::kSecondsBuckets};
+
+// "plan", "bird_eye" ...; a plan when nothing is asked for.
+std::string ViewName(v1::PreviewView view) {
+  if (view == v1::PREVIEW_VIEW_UNSPECIFIED) view = v1::PREVIEW_VIEW_PLAN;
+  return absl::AsciiStrToLower(absl::StripPrefix(v1::PreviewView_Name(view), "PREVIEW_VIEW_"));
+}
+
+}  // namespace
+
+RenderMetrics::RenderMetrics(runtime::Metrics& metrics) : metrics_(metrics) { metrics.Declare(kDuration); }
+
+void RenderMetrics::operator()(const v1::RenderRequest& request, const v1::RenderResponse&,
+                               absl::Duration duration) const {
+  metrics_.GetHistogram(kDuration, {ViewName(request.options().view())}).Observe(absl::ToDoubleSeconds(duration));
+}
+
 namespace {
 
 class Service final : public v1::RendererService::CallbackService {
@@ -69,14 +110,13 @@ ViewLimits LimitsOf(const config::v1::RendererWorkerConfig& config) {
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeRendererService(const config::v1::RendererWorkerConfig& config,
                                                                    runtime::WorkerContext& worker) {
-  absl::StatusOr<FurnishingChoice> furnishing = ChooseFurnishing(config.asset_folder_path());
-  if (!furnishing.ok()) return furnishing.status();
-  for (const v1::Diagnostic& diagnostic : furnishing->diagnostics)
+  ASSIGN_OR_RETURN(FurnishingChoice furnishing, ChooseFurnishing(config.asset_folder_path()));
+  for (const v1::Diagnostic& diagnostic : furnishing.diagnostics)
     worker.logger->warn("assets: {}", diagnostic.message());
-  worker.revision = furnishing->revision;
+  worker.revision = furnishing.revision;
   worker.capabilities = {v1::CAPABILITY_DETERMINISTIC, v1::CAPABILITY_VIEWS, v1::CAPABILITY_EXPORT_SCENE,
                          v1::CAPABILITY_CONTACT_SHEET};
-  return std::make_unique<Service>(MakeImageWriter(), std::move(furnishing->source), LimitsOf(config), worker);
+  return std::make_unique<Service>(MakeImageWriter(), std::move(furnishing.source), LimitsOf(config), worker);
 }
 
 }  // namespace flair::renderer

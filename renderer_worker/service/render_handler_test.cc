@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/service/render_handler.h"
-
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -9,9 +7,9 @@
 #include <limits>
 #include <set>
 
-#include "renderer_worker/drawing/testdata/read_layout.h"
+#include "renderer_worker/drawing/testing/read_layout.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "renderer_worker/service/render_plan.h"
+#include "renderer_worker/service/handlers.h"
 #include "worker_runtime/files/files.h"
 
 namespace flair::renderer {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "absl/status/status.h"
+#include "renderer_worker/tracing/lighting.h"
 #include "renderer_worker/tracing/parallel.h"
 #include "renderer_worker/tracing/sampling.h"
-#include "renderer_worker/tracing/setting.h"
 #include "renderer_worker/tracing/trace_view.h"
 
 namespace flair::renderer {

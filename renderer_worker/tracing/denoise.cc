@@ -10,7 +10,6 @@
 
 #include "renderer_worker/tracing/plane.h"
 #include "renderer_worker/tracing/sampling.h"
-#include "renderer_worker/tracing/wide_vectors.h"
 
 namespace flair::renderer {
 namespace {

@@ -8,12 +8,11 @@
 #include <cmath>
 
 #include "renderer_worker/scene/room_shape.h"
-#include "renderer_worker/scene/sample_rooms.h"
+#include "renderer_worker/scene/testing/sample_rooms.h"
 #include "renderer_worker/tracing/denoise.h"
-#include "renderer_worker/tracing/direct_light.h"
 #include "renderer_worker/tracing/lighting.h"
 #include "renderer_worker/tracing/look.h"
-#include "renderer_worker/tracing/patterns/pattern.h"
+#include "renderer_worker/tracing/patterns.h"
 
 namespace flair::renderer {
 namespace {

@@ -2,11 +2,26 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
+#include "renderer_worker/tracing/frame.h"
+#include "renderer_worker/tracing/lights.h"
+#include "renderer_worker/tracing/look.h"
+#include "renderer_worker/tracing/radiosity.h"
 #include "renderer_worker/tracing/sampling.h"
-#include "renderer_worker/tracing/setting.h"
+#include "renderer_worker/tracing/world.h"
 
 namespace flair::renderer {
+
+// All that a picture is taken of, and from where.
+struct Setting {
+  const World& world;
+  const Lights& lights;
+  const Radiosity& radiosity;
+  const Surroundings& surroundings;
+  const PinholeCamera& camera;
+  float pixel_rad() const { return 1 / camera.focal_px; }
+};
 
 // A mean of samples of what falls on a surface, over pi, and the variance of its luminance as such a mean.
 struct LightMean {
@@ -53,5 +68,17 @@ LightMean IndirectLight(const Setting& setting, const Seen& seen, const PixelSam
 
 // Radiance that what is seen mirrors, roughly; 0 where it hardly shines.
 Vec3 Gloss(const Setting& setting, const Seen& seen, const PixelSamples& random, int first, int count);
+
+inline constexpr int kBlockSide = 4;
+
+// A square of neighbouring pixels; null beyond the picture.
+using PixelBlock = std::array<const Seen*, kBlockSide * kBlockSide>;
+using BlockLight = std::array<LightMean, kBlockSide * kBlockSide>;
+
+// What falls on the pixels of a block, whose first one is (column, row), straight from lamps, windows and the sun.
+// `round_count` samples of the sun, half as many of the others, whose half shadows are wide; but only a quarter where
+// those of all pixels of a surface agree whether light gets there.
+BlockLight DirectLightOn(const Setting& setting, const SampleSeeds& seeds, const PixelBlock& block, int column, int row,
+                         int round_count);
 
 }  // namespace flair::renderer

@@ -9,8 +9,39 @@
 #include <memory>
 #include <new>
 #include <type_traits>
+#include <utility>
+#include <vector>
+
+// Wider vectors where the processor has them; every operation rounds alike, so the result is the same.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define FLAIR_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
+#else
+#define FLAIR_WIDE_VECTORS
+#endif
 
 namespace flair::renderer {
+
+// Leaves what a vector grows by as the memory has it.
+template <typename T>
+struct UnsetAllocator : std::allocator<T> {
+  static_assert(std::is_trivially_copyable_v<T>);
+  template <typename U>
+  struct rebind {
+    using other = UnsetAllocator<U>;
+  };
+  template <typename U>
+  void construct(U*) noexcept {}
+  template <typename U, typename... Arguments>
+  void construct(U* at, Arguments&&... arguments) {
+    std::construct_at(at, std::forward<Arguments>(arguments)...);
+  }
+};
+
+// A value for each pixel. resize(n) leaves the new ones unset, so that the threads which fill rows are the first to
+// touch their memory.
+template <typename T>
+using PixelVector = std::vector<T, UnsetAllocator<T>>;
 
 // Values for the pixels of a picture; none before they are written, so that the threads which fill rows are the first
 // to touch their memory. In large pages where the system has them.

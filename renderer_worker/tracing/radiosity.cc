@@ -4,7 +4,137 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worker_runtime/status/status_macros.h"
+
 namespace flair::renderer {
+namespace {
+
+constexpr int kLeastPerInstance = 3;
+
+float AreaOf(const MeshPart& part, size_t triangle) {
+  const uint32_t* corner = &part.indices[3 * triangle];
+  const Vec3 a = part.positions[corner[0]];
+  const float area = Length(Cross(part.positions[corner[1]] - a, part.positions[corner[2]] - a)) / 2;
+  return std::isfinite(area) ? area : 0;
+}
+
+double AreaOf(const Mesh& mesh) {
+  double area = 0;
+  for (const MeshPart& part : mesh.parts) {
+    if (!HoldsUpLight(part.material)) continue;
+    for (size_t i = 0; i < part.indices.size() / 3; ++i) area += AreaOf(part, i);
+  }
+  return area;
+}
+
+// One point every `step` square metres, the first after half of it; within a triangle by Roberts' R2 sequence.
+void AddPoints(const WorldInstance& instance, int index, double step, std::vector<SurfacePoint>& points) {
+  double due = step / 2;
+  uint32_t number = static_cast<uint32_t>(index) * 7U;
+  for (const MeshPart& part : instance.mesh->parts) {
+    if (!HoldsUpLight(part.material)) continue;
+    for (size_t i = 0; i < part.indices.size() / 3; ++i) {
+      due -= AreaOf(part, i);
+      for (; due < 0; due += step, ++number) {
+        const uint32_t* corner = &part.indices[3 * i];
+        float u = static_cast<float>((number * 3242174889U) >> 8) * 0x1p-24F;
+        float v = static_cast<float>((number * 2447445414U) >> 8) * 0x1p-24F;
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        const Vec3 a = part.positions[corner[0]], b = part.positions[corner[1]] - a, c = part.positions[corner[2]] - a;
+        const Vec3 normal = Normalized(instance.TurnToRoom(Cross(b, c)));
+        points.push_back({instance.ToRoom(a + b * u + c * v) + normal * 1e-3F, normal, index});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> SpreadPoints(const World& world, int count) {
+  std::vector<double> areas;
+  double total = 0;
+  for (const WorldInstance& instance : world.instances()) {
+    areas.push_back(instance.shades ? AreaOf(*instance.mesh) : 0);
+    total += areas.back();
+  }
+  std::vector<SurfacePoint> points;
+  const double step = total / std::max(count, 1);
+  for (size_t i = 0; i < areas.size(); ++i) {
+    if (areas[i] <= 0 || !std::isfinite(areas[i])) continue;
+    AddPoints(world.instances()[i], static_cast<int>(i), std::min(step, areas[i] / kLeastPerInstance), points);
+  }
+  return points;
+}
+
+Vec3 DirectLight(const World& world, const LightChoice& choice, Vec3 position, const PixelSamples& random, int sample) {
+  Vec3 light;
+  const auto add = [&](const LightSample& from) {
+    if (Luminance(from.irradiance) > 0 && !IsShaded(world, position, from)) light = light + from.irradiance;
+  };
+  if (choice.any()) {
+    add(choice.Sample(random.At(sample, Purpose::kLight).x, random.At(sample, Purpose::kPlaceOnLight)));
+  }
+  if (choice.sun()) add(choice.SampleSun(random.At(sample, Purpose::kSun)));
+  return light;
+}
+
+float MeanDirectLight(const World& world, const Lights& lights, const std::vector<SurfacePoint>& points, int samples) {
+  const SampleSeeds seeds(77);
+  double sum = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const PixelSamples random(seeds, static_cast<int>(i % 256), static_cast<int>(i / 256), samples);
+    const LightChoice choice(lights, points[i].position, points[i].normal);
+    for (int k = 0; k < samples; ++k) sum += Luminance(DirectLight(world, choice, points[i].position, random, k));
+  }
+  return points.empty() ? 0 : static_cast<float>(sum / (static_cast<double>(points.size()) * samples));
+}
+
+void BalanceLights(const World& world, const std::vector<SurfacePoint>& points, const RoomShape& shape,
+                   Lights& lights) {
+  constexpr float kDaylight = 0.6F, kLeastDaylight = 0.002F, kLamplight = 0.3F, kFill = 0.3F, kFillBesideLamps = 0.06F;
+  std::vector<SurfacePoint> inside;  // what faces the outside gets no light and shall not count
+  for (const SurfacePoint& p : points) {
+    const Vec3 q = p.position;
+    if (q.z > 0 && q.z < shape.height_m && Inside(shape, q.x, q.y)) inside.push_back(p);
+  }
+  Lights daylight = lights;
+  daylight.balls.clear();
+  daylight.sun_irradiance = {};
+  const float mean = MeanDirectLight(world, daylight, inside, 4);
+  if (mean > kLeastDaylight) {
+    lights.sky_scale = kDaylight / mean;
+    return;
+  }
+  lights.sky_scale = 1;
+  Lights lamplight = lights;
+  lamplight.rects.clear();
+  lamplight.sun_irradiance = {};
+  const float of_lamps = MeanDirectLight(world, lamplight, inside, 4);
+  const bool lamps = of_lamps > 1e-4F;
+  for (BallLight& ball : lights.balls) {
+    if (lamps) ball.intensity = ball.intensity * (kLamplight / of_lamps);
+  }
+  lights.sun_irradiance = {};
+  Vec2 low = shape.floor[0], high = low;
+  for (const Vec2& p : shape.floor) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const float width = 0.8F * (high.x - low.x), depth = 0.8F * (high.y - low.y);
+  RectLight fill;
+  fill.corner = {low.x + width / 8, high.y - depth / 8, shape.height_m - 0.01F};
+  fill.along = {width, 0, 0};
+  fill.up = {0, -depth, 0};
+  fill.normal = {0, 0, -1};
+  fill.area_m2 = width * depth;
+  fill.radiance = {1, 0.98F, 0.95F};
+  daylight.rects = {fill};
+  const float filled = MeanDirectLight(world, daylight, inside, 4);
+  if (!(filled > 1e-6F)) return;
+  fill.radiance = fill.radiance * ((lamps ? kFillBesideLamps : kFill) / filled);
+  lights.rects = {fill};
+}
+
 namespace {
 
 constexpr int kRaysPerPoint = 40;
@@ -106,11 +236,10 @@ absl::StatusOr<std::unique_ptr<Radiosity>> Radiosity::Solve(const World& world, 
     direct[i] = direct[i] + sky * (1.0F / kRaysPerPoint);
   };
   const int tasks = static_cast<int>((points.size() + kPointsPerTask - 1) / kPointsPerTask);
-  absl::Status status = ForEach(workers, tasks, [&](int task) {
+  RETURN_IF_ERROR(ForEach(workers, tasks, [&](int task) {
     const size_t end = std::min(points.size(), static_cast<size_t>(task + 1) * kPointsPerTask);
     for (size_t i = static_cast<size_t>(task) * kPointsPerTask; i < end; ++i) gather(i);
-  });
-  if (!status.ok()) return status;
+  }));
   std::vector<Vec3> values = direct;
   for (int bounce = 0; bounce < kBounces; ++bounce) {
     result->Average(points, cell_of, values);

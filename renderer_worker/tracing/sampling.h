@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "renderer_worker/scene/vector.h"
+#include "renderer_worker/scene/mesh.h"
 
 namespace flair::renderer {
 

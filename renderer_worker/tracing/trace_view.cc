@@ -4,17 +4,226 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <new>
+#include <vector>
 
 #include "renderer_worker/scene/room_shape.h"
-#include "renderer_worker/tracing/annotations.h"
 #include "renderer_worker/tracing/compose.h"
 #include "renderer_worker/tracing/denoise.h"
+#include "renderer_worker/tracing/frame.h"
+#include "renderer_worker/tracing/lighting.h"
 #include "renderer_worker/tracing/radiosity.h"
-#include "renderer_worker/tracing/setting.h"
-#include "renderer_worker/tracing/tile.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
+
+inline constexpr int kTileHeight = 4;
+
+namespace {
+
+// What an instance takes of the picture.
+struct Extent {
+  int64_t count = 0;
+  int left = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::max(), right = 0, bottom = 0;
+};
+
+void CountPixels(const TracedView& view, v1::ViewAnnotations& annotations) {
+  std::vector<Extent> extents(annotations.instances_size());
+  for (int y = 0; y < view.height_px; ++y) {
+    for (int x = 0; x < view.width_px; ++x) {
+      const int id = view.instance[static_cast<size_t>(y) * view.width_px + x];
+      if (id <= 0) continue;
+      Extent& e = extents[id - 1];
+      ++e.count;
+      e = {e.count, std::min(e.left, x), std::min(e.top, y), std::max(e.right, x + 1), std::max(e.bottom, y + 1)};
+    }
+  }
+  for (size_t i = 0; i < extents.size(); ++i) {
+    if (extents[i].count == 0) continue;
+    v1::Instance& instance = *annotations.mutable_instances(static_cast<int>(i));
+    instance.set_visible_pixel_count(extents[i].count);
+    v1::PixelBox& box = *instance.mutable_pixel_box();
+    box.set_left(extents[i].left);
+    box.set_top(extents[i].top);
+    box.set_right(extents[i].right);
+    box.set_bottom(extents[i].bottom);
+  }
+}
+
+}  // namespace
+
+// Camera and instances of a view whose planes are filled in.
+v1::ViewAnnotations AnnotationsOf(const Scene& scene, const World& world, const PinholeCamera& camera,
+                                  const TracedView& view) {
+  v1::ViewAnnotations annotations;
+  *annotations.mutable_camera() = camera.Parameters();
+  for (size_t i = 0; i < world.instances().size(); ++i) {
+    v1::Instance& instance = *annotations.add_instances();
+    instance.set_instance_id(world.instances()[i].instance_id);
+    instance.set_class_id(world.instances()[i].class_id);
+    if (i >= scene.objects.size()) {
+      const ShellPart& part = scene.shell[i - scene.objects.size()];
+      instance.set_class_name(std::string(NameOf(part.kind)));
+      instance.set_subject_id(part.id);
+      continue;
+    }
+    const SceneObject& object = scene.objects[i];
+    instance.set_class_name(object.furnishing.class_name);
+    instance.set_subject_id(object.object->id());
+    instance.set_name(object.object->name());
+    *instance.mutable_placement() = object.placement;
+    instance.set_width_m(object.object->width_m());
+    instance.set_depth_m(object.object->depth_m());
+    instance.set_height_m(object.object->height_m());
+  }
+  CountPixels(view, annotations);
+  return annotations;
+}
+
+// Tiles of two blocks side by side: what is known of their pixels stays in the nearest cache until light has been
+// gathered.
+
+namespace {
+
+constexpr int kTileWidth = kMostRaysTogether;
+static_assert(kTileHeight == kBlockSide && kTileWidth % kBlockSide == 0);
+
+class Tile {
+ public:
+  Tile(const Setting& setting, int column, int row)
+      : setting_(setting),
+        column_(column),
+        row_(row),
+        width_(std::min(kTileWidth, setting.camera.width_px - column)),
+        height_(std::min(kTileHeight, setting.camera.height_px - row)) {}
+
+  void Look();
+  void FillView(TracedView& view) const;
+  void FillFrame(Frame& frame) const;
+  void GatherDirect(const SampleSeeds& seeds, int round_count, LightGrid& grid) const;
+  void GatherIndirect(const SampleSeeds& seeds, int round_count, Frame& frame) const;
+
+ private:
+  const Seen& At(int x, int y) const { return seen_[y * kTileWidth + x]; }
+  size_t PixelOf(int x, int y) const {
+    return static_cast<size_t>(row_ + y) * setting_.camera.width_px + static_cast<size_t>(column_ + x);
+  }
+
+  const Setting& setting_;
+  int column_, row_, width_, height_;
+  std::array<Seen, kTileWidth * kTileHeight> seen_;
+};
+
+void Tile::Look() {
+  for (int y = 0; y < height_; ++y) {
+    std::array<Vec3, kTileWidth> ways;
+    for (int x = 0; x < width_; ++x) {
+      ways[x] = setting_.camera.Through(static_cast<float>(column_ + x) + 0.5F, static_cast<float>(row_ + y) + 0.5F);
+    }
+    LookFrom(setting_.world, setting_.lights, setting_.surroundings, setting_.camera.eye, std::span(ways).first(width_),
+             setting_.pixel_rad(), std::span(seen_).subspan(y * kTileWidth, width_));
+  }
+}
+
+// The planes that say what is seen.
+void Tile::FillView(TracedView& view) const {
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const size_t at = PixelOf(x, y);
+      const Seen& s = At(x, y);
+      const bool any = s.instance >= 0;
+      const Vec3 way =
+          setting_.camera.Through(static_cast<float>(column_ + x) + 0.5F, static_cast<float>(row_ + y) + 0.5F);
+      view.depth_m[at] = any ? s.distance * Dot(way, setting_.camera.forward) : 0;
+      view.instance[at] = any ? setting_.world.instances()[s.instance].instance_id : 0;
+      if (view.normal.empty()) continue;
+      view.normal[at] = s.first_normal;
+      view.albedo[at] = s.first_albedo;
+      view.object_class[at] = any ? setting_.world.instances()[s.instance].class_id : 0;
+    }
+  }
+}
+
+// `pixels`: the distance of the grid's points, in pixels.
+void FillGuides(const Seen& s, float pixel_rad, float pixels, size_t at, Planes& guides) {
+  const bool lit = s.lit_instance != -1;
+  const Vec3 position = lit ? s.position : Vec3{}, normal = lit ? s.normal : Vec3{};
+  guides[kX][at] = position.x, guides[kY][at] = position.y, guides[kZ][at] = position.z;
+  guides[kNormalX][at] = normal.x, guides[kNormalY][at] = normal.y, guides[kNormalZ][at] = normal.z;
+  guides[kReach][at] = lit ? 1 / std::max(1e-4F, s.distance * pixel_rad * 1.5F * pixels) : 0;
+  guides[kInstance][at] = static_cast<float>(s.lit_instance);
+}
+
+void FillLight(const LightMean& light, size_t at, Planes& planes) {
+  planes[kRed][at] = light.light.x, planes[kGreen][at] = light.light.y, planes[kBlue][at] = light.light.z;
+  planes[kVariance][at] = light.variance;
+  planes[kLuminance][at] = Luminance(light.light);
+}
+
+void Tile::FillFrame(Frame& frame) const {
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const size_t at = PixelOf(x, y);
+      const Seen& s = At(x, y);
+      FillGuides(s, setting_.pixel_rad(), 1, at, frame.direct.guides);
+      frame.paint[at] = s.filter * s.albedo;
+      frame.added[at] = s.added;
+    }
+  }
+}
+
+void Tile::GatherDirect(const SampleSeeds& seeds, int round_count, LightGrid& grid) const {
+  for (int left = 0; left < width_; left += kBlockSide) {
+    PixelBlock block{};
+    for (int y = 0; y < height_; ++y) {
+      for (int x = left; x < std::min(width_, left + kBlockSide); ++x) block[y * kBlockSide + x - left] = &At(x, y);
+    }
+    const BlockLight light = DirectLightOn(setting_, seeds, block, column_ + left, row_, round_count);
+    for (int y = 0; y < height_; ++y) {
+      for (int x = left; x < std::min(width_, left + kBlockSide); ++x) {
+        FillLight(light[y * kBlockSide + x - left], PixelOf(x, y), grid.light);
+      }
+    }
+  }
+}
+
+void Tile::GatherIndirect(const SampleSeeds& seeds, int round_count, Frame& frame) const {
+  // Where the sky is open, these rays bring its light; within a room only that of other surfaces, which varies less.
+  const int ray_count = setting_.lights.open_sky ? 2 * round_count : round_count;
+  const int gloss_count = (round_count + 1) / 2;
+  for (int y = 0; y < height_; y += 2) {
+    for (int x = 0; x < width_; x += 2) {
+      const Seen& s = At(x, y);
+      const int column = (column_ + x) / 2, row = (row_ + y) / 2;
+      const size_t at = static_cast<size_t>(row) * frame.indirect.width + column;
+      FillGuides(s, setting_.pixel_rad(), 2, at, frame.indirect.guides);
+      FillLight(IndirectLight(setting_, s, PixelSamples(seeds, column, row, ray_count), 0, ray_count), at,
+                frame.indirect.light);
+      const Vec3 gloss = s.filter * Gloss(setting_, s, PixelSamples(seeds, column, row, gloss_count), 0, gloss_count);
+      frame.gloss[0][at] = gloss.x, frame.gloss[1][at] = gloss.y, frame.gloss[2][at] = gloss.z;
+      frame.reflectance[at] = Luminance(s.albedo + s.specular);
+    }
+  }
+}
+
+}  // namespace
+
+// Looks at rows [row, row + kTileHeight) of the picture, as far as there are, gathers the light that falls on what they
+// show, and fills their part of `frame` and of the view's planes but the colour. `row` is a multiple of kTileHeight.
+void TraceRows(const Setting& setting, const SampleSeeds& seeds, int round_count, int row, Frame& frame,
+               TracedView& view) {
+  for (int column = 0; column < setting.camera.width_px; column += kTileWidth) {
+    Tile tile(setting, column, row);
+    tile.Look();
+    tile.FillView(view);
+    tile.FillFrame(frame);
+    tile.GatherDirect(seeds, round_count, frame.direct);
+    tile.GatherIndirect(seeds, round_count, frame);
+  }
+}
+
 namespace {
 
 constexpr int kRadiosityPoints = 6000;
@@ -67,29 +276,25 @@ absl::Status Smooth(const Workers& workers, Frame& frame) {
 }
 
 absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_camera, const TraceOptions& options) {
-  absl::StatusOr<RoomShape> shape = ShapeOf(scene.layout->graph().room());
-  if (!shape.ok()) return shape.status();
-  absl::StatusOr<PinholeCamera> camera = PinholeCamera::Make(scene_camera, options.width_px, options.height_px);
-  if (!camera.ok()) return camera.status();
+  ASSIGN_OR_RETURN(RoomShape shape, ShapeOf(scene.layout->graph().room()));
+  ASSIGN_OR_RETURN(PinholeCamera camera, PinholeCamera::Make(scene_camera, options.width_px, options.height_px));
   const Workers workers{options.thread_count, options.check_alive};
   if (workers.check_alive) {
-    if (absl::Status status = workers.check_alive(); !status.ok()) return status;
+    RETURN_IF_ERROR(workers.check_alive());
   }
-  const CutAway cut = CutAwayFor(*shape, scene_camera.eye);
-  absl::StatusOr<std::unique_ptr<World>> world = World::Make(scene, cut);
-  if (!world.ok()) return world.status();
+  const CutAway cut = CutAwayFor(shape, scene_camera.eye);
+  ASSIGN_OR_RETURN(std::unique_ptr<World> world, World::Make(scene, cut));
   Lights lights = LightsOf(scene, cut.ceiling);
-  const std::vector<SurfacePoint> points = SpreadPoints(**world, kRadiosityPoints);
-  if (!cut.ceiling) BalanceLights(**world, points, *shape, lights);
-  absl::StatusOr<std::unique_ptr<Radiosity>> radiosity = Radiosity::Solve(**world, lights, points, workers);
-  if (!radiosity.ok()) return radiosity.status();
+  const std::vector<SurfacePoint> points = SpreadPoints(*world, kRadiosityPoints);
+  if (!cut.ceiling) BalanceLights(*world, points, shape, lights);
+  ASSIGN_OR_RETURN(std::unique_ptr<Radiosity> radiosity, Radiosity::Solve(*world, lights, points, workers));
 
   Surroundings surroundings;
   surroundings.open = cut.ceiling;
   // Where walls are gone before the eye, the picture goes on in the colour of those that are left.
-  if (!cut.ceiling && !Inside(*shape, camera->eye.x, camera->eye.y)) surroundings.room = &*shape;
-  if (!cut.ceiling) surroundings.backdrop = (*world)->MeanColourOf(kWallClass) * 0.8F;
-  const Setting setting{**world, lights, **radiosity, surroundings, *camera};
+  if (!cut.ceiling && !Inside(shape, camera.eye.x, camera.eye.y)) surroundings.room = &shape;
+  if (!cut.ceiling) surroundings.backdrop = (world)->MeanColourOf(kWallClass) * 0.8F;
+  const Setting setting{*world, lights, *radiosity, surroundings, camera};
   TracedView view;
   Resize(options, view);
   Frame frame(options.width_px, options.height_px);
@@ -100,14 +305,14 @@ absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_ca
   if (status.ok()) status = Smooth(workers, frame);
   if (status.ok()) status = ComposeColour(setting, seeds, frame, workers, view);
   if (!status.ok()) return status;
-  view.annotations = AnnotationsOf(scene, **world, *camera, view);
+  view.annotations = AnnotationsOf(scene, *world, camera, view);
   return view;
 }
 
 }  // namespace
 
 absl::StatusOr<TracedView> TraceView(const Scene& scene, const SceneCamera& camera, const TraceOptions& options) {
-  if (absl::Status status = CheckOptions(options); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckOptions(options));
   try {
     return Trace(scene, camera, options);
   } catch (const std::bad_alloc&) {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "renderer_worker/scene/sample_rooms.h"
+#include "renderer_worker/scene/testing/sample_rooms.h"
 
 namespace flair::renderer {
 namespace {

@@ -5,8 +5,9 @@
 
 #include <unordered_map>
 
-#include "renderer_worker/tracing/patterns/pattern.h"
+#include "renderer_worker/tracing/patterns.h"
 #include "renderer_worker/tracing/sampling.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -34,7 +35,7 @@ absl::Status CheckMesh(const Mesh& mesh, int64_t& triangles) {
 absl::StatusOr<std::unique_ptr<World>> World::Make(const Scene& scene, const CutAway& cut) {
   std::unique_ptr<World> world(new World);
   world->instances_ = InstancesOf(scene, cut);
-  if (absl::Status status = world->MakeMeanColours(); !status.ok()) return status;
+  RETURN_IF_ERROR(world->MakeMeanColours());
   auto trees = RayTrees::Make(world->instances_, static_cast<int>(world->mean_colours_.size()));
   if (!trees.ok()) return trees.status();
   world->trees_ = *std::move(trees);
@@ -48,7 +49,7 @@ absl::Status World::MakeMeanColours() {
     const auto [at, is_new] = known.try_emplace(instance.mesh, static_cast<int>(mean_colours_.size()));
     instance.mesh_index = at->second;
     if (!is_new) continue;
-    if (absl::Status status = CheckMesh(*instance.mesh, triangles); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckMesh(*instance.mesh, triangles));
     if (triangles > kMaxTriangles) {
       return absl::ResourceExhaustedError(fmt::format("the scene's meshes have more than {} triangles", kMaxTriangles));
     }

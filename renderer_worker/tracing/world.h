@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "renderer_worker/scene/cut_away.h"
+#include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/tracing/ray_trees.h"
-#include "renderer_worker/tracing/world_instance.h"
 
 namespace flair::renderer {
 
@@ -46,7 +45,6 @@ class World {
   Hit Feel(Vec3 from, Vec3 direction) const { return trees_->NearestShading(from, direction); }
   bool Shaded(Vec3 from, Vec3 direction, float distance) const { return trees_->Shaded(from, direction, distance); }
   Surface SurfaceAt(const Hit& hit, Vec3 from, Vec3 direction) const;
-  const Material& MaterialAt(const Hit& hit) const { return instances_[hit.instance].mesh->parts[hit.part].material; }
   Vec3 MeanColourAt(const Hit& hit) const { return mean_colours_[instances_[hit.instance].mesh_index][hit.part]; }
   // Of the first part of the first instance of a class; grey when there is none.
   Vec3 MeanColourOf(int class_id) const;

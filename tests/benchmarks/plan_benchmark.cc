@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer_worker/drawing/draw_plan.h"
-#include "renderer_worker/drawing/testdata/read_layout.h"
+#include "renderer_worker/drawing/testing/read_layout.h"
 #include "renderer_worker/images/image_writer.h"
 
 namespace flair::renderer {

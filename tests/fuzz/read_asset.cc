@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "renderer_worker/assets/asset_furniture.h"
 #include "renderer_worker/assets/asset_index.h"
-#include "renderer_worker/assets/fit_mesh.h"
 #include "renderer_worker/assets/manifest.h"
 #include "renderer_worker/gltf/write_mesh_glb.h"
 #include "tests/fuzz/targets.h"

@@ -14,6 +14,13 @@ Box Ordered(Box box) {
   return {std::min(box.x0, box.x1), std::min(box.y0, box.y1), std::max(box.x0, box.x1), std::max(box.y0, box.y1)};
 }
 
+// Anything that has no symbol of its own.
+void DrawPlainBox(SymbolPen& pen) {
+  pen.Area(pen.whole(), Tone::kBody, Line::kOutline);
+  pen.Area(pen.whole().Grown(-std::min(0.04, 0.08 * pen.smaller())), Tone::kLight, Line::kFaint);
+  pen.FrontMark();
+}
+
 }  // namespace
 
 Rgb SymbolPen::ColourOf(Tone tone) const {
@@ -91,6 +98,21 @@ void SymbolPen::FrontMark() {
   const double half = std::min(0.05, 0.14 * smaller());
   const Point wedge[] = {{-half, front() - 1.9 * half}, {half, front() - 1.9 * half}, {0, front() - 0.5 * half}};
   Shape(wedge, Tone::kDeep, Line::kNone);
+}
+
+std::vector<Symbol> Symbols() {
+  std::vector<Symbol> all = {{"plain_box", DrawPlainBox}};
+  for (const auto family : {KitchenAndBathSymbols(), DecorSymbols(), SeatAndBedSymbols(), TableAndStorageSymbols(),
+                            LeisureAndCraftSymbols()}) {
+    all.insert(all.end(), family.begin(), family.end());
+  }
+  return all;
+}
+
+const Symbol& SymbolNamed(std::string_view name) {
+  static const std::vector<Symbol>& all = *new std::vector<Symbol>(Symbols());
+  const auto at = std::find_if(all.begin(), all.end(), [name](const Symbol& symbol) { return symbol.name == name; });
+  return at != all.end() ? *at : all.front();
 }
 
 }  // namespace flair::renderer

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "renderer_worker/drawing/canvas.h"
 
@@ -19,9 +20,6 @@ enum class Tone { kNone, kBody, kLight, kPale, kDark, kDeep, kWater, kGlass, kLe
 
 // How a symbol's line is drawn.
 enum class Line { kNone, kOutline, kDetail, kFaint, kDashed };
-
-// The plan outline of a symbol, for shadows and for fitting labels; open frames cast none.
-enum class Outline { kRectangle, kRounded, kEllipse, kOpen };
 
 // Draws one plan symbol in object frame O: origin in the middle, x to the right of someone who stands behind the object
 // and looks the way it faces, y to its front, metres. Symbols fill exactly [left, right] x [back, front].
@@ -63,13 +61,23 @@ class SymbolPen {
   double depth_m_;
 };
 
-// What is known about drawing one category.
+// A plan symbol.
 struct Symbol {
-  std::string_view category;
+  std::string_view name;  // what records of furniture call it
   void (*draw)(SymbolPen& pen);
-  Outline outline = Outline::kRectangle;
-  unsigned default_colour = 0xD8CFC2;  // without a style
-  double level_m = 0;                  // drawn above pieces of a lower level; 0 takes the object's top
 };
+
+// Every symbol, families in the order of their files.
+std::vector<Symbol> Symbols();
+
+// The symbol that a class of furniture is drawn with; that of a plain block for a name that is none.
+const Symbol& SymbolNamed(std::string_view name);
+
+// The symbols by family, each in the file of its name.
+std::span<const Symbol> KitchenAndBathSymbols();
+std::span<const Symbol> DecorSymbols();
+std::span<const Symbol> SeatAndBedSymbols();
+std::span<const Symbol> TableAndStorageSymbols();
+std::span<const Symbol> LeisureAndCraftSymbols();
 
 }  // namespace flair::renderer

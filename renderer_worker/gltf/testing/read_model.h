@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer_worker/gltf/tiny_gltf.h"
-#include "renderer_worker/scene/vector.h"
+#include "renderer_worker/scene/mesh.h"
 
 namespace flair::renderer::gltf {
 
