@@ -4,7 +4,9 @@
 #include <numbers>
 #include <string>
 
+#include "absl/strings/ascii.h"
 #include "renderer_worker/drawing/layers.h"
+#include "renderer_worker/furniture/classes.h"
 
 namespace flair::renderer {
 namespace {
@@ -15,11 +17,10 @@ void TraceFloor(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   canvas.Polygon(outline);
 }
 
-bool Mentions(std::string text, std::initializer_list<const char*> words) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+bool Mentions(const std::string& text, const google::protobuf::RepeatedPtrField<std::string>& words) {
+  const std::string lower = absl::AsciiStrToLower(text);
   return std::any_of(words.begin(), words.end(),
-                     [&text](const char* word) { return text.find(word) != std::string::npos; });
+                     [&lower](const std::string& word) { return lower.find(word) != std::string::npos; });
 }
 
 // Boards along the longer side of the room, their joints staggered.
@@ -58,10 +59,10 @@ void DrawFloor(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   TraceFloor(canvas, plan, sheet);
   canvas.Clip();
   const Stroke joint{LineColourFor(plan.floor_tint), 0.09, 0.20};
-  if (Mentions(plan.floor_material, {"carpet", "rubber", "vinyl", "linoleum", "concrete", "resin", "earth"})) {
+  if (Mentions(plan.floor_material, Furniture().plain_floor())) {
     // Plain: nothing that would compete with the furniture.
-  } else if (Mentions(plan.floor_material, {"tile", "stone", "marble", "terracotta", "slate", "flag", "mosaic"}) ||
-             (plan.floor_material.empty() && Mentions(plan.room_type, {"kitchen", "bath", "laundry", "shower"}))) {
+  } else if (Mentions(plan.floor_material, Furniture().tiled_floor()) ||
+             (plan.floor_material.empty() && Mentions(plan.room_type, Furniture().wet_room()))) {
     DrawTiles(canvas, plan, sheet, joint, 0.45);
   } else {
     DrawBoards(canvas, plan, sheet, joint);
