@@ -53,7 +53,7 @@ std::string TitleOf(const v1::SolvedLayout& layout) {
 namespace {
 
 // Raise whenever equal requests would give another scene.
-constexpr char kGlbVersion[] = "1";
+constexpr char kGlbVersion[] = "2";
 constexpr char kSceneStateVersion[] = "1";
 
 GlbMetadata MetadataOf(const v1::ExportSceneRequest& request, const std::string& build) {
@@ -93,7 +93,7 @@ absl::StatusOr<v1::ExportSceneResponse> ExportSceneHandler::Handle(const v1::Exp
 inline constexpr int kExrPixelBytes = 30;
 
 // Raise whenever equal requests would give another picture.
-inline constexpr char kPlanVersion[] = "3";
+inline constexpr char kPlanVersion[] = "4";
 
 namespace {
 

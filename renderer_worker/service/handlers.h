@@ -50,7 +50,7 @@ class ExportSceneHandler {
 };
 
 // Raise whenever equal requests would give another picture.
-inline constexpr char kViewVersion[] = "3";
+inline constexpr char kViewVersion[] = "4";
 
 inline constexpr int kDefaultViewSizePx = 1024;
 inline constexpr int kDefaultSampleCount = 16;
