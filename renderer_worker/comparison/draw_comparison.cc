@@ -21,14 +21,6 @@
 
 namespace flair::renderer {
 
-// Where everything lies on the paper, in S.
-struct ComparisonSheet {
-  Sheet paper;                // its plan_mm is where the panels are
-  std::vector<Sheet> panels;  // one each, all of one scale; side_mm is where the caption goes
-  Box list_mm;                // of changes; without height when there are none
-  Box foot_mm;                // scale and signs
-};
-
 namespace {
 
 constexpr double kLeastColumnMm = 88;
@@ -136,8 +128,6 @@ std::optional<ComparisonSheet> BestAt(const Comparison& comparison, v1::PaperSiz
 
 }  // namespace
 
-// The way up and the rows of panels with which all plans are drawn largest, at the given or else at the largest common
-// scale. INVALID_ARGUMENT when they fit at none.
 absl::StatusOr<ComparisonSheet> ArrangeComparison(const Comparison& comparison, const v1::RenderOptions& options) {
   const std::string_view paper = EmptySheet(options.paper(), false, 1000).paper;
   if (options.has_scale_denominator()) {

@@ -2,15 +2,30 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "flair/v1/renderer_service.pb.h"
+#include "renderer_worker/comparison/comparison.h"
 #include "renderer_worker/drawing/draw_plan.h"
+#include "renderer_worker/drawing/sheet.h"
 
 namespace flair::renderer {
 
 // Plans of several layouts on one sheet, at one scale, with what became of each object. Pure: the same request gives
 // the same bytes. Thread-safe. Errors as draw_plan.h; those of other layouts begin with "beside[i].".
+
+// Where everything lies on the paper, in S.
+struct ComparisonSheet {
+  Sheet paper;                // its plan_mm is where the panels are
+  std::vector<Sheet> panels;  // one each, all of one scale; side_mm is where the caption goes
+  Box list_mm;                // of changes; without height when there are none
+  Box foot_mm;                // scale and signs
+};
+
+// The way up and the rows of panels with which all plans are drawn largest, at the given or else at the largest common
+// scale. INVALID_ARGUMENT when they fit at none.
+absl::StatusOr<ComparisonSheet> ArrangeComparison(const Comparison& comparison, const v1::RenderOptions& options);
 
 // As DrawPlan; `labels` stays empty.
 absl::StatusOr<DrawnPlan> DrawComparison(const v1::RenderRequest& request);

@@ -117,7 +117,7 @@ double DrawSigns(Canvas& canvas, const Plan& plan, const Box& box, bool draw) {
 
 namespace {
 
-constexpr double kRowMm = 5;
+constexpr double kLineMm = 5;
 
 int Count(const Plan& plan, v1::OutcomeStatus status) {
   return static_cast<int>(std::count_if(plan.edges.begin(), plan.edges.end(),
@@ -139,9 +139,9 @@ class Column {
   template <typename Sign>
   void Line(const std::string& text, int lines, const Sign& sign) {
     const TextBlock block{text, {.size_mm = 2.9, .colour = kPanelInk}, box_.width() - 12, lines};
-    const double height = std::max(kRowMm, Measure(canvas_, block).height + 1);
+    const double height = std::max(kLineMm, Measure(canvas_, block).height + 1);
     if (draw_) {
-      sign(Box{box_.x0, y_ + 0.8, box_.x0 + 9, y_ + kRowMm - 0.8});
+      sign(Box{box_.x0, y_ + 0.8, box_.x0 + 9, y_ + kLineMm - 0.8});
       DrawText(canvas_, block, {box_.x0 + 12, y_ + 0.5});
     }
     y_ += height;
@@ -171,7 +171,7 @@ void ListConstraints(Canvas& canvas, const Plan& plan, double most_mm, Column& c
   int index = 0;
   for (const PlanEdge& edge : plan.edges) {
     if (edge.status != v1::OUTCOME_STATUS_VIOLATED) continue;
-    if (column.height() > most_mm - 3 * kRowMm && violated - index > 1) {
+    if (column.height() > most_mm - 3 * kLineMm && violated - index > 1) {
       column.Line(fmt::format("… and {} more", violated - index), 1, [](const Box&) {});
       return;
     }
