@@ -2,8 +2,8 @@
 # What the programs say they were built from: `git describe` of the last commit that changed code, and a digest of what is
 # not committed; "unknown" outside git; or what the one who packages says. See docs/decisions/0012.
 #
-# Included once all targets are known. The name is looked up again when HEAD moves and when a library is built anew, not
-# at every build; only the six programs are linked again, and only when it changes.
+# The name is looked up again when HEAD moves and when a file that decides results has changed, not at every build; only the
+# programs are linked again, and only when it changes.
 set(FLAIR_BUILD "" CACHE STRING "What to call this build; empty asks git")
 if(NOT FLAIR_BUILD MATCHES "^[A-Za-z0-9._+-]*$")
   message(FATAL_ERROR "FLAIR_BUILD is \"${FLAIR_BUILD}\"; letters, digits, '.', '_', '+' and '-' are allowed")
@@ -24,13 +24,13 @@ if(FLAIR_GIT AND NOT FLAIR_BUILD)
   endforeach()
 endif()
 
-get_property(libraries GLOBAL PROPERTY FLAIR_LIBRARIES)
 set(build_name_cc ${CMAKE_BINARY_DIR}/build_name/build_name.cc)
 add_custom_command(
   OUTPUT ${build_name_cc}
   COMMAND ${CMAKE_COMMAND} -DBUILD=${FLAIR_BUILD} -DGIT=${FLAIR_GIT} -DSOURCE=${CMAKE_SOURCE_DIR} -DOUT=${build_name_cc}
           -P ${CMAKE_SOURCE_DIR}/cmake/write_build_name.cmake
-  DEPENDS ${CMAKE_SOURCE_DIR}/cmake/write_build_name.cmake ${head_moved} ${libraries} flair_protos flair_services
+  DEPENDS ${CMAKE_SOURCE_DIR}/cmake/write_build_name.cmake ${head_moved}
+  DEPFILE ${build_name_cc}.d
   COMMENT "Naming the build" VERBATIM)
 add_library(flair_build_name OBJECT ${build_name_cc})
 target_include_directories(flair_build_name PRIVATE ${CMAKE_SOURCE_DIR})

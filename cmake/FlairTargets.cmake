@@ -6,10 +6,6 @@ function(flair_library name)
   if(arg_SOURCES)
     add_library(${name} STATIC ${arg_SOURCES})
     set(visibility PUBLIC)
-    # What the name of the build watches; tests decide no results.
-    if(NOT CMAKE_CURRENT_SOURCE_DIR MATCHES "^${CMAKE_SOURCE_DIR}/tests" AND NOT name MATCHES "_testing$")
-      set_property(GLOBAL APPEND PROPERTY FLAIR_LIBRARIES ${name})
-    endif()
   else()
     add_library(${name} INTERFACE)
     set(visibility INTERFACE)
@@ -61,14 +57,14 @@ function(flair_test name)
                        PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600 RUN_SERIAL ${arg_ALONE})
 endfunction()
 
-# flair_program(NAME [TEST] SOURCES main.cc ... DEPENDS lib ...): an executable in bin/ that knows its build, installed and
-# part of target `programs` unless only a test runs it.
+# flair_program(NAME [TEST] [CLONE] SOURCES main.cc ... DEPENDS lib ...): an executable in bin/ that knows its build.
+# Installed and part of target `programs` unless only a test (TEST) or somebody with a clone of the repository (CLONE) runs it.
 function(flair_program name)
-  cmake_parse_arguments(arg "TEST" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "TEST;CLONE" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${arg_SOURCES} $<TARGET_OBJECTS:flair_build_name>)
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS})
-  if(NOT arg_TEST)
+  if(NOT arg_TEST AND NOT arg_CLONE)
     set_property(GLOBAL APPEND PROPERTY FLAIR_PROGRAMS ${name})
     install(TARGETS ${name} RUNTIME)
   endif()

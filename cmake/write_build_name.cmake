@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DBUILD=NAME -DGIT=PROGRAM -DSOURCE=DIR -DOUT=FILE -P write_build_name.cmake
-# Writes BuildName() to OUT, unless OUT says the same already. BUILD empty: asks GIT about SOURCE.
+# Writes BuildName() to OUT, unless OUT says the same already, and OUT.d: the files that the name depends on. BUILD empty:
+# asks GIT about SOURCE.
 
 # What decides results. A commit that changes none of it leaves the name alone.
 set(code . ":(exclude)*.md" ":(exclude)*_test.cc" ":(exclude)docs" ":(exclude)tests" ":(exclude)**/testdata"
@@ -16,7 +17,9 @@ function(git result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
+set(files "")
 if(NOT BUILD AND GIT)
+  git(files -c core.quotePath=false ls-files --cached --others --exclude-standard -- ${code})
   git(commit rev-list -1 HEAD -- ${code})
   if(commit)
     git(BUILD describe --always --abbrev=12 ${commit})
@@ -57,3 +60,16 @@ endif()
 if(NOT text STREQUAL before)
   file(WRITE "${OUT}" "${text}")
 endif()
+
+# Names that a Makefile cannot hold are left out: a change of such a file alone is not seen.
+string(REPLACE ";" "" files "${files}")
+string(REPLACE "\n" ";" files "${files}")
+list(FILTER files EXCLUDE REGEX "[^A-Za-z0-9._/+-]")
+list(TRANSFORM files PREPEND "${SOURCE}/")
+foreach(file IN LISTS files)
+  if(NOT EXISTS "${file}")
+    list(REMOVE_ITEM files "${file}")
+  endif()
+endforeach()
+list(JOIN files " \\\n  " files)
+file(WRITE "${OUT}.d" "${OUT}: ${files}\n")

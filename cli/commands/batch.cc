@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "CLI/CLI.hpp"
 #include "cli/batch/batch_input.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/kept_files.h"

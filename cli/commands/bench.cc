@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair bench: measures the solver on folders of problems.
+// flair-dev bench: measures the solver on folders of problems.
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "CLI/CLI.hpp"
 #include "cli/bench/problem.h"
 #include "cli/bench/solve_json.h"
 #include "cli/bench/solve_measure.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair bench render: measures pictures and scenes of stored layouts.
+// flair-dev bench render: measures pictures and scenes of stored layouts.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "cli/bench/render_measure.h"
 #include "cli/commands/commands.h"
 #include "cli/input/design_folders.h"

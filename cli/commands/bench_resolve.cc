@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair bench resolve: measures edits of solved layouts.
+// flair-dev bench resolve: measures edits of solved layouts.
 #include <cstdio>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "cli/bench/resolve_bench.h"
 #include "cli/commands/commands.h"
 #include "cli/input/value_checks.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair bench restarts: how soon restarts find the best primary layout.
+// flair-dev bench restarts: how soon restarts find the best primary layout.
 #include <cstdio>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "cli/bench/restarts_measure.h"
 #include "cli/commands/commands.h"
 #include "cli/input/value_checks.h"

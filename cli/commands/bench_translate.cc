@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair bench translate: how well sentences become calls.
+// flair-dev bench translate: how well sentences become calls.
 #include <cstdio>
 #include <memory>
 #include <optional>
 
+#include "CLI/CLI.hpp"
 #include "absl/time/clock.h"
 #include "cli/bench/bench_translate_measure.h"
 #include "cli/bench/bench_translate_text.h"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "CLI/CLI.hpp"
 #include "cli/input/usage_error.h"
 #include "cli/output/help_text.h"
 #include "cli/output/wrapped_text.h"
@@ -27,10 +28,11 @@ using ::testing::StartsWith;
 
 class CommandsTest : public ::testing::Test {
  protected:
-  CommandsTest() : program_("Makes rooms.", "flair") {
-    program_.require_subcommand(1);
-    AddCommands(program_, result_);
+  CommandsTest() : program_("Makes rooms.", "flair"), dev_program_("Measures.", "flair-dev") {
+    AddCommands(program_, FlairCommands().groups, result_);
+    AddCommands(dev_program_, DevCommands().groups, result_);
     Collect(program_, "flair");
+    Collect(dev_program_, "flair-dev");
   }
 
   void Collect(CLI::App& command, const std::string& name) {
@@ -49,6 +51,7 @@ class CommandsTest : public ::testing::Test {
   }
 
   CLI::App program_;
+  CLI::App dev_program_;
   absl::Status result_;
   std::vector<std::pair<std::string, CLI::App*>> commands_;
 };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/compare/trial_text.h"
 #include "cli/embedded/remote_stage.h"
@@ -69,7 +70,7 @@ absl::StatusOr<Contest> Run(const CompareArguments& arguments, const std::string
 absl::Status CheckGraph(const std::string& name, const v1::Artifact& artifact) {
   if (artifact.has_layout_graph()) return absl::OkStatus();
   return absl::InvalidArgumentError(fmt::format(
-      "{}: not a graph; give the graph.pb of a design or of flair import flairgpt, or a folder of designs", name));
+      "{}: not a graph; give the graph.pb of a design or of flair-dev import flairgpt, or a folder of designs", name));
 }
 
 absl::Status DrawPicture(const CompareArguments& arguments, const Contest& contest) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"

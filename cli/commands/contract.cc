@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/contract/report.h"
+#include "cli/contract/target.h"
 #include "cli/exit_code.h"
 #include "cli/input/connection_flags.h"
 #include "cli/input/value_checks.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "absl/strings/str_replace.h"
 #include "cli/commands/commands.h"
 #include "cli/diff/artifact_difference.h"

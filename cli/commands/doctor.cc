@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "absl/time/clock.h"
 #include "cli/commands/commands.h"
 #include "cli/commands/doctor_model.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair import and flair export: to and from the formats of other systems.
+// flair-dev import and flair-dev export: to and from the format of the released implementation.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/files.h"
@@ -79,16 +80,15 @@ void AddImport(CLI::App& program, absl::Status& result) {
   AddImportAnswers(*command, result);
 }
 
-void AddExport(CLI::App& program, absl::Status& result) {
+void AddExportFlairGpt(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<ExchangeArguments>();
-  CLI::App* command = program.add_subcommand("export", "Layouts in the formats of other systems, and as 3D scenes.");
+  CLI::App* command = program.add_subcommand("export", "Layouts in the format of the released implementation.");
   command->require_subcommand(1);
   CLI::App* flairgpt = command->add_subcommand("flairgpt", "Poses as the released implementation writes them.");
   flairgpt->add_option("LAYOUT", arguments->in, "A layout: layout.pb or layout.json of a design")->required();
   flairgpt->add_option("-o,--out", arguments->out, "Where the .json goes")->required()->type_name("FILE");
   flairgpt->add_option("--name", arguments->name, "Name of the problem; that of FILE when left out");
   flairgpt->callback([arguments, &result] { result = ExportFlairGpt(*arguments); });
-  AddExportScene(*command, result);
 }
 
 }  // namespace flair::cli

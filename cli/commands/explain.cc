@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/explain/note_json.h"
 #include "cli/explain/note_text.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/layout_file.h"
@@ -86,9 +87,11 @@ absl::Status ExportGlb(const ExportSceneArguments& arguments) {
 
 }  // namespace
 
-void AddExportScene(CLI::App& exports, absl::Status& result) {
+void AddExport(CLI::App& program, absl::Status& result) {
+  CLI::App* const exports = program.add_subcommand("export", "Layouts as 3D scenes, for other programs.");
+  exports->require_subcommand(1);
   auto scene = std::make_shared<ExportSceneArguments>();
-  CLI::App* command = exports.add_subcommand(
+  CLI::App* command = exports->add_subcommand(
       "scene", "The furnished room in three dimensions, for Blender, Unity, Unreal and browsers.");
   command->add_option("LAYOUT", scene->layout, "A layout: layout.pb or layout.json of a design")->required();
   command->add_option("-o,--out", scene->out, "Where the scene goes")->required()->type_name("FILE");
@@ -97,7 +100,7 @@ void AddExportScene(CLI::App& exports, absl::Status& result) {
   command->callback([scene, &result] { result = ExportGlb(*scene); });
 
   auto state = std::make_shared<ExportSceneArguments>();
-  command = exports.add_subcommand("sceneeval", "SceneState JSON, as the benchmark SceneEval reads it.");
+  command = exports->add_subcommand("sceneeval", "SceneState JSON, as the benchmark SceneEval reads it.");
   command->add_option("LAYOUT", state->layout, "A layout: layout.pb or layout.json of a design")->required();
   command->add_option("-o,--out", state->out, "Where the .json goes")->required()->type_name("FILE");
   command

@@ -2,8 +2,9 @@
 // flair health: asks a server whether it serves, for people, containers and their orchestrators.
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
-#include "cli/contract/common_services.h"
+#include "cli/contract/target.h"
 #include "cli/input/connection_flags.h"
 #include "cli/input/value_checks.h"
 #include "fmt/format.h"
@@ -33,10 +34,8 @@ absl::Status Health(const HealthArguments& arguments) {
   if (!health.ok()) {
     return absl::Status(health.status().code(), fmt::format("{}: {}", what, std::string(health.status().message())));
   }
-  if (*health != contract::Health::kServing) {
-    return absl::UnavailableError(fmt::format("{}: {}", what, contract::HealthName(*health)));
-  }
-  fmt::print("{}: {}\n", what, contract::HealthName(*health));
+  if (*health != "SERVING") return absl::UnavailableError(fmt::format("{}: {}", what, *health));
+  fmt::print("{}: {}\n", what, *health);
   return absl::OkStatus();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair import answers: what a model once wrote for a room, as a folder of answers that a design replays.
+// flair-dev import answers: what a model once wrote for a room, as a folder of answers that a design replays.
 #include "language_worker/recorded/import_answers.h"
 
 #include <google/protobuf/util/json_util.h>
@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/files.h"

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "absl/time/time.h"
 #include "cli/commands/commands.h"
 #include "cli/input/value_checks.h"

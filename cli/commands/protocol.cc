@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/protocol/protocol_page.h"
 #include "cli/protocol/protocol_text.h"

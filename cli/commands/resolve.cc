@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_source.h"
 #include "cli/input/text_message.h"

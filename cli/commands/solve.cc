@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_source.h"
 #include "cli/input/solve_flags.h"
@@ -80,7 +81,7 @@ absl::Status Solve(const SolveArguments& arguments) {
   if (!graph.ok()) return graph.status();
   if (!graph->has_layout_graph()) {
     return absl::InvalidArgumentError(
-        fmt::format("{}: not a graph; give the graph.pb of a design or of flair import flairgpt", arguments.graph));
+        fmt::format("{}: not a graph; give the graph.pb of a design or of flair-dev import flairgpt", arguments.graph));
   }
   if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
   absl::StatusOr<v1::SolveOptions> options = ReadSolveFlags(arguments.flags);

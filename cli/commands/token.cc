@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "CLI/CLI.hpp"
 #include "absl/strings/escaping.h"
 #include "cli/commands/commands.h"
 #include "cli/input/value_checks.h"

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "CLI/CLI.hpp"
 #include "absl/time/clock.h"
 #include "cli/commands/commands.h"
 #include "cli/embedded/embedded_services.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "cli/bench/statistics.h"
 #include "cli/diff/content_difference.h"
 #include "cli/output/call_text.h"
 #include "cli/output/text_table.h"
@@ -125,7 +124,8 @@ std::string ContestsTable(const std::vector<Contest>& contests, const std::vecto
     row(i == 0 ? fmt::format("median of {}", contests.size()) : "", i, [&](const Figure& figure) {
       std::vector<double> values;
       for (const Contest& contest : contests) values.push_back(figure.value(contest.trials[i]));
-      return Quantile(values, 0.5);
+      std::ranges::nth_element(values, values.begin() + values.size() / 2);
+      return values[values.size() / 2];
     });
   }
   for (size_t i = 0; i < optimizers.size(); ++i) text += fmt::format("{}  {}\n", LetterOf(i), optimizers[i]);

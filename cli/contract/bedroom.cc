@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "optimizer_worker/constraints/registry.h"
 #include "room/conversion/conversion.h"
 #include "room/text_format/scene_text.h"
 
@@ -58,6 +59,37 @@ v1::SolveRequest BedroomSolve() {
   v1::SolveRequest request;
   *request.mutable_layout_graph() = BedroomGraph();
   request.mutable_options()->set_seed(5);
+  return request;
+}
+
+v1::SolveRestartsRequest BedroomRestarts(int first, int count) {
+  v1::SolveRestartsRequest request;
+  *request.mutable_layout_graph() = BedroomGraph();
+  request.mutable_options()->set_seed(5);
+  request.set_stage("primary");
+  request.set_first_restart(first);
+  request.set_restart_count(count);
+  return request;
+}
+
+v1::EvaluateRequest BedroomEvaluate() {
+  v1::EvaluateRequest request;
+  *request.mutable_layout_graph() = BedroomGraph();
+  v1::Placement& bed = *request.add_placements();
+  bed.set_object_id("bed");
+  bed.set_x_m(2);
+  bed.set_y_m(0.5);
+  return request;
+}
+
+v1::TranslateRequest BedroomTranslate() {
+  const v1::LayoutGraph graph = BedroomGraph();
+  v1::TranslateRequest request;
+  *request.mutable_room() = graph.room();
+  *request.mutable_zone_plan() = graph.zone_plan();
+  *request.mutable_object_list() = graph.object_list();
+  *request.mutable_constraint_list() = graph.constraint_list();
+  *request.mutable_catalog() = optimizer::MakeCatalog();
   return request;
 }
 

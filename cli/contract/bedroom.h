@@ -2,7 +2,6 @@
 // What checks send: a small bedroom that every server must cope with.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <string_view>
 
@@ -11,11 +10,9 @@
 #include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
+#include "flair/v1/translator_service.pb.h"
 
 namespace flair::contract {
-
-// What no coordinate may be.
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // "A bedroom that is 4m x 5m.", seed 3.
 v1::Brief BedroomBrief();
@@ -30,6 +27,15 @@ v1::LayoutGraph BedroomGraph();
 // Solve of the bedroom with seed 5, and how reports call it.
 v1::SolveRequest BedroomSolve();
 inline constexpr char kBedroomSolve[] = "Solve of a small bedroom";
+
+// Restarts of its primary stage, with seed 5.
+v1::SolveRestartsRequest BedroomRestarts(int first, int count);
+
+// The bed at (2, 0.5), half a metre of it outside the room.
+v1::EvaluateRequest BedroomEvaluate();
+
+// Its two sentences with the catalogue of Flair's optimizer.
+v1::TranslateRequest BedroomTranslate();
 
 // The bedroom with the bed in the middle, for renderers.
 v1::SolvedLayout BedroomLayout();

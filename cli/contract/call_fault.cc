@@ -2,8 +2,8 @@
 #include "cli/contract/call_fault.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "fmt/format.h"
@@ -11,9 +11,51 @@
 namespace flair::contract {
 namespace {
 
-constexpr std::array<std::string_view, 3> kFeatures = {"door", "window", "socket"};
-constexpr std::array<std::string_view, 4> kSides = {"front", "back", "left", "right"};
-constexpr std::array<std::string_view, 4> kCorners = {"back_left", "back_right", "front_right", "front_left"};
+// The names that a text of one kind of parameter may have.
+struct Names {
+  // Such as "a wall of the room".
+  std::string what;
+  std::vector<std::string> known;
+};
+
+// Nothing when every name will do: for other kinds, and for ids without a graph.
+std::optional<Names> NamesOf(v1::ParameterKind kind, const v1::LayoutGraph* graph) {
+  Names names;
+  switch (kind) {
+    case v1::PARAMETER_KIND_FEATURE:
+      return Names{"a feature: door, window or socket", {"door", "window", "socket"}};
+    case v1::PARAMETER_KIND_SIDE:
+    case v1::PARAMETER_KIND_SIDES:
+      return Names{"a side: front, back, left or right", {"front", "back", "left", "right"}};
+    case v1::PARAMETER_KIND_CORNER:
+      return Names{"a corner, such as back_left", {"back_left", "back_right", "front_right", "front_left"}};
+    case v1::PARAMETER_KIND_OBJECT:
+    case v1::PARAMETER_KIND_OBJECTS:
+      if (graph == nullptr) return std::nullopt;
+      names.what = "an object of the room";
+      for (const v1::Object& object : graph->object_list().objects()) names.known.push_back(object.id());
+      return names;
+    case v1::PARAMETER_KIND_ZONE:
+      if (graph == nullptr) return std::nullopt;
+      names.what = "a zone of the room";
+      for (const v1::Zone& zone : graph->zone_plan().zones()) names.known.push_back(zone.id());
+      return names;
+    case v1::PARAMETER_KIND_WALL:
+      if (graph == nullptr) return std::nullopt;
+      names.what = "a wall of the room";
+      for (const v1::Wall& wall : graph->room().walls()) names.known.push_back(wall.name());
+      return names;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string TextFault(v1::ParameterKind kind, const std::string& text, const v1::LayoutGraph* graph) {
+  if (text.empty()) return "is empty";
+  const std::optional<Names> names = NamesOf(kind, graph);
+  if (!names.has_value() || std::ranges::find(names->known, text) != names->known.end()) return "";
+  return fmt::format("\"{}\" is not {}", text, names->what);
+}
 
 v1::ArgumentValue::ValueCase CaseOf(v1::ParameterKind kind) {
   switch (kind) {
@@ -26,42 +68,6 @@ v1::ArgumentValue::ValueCase CaseOf(v1::ParameterKind kind) {
       return v1::ArgumentValue::kFlag;
     default:
       return v1::ArgumentValue::kText;
-  }
-}
-
-template <typename Names>
-std::string OneOf(const std::string& value, const Names& names, std::string_view what) {
-  if (std::ranges::find(names, value) != std::ranges::end(names)) return "";
-  return fmt::format("\"{}\" is not {}", value, what);
-}
-
-// Names that a text of this kind may have in the graph; without a graph ids are taken as they are.
-std::string TextFault(v1::ParameterKind kind, const std::string& text, const v1::LayoutGraph* graph) {
-  if (text.empty()) return "is empty";
-  std::vector<std::string> known;
-  switch (kind) {
-    case v1::PARAMETER_KIND_FEATURE:
-      return OneOf(text, kFeatures, "a feature: door, window or socket");
-    case v1::PARAMETER_KIND_SIDE:
-    case v1::PARAMETER_KIND_SIDES:
-      return OneOf(text, kSides, "a side: front, back, left or right");
-    case v1::PARAMETER_KIND_CORNER:
-      return OneOf(text, kCorners, "a corner, such as back_left");
-    case v1::PARAMETER_KIND_OBJECT:
-    case v1::PARAMETER_KIND_OBJECTS:
-      if (graph == nullptr) return "";
-      for (const v1::Object& object : graph->object_list().objects()) known.push_back(object.id());
-      return OneOf(text, known, "an object of the room");
-    case v1::PARAMETER_KIND_ZONE:
-      if (graph == nullptr) return "";
-      for (const v1::Zone& zone : graph->zone_plan().zones()) known.push_back(zone.id());
-      return OneOf(text, known, "a zone of the room");
-    case v1::PARAMETER_KIND_WALL:
-      if (graph == nullptr) return "";
-      for (const v1::Wall& wall : graph->room().walls()) known.push_back(wall.name());
-      return OneOf(text, known, "a wall of the room");
-    default:
-      return "";
   }
 }
 
@@ -87,7 +93,9 @@ std::string ValueFault(const v1::ParameterSpec& parameter, const v1::ArgumentVal
   return value.value_case() == v1::ArgumentValue::kText ? TextFault(parameter.kind(), value.text(), graph) : "";
 }
 
-std::string FaultOf(const v1::ConstraintType& type, const Arguments& arguments, const v1::LayoutGraph* graph) {
+}  // namespace
+
+std::string ArgumentsFault(const v1::ConstraintType& type, const Arguments& arguments, const v1::LayoutGraph* graph) {
   std::set<std::string> given;
   for (const v1::Argument& argument : arguments) {
     const auto parameter = std::ranges::find(type.parameters(), argument.name(), &v1::ParameterSpec::name);
@@ -104,16 +112,6 @@ std::string FaultOf(const v1::ConstraintType& type, const Arguments& arguments, 
     }
   }
   return "";
-}
-
-}  // namespace
-
-std::string ArgumentsFault(const v1::ConstraintType& type, const Arguments& arguments) {
-  return FaultOf(type, arguments, nullptr);
-}
-
-std::string ArgumentsFault(const v1::ConstraintType& type, const Arguments& arguments, const v1::LayoutGraph& graph) {
-  return FaultOf(type, arguments, &graph);
 }
 
 std::string ParameterFault(const v1::ParameterSpec& parameter) {

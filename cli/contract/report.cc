@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "cli/contract/target.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "nlohmann/json.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/contract/suite.h"
+#include "cli/contract/check.h"
 
 namespace flair::contract {
 

@@ -2,28 +2,39 @@
 #include "cli/contract/target.h"
 
 #include <google/protobuf/descriptor.h>
+#include <google/protobuf/unknown_field_set.h>
 #include <grpcpp/client_context.h>
+#include <grpcpp/completion_queue.h>
 #include <grpcpp/generic/generic_stub.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <condition_variable>
 #include <random>
 #include <utility>
-#include <vector>
 
 #include "absl/time/clock.h"
-#include "fmt/format.h"
-#include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::contract {
 namespace {
+
+using google::protobuf::UnknownField;
+using google::protobuf::UnknownFieldSet;
 
 constexpr absl::Duration kConnectWithin = absl::Seconds(10);
 // Answers may be larger than what the server takes, and so must be what is sent to see whether it refuses.
 constexpr int kSpareMib = 16;
 constexpr char kGetWorker[] = "/flair.v1.WorkerService/GetWorker";
+
+// Field numbers of grpc/health/v1/health.proto and grpc/reflection/v1/reflection.proto.
+constexpr int kHealthService = 1;
+constexpr int kHealthStatus = 1;
+constexpr int kListServices = 7;
+constexpr int kListServicesResponse = 6;
+constexpr int kService = 1;
+constexpr int kName = 1;
 
 grpc::ByteBuffer ToBuffer(const std::string& bytes) {
   const grpc::Slice slice(bytes);
@@ -38,59 +49,126 @@ std::string ToBytes(const grpc::ByteBuffer& buffer) {
   return bytes;
 }
 
-}  // namespace
+std::string Encoded(int number, const std::string& text) {
+  UnknownFieldSet fields;
+  fields.AddLengthDelimited(number, text);
+  std::string bytes;
+  fields.SerializeToString(&bytes);
+  return bytes;
+}
 
-// What gRPC tells of the end of a call. Its thread may hold this a moment longer than the call, and nothing else: a
-// channel that it let go of last would have to end within itself.
-struct Call::End {
-  std::mutex mutex;
-  std::condition_variable changed;
-  bool reached = false;
-  grpc::Status status;
+// All fields of this number and type.
+std::vector<UnknownField> FieldsOf(const UnknownFieldSet& fields, int number, UnknownField::Type type) {
+  std::vector<UnknownField> found;
+  for (int i = 0; i < fields.field_count(); ++i) {
+    if (fields.field(i).number() == number && fields.field(i).type() == type) found.push_back(fields.field(i));
+  }
+  return found;
+}
+
+// The contents of all fields of this number that hold bytes.
+std::vector<std::string> BytesAt(const std::string& bytes, int number) {
+  std::vector<std::string> contents;
+  UnknownFieldSet fields;
+  if (!fields.ParseFromString(bytes)) return contents;
+  for (const UnknownField& field : FieldsOf(fields, number, UnknownField::TYPE_LENGTH_DELIMITED)) {
+    contents.push_back(field.length_delimited());
+  }
+  return contents;
+}
+
+// The steps of a streaming call, one after the other. Every step ends when the deadline has passed.
+class SteppedCall {
+ public:
+  SteppedCall(const std::shared_ptr<grpc::Channel>& channel, const std::string& path, absl::Duration within)
+      : stub_(channel) {
+    context_.set_deadline(absl::ToChronoTime(absl::Now() + within));
+    stream_ = stub_.PrepareCall(&context_, path, &queue_);
+    stream_->StartCall(nullptr);
+    Step();
+  }
+  ~SteppedCall() {
+    queue_.Shutdown();
+    void* tag = nullptr;
+    bool ok = false;
+    while (queue_.Next(&tag, &ok)) {
+    }
+  }
+
+  bool Write(const std::string& bytes) {
+    stream_->Write(ToBuffer(bytes), nullptr);
+    return Step();
+  }
+  void WritesDone() {
+    stream_->WritesDone(nullptr);
+    Step();
+  }
+  bool Read(std::string& bytes) {
+    grpc::ByteBuffer buffer;
+    stream_->Read(&buffer, nullptr);
+    if (!Step()) return false;
+    bytes = ToBytes(buffer);
+    return true;
+  }
+  void Cancel() { context_.TryCancel(); }
+  absl::Status Finish() {
+    grpc::Status status;
+    stream_->Finish(&status, nullptr);
+    Step();
+    return runtime::FromGrpcStatus(status);
+  }
+
+ private:
+  bool Step() {
+    void* tag = nullptr;
+    bool ok = false;
+    return queue_.Next(&tag, &ok) && ok;
+  }
+
+  grpc::GenericStub stub_;
+  grpc::ClientContext context_;
+  grpc::CompletionQueue queue_;
+  std::unique_ptr<grpc::GenericClientAsyncReaderWriter> stream_;
 };
 
+}  // namespace
+
 struct Call::Parts {
-  Parts(const std::shared_ptr<grpc::Channel>& channel, const std::string& rpc_path, const std::string& bytes)
-      : stub(channel), path(rpc_path), request(ToBuffer(bytes)) {}
+  explicit Parts(const std::shared_ptr<grpc::Channel>& channel) : stub(channel) {}
 
   grpc::GenericStub stub;
-  const std::string path;
   grpc::ClientContext context;
   grpc::ByteBuffer request;
   grpc::ByteBuffer response;
 };
 
 Call::Call(const std::shared_ptr<grpc::Channel>& channel, const std::string& path, const std::string& request,
-           absl::Time deadline)
-    : end_(std::make_shared<End>()), parts_(std::make_unique<Parts>(channel, path, request)) {
-  parts_->context.set_deadline(absl::ToChronoTime(deadline));
-  parts_->stub.UnaryCall(&parts_->context, parts_->path, grpc::StubOptions(), &parts_->request, &parts_->response,
-                         [end = end_](grpc::Status status) {
-                           std::lock_guard lock(end->mutex);
-                           end->status = std::move(status);
-                           end->reached = true;
-                           end->changed.notify_all();
-                         });
+           absl::Duration within)
+    : parts_(std::make_unique<Parts>(channel)) {
+  parts_->request = ToBuffer(request);
+  parts_->context.set_deadline(absl::ToChronoTime(absl::Now() + within));
+  // gRPC's thread may hold the promise a moment longer than the call, and nothing else: a channel that it let go of
+  // last would have to end within itself.
+  auto end = std::make_shared<std::promise<absl::Status>>();
+  end_ = end->get_future().share();
+  parts_->stub.UnaryCall(&parts_->context, path, grpc::StubOptions(), &parts_->request, &parts_->response,
+                         [end](const grpc::Status& status) { end->set_value(runtime::FromGrpcStatus(status)); });
 }
 
 Call::~Call() {
-  parts_->context.TryCancel();
-  std::unique_lock lock(end_->mutex);
-  end_->changed.wait(lock, [this] { return end_->reached; });
+  Cancel();
+  end_.wait();
 }
 
 void Call::Cancel() { parts_->context.TryCancel(); }
 
 absl::StatusOr<std::string> Call::Wait() {
-  std::unique_lock lock(end_->mutex);
-  end_->changed.wait(lock, [this] { return end_->reached; });
-  if (!end_->status.ok()) return runtime::FromGrpcStatus(end_->status);
+  RETURN_IF_ERROR(end_.get());
   return ToBytes(parts_->response);
 }
 
 bool Call::WaitFor(absl::Duration duration) {
-  std::unique_lock lock(end_->mutex);
-  return end_->changed.wait_for(lock, absl::ToChronoMilliseconds(duration), [this] { return end_->reached; });
+  return end_.wait_for(absl::ToChronoMilliseconds(duration)) == std::future_status::ready;
 }
 
 Target::Target(TargetOptions options)
@@ -100,11 +178,9 @@ Target::Target(TargetOptions options)
 absl::StatusOr<std::unique_ptr<Target>> Target::Connect(const TargetOptions& options) {
   runtime::ChannelOptions connection = options.connection;
   connection.max_message_mib = options.max_message_mib + kSpareMib;
-  auto channel = runtime::MakeChannel(options.address, options.service, connection);
-  if (!channel.ok()) return channel.status();
   std::unique_ptr<Target> target(new Target(options));
-  target->channel_ = *std::move(channel);
-  const absl::StatusOr<std::string> worker = target->Start(kGetWorker, "", target->ConnectWithin())->Wait();
+  ASSIGN_OR_RETURN(target->channel_, runtime::MakeChannel(options.address, options.service, connection));
+  const absl::StatusOr<std::string> worker = Call(target->channel_, kGetWorker, "", target->ConnectWithin()).Wait();
   if (absl::IsUnavailable(worker.status()) || absl::IsDeadlineExceeded(worker.status())) {
     return absl::UnavailableError(
         fmt::format("{}: no gRPC server answers there: {}; is it running, and is this its port?", options.address,
@@ -122,12 +198,12 @@ bool Target::Claims(v1::Capability capability) const {
 }
 
 bool Target::IsReachable() const {
-  const absl::Status status = Start(kGetWorker, "", ConnectWithin())->Wait().status();
+  const absl::Status status = Call(channel_, kGetWorker, "", ConnectWithin()).Wait().status();
   return !absl::IsUnavailable(status) && !absl::IsDeadlineExceeded(status);
 }
 
-absl::Status Target::AskInto(const google::protobuf::Message& request, google::protobuf::Message& response) {
-  const std::string path = PathOf(options_.service, request);
+absl::StatusOr<std::string> Target::AskForBytes(const google::protobuf::Message& request) {
+  const std::string path = PathOf(request);
   {
     std::lock_guard lock(mutex_);
     if (silent_.contains(path)) {
@@ -135,39 +211,52 @@ absl::Status Target::AskInto(const google::protobuf::Message& request, google::p
                                                      RpcName(request), absl::FormatDuration(options_.patience)));
     }
   }
-  const absl::StatusOr<std::string> bytes = Start(request, options_.patience)->Wait();
+  absl::StatusOr<std::string> bytes = AskAgain(request);
   if (absl::IsDeadlineExceeded(bytes.status())) {
     std::lock_guard lock(mutex_);
     silent_.insert(path);
   }
-  if (!bytes.ok()) return bytes.status();
-  if (response.ParseFromString(*bytes)) return absl::OkStatus();
-  return absl::DataLossError(
-      fmt::format("the answer's {} bytes are no {}", bytes->size(), response.GetDescriptor()->full_name()));
+  return bytes;
+}
+
+absl::StatusOr<std::vector<std::string>> Target::StreamBytes(const std::string& path,
+                                                             const std::vector<std::string>& requests,
+                                                             size_t most) const {
+  SteppedCall call(channel_, path, options_.patience);
+  bool open = true;
+  for (const std::string& request : requests) open = open && call.Write(request);
+  if (open) call.WritesDone();
+  std::vector<std::string> answers;
+  for (std::string answer; answers.size() < most && call.Read(answer);) answers.push_back(std::move(answer));
+  const bool left = answers.size() == most;
+  if (left) call.Cancel();
+  const absl::Status status = call.Finish();
+  if (!left && !status.ok()) return status;
+  return answers;
 }
 
 std::unique_ptr<Call> Target::Start(const google::protobuf::Message& request, absl::Duration within) const {
-  return Start(PathOf(options_.service, request), request.SerializeAsString(), within);
+  return std::make_unique<Call>(channel_, PathOf(request), request.SerializeAsString(), within);
 }
 
-std::unique_ptr<Call> Target::Start(const std::string& path, const std::string& bytes, absl::Duration within) const {
-  return std::make_unique<Call>(channel_, path, bytes, absl::Now() + within);
+absl::StatusOr<std::string> Target::AskAgain(const google::protobuf::Message& request) const {
+  return Start(request, options_.patience)->Wait();
+}
+
+std::string Target::PathOf(const google::protobuf::Message& request) const {
+  const google::protobuf::ServiceDescriptor* const service =
+      google::protobuf::DescriptorPool::generated_pool()->FindServiceByName(options_.service);
+  for (int i = 0; service != nullptr && i < service->method_count(); ++i) {
+    if (service->method(i)->input_type() == request.GetDescriptor()) {
+      return fmt::format("/{}/{}", options_.service, service->method(i)->name());
+    }
+  }
+  return "";
 }
 
 std::string Target::NewRequestId() {
   std::lock_guard lock(mutex_);
   return fmt::format("{}-{}", run_, ++request_count_);
-}
-
-std::string PathOf(const std::string& service, const google::protobuf::Message& request) {
-  const google::protobuf::ServiceDescriptor* const found =
-      google::protobuf::DescriptorPool::generated_pool()->FindServiceByName(service);
-  for (int i = 0; found != nullptr && i < found->method_count(); ++i) {
-    if (found->method(i)->input_type() == request.GetDescriptor()) {
-      return fmt::format("/{}/{}", service, found->method(i)->name());
-    }
-  }
-  return "";
 }
 
 std::string RpcName(const google::protobuf::Message& request) {
@@ -176,11 +265,34 @@ std::string RpcName(const google::protobuf::Message& request) {
   return name.ends_with(kEnd) ? name.substr(0, name.size() - kEnd.size()) : name;
 }
 
-std::string StatusText(const absl::Status& status) {
-  constexpr size_t kShown = 300;
-  std::string message(status.message().substr(0, kShown));
-  if (status.message().size() > kShown) message += "...";
-  return fmt::format("{}{}{}", absl::StatusCodeToString(status.code()), message.empty() ? "" : ": ", message);
+absl::StatusOr<std::string> HealthOf(const std::shared_ptr<grpc::Channel>& channel, const std::string& service,
+                                     absl::Duration within) {
+  ASSIGN_OR_RETURN(const std::string bytes,
+                   Call(channel, "/grpc.health.v1.Health/Check", Encoded(kHealthService, service), within).Wait());
+  UnknownFieldSet fields;
+  if (!fields.ParseFromString(bytes)) return absl::DataLossError("the answer is no HealthCheckResponse");
+  constexpr std::array<const char*, 4> kNames = {"UNKNOWN", "SERVING", "NOT_SERVING", "SERVICE_UNKNOWN"};
+  uint64_t health = 0;
+  for (const UnknownField& field : FieldsOf(fields, kHealthStatus, UnknownField::TYPE_VARINT)) health = field.varint();
+  return kNames[health < kNames.size() ? health : 0];
+}
+
+absl::StatusOr<std::vector<std::string>> ReflectedServices(const Target& target) {
+  absl::StatusOr<std::vector<std::string>> answers = absl::UnimplementedError("no reflection");
+  for (const char* version : {"v1alpha", "v1"}) {
+    const std::string path = fmt::format("/grpc.reflection.{}.ServerReflection/ServerReflectionInfo", version);
+    answers = target.StreamBytes(path, {Encoded(kListServices, "*")}, 1);
+    if (!absl::IsUnimplemented(answers.status())) break;
+  }
+  if (!answers.ok()) return answers.status();
+  if (answers->empty()) return absl::DataLossError("the stream ended without an answer");
+  std::vector<std::string> names;
+  for (const std::string& list : BytesAt(answers->front(), kListServicesResponse)) {
+    for (const std::string& service : BytesAt(list, kService)) {
+      for (const std::string& name : BytesAt(service, kName)) names.push_back(name);
+    }
+  }
+  return names;
 }
 
 }  // namespace flair::contract

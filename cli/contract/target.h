@@ -4,16 +4,19 @@
 
 #include <google/protobuf/message.h>
 #include <grpcpp/channel.h>
-#include <grpcpp/support/byte_buffer.h>
 
+#include <future>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/worker_service.pb.h"
+#include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 
 namespace flair::contract {
@@ -21,8 +24,9 @@ namespace flair::contract {
 // A call under way. Cancelled when it is destroyed before its end.
 class Call {
  public:
+  // Any bytes to any path, such as "/grpc.health.v1.Health/Check".
   Call(const std::shared_ptr<grpc::Channel>& channel, const std::string& path, const std::string& request,
-       absl::Time deadline);
+       absl::Duration within);
   ~Call();
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
@@ -34,11 +38,9 @@ class Call {
   bool WaitFor(absl::Duration duration);
 
  private:
-  struct End;
   struct Parts;
-  // Shared with gRPC's thread.
-  std::shared_ptr<End> end_;
   std::unique_ptr<Parts> parts_;
+  std::shared_future<absl::Status> end_;
 };
 
 struct TargetOptions {
@@ -73,17 +75,39 @@ class Target {
   // same RPC has been silent before; DATA_LOSS when the answer's bytes are no such message.
   template <typename Response>
   absl::StatusOr<Response> Ask(const google::protobuf::Message& request) {
-    Response response;
-    absl::Status status = AskInto(request, response);
-    if (!status.ok()) return status;
-    return response;
+    absl::StatusOr<std::string> bytes = AskForBytes(request);
+    if (!bytes.ok()) return bytes.status();
+    return Parsed<Response>(*bytes);
   }
-  absl::Status AskInto(const google::protobuf::Message& request, google::protobuf::Message& response);
+  absl::StatusOr<std::string> AskForBytes(const google::protobuf::Message& request);
 
-  // The same without waiting, and with another deadline.
+  // Sends the messages of one type to the RPC that takes them, and returns what comes back until the stream or the
+  // patience ends; leaves the call after `most` of them.
+  template <typename Response, typename Request>
+  absl::StatusOr<std::vector<Response>> Stream(const std::vector<Request>& requests,
+                                               size_t most = std::numeric_limits<size_t>::max()) const {
+    std::vector<std::string> sent;
+    for (const Request& request : requests) sent.push_back(request.SerializeAsString());
+    absl::StatusOr<std::vector<std::string>> received = StreamBytes(PathOf(Request()), sent, most);
+    if (!received.ok()) return received.status();
+    std::vector<Response> answers;
+    for (const std::string& bytes : *received) {
+      absl::StatusOr<Response> answer = Parsed<Response>(bytes);
+      if (!answer.ok()) return answer.status();
+      answers.push_back(*std::move(answer));
+    }
+    return answers;
+  }
+  absl::StatusOr<std::vector<std::string>> StreamBytes(const std::string& path,
+                                                       const std::vector<std::string>& requests, size_t most) const;
+
+  // A unary call without waiting.
   std::unique_ptr<Call> Start(const google::protobuf::Message& request, absl::Duration within) const;
-  // Any bytes to any path, such as "/grpc.health.v1.Health/Check".
-  std::unique_ptr<Call> Start(const std::string& path, const std::string& bytes, absl::Duration within) const;
+  // The answer's bytes, within the patience; an RPC that was silent is asked again.
+  absl::StatusOr<std::string> AskAgain(const google::protobuf::Message& request) const;
+
+  // Path of the RPC of the service that takes such a request, "/flair.v1.OptimizerService/Solve"; empty when none does.
+  std::string PathOf(const google::protobuf::Message& request) const;
 
   // A name for a request that no server has seen.
   std::string NewRequestId();
@@ -91,6 +115,13 @@ class Target {
  private:
   explicit Target(TargetOptions options);
   absl::Duration ConnectWithin() const;
+  template <typename Response>
+  static absl::StatusOr<Response> Parsed(const std::string& bytes) {
+    Response answer;
+    if (answer.ParseFromString(bytes)) return answer;
+    return absl::DataLossError(
+        fmt::format("the answer's {} bytes are no {}", bytes.size(), Response::descriptor()->full_name()));
+  }
 
   const TargetOptions options_;
   std::shared_ptr<grpc::Channel> channel_;
@@ -101,12 +132,15 @@ class Target {
   int request_count_ = 0;
 };
 
-// Path of the RPC of the service that takes such a request, "/flair.v1.OptimizerService/Solve"; empty when none does.
-std::string PathOf(const std::string& service, const google::protobuf::Message& request);
-// Its last word, "Solve".
+// Name of the RPC that takes such a request: "Solve".
 std::string RpcName(const google::protobuf::Message& request);
 
-// "INVALID_ARGUMENT: the message".
-std::string StatusText(const absl::Status& status);
+// What grpc.health.v1.Health says of a service, such as "SERVING"; empty name: of the server. UNIMPLEMENTED when the
+// server has no health service, NOT_FOUND when it does not know the service.
+absl::StatusOr<std::string> HealthOf(const std::shared_ptr<grpc::Channel>& channel, const std::string& service,
+                                     absl::Duration within);
+
+// Full names of the services that grpc.reflection lists. UNIMPLEMENTED when the server has no reflection.
+absl::StatusOr<std::vector<std::string>> ReflectedServices(const Target& target);
 
 }  // namespace flair::contract

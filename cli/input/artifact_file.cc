@@ -22,7 +22,7 @@ TextForm TextFormOf(ArtifactForm form) {
   return form == ArtifactForm::kJson ? TextForm::kJson : TextForm::kProtobufText;
 }
 
-// As the problems that `flair import flairgpt` reads.
+// As the problems that `flair-dev import flairgpt` reads.
 bool LooksRecorded(const std::string& json) {
   return json.find("\"fixed_objects\"") != std::string::npos && json.find("\"calls\"") != std::string::npos;
 }
@@ -32,7 +32,7 @@ absl::StatusOr<v1::Artifact> ParseText(const std::string& name, ArtifactForm for
   if (absl::Status status = ParseMessageText(TextFormOf(form), name, text, artifact); !status.ok()) {
     if (form == ArtifactForm::kJson && LooksRecorded(text)) {
       return absl::InvalidArgumentError(fmt::format(
-          "{0}: a recorded FlairGPT problem, no artifact; first: flair import flairgpt {0} --out graph.pb", name));
+          "{0}: a recorded FlairGPT problem, no artifact; first: flair-dev import flairgpt {0} --out graph.pb", name));
     }
     return status;
   }

@@ -4,7 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "cli/contract/suite.h"
+#include "cli/contract/check.h"
+#include "cli/contract/target.h"
 #include "tests/fixtures/programs.h"
 
 namespace flair::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair bench translate as a user runs it, on labels of ours.
+// flair-dev bench translate as a user runs it, on labels of ours.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ class BenchTranslate : public ::testing::Test {
  protected:
   Finished Bench(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"bench", "translate"});
-    return RunProgram("flair", arguments, {{"FLAIR_HOME", folder_ / "home"}});
+    return RunProgram(ProgramWith(arguments), arguments, {{"FLAIR_HOME", folder_ / "home"}});
   }
   std::string Labels(const std::string& text) const {
     const std::string path = folder_ / "labels.jsonl";

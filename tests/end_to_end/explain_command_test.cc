@@ -22,7 +22,7 @@ class ExplainCommand : public ::testing::Test {
  protected:
   std::string Path(const std::string& name) const { return (folder_ / name).string(); }
   Finished Flair(const std::vector<std::string>& arguments) const {
-    return RunProgram("flair", arguments, {{"FLAIR_HOME", Path("home")}});
+    return RunProgram(ProgramWith(arguments), arguments, {{"FLAIR_HOME", Path("home")}});
   }
   Finished Good(const std::vector<std::string>& arguments) const {
     const Finished run = Flair(arguments);

@@ -20,7 +20,7 @@ using ::testing::Not;
 class RecordedAnswers : public ::testing::TestWithParam<std::string> {
  protected:
   Finished Run(const std::vector<std::string>& arguments) const {
-    return RunProgram("flair", arguments, {{"FLAIR_HOME", folder_ / "home"}});
+    return RunProgram(ProgramWith(arguments), arguments, {{"FLAIR_HOME", folder_ / "home"}});
   }
   Finished Import(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments = {"import", "answers",
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Rooms, RecordedAnswers, ::testing::Values("study", "was
 TEST(RecordedAnswersOfAnotherRoom, DoNotMixWithThoseOfOne) {
   const TestFolder folder;
   const auto import = [&](const std::string& room) {
-    return RunProgram("flair",
+    return RunProgram("flair-dev",
                       {"import", "answers", FLAIR_SOURCE_DIR "/language_worker/recorded/testdata/" + room + ".json",
                        "--out", folder / "answers"},
                       {{"FLAIR_HOME", folder / "home"}});
@@ -117,7 +117,7 @@ TEST(RecordedAnswersOfAnotherRoom, DoNotMixWithThoseOfOne) {
 TEST(RecordedAnswersOfAnotherFile, AreRefusedInOneLineAndLeaveNothingBehind) {
   const TestFolder folder;
   const Finished import =
-      RunProgram("flair", {"import", "answers", FLAIR_SOURCE_DIR "/CMakeLists.txt", "--out", folder / "x"},
+      RunProgram("flair-dev", {"import", "answers", FLAIR_SOURCE_DIR "/CMakeLists.txt", "--out", folder / "x"},
                  {{"FLAIR_HOME", folder / "home"}});
   EXPECT_NE(import.exit_code, 0);
   EXPECT_THAT(import.err,

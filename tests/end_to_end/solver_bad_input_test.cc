@@ -38,7 +38,7 @@ class SolverBadInput : public ::testing::Test {
 
   static std::string Path(const std::string& name) { return (folder_->path() / name).string(); }
   static Finished Flair(const std::vector<std::string>& arguments) {
-    return RunProgram("flair", arguments, {{"FLAIR_HOME", Path("home")}});
+    return RunProgram(ProgramWith(arguments), arguments, {{"FLAIR_HOME", Path("home")}});
   }
   static std::set<std::string> Files() {
     std::set<std::string> files;

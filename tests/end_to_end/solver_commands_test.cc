@@ -18,6 +18,7 @@ namespace {
 using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class SolverCommands : public ::testing::Test {
@@ -27,7 +28,7 @@ class SolverCommands : public ::testing::Test {
   }
   std::string Path(const std::string& name) const { return (folder_ / name).string(); }
   Finished Flair(const std::vector<std::string>& arguments) const {
-    return RunProgram("flair", arguments, {{"FLAIR_HOME", Path("home")}});
+    return RunProgram(ProgramWith(arguments), arguments, {{"FLAIR_HOME", Path("home")}});
   }
   // Runs what must succeed.
   Finished Good(const std::vector<std::string>& arguments) const {
@@ -219,12 +220,12 @@ TEST_F(SolverCommands, TheCatalogueDescribesEveryTypeItListsAlsoUnderItsAliases)
 }
 
 TEST_F(SolverCommands, AReaderThatGoesAwayIsNoCrash) {
-  // As `flair bench solve DIR | head -1`: nobody reads what it prints.
-  Process process(ProgramPath("flair"), {"bench", "solve", Room("")}, {{"FLAIR_HOME", Path("home")}});
+  // As `flair-dev bench solve DIR | head -1`: nobody reads what it prints, and nobody is told so.
+  Process process(ProgramPath("flair-dev"), {"bench", "solve", Room("")}, {{"FLAIR_HOME", Path("home")}});
   process.CloseOutput();
   const Finished run = process.Wait();
   EXPECT_EQ(run.exit_code, 4) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("flair: output: "));
+  EXPECT_THAT(run.err, Not(HasSubstr("output")));
 }
 
 }  // namespace
