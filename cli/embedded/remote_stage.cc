@@ -15,13 +15,13 @@
 namespace flair::cli {
 namespace {
 
-constexpr absl::Duration kAnswerWithin = absl::Seconds(20);
+constexpr absl::Duration kStageAnswersWithin = absl::Seconds(20);
 
 template <typename Service, auto kMethod, typename Request>
 absl::Status AskNothing(const std::shared_ptr<grpc::Channel>& channel) {
   const std::unique_ptr<typename Service::Stub> stub = Service::NewStub(channel);
   runtime::CallContext call;
-  return runtime::UnaryRequest(*stub, kMethod, Request(), call, absl::Now() + kAnswerWithin).status();
+  return runtime::UnaryRequest(*stub, kMethod, Request(), call, absl::Now() + kStageAnswersWithin).status();
 }
 
 // As UNAVAILABLE, when nobody answered or not in time; OK otherwise, also for errors.
@@ -34,8 +34,9 @@ absl::Status CheckProtocols(const StageName& stage, const std::string& address,
                             const std::shared_ptr<grpc::Channel>& channel) {
   const std::unique_ptr<v1::WorkerService::Stub> stub = v1::WorkerService::NewStub(channel);
   runtime::CallContext call;
-  const absl::StatusOr<v1::GetWorkerResponse> worker = runtime::UnaryRequest(
-      *stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call, absl::Now() + kAnswerWithin);
+  const absl::StatusOr<v1::GetWorkerResponse> worker =
+      runtime::UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call,
+                            absl::Now() + kStageAnswersWithin);
   if (absl::Status silence = Silence(worker.status()); !silence.ok()) return InWords(stage, address, silence);
   const std::string fault = worker.ok() ? runtime::ProtocolFault(*worker) : "";
   if (fault.empty()) return absl::OkStatus();
