@@ -7,9 +7,7 @@
 
 #include "cli/bench/problem.h"
 #include "cli/bench/restarts_measure.h"
-#include "cli/bench/solve_json.h"
-#include "cli/bench/solve_measure.h"
-#include "cli/bench/solve_table.h"
+#include "cli/bench/solve_bench.h"
 #include "cli/bench/statistics.h"
 #include "cli/output/layout_artifact.h"
 #include "fmt/format.h"

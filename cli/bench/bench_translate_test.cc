@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/bench/bench_translate_measure.h"
-#include "cli/bench/bench_translate_text.h"
+#include "cli/bench/translate_bench.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "optimizer_worker/constraints/facts.h"

@@ -9,9 +9,7 @@
 
 #include "CLI/CLI.hpp"
 #include "cli/bench/problem.h"
-#include "cli/bench/solve_json.h"
-#include "cli/bench/solve_measure.h"
-#include "cli/bench/solve_table.h"
+#include "cli/bench/solve_bench.h"
 #include "cli/bench/statistics.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"

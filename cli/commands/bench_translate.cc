@@ -6,8 +6,7 @@
 
 #include "CLI/CLI.hpp"
 #include "absl/time/clock.h"
-#include "cli/bench/bench_translate_measure.h"
-#include "cli/bench/bench_translate_text.h"
+#include "cli/bench/translate_bench.h"
 #include "cli/bench/statistics.h"
 #include "cli/commands/commands.h"
 #include "cli/embedded/embedded_services.h"

@@ -94,8 +94,8 @@ Checks ChecksOf(const Stage& stage);
 struct Result {
   std::string name;
   Promise promise = Promise::kMessages;
-  Finding finding;
-  absl::Duration duration;
+  Finding finding = {};
+  absl::Duration duration = {};
 };
 
 // One check against one server; skipped when the server does not claim what it is about.

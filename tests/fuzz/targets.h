@@ -3,7 +3,8 @@
 // functions run under libFuzzer (fuzz_main.cc) and, over the corpus, in every run of the tests (corpus_test.cc).
 #pragma once
 
-#include <span>
+#include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 namespace flair::fuzz {
@@ -50,15 +51,11 @@ void ReadAsset(std::string_view bytes);
 // A manifest of models.
 void ReadManifest(std::string_view bytes);
 
-struct Target {
-  std::string_view name;
-  void (*run)(std::string_view bytes);
-};
-
-// All of the above.
-std::span<const Target> AllTargets();
-
 // Aborts with `promise` unless it holds.
-void Require(bool holds, std::string_view promise);
+inline void Require(bool holds, std::string_view promise) {
+  if (holds) return;
+  std::fprintf(stderr, "broken promise: %.*s\n", static_cast<int>(promise.size()), promise.data());
+  std::abort();
+}
 
 }  // namespace flair::fuzz

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a translation compares with labels.
+// Translations of labelled rooms, scored: how a translation compares with labels, for people and for programs.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "cli/bench/bench_translate_labels.h"
+#include "absl/status/statusor.h"
+#include "cli/bench/translate_labels.h"
+#include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/layout_graph.pb.h"
 
 namespace flair::cli {
@@ -59,5 +62,28 @@ std::vector<TranslateOutcome> OutcomesOf(const LabelledBullet& bullet, const std
 
 // Adds a room's sentences, as its request was translated.
 void AddToScore(const LabelledRoom& room, const v1::LayoutGraph& translated, TranslateScore& score);
+
+// Any form of TranslatorService.Translate.
+using TranslateCall = std::function<absl::StatusOr<v1::TranslateResponse>(const v1::TranslateRequest&)>;
+
+// The types of `catalog` that the reference library knows by their name or an alias: labels speak of no others.
+v1::ConstraintCatalog TypesOfTheReference(const v1::ConstraintCatalog& catalog);
+
+// Sends every room as one request with `catalog`, in the order of the labels; the first error ends it, with the room's
+// name.
+absl::StatusOr<TranslateScore> MeasureTranslation(const std::vector<LabelledRoom>& rooms,
+                                                  const v1::ConstraintCatalog& catalog, const TranslateCall& translate);
+
+// "near(object=floor_1, target=floor_0)".
+std::string EdgeText(const v1::ConstraintEdge& edge);
+
+// Tables by kind of list, by function and by room, and the totals. `cpu_ms` is of all translations together.
+std::string TranslateScoreText(const TranslateScore& score, double cpu_ms);
+
+// Every sentence of which something is not correct: what is accepted, what was made, what was remarked.
+std::string TranslateMissesText(const TranslateScore& score);
+
+// All of it, with the lines that could not be measured.
+std::string TranslateScoreToJson(const TranslateScore& score, const std::vector<std::string>& failures, double cpu_ms);
 
 }  // namespace flair::cli
