@@ -35,16 +35,19 @@ function(flair_rounds name result)
   endforeach()
 endfunction()
 
-# flair_test(NAME [ALONE] [LABEL unit] SOURCES a_test.cc ... DEPENDS lib ...): one GoogleTest program, one CTest case per test.
+# flair_test(NAME [ALONE] [LABEL unit] SOURCES a_test.cc ... [APART a_test.cc ...] DEPENDS lib ...): one GoogleTest program, one
+# CTest case per test.
 # Labels: unit (default), contract, golden, end_to_end, fuzz, bench. ALONE: no other test runs meanwhile.
+# APART: sources that are compiled alone, because they have a name at file level in common with another source of the test.
+# Give new tests names of their own instead.
 # Tests are compiled with less optimization than what they test, from one precompiled header.
 function(flair_test name)
-  cmake_parse_arguments(arg "ALONE" "LABEL" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "ALONE" "LABEL" "SOURCES;APART;DEPENDS" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
   endif()
   add_executable(${name} ${arg_SOURCES})
-  flair_compile_together(${name})
+  set_source_files_properties(${arg_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-Og> -Wno-missing-field-initializers)
