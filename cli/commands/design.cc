@@ -168,7 +168,7 @@ void AddDesign(CLI::App& program, absl::Status& result) {
                    "A whole Brief as .json, text or artifact: own room, zones, objects, constraints; TEXT goes before "
                    "its text")
       ->type_name("FILE");
-  command->add_option("--room", arguments->room, "Furnish this room (.pb or .json) instead of describing one")
+  command->add_option("--room", arguments->room, "Furnish this room instead of describing one, see docs/rooms.md")
       ->type_name("FILE");
   command->add_option("--size", arguments->size_px, "Longer side of plan.png in pixels, 256 to 8192 (1600)")
       ->type_name("PX")

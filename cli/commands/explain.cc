@@ -69,7 +69,7 @@ void AddExplain(CLI::App& program, absl::Status& result) {
       "By zone: where each object stands, the sentences that put it there with their reasons, what is not "
       "met and by how much (\"!\"), what follows from its place, and what was left out.\n"
       "\n"
-      "Try: flair explain out/bedroom/layout.pb --object desk_1");
+      "Try: flair explain out/bedroom/layout.pb --object desk");
   command->callback([arguments, &result] {
     result = Explain(*arguments);
     std::fflush(stdout);

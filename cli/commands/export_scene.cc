@@ -82,6 +82,12 @@ absl::Status ExportGlb(const ExportSceneArguments& arguments) {
     return absl::InvalidArgumentError(fmt::format(
         "--format: {}: is no format of scenes; glb (for SceneEval: flair export sceneeval)", arguments.format));
   }
+  const std::string ending = std::filesystem::path(arguments.out).extension().string();
+  if (!ending.empty() && ending != ".glb" && ending != ".GLB") {
+    return absl::InvalidArgumentError(
+        fmt::format("--out: {}: scenes are written as .glb (binary glTF 2.0); Blender turns that into USD, FBX or OBJ",
+                    arguments.out));
+  }
   return ExportScene(arguments, v1::SCENE_FORMAT_GLB);
 }
 

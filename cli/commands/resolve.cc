@@ -53,7 +53,7 @@ absl::StatusOr<v1::ResolveRequest> MakeRequest(const ResolveArguments& arguments
     request.mutable_edits()->MergeFrom(read.edits());
   }
   if (request.edits().empty())
-    return absl::InvalidArgumentError("no edits; give --edit \"move desk 1.2 0.5 90\" or --edits FILE");
+    return absl::InvalidArgumentError("no edits; give --edit \"move desk 0.3 1.5 270\" or --edits FILE");
   request.mutable_options()->set_seed(arguments.seed);
   if (arguments.leave_out) request.mutable_options()->set_misfit_policy(v1::MISFIT_POLICY_LEAVE_OUT);
   return request;
@@ -118,7 +118,7 @@ void AddResolve(CLI::App& program, absl::Status& result) {
       ->type_name("HOST:PORT");
   command->footer(
       "Changes:\n"
-      "  move desk 1.2 0.5 90        pin bed        unpin bed       remove plant_1\n"
+      "  move desk 0.3 1.5 270       pin bed        unpin bed       remove plant_1\n"
       "  resize wardrobe 1.5x0.6x2.1                add lamp 0.4x0.4x1.5 near sofa\n"
       "  weight e17 3                drop e17\n"
       "  edge against_wall object=desk side=back\n"

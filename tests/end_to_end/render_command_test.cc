@@ -282,6 +282,7 @@ const Bad kBad[] = {
     {"SceneOfGarbage", {"export", "scene", "FOLDER/garbage.pb", "--out", "OUT.glb"}, 5, "not a Flair artifact"},
     {"SceneOfABrief", {"export", "scene", "BRIEF", "--out", "OUT.glb"}, 2, "not a layout"},
     {"SceneOfUnknownFormat", {"export", "scene", "LAYOUT", "--format", "usd", "--out", "OUT.usd"}, 2, "--format: usd"},
+    {"SceneAsUsdz", {"export", "scene", "LAYOUT", "--out", "OUT.usdz"}, 2, "scenes are written as .glb"},
     {"SceneWithoutOut", {"export", "scene", "LAYOUT"}, 2, "--out: missing"},
     {"StateIntoNowhere", {"export", "sceneeval", "LAYOUT", "--out", "/proc/flair/a.json"}, 4, "/proc"},
     {"SheetOfAFile", {"contact-sheet", "LAYOUT", "--out", "OUT.png"}, 4, "is no folder"},

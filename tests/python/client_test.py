@@ -75,6 +75,42 @@ class Designing(WithOrchestrator):
         job = self.client.wait(self.client.submit(v1.Brief(text="A study.", room=room)))
         self.assertEqual(self.client.fetch(job, "room").room.title, "Mine")
 
+    def test_a_batch_ends_with_a_layout_for_every_brief(self) -> None:
+        batch = self.client.submit_batch(["A bedroom.", v1.Brief(text="A small study.", seed=2)], label="two")
+        ended = {job.batch_index: job for job in self.client.watch_batch(batch, timeout_s=120)}
+        self.assertEqual([ended[i].state for i in sorted(ended)], [v1.JobState.JOB_STATE_SUCCEEDED] * 2)
+        self.assertEqual(ended[1].spec.brief.text, "A small study.")
+        self.assertEqual(self.client.batch(batch).succeeded_count, 2)
+        self.assertGreater(len(self.client.fetch(ended[0], "solve").solved_layout.placements), 3)
+
+
+class Workers(unittest.TestCase):
+    def test_edits_pictures_and_scenes_are_made_of_a_layout(self) -> None:
+        folder = Path(tempfile.mkdtemp())
+        with program("flair-optimizer", folder) as optimizer, program("flair-renderer", folder) as renderer:
+            with flair.Optimizer(optimizer.address) as solver, flair.Renderer(renderer.address) as drawer:
+                layout = solver.solve(small_graph()).solved_layout
+                self.assertEqual(len(layout.placements), 1)
+                answer = solver.resolve(layout, [v1.LayoutEdit(pin_object_id="table")])
+                self.assertEqual([p.object_id for p in answer.solved_layout.placements], ["table"])
+                self.assertEqual(answer.solved_layout.graph.pinned_placements[0].object_id, "table")
+                self.assertTrue(drawer.render(answer.solved_layout).image.startswith(b"\x89PNG"))
+                self.assertTrue(drawer.export_scene(answer.solved_layout).startswith(b"glTF"))
+
+
+def small_graph() -> v1.LayoutGraph:
+    graph = v1.LayoutGraph()
+    graph.room.room_type = "room"
+    graph.room.height_m = 3
+    for name, x, y in [("south", 0, 0), ("east", 3, 0), ("north", 3, 3), ("west", 0, 3)]:
+        graph.room.walls.add(name=name)
+        graph.room.floor.vertices.add(x_m=x, y_m=y)
+    graph.zone_plan.zones.add(id="all", name="all")
+    graph.object_list.objects.add(
+        id="table", name="table", role=v1.ObjectRole.OBJECT_ROLE_PRIMARY, kind=v1.ObjectKind.OBJECT_KIND_FLOOR,
+        zone_id="all", width_m=1, depth_m=0.8, height_m=0.75)
+    return graph
+
 
 class Failing(WithOrchestrator):
     def test_a_bad_request_names_its_field(self) -> None:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A client of flair-orchestrator."""
+"""Connections to servers of Flair, and the client of flair-orchestrator."""
 
 import ipaddress
 import uuid
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import grpc
 
@@ -15,13 +15,17 @@ from flair.events import STAGES, Event, event_of
 
 # A job, or its id.
 JobOrId = v1.Job | str
+# A batch, or its id.
+BatchOrId = v1.Batch | str
 
 # How often a broken stream of events is taken up again without an event in between.
 _RECONNECTS = 5
+# Jobs that are added to a batch with one call.
+_BATCH_PAGE = 200
 
 
-class Client:
-    """A connection to an orchestrator. Thread-safe; use it in a `with` block or close it.
+class Connection:
+    """A connection to a server of Flair. Thread-safe; use it in a `with` block or close it.
 
     Every call raises a FlairError: with a status, a message and, where one is at fault, a field.
     """
@@ -54,10 +58,10 @@ class Client:
         else:
             self._channel = grpc.insecure_channel(address, options)
         sender = [_TokenSender(_text_of(token))] if token else []
-        self._stub = v1.OrchestratorServiceStub(grpc.intercept_channel(self._channel, *sender))
+        self._calls = grpc.intercept_channel(self._channel, *sender)
         self._timeout_s = timeout_s
 
-    def __enter__(self) -> "Client":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -65,6 +69,20 @@ class Client:
 
     def close(self) -> None:
         self._channel.close()
+
+    def _call(self, method: Callable[..., Any], request: Any, timeout_s: float | None = None) -> Any:
+        try:
+            return method(request, timeout=timeout_s or self._timeout_s)
+        except grpc.RpcError as error:
+            raise error_of(error) from error
+
+
+class Client(Connection):
+    """A connection to an orchestrator: jobs, batches and what their stages stored."""
+
+    def __init__(self, address: str, **options: Any) -> None:
+        super().__init__(address, **options)
+        self._stub = v1.OrchestratorServiceStub(self._calls)
 
     def submit(
         self,
@@ -134,6 +152,42 @@ class Client:
         """Ends a job; one that has ended stays as it is."""
         return self._call(self._stub.CancelJob, v1.CancelJobRequest(job_id=_id(job))).job
 
+    def submit_batch(
+        self, briefs: Iterable[str | v1.Brief | v1.JobSpec], *, label: str = "", request_id: str | None = None
+    ) -> v1.Batch:
+        """Queues a job for every brief, in their order, and returns when all are queued.
+
+        request_id: to be sent again, with the same briefs, when a first attempt broke off; it then goes on where it was.
+        """
+        request = v1.CreateBatchRequest(request_id=request_id or str(uuid.uuid4()), label=label, open=True)
+        batch = self._call(self._stub.CreateBatch, request).batch
+        specs = [_spec(brief) for brief in briefs]
+        for first in range(0, max(1, len(specs)), _BATCH_PAGE):
+            page = v1.AddToBatchRequest(batch_id=batch.id, first_index=first, last=first + _BATCH_PAGE >= len(specs))
+            page.specs.extend(specs[first:first + _BATCH_PAGE])
+            batch = self._call(self._stub.AddToBatch, page).batch
+        return batch
+
+    def batch(self, batch: BatchOrId) -> v1.Batch:
+        """The batch as it is now, with its counts."""
+        return self._call(self._stub.GetBatch, v1.GetBatchRequest(batch_id=_id(batch))).batch
+
+    def watch_batch(self, batch: BatchOrId, *, after: int = 0, timeout_s: float | None = None) -> Iterator[v1.Job]:
+        """The jobs of a batch as they end, those that have ended already first, until all have.
+
+        Does not raise when a job fails: look at its state.
+        """
+        request = v1.WatchBatchRequest(batch_id=_id(batch), after_sequence=after)
+        try:
+            for response in self._stub.WatchBatch(request, timeout=timeout_s):
+                yield response.job
+        except grpc.RpcError as error:
+            raise error_of(error) from error
+
+    def cancel_batch(self, batch: BatchOrId) -> v1.Batch:
+        """Ends a batch and all of its jobs."""
+        return self._call(self._stub.CancelBatch, v1.CancelBatchRequest(batch_id=_id(batch))).batch
+
     def fetch(self, job: JobOrId, stage: str) -> v1.Artifact:
         """What a stage of a job has stored, such as "room", "solve" (the layout) or "render" (the picture)."""
         if stage not in STAGES:
@@ -157,12 +211,6 @@ class Client:
         except grpc.FutureTimeoutError:
             return False
         return True
-
-    def _call(self, method: Callable[..., Any], request: Any) -> Any:
-        try:
-            return method(request, timeout=self._timeout_s)
-        except grpc.RpcError as error:
-            raise error_of(error) from error
 
 
 class _TokenSender(grpc.UnaryUnaryClientInterceptor, grpc.UnaryStreamClientInterceptor):
@@ -218,5 +266,11 @@ def _is_local(address: str) -> bool:
         return False
 
 
-def _id(job: JobOrId) -> str:
-    return job if isinstance(job, str) else job.id
+def _id(thing: JobOrId | BatchOrId) -> str:
+    return thing if isinstance(thing, str) else thing.id
+
+
+def _spec(brief: str | v1.Brief | v1.JobSpec) -> v1.JobSpec:
+    if isinstance(brief, v1.JobSpec):
+        return brief
+    return v1.JobSpec(brief=v1.Brief(text=brief) if isinstance(brief, str) else brief)
