@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "orchestrator/batch/event_hub.h"
-#include "orchestrator/batch/job_id.h"
+#include "orchestrator/batch/work_queue.h"
 #include "orchestrator/store/store_monitor.h"
 #include "orchestrator/store/temporary_folder.h"
 #include "worker_runtime/testing/fakes.h"

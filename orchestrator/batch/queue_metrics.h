@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "flair/v1/orchestrator_service.pb.h"
-#include "orchestrator/batch/deletion.h"
-#include "orchestrator/batch/lease.h"
+#include "orchestrator/batch/work_queue.h"
 #include "worker_runtime/metrics/metrics.h"
 
 namespace flair::orchestrator {

@@ -3,7 +3,49 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace flair::orchestrator {
+namespace {
+constexpr char kArtifactIsGone[] = "flair/artifact-is-gone";
+}  // namespace
+
+absl::Status CheckDeletable(const v1::Job& job) {
+  if (!job.batch_id().empty()) {
+    return absl::FailedPreconditionError(
+        fmt::format("job_id: {} is a job of batch {}; delete the batch", job.id(), job.batch_id()));
+  }
+  if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return absl::OkStatus();
+  return absl::FailedPreconditionError(fmt::format("job_id: {} {}; cancel it, or wait for its end", job.id(),
+                                                   job.state() == v1::JOB_STATE_QUEUED ? "waits" : "runs"));
+}
+
+absl::Status CheckDeletable(const v1::Batch& batch, bool ended) {
+  if (batch.open()) {
+    return absl::FailedPreconditionError(
+        fmt::format("batch_id: {} is open: jobs may still be added; close or cancel it", batch.id()));
+  }
+  if (ended) return absl::OkStatus();
+  return absl::FailedPreconditionError(
+      fmt::format("batch_id: jobs of {} wait or run; cancel it, or wait for its end", batch.id()));
+}
+
+absl::Status ArtifactIsGone(const std::string& artifact_id) {
+  absl::Status gone =
+      absl::NotFoundError(fmt::format("artifact {}: deleted with the last job that had it", artifact_id));
+  gone.SetPayload(kArtifactIsGone, absl::Cord());
+  return gone;
+}
+
+bool IsArtifactGone(const absl::Status& status) { return status.GetPayload(kArtifactIsGone).has_value(); }
+
+std::string JobIdSource::Next() {
+  std::lock_guard lock(mutex_);
+  last_ = std::max(clock_.Now(), last_ + absl::Microseconds(1));
+  const std::string seconds = absl::FormatTime("%Y%m%dT%H%M%S", last_, absl::UTCTimeZone());
+  const int64_t microseconds = absl::ToUnixMicros(last_) % 1000000;
+  return fmt::format("{}{:06}-{:06x}", seconds, microseconds, random_() & 0xffffffu);
+}
 
 std::string BatchJobId(const std::string& batch_id, int64_t index) { return fmt::format("{}-{:08}", batch_id, index); }
 

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <random>
 #include <set>
 #include <span>
 #include <string>
@@ -16,8 +18,8 @@
 #include "flair/v1/job.pb.h"
 #include "flair/v1/orchestrator_service.pb.h"
 #include "orchestrator/batch/artifact_store.h"
-#include "orchestrator/batch/deletion.h"
 #include "orchestrator/batch/lease.h"
+#include "worker_runtime/clock/clock.h"
 
 namespace flair::orchestrator {
 
@@ -49,6 +51,31 @@ struct BatchEnd {
   int64_t sequence = 0;
   std::string job_id;
 };
+
+// What one step of a deletion did.
+struct Deleted {
+  int64_t job_count = 0;
+  int64_t artifact_count = 0;
+  // Nothing is left of what was to be deleted.
+  bool done = false;
+};
+
+// Jobs without a batch, and batches, that ended long ago.
+struct EndedPage {
+  std::vector<std::string> job_ids;
+  std::vector<std::string> batch_ids;
+  // Where the next page begins; empty when this was the last.
+  std::string next;
+};
+
+// FAILED_PRECONDITION when the job waits or runs, or goes only with its batch; when the batch is open or, as `ended`
+// says, a job of it waits or runs.
+absl::Status CheckDeletable(const v1::Job& job);
+absl::Status CheckDeletable(const v1::Batch& batch, bool ended);
+
+// NOT_FOUND: what a run is told that found or stored an artifact which was then deleted with the last job that had it.
+absl::Status ArtifactIsGone(const std::string& artifact_id);
+bool IsArtifactGone(const absl::Status& status);
 
 // Jobs that wait, run and have ended; batches of them; and what stages made before. All of it outlives processes, and
 // any number of processes may use one queue: each job is run by one of them at a time and ends once. A job whose
@@ -100,10 +127,10 @@ class WorkQueue {
   // Closes the batch for ever and asks for the end of its jobs.
   virtual absl::Status CancelBatch(const std::string& batch_id, absl::Time now) = 0;
 
-  // ---- Forgetting it. `artifacts` is where the jobs' artifacts are; those that no other job has are deleted. Whoever
-  // is killed in between leaves nothing that looks whole and is not; asked again, or by FinishDeletions, it goes on.
+  // ---- Deleting it. `artifacts` is where the jobs' artifacts are; those that no other job has are deleted. A process
+  // that is killed in between leaves nothing half deleted in sight; called again, or by FinishDeletions, it goes on.
 
-  // Forgets an alone standing job that has ended; its request may make another one. NOT_FOUND when unknown,
+  // Forgets a job without a batch that has ended; its request may make another one. NOT_FOUND when unknown,
   // FAILED_PRECONDITION as CheckDeletable.
   virtual absl::StatusOr<Deleted> DeleteJob(const std::string& job_id, ArtifactStore& artifacts) = 0;
 
@@ -114,14 +141,14 @@ class WorkQueue {
   // Ends what a process that died had begun to delete; but batches, which still are there.
   virtual absl::StatusOr<Deleted> FinishDeletions(ArtifactStore& artifacts) = 0;
 
-  // Alone standing jobs that ended before `time`, and batches that came to their end before it. A page of them: looks
+  // Jobs without a batch that ended before `time`, and batches that came to their end before it. A page of them: looks
   // at `limit` or so, from where an earlier page said that the next begins; the first one when `after` is empty.
   virtual absl::StatusOr<EndedPage> EndedBefore(absl::Time time, const std::string& after, int limit) = 0;
 
   // ---- Doing it
 
-  // The right to run the next job: alone standing ones first, oldest first, then a job of each batch that is active in
-  // turn. Null when none waits. Its attempt_count says how often it has been taken.
+  // The right to run the next job: those without a batch first, oldest first, then a job of each batch that is active
+  // in turn. Null when none waits. Its attempt_count says how often it has been taken.
   virtual absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) = 0;
 
   // What a stage made before under a key of ResultKey(); nothing when nothing was made.
@@ -162,6 +189,20 @@ class WorkQueue {
   // Tells the others of this process. Forgotten some seconds after the last report.
   virtual absl::Status ReportStatus(const v1::OrchestratorStatus& status) = 0;
   virtual absl::StatusOr<std::vector<v1::OrchestratorStatus>> Orchestrators() = 0;
+};
+
+// Makes ids that sort by age: time of day in UTC with microseconds, then random digits against other processes, such as
+// "20260521T134501123456-3fa2c1". Later ids of one process are larger even when its clock stands still. Thread-safe.
+class JobIdSource {
+ public:
+  explicit JobIdSource(const runtime::Clock& clock) : clock_(clock) {}
+  std::string Next();
+
+ private:
+  const runtime::Clock& clock_;
+  std::mutex mutex_;
+  std::random_device random_;
+  absl::Time last_ = absl::InfinitePast();
 };
 
 // Id of the job at a place of a batch: sorts by place.

@@ -114,4 +114,10 @@ std::vector<absl::StatusOr<StoredAck>> JetStreamApi::PublishAll(std::span<const 
   return acks;
 }
 
+absl::Status JetStreamApi::PublishEach(std::span<const NatsRequest> messages) {
+  if (messages.size() == 1) return Publish(messages.front()).status();
+  for (const absl::StatusOr<StoredAck>& ack : PublishAll(messages)) RETURN_IF_ERROR(ack.status());
+  return absl::OkStatus();
+}
+
 }  // namespace flair::orchestrator

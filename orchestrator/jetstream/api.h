@@ -46,6 +46,8 @@ class JetStreamApi {
   absl::StatusOr<StoredAck> PublishOnce(const NatsRequest& message);
   // Those that were not answered are published again; see Publish.
   std::vector<absl::StatusOr<StoredAck>> PublishAll(std::span<const NatsRequest> messages);
+  // The same; the first error of all, in their order.
+  absl::Status PublishEach(std::span<const NatsRequest> messages);
 
   // Waits for the answer to one request on any subject.
   absl::StatusOr<NatsMessage> Request(const NatsRequest& request);

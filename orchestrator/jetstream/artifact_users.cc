@@ -198,9 +198,7 @@ absl::Status ArtifactUsers::RemoveResults(std::span<const Known> unused) {
     if (ref.ParseFromString(entries[i]->value) && ref.id() != artifact_ids[i]) continue;
     removals.push_back({keys[i], entries[i]->revision});
   }
-  for (const absl::StatusOr<bool>& removed : parts_.index.RemoveAll(removals)) {
-    if (!removed.ok()) return removed.status();
-  }
+  for (const absl::StatusOr<bool>& removed : parts_.index.RemoveAll(removals)) RETURN_IF_ERROR(removed.status());
   return absl::OkStatus();
 }
 

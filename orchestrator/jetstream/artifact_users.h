@@ -12,7 +12,7 @@
 
 namespace flair::orchestrator {
 
-// Who has which artifact. A user is an alone standing job, or a batch for all of its jobs, since those are forgotten
+// Who has which artifact. A user is an job without a batch, or a batch for all of its jobs, since those are forgotten
 // together. Whoever is about to store or take an artifact becomes a user of it first; whoever forgets one deletes it
 // only after nobody was its user, and then only what was stored before (ArtifactStore::Mark). What is found again under
 // a key of results has a user that names the key. Errors as JetStreamApi. Thread-safe.

@@ -29,4 +29,9 @@ absl::Status CheckQueueConfig(const config::v1::QueueConfig& config, const confi
 absl::StatusOr<NatsOptionsPtr> MakeConnectOptions(const config::v1::QueueConfig& config,
                                                   const config::v1::TlsConfig* tls);
 
+// Why a first connection failed (`status`: a natsStatus, on the thread that got it), in a sentence that names the field
+// to look at: UNAUTHENTICATED when one side does not believe the other, else UNAVAILABLE. Holds no secret. `tls` as for
+// MakeConnectOptions.
+absl::Status DescribeConnectError(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls, int status);
+
 }  // namespace flair::orchestrator

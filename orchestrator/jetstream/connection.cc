@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <map>
 
-#include "orchestrator/jetstream/connect_error.h"
 #include "orchestrator/jetstream/connect_options.h"
 #include "worker_runtime/status/status_macros.h"
 

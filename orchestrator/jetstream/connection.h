@@ -69,8 +69,8 @@ class NatsConnection {
   NatsConnection& operator=(const NatsConnection&) = delete;
 
   // Sends and waits for the answer, which must come under the subject that it is sent to, as those of JetStream's API
-  // do; jobs that a consumer hands out do not (Lanes::Ask). UNAVAILABLE without one within `limit`, at once when there
-  // is no connection; INVALID_ARGUMENT when the servers take no message of that size.
+  // do; jobs that a consumer delivers do not (Consumers::Ask). UNAVAILABLE without one within `limit`, at once when
+  // there is no connection; INVALID_ARGUMENT when the servers take no message of that size.
   absl::StatusOr<NatsMessage> Request(const NatsRequest& request, absl::Duration limit);
 
   // Sends all and waits for as many answers, in the requests' order.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What has ended is forgotten, in steps that may be repeated by anybody. Of an alone standing job: it is noted that it
+// What has ended is forgotten, in steps that may be repeated by anybody. Of an job without a batch: it is noted that it
 // is to go (kDeleting in the bucket of requests), nobody sees it any more, its artifacts go, its request, its record,
 // the note. Of a batch: it is cancelled, so that nothing of it runs again; its jobs go from the last place on, some at
 // a time, and what they had is noted (doomed.BATCH.PLACE in the index); when no job is left, those artifacts go; then
@@ -26,7 +26,7 @@ constexpr int64_t kForgottenAtOnce = 200;
 constexpr char kJobNote[] = "job";
 constexpr char kBatchNote[] = "batch";
 
-std::string DoomedKey(const std::string& batch_id, int64_t first) {
+std::string TombstoneKey(const std::string& batch_id, int64_t first) {
   return fmt::format("doomed.{}.{}", batch_id, first);
 }
 
@@ -49,30 +49,25 @@ std::string JetStreamWorkQueue::NoteKey(const std::string& owner, const std::str
   return OwnerToken(owner) + "." + kDeleting + "." + id;
 }
 
-// Takes the key of a request away from what it made.
+// Removes a key of the bucket of requests if it has that value; whatever it has when `id` is empty.
 absl::Status JetStreamWorkQueue::RemoveRequest(const std::string& key, const std::string& id) {
   const absl::StatusOr<Bucket::Entry> entry = parts_->requests.Get(key);
   if (absl::IsNotFound(entry.status())) return absl::OkStatus();
-  if (!entry.ok() || entry->value != id) return entry.status();
+  if (!entry.ok() || (!id.empty() && entry->value != id)) return entry.status();
   return parts_->requests.Remove({key, entry->revision}).status();
 }
 
 absl::Status JetStreamWorkQueue::RemoveNote(const std::string& owner, const std::string& id) {
-  const std::string key = NoteKey(owner, id);
-  const absl::StatusOr<Bucket::Entry> entry = parts_->requests.Get(key);
-  if (absl::IsNotFound(entry.status())) return absl::OkStatus();
-  if (!entry.ok()) return entry.status();
-  return parts_->requests.Remove({key, entry->revision}).status();
+  return RemoveRequest(NoteKey(owner, id), "");
 }
 
 // Deletes those of the artifacts that nobody but `user_id` has.
 absl::StatusOr<int64_t> JetStreamWorkQueue::DeleteArtifacts(std::span<const std::string> ids,
                                                             const std::string& user_id, ArtifactStore& artifacts) {
   if (ids.empty()) return 0;
-  const absl::StatusOr<int64_t> mark = artifacts.Mark();
-  if (!mark.ok()) return mark;
+  ASSIGN_OR_RETURN(const int64_t mark, artifacts.Mark());
   ASSIGN_OR_RETURN(const std::vector<std::string> free, users_.Remove(ids, user_id));
-  return artifacts.Delete(free, *mark);
+  return artifacts.Delete(free, mark);
 }
 
 absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteJob(const std::string& job_id, ArtifactStore& artifacts) {
@@ -152,11 +147,11 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteBatch(const std::string& batch
   }
   if (!count.ok()) return count.status();
   if (left == 0 && deleted.job_count < job_limit) {
-    absl::Status status = DeleteDoomed(batch_id, all, job_limit - deleted.job_count, artifacts, deleted);
+    absl::Status status = DeleteTombstoned(batch_id, all, job_limit - deleted.job_count, artifacts, deleted);
     if (status.ok() && deleted.done) status = ForgetBatch(batch->value);
     if (!status.ok()) return status;
   }
-  parts_->TellOfBatch(batch_id);
+  parts_->NotifyBatch(batch_id);
   return deleted;
 }
 
@@ -180,15 +175,13 @@ absl::StatusOr<int64_t> JetStreamWorkQueue::ForgetPlaces(const std::string& batc
       revisions.push_back({ids[i], job->revision});
       records.push_back(std::move(job->value));
     }
-    store::v1::ArtifactIds doomed;
-    for (std::string& id : ArtifactsOf(records)) doomed.add_ids(std::move(id));
+    store::v1::ArtifactIds tombstones;
+    for (std::string& id : ArtifactsOf(records)) tombstones.add_ids(std::move(id));
     const absl::Status noted =
-        parts_->index.Update(DoomedKey(batch_id, first), runtime::CanonicalBytes(doomed), 0).status();
+        parts_->index.Update(TombstoneKey(batch_id, first), runtime::CanonicalBytes(tombstones), 0).status();
     // Who came so far before noted as much or more.
     if (!noted.ok() && !absl::IsAborted(noted)) return noted;
-    for (const absl::StatusOr<nlohmann::json>& purged : parts_->api.CallAll(ends)) {
-      if (!purged.ok()) return purged.status();
-    }
+    for (const absl::StatusOr<nlohmann::json>& purged : parts_->api.CallAll(ends)) RETURN_IF_ERROR(purged.status());
     ids.clear();
     const std::vector<absl::StatusOr<bool>> removed = parts_->jobs.RemoveAll(revisions);
     for (size_t i = 0; i < revisions.size(); ++i) {
@@ -201,11 +194,11 @@ absl::StatusOr<int64_t> JetStreamWorkQueue::ForgetPlaces(const std::string& batc
 }
 
 // Deletes what the jobs of a batch had of which none is left; of so many jobs at a time.
-absl::Status JetStreamWorkQueue::DeleteDoomed(const std::string& batch_id, int64_t all, int64_t job_limit,
-                                              ArtifactStore& artifacts, Deleted& deleted) {
+absl::Status JetStreamWorkQueue::DeleteTombstoned(const std::string& batch_id, int64_t all, int64_t job_limit,
+                                                  ArtifactStore& artifacts, Deleted& deleted) {
   std::vector<std::string> keys;
   for (int64_t end = all; end > 0; end -= kForgottenAtOnce) {
-    keys.push_back(DoomedKey(batch_id, std::max<int64_t>(0, end - kForgottenAtOnce)));
+    keys.push_back(TombstoneKey(batch_id, std::max<int64_t>(0, end - kForgottenAtOnce)));
   }
   for (const std::string& key : keys) {
     const absl::StatusOr<Bucket::Entry> entry = parts_->index.Get(key);
@@ -213,9 +206,10 @@ absl::Status JetStreamWorkQueue::DeleteDoomed(const std::string& batch_id, int64
     if (!entry.ok()) return entry.status();
     if (job_limit <= 0) return absl::OkStatus();
     job_limit -= kForgottenAtOnce;
-    store::v1::ArtifactIds doomed;
-    if (!doomed.ParseFromString(entry->value)) return absl::DataLossError("the queue's note of artifacts is damaged");
-    const std::vector<std::string> ids(doomed.ids().begin(), doomed.ids().end());
+    store::v1::ArtifactIds tombstones;
+    if (!tombstones.ParseFromString(entry->value))
+      return absl::DataLossError("the queue's note of artifacts is damaged");
+    const std::vector<std::string> ids(tombstones.ids().begin(), tombstones.ids().end());
     ASSIGN_OR_RETURN(const int64_t count, DeleteArtifacts(ids, batch_id, artifacts));
     deleted.artifact_count += count;
     RETURN_IF_ERROR(parts_->index.Remove({key, entry->revision}).status());
@@ -228,20 +222,17 @@ absl::Status JetStreamWorkQueue::DeleteDoomed(const std::string& batch_id, int64
 absl::Status JetStreamWorkQueue::ForgetBatch(const store::v1::BatchRecord& record) {
   const std::string& id = record.batch().id();
   const std::string& owner = record.batch().owner();
-  absl::Status status = parts_->requests.Put(NoteKey(owner, id), kBatchNote).status();
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(parts_->requests.Put(NoteKey(owner, id), kBatchNote).status());
   const nlohmann::json ends = {{"filter", parts_->names.End(id, "*", "*", "*")}};
-  status = parts_->api.Call("STREAM.PURGE." + parts_->names.ends_stream(), ends).status();
-  const absl::StatusOr<uint64_t> last = parts_->reader.LastSequence(parts_->names.queue_stream());
-  if (status.ok()) status = last.status();
-  const std::string lane = parts_->names.Batch(OwnerToken(owner), id);
-  if (status.ok()) status = lanes_.Remove(lanes_.LaneOf(lane), *last);
-  if (status.ok()) status = RemoveRequest(RequestKey(owner, RequestKind::kBatch, record.request_id(), id), id);
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(parts_->api.Call("STREAM.PURGE." + parts_->names.ends_stream(), ends).status());
+  ASSIGN_OR_RETURN(const uint64_t last, parts_->reader.LastSequence(parts_->names.queue_stream()));
+  const std::string subject = parts_->names.Batch(OwnerToken(owner), id);
+  RETURN_IF_ERROR(consumers_.Remove(consumers_.ConsumerOf(subject), last));
+  RETURN_IF_ERROR(RemoveRequest(RequestKey(owner, RequestKind::kBatch, record.request_id(), id), id));
   const absl::StatusOr<RevisedBatch> now = parts_->GetBatch(id);
-  if (now.ok()) status = parts_->batches.Remove({id, now->revision}).status();
-  if (!now.ok() && !absl::IsNotFound(now.status())) status = now.status();
-  return status.ok() ? RemoveNote(owner, id) : status;
+  if (now.ok()) RETURN_IF_ERROR(parts_->batches.Remove({id, now->revision}).status());
+  if (!now.ok() && !absl::IsNotFound(now.status())) return now.status();
+  return RemoveNote(owner, id);
 }
 
 absl::StatusOr<Deleted> JetStreamWorkQueue::FinishDeletions(ArtifactStore& artifacts) {

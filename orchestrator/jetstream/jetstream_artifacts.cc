@@ -76,9 +76,7 @@ absl::Status JetStreamArtifacts::Write(const std::string& id, const std::string&
     for (size_t i = first; i < std::min(count, first + kPiecesAtOnce); ++i) {
       pieces.push_back({artifacts_.SubjectOf(PieceKey(id, i)), bytes.substr(i * kPieceBytes, kPieceBytes), {}});
     }
-    for (const absl::StatusOr<StoredAck>& ack : parts_->api.PublishAll(pieces)) {
-      if (!ack.ok()) return ack.status();
-    }
+    RETURN_IF_ERROR(parts_->api.PublishEach(pieces));
   }
   return artifacts_.Put(id, fmt::format("{}{}\n", kPieces, count)).status();
 }
@@ -148,7 +146,7 @@ absl::StatusOr<int64_t> JetStreamArtifacts::DeleteSome(std::span<const std::stri
   }
   int64_t deleted = 0;
   for (const absl::StatusOr<bool>& removed : artifacts_.RemoveAll(removals)) {
-    if (!removed.ok()) return removed.status();
+    RETURN_IF_ERROR(removed.status());
     deleted += *removed ? 1 : 0;
   }
   return deleted;

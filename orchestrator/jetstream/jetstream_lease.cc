@@ -19,7 +19,7 @@ constexpr absl::Duration kReturnLimit = absl::Seconds(2);
 
 }  // namespace
 
-JetStreamLease::JetStreamLease(QueueParts& parts, Ends& ends, LeaseKeeper& keeper, std::shared_ptr<Hold> hold,
+JetStreamLease::JetStreamLease(QueueParts& parts, JobEnds& ends, LeaseKeeper& keeper, std::shared_ptr<Hold> hold,
                                RevisedJob record)
     : parts_(parts),
       ends_(ends),
@@ -120,12 +120,7 @@ absl::Status JetStreamLease::Index(std::span<const StageRecord> records) {
     entries.push_back(
         {parts_.index.SubjectOf("result." + record.result_key), runtime::CanonicalBytes(record.event.artifact()), {}});
   }
-  if (entries.empty()) return absl::OkStatus();
-  if (entries.size() == 1) return parts_.api.Publish(entries.front()).status();
-  for (const absl::StatusOr<StoredAck>& ack : parts_.api.PublishAll(entries)) {
-    if (!ack.ok()) return ack.status();
-  }
-  return absl::OkStatus();
+  return parts_.api.PublishEach(entries);
 }
 
 absl::Status JetStreamLease::RecordAll(std::span<const StageRecord> records) {
@@ -137,7 +132,7 @@ absl::Status JetStreamLease::RecordAll(std::span<const StageRecord> records) {
     RETURN_IF_ERROR(Write([&](store::v1::JobRecord& job) { AddStageRecords(job, records); },
                           [this] { return !hold_->lost && !hold_->cancellation.cancelled(); }));
   }
-  parts_.TellOfJob(job_);
+  parts_.NotifyJob(job_);
   return absl::OkStatus();
 }
 
@@ -147,15 +142,13 @@ absl::Status JetStreamLease::End(const JobEnd& end) {
     std::lock_guard lock(mutex_);
     if (hold_->lost || done_) return Refused();
     RETURN_IF_ERROR(Index(end.records));
-    const absl::Status status =
-        Close([&](store::v1::JobRecord& job) { EndJob(job, end); }, [this] { return !hold_->lost; });
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(Close([&](store::v1::JobRecord& job) { EndJob(job, end); }, [this] { return !hold_->lost; }));
     ended = record_.value.job();
   }
   keeper_.Remove(*hold_);
-  // It has ended. What follows from that is repeated by whoever is handed the message again, if it fails here.
+  // It has ended. What follows from that is repeated by whoever is delivered the message again, if it fails here.
   if (ends_.Publish(std::span(&ended, 1)).ok()) (void)parts_.connection->Publish({hold_->acknowledge, "+ACK", {}});
-  parts_.TellOfJob(ended);
+  parts_.NotifyJob(ended);
   return absl::OkStatus();
 }
 
@@ -173,8 +166,8 @@ absl::Status JetStreamLease::Return(absl::Duration delay, const std::string& rea
       delay > absl::ZeroDuration() ? fmt::format("-NAK {{\"delay\": {}}}", absl::ToInt64Nanoseconds(delay)) : "-NAK";
   // Without it, the job waits until its lease would have ended.
   (void)parts_.connection->Publish({hold_->acknowledge, refusal, {}});
-  parts_.TellOfJob(job_);
-  parts_.TellOfWork(parts_.LaneOf(job_));
+  parts_.NotifyJob(job_);
+  parts_.NotifyWork(parts_.SubjectOf(job_));
   return absl::OkStatus();
 }
 

@@ -11,7 +11,7 @@
 
 #include "orchestrator/batch/lease.h"
 #include "orchestrator/jetstream/artifact_users.h"
-#include "orchestrator/jetstream/ends.h"
+#include "orchestrator/jetstream/job_ends.h"
 #include "orchestrator/jetstream/lease_keeper.h"
 #include "orchestrator/jetstream/queue_parts.h"
 
@@ -22,7 +22,7 @@ namespace flair::orchestrator {
 class JetStreamLease final : public Lease {
  public:
   // `record` says that `hold` has the job. `parts`, `ends` and `keeper` outlive it.
-  JetStreamLease(QueueParts& parts, Ends& ends, LeaseKeeper& keeper, std::shared_ptr<Hold> hold, RevisedJob record);
+  JetStreamLease(QueueParts& parts, JobEnds& ends, LeaseKeeper& keeper, std::shared_ptr<Hold> hold, RevisedJob record);
   ~JetStreamLease() override;
 
   const v1::Job& job() const override { return job_; }
@@ -45,7 +45,7 @@ class JetStreamLease final : public Lease {
   absl::Status Index(std::span<const StageRecord> records);
 
   QueueParts& parts_;
-  Ends& ends_;
+  JobEnds& ends_;
   LeaseKeeper& keeper_;
   // Shared with the keeper.
   const std::shared_ptr<Hold> hold_;

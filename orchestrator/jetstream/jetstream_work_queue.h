@@ -16,9 +16,9 @@
 #include "absl/status/statusor.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/jetstream/artifact_users.h"
-#include "orchestrator/jetstream/batch_care.h"
-#include "orchestrator/jetstream/ends.h"
-#include "orchestrator/jetstream/lanes.h"
+#include "orchestrator/jetstream/batch_repair.h"
+#include "orchestrator/jetstream/consumers.h"
+#include "orchestrator/jetstream/job_ends.h"
 #include "orchestrator/jetstream/lease_keeper.h"
 #include "orchestrator/jetstream/queue_parts.h"
 
@@ -85,21 +85,22 @@ class JetStreamWorkQueue final : public WorkQueue {
   absl::StatusOr<Deleted> ForgetJob(const std::string& job_id, const std::string& owner, ArtifactStore& artifacts);
   absl::StatusOr<RevisedBatch> BeginToDelete(const std::string& batch_id);
   absl::StatusOr<int64_t> ForgetPlaces(const std::string& batch_id, int64_t first, int64_t end);
-  absl::Status DeleteDoomed(const std::string& batch_id, int64_t all, int64_t job_limit, ArtifactStore& artifacts,
-                            Deleted& deleted);
+  absl::Status DeleteTombstoned(const std::string& batch_id, int64_t all, int64_t job_limit, ArtifactStore& artifacts,
+                                Deleted& deleted);
   absl::Status ForgetBatch(const store::v1::BatchRecord& record);
 
   // ended.cc
   absl::StatusOr<bool> BatchEndedBefore(absl::Time time, const std::string& batch_id);
 
   // take.cc
-  absl::StatusOr<std::unique_ptr<Lease>> TakeFrom(const Lane& lane, int& passed_over);
-  absl::StatusOr<std::unique_ptr<Lease>> Begin(const Lane& lane, const Handed& handed, bool batch_cancelled);
-  absl::StatusOr<bool> MayRun(const Handed& handed, const store::v1::JobRecord& record, bool batch_cancelled);
-  absl::StatusOr<bool> OtherMessageRuns(const Handed& handed, const store::v1::JobRecord& record);
-  absl::StatusOr<v1::BatchState> StateOfLane(const Lane& lane);
+  absl::StatusOr<std::unique_ptr<Lease>> TakeFrom(const Consumer& consumer, int& passed_over);
+  absl::StatusOr<std::unique_ptr<Lease>> Begin(const Consumer& consumer, const Delivery& delivery,
+                                               bool batch_cancelled);
+  absl::StatusOr<bool> MayRun(const Delivery& delivery, const store::v1::JobRecord& record, bool batch_cancelled);
+  absl::StatusOr<bool> OtherMessageRuns(const Delivery& delivery, const store::v1::JobRecord& record);
+  absl::StatusOr<v1::BatchState> BatchStateOf(const Consumer& consumer);
   absl::Status WantNamed(const std::set<std::string>& job_ids);
-  void Acknowledge(const Handed& handed, const std::string& how);
+  void Acknowledge(const Delivery& delivery, const std::string& how);
 
   // list.cc
   absl::StatusOr<std::vector<v1::Job>> ListOfBatch(const ListFilter& filter);
@@ -112,18 +113,18 @@ class JetStreamWorkQueue final : public WorkQueue {
   void HearNews();
   void LookNowAndThen();
   void LookOnce();
-  void TellWork();
-  void TellChanged(const std::string& job_id);
-  void TellBatchChanged(const std::string& batch_id);
-  void CareFor(const std::string& batch_id);
-  void Queued(const std::string& lane);
+  void NotifyListenerOfWork();
+  void NotifyListenerOfJob(const std::string& job_id);
+  void NotifyListenerOfBatch(const std::string& batch_id);
+  void ScheduleRepair(const std::string& batch_id);
+  void Queued(const std::string& consumer);
 
   const std::unique_ptr<QueueParts> parts_;
   // Unique among the processes of a queue.
   const std::string process_;
-  Ends ends_;
-  Lanes lanes_;
-  BatchCare care_;
+  JobEnds ends_;
+  Consumers consumers_;
+  BatchRepair repair_;
   ArtifactUsers users_;
   std::unique_ptr<LeaseKeeper> keeper_;
   std::atomic<int64_t> next_run_ = 1;
@@ -135,7 +136,7 @@ class JetStreamWorkQueue final : public WorkQueue {
   std::condition_variable stop_;
   bool stopping_ = false;
   // Batches to be looked at.
-  std::set<std::string> cared_for_;
+  std::set<std::string> to_repair_;
   std::unique_ptr<NatsInbox> news_;
   std::thread news_thread_;
   std::thread look_thread_;

@@ -84,7 +84,7 @@ absl::Duration LeaseKeeper::SendDue() {
   std::vector<std::shared_ptr<Hold>> lost;
   {
     std::lock_guard lock(mutex_);
-    // The servers may hand out the jobs of those.
+    // The servers may deliver the jobs of those.
     std::erase_if(kept_, [](const auto& entry) { return entry.second.hold->lost.load(); });
     for (auto& [key, kept] : kept_) {
       if (now - kept.confirmed > parts_.lease) {

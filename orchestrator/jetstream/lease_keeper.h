@@ -38,7 +38,7 @@ struct Hold {
 
 // Keeps the holds of a process alive: tells the servers every third of a lease that each job makes progress, and looks
 // whether somebody else has it or wants its end. A hold that the servers did not confirm for the time of a lease is
-// lost, since they may have handed its job to another. One thread. Thread-safe.
+// lost, since they may have given its job to another. One thread. Thread-safe.
 class LeaseKeeper {
  public:
   // `parts` outlives it.

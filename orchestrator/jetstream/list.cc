@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is known of jobs and batches. Ids by age are in the bucket of requests, in the order in which they were made: it
 // is read from its end.
+#include <google/protobuf/util/time_util.h>
+
 #include <algorithm>
 #include <functional>
 
+#include "absl/strings/numbers.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
+#include "orchestrator/jetstream/job_record.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -26,6 +30,10 @@ bool Fits(const v1::Job& job, const ListFilter& filter) {
 }
 
 bool IsBefore(const std::string& id, const ListFilter& filter) { return filter.before.empty() || id < filter.before; }
+
+absl::Time ToTime(const google::protobuf::Timestamp& time) {
+  return absl::FromUnixMicros(google::protobuf::util::TimeUtil::TimestampToMicroseconds(time));
+}
 
 }  // namespace
 
@@ -95,9 +103,8 @@ absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::ListJobs(const ListFilt
     jobs.insert(jobs.end(), found->begin(), found->end());
     return absl::OkStatus();
   };
-  const absl::Status status = VisitRequests(
-      filter, "*", [&] { return static_cast<int>(jobs.size()) < filter.limit; }, add);
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(VisitRequests(
+      filter, "*", [&] { return static_cast<int>(jobs.size()) < filter.limit; }, add));
   return jobs;
 }
 
@@ -111,9 +118,8 @@ absl::StatusOr<std::vector<v1::Batch>> JetStreamWorkQueue::ListBatches(const Lis
     batches.push_back(std::move(*batch->value.mutable_batch()));
     return absl::OkStatus();
   };
-  const absl::Status status = VisitRequests(
-      filter, "batch", [&] { return static_cast<int>(batches.size()) < filter.limit; }, add);
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(VisitRequests(
+      filter, "batch", [&] { return static_cast<int>(batches.size()) < filter.limit; }, add));
   return batches;
 }
 
@@ -156,9 +162,9 @@ absl::StatusOr<v1::Batch> JetStreamWorkQueue::GetBatch(const std::string& batch_
   ASSIGN_OR_RETURN(const RevisedBatch record, parts_->GetBatch(batch_id));
   v1::Batch batch = record.value.batch();
   RETURN_IF_ERROR(ends_.Count(batch));
-  ASSIGN_OR_RETURN(const auto waiting, lanes_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id)));
-  ASSIGN_OR_RETURN(const Lanes::Depth depth, lanes_.DepthOf(waiting));
-  batch.set_running_count(std::min(batch.open_count(), static_cast<int>(depth.handed)));
+  ASSIGN_OR_RETURN(const auto waiting, consumers_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id)));
+  ASSIGN_OR_RETURN(const Consumers::Depth depth, consumers_.DepthOf(waiting));
+  batch.set_running_count(std::min(batch.open_count(), static_cast<int>(depth.delivered)));
   return batch;
 }
 
@@ -168,7 +174,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::BatchHasEnded(const std::string& batch_
   if (batch.open()) return false;
   // Most of the time the few that are left are enough to know. The last ends are counted, since the messages of ended
   // jobs go a little later.
-  ASSIGN_OR_RETURN(const auto messages, lanes_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id)));
+  ASSIGN_OR_RETURN(const auto messages, consumers_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id)));
   for (const auto& [subject, count] : messages) {
     if (count > kCountedAtOnce && batch.state() != v1::BATCH_STATE_CANCELLED) return false;
   }
@@ -182,13 +188,13 @@ absl::StatusOr<std::vector<BatchEnd>> JetStreamWorkQueue::EndsAfter(const std::s
 }
 
 absl::StatusOr<int64_t> JetStreamWorkQueue::CountQueued() {
-  ASSIGN_OR_RETURN(const auto messages, lanes_.Look(">"));
-  ASSIGN_OR_RETURN(const Lanes::Depth depth, lanes_.DepthOf(messages));
+  ASSIGN_OR_RETURN(const auto messages, consumers_.Look(">"));
+  ASSIGN_OR_RETURN(const Consumers::Depth depth, consumers_.DepthOf(messages));
   return depth.waiting;
 }
 
 absl::StatusOr<int64_t> JetStreamWorkQueue::CountOpen(const std::string& owner) {
-  ASSIGN_OR_RETURN(const auto messages, lanes_.Look(parts_->names.AllOf(OwnerToken(owner))));
+  ASSIGN_OR_RETURN(const auto messages, consumers_.Look(parts_->names.AllOf(OwnerToken(owner))));
   int64_t open = 0;
   for (const auto& [subject, count] : messages) {
     if (TokenAt(subject, 3) != "named") open += count;
@@ -208,6 +214,56 @@ absl::StatusOr<std::optional<v1::ArtifactRef>> JetStreamWorkQueue::FindResult(co
   v1::ArtifactRef artifact;
   if (!artifact.ParseFromString(entry->value)) return absl::DataLossError("the queue's index of results is damaged");
   return artifact;
+}
+
+// ---- What ended long ago: the bucket of requests is read from its beginning.
+
+absl::StatusOr<EndedPage> JetStreamWorkQueue::EndedBefore(absl::Time time, const std::string& after, int limit) {
+  uint64_t first = 0;
+  if (!after.empty() && !absl::SimpleAtoi(after, &first)) return absl::InternalError("no page of a queue begins there");
+  const auto requests =
+      parts_->reader.Read(parts_->requests.stream(),
+                          {.filter = parts_->requests.SubjectOf("*.*.*"), .first_sequence = first + 1, .limit = limit});
+  if (!requests.ok()) return requests.status();
+  EndedPage page;
+  std::vector<std::string> alone;
+  for (const StreamReader::Message& request : *requests) {
+    const std::string key(parts_->requests.KeyOf(request.subject));
+    if (TokenAt(key, 1) == "single") alone.push_back(request.content);
+    if (TokenAt(key, 1) != "batch") continue;
+    ASSIGN_OR_RETURN(const bool ended, BatchEndedBefore(time, request.content));
+    if (ended) page.batch_ids.push_back(request.content);
+  }
+  const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(alone);
+  for (size_t i = 0; i < alone.size(); ++i) {
+    const absl::StatusOr<RevisedJob> job = parts_->ParseJob(alone[i], entries[i]);
+    if (absl::IsNotFound(job.status())) continue;
+    if (!job.ok()) return job.status();
+    if (HasEnded(job->value) && ToTime(job->value.job().end_time()) < time) page.job_ids.push_back(alone[i]);
+  }
+  if (static_cast<int>(requests->size()) == limit) page.next = std::to_string(requests->back().sequence);
+  return page;
+}
+
+absl::StatusOr<bool> JetStreamWorkQueue::BatchEndedBefore(absl::Time time, const std::string& batch_id) {
+  const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(batch_id);
+  if (absl::IsNotFound(batch.status())) return false;
+  if (!batch.ok()) return batch.status();
+  if (batch->value.has_deleted_job_count()) return true;
+  if (batch->value.batch().open()) return false;
+  absl::Time last_end = ToTime(batch->value.batch().create_time());
+  ASSIGN_OR_RETURN(const std::string last_job, ends_.LastOf(batch_id));
+  if (!last_job.empty()) {
+    const absl::StatusOr<RevisedJob> job = parts_->GetJob(last_job);
+    if (!job.ok() && !absl::IsNotFound(job.status())) return job.status();
+    // Retried, or just ended.
+    if (job.ok() && !HasEnded(job->value)) return false;
+    if (job.ok()) last_end = ToTime(job->value.job().end_time());
+  }
+  if (last_end >= time) return false;
+  const absl::StatusOr<bool> ended = BatchHasEnded(batch_id);
+  // Somebody else may have deleted it just now.
+  return absl::IsNotFound(ended.status()) ? absl::StatusOr<bool>(false) : ended;
 }
 
 }  // namespace flair::orchestrator

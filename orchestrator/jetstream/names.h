@@ -12,16 +12,20 @@ namespace flair::orchestrator {
 
 // Where a queue keeps what, and the subjects that say so. NAME is QueueConfig.name.
 //   stream NAME-queue      jobs that wait or run, by their ids; gone when they have ended
-//     NAME.queue.OWNER.single         alone standing ones
+//     NAME.queue.OWNER.single         jobs without a batch
 //     NAME.queue.OWNER.batch.BATCH    those of a batch
 //     NAME.queue.OWNER.named.JOB      one that somebody asked for by its id
 //   stream NAME-ends       jobs of batches that have ended, the latest end of each
 //     NAME.ends.BATCH.STATE.KIND.JOB  STATE and KIND: the numbers of JobState and FailureKind
-//   buckets NAME-jobs (JobRecord by job), NAME-batches (BatchRecord by batch), NAME-requests (ids by
-//   OWNER.single.REQUEST and OWNER.batch.REQUEST, in the order in which they were made; OWNER.deleting.ID, see
-//   delete.cc), NAME-index (result.KEY: ArtifactRef; users.ARTIFACT: ArtifactUsers; doomed.BATCH.PLACE: see delete.cc),
-//   NAME-status (OrchestratorStatus, forgotten soon), NAME-artifacts (see artifacts.h) subject NAME.news      hints,
-//   which may be lost; see news.h
+//   bucket NAME-jobs       JobRecord by job
+//   bucket NAME-batches    BatchRecord by batch
+//   bucket NAME-requests   ids by OWNER.single.REQUEST and OWNER.batch.REQUEST, in the order in which they were made;
+//                          OWNER.deleting.ID, see delete.cc
+//   bucket NAME-index      result.KEY: ArtifactRef; users.ARTIFACT: ArtifactUsers; doomed.BATCH.PLACE: tombstones of
+//                          artifacts, see delete.cc
+//   bucket NAME-status     OrchestratorStatus, forgotten soon
+//   bucket NAME-artifacts  see jetstream_artifacts.h
+//   subject NAME.news      hints, which may be lost; see News
 // A bucket is a stream KV_BUCKET with subjects $KV.BUCKET.KEY, as NATS's own tools know them.
 class QueueNames {
  public:
@@ -70,5 +74,29 @@ std::string RequestKey(const std::string& owner, RequestKind kind, const std::st
                        const std::string& id);
 
 absl::Duration LeaseOf(const config::v1::QueueConfig& config);
+
+// What the processes of a queue tell each other at once: hints on what to look at, never the thing itself. They may be
+// lost, so everybody also looks now and then.
+enum class NewsKind {
+  // There is something to take under a subject of the queue stream.
+  kWork,
+  // Something happened to a job (and, when it ended, to its batch, named second).
+  kJob,
+  // The same, and who runs it should look whether it still does.
+  kHold,
+  // A batch was paused, resumed, cancelled or got jobs.
+  kBatch,
+  // Not understood: look at everything.
+  kUnknown,
+};
+
+struct News {
+  NewsKind kind = NewsKind::kUnknown;
+  std::string subject;
+  std::string batch_id;
+};
+
+std::string WriteNews(const News& news);
+News ReadNews(std::string_view text);
 
 }  // namespace flair::orchestrator

@@ -16,7 +16,7 @@ namespace flair::orchestrator {
 // yet. Any number of processes on any machines may open them. Once open, a connection that breaks is made again for
 // ever, and calls end with UNAVAILABLE after some ten seconds without it.
 //   config   whose defaults need not be filled in; INVALID_ARGUMENT names the field that is wrong ("queue.name: ...")
-//   tls      whom to believe and who we are, for addresses with "tls://"; null for none
+//   tls      the authority and our certificate, for addresses with "tls://"; null for none
 //   clock    outlives what is returned
 // UNAVAILABLE when no server can be reached or none has JetStream; FAILED_PRECONDITION when fewer servers than
 // replica_count; UNAUTHENTICATED when they refuse the credentials.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "orchestrator/jetstream/news.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -95,27 +94,27 @@ absl::StatusOr<RevisedBatch> QueueParts::ChangeBatch(const std::string& batch_id
       batches, batch_id, [&] { return GetBatch(batch_id); }, change);
 }
 
-std::string QueueParts::LaneOf(const v1::Job& job) const {
+std::string QueueParts::SubjectOf(const v1::Job& job) const {
   const std::string owner = OwnerToken(job.owner());
   return job.batch_id().empty() ? names.Single(owner) : names.Batch(owner, job.batch_id());
 }
 
 NatsRequest QueueParts::QueueMessage(const v1::Job& job, const std::string& message_id) const {
-  return {LaneOf(job), job.id(), {{"Nats-Msg-Id", message_id}}};
+  return {SubjectOf(job), job.id(), {{"Nats-Msg-Id", message_id}}};
 }
 
-void QueueParts::Tell(const News& news) { (void)connection->Publish({names.news_subject(), WriteNews(news), {}}); }
+void QueueParts::Notify(const News& news) { (void)connection->Publish({names.news_subject(), WriteNews(news), {}}); }
 
-void QueueParts::TellOfWork(const std::string& lane) { Tell({NewsKind::kWork, lane, ""}); }
+void QueueParts::NotifyWork(const std::string& consumer) { Notify({NewsKind::kWork, consumer, ""}); }
 
-void QueueParts::TellOfJob(const v1::Job& job) {
+void QueueParts::NotifyJob(const v1::Job& job) {
   // Who watches the batch wants to know of ends only.
   const bool open = job.state() == v1::JOB_STATE_QUEUED || job.state() == v1::JOB_STATE_RUNNING;
-  Tell({NewsKind::kJob, job.id(), open ? "" : job.batch_id()});
+  Notify({NewsKind::kJob, job.id(), open ? "" : job.batch_id()});
 }
 
-void QueueParts::TellHolder(const std::string& job_id) { Tell({NewsKind::kHold, job_id, ""}); }
+void QueueParts::NotifyHolder(const std::string& job_id) { Notify({NewsKind::kHold, job_id, ""}); }
 
-void QueueParts::TellOfBatch(const std::string& batch_id) { Tell({NewsKind::kBatch, batch_id, ""}); }
+void QueueParts::NotifyBatch(const std::string& batch_id) { Notify({NewsKind::kBatch, batch_id, ""}); }
 
 }  // namespace flair::orchestrator

@@ -13,7 +13,6 @@
 #include "orchestrator/jetstream/bucket.h"
 #include "orchestrator/jetstream/connection.h"
 #include "orchestrator/jetstream/names.h"
-#include "orchestrator/jetstream/news.h"
 #include "orchestrator/jetstream/stream_reader.h"
 #include "worker_runtime/clock/clock.h"
 
@@ -52,15 +51,15 @@ class QueueParts {
   // Puts the job into the queue stream: once for one `message_id`, at least for some minutes.
   NatsRequest QueueMessage(const v1::Job& job, const std::string& message_id) const;
   // The subject under which the job waits.
-  std::string LaneOf(const v1::Job& job) const;
+  std::string SubjectOf(const v1::Job& job) const;
 
   // Tells the other processes, which may miss it: see news.h.
-  void TellOfWork(const std::string& lane);
-  void TellOfJob(const v1::Job& job);
-  void TellHolder(const std::string& job_id);
-  void TellOfBatch(const std::string& batch_id);
+  void NotifyWork(const std::string& consumer);
+  void NotifyJob(const v1::Job& job);
+  void NotifyHolder(const std::string& job_id);
+  void NotifyBatch(const std::string& batch_id);
 
-  void Tell(const News& news);
+  void Notify(const News& news);
 
   const std::unique_ptr<NatsConnection> connection;
   const QueueNames names;

@@ -39,11 +39,11 @@ json ConsumerOf(const std::string& stream, const std::string& filter, uint64_t f
 
 }  // namespace
 
-Delivery ParseDelivery(std::string_view reply_subject) {
+DeliveryPosition ParseDelivery(std::string_view reply_subject) {
   const std::vector<absl::string_view> tokens =
       absl::StrSplit(absl::string_view(reply_subject.data(), reply_subject.size()), '.');
   // $JS.ACK.[DOMAIN.ACCOUNT.]STREAM.CONSUMER.DELIVERIES.SEQUENCE.ORDER.TIME.PENDING[.MORE]
-  Delivery delivery;
+  DeliveryPosition delivery;
   if (tokens.size() < 9 || tokens[0] != "$JS" || tokens[1] != "ACK") return delivery;
   const size_t first = tokens.size() == 9 ? 4 : 6;
   if (!absl::SimpleAtoi(tokens[first], &delivery.delivery_count) ||
@@ -139,14 +139,14 @@ absl::StatusOr<std::vector<StreamReader::Message>> StreamReader::ReadOnce(const 
   ASSIGN_OR_RETURN(std::unique_ptr<NatsInbox> inbox, api_.connection().OpenInbox());
   const json next = {{"batch", range.limit}, {"no_wait", true}};
   if (absl::Status status = api_.connection().Publish(
-          {"$JS.API.CONSUMER.MSG.NEXT." + stream + "." + consumer, next.dump(), {}}, (inbox)->subject() + ".0");
+          {"$JS.API.CONSUMER.MSG.NEXT." + stream + "." + consumer, next.dump(), {}}, inbox->subject() + ".0");
       !status.ok()) {
     return status;
   }
   std::vector<Message> read;
   const int64_t there = made.value("num_pending", int64_t{0});
   while (static_cast<int64_t>(read.size()) < std::min<int64_t>(range.limit, there)) {
-    absl::StatusOr<NatsMessage> message = (inbox)->Next(kOneMessage);
+    absl::StatusOr<NatsMessage> message = inbox->Next(kOneMessage);
     if (!message.ok()) return absl::UnavailableError("the queue's servers stopped while they were read");
     if (message->status != 0) break;
     read.push_back({std::move(message->subject), std::move(message->content), ParseDelivery(message->reply).sequence});

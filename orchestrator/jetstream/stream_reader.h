@@ -14,13 +14,13 @@
 namespace flair::orchestrator {
 
 // Where a message that a consumer delivered stands, as its reply subject says.
-struct Delivery {
+struct DeliveryPosition {
   uint64_t sequence = 0;
   // How often it was delivered, with this time.
   int64_t delivery_count = 0;
 };
 // All 0 when the subject is none of those.
-Delivery ParseDelivery(std::string_view reply_subject);
+DeliveryPosition ParseDelivery(std::string_view reply_subject);
 
 // Reads streams by consumers that live no longer than the call. Errors as JetStreamApi. Thread-safe.
 class StreamReader {

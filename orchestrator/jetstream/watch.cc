@@ -5,7 +5,6 @@
 #include <random>
 
 #include "orchestrator/jetstream/jetstream_work_queue.h"
-#include "orchestrator/jetstream/news.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -17,7 +16,7 @@ constexpr int kLooksPerTelling = 2;
 // Batches of earlier processes that are looked at once.
 constexpr int kEarlierBatches = 200;
 // Batches that are cared for in one look.
-constexpr int kCaredForAtOnce = 20;
+constexpr int kRepairedAtOnce = 20;
 
 std::string RandomName() {
   std::random_device random;
@@ -36,16 +35,16 @@ JetStreamWorkQueue::JetStreamWorkQueue(std::unique_ptr<QueueParts> parts)
     : parts_(std::move(parts)),
       process_(RandomName()),
       ends_(*parts_),
-      lanes_(*parts_),
-      care_(*parts_, ends_, lanes_),
+      consumers_(*parts_),
+      repair_(*parts_, ends_, consumers_),
       users_(*parts_) {}
 
 absl::Status JetStreamWorkQueue::Start() {
   ASSIGN_OR_RETURN(news_, parts_->connection->Subscribe(parts_->names.news_subject()));
   ASSIGN_OR_RETURN(keeper_, LeaseKeeper::Start(*parts_));
   // Those that wait are known before the first Take.
-  ASSIGN_OR_RETURN(const auto messages, lanes_.Look(">"));
-  lanes_.See(messages);
+  ASSIGN_OR_RETURN(const auto messages, consumers_.Look(">"));
+  consumers_.See(messages);
   news_thread_ = std::thread([this] { HearNews(); });
   look_thread_ = std::thread([this] { LookNowAndThen(); });
   return absl::OkStatus();
@@ -67,30 +66,30 @@ void JetStreamWorkQueue::Listen(Listener listener) {
   listener_ = std::move(listener);
 }
 
-void JetStreamWorkQueue::TellWork() {
+void JetStreamWorkQueue::NotifyListenerOfWork() {
   std::lock_guard lock(listener_mutex_);
   listener_.work();
 }
 
-void JetStreamWorkQueue::TellChanged(const std::string& job_id) {
+void JetStreamWorkQueue::NotifyListenerOfJob(const std::string& job_id) {
   std::lock_guard lock(listener_mutex_);
   listener_.changed(job_id);
 }
 
-void JetStreamWorkQueue::TellBatchChanged(const std::string& batch_id) {
+void JetStreamWorkQueue::NotifyListenerOfBatch(const std::string& batch_id) {
   std::lock_guard lock(listener_mutex_);
   listener_.batch_changed(batch_id);
 }
 
-// There is a job in a lane: this process need not wait for the news of it.
-void JetStreamWorkQueue::Queued(const std::string& lane) {
-  lanes_.Want(lane);
-  parts_->TellOfWork(lane);
+// There is a job in a consumer: this process need not wait for the news of it.
+void JetStreamWorkQueue::Queued(const std::string& consumer) {
+  consumers_.Want(consumer);
+  parts_->NotifyWork(consumer);
 }
 
-void JetStreamWorkQueue::CareFor(const std::string& batch_id) {
+void JetStreamWorkQueue::ScheduleRepair(const std::string& batch_id) {
   std::lock_guard lock(stop_mutex_);
-  cared_for_.insert(batch_id);
+  to_repair_.insert(batch_id);
 }
 
 void JetStreamWorkQueue::HearNews() {
@@ -101,22 +100,22 @@ void JetStreamWorkQueue::HearNews() {
     const News news = ReadNews(message->content);
     switch (news.kind) {
       case NewsKind::kWork:
-        lanes_.Want(news.subject);
-        TellWork();
+        consumers_.Want(news.subject);
+        NotifyListenerOfWork();
         break;
       case NewsKind::kHold:
         keeper_->Look(news.subject);
-        TellChanged(news.subject);
+        NotifyListenerOfJob(news.subject);
         break;
       case NewsKind::kJob:
-        TellChanged(news.subject);
-        if (!news.batch_id.empty()) TellBatchChanged(news.batch_id);
+        NotifyListenerOfJob(news.subject);
+        if (!news.batch_id.empty()) NotifyListenerOfBatch(news.batch_id);
         break;
       case NewsKind::kBatch:
-        lanes_.WantBatch(news.subject);
-        CareFor(news.subject);
-        TellWork();
-        TellBatchChanged(news.subject);
+        consumers_.WantBatch(news.subject);
+        ScheduleRepair(news.subject);
+        NotifyListenerOfWork();
+        NotifyListenerOfBatch(news.subject);
         break;
       case NewsKind::kUnknown:
         break;
@@ -129,7 +128,7 @@ void JetStreamWorkQueue::LookNowAndThen() {
   earlier.limit = kEarlierBatches;
   const absl::StatusOr<std::vector<v1::Batch>> batches = ListBatches(earlier);
   if (batches.ok()) {
-    for (const v1::Batch& batch : *batches) CareFor(batch.id());
+    for (const v1::Batch& batch : *batches) ScheduleRepair(batch.id());
   }
   int64_t reconnects = parts_->connection->reconnect_count();
   for (int look = 1;; ++look) {
@@ -140,8 +139,8 @@ void JetStreamWorkQueue::LookNowAndThen() {
     const int64_t reconnects_now = parts_->connection->reconnect_count();
     if (reconnects_now != reconnects) keeper_->LookAtAll();
     if (reconnects_now != reconnects || look % kLooksPerTelling == 0) {
-      TellChanged("");
-      TellBatchChanged("");
+      NotifyListenerOfJob("");
+      NotifyListenerOfBatch("");
     }
     reconnects = reconnects_now;
     if (parts_->connection->connected()) LookOnce();
@@ -150,28 +149,28 @@ void JetStreamWorkQueue::LookNowAndThen() {
 
 // Asks for what waits, and sees to batches of which nothing does.
 void JetStreamWorkQueue::LookOnce() {
-  const auto messages = lanes_.Look(">");
+  const auto messages = consumers_.Look(">");
   if (!messages.ok()) return;
-  for (const Lane& lane : lanes_.See(*messages)) {
-    if (lane.batch_id.empty()) {
-      (void)lanes_.Remove(lane, 0);
+  for (const Consumer& consumer : consumers_.See(*messages)) {
+    if (consumer.batch_id.empty()) {
+      (void)consumers_.Remove(consumer, 0);
     } else {
-      CareFor(lane.batch_id);
+      ScheduleRepair(consumer.batch_id);
     }
   }
-  if (!messages->empty()) TellWork();
+  if (!messages->empty()) NotifyListenerOfWork();
   std::vector<std::string> batches;
   {
     std::lock_guard lock(stop_mutex_);
-    while (!cared_for_.empty() && batches.size() < kCaredForAtOnce) {
-      batches.push_back(cared_for_.extract(cared_for_.begin()).value());
+    while (!to_repair_.empty() && batches.size() < kRepairedAtOnce) {
+      batches.push_back(to_repair_.extract(to_repair_.begin()).value());
     }
   }
   std::set<std::string> with_messages;
-  for (const auto& [subject, count] : *messages) with_messages.insert(lanes_.LaneOf(subject).batch_id);
+  for (const auto& [subject, count] : *messages) with_messages.insert(consumers_.ConsumerOf(subject).batch_id);
   for (const std::string& batch_id : batches) {
-    const absl::StatusOr<bool> again = care_.Close(batch_id, with_messages.contains(batch_id));
-    if (!again.ok() || *again) CareFor(batch_id);
+    const absl::StatusOr<bool> again = repair_.Close(batch_id, with_messages.contains(batch_id));
+    if (!again.ok() || *again) ScheduleRepair(batch_id);
   }
 }
 

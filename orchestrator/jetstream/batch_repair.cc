@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/jetstream/batch_care.h"
+#include "orchestrator/jetstream/batch_repair.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ constexpr int64_t kVisitedAtOnce = 500;
 
 }  // namespace
 
-absl::Status BatchCare::VisitJobs(const std::string& batch_id, int64_t job_count, const Visit& visit) {
+absl::Status BatchRepair::VisitJobs(const std::string& batch_id, int64_t job_count, const Visit& visit) {
   for (int64_t first = 0; first < job_count; first += kVisitedAtOnce) {
     std::vector<std::string> ids;
     for (int64_t i = first; i < std::min(job_count, first + kVisitedAtOnce); ++i) {
@@ -36,13 +36,13 @@ absl::Status BatchCare::VisitJobs(const std::string& batch_id, int64_t job_count
   return absl::OkStatus();
 }
 
-absl::Status BatchCare::CancelJobs(const std::string& batch_id, int64_t job_count, absl::Time now) {
+absl::Status BatchRepair::CancelJobs(const std::string& batch_id, int64_t job_count, absl::Time now) {
   const absl::Status status =
       VisitJobs(batch_id, job_count, [&](std::vector<RevisedJob> jobs) { return CancelThese(std::move(jobs), now); });
   return status;
 }
 
-absl::Status BatchCare::CancelThese(std::vector<RevisedJob> jobs, absl::Time now) {
+absl::Status BatchRepair::CancelThese(std::vector<RevisedJob> jobs, absl::Time now) {
   // Again for those that somebody else changed meanwhile.
   while (!jobs.empty()) {
     std::erase_if(jobs, [](const RevisedJob& job) { return HasEnded(job.value) || job.value.cancel_requested(); });
@@ -66,17 +66,17 @@ absl::Status BatchCare::CancelThese(std::vector<RevisedJob> jobs, absl::Time now
       if (HasEnded(jobs[i].value)) {
         ended.push_back(jobs[i].value.job());
       } else {
-        parts_.TellHolder(jobs[i].value.job().id());
+        parts_.NotifyHolder(jobs[i].value.job().id());
       }
     }
     RETURN_IF_ERROR(ends_.Publish(ended));
-    for (const v1::Job& job : ended) parts_.TellOfJob(job);
+    for (const v1::Job& job : ended) parts_.NotifyJob(job);
     jobs = std::move(again);
   }
   return absl::OkStatus();
 }
 
-absl::Status BatchCare::RepairThese(const std::vector<RevisedJob>& jobs) {
+absl::Status BatchRepair::RepairThese(const std::vector<RevisedJob>& jobs) {
   std::vector<v1::Job> ended;
   std::vector<NatsRequest> missing;
   for (const RevisedJob& job : jobs) {
@@ -88,14 +88,12 @@ absl::Status BatchCare::RepairThese(const std::vector<RevisedJob>& jobs) {
     }
   }
   RETURN_IF_ERROR(ends_.Publish(ended));
-  for (const absl::StatusOr<StoredAck>& ack : parts_.api.PublishAll(missing)) {
-    if (!ack.ok()) return ack.status();
-  }
-  if (!missing.empty()) parts_.TellOfWork(missing.front().subject);
+  RETURN_IF_ERROR(parts_.api.PublishEach(missing));
+  if (!missing.empty()) parts_.NotifyWork(missing.front().subject);
   return absl::OkStatus();
 }
 
-absl::StatusOr<bool> BatchCare::Close(const std::string& batch_id, bool waits) {
+absl::StatusOr<bool> BatchRepair::Close(const std::string& batch_id, bool waits) {
   const absl::StatusOr<RevisedBatch> record = parts_.GetBatch(batch_id);
   if (absl::IsNotFound(record.status())) return false;
   if (!record.ok()) return record.status();
@@ -108,16 +106,15 @@ absl::StatusOr<bool> BatchCare::Close(const std::string& batch_id, bool waits) {
   ASSIGN_OR_RETURN(const int64_t ended, ends_.CountAll(batch));
   if (ended >= batch.job_count()) {
     const std::string subject = parts_.names.Batch(OwnerToken(batch.owner()), batch_id);
-    RETURN_IF_ERROR(lanes_.Remove(lanes_.LaneOf(subject), last));
+    RETURN_IF_ERROR(consumers_.Remove(consumers_.ConsumerOf(subject), last));
     return false;
   }
   if (waits) return true;
   if (cancelled) {
     RETURN_IF_ERROR(CancelJobs(batch_id, batch.job_count(), parts_.clock.Now()));
   }
-  const absl::Status status =
-      VisitJobs(batch_id, batch.job_count(), [this](const std::vector<RevisedJob>& jobs) { return RepairThese(jobs); });
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(VisitJobs(batch_id, batch.job_count(),
+                            [this](const std::vector<RevisedJob>& jobs) { return RepairThese(jobs); }));
   return cancelled;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/jetstream/ends.h"
+#include "orchestrator/jetstream/job_ends.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,11 +25,11 @@ std::string Number(int value) { return std::to_string(value); }
 
 }  // namespace
 
-std::string Ends::SubjectOf(const v1::Job& job) const {
+std::string JobEnds::SubjectOf(const v1::Job& job) const {
   return parts_.names.End(job.batch_id(), Number(job.state()), Number(job.failure_kind()), job.id());
 }
 
-absl::Status Ends::Publish(std::span<const v1::Job> jobs) {
+absl::Status JobEnds::Publish(std::span<const v1::Job> jobs) {
   std::vector<NatsRequest> messages;
   for (const v1::Job& job : jobs) {
     if (job.batch_id().empty()) continue;
@@ -47,7 +47,7 @@ absl::Status Ends::Publish(std::span<const v1::Job> jobs) {
   return failed;
 }
 
-absl::Status Ends::Remove(const v1::Job& job) {
+absl::Status JobEnds::Remove(const v1::Job& job) {
   if (job.batch_id().empty()) return absl::OkStatus();
   const std::string stream = parts_.names.ends_stream();
   const absl::StatusOr<json> found =
@@ -60,7 +60,7 @@ absl::Status Ends::Remove(const v1::Job& job) {
   return absl::IsNotFound(removed) ? absl::OkStatus() : removed;
 }
 
-absl::StatusOr<std::string> Ends::LastOf(const std::string& batch_id) {
+absl::StatusOr<std::string> JobEnds::LastOf(const std::string& batch_id) {
   const absl::StatusOr<json> last = parts_.api.Call("STREAM.MSG.GET." + parts_.names.ends_stream(),
                                                     json{{"last_by_subj", parts_.names.End(batch_id, "*", "*", "*")}});
   if (absl::IsNotFound(last.status())) return "";
@@ -68,7 +68,7 @@ absl::StatusOr<std::string> Ends::LastOf(const std::string& batch_id) {
   return std::string(TokenAt(last->value("message", json::object()).value("subject", ""), kJobToken));
 }
 
-absl::StatusOr<int64_t> Ends::CountAll(const v1::Batch& batch) {
+absl::StatusOr<int64_t> JobEnds::CountAll(const v1::Batch& batch) {
   const std::string all = parts_.names.End(batch.id(), "*", "*", "*");
   if (batch.job_count() <= kListed) {
     ASSIGN_OR_RETURN(const auto subjects, parts_.reader.Subjects(parts_.names.ends_stream(), all));
@@ -79,7 +79,7 @@ absl::StatusOr<int64_t> Ends::CountAll(const v1::Batch& batch) {
 }
 
 // Jobs by how they ended. Of few, the subjects are listed; of many, the servers count.
-absl::StatusOr<std::map<Ends::Outcome, int64_t>> Ends::CountOutcomes(const v1::Batch& batch) {
+absl::StatusOr<std::map<JobEnds::Outcome, int64_t>> JobEnds::CountOutcomes(const v1::Batch& batch) {
   const std::string stream = parts_.names.ends_stream();
   std::map<Outcome, int64_t> counts;
   if (batch.job_count() <= kListed) {
@@ -110,7 +110,7 @@ absl::StatusOr<std::map<Ends::Outcome, int64_t>> Ends::CountOutcomes(const v1::B
   return counts;
 }
 
-absl::Status Ends::Count(v1::Batch& batch) {
+absl::Status JobEnds::Count(v1::Batch& batch) {
   ASSIGN_OR_RETURN(const auto counts, CountOutcomes(batch));
   for (const auto& [outcome, count_64] : counts) {
     const auto count = static_cast<int>(count_64);
@@ -130,7 +130,7 @@ absl::Status Ends::Count(v1::Batch& batch) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<std::vector<BatchEnd>> Ends::Read(const std::string& filter, int64_t sequence, int limit) {
+absl::StatusOr<std::vector<BatchEnd>> JobEnds::Read(const std::string& filter, int64_t sequence, int limit) {
   ASSIGN_OR_RETURN(const auto messages,
                    parts_.reader.Read(parts_.names.ends_stream(),
                                       {.filter = filter,
@@ -144,12 +144,12 @@ absl::StatusOr<std::vector<BatchEnd>> Ends::Read(const std::string& filter, int6
   return ends;
 }
 
-absl::StatusOr<std::vector<BatchEnd>> Ends::After(const std::string& batch_id, int64_t sequence, int limit) {
+absl::StatusOr<std::vector<BatchEnd>> JobEnds::After(const std::string& batch_id, int64_t sequence, int limit) {
   if (!IsToken(batch_id)) return std::vector<BatchEnd>();
   return Read(parts_.names.End(batch_id, "*", "*", "*"), sequence, limit);
 }
 
-absl::StatusOr<std::vector<std::string>> Ends::JobsIn(const std::string& batch_id, v1::JobState state) {
+absl::StatusOr<std::vector<std::string>> JobEnds::JobsIn(const std::string& batch_id, v1::JobState state) {
   const std::string filter = parts_.names.End(batch_id, Number(state), "*", "*");
   std::vector<std::string> ids;
   for (int64_t sequence = 0;;) {

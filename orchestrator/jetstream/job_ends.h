@@ -18,9 +18,9 @@ namespace flair::orchestrator {
 // The ends of batches' jobs, in the order in which they came. The record of a job says that it has ended; what is here
 // follows from it, and may be published again. How a job ended is in its subject, so that servers count by it. Errors
 // as JetStreamApi. Thread-safe.
-class Ends {
+class JobEnds {
  public:
-  explicit Ends(QueueParts& parts) : parts_(parts) {}
+  explicit JobEnds(QueueParts& parts) : parts_(parts) {}
 
   // Jobs that have ended; those that stand alone, and those that are there already, are passed over.
   absl::Status Publish(std::span<const v1::Job> jobs);
