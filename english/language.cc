@@ -44,6 +44,9 @@ void Check(const v1::Language& data, std::vector<std::string>& faults) {
   for (const v1::Bound& bound : data.bounds()) {
     if (bound.kind() == v1::Bound::KIND_UNSPECIFIED) faults.emplace_back("bounds: each needs a kind");
   }
+  for (const v1::Frame& frame : data.frames()) {
+    if (frame.meaning().empty() || frame.forms().empty()) faults.emplace_back("frames: each needs a meaning and forms");
+  }
   for (const v1::Phrases& phrases : data.phrases()) {
     if (phrases.word_class() == v1::WORD_CLASS_UNSPECIFIED || phrases.phrases().empty())
       faults.push_back(fmt::format("phrases: \"{}\" needs a word_class and phrases", phrases.lemma()));

@@ -86,6 +86,14 @@ class Composer {
   bool Emit(Call call);
   // Adds the first of the calls whose type the catalogue has; a remark when it has none of them.
   void EmitFirst(std::vector<Call> calls);
+  // Adds a call of that type about `mover`, about it and another object, or about it and a kind of feature.
+  void Place(const std::string& type, const Placed& mover) { EmitFirst({Call(type).Text("object", id(mover))}); }
+  void Relate(const std::string& type, const Placed& mover, const Placed& target) {
+    EmitFirst({Call(type).Text("object", id(mover)).Text("target", id(target))});
+  }
+  void RelateToFeature(const std::string& type, const Placed& mover, const std::string& feature) {
+    EmitFirst({Call(type).Text("object", id(mover)).Text("feature", feature)});
+  }
   // "Against the wall for stability (back)": the side of the fact before, when it named none.
   void CompleteSide(const std::string& side);
   // "Space around the bed, at least 0.6 m": the figure of the fact before; false when that is none about free space.

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "english/lexicon.h"
-#include "translator_worker/grammar/clause_tokens.h"
 
 namespace flair::translator {
 namespace {
@@ -253,7 +252,6 @@ bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
   JoinBounds(tokens);
-  PrepareClauses(tokens);
   EndReasonBeforeClause(tokens);
   DropLeftOver(tokens);
   TakePostureAsPlace(tokens);

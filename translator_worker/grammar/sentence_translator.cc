@@ -7,7 +7,6 @@
 #include "absl/strings/str_join.h"
 #include "fmt/format.h"
 #include "translator_worker/grammar/composer.h"
-#include "translator_worker/grammar/last_resorts.h"
 #include "translator_worker/grammar/term.h"
 #include "translator_worker/grammar/walk.h"
 
@@ -83,9 +82,6 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
       Walk(analysis, composer, sentence.text(), true).Run();
       if (nothing_yet()) Walk(known, composer, sentence.text(), true).Run();
     }
-    if (nothing_yet() && !walk.denied()) TakeSocket(analysis.terms, composer);
-    if (composer.calls().empty() && TakeSpace(analysis.terms, composer)) composer.ForgetUnknown();
-    if (composer.calls().empty() && TakePlace(analysis.terms, composer)) composer.ForgetUnknown();
     walk.RefuseVague();
     if (analysis.partly_conditional) {
       composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");

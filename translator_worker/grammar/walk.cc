@@ -2,8 +2,8 @@
 #include "translator_worker/grammar/walk.h"
 
 #include "fmt/format.h"
+#include "translator_worker/grammar/frames.h"
 #include "translator_worker/grammar/quote.h"
-#include "translator_worker/grammar/rule_book.h"
 
 namespace flair::translator {
 namespace {
@@ -58,12 +58,12 @@ void Walk::RefuseVague() {
 
 bool Walk::TakeFact() {
   const std::span<const Term> rest(terms_.data() + at_, std::min(kLongestFact, terms_.size() - at_));
-  RuleBook::Hit hit = RuleBook::Get().Find(rest);
-  if (hit.rule != nullptr && EndsInNextFact(hit.match.length))
-    hit = RuleBook::Get().Find(rest.first(hit.match.length - 2));
-  if (hit.rule != nullptr && EndsInNextSubject(hit.match.length))
-    hit = RuleBook::Get().Find(rest.first(hit.match.length - 1));
-  if (hit.rule == nullptr || Passive()) return false;
+  FrameBook::Hit hit = FrameBook::Get().Find(rest);
+  if (hit.build != nullptr && EndsInNextFact(hit.match.length))
+    hit = FrameBook::Get().Find(rest.first(hit.match.length - 2));
+  if (hit.build != nullptr && EndsInNextSubject(hit.match.length))
+    hit = FrameBook::Get().Find(rest.first(hit.match.length - 1));
+  if (hit.build == nullptr || Passive()) return false;
   // "against a wall or beside the bed": the first is taken, the choice is free.
   const size_t before = composer_.calls().size();
   const bool alternative = after_or_ && before > calls_at_or_;
@@ -71,7 +71,7 @@ bool Walk::TakeFact() {
     composer_.Refuse("unknown_sentence", "this relation cannot be denied; say what shall hold instead");
   } else if (!alternative) {
     if (hit.match.a != nullptr) TakeTopic(*hit.match.a);
-    hit.rule->build(hit.match, hit.rule->tag, composer_);
+    hit.build(hit.match, hit.detail, composer_);
   }
   at_ += hit.match.length;
   PassRepeatedPartner();

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/rules/contact.h"
-
+// What several families make: contact at a side, one at each side, distances.
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 
+#include "fmt/format.h"
+#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/rules/shared.h"
 #include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
@@ -103,8 +108,7 @@ void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets
     std::string side = named.size() == 2 ? named.front() : "left";
     for (const Placed& mover : movers) {
       if (composer.IsWall(mover)) {
-        composer.EmitFirst(
-            {Call("on_wall_near").Text("object", composer.id(mover)).Text("target", composer.id(target))});
+        composer.Relate("on_wall_near", mover, target);
         continue;
       }
       // With its back or front to the table a chair stands as it likes.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/rules/near.h"
-
+// Nearness and contact by position: near, next to, left of, behind, on each side of.
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
-#include "translator_worker/grammar/rules/contact.h"
+#include "fmt/format.h"
+#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/rules/shared.h"
 #include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
@@ -59,14 +61,14 @@ bool IsOwnPart(const Mention& mention, const Composer& composer) {
   return reference.kind == RefKind::kObjects && (has(reference.candidates) || has(reference.weak_candidates));
 }
 
-void Near(const Match& match, std::string_view tag, Composer& composer) {
-  if (tag == "access" && match.a == nullptr && IsOwnPart(*match.b, composer)) {
+void Near(const Match& match, std::string_view detail, Composer& composer) {
+  if (detail == "access" && match.a == nullptr && IsOwnPart(*match.b, composer)) {
     composer.EmitFirst(
         {Call("accessible").Text("object", composer.id(composer.topic().front())).Texts("sides", {"front"})});
     return;
   }
   // "Maintain clear access to the table", when nobody else is spoken of.
-  if (tag == "access" && match.a == nullptr && composer.topic().empty()) {
+  if (detail == "access" && match.a == nullptr && composer.topic().empty()) {
     for (const Placed& other : composer.TargetObjects(*match.b, {})) {
       std::vector<std::string> sides = SidesOf(composer, other);
       if (sides.empty()) sides = {"front"};
@@ -75,7 +77,7 @@ void Near(const Match& match, std::string_view tag, Composer& composer) {
     return;
   }
   // Access to an area is a matter of ways, not of nearness.
-  if (tag == "access" && match.b->references.front().kind == RefKind::kZone) {
+  if (detail == "access" && match.b->references.front().kind == RefKind::kZone) {
     composer.Refuse("not_about_layout",
                     "access to an area cannot be asked for; name the objects and sides that serve it");
     return;
@@ -96,6 +98,152 @@ void Near(const Match& match, std::string_view tag, Composer& composer) {
   if (movers.size() == 2 && match.b->references.front().kind == RefKind::kPronoun) {
     NearOne(movers[0], {RefKind::kObjects, {movers[1]}, ""}, match.distance, composer);
   }
+}
+
+namespace {
+
+// "No further from the stove than 1.5 m".
+void NotFurther(const Match& match, std::string_view detail, Composer& composer) {
+  const Distance most{std::nullopt, match.distance->Nominal(), false};
+  Match near = match;
+  near.distance = &most;
+  Near(near, detail, composer);
+}
+
+// "Next to the cabinet on the left": at that side of the cabinet.
+void NextToAtSide(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
+  const std::string& side = match.c->references.front().side;
+  for (Placed& target : targets) target.side = side;
+  if (side == "sides" || side.ends_with("both")) {
+    Flank(movers, targets, composer);
+    return;
+  }
+  for (const Placed& mover : movers) {
+    if (composer.IsFloor(mover)) {
+      Contact(mover, {RefKind::kObjects, targets, ""}, composer);
+    } else {
+      for (const Placed& target : targets) NearOne(mover, {RefKind::kObjects, {target}, ""}, nullptr, composer);
+    }
+  }
+}
+
+// "Two chairs at each table": the first two at the first.
+void ShareOut(const std::vector<Placed>& movers, const std::vector<Placed>& targets, Composer& composer) {
+  const size_t each = movers.size() / targets.size();
+  for (size_t i = 0; i < movers.size(); ++i) {
+    Contact(movers[i], {RefKind::kObjects, {targets[i / each]}, ""}, composer);
+  }
+}
+
+void NextTo(const Match& match, std::string_view, Composer& composer) {
+  if (composer.RefuseUnnamed(*match.b) || KeepsOwnSides(match.a, *match.b, composer)) return;
+  const std::string& side = match.b->references.front().side;
+  // "People stand at three sides of the bench" that is spoken of.
+  if (match.a == nullptr && !side.empty() && composer.scope() == v1::SENTENCE_SCOPE_INTRA &&
+      IsOwnPart(*match.b, composer)) {
+    KeepSpace({{composer.topic().front().object, side}}, match.distance, composer);
+    return;
+  }
+  std::vector<Placed> movers = composer.Movers(match.a);
+  const bool several_sides = side == "sides" || side == "long_both" || side == "short_both" || side == "all";
+  if (several_sides) movers = OneAtEach(match.a, composer);
+  // "Three chairs along each long side of the table".
+  if (several_sides && movers.size() > 1 && composer.IsFloor(movers.front())) {
+    Flank(movers, composer.TargetObjects(*match.b, movers), composer);
+    return;
+  }
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    const size_t targets = target.objects.size();
+    if (match.b->references.front().each && targets > 1 && movers.size() > targets && movers.size() % targets == 0) {
+      ShareOut(movers, target.objects, composer);
+      continue;
+    }
+    for (const Placed& mover : movers) {
+      if (composer.IsWall(mover) || target.kind == RefKind::kWall) {
+        NearOne(mover, target, match.distance, composer);
+      } else {
+        Contact(mover, target, composer);
+      }
+    }
+  }
+}
+
+// Stands at a named side of the target; detail is that side.
+void AtSide(const Match& match, std::string_view detail, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const std::vector<Placed> targets = composer.TargetObjects(
+      *match.b, match.a == nullptr && match.distance != nullptr ? std::vector<Placed>{} : movers);
+  // "The chairs have 0.6 m behind them".
+  const bool own = match.distance != nullptr && !movers.empty() && !targets.empty() &&
+                   movers.front().object == targets.front().object;
+  // "At least 0.6 m behind each chair": free space, when nobody else is spoken of.
+  if (own || (match.a == nullptr && match.distance != nullptr && !match.distance->max_m)) {
+    for (const Placed& other : targets) {
+      // "Behind the chair" of a desk is in front of the desk.
+      const bool at_subject = detail == "back" && composer.StandsAtSubject(other);
+      composer.EmitFirst({Call("accessible")
+                              .Text("object", composer.id(at_subject ? composer.subjects().front() : other))
+                              .Texts("sides", {at_subject         ? "front"
+                                               : detail == "side" ? "left"
+                                                                  : std::string(detail)})
+                              .Number("min_clearance_m", match.distance->Nominal())});
+    }
+    return;
+  }
+  for (const Placed& mover : movers) {
+    if (composer.IsTertiaryRug(mover) && detail == "front" && !targets.empty()) {
+      if (!composer.rug_placed) {
+        composer.EmitFirst(
+            {Call("rug_under_forward").Text("rug", composer.id(mover)).Text("object", composer.id(targets.front()))});
+      }
+      composer.rug_placed = true;
+    } else if (composer.IsSurface(mover)) {
+      // "On the nightstand to the left of the bed": which nightstand.
+      if (composer.IsOnTop(mover)) continue;
+      // "On the right side of the desk": near that edge of its top.
+      for (const Placed& other : targets) {
+        Call call = Call("on_top_corner").Text("object", composer.id(mover)).Text("host", composer.id(other));
+        if (detail == "back") call.Text("corner", "back_left");
+        composer.EmitFirst({std::move(call)});
+      }
+    } else if (composer.IsWall(mover)) {
+      for (const Placed& other : targets) {
+        composer.EmitFirst({Call(detail == "back" ? "on_wall_above" : "on_wall_near")
+                                .Text("object", composer.id(mover))
+                                .Text("target", composer.id(other))});
+      }
+    } else {
+      Beside(mover, targets, detail == "side" ? "left" : std::string(detail), composer);
+      for (const Placed& other : targets) {
+        if (match.distance != nullptr && match.distance->Nominal() > 0) {
+          KeepDistance(mover, other, match.distance, composer);
+        }
+      }
+    }
+  }
+}
+
+// "At the end of the bed" is at its foot, of a counter at its left or right.
+void AtFoot(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> targets = composer.TargetObjects(*match.b, composer.Movers(match.a));
+  const bool has_foot = targets.empty() || composer.IsBed(targets.front()) || composer.IsSeat(targets.front());
+  AtSide(match, has_foot ? "front" : "side", composer);
+}
+
+void OnEachSide(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = OneAtEach(match.a, composer);
+  Flank(movers, composer.TargetObjects(*match.b, movers), composer);
+}
+
+}  // namespace
+
+std::vector<Meaning> NearMeanings() {
+  return {
+      {"near", Near},      {"not_further", NotFurther}, {"next_to_at_side", NextToAtSide}, {"next_to", NextTo},
+      {"at_side", AtSide}, {"at_foot", AtFoot},         {"on_each_side", OnEachSide},
+  };
 }
 
 }  // namespace flair::translator

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // In front of a piece: where something stands, or how much is kept free there.
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 
-#include "translator_worker/grammar/rules/contact.h"
-#include "translator_worker/grammar/rules/near.h"
-#include "translator_worker/grammar/rules/rule.h"
+#include "fmt/format.h"
+#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/rules/shared.h"
+#include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
 
-// tag "after": the figure stands after the place, so it is how far away the mover stands.
-void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
+// detail "after": the figure stands after the place, so it is how far away the mover stands.
+void InFrontOf(const Match& match, std::string_view detail, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   // "In front of the desk, 1 to 2 m from it".
   const bool of_same = match.c != nullptr && match.c->references.front().kind == RefKind::kPronoun &&
@@ -58,7 +62,7 @@ void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
   for (const Target& target : composer.Targets(*match.b, may_be_own ? std::vector<Placed>{} : movers)) {
     if (target.kind == RefKind::kFeature) {
       for (const Placed& mover : movers) {
-        composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
+        composer.RelateToFeature("close_to_feature", mover, target.name);
       }
       continue;
     }
@@ -73,7 +77,7 @@ void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
           std::any_of(movers.begin(), movers.end(), [&](const Placed& mover) { return mover.object == other.object; });
       const bool own = movers.empty() || several_own || (movers.size() == 1 && movers.front().object == other.object);
       const bool at_least = match.distance != nullptr && !match.distance->max_m;
-      if ((own && match.distance != nullptr) || (match.a == nullptr && (own || (at_least && tag != "after")))) {
+      if ((own && match.distance != nullptr) || (match.a == nullptr && (own || (at_least && detail != "after")))) {
         Call call = Call("accessible").Text("object", composer.id(other)).Texts("sides", {"front"});
         if (match.distance != nullptr) call.Number("min_clearance_m", match.distance->Nominal());
         composer.EmitFirst({std::move(call)});
@@ -87,8 +91,7 @@ void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
           continue;
         }
         if (composer.IsWall(mover)) {
-          composer.EmitFirst(
-              {Call("on_wall_near").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+          composer.Relate("on_wall_near", mover, other);
           continue;
         }
         Call call = Call("in_front_of").Text("object", composer.id(mover)).Text("target", composer.id(other));
@@ -102,39 +105,11 @@ void InFrontOf(const Match& match, std::string_view tag, Composer& composer) {
   }
 }
 
-// "In front of the desk, with at least 0.5 m behind it".
-void InFrontWithSpaceBehind(const Match& match, std::string_view, Composer& composer) {
-  Match place = match;
-  place.distance = nullptr;
-  place.c = nullptr;
-  InFrontOf(place, "", composer);
-  for (const Placed& mover : composer.Movers(match.a)) {
-    composer.EmitFirst({Call("accessible")
-                            .Text("object", composer.id(mover))
-                            .Texts("sides", {"back"})
-                            .Number("min_clearance_m", match.distance->Nominal())});
-  }
-}
-
-// "Within reach of the table but not in front": of the table.
-void NotInFront(const Match&, std::string_view, Composer& composer) {
-  if (composer.pair_targets().empty()) composer.Refuse("unknown_sentence", "say in front of what");
-  for (const Placed& mover : composer.pair_movers()) {
-    for (const Placed& other : composer.pair_targets()) KeepDistance(mover, other, nullptr, composer);
-  }
-}
-
 }  // namespace
 
-std::vector<Rule> InFrontRules() {
+std::vector<Meaning> InFrontMeanings() {
   return {
-      {"A? D? in_front_of B", InFrontOf},
-      {"A? in_front_of B D", InFrontOf, "after"},
-      {"A? in_front_of B , space? D", InFrontOf, "after"},
-      {"A? in_front_of B , D space? behind C.pronoun", InFrontWithSpaceBehind},
-      {"A? in_front_of B ,? D space? apart/away", InFrontOf},
-      {"A? in_front_of B , D space? away_from C", InFrontOf},
-      {"not in_front", NotInFront},
+      {"in_front_of", InFrontOf},
   };
 }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Groups: chairs round a table, between two, side by side in a row.
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 
-#include "translator_worker/grammar/rules/contact.h"
-#include "translator_worker/grammar/rules/rule.h"
-#include "translator_worker/grammar/rules/space_at.h"
+#include "fmt/format.h"
+#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/rules/shared.h"
+#include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
@@ -32,11 +36,11 @@ void EmitSurround(const std::vector<Placed>& movers, const std::vector<Placed>& 
   composer.SetPair(movers, {centers.front()});
 }
 
-// tag "plain": only "around", which several stand and one moves.
-void Surround(const Match& match, std::string_view tag, Composer& composer) {
+// detail "plain": only "around", which several stand and one moves.
+void Surround(const Match& match, std::string_view detail, Composer& composer) {
   if (match.a != nullptr && composer.RefuseUnnamed(*match.a)) return;
   const std::vector<Placed> movers = composer.Movers(match.a);
-  if (tag == "plain" && movers.size() < 2) {
+  if (detail == "plain" && movers.size() < 2) {
     composer.Refuse("unknown_sentence", "one object cannot stand around another; say beside or near it");
     return;
   }
@@ -46,21 +50,6 @@ void Surround(const Match& match, std::string_view tag, Composer& composer) {
 void SurroundedBy(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> centers = composer.Movers(match.a);
   EmitSurround(composer.TargetObjects(*match.b, centers), centers, composer);
-}
-
-// "Each table has four chairs around it".
-void HasAround(const Match& match, std::string_view, Composer& composer) {
-  const std::vector<Placed> centers = composer.Movers(match.a);
-  EmitSurround(composer.TargetObjects(*match.b, centers), centers, composer);
-}
-
-// "The chairs are on all sides of the table" stand round it; of one piece it is free space.
-void OnAllSides(const Match& match, std::string_view tag, Composer& composer) {
-  const std::vector<Placed> movers = composer.Movers(match.a);
-  const bool stand = movers.size() > 1 && std::all_of(movers.begin(), movers.end(), [&](const Placed& mover) {
-                       return composer.IsFloor(mover) && mover.side.empty();
-                     });
-  stand ? EmitSurround(movers, composer.TargetObjects(*match.b, movers), composer) : SpaceAt(match, tag, composer);
 }
 
 void PlaceBetween(const Match& match, std::string_view, Composer& composer) {
@@ -80,8 +69,7 @@ void PlaceBetween(const Match& match, std::string_view, Composer& composer) {
     // "In the middle of the room, covering the floor between the desk and the sofa".
     if (composer.IsTertiaryRug(mover) && !composer.calls().empty()) continue;
     if (composer.IsWall(mover)) {
-      composer.EmitFirst(
-          {Call("on_wall_near").Text("object", composer.id(mover)).Text("target", composer.id(targets[0]))});
+      composer.Relate("on_wall_near", mover, targets[0]);
       continue;
     }
     composer.EmitFirst({Call("between")
@@ -110,14 +98,6 @@ void Row(const Match& match, std::string_view, Composer& composer) {
                             .Text("object_side", "left")
                             .Text("target_side", "right")});
   }
-}
-
-// "Chairs next to each other are 0.2 m apart": each from the next.
-void NeighboursApart(const Match& match, std::string_view, Composer& composer) {
-  std::vector<Placed> movers = composer.Movers(match.a);
-  if (movers.size() < 2) movers = composer.subjects();
-  if (movers.size() < 2) composer.Refuse("unknown_sentence", "nothing says what is kept apart; name two objects");
-  for (size_t i = 1; i < movers.size(); ++i) KeepDistance(movers[i - 1], movers[i], match.distance, composer);
 }
 
 // "The desks stand back to back".
@@ -152,37 +132,12 @@ void NearEachOther(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
-void Touching(const Match& match, std::string_view, Composer& composer) {
-  std::vector<Placed> movers = composer.Movers(match.a);
-  if (movers.size() < 2) movers = composer.subjects();
-  if (movers.size() < 2) composer.Refuse("unknown_sentence", "nothing says what touches what; name two objects");
-  for (size_t i = 1; i < movers.size(); ++i) {
-    composer.EmitFirst({Call("next_to").Text("object", composer.id(movers[i])).Text("target", composer.id(movers[0]))});
-  }
-}
-
 }  // namespace
 
-std::vector<Rule> GroupRules() {
+std::vector<Meaning> GroupMeanings() {
   return {
-      {"A? surround B", Surround},
-      {"A? around B.object", Surround, "plain"},
-      {"A? against/on/next_to/each_side_of around B.object", Surround},
-      {"A surrounded_by B", SurroundedBy},
-      {"A.object B.object around C.pronoun", HasAround},
-      {"A.object all_sides B.object", OnAllSides, "all"},
-      {"A? between B", PlaceBetween},
-      {"A? centered between B", PlaceBetween},
-      {"A? side_by_side", Row},
-      {"A? side_by_side ,? side_by_side", Row},
-      {"A? next_to both_ways", Row},
-      {"A? next_to both_ways D space? apart/away?", NeighboursApart},
-      {"A? back_to_back B?", BackToBack},
-      {"A? near both_ways", NearEachOther},
-      {"A? against both_ways", Touching},
-      {"A.list against", Touching},
-      {"A.list together ,? D?", NearEachOther},
-      {"A? next_to both_ways ,? side_by_side", Row},
+      {"surround", Surround}, {"surrounded_by", SurroundedBy}, {"place_between", PlaceBetween},
+      {"row", Row},           {"back_to_back", BackToBack},    {"near_each_other", NearEachOther},
   };
 }
 

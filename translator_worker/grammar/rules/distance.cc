@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/rules/gaps.h"
-
+// Distances: away from, at least so far, gaps between, bare distances after another fact.
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "fmt/format.h"
-#include "translator_worker/grammar/rules/contact.h"
-#include "translator_worker/grammar/rules/space.h"
+#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/rules/shared.h"
 #include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
+
+void BetweenOrAnything(const Match& match, std::string_view detail, Composer& composer);
 namespace {
 
 bool Names(const Reference& reference, int object) {
@@ -62,14 +66,14 @@ void KeepFreeBeside(const Placed& placed, const Distance* distance, Composer& co
 }
 
 // Every pair of the list; "them" is the last pair spoken of, or the objects that the sentence is about.
-void Between(const Match& match, std::string_view tag, Composer& composer) {
+void Between(const Match& match, std::string_view detail, Composer& composer) {
   static const Distance kTouching{0, 0, true};
-  const Distance* distance = tag == "touching" ? &kTouching : match.distance;
+  const Distance* distance = detail == "touching" ? &kTouching : match.distance;
   const Mention& mention = *match.b;
   const Reference& last = mention.references.back();
   const std::string& side = mention.references.front().side;
   if (last.kind == RefKind::kGroup && mention.references.size() > 1 && !side.empty() && side != "side") {
-    BetweenOrAnything(match, tag, composer);
+    BetweenOrAnything(match, detail, composer);
     return;
   }
   if (last.kind == RefKind::kGroup && mention.references.size() > 1 && distance != nullptr) {
@@ -100,7 +104,7 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
     }
   } else if (last.kind == RefKind::kWall && mention.references.size() == 2 && IsPlainSide(side)) {
     // "Between the wardrobe's front and the opposite wall": free space there.
-    BetweenOrAnything(match, tag, composer);
+    BetweenOrAnything(match, detail, composer);
     return;
   } else if (last.kind == RefKind::kWall || last.kind == RefKind::kFeature) {
     if (last.kind == RefKind::kFeature && !composer.HasFeature(last.name)) {
@@ -151,10 +155,10 @@ void Between(const Match& match, std::string_view tag, Composer& composer) {
 }
 
 // "Between the backs of the chairs and any wall or furniture": free space there.
-void BetweenOrAnything(const Match& match, std::string_view tag, Composer& composer) {
+void BetweenOrAnything(const Match& match, std::string_view detail, Composer& composer) {
   const Reference& first = match.b->references.front();
   if (first.side.empty() || first.kind == RefKind::kGroup) {
-    Between(match, tag, composer);
+    Between(match, detail, composer);
     return;
   }
   Mention owner;
@@ -224,6 +228,151 @@ void BareDistance(const Match& match, std::string_view, Composer& composer) {
 // "Nothing between the sofa and the TV stand".
 void NothingBetween(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_expressible", "no call keeps the space between two objects empty; name a side or a distance");
+}
+
+namespace {
+
+void AwayFrom(const Match& match, std::string_view detail, Composer& composer) {
+  // "Not within 0.5 m of" is at least so far away.
+  Distance turned;
+  const Distance* distance = match.distance;
+  if (!detail.empty() && distance != nullptr && distance->max_m) {
+    turned.min_m = distance->max_m;
+    distance = &turned;
+  }
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  // "Close to a window, but not directly in front of it".
+  const Reference& what = match.b->references.front();
+  if (distance == nullptr && what.kind == RefKind::kPronoun && what.side.empty() && !composer.last_feature.empty()) {
+    for (const Placed& mover : movers) {
+      composer.RelateToFeature("clear_of_feature", mover, composer.last_feature);
+    }
+    return;
+  }
+  // "The front has 0.6 m of clearance from any other object": free space there.
+  if (match.b->references.front().kind == RefKind::kGroup && !movers.empty() && !movers.front().side.empty()) {
+    for (const Placed& mover : movers) KeepFreeBeside(mover, match.distance, composer);
+    return;
+  }
+  // "0.5 m of clearance from the back": free space there.
+  const bool own_side = what.kind == RefKind::kPronoun && what.name.empty() && !what.side.empty();
+  if (own_side && distance != nullptr && composer.calls().empty()) {
+    for (const Placed& mover : movers) KeepFreeBeside({mover.object, what.side}, distance, composer);
+    return;
+  }
+  // "Used from both long sides": they are to be got at.
+  const bool several =
+      what.side == "sides" || what.side == "all" || what.side == "three" || what.side.ends_with("both");
+  if (own_side && several && composer.calls().empty()) {
+    for (const Placed& mover : movers) KeepFreeBeside({mover.object, what.side}, nullptr, composer);
+    return;
+  }
+  // "The sides of the bed are 0.6 m from walls and furniture": space on both of them.
+  const bool both_sides = !movers.empty() && (movers.front().side == "sides" || movers.front().side.ends_with("both"));
+  if (both_sides && distance != nullptr && (what.kind == RefKind::kWall || what.kind == RefKind::kGroup)) {
+    for (const Placed& mover : movers) KeepFreeBeside(mover, distance, composer);
+    return;
+  }
+  for (const Target& target : composer.Targets(*match.b, movers, false)) {
+    for (const Placed& mover : movers) KeepAway(mover, target, distance, composer);
+  }
+}
+
+// "0.5 m from the wall on its left": free space at that side; detail is a side word, else C names it.
+void FromWallAtSide(const Match& match, std::string_view detail, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    if (match.c == nullptr) KeepFreeBeside({mover.object, std::string(detail)}, match.distance, composer);
+    if (match.c == nullptr) continue;
+    for (const Reference& reference : match.c->references) {
+      KeepFreeBeside({mover.object, reference.side}, match.distance, composer);
+    }
+  }
+}
+
+// "at least 0.4 m from any seat to the bookshelf".
+void FromTo(const Match& match, std::string_view, Composer& composer) {
+  // "From the back of the chair to any other object": free space there.
+  const RefKind to = match.c->references.front().kind;
+  if (to == RefKind::kGroup || to == RefKind::kWall) {
+    for (const Placed& from : composer.TargetObjects(*match.b, {}, false))
+      KeepFreeBeside(from, match.distance, composer);
+    return;
+  }
+  for (const Placed& from : composer.TargetObjects(*match.b, {}, false)) {
+    for (const Placed& to : composer.TargetObjects(*match.c, {from}, false))
+      KeepDistance(from, to, match.distance, composer);
+  }
+}
+
+// "To the right of the desk, no gap": what stands beside it touches it.
+void NoGap(const Match&, std::string_view, Composer& composer) {
+  if (composer.pair_targets().empty()) composer.Refuse("unknown_sentence", "say between what there is no gap");
+}
+
+// "Across from the sofa, at least 1.5 m away": from what was related to last.
+void AwayFromPartner(const Match& match, std::string_view detail, Composer& composer) {
+  if (composer.pair_targets().empty()) {
+    ApartFromEachOther(match, detail, composer);
+    return;
+  }
+  for (const Placed& mover : composer.pair_movers()) {
+    for (const Placed& other : composer.pair_targets()) KeepDistance(mover, other, match.distance, composer);
+  }
+}
+
+// "Not between the sofa and the bookshelf" is away from both; doors and windows would say something else.
+void NotBetween(const Match& match, std::string_view detail, Composer& composer) {
+  const bool features = std::any_of(match.b->references.begin(), match.b->references.end(),
+                                    [](const Reference& one) { return one.kind == RefKind::kFeature; });
+  features ? NothingBetween(match, detail, composer) : AwayFrom(match, detail, composer);
+}
+
+// "A clear walkway between the sofa and the table" keeps them apart; between pieces that are not named it is a path.
+void DistanceOrPathBetween(const Match& match, std::string_view detail, Composer& composer) {
+  if (match.a != nullptr && match.c->references.front().name == "paths") {
+    ApartFromEachOther(match, detail, composer);
+    return;
+  }
+  const Reference& first = match.b->references.front();
+  const bool several = first.kind == RefKind::kObjects && (first.plural || first.each) && first.candidates.size() > 1;
+  const bool named = several || (match.b->references.size() > 1 && first.kind != RefKind::kGroup);
+  if (named && match.c->references.front().name == "paths") {
+    Between(match, detail, composer);
+  } else {
+    composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
+  }
+}
+
+// "Walkways of at least 0.6 m": how wide ways are, wherever they lead. Of other vague things the figure is a space's.
+void Ways(const Match& match, std::string_view detail, Composer& composer) {
+  // "Opposite each other with an aisle of 1.2 m": between the two.
+  const bool between =
+      composer.scope() == v1::SENTENCE_SCOPE_INTER && !composer.calls().empty() && !composer.pair_targets().empty();
+  if (match.c->references.front().name == "paths" && !between) {
+    composer.Refuse("not_about_layout", "paths cannot be asked for; name two objects and the distance between them");
+  } else {
+    BareDistance(match, detail, composer);
+  }
+}
+
+}  // namespace
+
+std::vector<Meaning> DistanceMeanings() {
+  return {
+      {"between", Between},
+      {"between_and_wall", BetweenAndWall},
+      {"apart_from_each_other", ApartFromEachOther},
+      {"bare_distance", BareDistance},
+      {"nothing_between", NothingBetween},
+      {"away_from", AwayFrom},
+      {"from_wall_at_side", FromWallAtSide},
+      {"from_to", FromTo},
+      {"no_gap", NoGap},
+      {"away_from_partner", AwayFromPartner},
+      {"not_between", NotBetween},
+      {"distance_or_path_between", DistanceOrPathBetween},
+      {"ways", Ways},
+  };
 }
 
 }  // namespace flair::translator

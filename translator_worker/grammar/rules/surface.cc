@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // On and under objects: things on tables, rugs under them, chairs tucked in.
-#include "translator_worker/grammar/rules/contact.h"
-#include "translator_worker/grammar/rules/rule.h"
-#include "translator_worker/grammar/rules/space.h"
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "fmt/format.h"
+#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/rules/shared.h"
+#include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
@@ -57,8 +63,8 @@ void InAreaOf(const std::vector<Placed>& movers, const std::vector<Placed>& host
   }
 }
 
-// tag: "" in the middle, "any" a corner, or that corner.
-void On(const Match& match, std::string_view tag, Composer& composer) {
+// detail: "" in the middle, "any" a corner, or that corner.
+void On(const Match& match, std::string_view detail, Composer& composer) {
   if (KeepsOwnSides(match.a, *match.b, composer)) return;
   const std::vector<Placed> movers = composer.Movers(match.a);
   const std::vector<Placed> hosts = composer.TargetObjects(*match.b, movers);
@@ -66,7 +72,7 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
     InAreaOf(movers, hosts, composer);
     return;
   }
-  if (tag == "any" && match.c != nullptr && match.c->references.front().side == "back") tag = "back_left";
+  if (detail == "any" && match.c != nullptr && match.c->references.front().side == "back") detail = "back_left";
   const auto several = [](const std::string& side) {
     return side == "sides" || side == "long_both" || side == "short_both" || side == "all";
   };
@@ -80,14 +86,14 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
     return;
   }
   // "Within reach of someone lying in bed": furniture does not stand on what people sit or lie on.
-  if (tag.empty() && !movers.empty() && !hosts.empty() && composer.IsFloor(movers.front()) &&
+  if (detail.empty() && !movers.empty() && !hosts.empty() && composer.IsFloor(movers.front()) &&
       !composer.IsRug(movers.front()) && (composer.IsSeat(hosts.front()) || composer.IsBed(hosts.front())) &&
       hosts.front().side.empty() && composer.object(movers.front().object).role() != v1::OBJECT_ROLE_TERTIARY) {
     composer.Refuse("unknown_sentence", "furniture stands beside seats and beds, not on them");
     return;
   }
   // "Tucked into the table": under it, at times.
-  if (tag.empty() && !movers.empty() && !hosts.empty() && composer.IsFloor(movers.front()) &&
+  if (detail.empty() && !movers.empty() && !hosts.empty() && composer.IsFloor(movers.front()) &&
       composer.IsChair(movers.front()) && composer.IsTable(hosts.front()) && hosts.front().side.empty()) {
     composer.Refuse("unknown_sentence", "chairs stand at tables, not on them; say at which side");
     return;
@@ -100,11 +106,11 @@ void On(const Match& match, std::string_view tag, Composer& composer) {
   for (size_t i = 0; i < movers.size() && !hosts.empty(); ++i) {
     // Several things on several hosts: one each.
     const Placed& host = hosts[hosts.size() > 1 && movers.size() > 1 ? i % hosts.size() : 0];
-    OnOne(movers[i], host, tag, composer);
+    OnOne(movers[i], host, detail, composer);
   }
 }
 
-void RugUnder(const Match& match, std::string_view tag, Composer& composer) {
+void RugUnder(const Match& match, std::string_view detail, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   const std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
   for (const Placed& mover : movers) {
@@ -119,8 +125,9 @@ void RugUnder(const Match& match, std::string_view tag, Composer& composer) {
     if (!composer.IsFloor(targets.front())) continue;
     if (composer.IsRug(mover)) {
       if (!composer.rug_placed) {
-        composer.EmitFirst(
-            {Call(tag == "forward" ? "rug_under_forward" : "rug_under_center").Text("rug", id).Text("object", target)});
+        composer.EmitFirst({Call(detail == "forward" ? "rug_under_forward" : "rug_under_center")
+                                .Text("rug", id)
+                                .Text("object", target)});
       }
       composer.rug_placed = true;
     } else if (composer.IsWall(mover)) {
@@ -132,56 +139,25 @@ void RugUnder(const Match& match, std::string_view tag, Composer& composer) {
 }
 
 // "Tucked under the desk": where it is when nobody sits there. Rugs and bins lie there always.
-void Stowed(const Match& match, std::string_view tag, Composer& composer) {
+void Stowed(const Match& match, std::string_view detail, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   const bool sided = !match.b->references.front().side.empty();
   const bool pulled_out = !movers.empty() && composer.IsFloor(movers.front()) && composer.IsChair(movers.front());
   if (!pulled_out || sided) {
-    RugUnder(match, tag, composer);
+    RugUnder(match, detail, composer);
     return;
   }
   composer.SetPair(movers, composer.TargetObjects(*match.b, movers));
   composer.Refuse("conditional", "what holds only at times cannot be asked for; say where it stands otherwise");
 }
 
-void WhenUnused(const Match&, std::string_view, Composer& composer) {
-  composer.Refuse("conditional", "what holds only at times cannot be asked for; say where it stands otherwise");
-}
-
 }  // namespace
 
-std::vector<Rule> SurfaceRules() {
+std::vector<Meaning> SurfaceMeanings() {
   return {
-      {"A? on B.thing", On},
-      {"A? on corner/edge of? B.thing", On, "any"},
-      {"A? near/next_to? corner/edge of? B.thing", On, "any"},
-      {"A? corner/edge B.thing", On, "any"},
-      {"A? near/next_to? corner/edge or corner/edge of? B.thing", On, "any"},
-      {"A? on B.side of B.thing", On, "any"},
-      {"A? on B.thing ,? near/next_to/on? edge/corner", On, "any"},
-      {"A? next_to B.thing towards_back", On, "back_left"},
-      {"A? towards_back B.thing", On, "back_left"},
-      {"A? on B.thing ,? towards_back", On, "back_left"},
-      {"A? on B.thing , on/at_sides? C.side", On, "any"},
-      {"A? on B.thing ,? on/facing/to/towards C.side", On, "any"},
-      {"A? on B.thing ,? away_from/away to? C.side", On, "any"},
-      {"A? on B.thing ,? near/next_to C.side", On, "any"},
-      {"A? on B.thing ,? corner ,? on/next_to/near C.side", On, "any"},
-      {"A? on B.thing ,? corner_back_left", On, "back_left"},
-      {"A? on B.thing ,? corner_back_right", On, "back_right"},
-      {"A? on B.thing ,? corner_front_left", On, "front_left"},
-      {"A? on B.thing ,? corner_front_right", On, "front_right"},
-      {"A? on? corner_back_left B.thing", On, "back_left"},
-      {"A? on? corner_back_right B.thing", On, "back_right"},
-      {"A? on? corner_front_left B.thing", On, "front_left"},
-      {"A? on? corner_front_right B.thing", On, "front_right"},
-      {"A? under B.object", RugUnder},
-      {"A? centered under B.object", RugUnder},
-      {"A? centered C.zone ,? under/under_center B.object", RugUnder},
-      {"A? under_center B.object", RugUnder},
-      {"A? partly_under B.object", RugUnder, "forward"},
-      {"A? pushed_under B.thing", Stowed},
-      {"A? pushed_under B.thing ,? under_when_unused", WhenUnused},
+      {"on", On},
+      {"rug_under", RugUnder},
+      {"stowed", Stowed},
   };
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is to be got at: accessible pieces, their sides, from where.
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 
-#include "translator_worker/grammar/rules/keep_clear.h"
-#include "translator_worker/grammar/rules/rule.h"
-#include "translator_worker/grammar/rules/space.h"
-#include "translator_worker/grammar/rules/space_at.h"
+#include "fmt/format.h"
+#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/rules/shared.h"
+#include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
@@ -49,16 +52,6 @@ void Accessible(const Match& match, std::string_view, Composer& composer) {
   KeepSpace(movers, match.distance, composer);
 }
 
-// "The front is accessible and it does not block the window".
-void AccessibleAndNotBlocking(const Match& match, std::string_view tag, Composer& composer) {
-  Match first = match;
-  first.b = nullptr;
-  Accessible(first, tag, composer);
-  Match second = match;
-  second.a = nullptr;
-  NotBlock(second, "", composer);
-}
-
 // "Easy access from the front".
 void AccessToSide(const Match& match, std::string_view, Composer& composer) {
   KeepSpace(composer.TargetObjects(*match.b, {}), match.distance, composer);
@@ -99,12 +92,12 @@ void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
     }
     if (target.kind == RefKind::kFeature) {
       for (const Placed& mover : movers) {
-        composer.EmitFirst({Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
+        composer.RelateToFeature("close_to_feature", mover, target.name);
       }
     }
     for (const Placed& other : target.objects) {
       for (const Placed& mover : movers) {
-        composer.EmitFirst({Call("near").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+        composer.Relate("near", mover, other);
       }
     }
     if (!target.objects.empty()) composer.SetPair(movers, target.objects);
@@ -128,74 +121,26 @@ void MovementAround(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_about_layout", "ways cannot be asked for; say which sides are kept free");
 }
 
-}  // namespace
-
-std::vector<Rule> AccessRules() {
-  return {
-      {"swing_open A not block next_to B", OfMovers},
-      {"A.object? accessible/keep_clear", Accessible},
-      {"A.object? accessible/keep_clear ,? D space?", Accessible},
-      {"A.object? keep_clear/accessible ,? space D", Accessible},
-      {"A.object? accessible_from ,? B.side", Accessible},
-      {"A.object? accessible_from ,? B.side ,? D space?", Accessible},
-      {"A.object? accessible_from ,? B.side ,? space D", Accessible},
-      {"A.object? accessible B.side D?", Accessible},
-      {"A.object? accessible on/at_sides/next_to B.side D?", Accessible},
-      {"A.object? accessible away_from B.side D?", Accessible},
-      {"A.object? accessible_from B.object", AccessibleFrom},
-      {"accessible away_from B.object", AccessibleFrom},
-      {"A.side facing B.object accessible/keep_clear", OfMovers},
-      {"A.object? accessible_from B.feature", AccessibleFrom},
-      {"A.object? accessible to B.side", AccessToSide},
-      {"A.object? accessible to B.object", AccessibleFrom},
-      {"A.side keep_clear/accessible ,? D", Accessible},
-      {"A? accessible/access_to/allow_access_to B.object away_from C.side", AccessFromSide},
-      {"A.side not block", OfMovers},
-      {"A.object? not block away_from B.side", AccessToSide},
-      {"A? not block next_to B", OfMovers},
-      {"A.side where B accessible/keep_clear", OfMovers},
-      {"A? access_to/allow_access_to/accessible_from B.side", AccessToSide},
-      {"A.side keep_clear/accessible next_to D", Accessible},
-      {"A.side not block B.object", OfMovers},
-      {"A.side not behind B.object", OfMovers},
-      {"A.vague accessible/keep_clear/swing_open", Unreachable},
-      {"next_to/on A.vague accessible/keep_clear", Unreachable},
-      {"A.vague keep_clear/accessible ,? to? swing_open", Unreachable},
-      {"accessible_from A.vague", Unreachable},
-      {"swing_open", OpensFully},
-      {"A? swing_open on/at_sides B.side", AccessToSide},
-      {"A.object accessible ,? not block", Accessible},
-      {"A? accessible , not block B.thing", AccessibleAndNotBlocking},
-      {"A? accessible , not block B.feature", AccessibleAndNotBlocking},
-      {"A.object? accessible ,? not block next_to C", Accessible},
-      {"reach B.object away_from C.side", AccessFromSide},
-  };
-}
-
-namespace {
-
 // "The cabinet's doors must not bump into the bench": its own front is kept free; of others that of what is blocked.
-void NotHitting(const Match& match, std::string_view tag, Composer& composer) {
+void NotHitting(const Match& match, std::string_view detail, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   const bool doors = !movers.empty() && movers.front().side == "front" && composer.HasDoors(movers.front());
-  doors ? KeepSpace(movers, match.distance, composer) : NotBlock(match, tag, composer);
+  doors ? KeepSpace(movers, match.distance, composer) : NotBlock(match, detail, composer);
 }
 
 }  // namespace
 
-std::vector<Rule> PathRules() {
+std::vector<Meaning> AccessMeanings() {
   return {
-      {"A.side clear_of B.vague", OfMovers},
-      {"A.side clear_of accessible/space/access_to", OfMovers},
-      {"A.side clear_of", OfMovers},
-      {"A.side clear_of B.group", OfMovers},
-      {"A.side clear_of swing_open B.feature?", OfMovers},
-      {"A? D? C.vague D? around B.object", PathAround, "around"},
-      {"A? D? C.vague D? all_sides B.object", PathAround, "all"},
-      {"A? not block C.vague around B.object", MovementAround},
-      {"A.side not block B.group", OfMovers},
-      {"A.side not block B.object ,? D?", NotHitting},
-      {"C.vague away_from B.object to A.object", MovementAround},
+      {"accessible", Accessible},
+      {"access_to_side", AccessToSide},
+      {"access_from_side", AccessFromSide},
+      {"opens_fully", OpensFully},
+      {"of_movers", OfMovers},
+      {"accessible_from", AccessibleFrom},
+      {"unreachable", Unreachable},
+      {"movement_around", MovementAround},
+      {"not_hitting", NotHitting},
   };
 }
 

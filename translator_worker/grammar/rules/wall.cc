@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Walls and corners: against, along, near, away from them; "against" another object is contact with it.
-#include "translator_worker/grammar/rules/contact.h"
-#include "translator_worker/grammar/rules/rule.h"
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "fmt/format.h"
+#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/rules/shared.h"
 #include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
@@ -49,10 +55,10 @@ void Against(const Match& match, std::string_view, Composer& composer) {
 }
 
 // "Against a wall with both sides accessible".
-void AgainstAndAccessible(const Match& match, std::string_view tag, Composer& composer) {
+void AgainstAndAccessible(const Match& match, std::string_view detail, Composer& composer) {
   Match wall = match;
   wall.c = nullptr;
-  Against(wall, tag, composer);
+  Against(wall, detail, composer);
   for (const Placed& mover : composer.Movers(match.a)) {
     std::vector<std::string> sides;
     for (const Reference& reference : match.c->references) {
@@ -63,11 +69,11 @@ void AgainstAndAccessible(const Match& match, std::string_view tag, Composer& co
 }
 
 // "X's right side aligns with Y's left": adjoining for opposite sides, the same direction for equal ones.
-void Aligned(const Match& match, std::string_view tag, Composer& composer) {
+void Aligned(const Match& match, std::string_view detail, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers)) {
     if (target.objects.empty()) {
-      Against(match, tag, composer);
+      Against(match, detail, composer);
       return;
     }
     for (const Placed& mover : movers) {
@@ -75,11 +81,11 @@ void Aligned(const Match& match, std::string_view tag, Composer& composer) {
         // "Next to it, with one of its sides aligned": sides that stand next to each other are.
         if (mover.side == "side" && !composer.calls().empty()) continue;
         if (mover.side == "front" && other.side == "front" && composer.IsChair(mover)) {
-          composer.EmitFirst({Call("facing").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+          composer.Relate("facing", mover, other);
         } else if (!mover.side.empty() && mover.side == OppositeSide(other.side)) {
           Contact(mover, {RefKind::kObjects, {other}, ""}, composer);
         } else {
-          composer.EmitFirst({Call("parallel").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+          composer.Relate("parallel", mover, other);
         }
       }
     }
@@ -90,7 +96,7 @@ void Aligned(const Match& match, std::string_view tag, Composer& composer) {
 void AlignedPair(const Match&, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.pair_movers()) {
     for (const Placed& other : composer.pair_targets()) {
-      composer.EmitFirst({Call("parallel").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+      composer.Relate("parallel", mover, other);
     }
   }
   if (composer.pair_targets().empty()) composer.Refuse("unknown_sentence", "say with what it is aligned");
@@ -117,10 +123,10 @@ void NotAgainst(const Match& match, std::string_view, Composer& composer) {
             {Call("not_against_wall").Text("object", composer.id(mover)).MaybeText("side", OneSide(composer, mover))});
       }
       if (target.kind == RefKind::kFeature) {
-        composer.EmitFirst({Call("clear_of_feature").Text("object", composer.id(mover)).Text("feature", target.name)});
+        composer.RelateToFeature("clear_of_feature", mover, target.name);
       }
       for (const Placed& other : target.objects) {
-        composer.EmitFirst({Call("away_from").Text("object", composer.id(mover)).Text("target", composer.id(other))});
+        composer.Relate("away_from", mover, other);
       }
     }
     if (!target.objects.empty()) composer.SetPair(movers, target.objects);
@@ -145,21 +151,9 @@ void TowardsWall(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
-// "Placement against wall: back".
-void PlacedWithSide(const Match& match, std::string_view tag, Composer& composer) {
-  TowardsWall({match.c, nullptr, nullptr, nullptr, match.length}, tag, composer);
-}
-
-// "No wall directly behind them".
-void NoWallThere(const Match& match, std::string_view, Composer& composer) {
-  for (const Placed& placed : composer.TargetObjects(*match.a, {})) {
-    composer.EmitFirst({Call("not_against_wall").Text("object", composer.id(placed))});
-  }
-}
-
 void Freestanding(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
-    composer.EmitFirst({Call("not_against_wall").Text("object", composer.id(mover))});
+    composer.Place("not_against_wall", mover);
   }
 }
 
@@ -173,37 +167,13 @@ void CenteredOnWall(const Match& match, std::string_view, Composer& composer) {
 
 }  // namespace
 
-std::vector<Rule> WallRules() {
+std::vector<Meaning> WallMeanings() {
   return {
-      {"A? against B , C.side", Against},
-      {"A? against/along/on/next_to B.wall ,? C.side", Against},
-      {"A? against/along/on/next_to B.wall , C.side accessible/keep_clear", AgainstAndAccessible},
-      {"A? against/along/next_to B.wall", Against},
-      {"A? against B", Against},
-      {"A.side to/facing B.wall", Against},
-      {"A? against/near corner", InCorner},
-      {"A? on B.wall", Against},
-      {"A? aligned B", Aligned},
-      {"A? same_wall B", SameWall},
-      {"A? not same_wall B", SameWall},
-      {"A? not? same_wall", SameWall},
-      {"A? against B.wall on C.side", Against},
-      {"A? not against/along/next_to/near/on B.wall", NotAgainst},
-      {"A? not against B", NotAgainst},
-      {"not against B", NotAgainst},
-      {"B.wall not behind/near/next_to/against A.object", NoWallThere},
-      {"A? against edge of? B.object", Against},
-      {"A.side towards_back", TowardsWall},
-      {"A? wall_placement", TowardsWall},
-      {"A.side aligned both_ways?", AlignedPair},
-      {"A? freestanding", Freestanding},
-      {"A? corner B.room?", InCorner},
-      {"A? corner of? B.room", InCorner},
-      {"A? corner or against/along/near B.wall", InCorner},
-      {"A? centered/wall_centered B.wall", CenteredOnWall},
-      {"A? centered on/against/along B.wall", CenteredOnWall},
-      {"A? against B.wall , centered", CenteredOnWall},
-      {"wall_placement ,? C.side", PlacedWithSide},
+      {"against", Against},           {"against_and_accessible", AgainstAndAccessible},
+      {"aligned", Aligned},           {"aligned_pair", AlignedPair},
+      {"same_wall", SameWall},        {"not_against", NotAgainst},
+      {"in_corner", InCorner},        {"towards_wall", TowardsWall},
+      {"freestanding", Freestanding}, {"centered_on_wall", CenteredOnWall},
   };
 }
 

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places in the room: central, in a zone. What "central" means depends on what carries the object.
-#include "translator_worker/grammar/rules/rule.h"
+// Places in the room, in a zone, on walls and on the ceiling. What "central" means depends on what carries the object.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "fmt/format.h"
+#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/rules/shared.h"
+#include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
 
 void InMiddleOfRoom(const Placed& mover, Composer& composer) {
   if (composer.IsCeiling(mover)) {
-    composer.EmitFirst({Call("ceiling_center").Text("object", composer.id(mover))});
+    composer.Place("ceiling_center", mover);
   } else if (composer.IsRug(mover) || composer.IsFloor(mover)) {
     composer.EmitFirst({Call("central").Text("object", composer.id(mover)).Flag("both", true)});
   } else {
@@ -80,30 +88,69 @@ void OnFloor(const Match&, std::string_view, Composer& composer) {
   composer.Refuse("not_about_layout", "what stands on the floor is known from the object list");
 }
 
+// The type depends on what carries the object that hangs.
+void Above(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    for (const Placed& mover : movers) {
+      const std::string& id = composer.id(mover);
+      if (target.objects.empty()) {
+        composer.Refuse("unknown_sentence", "it can hang above an object");
+        continue;
+      }
+      // "above the headboard" after "above the bed": of the painting's own side nothing is said.
+      if (target.objects.front().object == mover.object) continue;
+      const std::string& below = composer.id(target.objects.front());
+      if (composer.IsCeiling(mover)) {
+        composer.EmitFirst({Call("ceiling_above").Text("object", id).Text("target", below)});
+      } else if (composer.IsWall(mover)) {
+        composer.EmitFirst({Call("on_wall_above").Text("object", id).Text("target", below)});
+      } else if (composer.IsSurface(mover)) {
+        composer.EmitFirst({Call("on_top_center").Text("object", id).Text("host", below)});
+      } else {
+        composer.EmitFirst({Call("near").Text("object", id).Text("target", below)});
+      }
+    }
+  }
+}
+
+void OnWallNear(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    for (const Placed& mover : movers) {
+      const std::string& id = composer.id(mover);
+      if (target.kind == RefKind::kFeature) {
+        composer.EmitFirst({Call("close_to_feature").Text("object", id).Text("feature", target.name)});
+      }
+      for (const Placed& other : target.objects) {
+        composer.EmitFirst({Call(composer.IsWall(mover) ? "on_wall_near" : "near")
+                                .Text("object", id)
+                                .Text("target", composer.id(other))});
+      }
+    }
+  }
+}
+
+// "Needs a wall behind it", "a wall at its back".
+void WallBehind(const Match& match, std::string_view detail, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.b);
+  if (composer.scope() == v1::SENTENCE_SCOPE_TERTIARY || (!movers.empty() && !composer.IsFloor(movers.front()))) {
+    Above(match, detail, composer);
+    return;
+  }
+  for (const Placed& mover : movers) {
+    const std::string side = OneSide(composer, mover);
+    composer.EmitFirst(
+        {Call("against_wall").Text("object", composer.id(mover)).Text("side", side.empty() ? "back" : side)});
+  }
+}
+
 }  // namespace
 
-std::vector<Rule> RoomRules() {
+std::vector<Meaning> RoomMeanings() {
   return {
-      {"A? centered B.room?", Central},
-      {"A? on? centered of? B.room", Central},
-      {"A? hanging? centered hanging? away_from? on? B.ceiling", Central},
-      {"A? hanging? away_from? on? B.ceiling centered", Central},
-      {"A? hanging? centered hanging away_from B.ceiling", Central},
-      {"A? on? centered on? B.ceiling", Central},
-      {"A? on B.ceiling", Central},
-      {"A? hanging away_from B.ceiling", Central},
-      {"A? centered B.object", CentralIn},
-      {"A? on? centered of/on/in? B.object", CentralIn},
-      {"A? centered B.room , above/on B.object", Central},
-      {"A? on B.zone", InZone},
-      {"A? hanging? on_wall_of B.zone", InZone},
-      {"A? hanging? on C.wall of/on/around B.zone", InZone},
-      {"on B.room", Ignore},
-      {"A? block B.floor", Ignore},
-      {"A? on B.floor", OnFloor},
-      {"A? on? B.ceiling on? centered of? B.room", Central},
-      {"A? centered of? B.ceiling on B.room", Central},
-      {"A? centered B.ceiling", Central},
+      {"central", Central},  {"central_in", CentralIn}, {"in_zone", InZone},          {"ignore", Ignore},
+      {"on_floor", OnFloor}, {"above", Above},          {"on_wall_near", OnWallNear}, {"wall_behind", WallBehind},
   };
 }
 

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "translator_worker/grammar/frames.h"
+
+#include <algorithm>
+#include <map>
+
+#include "absl/strings/str_split.h"
+#include "english/language.h"
+
+namespace flair::translator {
+namespace {
+
+bool OfSort(const Mention& mention, const std::string& sort) {
+  static const std::map<std::string_view, RefKind> kKinds = {
+      {"wall", RefKind::kWall},   {"feature", RefKind::kFeature}, {"ceiling", RefKind::kCeiling},
+      {"room", RefKind::kRoom},   {"floor", RefKind::kFloor},     {"zone", RefKind::kZone},
+      {"vague", RefKind::kVague}, {"pronoun", RefKind::kPronoun}, {"group", RefKind::kGroup}};
+  if (sort.empty()) return true;
+  const RefKind kind = mention.references.front().kind;
+  if (const auto wanted = kKinds.find(sort); wanted != kKinds.end()) return kind == wanted->second;
+  if (sort == "side") return !mention.references.front().side.empty();
+  if (sort == "list") return mention.references.size() > 1 && kind == RefKind::kObjects;
+  if (sort == "thing" && kind == RefKind::kZone) return false;
+  return kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kGroup || kind == RefKind::kZone ||
+         kind == RefKind::kAbsent;
+}
+
+}  // namespace
+
+Form::Form(std::string_view text) {
+  for (std::string part : std::vector<std::string>(absl::StrSplit(std::string(text), ' ', absl::SkipEmpty()))) {
+    Element element;
+    if (part.back() == '?') {
+      element.optional = true;
+      part.pop_back();
+    }
+    const bool slot =
+        part == "," || part == "~" || (part[0] >= 'A' && part[0] <= 'D' && (part.size() == 1 || part[1] == '.'));
+    if (slot) {
+      element.slot = part[0];
+      if (part.size() > 2) element.sort = part.substr(2);
+    } else {
+      element.words = absl::StrSplit(part, '/');
+    }
+    elements_.push_back(std::move(element));
+  }
+}
+
+Match Form::At(std::span<const Term> terms) const {
+  Match best;
+  Step(terms, 0, 0, {}, best);
+  return best;
+}
+
+std::vector<std::vector<std::string>> Form::RequiredWords() const {
+  std::vector<std::vector<std::string>> required;
+  for (const Element& element : elements_) {
+    if (element.slot == 0 && !element.optional) required.push_back(element.words);
+  }
+  return required;
+}
+
+bool Form::Fits(const Element& element, const Term& term, const Match& match) const {
+  switch (element.slot) {
+    case 0:
+      return (term.kind == Term::Kind::kWord || term.kind == Term::Kind::kPurpose) &&
+             std::find(element.words.begin(), element.words.end(), term.lemma) != element.words.end();
+    case ',':
+      return term.kind == Term::Kind::kSoft;
+    case 'D':
+      return term.kind == Term::Kind::kDistance;
+    case '~':
+      return term.kind == Term::Kind::kSoft || term.IsAnyWord({"space", "of"}) ||
+             (term.kind == Term::Kind::kDistance && match.distance == nullptr);
+    default:
+      return term.kind == Term::Kind::kMention && OfSort(term.mention, element.sort);
+  }
+}
+
+void Form::Step(std::span<const Term> terms, size_t at, size_t element, Match match, Match& best) const {
+  if (element == elements_.size()) {
+    // A comma at the end belongs to what follows.
+    while (at > 0 && terms[at - 1].kind == Term::Kind::kSoft) --at;
+    match.length = at;
+    if (at > best.length) best = match;
+    return;
+  }
+  const Element& wanted = elements_[element];
+  if (at < terms.size() && Fits(wanted, terms[at], match)) {
+    Match next = match;
+    if (wanted.slot == 'A') next.a = &terms[at].mention;
+    if (wanted.slot == 'B') next.b = &terms[at].mention;
+    if (wanted.slot == 'C') next.c = &terms[at].mention;
+    if (terms[at].kind == Term::Kind::kDistance) next.distance = &terms[at].distance;
+    Step(terms, at + 1, wanted.slot == '~' ? element : element + 1, next, best);
+  }
+  if (wanted.optional || wanted.slot == '~') Step(terms, at, element + 1, match, best);
+}
+
+const FrameBook& FrameBook::Get() {
+  static const auto* const book = new FrameBook;
+  return *book;
+}
+
+FrameBook::FrameBook() {
+  std::map<std::string_view, Builder> builders;
+  for (const auto family :
+       {&AccessMeanings, &DirectionMeanings, &DistanceMeanings, &FeatureMeanings, &GroupMeanings, &InFrontMeanings,
+        &NearMeanings, &RoomMeanings, &SpaceMeanings, &SurfaceMeanings, &WallMeanings}) {
+    for (const Meaning& meaning : family()) builders[meaning.name] = meaning.build;
+  }
+  for (const english::v1::Frame& frame : english::Language::Get().data().frames()) {
+    const auto builder = builders.find(frame.meaning());
+    if (builder == builders.end()) {
+      unknown_meanings_.push_back(frame.meaning());
+      continue;
+    }
+    for (const std::string& text : frame.forms()) {
+      Entry& entry = forms_.emplace_back(Entry{Form(text), builder->second, frame.detail(), {}});
+      for (const std::vector<std::string>& choice : entry.form.RequiredWords()) {
+        Lemmas bits;
+        for (const std::string& lemma : choice) bits.set(bits_.try_emplace(lemma, bits_.size()).first->second);
+        entry.required.push_back(bits);
+      }
+    }
+  }
+}
+
+FrameBook::Lemmas FrameBook::Among(std::span<const Term> terms) const {
+  Lemmas lemmas;
+  for (const Term& term : terms) {
+    const auto bit = bits_.find(term.lemma);
+    if (bit != bits_.end()) lemmas.set(bit->second);
+  }
+  return lemmas;
+}
+
+FrameBook::Hit FrameBook::Find(std::span<const Term> terms) const {
+  Hit best;
+  const Lemmas present = Among(terms);
+  for (const Entry& entry : forms_) {
+    const bool possible = std::all_of(entry.required.begin(), entry.required.end(),
+                                      [&](const Lemmas& choice) { return (choice & present).any(); });
+    if (!possible) continue;
+    const Match match = entry.form.At(terms);
+    if (match.length > best.match.length) best = {entry.build, entry.detail, match};
+  }
+  return best;
+}
+
+}  // namespace flair::translator

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Forms of facts (the frames of english/data) and what becomes of them.
+#pragma once
+
+#include <bitset>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "translator_worker/grammar/composer.h"
+#include "translator_worker/grammar/term.h"
+
+namespace flair::translator {
+
+// What a form bound. Pointers into the terms; null where an optional part was left out.
+struct Match {
+  const Mention* a = nullptr;
+  const Mention* b = nullptr;
+  const Mention* c = nullptr;
+  const Distance* distance = nullptr;
+  // How many terms were covered; 0 when the form does not match.
+  size_t length = 0;
+};
+
+// The form of a fact, such as "A? not? near B ,? D?". Elements, separated by spaces:
+//   A B C     a noun phrase, bound; A is what the fact moves, B and C what it is related to
+//   A.wall    only one that refers to that: object (also zones and absent things), thing (no zones),
+//             wall, feature, ceiling, room, floor, zone, group, vague, pronoun; side: with a side named; list: several
+//             objects
+//   D         a length, bound
+//   ~         how much: any number of "space", "of", commas and at most one length, in any order
+//   ,         a comma, "and", "with"
+//   word      that lemma of the lexicon; word/word is either
+//   x?        x may be left out
+class Form {
+ public:
+  explicit Form(std::string_view text);
+
+  // The longest match that begins at the first term.
+  Match At(std::span<const Term> terms) const;
+
+  // The choices of lemmas of which one each must be among the terms for a match.
+  std::vector<std::vector<std::string>> RequiredWords() const;
+
+ private:
+  struct Element {
+    char slot = 0;  // 'A', 'B', 'C', 'D', '~', ',' or 0 for a word
+    std::string sort;
+    std::vector<std::string> words;
+    bool optional = false;
+  };
+
+  bool Fits(const Element& element, const Term& term, const Match& match) const;
+  void Step(std::span<const Term> terms, size_t at, size_t element, Match match, Match& best) const;
+
+  std::vector<Element> elements_;
+};
+
+// Makes the calls of one fact. `detail` is the frame's own, for builders that serve several.
+using Builder = void (*)(const Match& match, std::string_view detail, Composer& composer);
+
+// A builder under the name that frames have for it.
+struct Meaning {
+  std::string_view name;
+  Builder build;
+};
+
+// The builders of each family, each in the file of its name.
+std::vector<Meaning> AccessMeanings();
+std::vector<Meaning> DirectionMeanings();
+std::vector<Meaning> DistanceMeanings();
+std::vector<Meaning> FeatureMeanings();
+std::vector<Meaning> GroupMeanings();
+std::vector<Meaning> InFrontMeanings();
+std::vector<Meaning> NearMeanings();
+std::vector<Meaning> RoomMeanings();
+std::vector<Meaning> SpaceMeanings();
+std::vector<Meaning> SurfaceMeanings();
+std::vector<Meaning> WallMeanings();
+
+// All frames, ready to match. Immutable and thread-safe.
+class FrameBook {
+ public:
+  // That of english::Language::Get(), made on first use.
+  static const FrameBook& Get();
+
+  struct Hit {
+    Builder build = nullptr;
+    std::string_view detail;
+    Match match;
+  };
+
+  // The frame that covers the most terms from the first one on; of equals the earlier in the data. Without a builder
+  // when none does.
+  Hit Find(std::span<const Term> terms) const;
+
+  size_t size() const { return forms_.size(); }
+  // Names that frames have and no family.
+  const std::vector<std::string>& unknown_meanings() const { return unknown_meanings_; }
+
+ private:
+  FrameBook();
+
+  // One bit a lemma that some form requires.
+  using Lemmas = std::bitset<256>;
+  struct Entry {
+    Form form;
+    Builder build;
+    std::string_view detail;
+    // Choices of lemmas: without one of each it cannot match.
+    std::vector<Lemmas> required;
+  };
+  Lemmas Among(std::span<const Term> terms) const;
+
+  std::vector<Entry> forms_;
+  std::unordered_map<std::string, size_t> bits_;
+  std::vector<std::string> unknown_meanings_;
+};
+
+}  // namespace flair::translator
