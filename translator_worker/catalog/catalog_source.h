@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <grpcpp/channel.h>
+
+#include <memory>
 #include <utility>
 
 #include "absl/status/statusor.h"
@@ -37,5 +40,8 @@ class NoCatalogSource final : public CatalogSource {
         "catalog: the request brings none and no optimizer_address is configured to ask for one");
   }
 };
+
+// Asks an optimizer by ListConstraintTypes and keeps the first good answer. A failed attempt is not kept.
+std::unique_ptr<CatalogSource> MakeRemoteCatalogSource(const std::shared_ptr<grpc::Channel>& channel);
 
 }  // namespace flair::translator

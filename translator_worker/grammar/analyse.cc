@@ -6,11 +6,7 @@
 
 #include "english/lexicon.h"
 #include "english/quantities.h"
-#include "translator_worker/grammar/brackets.h"
-#include "translator_worker/grammar/conditions.h"
 #include "translator_worker/grammar/noun_phrases.h"
-#include "translator_worker/grammar/prepare_tokens.h"
-#include "translator_worker/grammar/raw_term_kinds.h"
 #include "translator_worker/grammar/rewrite_terms.h"
 #include "translator_worker/grammar/term.h"
 #include "translator_worker/grammar/token_context.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/brackets.h"
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "english/lexicon.h"
+#include "translator_worker/grammar/token_context.h"
 
 namespace flair::translator {
 namespace {

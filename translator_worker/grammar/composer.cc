@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "english/words.h"
 #include "fmt/format.h"
-#include "translator_worker/grammar/furniture_words.h"
-#include "translator_worker/grammar/quote.h"
+#include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 // Whether the last word is, or for chairs ends with, one of the words: "desk chair", "armchairs", but not "workbench".
 bool EndsWithOneOf(const std::string& name, std::initializer_list<const char*> ends) {
   const size_t space = name.find_last_of(" _");
-  const std::string last = Singular(space == std::string::npos ? name : name.substr(space + 1));
+  const std::string last = english::Singular(space == std::string::npos ? name : name.substr(space + 1));
   return std::any_of(ends.begin(), ends.end(), [&](const std::string& end) {
     return last == end || (end == "chair" && last.size() > 5 && last.substr(last.size() - 5) == end);
   });

@@ -11,8 +11,8 @@
 #include "flair/v1/translator_service.pb.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/call.h"
-#include "translator_worker/grammar/mention.h"
 #include "translator_worker/grammar/scene_names.h"
+#include "translator_worker/grammar/term.h"
 
 namespace flair::translator {
 

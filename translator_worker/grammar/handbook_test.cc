@@ -12,8 +12,8 @@
 
 #include "flair/handbook/v1/handbook.pb.h"
 #include "gtest/gtest.h"
-#include "translator_worker/grammar/testdata/labelled_rooms.h"
-#include "translator_worker/grammar/testdata/scorer.h"
+#include "translator_worker/grammar/testing/labelled_rooms.h"
+#include "translator_worker/grammar/testing/scorer.h"
 #include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {

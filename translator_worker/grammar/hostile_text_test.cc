@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "translator_worker/grammar/testdata/labelled_rooms.h"
+#include "translator_worker/grammar/testing/labelled_rooms.h"
 #include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {

@@ -3,9 +3,6 @@
 
 #include <utility>
 
-#include "translator_worker/grammar/noun_lists.h"
-#include "translator_worker/grammar/noun_quantities.h"
-
 namespace flair::translator {
 namespace {
 

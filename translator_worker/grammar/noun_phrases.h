@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "translator_worker/grammar/term.h"
@@ -30,5 +32,26 @@ bool IsFeature(const RawTerm& raw);
 // Puts noun phrases together: "the bed's headboard", "both long sides of the bed", "the bed, the wardrobe and the
 // desk", "the wardrobe doors", "the second nightstand". A bare side ("its back") refers to what was spoken of.
 std::vector<Term> GroupNounPhrases(std::vector<RawTerm> raw);
+
+// Joins lists of noun phrases to one mention each: "the bed, the wardrobe and the desk". What is not joined becomes a
+// soft break ("and") or the word "or"; modal verbs go.
+std::vector<Term> JoinLists(std::vector<RawTerm> raw);
+
+// Gives "each chair", "the second nightstand" and "the other" their numbers; unknown adjectives before a thing belong
+// to it, and denied things ("no chair") are followed by "not".
+std::vector<RawTerm> AttachQuantities(std::vector<RawTerm> raws);
+
+inline void BecomeWord(std::string lemma, RawTerm& raw) {
+  raw.term.kind = Term::Kind::kWord;
+  raw.term.lemma = std::move(lemma);
+}
+
+inline void BecomeReference(RefKind kind, std::string name, RawTerm& raw) {
+  Reference reference;
+  reference.kind = kind;
+  reference.name = std::move(name);
+  raw.term.kind = Term::Kind::kMention;
+  raw.term.mention.references = {std::move(reference)};
+}
 
 }  // namespace flair::translator

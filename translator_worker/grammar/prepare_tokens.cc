@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/prepare_tokens.h"
-
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
 
 #include "english/lexicon.h"
+#include "translator_worker/grammar/token_context.h"
 
 namespace flair::translator {
 namespace {
@@ -121,64 +120,6 @@ void JoinBounds(std::vector<Token>& tokens) {
   }
 }
 
-// "Against a wall for stability and should not block windows": with "and" and a verb of its own a new clause begins,
-// after which the reason is over. "To save space and ensure access" may be one reason still.
-void EndReasonBeforeClause(std::vector<Token>& tokens) {
-  static constexpr std::array<std::string_view, 10> kModals = {"should",  "must", "needs", "need",   "requires",
-                                                               "require", "can",  "avoid", "cannot", "shall"};
-  static constexpr std::array<std::string_view, 5> kSideWords = {"front", "back", "rear", "left", "right"};
-  constexpr size_t kLongestSubject = 10;
-  static constexpr std::array<std::string_view, 4> kWishes = {"ensure", "make", "keep", "leave"};
-  const auto is_one_of = [](const auto& words, const Token& token) {
-    return std::find(words.begin(), words.end(), token.text) != words.end();
-  };
-  std::string_view reason;
-  for (size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (tokens[i].IsMark('.') || tokens[i].IsMark(',')) reason = "";
-    if (tokens[i].IsWord("for") || tokens[i].IsWord("to")) reason = tokens[i].text;
-    if (reason.empty() || !tokens[i].IsWord("and")) continue;
-    // "On the front and back sides must be space": both are of one list.
-    if (i > 0 && is_one_of(kSideWords, tokens[i - 1]) && is_one_of(kSideWords, tokens[i + 1])) continue;
-    // "... and the front should be accessible".
-    bool clause = is_one_of(kModals, tokens[i + 1]) || (reason == "for" && is_one_of(kWishes, tokens[i + 1]));
-    for (size_t k = i + 2; k < std::min(tokens.size(), i + kLongestSubject) && !clause; ++k) {
-      if (tokens[k].kind == Token::Kind::kSign || tokens[k].IsWord("and")) break;
-      clause = tokens[k].IsWord("should") || tokens[k].IsWord("must") || tokens[k].IsWord("needs");
-    }
-    if (clause) {
-      tokens[i].kind = Token::Kind::kSign;
-      tokens[i].text = ",";
-      reason = "";
-    }
-  }
-}
-
-// "Accessible while seated at the desk": from the desk.
-void TakePostureAsPlace(std::vector<Token>& tokens) {
-  for (size_t i = 1; i + 2 < tokens.size(); ++i) {
-    const bool when = tokens[i].IsWord("while") || tokens[i].IsWord("when");
-    const std::string& doing = tokens[i + 1].text;
-    const bool posture = doing.ends_with("ing") || doing == "seated";
-    const bool place = tokens[i + 2].IsWord("at") || tokens[i + 2].IsWord("in") || tokens[i + 2].IsWord("on");
-    if (!when || !posture || !place) continue;
-    tokens[i].text = "from";
-    tokens.erase(tokens.begin() + static_cast<long>(i) + 1, tokens.begin() + static_cast<long>(i) + 3);
-  }
-}
-
-// "At least 0.5 m left between them": what remains, no side.
-void DropLeftOver(std::vector<Token>& tokens) {
-  static constexpr std::array<std::string_view, 8> kAfter = {"between", "over", "free", "open",
-                                                             "clear",   "in",   "for",  "behind"};
-  for (size_t i = 1; i + 1 < tokens.size(); ++i) {
-    const Token& before = tokens[i - 1];
-    const bool amount =
-        before.kind == Token::Kind::kLength || before.IsWord("space") || before.IsWord("room") || before.IsWord("gap");
-    const bool goes_on = std::find(kAfter.begin(), kAfter.end(), tokens[i + 1].text) != kAfter.end();
-    if (tokens[i].IsWord("left") && amount && goes_on) tokens.erase(tokens.begin() + static_cast<long>(i));
-  }
-}
-
 // "There should be room to stand", "leave room behind it": space, not the room.
 void TakeRoomAsSpace(std::vector<Token>& tokens) {
   static constexpr std::array<std::string_view, 17> kBefore = {
@@ -197,49 +138,6 @@ void TakeRoomAsSpace(std::vector<Token>& tokens) {
   }
 }
 
-// "Right by the door", "right behind it": how close, not which side. "Its right against the wall" is one.
-void DropRightBeforePlace(std::vector<Token>& tokens) {
-  for (size_t i = 0; i + 1 < tokens.size(); ++i) {
-    const bool place = IsOneOf(tokens[i + 1], {"by", "at", "beside", "next", "near", "under", "below", "above", "over",
-                                               "behind", "opposite", "inside", "beneath", "underneath"});
-    const bool side = i > 0 && IsOneOf(tokens[i - 1], {"the", "its", "their", "and", "or", "on", "to", "'s"});
-    if (tokens[i].IsWord("right") && place && !side) tokens.erase(tokens.begin() + static_cast<long>(i));
-  }
-}
-
-// "The sink backs onto a wall": its back is against it.
-void ReadBacksOnto(std::vector<Token>& tokens) {
-  for (size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (!tokens[i].IsWord("backs") || !IsOneOf(tokens[i + 1], {"onto", "on", "up"})) continue;
-    const size_t last = i + (tokens[i + 1].IsWord("on") && i + 2 < tokens.size() && tokens[i + 2].IsWord("to") ? 2 : 1);
-    tokens[i].text = "back";
-    tokens[i + 1] = WordLike(tokens[i + 1], tokens[i + 1].IsWord("up") ? "up" : "against");
-    if (last == i + 2) tokens.erase(tokens.begin() + static_cast<long>(last));
-  }
-}
-
-// "In its way" is in the way of it; "is to its left" is to the left of it.
-void PutPossessorLast(std::vector<Token>& tokens) {
-  std::vector<Token> out;
-  for (size_t i = 0; i < tokens.size(); ++i) {
-    out.push_back(tokens[i]);
-    if (i + 2 >= tokens.size() || !IsOneOf(tokens[i + 1], {"its", "their"})) continue;
-    const bool verb = i > 0 && IsOneOf(tokens[i - 1], {"is", "are", "be", "stands", "stand", "goes", "sits", "placed",
-                                                       "located", "positioned"});
-    const bool way = tokens[i].IsWord("in") && tokens[i + 2].IsWord("way");
-    const bool ends = i + 3 == tokens.size() || tokens[i + 3].kind == Token::Kind::kSign ||
-                      IsOneOf(tokens[i + 3], {"so", "because", "for", "to", "while", "and", "with", "since"});
-    const bool side = tokens[i].IsWord("to") && (verb || ends) && IsOneOf(tokens[i + 2], {"left", "right"});
-    if (!way && !side) continue;
-    out.push_back(WordLike(tokens[i + 1], "the"));
-    out.push_back(tokens[i + 2]);
-    out.push_back(WordLike(tokens[i + 2], "of"));
-    out.push_back(WordLike(tokens[i + 1], tokens[i + 1].IsWord("its") ? "it" : "them"));
-    i += 2;
-  }
-  tokens = std::move(out);
-}
-
 }  // namespace
 
 bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
@@ -252,13 +150,7 @@ bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
   JoinBounds(tokens);
-  EndReasonBeforeClause(tokens);
-  DropLeftOver(tokens);
-  TakePostureAsPlace(tokens);
   DropAdverbs(tokens);
-  DropRightBeforePlace(tokens);
-  ReadBacksOnto(tokens);
-  PutPossessorLast(tokens);
   JoinNeitherNor(tokens);
   TakeRoomAsSpace(tokens);
   MoveAdjectiveBehindSide(tokens);

@@ -22,126 +22,6 @@ void DropToBesideNot(std::vector<Term>& terms) {
   terms = std::move(kept);
 }
 
-// "Centrally in front of the sofa": of the sofa's front, not of the room.
-void DropCenteredBesideRelation(std::vector<Term>& terms) {
-  const auto says_where = [](const Term& term) {
-    return term.IsWord("in_front_of") || term.IsWord("opposite") || term.IsWord("behind") || term.IsWord("facing") ||
-           term.IsWord("next_to") || term.IsWord("foot_of");
-  };
-  std::vector<Term> kept;
-  for (size_t i = 0; i < terms.size(); ++i) {
-    const bool along = i + 2 < terms.size() && terms[i + 1].IsWord("along") &&
-                       terms[i + 2].kind == Term::Kind::kMention &&
-                       terms[i + 2].mention.references.front().kind != RefKind::kWall;
-    const bool beside = terms[i].IsWord("centered") && i + 1 < terms.size() && (along || says_where(terms[i + 1]));
-    if (!beside) kept.push_back(std::move(terms[i]));
-  }
-  terms = std::move(kept);
-}
-
-// "Essential features like the desk or bed", "major objects, such as the sofa and the desk": the names count.
-void TakeExamples(std::vector<Term>& terms) {
-  const auto vague = [](const Term& term) {
-    if (term.kind != Term::Kind::kMention) return term.kind == Term::Kind::kUnknown;
-    const RefKind kind = term.mention.references.back().kind;
-    return kind == RefKind::kGroup || kind == RefKind::kVague || kind == RefKind::kAbsent;
-  };
-  const auto names = [](const Term& term) {
-    if (term.kind != Term::Kind::kMention) return false;
-    const RefKind kind = term.mention.references.front().kind;
-    return kind == RefKind::kObjects || kind == RefKind::kFeature;
-  };
-  std::vector<Term> kept;
-  for (size_t i = 0; i < terms.size(); ++i) {
-    const bool such_as =
-        terms[i].kind == Term::Kind::kPurpose && (terms[i].lemma == "like" || terms[i].lemma == "such");
-    if (such_as && !kept.empty() && i + 1 < terms.size() && names(terms[i + 1])) {
-      const bool comma = kept.back().kind == Term::Kind::kSoft;
-      const size_t last = kept.size() - (comma ? 1 : 0);
-      size_t from = last;
-      while (from > 0 && vague(kept[from - 1])) --from;
-      if (from < last) {
-        kept.resize(from);
-        continue;
-      }
-    }
-    kept.push_back(std::move(terms[i]));
-  }
-  terms = std::move(kept);
-}
-
-// "Behind or beside the armchair": the choice is free, the first is taken.
-void TakeFirstPlace(std::vector<Term>& terms) {
-  const auto place = [](const Term& term) {
-    return term.IsWord("behind") || term.IsWord("next_to") || term.IsWord("left_of") || term.IsWord("right_of") ||
-           term.IsWord("in_front_of") || term.IsWord("near") || term.IsWord("opposite") || term.IsWord("to_side") ||
-           term.IsWord("each_side_of");
-  };
-  std::vector<Term> kept;
-  for (size_t i = 0; i < terms.size(); ++i) {
-    const bool denied = kept.size() > 1 && kept[kept.size() - 2].IsWord("not");
-    const bool choice = terms[i].IsWord("or") && !kept.empty() && place(kept.back()) && !denied &&
-                        i + 2 < terms.size() && place(terms[i + 1]) && terms[i + 2].kind == Term::Kind::kMention;
-    if (choice) {
-      ++i;
-    } else {
-      kept.push_back(std::move(terms[i]));
-    }
-  }
-  terms = std::move(kept);
-}
-
-// "Obstruct the view or access to the window": what of it is obstructed says nothing more.
-void DropWhatIsBlocked(std::vector<Term>& terms) {
-  const auto of_it = [](const Term& term) {
-    if (term.kind == Term::Kind::kMention) {
-      const Reference& first = term.mention.references.front();
-      return first.kind == RefKind::kVague && (first.name == "comfort" || first.name == "lighting");
-    }
-    return term.IsWord("accessible") || term.IsWord("access_to") || term.IsWord("swing_open") ||
-           term.IsWord("facing") || term.IsWord("of") || term.IsWord("or") || term.IsWord("away_from") ||
-           (term.kind == Term::Kind::kSoft && term.lemma == "and") ||
-           (term.kind == Term::Kind::kPurpose && term.lemma == "to");
-  };
-  const auto thing = [](const Term& term) {
-    if (term.kind != Term::Kind::kMention) return false;
-    const RefKind kind = term.mention.references.front().kind;
-    return kind == RefKind::kFeature || kind == RefKind::kObjects;
-  };
-  std::vector<Term> kept;
-  for (size_t i = 0; i < terms.size(); ++i) {
-    kept.push_back(std::move(terms[i]));
-    if (!kept.back().IsWord("block")) continue;
-    size_t end = i + 1;
-    // A line of sight to an object is another matter.
-    bool sight = false;
-    while (end < terms.size() && of_it(terms[end])) sight = terms[end++].IsWord("facing") || sight;
-    const bool object =
-        end < terms.size() && thing(terms[end]) && terms[end].mention.references.front().kind == RefKind::kObjects;
-    if (end < terms.size() && thing(terms[end]) && !(sight && object)) i = end - 1;
-  }
-  terms = std::move(kept);
-}
-
-// "Close to, but not directly next to, the bed": near it.
-void DropSofteningOfNear(std::vector<Term>& terms) {
-  const auto soft = [](const Term& term) { return term.kind == Term::Kind::kSoft || term.IsWord("or"); };
-  std::vector<Term> kept;
-  for (size_t i = 0; i < terms.size(); ++i) {
-    kept.push_back(std::move(terms[i]));
-    if (!kept.back().IsWord("near")) continue;
-    size_t end = i + 1;
-    while (end < terms.size() && soft(terms[end])) ++end;
-    if (end == i + 1 || end + 1 >= terms.size() || !terms[end].IsWord("not")) continue;
-    ++end;
-    if (!terms[end].IsWord("next_to") && !terms[end].IsWord("against") && !terms[end].IsWord("near")) continue;
-    ++end;
-    while (end < terms.size() && soft(terms[end])) ++end;
-    if (end < terms.size() && terms[end].kind == Term::Kind::kMention) i = end - 1;
-  }
-  terms = std::move(kept);
-}
-
 // "Close to, but not in front of, the shelf", "beside and parallel to the desk": both are said of it.
 void ShareTarget(std::vector<Term>& terms) {
   const auto relates = [](const Term& term) {
@@ -172,13 +52,6 @@ void ShareTarget(std::vector<Term>& terms) {
     if (target == next + 2) skipped = next + 1;
   }
   terms = std::move(shared);
-}
-
-// "Space in front of at least 0.8 m": of the figure, not of a thing.
-void EndFrontBeforeFigure(std::vector<Term>& terms) {
-  for (size_t i = 0; i + 1 < terms.size(); ++i) {
-    if (terms[i].IsWord("in_front_of") && terms[i + 1].kind == Term::Kind::kDistance) terms[i].lemma = "in_front";
-  }
 }
 
 // "Facing directly towards the door", "blocking or obstructing".
@@ -305,16 +178,10 @@ void RewriteDenials(std::vector<Term>& terms) {
 void RewriteTerms(std::vector<Term>& terms) {
   DropLeadingCommas(terms);
   DropRepeatedWords(terms);
-  DropSofteningOfNear(terms);
-  DropWhatIsBlocked(terms);
   DropLabel(terms);
-  TakeExamples(terms);
-  TakeFirstPlace(terms);
   ShareTarget(terms);
   DropToBesideNot(terms);
-  DropCenteredBesideRelation(terms);
   RewriteDenials(terms);
-  EndFrontBeforeFigure(terms);
 }
 
 }  // namespace flair::translator

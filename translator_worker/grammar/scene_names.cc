@@ -8,7 +8,7 @@
 
 #include "absl/strings/str_join.h"
 #include "english/lexicon.h"
-#include "translator_worker/grammar/furniture_words.h"
+#include "english/words.h"
 
 namespace flair::translator {
 namespace {
@@ -23,7 +23,7 @@ constexpr int kFrontRank = 4;
 
 std::vector<std::string> SingularWords(const std::string& name) {
   std::vector<std::string> words = NameWords(name);
-  for (std::string& word : words) word = Singular(word);
+  for (std::string& word : words) word = english::Singular(word);
   return words;
 }
 
@@ -66,11 +66,6 @@ std::vector<std::string> WithoutNumber(std::vector<std::string> words) {
 
 }  // namespace
 
-bool SameStem(const std::string& a, const std::string& b) {
-  const size_t shared = std::min({a.size(), b.size(), size_t{6}});
-  return a == b || (shared >= 4 && a.compare(0, shared, b, 0, shared) == 0);
-}
-
 std::vector<std::string> NameWords(const std::string& name) {
   std::vector<std::string> words;
   for (const Token& token : english::KeepClauseMarks(english::Tokenize(name))) {
@@ -89,10 +84,10 @@ SceneNames::SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1
     return first ? 0 : kLaterRank;
   };
   for (int i = 0; i < objects.objects_size(); ++i) AddNamesOf(i, rank(objects.objects(i)));
-  for (const std::vector<std::string>& group : FurnitureSynonyms()) {
-    for (const std::string& name : group) names_[name];
+  for (const english::v1::WordList& list : english::Language::Get().data().lists()) {
+    if (!list.name().starts_with("furniture")) continue;
+    for (const std::string& name : list.words()) names_[name];
   }
-  for (const std::string& name : FurnitureNames()) names_[name];
   // "TV" alone means the TV stand when there is no television, but no counter is a counter stool.
   for (int i = 0; i < objects.objects_size(); ++i) {
     const std::vector<std::string> words = WithoutNumber(SingularWords(objects.objects(i).name()));
@@ -118,9 +113,11 @@ void SceneNames::AddNamesOf(int i, int rank) {
   for (size_t skip = 0; skip < words.size(); ++skip) {
     const std::vector<std::string> tail(words.begin() + static_cast<long>(skip), words.end());
     Add(tail, i, rank + (skip == 0 ? 0 : 1));
-    for (const std::vector<std::string>& group : FurnitureSynonyms()) {
-      if (std::find(group.begin(), group.end(), absl::StrJoin(tail, " ")) == group.end()) continue;
-      for (const std::string& synonym : group) Add(NameWords(synonym), i, rank + (skip == 0 ? 2 : 3));
+    for (const english::v1::WordList& group : english::Language::Get().data().lists()) {
+      if (group.name() != "furniture synonyms") continue;
+      if (std::find(group.words().begin(), group.words().end(), absl::StrJoin(tail, " ")) == group.words().end())
+        continue;
+      for (const std::string& synonym : group.words()) Add(NameWords(synonym), i, rank + (skip == 0 ? 2 : 3));
     }
   }
 }
@@ -152,7 +149,8 @@ SceneNames::Found SceneNames::FindOwnerOfPart(const std::vector<Token>& tokens, 
     return found;
   for (int i = 0; i < objects_.objects_size(); ++i) {
     const std::vector<std::string> words = SingularWords(objects_.objects(i).name());
-    if (words.size() > 1 && words.front() == Singular(tokens[at].text)) found.reference.candidates.push_back(i);
+    if (words.size() > 1 && words.front() == english::Singular(tokens[at].text))
+      found.reference.candidates.push_back(i);
   }
   if (found.reference.candidates.empty()) return found;
   found.reference.kind = RefKind::kObjects;
@@ -234,7 +232,7 @@ SceneNames::Found SceneNames::FindObjectByWords(const std::vector<Token>& tokens
     if (token.kind != Token::Kind::kWord && token.kind != Token::Kind::kNumber) break;
     // "The judge's bench" is the judge bench.
     if (token.IsWord("'s") && length > 1) continue;
-    const std::string singular = Singular(token.text);
+    const std::string singular = english::Singular(token.text);
     auto entry = names_.find(key + singular);
     key += singular + " ";
     joined += singular;
@@ -270,7 +268,7 @@ SceneNames::Found SceneNames::FindObjectByWords(const std::vector<Token>& tokens
     std::vector<int> fitting;
     for (const int object : found.reference.candidates) {
       const std::vector<std::string> words = SingularWords(objects_.objects(object).name());
-      if (SameStem(words.front(), tokens[at - 1].text)) fitting.push_back(object);
+      if (english::BeginAlike(words.front(), tokens[at - 1].text)) fitting.push_back(object);
     }
     if (!fitting.empty()) found.reference.candidates = fitting;
   }

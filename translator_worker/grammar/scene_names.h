@@ -9,7 +9,7 @@
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
 #include "flair/v1/zone_plan.pb.h"
-#include "translator_worker/grammar/mention.h"
+#include "translator_worker/grammar/term.h"
 
 namespace flair::translator {
 
@@ -73,9 +73,6 @@ class SceneNames {
   // The number at the end of an object's name; 0 when it has none.
   std::vector<int> numbers_;
 };
-
-// Whether one word is the other or its beginning: "prep" and "preparation", "alchemical" and "alchemy".
-bool SameStem(const std::string& a, const std::string& b);
 
 // The lower-case words of a name; underscores and hyphens separate.
 std::vector<std::string> NameWords(const std::string& name);

@@ -4,31 +4,22 @@
 #include <array>
 #include <cmath>
 
-#include "absl/strings/str_split.h"
 #include "english/lexicon.h"
+#include "english/words.h"
 #include "translator_worker/grammar/scene_names.h"
 
 namespace flair::translator {
 namespace {
 
-// Words for one use of a room, a line each.
+// Whether the two are words for one use of a room.
 bool SameUse(const std::string& a, const std::string& b) {
-  static constexpr std::array<std::string_view, 10> kUses = {
-      "work workspace workstation working office study studying desk homework writing computer",
-      "sleep sleeping bed bedroom rest resting",
-      "dining eating dinner meal dine",
-      "seating lounge lounging living sitting relaxation relaxing conversation social",
-      "storage storing closet clothing wardrobe",
-      "cooking kitchen cook stove",
-      "bath bathing shower showering washing tub",
-      "entertainment media tv television viewing",
-      "exercise workout gym fitness training",
-      "dressing changing vanity grooming"};
-  const auto has = [](std::string_view uses, const std::string& word) {
-    const std::vector<std::string> words = absl::StrSplit(std::string(uses), ' ');
-    return std::find(words.begin(), words.end(), word) != words.end();
+  const auto has = [](const english::v1::WordList& list, const std::string& word) {
+    return std::find(list.words().begin(), list.words().end(), word) != list.words().end();
   };
-  return std::any_of(kUses.begin(), kUses.end(), [&](std::string_view uses) { return has(uses, a) && has(uses, b); });
+  const auto& lists = english::Language::Get().data().lists();
+  return std::any_of(lists.begin(), lists.end(), [&](const english::v1::WordList& list) {
+    return list.name() == "uses" && has(list, a) && has(list, b);
+  });
 }
 
 // "Reading spot": words that say nothing alone make a zone of its name.
@@ -53,15 +44,16 @@ size_t SceneNames::ZoneLength(const v1::Zone& zone, const std::vector<Token>& to
   const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
   if (words.empty() || at >= tokens.size()) return 0;
   // "The bathing area" of "Shower/Bath".
-  const bool one_of =
-      words.size() > 1 && tokens[at].kind == Token::Kind::kWord && IsAreaWord(tokens, at + 1) &&
-      std::any_of(words.begin(), words.end(), [&](const std::string& word) { return SameStem(tokens[at].text, word); });
+  const bool one_of = words.size() > 1 && tokens[at].kind == Token::Kind::kWord && IsAreaWord(tokens, at + 1) &&
+                      std::any_of(words.begin(), words.end(),
+                                  [&](const std::string& word) { return english::BeginAlike(tokens[at].text, word); });
   if (one_of) return 1;
   size_t next = at;
   for (const std::string& word : words) {
     // "Shower/Bath", "Cooking and Eating".
     if (next > at && next < tokens.size() && (tokens[next].IsMark('/') || tokens[next].IsWord("and"))) ++next;
-    if (next >= tokens.size() || tokens[next].kind != Token::Kind::kWord || !SameStem(tokens[next].text, word))
+    if (next >= tokens.size() || tokens[next].kind != Token::Kind::kWord ||
+        !english::BeginAlike(tokens[next].text, word))
       return 0;
     ++next;
   }

@@ -5,8 +5,8 @@
 
 #include "absl/strings/str_join.h"
 #include "gtest/gtest.h"
-#include "translator_worker/grammar/testdata/labelled_rooms.h"
-#include "translator_worker/grammar/testdata/scorer.h"
+#include "translator_worker/grammar/testing/labelled_rooms.h"
+#include "translator_worker/grammar/testing/scorer.h"
 #include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {

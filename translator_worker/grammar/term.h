@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What is left of a sentence when filler is gone, and the noun phrases in it.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +8,68 @@
 #include <string_view>
 #include <vector>
 
-#include "translator_worker/grammar/mention.h"
-#include "translator_worker/grammar/scene_names.h"
+#include "english/lexicon.h"
+#include "english/text.h"
 
 namespace flair::translator {
+
+class SceneNames;
+
+using Distance = english::Length;
+using english::IsOneOf;
+using english::Lexicon;
+using english::Phrase;
+using english::Token;
+
+// What a noun phrase refers to.
+enum class RefKind {
+  kObjects,  // objects of the list, by name
+  kPronoun,  // "it", "them", or a bare side ("the front"): whatever was spoken of
+  kGroup,    // a class: all, others, seating, heat
+  kZone,     // "the seating area"
+  kFeature,  // doors, windows, sockets
+  kWall,
+  kCeiling,
+  kRoom,
+  kFloor,
+  kAbsent,  // furniture that the room does not have
+  kVague,   // paths, lighting, comfort: nothing that a layout call is about
+};
+
+// The ordinal of "the last".
+inline constexpr int kLast = 99;
+
+// One member of a noun phrase.
+struct Reference {
+  RefKind kind = RefKind::kPronoun;
+  // For kObjects: the objects that bear the name, in list order.
+  std::vector<int> candidates;
+  // Those that fit less well ("chair": the armchair beside the desk chair); they count when the sentence is about them.
+  std::vector<int> weak_candidates;
+  // The candidates bear just this name; the weaker ones then count only under a heading of theirs.
+  bool full = false;
+  // Feature kind, wall name, zone id, group, topic or the absent thing's name.
+  std::string name;
+  // A side word of the lexicon ("front", "long_one"...), empty when no side is named.
+  std::string side;
+  bool plural = false;
+  bool each = false;
+  // "A desk", "one of the desks": any one of those that bear the name.
+  bool any = false;
+  // "Its bed": the one that belongs to what is spoken of.
+  bool own = false;
+  // "The shower area": the place about the object.
+  bool area = false;
+  // "first" is 1, "last" is kLast; 0 when not numbered.
+  int ordinal = 0;
+};
+
+// A noun phrase: one reference or a list of them.
+struct Mention {
+  std::vector<Reference> references;
+  // Joined by "or".
+  bool either = false;
+};
 
 // What is left of a sentence when filler is gone: what patterns are matched against.
 struct Term {

@@ -1,9 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sentences to calls, without a model.
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "flair/v1/translator_service.pb.h"
+#include "translator_worker/catalog/catalog_index.h"
+#include "translator_worker/grammar/call.h"
+#include "translator_worker/grammar/scene_names.h"
 
 namespace flair::translator {
+
+// A sentence as messages show it: control characters as spaces, at most 160 bytes, cut between characters.
+inline std::string Quote(std::string_view text) {
+  constexpr size_t kLongest = 160;
+  size_t length = text.size();
+  if (length > kLongest) {
+    length = kLongest;
+    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
+  }
+  std::string result;
+  for (const char c : text.substr(0, length))
+    result.push_back(static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c);
+  return length < text.size() ? result + "..." : result;
+}
+
+// What became of a sentence: calls, or remarks that say why there are none, or both.
+struct Translation {
+  std::vector<Call> calls;
+  std::vector<v1::Diagnostic> diagnostics;
+  // Factor of the sentence's weight: a half for wishes ("ideally").
+  double weight_factor = 1;
+};
+
+// Translates one sentence. Reads it from left to right: at each term the rule that covers most is taken; what no rule
+// covers is left over. Linear in the length of the sentence. Never without calls and without diagnostics.
+Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
+                              const v1::Sentence& sentence);
 
 // Translates every sentence of a request whose catalogue is set. The request must have been validated.
 v1::LayoutGraph Translate(const v1::TranslateRequest& request);

@@ -8,8 +8,8 @@
 #include "absl/strings/str_join.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "translator_worker/grammar/testdata/labelled_rooms.h"
-#include "translator_worker/grammar/testdata/scorer.h"
+#include "translator_worker/grammar/testing/labelled_rooms.h"
+#include "translator_worker/grammar/testing/scorer.h"
 
 namespace flair::translator {
 namespace {

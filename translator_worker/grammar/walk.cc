@@ -3,7 +3,7 @@
 
 #include "fmt/format.h"
 #include "translator_worker/grammar/frames.h"
-#include "translator_worker/grammar/quote.h"
+#include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {
 namespace {

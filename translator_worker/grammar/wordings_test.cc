@@ -11,7 +11,7 @@
 #include "absl/strings/str_split.h"
 #include "fmt/format.h"
 #include "gtest/gtest.h"
-#include "translator_worker/grammar/testdata/labelled_rooms.h"
+#include "translator_worker/grammar/testing/labelled_rooms.h"
 #include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {

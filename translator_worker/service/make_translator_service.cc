@@ -10,14 +10,61 @@
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/make_llm_client.h"
-#include "translator_worker/catalog/remote_catalog_source.h"
-#include "translator_worker/service/translate_handler.h"
+#include "room/validation/validate.h"
+#include "translator_worker/grammar/translate.h"
+#include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/server_call.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::translator {
 namespace {
+
+// What decides the grammar's answers beyond the build: raised whenever equal sentences would give other calls.
+inline constexpr char kGrammarVersion[] = "4";
+
+// Answers TranslatorService.Translate with a model, or with the grammar when there is none.
+class TranslateHandler {
+ public:
+  // `source` gives the catalogue to requests without one; `model` may be null. Both must outlive the handler.
+  TranslateHandler(CatalogSource& source, const ModelTranslator* model) : source_(source), model_(model) {}
+
+  absl::StatusOr<v1::TranslateResponse> Handle(const v1::TranslateRequest& request, runtime::CallContext& call) const;
+
+ private:
+  absl::StatusOr<v1::TranslateResponse> Answer(const v1::TranslateRequest& complete, runtime::CallContext& call) const;
+
+  CatalogSource& source_;
+  const ModelTranslator* const model_;
+};
+
+absl::StatusOr<v1::TranslateResponse> TranslateHandler::Handle(const v1::TranslateRequest& request,
+                                                               runtime::CallContext& call) const {
+  RETURN_IF_ERROR(Validate(request));
+  if (request.has_catalog()) return Answer(request, call);
+  v1::TranslateRequest complete = request;
+  ASSIGN_OR_RETURN(*complete.mutable_catalog(), source_.Get(call));
+  return Answer(complete, call);
+}
+
+absl::StatusOr<v1::TranslateResponse> TranslateHandler::Answer(const v1::TranslateRequest& complete,
+                                                               runtime::CallContext& call) const {
+  v1::TranslateResponse response;
+  if (model_ != nullptr) {
+    ASSIGN_OR_RETURN(response, model_->Translate(complete, call));
+    // As the server names it; a request that needed no call names what was configured.
+    response.mutable_producer()->set_method(response.model_calls().empty() ? model_->model()
+                                                                           : response.model_calls(0).model());
+    response.mutable_producer()->set_version(model_->version());
+  } else {
+    *response.mutable_layout_graph() = Translate(complete);
+    response.mutable_producer()->set_method("grammar");
+    response.mutable_producer()->set_version(kGrammarVersion);
+  }
+  RETURN_IF_ERROR(call.CheckAlive());
+  response.mutable_producer()->set_program("flair-translator");
+  return response;
+}
 
 class Service final : public v1::TranslatorService::CallbackService {
  public:
@@ -45,7 +92,7 @@ absl::StatusOr<std::unique_ptr<CatalogSource>> MakeSource(const config::v1::Tran
   if (!channel.ok()) {
     return absl::InvalidArgumentError(fmt::format("optimizer_address: {}", std::string(channel.status().message())));
   }
-  return std::make_unique<RemoteCatalogSource>(*std::move(channel));
+  return MakeRemoteCatalogSource(*channel);
 }
 
 // Null when none is configured.

@@ -8,7 +8,6 @@
 #include "fmt/format.h"
 #include "translator_worker/grammar/frames.h"
 #include "translator_worker/grammar/rules/shared.h"
-#include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {
@@ -184,6 +183,12 @@ void NotFacingPair(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+void Angle(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  if (match.b != nullptr) composer.SetPair(movers, composer.TargetObjects(*match.b, movers));
+  composer.Refuse("not_expressible", "only parallel, facing, right angles and places in front can be asked for");
+}
+
 void IntoRoom(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
     composer.Place("facing_into_room", mover);
@@ -194,6 +199,7 @@ void IntoRoom(const Match& match, std::string_view, Composer& composer) {
 
 std::vector<Meaning> DirectionMeanings() {
   return {
+      {"angle", Angle},
       {"facing", Facing},
       {"across", Across},
       {"side_to", SideTo},

@@ -8,7 +8,6 @@
 #include "fmt/format.h"
 #include "translator_worker/grammar/frames.h"
 #include "translator_worker/grammar/rules/shared.h"
-#include "translator_worker/grammar/sides.h"
 
 namespace flair::translator {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "flair/v1/layout_graph.pb.h"
 #include "nlohmann/json.hpp"
-#include "translator_worker/grammar/testdata/labelled_rooms.h"
+#include "translator_worker/grammar/testing/labelled_rooms.h"
 
 namespace flair::translator {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/testdata/scorer.h"
+#include "translator_worker/grammar/testing/scorer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/testdata/labelled_rooms.h"
+#include "translator_worker/grammar/testing/labelled_rooms.h"
 
 #include <fstream>
 #include <map>
