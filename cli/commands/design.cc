@@ -102,13 +102,7 @@ void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const Artifac
     return;
   }
   if (arguments.quiet) return;
-  // What was asked of the room itself and done otherwise, such as a round one.
-  for (const v1::Diagnostic& remark : layout.solved_layout().graph().room().diagnostics()) {
-    if (remark.severity() >= v1::SEVERITY_WARNING) fmt::print(stderr, "remark       {}\n", remark.message());
-  }
-  for (const v1::Omission& omission : layout.solved_layout().graph().object_list().omissions()) {
-    if (omission.requested()) fmt::print(stderr, "left out     {}: {}\n", omission.name(), omission.reason());
-  }
+  for (const std::string& line : NotAsAsked(layout.solved_layout())) fmt::print(stderr, "not as asked {}\n", line);
   ShowUsage(usage);
   fmt::print(stderr, "Done: {}/plan.png, and the reasons in {}/report.md\n", arguments.out, arguments.out);
 }

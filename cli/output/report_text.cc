@@ -138,6 +138,12 @@ std::string LeftOutText(const v1::ObjectList& objects) {
   return text;
 }
 
+std::string NotAsAskedText(const v1::SolvedLayout& layout) {
+  std::string text;
+  for (const std::string& line : NotAsAsked(layout)) text += fmt::format("- {}\n", line);
+  return text.empty() ? "" : "\n## Not as asked\n\n" + text;
+}
+
 std::string RemarkText(const v1::Report& report) {
   std::string text;
   for (const v1::Diagnostic& remark : report.diagnostics()) {
@@ -167,6 +173,28 @@ std::string MakerText(const ArtifactsByKind& artifacts, const v1::Report& report
 
 }  // namespace
 
+std::vector<std::string> NotAsAsked(const v1::SolvedLayout& layout) {
+  const v1::LayoutGraph& graph = layout.graph();
+  std::vector<std::string> lines;
+  for (const auto* remarks : {&graph.room().diagnostics(), &graph.zone_plan().diagnostics(),
+                              &graph.object_list().diagnostics(), &graph.constraint_list().diagnostics()}) {
+    for (const v1::Diagnostic& remark : *remarks) {
+      if (remark.severity() >= v1::SEVERITY_WARNING) lines.push_back(remark.message());
+    }
+  }
+  for (const v1::Omission& omission : graph.object_list().omissions()) {
+    if (omission.requested()) lines.push_back(fmt::format("{} is left out: {}", omission.name(), omission.reason()));
+  }
+  // Places that the brief itself asks for; the handbook says so in their reason.
+  constexpr std::string_view kAskedFor = "the brief asks for it";
+  for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
+    if (!sentence.reason().ends_with(kAskedFor)) continue;
+    const std::string outcome = SentenceOutcome(sentence, layout);
+    if (!outcome.starts_with("✓")) lines.push_back(fmt::format("{} ({})", sentence.text(), outcome));
+  }
+  return lines;
+}
+
 std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   const v1::SolvedLayout& layout = Get(artifacts, v1::ARTIFACT_KIND_SOLVED_LAYOUT).solved_layout();
   const v1::StyleSheet& style = Get(artifacts, v1::ARTIFACT_KIND_STYLE_SHEET).style_sheet();
@@ -175,6 +203,7 @@ std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   std::string text = Heading(layout.graph().room(), Get(artifacts, v1::ARTIFACT_KIND_BRIEF).brief(),
                              Get(artifacts, v1::ARTIFACT_KIND_PREVIEW).preview());
   if (!style.summary().empty()) text += fmt::format("\nStyle: {}. {}\n", style.name(), style.summary());
+  text += NotAsAskedText(layout);
   text += LeftOutText(layout.graph().object_list());
   text += Verdict(report, layout);
   text += ZoneText(layout.graph().zone_plan());

@@ -7,7 +7,7 @@
 
 #include "language_worker/model/id_maker.h"
 #include "language_worker/model/object_size.h"
-#include "language_worker/service/model_session.h"
+#include "language_worker/service/testing/model_session.h"
 
 namespace flair::language {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "language_worker/service/model_session.h"
+#include "language_worker/service/testing/model_session.h"
 
 namespace flair::language {
 namespace {

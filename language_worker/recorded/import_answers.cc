@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "language_worker/recorded/recorded_room_client.h"
-#include "language_worker/service/model_handlers.h"
+#include "language_worker/service/language_handlers.h"
 #include "llm/wrappers/recording_llm_client.h"
 
 namespace flair::language {
@@ -14,7 +14,7 @@ namespace {
 // One request after the other, as an orchestrator makes them.
 class Phase {
  public:
-  Phase(const RecordedRoom& room, const ModelHandlers& handlers, ImportedAnswers& result)
+  Phase(const RecordedRoom& room, const LanguageHandlers& handlers, ImportedAnswers& result)
       : room_(room), handlers_(handlers), result_(result) {}
 
   absl::Status Run() {
@@ -52,7 +52,7 @@ class Phase {
   }
 
   const RecordedRoom& room_;
-  const ModelHandlers& handlers_;
+  const LanguageHandlers& handlers_;
   ImportedAnswers& result_;
   runtime::CallContext call_;
 };
@@ -66,7 +66,7 @@ absl::StatusOr<ImportedAnswers> ImportAnswers(const RecordedRoom& room, const Ha
   absl::StatusOr<std::unique_ptr<llm::LlmClient>> recording =
       llm::RecordingLlmClient::Make(std::move(recorded), folder);
   if (!recording.ok()) return recording.status();
-  const ModelHandlers handlers(handbook, *std::move(recording), prompts);
+  const LanguageHandlers handlers(handbook, *std::move(recording), prompts);
   ImportedAnswers result;
   if (absl::Status status = Phase(room, handlers, result).Run(); !status.ok()) return status;
   result.conversions = client.conversions();

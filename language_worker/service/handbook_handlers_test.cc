@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/service/handbook_handlers.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "language_worker/service/model_session.h"
+#include "language_worker/service/language_handlers.h"
+#include "language_worker/service/testing/model_session.h"
 #include "room/validation/validate.h"
 
 namespace flair::language {
@@ -33,7 +32,7 @@ struct Bedroom {
     return request;
   }
 
-  HandbookHandlers handlers;
+  LanguageHandlers handlers;
   runtime::CallContext call;
   v1::Brief brief;
   v1::Room room;
@@ -41,7 +40,7 @@ struct Bedroom {
   v1::ObjectList objects;
 };
 
-TEST(HandbookHandlers, ABriefsOwnPartsComeBackAsTheyAre) {
+TEST(HandbookAnswers, ABriefsOwnPartsComeBackAsTheyAre) {
   Bedroom bedroom;
   v1::ObjectList own = bedroom.objects;
   own.mutable_objects(0)->set_name("box bed");
@@ -64,7 +63,7 @@ TEST(HandbookHandlers, ABriefsOwnPartsComeBackAsTheyAre) {
   EXPECT_THAT(refused.status().message(), HasSubstr("brief.constraint_list.sentences[0].subject_ids[0]: \"piano\""));
 }
 
-TEST(HandbookHandlers, OwnConstraintsLeaveTheTertiariesTheirPlaces) {
+TEST(HandbookAnswers, OwnConstraintsLeaveTheTertiariesTheirPlaces) {
   Bedroom bedroom;
   v1::Sentence& sentence = *bedroom.brief.mutable_constraint_list()->add_sentences();
   sentence.set_id("t1");
@@ -83,7 +82,7 @@ TEST(HandbookHandlers, OwnConstraintsLeaveTheTertiariesTheirPlaces) {
   EXPECT_TRUE(Validate(list, bedroom.objects).ok());
 }
 
-TEST(HandbookHandlers, ZonesOfOwnObjectsArePlanned) {
+TEST(HandbookAnswers, ZonesOfOwnObjectsArePlanned) {
   Bedroom bedroom;
   v1::ObjectList own = bedroom.objects;
   for (v1::Object& object : *own.mutable_objects()) object.set_zone_id("music");
@@ -95,7 +94,7 @@ TEST(HandbookHandlers, ZonesOfOwnObjectsArePlanned) {
   EXPECT_EQ(plan.diagnostics(plan.diagnostics_size() - 1).code(), "zone_of_objects");
 }
 
-TEST(HandbookHandlers, PlacementsOfTheListerReplaceTheHandbooks) {
+TEST(HandbookAnswers, PlacementsOfTheListerReplaceTheHandbooks) {
   Bedroom bedroom;
   const auto before = bedroom.handlers.Handle(bedroom.Ask<v1::ListConstraintsRequest>(), bedroom.call);
   ASSERT_TRUE(before.ok()) << before.status();

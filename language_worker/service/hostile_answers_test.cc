@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "language_worker/service/model_session.h"
+#include "language_worker/service/testing/model_session.h"
 #include "room/validation/validate.h"
 
 namespace flair::language {

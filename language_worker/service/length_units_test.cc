@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "flair/model/v1/object_answers.pb.h"
-#include "language_worker/service/model_session.h"
+#include "language_worker/service/testing/model_session.h"
 
 namespace flair::language {
 namespace {
@@ -58,7 +58,8 @@ class LengthUnits : public ::testing::TestWithParam<llm::LengthUnit> {};
 TEST_P(LengthUnits, AnswersThatStayInThemAreConvertedAndTheArtifactsSayIt) {
   const llm::LengthUnit unit = GetParam();
   ModelSession session, metric;
-  Script(unit.metres, [&](const std::string& step) { return GoodIn(step, unit.metres); }, session);
+  Script(
+      unit.metres, [&](const std::string& step) { return GoodIn(step, unit.metres); }, session);
   for (ModelSession* each : {&session, &metric}) {
     ASSERT_TRUE(each->DescribeRoom().ok());
     ASSERT_TRUE(each->PlanZones().ok());
@@ -82,7 +83,8 @@ TEST_P(LengthUnits, AnswersThatStayInThemAreConvertedAndTheArtifactsSayIt) {
 
 TEST_P(LengthUnits, ARepairInMetresIsTakenAsItIs) {
   ModelSession session;
-  Script(GetParam().metres, [](const std::string& step) { return GoodAnswers().at(step); }, session);
+  Script(
+      GetParam().metres, [](const std::string& step) { return GoodAnswers().at(step); }, session);
   ASSERT_TRUE(session.DescribeRoom().ok());
   ASSERT_TRUE(session.PlanZones().ok());
   const auto objects = session.ListObjects();
@@ -95,7 +97,8 @@ TEST_P(LengthUnits, ARepairInMetresIsTakenAsItIs) {
 
 TEST_P(LengthUnits, AUselessRepairLeavesTheConvertedAnswer) {
   ModelSession session;
-  Script(GetParam().metres, [](const std::string&) { return std::string("I cannot."); }, session);
+  Script(
+      GetParam().metres, [](const std::string&) { return std::string("I cannot."); }, session);
   ASSERT_TRUE(session.DescribeRoom().ok());
   ASSERT_TRUE(session.PlanZones().ok());
   const auto objects = session.ListObjects();

@@ -11,8 +11,7 @@
 #include "flair/v1/worker_service.pb.h"
 #include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/model/model_tools.h"
-#include "language_worker/service/handbook_handlers.h"
-#include "language_worker/service/model_handlers.h"
+#include "language_worker/service/language_handlers.h"
 #include "llm/answers/prompt_library.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/make_llm_client.h"
@@ -22,8 +21,6 @@
 namespace flair::language {
 namespace {
 
-// Serves the six requests with handlers of either kind.
-template <typename Handlers>
 class Service final : public v1::LanguageService::CallbackService {
  public:
   // `arguments` are those of the handlers after the handbook.
@@ -61,7 +58,7 @@ class Service final : public v1::LanguageService::CallbackService {
  private:
   runtime::WorkerContext& worker_;
   const std::unique_ptr<const Handbook> handbook_;
-  Handlers handlers_;
+  LanguageHandlers handlers_;
 };
 
 absl::StatusOr<std::unique_ptr<const Handbook>> ReadHandbook(const config::v1::LanguageWorkerConfig& config) {
@@ -81,7 +78,7 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config:
   ASSIGN_OR_RETURN(auto handbook, ReadHandbook(config));
   worker.revision = (handbook)->version();
   worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
-  return std::make_unique<Service<HandbookHandlers>>(worker, std::move(handbook));
+  return std::make_unique<Service>(worker, std::move(handbook));
 }
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config::v1::LanguageWorkerConfig& config,
@@ -93,7 +90,7 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config:
   // A recording answers the same every time.
   if (!config.llm().replay_path().empty()) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
   worker.revision = fmt::format("{}, {}, prompts {}", (handbook)->version(), model->identity(), prompts.version());
-  return std::make_unique<Service<ModelHandlers>>(worker, std::move(handbook), std::move(model), std::move(prompts));
+  return std::make_unique<Service>(worker, std::move(handbook), std::move(model), std::move(prompts));
 }
 
 void CheckLanguageConfig(const config::v1::LanguageWorkerConfig& config, runtime::ConfigChecker& checker) {

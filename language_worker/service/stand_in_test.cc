@@ -10,7 +10,7 @@
 
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
-#include "language_worker/service/model_session.h"
+#include "language_worker/service/testing/model_session.h"
 #include "room/validation/validate.h"
 
 namespace flair::language {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "language_worker/service/model_session.h"
+#include "language_worker/service/testing/model_session.h"
 
 namespace flair::language {
 namespace {
@@ -241,8 +241,9 @@ TEST(StepFaults, OpeningsThatCannotBeAreLeftOutAndARoomHasADoor) {
 }
 
 TEST(StepFaults, ZonesNamedTwiceAreOne) {
-  StubbornSession session(
-      "zones", [](json& answer) { answer["zones"].push_back({{"name", "Sleeping"}, {"purpose", "More sleep."}}); });
+  StubbornSession session("zones", [](json& answer) {
+    answer["zones"].push_back({{"name", "Sleeping"}, {"purpose", "More sleep."}});
+  });
   ASSERT_TRUE(session->DescribeRoom().ok());
   const auto zones = session->PlanZones();
   ASSERT_TRUE(zones.ok()) << zones.status();

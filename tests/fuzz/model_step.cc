@@ -4,7 +4,7 @@
 #include <string>
 
 #include "flair/v1/translator_service.pb.h"
-#include "language_worker/service/model_session.h"
+#include "language_worker/service/testing/model_session.h"
 #include "llm/client/fake_llm_client.h"
 #include "room/validation/validate.h"
 #include "tests/fixtures/bedroom.h"

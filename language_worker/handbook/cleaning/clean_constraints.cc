@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
 #include <optional>
@@ -14,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "language_worker/handbook/cleaning/split.h"
-#include "language_worker/handbook/cleaning/stance.h"
+#include "language_worker/handbook/cleaning/statements.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
@@ -28,11 +26,8 @@ std::string Capital(std::string text) {
 
 // The sentence without words that say nothing; nothing when there are none.
 std::optional<std::string> WithoutFillers(const std::string& text) {
-  constexpr std::array<std::string_view, 8> kFillers = {
-      "Ensure that ", "Ensure ", "Make sure that ", "Make sure ", "Please ", "It is important that ", "- ", "* "};
-  for (const std::string_view filler : kFillers) {
-    if (text.size() > filler.size() && text.compare(0, filler.size(), filler) == 0)
-      return Capital(text.substr(filler.size()));
+  for (const std::string& filler : WordsOf("openings_of_sentences")) {
+    if (text.size() > filler.size() && text.starts_with(filler)) return Capital(text.substr(filler.size()));
   }
   return std::nullopt;
 }
@@ -44,13 +39,10 @@ struct Claim {
 };
 
 Claim ClaimOf(const v1::Sentence& sentence) {
-  static const std::set<std::string, std::less<>> kDropped = {"the", "a",   "an",     "should",     "must",
-                                                              "is",  "are", "be",     "does",       "do",
-                                                              "its", "it",  "placed", "positioned", "located"};
   Claim claim;
   for (const std::string& id : sentence.subject_ids()) claim.words += id + ",";
-  for (const Token& token : Tokenize(sentence.text())) {
-    if (token.kind == Token::Kind::kSign || kDropped.count(token.text) > 0) continue;
+  for (const Token& token : TokensOf(sentence.text())) {
+    if (token.kind == Token::Kind::kSign || IsIn("claim_fillers", token.text)) continue;
     if (token.text == "not" || token.text == "never") {
       claim.denied = !claim.denied;
     } else {

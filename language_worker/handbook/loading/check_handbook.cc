@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "language_worker/handbook/loading/handbook_files.h"
-#include "language_worker/handbook/reading/speller.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 namespace {

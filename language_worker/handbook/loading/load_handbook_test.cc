@@ -12,6 +12,7 @@
 #include "flair/v1/brief.pb.h"
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/styling/choose_style.h"
 
 namespace flair::language {
 namespace {
@@ -125,6 +126,33 @@ TEST_F(LoadHandbookTest, ACategoryOfNobodyIsANote) {
   EXPECT_THAT(findings.notes, ElementsAre(HasSubstr("\"cabinet\" would be right")));
   ASSERT_EQ(findings.sentences.size(), 1u);
   EXPECT_EQ(findings.sentences[0].object, "record cabinet");
+}
+
+// The blocks of docs/handbook.md, as a reader would type them.
+TEST_F(LoadHandbookTest, TheExamplesOfTheGuideMakeARoom) {
+  std::ifstream page(FLAIR_SOURCE_DIR "/docs/handbook.md");
+  std::string line, name, text;
+  for (bool inside = false; std::getline(page, line);) {
+    if (line == "```textproto") {
+      inside = true;
+      text.clear();
+    } else if (inside && line == "```") {
+      inside = false;
+      Write(name, text);
+    } else if (inside) {
+      if (text.empty()) name = line.substr(2);
+      text += line + "\n";
+    }
+  }
+  const auto handbook = LoadHandbook(DefaultHandbookFolder(), {folder_});
+  ASSERT_TRUE(handbook.ok()) << handbook.status();
+  v1::Brief brief;
+  brief.set_text("A tea room for four, 4 m x 4 m.");
+  const v1::Room room = *DescribeRoom(brief, **handbook);
+  EXPECT_EQ(room.room_type(), "tea room");
+  const v1::ObjectList list = *ListObjects(brief, room, *PlanZones(brief, room, **handbook), **handbook);
+  EXPECT_EQ(list.objects(0).name(), "tea table");
+  EXPECT_EQ(ChooseStyle(brief, room, list, **handbook)->name(), "quiet paper");
 }
 
 TEST_F(LoadHandbookTest, AFolderWithoutDataIsSaid) {

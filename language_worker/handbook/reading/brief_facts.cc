@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "language_worker/handbook/reading/foreign_words.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
 #include "language_worker/handbook/reading/opening_reader.h"
-#include "language_worker/handbook/reading/people.h"
-#include "language_worker/handbook/reading/piece_count.h"
+#include "language_worker/handbook/reading/other_words.h"
+#include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/room_kind.h"
-#include "language_worker/handbook/reading/sayings.h"
-#include "language_worker/handbook/reading/unknown_things.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 #include "language_worker/handbook/reading/words.h"
 #include "worker_runtime/status/status_macros.h"
@@ -24,13 +22,14 @@ namespace {
 // "green room" for no greenhouse.
 class BriefReader {
  public:
-  BriefReader(const Handbook& handbook, std::string_view text) : handbook_(handbook), tokens_(Tokenize(text)) {
+  BriefReader(const Handbook& handbook, std::string_view text) : handbook_(handbook), tokens_(TokensOf(text)) {
     if (ReadsAsEnglish(tokens_)) facts_.corrections = handbook.vocabulary().speller.Correct(tokens_);
     used_.resize(tokens_.size());
   }
 
   absl::StatusOr<BriefFacts> Read() {
-    ASSIGN_OR_RETURN(facts_.size, ReadSize(tokens_, handbook_.contents()));
+    ASSIGN_OR_RETURN(facts_.size, ReadSize(tokens_, handbook_, used_));
+    const std::vector<bool> size_words = std::exchange(used_, std::vector<bool>(tokens_.size()));
     ReadArchetype();
     const std::vector<bool> room_words = used_;
     FurnitureReader furniture(handbook_, tokens_, used_, facts_);
@@ -43,6 +42,9 @@ class BriefReader {
     facts_.reads_as_english = !IsForeign(tokens_) && (facts_.archetype_named || ReadsAsEnglish(tokens_));
     if (facts_.reads_as_english) {
       for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
+      furniture.MarkCounts();
+      for (std::size_t i = 0; i < used_.size(); ++i) used_[i] = used_[i] || size_words[i];
+      facts_.unheard = UnheardWords(tokens_, used_);
     }
     return std::move(facts_);
   }
@@ -62,6 +64,7 @@ class BriefReader {
     facts_.archetype = kind_.room.archetype;
     facts_.archetype_named = facts_.archetype != nullptr;
     if (!facts_.archetype_named) return GuessArchetype();
+    facts_.room_words = Quote(kind_.room);
     Use(kind_.room.begin, kind_.room.end - kind_.room.begin);
     for (const NamedRoom& one : kind_.also) {
       Use(one.begin, one.end - one.begin);
@@ -75,18 +78,24 @@ class BriefReader {
     for (const NamedRoom& one : kind_.named) {
       constexpr double kCorner = 0.4;
       if (used_[one.begin]) continue;
-      const bool own = IsServing(*one.archetype) || IsServing(*facts_.archetype);
+      const bool own = one.archetype->serving() || facts_.archetype->serving();
       if (!own) facts_.also.push_back({one.archetype, kCorner});
-      std::string said;
-      for (std::size_t i = one.begin; i < one.end; ++i)
-        said += (said.empty() || tokens_[i].glued ? "" : " ") + tokens_[i].text;
-      if (own) facts_.other_rooms.push_back(said);
+      if (own) facts_.other_rooms.push_back(Quote(one));
       Use(one.begin, one.end - one.begin);
     }
   }
 
-  // The kind of room that most words of the brief hint at.
+  std::string Quote(const NamedRoom& room) const { return BriefText(tokens_).Quote(room.begin, room.end); }
+
+  // The kind of room that most words of the brief hint at. Its first words name the kind that nobody knows: "a tea room
+  // with six tables".
   void GuessArchetype() {
+    const BriefText text(tokens_);
+    const std::size_t begin = text.BehindArticle(0);
+    std::size_t end = begin;
+    while (text.IsWord(end) && !text.Is(end, "after_a_room")) ++end;
+    if (text.Is(end, "rooms_by_head")) ++end;
+    facts_.room_words = text.Quote(begin, end);
     facts_.archetype = &handbook_.fallback_archetype();
     int most = 0;
     for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
@@ -106,7 +115,7 @@ class BriefReader {
     for (const hb::Style& style : handbook_.contents().styles()) {
       if (Phrase(style.name()).Occurs(tokens_)) AddOnce(facts_.styles, &style);
     }
-    const std::vector<Saying<hb::NamedColour>> colours = ColourSayings(handbook_);
+    const auto& colours = handbook_.vocabulary().colours;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const auto [colour, length] = LongestAt(colours, tokens_, i, /*plural=*/false);
       if (length == 0 || used_[i]) continue;

@@ -11,7 +11,7 @@
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/size_phrase.h"
-#include "language_worker/handbook/reading/speller.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 
@@ -64,6 +64,8 @@ struct BriefFacts {
   std::vector<const hb::NamedColour*> colours;  // of the room
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
   std::optional<int> people;
+  std::string room_words;               // what it calls the room; where no kind is named, its first words
+  std::vector<std::string> unheard;     // other words of which nothing was made: "of solid oak"
   std::vector<std::string> not_known;   // things asked for that the handbook has no word for: "proofing cabinet"
   std::vector<Correction> corrections;  // of misspelt words
   bool reads_as_english = true;         // false: most likely another language

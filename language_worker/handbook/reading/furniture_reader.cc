@@ -2,26 +2,136 @@
 #include "language_worker/handbook/reading/furniture_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 
-#include "language_worker/handbook/reading/wish_words.h"
+#include "language_worker/handbook/reading/piece_words.h"
 
 namespace flair::language {
+
+namespace {
+
+// Adjectives may stand between a modifier and its noun: "two-seat green velvet sofa".
+constexpr std::size_t kMostAdjectives = 3;
+
+enum Rank { kNotOfTheRoom, kOfAZone, kListed, kOfTheRoom, kOnePerPerson };
+
+double AreaOf(const BriefFacts& facts) {
+  if (facts.size.area_m2) return *facts.size.area_m2;
+  const hb::Archetype& room = *facts.archetype;
+  return facts.size.width_m.value_or(room.width_m().typical()) * facts.size.depth_m.value_or(room.depth_m().typical());
+}
+
+const hb::Band* BandOf(const hb::Archetype& room, double area_m2) {
+  for (const hb::Band& band : room.bands()) {
+    if (band.max_area_m2() == 0 || area_m2 < band.max_area_m2()) return &band;
+  }
+  return room.bands().empty() ? nullptr : &room.bands(room.bands_size() - 1);
+}
+
+bool EndsNounPhrase(const Token& token) {
+  if (token.kind == Token::Kind::kSign) return token.text != "-" && token.text != "'";
+  return IsIn("noun_phrase_ends", token.text);
+}
+
+// Whether what stands before a noun leaves open which one it is.
+bool SaysLooks(const Token& token) {
+  return EndsNounPhrase(token) || token.kind == Token::Kind::kNumber || NumberWord(token.text) ||
+         IsIn("looks", token.text);
+}
+
+}  // namespace
+
+NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
+    : vocabulary_(handbook.vocabulary()), room_(*facts.archetype) {
+  const hb::Archetype& room = room_;
+  const auto raise = [&](std::string_view name, int rank) { ranks_[name] = std::max(ranks_[name], rank); };
+  for (const hb::Furniture& furniture : handbook.contents().furniture()) {
+    const auto& hints = furniture.zone_hints();
+    for (const hb::ZoneSpec& zone : room.zones()) {
+      if (std::ranges::find(hints, zone.name()) != hints.end()) raise(furniture.name(), kOfAZone);
+    }
+  }
+  const hb::Band* usual = BandOf(room, AreaOf(facts));
+  for (const hb::Band& band : room.bands()) {
+    for (const hb::ObjectEntry& entry : band.objects()) raise(entry.furniture(), &band == usual ? kListed : kOfAZone);
+  }
+  for (const hb::ObjectEntry& entry : room.tertiaries()) raise(entry.furniture(), kListed);
+  raise(room.per_person(), kOnePerPerson);
+}
+
+int NounBook::RankOf(const hb::Furniture& furniture) const {
+  const auto rank = ranks_.find(furniture.name());
+  return rank == ranks_.end() ? kNotOfTheRoom : rank->second;
+}
+
+int NounBook::RankAt(const std::vector<Token>& tokens, std::size_t i, const hb::Furniture& furniture) const {
+  const int rank = RankOf(furniture);
+  const auto here = [&](const hb::NounOption& option) {
+    return option.furniture() == furniture.name() &&
+           std::ranges::find(option.rooms(), room_.name()) != option.rooms().end();
+  };
+  std::size_t longest = 0;
+  bool meant = false;
+  for (const Vocabulary::Head& head : vocabulary_.heads) {
+    for (const Phrase& word : head.words) {
+      const std::size_t length = word.MatchAt(tokens, i);
+      if (length <= longest) continue;
+      longest = length;
+      meant = std::ranges::any_of(head.noun->options(), here);
+    }
+  }
+  return meant ? std::max<int>(rank, kOfTheRoom) : rank;
+}
+
+const Vocabulary::Head* NounBook::HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {
+  for (const Vocabulary::Head& head : vocabulary_.heads) {
+    for (const Phrase& word : head.words) {
+      if (length > 0 && word.MatchAt(tokens, i) == length) return &head;
+    }
+  }
+  return nullptr;
+}
+
+const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::size_t noun, std::size_t length,
+                                        const hb::Furniture* named) const {
+  const Vocabulary::Head* head = HeadAt(tokens, noun, length);
+  if (head == nullptr) return named;
+  for (std::size_t at = noun; at > 0 && at + kMostAdjectives + 2 > noun;) {
+    --at;
+    if (EndsNounPhrase(tokens[at])) break;
+    for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
+      const std::size_t said = modifier.words.MatchAt(tokens, at, /*plural=*/false);
+      if (said > 0 && at + said <= noun) return modifier.furniture;
+    }
+  }
+  return head->noun->strict() && noun > 0 && !SaysLooks(tokens[noun - 1]) ? nullptr : named;
+}
+
+std::size_t NounBook::LengthWithHead(const std::vector<Token>& tokens, std::size_t start, std::size_t length,
+                                     const hb::Furniture& furniture) const {
+  const std::size_t end = start + length;
+  if (length == 0 || end >= tokens.size() || HeadAt(tokens, start, length) != nullptr) return length;
+  for (const Vocabulary::Head& head : vocabulary_.heads) {
+    if (std::ranges::find(head.options, &furniture) == head.options.end()) continue;
+    for (const Phrase& word : head.words) {
+      if (const std::size_t more = word.MatchAt(tokens, end); more > 0) return length + more;
+    }
+  }
+  return length;
+}
+
+std::size_t NounBook::OtherThingAt(const std::vector<Token>& tokens, std::size_t start) const {
+  std::size_t longest = 0;
+  for (const Phrase& thing : vocabulary_.other_things) longest = std::max(longest, thing.MatchAt(tokens, start));
+  return longest;
+}
+
 namespace {
 
 constexpr double kSmallM = 0.6;
 
 }  // namespace
-
-std::vector<Saying<hb::NamedColour>> ColourSayings(const Handbook& handbook) {
-  std::vector<Saying<hb::NamedColour>> colours;
-  for (const hb::NamedColour& colour : handbook.contents().colours()) {
-    AddSayings(colour.name(), colour.synonyms(), colour, colours);
-  }
-  return colours;
-}
 
 bool IsSeat(const hb::Furniture& furniture) {
   return furniture.category() == "chair" || furniture.category() == "stool";
@@ -49,7 +159,7 @@ FurnitureReader::FurnitureReader(const Handbook& handbook, const std::vector<Tok
       facts_(facts),
       nouns_(handbook, facts),
       names_(nouns_.names()),
-      colours_(ColourSayings(handbook)) {}
+      colours_(handbook.vocabulary().colours) {}
 
 void FurnitureReader::Use(std::size_t start, std::size_t length) {
   std::fill_n(used_.begin() + static_cast<std::ptrdiff_t>(start), length, true);
@@ -81,6 +191,9 @@ void FurnitureReader::Read() {
       continue;
     }
     if (IsRefused(tokens_, i)) {
+      for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i; ++k) {
+        if (IsIn("refusing", tokens_[k].text)) counts_.push_back(k);
+      }
       AddOnce(facts_.refusals, furniture);
       if (length == 1) RefuseKind(handbook_, tokens_, i, facts_);
       last_.reset();
@@ -116,23 +229,19 @@ const hb::Furniture* FurnitureReader::AnyAt(std::size_t i) {
 
 // The piece that a word for several kinds is said together with: "a table in front of the sofa", "a desk and a chair".
 const hb::Furniture* FurnitureReader::PartnerOf(std::size_t i) {
-  constexpr std::array<std::string_view, 14> kTogether = {"between", "next", "beside", "by",   "near",
-                                                          "front",   "foot", "end",    "on",   "either",
-                                                          "behind",  "at",   "around", "round"};
-  constexpr std::array<std::string_view, 5> kJoined = {"with", "and", "plus", "has", "have"};
   constexpr std::size_t kMostWords = 8;
   bool together = false;
   for (std::size_t k = i + 1; k < tokens_.size() && k < i + kMostWords; ++k) {
     const Token& token = tokens_[k];
     if (token.kind == Token::Kind::kSign || token.text == "with" || (token.text == "and" && !together)) break;
     if (token.text == "them") break;
-    together = together || IncludesWord(kTogether, token.text);
+    together = together || IsIn("together", token.text);
     if (const hb::Furniture* piece = AnyAt(k); together && piece != nullptr) return piece;
   }
   if (mentions_.empty() || i - mentions_.back().end > kMostWords) return nullptr;
   for (std::size_t k = mentions_.back().end; k < i; ++k) {
     if (tokens_[k].kind == Token::Kind::kSign && tokens_[k].text != ",") return nullptr;
-    if (IncludesWord(kJoined, tokens_[k].text)) return mentions_.back().furniture;
+    if (IsIn("joined", tokens_[k].text)) return mentions_.back().furniture;
   }
   return nullptr;
 }
@@ -140,9 +249,7 @@ const hb::Furniture* FurnitureReader::PartnerOf(std::size_t i) {
 // "... a coffee table. The table should be round": the piece of that name that was asked for before. Null where the
 // words ask for another one.
 const Wish* FurnitureReader::MeantBefore(std::size_t i, std::size_t length) const {
-  constexpr std::array<std::string_view, 9> kKnown = {"the",  "these",  "those", "each", "every",
-                                                      "both", "either", "that",  "this"};
-  if (length != 1 || i == 0 || !IncludesWord(kKnown, tokens_[i - 1].text)) return nullptr;
+  if (length != 1 || i == 0 || !IsIn("known_before", tokens_[i - 1].text)) return nullptr;
   for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) {
     const std::string& name = wish->furniture->name();
     const std::string last = LastWord(name);
@@ -168,6 +275,9 @@ std::size_t FurnitureReader::TakeOtherThing(std::size_t i, std::size_t piece_len
 
 void FurnitureReader::Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
   PieceCount count = CountBefore(handbook_, tokens_, furniture, i, length);
+  for (std::size_t k = i - std::min<std::size_t>(i, 3); k < i; ++k) {
+    if (tokens_[k].kind == Token::Kind::kNumber || NumberWord(tokens_[k].text)) counts_.push_back(k);
+  }
   if (const Rows rows = RowsAround(tokens_, i, length); rows.number > 0) {
     count = {rows.number};
     Use(rows.begin, rows.end - rows.begin);
@@ -228,14 +338,12 @@ bool FurnitureReader::TakesTheLastAsSeats(std::size_t i, Wish& host) {
 
 // Whether tokens [from, to) only say that what follows belongs to what came before.
 bool FurnitureReader::OnlyWordsBetween(std::size_t from, std::size_t to, bool around) const {
-  constexpr std::array<std::string_view, 5> kWith = {"with", "and", "plus", "surrounded", "seating"};
-  constexpr std::array<std::string_view, 4> kAround = {"around", "round", "at", "surrounding"};
   constexpr std::size_t kMostWords = 5;
   bool joined = false;
   if (to < from || to - from > kMostWords) return false;
   for (std::size_t i = from; i < to; ++i) {
     if (used_[i] || tokens_[i].kind == Token::Kind::kSign) return false;
-    joined = joined || (around ? IncludesWord(kAround, tokens_[i].text) : IncludesWord(kWith, tokens_[i].text));
+    joined = joined || (around ? IsIn("around_a_table", tokens_[i].text) : IsIn("with_seats", tokens_[i].text));
   }
   return joined;
 }

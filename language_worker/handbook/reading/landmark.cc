@@ -2,7 +2,6 @@
 #include "language_worker/handbook/reading/landmark.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace flair::language {
@@ -10,24 +9,6 @@ namespace {
 
 constexpr std::size_t kMostModifiers = 4;
 constexpr std::size_t kMostDeterminers = 4;
-
-constexpr std::array<std::string_view, 24> kDeterminers = {
-    "the", "a",   "an", "one",  "of",    "each", "any",  "some", "my",    "our",   "his",   "her",
-    "its", "two", "2",  "both", "their", "this", "that", "your", "these", "those", "every", "another"};
-// No noun phrase goes on behind these.
-constexpr std::array<std::string_view, 41> kNounEnds = {
-    "and",   "or",      "but",   "with", "without", "in",     "on",       "at",     "to",     "for",  "from",
-    "by",    "is",      "are",   "that", "which",   "where",  "so",       "near",   "under",  "over", "facing",
-    "while", "if",      "who",   "has",  "have",    "stands", "opposite", "beside", "behind", "next", "above",
-    "below", "against", "along", "as",   "between", "should", "must",     "because"};
-constexpr std::array<std::string_view, 6> kDoors = {"door", "doors", "doorway", "entrance", "entry", "entryway"};
-constexpr std::array<std::string_view, 3> kWindows = {"window", "windows", "skylight"};
-// Words of walls and corners that say which one; others only describe.
-constexpr std::array<std::string_view, 33> kWallSides = {
-    "north", "south",     "east",      "west",      "northern",  "southern", "eastern",  "western",  "left",
-    "right", "far",       "farthest",  "furthest",  "back",      "rear",     "front",    "near",     "nearest",
-    "long",  "longest",   "longer",    "short",     "shortest",  "shorter",  "opposite", "entrance", "window",
-    "door",  "northeast", "northwest", "southeast", "southwest", "blank"};
 
 bool IsOfTheRoom(Landmark::Kind kind) { return kind == Landmark::Kind::kWall || kind == Landmark::Kind::kCorner; }
 
@@ -61,22 +42,19 @@ const LandmarkReader::Found& LandmarkReader::PieceAt(std::size_t i) const {
 
 std::size_t LandmarkReader::BehindDeterminers(std::size_t i) const {
   const std::size_t start = i;
-  while (i < start + kMostDeterminers && IncludesWord(kDeterminers, Word(i))) ++i;
+  while (i < start + kMostDeterminers && IsIn("determiners", Word(i))) ++i;
   return i;
 }
 
 // "them", "both of them", "the two", "each other".
 Landmark LandmarkReader::Pronoun(std::size_t start) const {
-  constexpr std::array<std::string_view, 4> kPronouns = {"them", "it", "these", "those"};
-  constexpr std::array<std::string_view, 5> kBefore = {"both", "the", "of", "two", "each"};
   std::size_t at = start;
-  while (at < start + kMostDeterminers && IncludesWord(kBefore, Word(at))) ++at;
-  bool pronoun = IncludesWord(kPronouns, Word(at)) || (Word(at) == "other" && at > start && Word(at - 1) == "each");
+  while (at < start + kMostDeterminers && IsIn("before_pronouns", Word(at))) ++at;
+  bool pronoun = IsIn("pronouns_for_things", Word(at)) || (Word(at) == "other" && at > start && Word(at - 1) == "each");
   // "those chairs".
   if (Word(at).starts_with("th") && Word(at) != "them" && Noun(at + 1).kind != Landmark::Kind::kNone) pronoun = false;
-  const bool counts =
-      !pronoun && at > start && (Word(at - 1) == "two" || Word(at - 1) == "both") &&
-      (at == tokens_.size() || tokens_[at].kind == Token::Kind::kSign || IncludesWord(kNounEnds, Word(at)));
+  const bool counts = !pronoun && at > start && (Word(at - 1) == "two" || Word(at - 1) == "both") &&
+                      (at == tokens_.size() || tokens_[at].kind == Token::Kind::kSign || IsIn("noun_ends", Word(at)));
   Landmark landmark;
   if (!pronoun && !counts) return landmark;
   landmark.kind = Landmark::Kind::kPronoun;
@@ -120,13 +98,13 @@ bool LandmarkReader::Describes(std::size_t i) const {
   const Token& token = tokens_[i];
   if (token.kind == Token::Kind::kSign) return (token.text == "-" || token.text == "'") && token.glued;
   // "Opposite" and "near" relate, but describe walls and corners.
-  return token.kind == Token::Kind::kWord && (!IncludesWord(kNounEnds, token.text) ||
-                                              (IncludesWord(kWallSides, token.text) && IsOfTheRoom(FeatureAt(i + 1))));
+  return token.kind == Token::Kind::kWord &&
+         (!IsIn("noun_ends", token.text) || (IsIn("told_sides", token.text) && IsOfTheRoom(FeatureAt(i + 1))));
 }
 
 Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
-  if (IncludesWord(kDoors, Word(i))) return Landmark::Kind::kDoor;
-  if (IncludesWord(kWindows, Word(i))) return Landmark::Kind::kWindow;
+  if (IsIn("doors_of_the_room", Word(i))) return Landmark::Kind::kDoor;
+  if (IsIn("windows_of_the_room", Word(i))) return Landmark::Kind::kWindow;
   if (Word(i) == "wall" || Word(i) == "walls") return Landmark::Kind::kWall;
   if (Word(i) == "corner" || Word(i) == "corners") return Landmark::Kind::kCorner;
   return Landmark::Kind::kNone;
@@ -145,8 +123,8 @@ void LandmarkReader::TakeSecond(Landmark& landmark) const {
 void LandmarkReader::TakeWhichOne(Landmark& landmark) const {
   std::string sides;
   const auto add = [&](std::string_view side) { sides += (sides.empty() ? "" : " ") + std::string(side); };
-  for (const Token& word : Tokenize(landmark.side)) {
-    if (IncludesWord(kWallSides, word.text)) add(word.text);
+  for (const Token& word : TokensOf(landmark.side)) {
+    if (IsIn("told_sides", word.text)) add(word.text);
   }
   const std::string_view how = Word(landmark.end);
   const bool two_words = Word(landmark.end + 1) == "from";
@@ -160,8 +138,8 @@ void LandmarkReader::TakeWhichOne(Landmark& landmark) const {
     if (window) add(opposite || farthest ? "across window" : how == "with" ? "window" : "blank");
     if (door || window) landmark.end = at + 1;
   }
-  static const std::vector<Phrase> kOfTheRoom = {Phrase("of the room"), Phrase("of this room"), Phrase("of the space")};
-  for (const Phrase& phrase : kOfTheRoom) landmark.end += phrase.MatchAt(tokens_, landmark.end, /*plural=*/false);
+  for (const Phrase& phrase : PhrasesOf("of_the_room"))
+    landmark.end += phrase.MatchAt(tokens_, landmark.end, /*plural=*/false);
   landmark.side = sides;
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/handbook/reading/sayings.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 

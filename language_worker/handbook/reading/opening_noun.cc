@@ -1,41 +1,166 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/handbook/reading/opening_noun.h"
-
+// What stands behind the words for an opening and tells of itself.
 #include <algorithm>
 #include <string>
 #include <string_view>
 
-#include "language_worker/handbook/reading/opening_looks.h"
-#include "language_worker/handbook/reading/opening_places.h"
+#include "language_worker/handbook/reading/opening_parts.h"
+#include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
+
+namespace {
+
+constexpr double kLarge = 1.5, kSmall = 0.6;
+
+}  // namespace
+
+void Describe(std::string_view word, OpeningWish& wish) {
+  if (IsIn("large", word)) {
+    wish.width_factor = kLarge;
+  } else if (IsIn("small", word)) {
+    wish.width_factor = kSmall;
+  }
+  if (!wish.door) {
+    if (IsIn("compass", word) && wish.side.empty()) wish.side = word;
+    if (IsOneOf(word, {"clerestory"})) wish.sill_m = 1.9;
+    if (word == "bay" || word == "bow" || word == "oriel") {
+      wish.kind = std::string(word) + " window";
+      wish.width_factor = kLarge;
+    }
+    if (word == "corner") wish.along.at = AlongWall::At::kEnd;
+    return;
+  }
+  if (IsIn("sliding", word)) wish.swing = v1::DOOR_SWING_SLIDING;
+  if (IsIn("folding", word)) {
+    wish.swing = v1::DOOR_SWING_SLIDING;
+    wish.width_m = wish.width_m.value_or(2.4);
+  }
+  if (word == "double") wish.width_m = wish.width_m.value_or(1.5);
+  if (word == "garage") wish.width_m = wish.width_m.value_or(2.4);
+  if (IsIn("open_air", word) || word == "french") {
+    wish.outside = true;
+    if (word != "balcony") wish.width_m = wish.width_m.value_or(word == "patio" ? 1.8 : 1.5);
+    if (word == "patio") wish.swing = v1::DOOR_SWING_SLIDING;
+    if (word != "french") wish.leads_to = word;
+  } else if (IsIn("inner_rooms", word)) {
+    wish.leads_to = std::string(word) + (wish.leads_to.empty() ? "" : " " + wish.leads_to);
+  }
+}
+
+namespace {
+
+// "to the kitchen", "leading out to the garden", "onto the balcony".
+bool TakeLeads(const BriefText& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i;
+  if (words.Says(at, {"that", "which"})) ++at;
+  if (words.Is(at, "leading")) ++at;
+  if (words.Says(at, {"out", "on", "through"}) && words.Says(at + 1, {"to", "onto", "into"})) ++at;
+  if (!words.Is(at, "leads_to")) return false;
+  at = words.BehindArticle(at + 1);
+  if (words.Is(at, "before_other_rooms")) {
+    if (!words.Is(at + 1, "open_air") && !words.Is(at + 1, "inner_rooms") && !words.Is(at + 1, "ways_in") &&
+        words.At(at + 1) != "room") {
+      return false;
+    }
+    ++at;
+  }
+  const std::string_view word = words.At(at);
+  const bool open_air = IsIn("open_air", word), inner = IsIn("inner_rooms", word) || word == "room";
+  if (!open_air && !inner && !IsIn("ways_in", word)) return false;
+  // "a door to the side wall" is none that leads to a side.
+  if (IsIn("sides_of_a_house", word)) return false;
+  std::size_t end = at + 1;
+  if (words.IsHyphen(end)) ++end;
+  if (words.Is(end, "room_endings")) ++end;
+  if (open_air) {
+    wish.outside = true;
+    if (word != "balcony") wish.width_m = wish.width_m.value_or(wish.count == 1 ? 0.9 : 1.5);
+  }
+  if (open_air || inner) wish.leads_to = words.Quote(at, end);
+  i = end;
+  return true;
+}
+
+// "1.2 m wide", "of 1.2 m x 1.5 m", "(90 cm)", "with a sill at 1.1 m".
+bool TakeLengths(const BriefText& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i;
+  if (words.At(at) == ",") ++at;
+  const bool bracket = words.At(at) == "(";
+  if (bracket) ++at;
+  bool sill = false;
+  for (int over = 0; over < 6 && words.Is(at, "before_opening_sizes"); ++over) {
+    sill = sill || words.At(at) == "sill";
+    if (sill && words.Says(at, {"low", "high"})) return false;
+    ++at;
+  }
+  std::size_t end = 0;
+  const std::optional<double> first = words.LengthAt(at, end);
+  if (!first || *first <= 0) return false;
+  if (words.Says(end, {"from", "off"}) || words.At(end) == "away" || words.Says(end, {"to", "left", "right"}))
+    return false;
+  if (sill || words.BehindPhrase(end, "above_the_floor")) {
+    wish.sill_m = *first;
+    i = sill ? end : end + 3;
+    return true;
+  }
+  if (words.Says(end, {"high", "tall"})) {
+    wish.height_m = *first;
+  } else {
+    wish.width_m = *first;
+  }
+  at = words.Is(end, "opening_dimensions") ? end + 1 : end;
+  if (words.Says(at, {"x", "by", "and"})) {
+    const std::optional<double> second = words.LengthAt(at + 1, end);
+    if (second && *second > 0) {
+      wish.height_m = *second;
+      at = words.Says(end, {"high", "tall"}) ? end + 1 : end;
+    }
+  }
+  if (bracket && words.At(at) == ")") ++at;
+  i = at;
+  return true;
+}
+
+// "opening outwards", "that swings into the room", "reaching the floor".
+bool TakeSwing(const BriefText& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i;
+  for (int over = 0; over < 3 && words.Is(at, "before_swings"); ++over) ++at;
+  if (wish.door) {
+    if (!words.Is(at, "swinging")) return false;
+    const auto out = words.BehindPhrase(at + 1, "outwards");
+    const auto in = words.BehindPhrase(at + 1, "inwards");
+    if (!out && !in) return false;
+    if (words.Says(out.value_or(*in), {"to", "onto", "the"})) return false;
+    wish.swing = out ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
+    i = out.value_or(in.value_or(at));
+    return true;
+  }
+  const auto full = words.BehindPhrase(at, "floor_to_ceiling");
+  if (!full) return false;
+  wish.sill_m = 0;
+  wish.to_ceiling = words.Quote(at, *full).find("ceiling") != std::string::npos;
+  i = *full;
+  return true;
+}
+
+}  // namespace
+
+std::size_t ReadMeasures(const BriefText& words, std::size_t i, OpeningWish& wish) {
+  constexpr int kMostParts = 4;
+  for (int part = 0; part < kMostParts; ++part) {
+    if (!(wish.door && TakeLeads(words, i, wish)) && !TakeLengths(words, i, wish) && !TakeSwing(words, i, wish)) break;
+  }
+  return i;
+}
+
 namespace {
 
 constexpr int kMostOpenings = 40;
 
-constexpr std::string_view kDoorHeads = "door doors doorway doorways entrance entryway archway";
-constexpr std::string_view kWindowHeads = "window windows porthole portholes casement casements";
-constexpr std::string_view kOverheads = "skylight skylights rooflight rooflights sunroof velux";
-// Behind "window" and "door" these make another thing.
-constexpr std::string_view kOtherHeads =
-    "seat seats sill sills ledge ledges bench box boxes wall walls side sides film view views blind blinds shade "
-    "shades "
-    "shutter shutters curtain curtains treatment treatments frame frames mat mats stop handle handles bell bells hook "
-    "hooks "
-    "hall way opener swing leaf nook shopping cleaner display displays dressing table tables desk bed";
-// Before an opening that only tells where something else is.
-constexpr std::string_view kRelatingWords =
-    "near by under below beneath underneath facing to of from behind beside opposite against at towards toward above "
-    "over "
-    "before between overlooking front face faces either outside inside along around into blocking through than block "
-    "blocks next close clear for off across out past within flanking under in on backing";
-constexpr std::string_view kOpeningStops =
-    "with and or has have having plus are is where but that which while without no as be , so";
-constexpr std::string_view kDefiniteWords = "the its this that their our my your his her these those both";
-
 class NounReader {
  public:
-  NounReader(const OpeningWords& words, const std::vector<bool>& things, std::size_t noun)
+  NounReader(const BriefText& words, const std::vector<bool>& things, std::size_t noun)
       : words_(words), things_(things) {
     found_.noun = found_.begin = noun;
     found_.end = noun + 1;
@@ -44,12 +169,12 @@ class NounReader {
   OpeningNoun Read() {
     const std::size_t noun = found_.noun;
     const std::string_view head = words_.At(noun);
-    const bool door = IsAmong(kDoorHeads, head), window = IsAmong(kWindowHeads, head);
-    const bool overhead = IsAmong(kOverheads, head) || (window && words_.At(noun - 1) == "roof");
+    const bool door = IsIn("doors", head), window = IsIn("windows", head);
+    const bool overhead = IsIn("skylights", head) || (window && words_.At(noun - 1) == "roof");
     if (things_[noun] || !(door || window || overhead)) return {};
     const std::size_t behind = words_.IsHyphen(noun + 1) ? noun + 2 : noun + 1;
-    if (behind < words_.size() && (things_[behind] || IsAmong(kOtherHeads, words_.At(behind)))) return {};
-    if (noun > 0 && IsAmong("next dutch stage trap", words_.At(noun - 1))) return {};
+    if (behind < words_.size() && (things_[behind] || words_.Is(behind, "not_openings"))) return {};
+    if (noun > 0 && words_.Is(noun - 1, "doors_of_other_kinds")) return {};
     OpeningWish& wish = found_.wish;
     wish.door = door;
     ReadBack();
@@ -102,14 +227,14 @@ class NounReader {
       }
       if (TakeMeasureBefore(at)) continue;
       if (words_.At(before) == "of" && before > 0 && TakeQuantity(before)) return Determined(found_.begin);
-      if (words_.IsSign(before) || (things_[before] && !IsAmong(kInnerRooms, word))) break;
+      if (words_.IsSign(before) || (things_[before] && !IsIn("inner_rooms", word))) break;
       if (word == "no" || word == "without" || (word == "any" && before > 0 && words_.At(before - 1) == "without") ||
           word == "zero") {
         found_.none = true;
         return Determined(word == "any" ? before - 1 : before);
       }
-      if (word == "one" || IsAmong("first second third other another", word)) found_.part = true;
-      if (IsAmong("each every any all which what", word)) {
+      if (word == "one" || IsIn("one_of_several", word)) found_.part = true;
+      if (IsIn("any_of_them", word)) {
         found_.any = true;
         return Determined(before);
       }
@@ -118,7 +243,7 @@ class NounReader {
         at = before;
         continue;
       }
-      if (IsAmong(kDefiniteWords, word)) {
+      if (IsIn("definite", word)) {
         wish.definite = true;
         if (word == "both") {
           wish.count = 2;
@@ -130,13 +255,13 @@ class NounReader {
         wish.count = *number;
         wish.counted = true;
         // "the two windows"
-        if (before > 0 && IsAmong(kDefiniteWords, words_.At(before - 1))) {
+        if (before > 0 && words_.Is(before - 1, "definite")) {
           wish.definite = true;
           return Determined(before - 1);
         }
         return Determined(before);
       }
-      if (IsAmong("several many lots plenty numerous", word)) {
+      if (IsIn("several", word)) {
         wish.count = 3;
         return Determined(before);
       }
@@ -145,7 +270,7 @@ class NounReader {
         at = before;
         continue;
       }
-      if (IsAmong(kRelatingWords, word) || IsAmong(kOpeningStops, word)) {
+      if (IsIn("relating", word) || IsIn("opening_stops", word)) {
         if (!(word == "to" && TakeFloorToCeiling(at))) break;
         continue;
       }
@@ -167,14 +292,14 @@ class NounReader {
     std::size_t at = found_.begin;
     TakeDenial(at);
     if (at > 0 && words_.At(at - 1) == "all") --at;
-    found_.related = at > 0 && IsAmong(kRelatingWords, words_.At(at - 1)) && !IsOfACupboard(at);
+    found_.related = at > 0 && words_.Is(at - 1, "relating") && !IsOfACupboard(at);
     if (IsOfACupboard(at)) found_.kind = OpeningNoun::Kind::kNone;
   }
 
   // "without a window", "does not have any windows".
   void TakeDenial(std::size_t& at) {
     std::size_t before = at;
-    if (before > 1 && IsAmong("have has need want", words_.At(before - 1))) --before;
+    if (before > 1 && words_.Is(before - 1, "have")) --before;
     if (before == 0) return;
     const bool without = before == at && words_.At(before - 1) == "without";
     const bool has_not = before < at && (words_.At(before - 1) == "not" || words_.At(before - 1) == "t");
@@ -187,19 +312,19 @@ class NounReader {
   // "a wardrobe with two sliding doors".
   bool IsOfACupboard(std::size_t at) const {
     if (!found_.wish.door || at < 2) return false;
-    return IsAmong("with has having behind", words_.At(at - 1)) && things_[at - 2];
+    return words_.Is(at - 1, "of_a_cupboard") && things_[at - 2];
   }
 
   void Word(std::string_view word) {
     if (word == "french") wish_french_ = true;
-    if (IsAmong("glass glazed", word)) glazed_ = true;
-    if (IsAmong("ceiling", word)) ceiling_ = true;
-    if (IsAmong("full height length floor ceiling", word) && !found_.wish.door) ++full_;
+    if (IsOneOf(word, {"glass", "glazed"})) glazed_ = true;
+    if (IsOneOf(word, {"ceiling"})) ceiling_ = true;
+    if (IsIn("full_height", word) && !found_.wish.door) ++full_;
     if (word == "high" && !measured_) high_ = true;
     if (word == "low" && !measured_) low_ = true;
     if (word == "tall" && !measured_) tall_ = true;
     if (word == "open" && found_.wish.door) found_.wish.swing = v1::DOOR_SWING_NONE;
-    if (IsAmong("first second third fourth other another", word)) {
+    if (IsIn("one_of_several", word)) {
       found_.wish.count = 1;
       found_.wish.counted = true;
     }
@@ -217,7 +342,7 @@ class NounReader {
       measures_.push_back({*metres, std::string(words_.At(at))});
       at -= length;
       // "1.2 m x 1.5 m", "1.2 x 1.5 m".
-      if (at >= 2 && IsAmong("x by", words_.At(at - 1))) {
+      if (at >= 2 && words_.Says(at - 1, {"x", "by"})) {
         --at;
         measures_.back().dimension = "high";
         if (words_.IsNumber(at - 1)) {
@@ -236,21 +361,21 @@ class NounReader {
     const std::string_view word = words_.At(of - 1);
     OpeningWish& wish = found_.wish;
     std::size_t begin = of - 1;
-    if (IsAmong("pair set", word)) {
+    if (IsOneOf(word, {"pair", "set"})) {
       pair_ = found_.wish.door;
       wish.count = word == "pair" && !wish.door ? 2 : 1;
-    } else if (IsAmong("couple", word)) {
+    } else if (IsOneOf(word, {"couple"})) {
       wish.count = 2;
-    } else if (IsAmong("row series line number lots plenty load loads", word)) {
+    } else if (IsIn("rows_of", word)) {
       wish.count = 3;
-    } else if (IsAmong("wall", word) && !wish.door) {
+    } else if (IsOneOf(word, {"wall"}) && !wish.door) {
       wish.count = 1;
       wish.width_m = 100;
     } else {
       return false;
     }
     wish.counted = true;
-    if (begin > 0 && IsAmong("a an one the whole entire", words_.At(begin - 1))) --begin;
+    if (begin > 0 && words_.Is(begin - 1, "whole")) --begin;
     found_.begin = begin;
     return true;
   }
@@ -258,7 +383,7 @@ class NounReader {
   bool TakeAspect(std::size_t facing) {
     std::size_t at = facing;
     if (at > 0 && words_.IsHyphen(at - 1)) --at;
-    return at > 0 && IsAmong(kCompassWords, words_.At(at - 1));
+    return at > 0 && words_.Is(at - 1, "compass");
   }
 
   // "floor to ceiling windows"
@@ -285,7 +410,7 @@ class NounReader {
   void SetMeasures() {
     OpeningWish& wish = found_.wish;
     for (const Measured& one : measures_) {
-      const bool high = IsAmong("high tall height", one.dimension);
+      const bool high = IsOneOf(one.dimension, {"high", "tall", "height"});
       if (high) {
         wish.height_m = one.metres;
       } else {
@@ -311,7 +436,7 @@ class NounReader {
     std::string dimension;  // the word behind it
   };
 
-  const OpeningWords& words_;
+  const BriefText& words_;
   const std::vector<bool>& things_;
   OpeningNoun found_;
   std::vector<Measured> measures_;
@@ -322,9 +447,9 @@ class NounReader {
 
 }  // namespace
 
-OpeningNoun OpeningNounAt(const OpeningWords& words, const std::vector<bool>& things, std::size_t i) {
+OpeningNoun OpeningNounAt(const BriefText& words, const std::vector<bool>& things, std::size_t i) {
   const std::string_view word = words.At(i);
-  if (!IsAmong(kDoorHeads, word) && !IsAmong(kWindowHeads, word) && !IsAmong(kOverheads, word)) return {};
+  if (!IsIn("doors", word) && !IsIn("windows", word) && !IsIn("skylights", word)) return {};
   return NounReader(words, things, i).Read();
 }
 

@@ -6,15 +6,132 @@
 #include <string_view>
 
 #include "fmt/format.h"
-#include "language_worker/handbook/reading/opening_list.h"
-#include "language_worker/handbook/reading/opening_noun.h"
-#include "language_worker/handbook/reading/opening_site.h"
-#include "language_worker/handbook/reading/opening_words.h"
+#include "language_worker/handbook/reading/opening_parts.h"
+#include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
+
 namespace {
 
-constexpr std::string_view kCompassSides = "north south east west northern southern eastern western";
+constexpr std::size_t kMostWishes = 12;
+
+void Inherit(const OpeningWish& from, OpeningWish& to) {
+  if (!to.width_m) to.width_m = from.width_m;
+  if (!to.height_m) to.height_m = from.height_m;
+  if (!to.sill_m) to.sill_m = from.sill_m;
+  if (to.width_factor == 1) to.width_factor = from.width_factor;
+  if (to.along.at == AlongWall::At::kAny) to.along = from.along;
+  if (to.leads_to.empty()) to.leads_to = from.leads_to;
+  if (to.kind.empty()) to.kind = from.kind;
+  if (to.swing == v1::DOOR_SWING_UNSPECIFIED) to.swing = from.swing;
+  to.to_ceiling = to.to_ceiling || from.to_ceiling;
+}
+
+}  // namespace
+
+void OpeningList::AddOnSides(const OpeningNoun& noun, const OpeningSite& site) {
+  OpeningWish wish = noun.wish;
+  Join(noun, site, wish);
+  if (site.sides.empty()) return Add(wish);
+  const int walls = static_cast<int>(site.sides.size()), all = wish.count;
+  const bool each = !wish.counted || all < walls;
+  for (int w = 0; w < walls; ++w) {
+    wish.side = Resolved(site.sides[static_cast<std::size_t>(w)], wish.door);
+    wish.count = walls == 1 ? all : each ? 1 : all / walls + (w < all % walls ? 1 : 0);
+    Add(wish);
+  }
+}
+
+// A wall that goes by the opening of the same kind that was named before.
+std::string OpeningList::Resolved(const std::string& side, bool door) const {
+  const bool any_kind = side == "opposite" || side == "beside";
+  if (side != "same" && side != "across same" && !any_kind) return side;
+  const bool across = side != "same" && side != "beside";
+  for (std::size_t i = openings_.wishes.size(); i-- > 0;) {
+    const OpeningWish& there = openings_.wishes[i];
+    if ((!any_kind && there.door != door) || there.side.empty() || there.side.starts_with("across")) continue;
+    return across ? "across " + there.side : there.side;
+  }
+  return across ? "far" : "near";
+}
+
+// Takes over what was said before of the same openings: "two windows. The windows are on the east wall."
+void OpeningList::Join(const OpeningNoun& noun, const OpeningSite& site, OpeningWish& wish) {
+  if (!wish.definite && !noun.part) return;
+  for (std::size_t i = 0; i < openings_.wishes.size(); ++i) {
+    OpeningWish& there = openings_.wishes[i];
+    const bool same_kind =
+        there.door == wish.door &&
+        (there.leads_to == wish.leads_to || (wish.outside && there.outside) || (wish.leads_to.empty() && !wish.door));
+    if (!same_kind || there.outside != wish.outside || there.of_many) continue;
+    const bool plural = words_.At(noun.noun).ends_with('s') && noun.noun > 0;
+    if (there.side.empty() && there.count > wish.count && !plural) {
+      // One of several.
+      there.count -= wish.count;
+      wish.counted = there.counted;
+      return Inherit(there, wish);
+    }
+    if (!there.side.empty() && !site.sides.empty() && there.side != site.sides[0]) {
+      if (!(wish.door && there.definite && wish.definite)) continue;
+      openings_.not_read.push_back(
+          fmt::format("The brief says both \"{}\" and \"{}\"; the first holds.", there.said, wish.said));
+      wish.count = 0;
+      return;
+    }
+    if (noun.part && !there.side.empty()) continue;
+    Inherit(there, wish);
+    if (plural || !wish.counted) {
+      wish.count = std::max(wish.counted ? wish.count : 1, there.count);
+      wish.counted = wish.counted || there.counted;
+    }
+    if (wish.side.empty() && site.sides.empty()) wish.side = there.side;
+    openings_.wishes.erase(openings_.wishes.begin() + static_cast<std::ptrdiff_t>(i));
+    return;
+  }
+}
+
+void OpeningList::Add(const OpeningWish& wish) {
+  if (wish.count > 0 && openings_.wishes.size() < kMostWishes) openings_.wishes.push_back(wish);
+}
+
+void OpeningList::SettleRelations() {
+  std::vector<OpeningWish>& all = openings_.wishes;
+  for (std::size_t d = 0; d < all.size(); ++d) {
+    const bool across = all[d].side == "across window";
+    if (!all[d].door || (!across && all[d].side != "window")) continue;
+    const auto is_window = [](const OpeningWish& one) { return !one.door && !one.of_many; };
+    const auto window = std::ranges::find_if(all, is_window);
+    if (window != all.end() && !window->side.empty() && !IsIn("sides_from_the_door", window->side)) {
+      all[d].side = across ? "across " + window->side : window->side;
+      continue;
+    }
+    all[d].side.clear();
+    if (window != all.end()) {
+      window->side = across ? "far" : "near";
+      continue;
+    }
+    OpeningWish added;
+    added.side = across ? "far" : "near";
+    added.said = all[d].said;
+    added.of_many = true;
+    Add(added);
+  }
+}
+
+void OpeningList::SettleContradictions() {
+  const auto is_window = [](const OpeningWish& one) { return !one.door; };
+  const auto window = std::ranges::find_if(openings_.wishes, is_window);
+  if (!openings_.no_windows || (window == openings_.wishes.end() && !openings_.window_meant)) return;
+  if (window == openings_.wishes.end()) {
+    openings_.not_read.push_back("The brief asks for no windows and speaks of one; there are none.");
+    return;
+  }
+  openings_.not_read.push_back(
+      fmt::format("The brief asks for no windows and for \"{}\"; the latter holds.", window->said));
+  openings_.no_windows = false;
+}
+
+namespace {
 
 class OpeningReader {
  public:
@@ -36,7 +153,7 @@ class OpeningReader {
       if (words_.At(i) == "windowless") {
         openings_.no_windows = true;
         Use(i, i + 1);
-      } else if (const auto dark = words_.BehindOneOf(i, "no natural light|no daylight|without daylight")) {
+      } else if (const auto dark = words_.BehindPhrase(i, "no_daylight")) {
         openings_.no_windows = true;
         Use(i, *dark);
       } else if (!ReadAspect(i) && !ReadTheOther(i) && !room_[i]) {
@@ -52,14 +169,13 @@ class OpeningReader {
   bool ReadAspect(std::size_t i) {
     std::size_t compass = 0, end = 0;
     const auto room_at = [&](std::size_t k) {
-      return k < words_.size() && (room_[k] || IsAmong("room space studio aspect", words_.At(k)));
+      return k < words_.size() && (room_[k] || words_.Is(k, "rooms_that_face"));
     };
-    if (IsAmong(kCompassSides, words_.At(i)) && words_.Behind(i, std::string(words_.At(i)) + " facing")) {
+    if (words_.Is(i, "compass") && words_.Behind(i, std::string(words_.At(i)) + " facing")) {
       compass = i;
       end = *words_.Behind(i, std::string(words_.At(i)) + " facing");
       if (!room_at(end) && !room_at(end + 1)) return false;
-    } else if (i > 0 && room_at(i - 1) && IsAmong("facing faces looks looking", words_.At(i)) &&
-               IsAmong(kCompassSides, words_.At(i + 1))) {
+    } else if (i > 0 && room_at(i - 1) && words_.Is(i, "looking") && words_.Is(i + 1, "compass")) {
       compass = i + 1;
       end = i + 2;
     } else {
@@ -181,17 +297,17 @@ class OpeningReader {
     std::vector<OpeningWish> shares;
     while (shares.size() < kMostShares) {
       std::size_t next = at;
-      for (int over = 0; over < 3 && IsAmong(", : ( - ; . and with", words_.At(next)); ++over) ++next;
+      for (int over = 0; over < 3 && words_.Is(next, "share_links"); ++over) ++next;
       if (words_.At(next) == "the") ++next;
       int count = 1;
       if (const std::optional<int> number = NumberWord(words_.At(next)); number && *number > 1 && *number < 4) {
         count = *number;
-      } else if (!IsAmong("one other another second first", words_.At(next))) {
+      } else if (!words_.Is(next, "shares")) {
         break;
       }
       ++next;
-      for (int over = 0;
-           over < 2 && IsAmong(all.door ? "one of them door doors" : "one of them window windows", words_.At(next));
+      for (int over = 0; over < 2 && (words_.Says(next, {"one", "of", "them"}) ||
+                                      words_.At(next).starts_with(all.door ? "door" : "window"));
            ++over) {
         ++next;
       }
@@ -226,7 +342,7 @@ class OpeningReader {
   // "the other is on the east wall", "another on the west side", behind one that was read.
   bool ReadTheOther(std::size_t i) {
     constexpr std::size_t kFarthest = 4;
-    if (!last_end_ || i > last_end_ + kFarthest || !IsAmong("other another second", words_.At(i))) return false;
+    if (!last_end_ || i > last_end_ + kFarthest || !words_.Says(i, {"other", "another", "second"})) return false;
     const std::size_t next = words_.At(i + 1) == "one" ? i + 2 : i + 1;
     OpeningNoun noun;
     noun.wish.door = last_door_;
@@ -246,7 +362,7 @@ class OpeningReader {
 
   bool IsJoined(std::size_t begin) const {
     std::size_t at = last_end_;
-    while (at < begin && IsAmong(", and also", words_.At(at))) ++at;
+    while (at < begin && words_.Says(at, {",", "and", "also"})) ++at;
     return at == begin;
   }
   bool IsJoinedByAnd(std::size_t begin) const { return begin == last_end_ + 1 && words_.At(last_end_) == "and"; }
@@ -275,7 +391,7 @@ class OpeningReader {
     read_to_ = std::max(read_to_, end);
   }
 
-  const OpeningWords words_;
+  const BriefText words_;
   const OpeningSiteReader sites_;
   OpeningList list_;
   const std::vector<bool>& room_;

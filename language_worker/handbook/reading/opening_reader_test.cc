@@ -14,7 +14,7 @@ namespace flair::language {
 namespace {
 
 OpeningWishes OpeningsIn(const std::string& text) {
-  const std::vector<Token> tokens = Tokenize(text);
+  const std::vector<Token> tokens = TokensOf(text);
   std::vector<bool> used(tokens.size());
   OpeningWishes openings;
   ReadOpenings(tokens, std::vector<bool>(tokens.size()), used, openings);
@@ -174,7 +174,7 @@ TEST(OpeningReader, SaysWhatItCannotTake) {
 }
 
 TEST(OpeningReader, MarksWhatItHasUsed) {
-  const std::vector<Token> tokens = Tokenize("desk under the window on the north wall");
+  const std::vector<Token> tokens = TokensOf("desk under the window on the north wall");
   std::vector<bool> used(tokens.size());
   OpeningWishes openings;
   ReadOpenings(tokens, std::vector<bool>(tokens.size()), used, openings);

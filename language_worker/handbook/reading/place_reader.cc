@@ -2,22 +2,170 @@
 #include "language_worker/handbook/reading/place_reader.h"
 
 #include <algorithm>
-#include <array>
+#include <string>
 #include <string_view>
 #include <utility>
 
-#include "language_worker/handbook/reading/place_words.h"
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 namespace {
 
-constexpr std::size_t kMostPlacesNotKnown = 8;
+bool EndsSentence(const Token& token) {
+  return token.kind == Token::Kind::kSign &&
+         (token.text == "." || token.text == ";" || token.text == "!" || token.text == "?");
+}
 
-// Words that tell a place whenever they stand in a text about furniture.
-constexpr std::array<std::string_view, 23> kPlaceWords = {
-    "between", "beside",     "opposite",  "facing",        "behind",   "against", "near",   "underneath",
-    "beneath", "under",      "below",     "above",         "flanking", "flanked", "corner", "parallel",
-    "backing", "diagonally", "alongside", "perpendicular", "middle",   "centre",  "center"};
+// Whether the sentence of a place speaks of that slot: "{target}".
+bool AskedNames(const hb::AskedPlace& asked, std::string_view slot) {
+  return asked.relation().text().find(slot) != std::string::npos;
+}
+
+}  // namespace
+
+std::optional<std::size_t> PlaceReader::MentionEndingAt(std::size_t end) const {
+  if (end == 0 || mention_at_[end - 1] == mentions_.size()) return std::nullopt;
+  return mention_at_[end - 1];
+}
+
+std::optional<std::size_t> PlaceReader::LastMentionBefore(std::size_t i) const {
+  for (std::size_t m = mentions_.size(); m-- > 0;) {
+    if (mentions_[m].end <= i && !by_landmark_[m]) return m;
+  }
+  return std::nullopt;
+}
+
+// What stands right before the place, over verbs, commas and what was said of its place before.
+std::optional<PlaceReader::Subject> PlaceReader::SubjectBefore(std::size_t i) const {
+  constexpr std::size_t kMostFillers = 10;
+  const auto of = [&](std::size_t m, int which, std::size_t begin) {
+    return Subject{mentions_[m].furniture, m, which, begin};
+  };
+  bool joined = false;
+  for (std::size_t at = i; at > 0 && at + kMostFillers > i; --at) {
+    if (last_ && last_->end == at) {
+      const std::optional<std::size_t> m = MentionEndingAt(at);
+      if (!m || joined) return last_->subject;
+    }
+    if (const std::optional<std::size_t> m = MentionEndingAt(at))
+      return of(*m, mentions_[*m].which, mentions_[*m].begin);
+    const Token& before = tokens_[at - 1];
+    const std::optional<std::size_t> earlier = LastMentionBefore(at - 1);
+    const bool other = before.text == "other" || before.text == "another" || before.text == "second";
+    if (earlier && (before.text == "one" || other) && mentions_[*earlier].count > 1) {
+      const bool again = last_ && last_->subject.which == 0 && last_->subject.mention == *earlier;
+      return of(*earlier, other || again ? 1 : 0, at - 1);
+    }
+    if (earlier && (IsIn("singular_pronouns", before.text) || IsIn("plural_pronouns", before.text))) {
+      return of(*earlier, mentions_[*earlier].which, mentions_[*earlier].begin);
+    }
+    joined = joined || before.text == "," || before.text == "and" || before.text == "but";
+    const bool sign = before.kind == Token::Kind::kSign && !EndsSentence(before) && before.text != "(";
+    const bool filler = IsIn("place_fillers", before.text) || IsIn("group_fillers", before.text) ||
+                        before.text == "and" || before.text == "but" || before.text == "the" || before.text == "of";
+    if (!sign && !filler && before.kind != Token::Kind::kNumber) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// "Under the window a desk", "next to the bed there is a nightstand".
+std::optional<PlaceReader::Subject> PlaceReader::SubjectAfter(std::size_t begin, std::size_t end) const {
+  constexpr std::size_t kMostBetween = 6;
+  const bool first = begin == 0 || EndsSentence(tokens_[begin - 1]) || tokens_[begin - 1].text == ":";
+  const bool aside = begin > 1 && Word(begin - 1) == "," && IsIn("place_openers", Word(begin - 2));
+  const bool opens = first || tokens_[begin - 1].text == "," || IsIn("place_openers", tokens_[begin - 1].text);
+  if (!opens || end >= tokens_.size()) return std::nullopt;
+  int others = 0;
+  bool noun_phrase = false;
+  for (std::size_t i = end; i < tokens_.size() && i < end + kMostBetween; ++i) {
+    if (mention_at_[i] < mentions_.size()) {
+      const std::size_t m = mention_at_[i];
+      if (!first && !noun_phrase) return std::nullopt;
+      return Subject{mentions_[m].furniture, m, mentions_[m].which, mentions_[m].begin};
+    }
+    const Token& token = tokens_[i];
+    if (token.kind == Token::Kind::kSign && !((first || aside) && token.text == ",")) return std::nullopt;
+    if (token.text == "and" || token.text == "with" || token.text == "or") return std::nullopt;
+    const bool known =
+        IsIn("before_subjects", token.text) || token.kind == Token::Kind::kSign || NumberWord(token.text);
+    noun_phrase = noun_phrase || NumberWord(token.text) || token.text == "the" || token.kind == Token::Kind::kNumber;
+    // Words for its looks.
+    if (!known && (!noun_phrase || ++others > 2)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// "a desk for writing letters by the window": the last piece of the sentence when nothing else can stand there.
+std::optional<PlaceReader::Subject> PlaceReader::LooseSubjectBefore(std::size_t i) const {
+  constexpr std::size_t kMostWords = 12;
+  for (std::size_t at = i; at > 0 && at + kMostWords > i; --at) {
+    if (EndsSentence(tokens_[at - 1])) return std::nullopt;
+    if (const std::optional<std::size_t> m = MentionEndingAt(at)) {
+      if (by_landmark_[*m]) return std::nullopt;
+      return Subject{mentions_[*m].furniture, *m, mentions_[*m].which, mentions_[*m].begin};
+    }
+    // A window or some other thing of its own: the place is that thing's.
+    const std::string& word = tokens_[at - 1].text;
+    if (landmarks_.FeatureAt(at - 1) != Landmark::Kind::kNone || word == "," || word == "and" || word == "a" ||
+        word == "with" || word == "room" || word == "but") {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+// Finds what the landmark stands for; false when there is no such thing.
+bool PlaceReader::Resolve(const Subject& subject, const Match& match, Place& place) const {
+  const hb::AskedPlace& asked = *match.pattern->asked;
+  place.side = match.landmark.side;
+  if (AskedNames(asked, "{first}")) return TakePair(subject, match, place);
+  if (!AskedNames(asked, "{target}")) return true;
+  if (match.landmark.kind != Landmark::Kind::kPiece) return TakePronoun(subject, match.landmark.plural, place);
+  place.target = match.landmark.piece;
+  return place.target != subject.furniture;
+}
+
+// "between the sofa and the fireplace", "between the armchairs", "between them".
+bool PlaceReader::TakePair(const Subject& subject, const Match& match, Place& place) const {
+  const Landmark& landmark = match.landmark;
+  if (landmark.kind == Landmark::Kind::kPiece) {
+    place.target = landmark.piece;
+    place.other = landmark.second != nullptr ? landmark.second : landmark.piece;
+    return place.target != subject.furniture && place.other != subject.furniture;
+  }
+  // The two that were named last before it, those first that do not only tell where others go.
+  for (const bool landmarks_too : {false, true}) {
+    place.target = place.other = nullptr;
+    for (std::size_t m = subject.mention; m-- > 0;) {
+      const Mention& mention = mentions_[m];
+      if (mention.furniture == subject.furniture || mention.furniture == place.other) continue;
+      if (by_landmark_[m] && !landmarks_too) continue;
+      if (place.other == nullptr && mention.count > 1) {
+        place.target = place.other = mention.furniture;
+        return true;
+      }
+      (place.other == nullptr ? place.other : place.target) = mention.furniture;
+      if (place.target != nullptr) return true;
+    }
+  }
+  return false;
+}
+
+// "next to it": the piece that was named before.
+bool PlaceReader::TakePronoun(const Subject& subject, bool plural, Place& place) const {
+  for (std::size_t m = subject.mention; m-- > 0;) {
+    const Mention& mention = mentions_[m];
+    if (mention.furniture == subject.furniture) continue;
+    if (place.target == nullptr || (plural && mention.count > 1)) place.target = mention.furniture;
+    if (!plural || mention.count > 1) break;
+  }
+  return place.target != nullptr;
+}
+
+namespace {
+
+constexpr std::size_t kMostPlacesNotKnown = 8;
 
 // Kinds that a place is for; pieces that stand on the floor when it does not say.
 bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture) {
@@ -78,7 +226,7 @@ std::vector<PlaceReader::Match> PlaceReader::MatchesAt(std::size_t i) const {
   const auto found = patterns_.find(negated ? "not" : tokens_[i].text);
   if (found == patterns_.end()) return matches;
   std::size_t start = i + (negated ? 1 : 0);
-  while (negated && start < i + 4 && IncludesWord(kPlaceFillers, Word(start))) ++start;
+  while (negated && start < i + 4 && IsIn("place_fillers", Word(start))) ++start;
   for (const Pattern& pattern : found->second) {
     Match match{&pattern, {}, pattern.words.MatchAt(tokens_, start, /*plural=*/false), 0};
     if (match.length == 0) continue;
@@ -108,16 +256,14 @@ bool PlaceReader::IsDenied(std::size_t i) const {
   constexpr std::size_t kMostWords = 4;
   for (std::size_t at = i; at > 0 && at + kMostWords > i; --at) {
     if (Denies(at - 1)) return true;
-    if (!IncludesWord(kPlaceFillers, Word(at - 1))) return false;
+    if (!IsIn("place_fillers", Word(at - 1))) return false;
   }
   return false;
 }
 
 // Whether no noun follows that a place could be told by.
 bool PlaceReader::EndsPhrase(std::size_t i) const {
-  constexpr std::array<std::string_view, 9> kEnds = {"and",   "with", "but",   "so",  "for",
-                                                     "which", "that", "while", "plus"};
-  return i >= tokens_.size() || tokens_[i].kind == Token::Kind::kSign || IncludesWord(kEnds, Word(i));
+  return i >= tokens_.size() || tokens_[i].kind == Token::Kind::kSign || IsIn("place_ends", Word(i));
 }
 
 bool PlaceReader::Fits(const Pattern& pattern, const Landmark& landmark) const {
@@ -163,22 +309,12 @@ bool PlaceReader::TakePlace(std::size_t i) {
 
 // Words for a place of which nothing could be made, so that they do not go unheard.
 void PlaceReader::NoteUnread(std::size_t i) {
-  static const std::vector<Phrase> kPhrases = {
-      Phrase("next to"),        Phrase("in front of"),  Phrase("across from"),  Phrase("close to"),
-      Phrase("away from"),      Phrase("far from"),     Phrase("back to back"), Phrase("side by side"),
-      Phrase("on either side"), Phrase("both sides"),   Phrase("each side"),    Phrase("on opposite"),
-      Phrase("on the left"),    Phrase("on the right"), Phrase("to the left"),  Phrase("to the right"),
-      Phrase("in rows"),        Phrase("in two rows"),  Phrase("in a row"),     Phrase("on top of"),
-      Phrase("by the"),         Phrase("at the end"),   Phrase("at one end"),   Phrase("on the wall"),
-      Phrase("over the"),       Phrase("around the"),   Phrase("round the"),    Phrase("at an angle"),
-      Phrase("in line with"),   Phrase("in the alcove")};
-  const bool phrase =
-      std::ranges::any_of(kPhrases, [&](const Phrase& one) { return one.MatchAt(tokens_, i, /*plural=*/false) > 0; });
-  if (!phrase && !IncludesWord(kPlaceWords, tokens_[i].text)) return;
+  const bool phrase = std::ranges::any_of(
+      PhrasesOf("place_phrases"), [&](const Phrase& one) { return one.MatchAt(tokens_, i, /*plural=*/false) > 0; });
+  if (!phrase && !IsIn("place_words", tokens_[i].text)) return;
   if (i + 1 < tokens_.size() && tokens_[i + 1].kind == Token::Kind::kNumber) return;  // "under 20 m2"
   std::size_t begin = i;
-  while (begin > 0 &&
-         (IncludesWord(kPlaceFillers, Word(begin - 1)) || Word(begin - 1) == "in" || Word(begin - 1) == "the"))
+  while (begin > 0 && (IsIn("place_fillers", Word(begin - 1)) || Word(begin - 1) == "in" || Word(begin - 1) == "the"))
     --begin;
   std::optional<Subject> subject = SubjectBefore(i);
   if (!subject) subject = LooseSubjectBefore(i);
@@ -194,7 +330,7 @@ void PlaceReader::NoteUnread(std::size_t i) {
   while (!subject && begin < i && (tokens_[begin].kind == Token::Kind::kSign || Word(begin) == "and")) ++begin;
   std::string said = Quote(subject ? i : begin, end);
   if (subject) said = subject->furniture->name() + " " + said;
-  if (facts_.places_not_known.size() < kMostPlacesNotKnown && !IncludesWord(facts_.places_not_known, said)) {
+  if (facts_.places_not_known.size() < kMostPlacesNotKnown && !Includes(facts_.places_not_known, said)) {
     facts_.places_not_known.push_back(std::move(said));
   }
 }
@@ -202,13 +338,9 @@ void PlaceReader::NoteUnread(std::size_t i) {
 // Whether a place without a piece of its own most likely tells of one whose name is not known: "plants in the far left
 // corner".
 bool PlaceReader::SpeaksOfAPiece(std::size_t i) const {
-  constexpr std::array<std::string_view, 9> kSure = {"between", "beside",   "opposite", "behind", "underneath",
-                                                     "beneath", "flanking", "flanked",  "backing"};
-  constexpr std::array<std::string_view, 8> kWhich = {"far",   "left",     "right", "back",
-                                                      "other", "opposite", "hand",  "front"};
   if (mentions_.empty()) return false;
-  const bool corner = landmarks_.FeatureAt(i) == Landmark::Kind::kCorner && i > 0 && IncludesWord(kWhich, Word(i - 1));
-  return corner || IncludesWord(kSure, Word(i));
+  const bool corner = landmarks_.FeatureAt(i) == Landmark::Kind::kCorner && i > 0 && IsIn("which_corner", Word(i - 1));
+  return corner || IsIn("sure_places", Word(i));
 }
 
 std::string PlaceReader::Quote(std::size_t begin, std::size_t end) const {

@@ -11,7 +11,7 @@
 
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/reading/landmark.h"
-#include "language_worker/handbook/reading/sayings.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 

@@ -2,41 +2,13 @@
 #include "language_worker/handbook/reading/room_kind.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
-#include "language_worker/handbook/reading/opening_words.h"
+#include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 namespace {
-
-// Rooms that belong to others.
-constexpr std::array<std::string_view, 5> kServing = {"bathroom", "dressing room", "laundry", "entrance hall",
-                                                      "greenhouse"};
-// What a list calls a room by: "kitchen/living/dining".
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kUses = {{{"living", "living room"},
-                                                                                 {"sitting", "living room"},
-                                                                                 {"lounge", "living room"},
-                                                                                 {"dining", "dining room"},
-                                                                                 {"diner", "dining room"},
-                                                                                 {"eating", "dining room"},
-                                                                                 {"sleeping", "bedroom"}}};
-constexpr std::string_view kHavingWords =
-    "with has have having including includes plus featuring containing without boasting";
-constexpr std::string_view kListWords = "/ - & + , and";
-// Behind a name these are no noun that it describes, as in "kitchen table".
-constexpr std::string_view kFollowing =
-    "and or with for of in at on to by that which is are where has measuring about approx approximately combined area "
-    "areas "
-    "space room zone x so but without facing near around roughly all both should under over from inside including plus";
-constexpr std::string_view kOpeningNouns = "door doors doorway window windows";
-constexpr std::string_view kEndWords =
-    "north south east west left right far back rear front northern southern eastern western other";
-
-bool Serves(const hb::Archetype& archetype) {
-  return std::find(kServing.begin(), kServing.end(), archetype.name()) != kServing.end();
-}
 
 class RoomKindReader {
  public:
@@ -67,15 +39,12 @@ class RoomKindReader {
   };
 
   void FindNames() {
-    std::vector<Saying<hb::Archetype>> names;
-    for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
-      if (!archetype.fallback()) AddSayings(archetype.name(), archetype.synonyms(), archetype, names);
-    }
+    const std::vector<Saying<hb::Archetype>>& names = handbook_.vocabulary().rooms;
     bool within = false;
     std::size_t list = 0;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (words_.EndsSentence(i)) within = false;
-      within = within || IsAmong(kHavingWords, words_.At(i));
+      within = within || words_.Is(i, "having");
       Found found;
       auto [archetype, length] = LongestAt(names, tokens_, i, /*plural=*/false);
       found.room = {archetype, i, i + length};
@@ -116,32 +85,32 @@ class RoomKindReader {
 
   Found UseAt(std::size_t i) const {
     Found found;
-    for (const auto& [word, name] : kUses) {
-      if (words_.At(i) != word) continue;
+    for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
+      if (!Includes(archetype.uses(), words_.At(i))) continue;
       found.use = true;
-      found.room = {handbook_.FindArchetype(std::string(name)), i, i + 1};
-      if (words_.At(i + 1) == "area" || words_.At(i + 1) == "space") found.room.end = i + 2;
+      found.room = {&archetype, i, words_.Says(i + 1, {"area", "space"}) ? i + 2 : i + 1};
+      break;
     }
     return found;
   }
 
   // "The entrance is on the south wall."
   bool IsADoor(const NamedRoom& room) const {
-    return IsAmong("entrance entry entryway", words_.At(room.begin)) && room.end == room.begin + 1 && room.begin > 0 &&
-           IsAmong("the an its", words_.At(room.begin - 1)) && IsAmong("is on in at should from", words_.At(room.end));
+    return words_.Says(room.begin, {"entrance", "entry", "entryway"}) && room.end == room.begin + 1 && room.begin > 0 &&
+           words_.Says(room.begin - 1, {"the", "an", "its"}) && words_.Is(room.end, "door_verbs");
   }
 
   // The kitchen door, next to the kitchen.
   bool IsOutside(const NamedRoom& room) const {
     const std::size_t next = words_.IsHyphen(room.end) ? room.end + 1 : room.end;
-    if (IsAmong(kOpeningNouns, words_.At(next))) return true;
+    if (words_.Is(next, "openings")) return true;
     std::size_t at = room.begin;
-    while (at > 0 && IsAmong("the a an my our adjoining adjacent small main", words_.At(at - 1))) --at;
-    return at > 0 && IsAmong("to onto into from near off beside overlooking adjoining next", words_.At(at - 1));
+    while (at > 0 && words_.Is(at - 1, "before_a_room")) --at;
+    return at > 0 && words_.Is(at - 1, "on_the_way_to");
   }
 
   bool Closes(std::size_t i) const {
-    return i >= words_.size() || words_.IsSign(i) || words_.IsNumber(i) || IsAmong(kFollowing, words_.At(i));
+    return i >= words_.size() || words_.IsSign(i) || words_.IsNumber(i) || words_.Is(i, "after_a_room");
   }
 
   // "with a small home office", "with a library and a piano": not "with a view of the church".
@@ -149,8 +118,8 @@ class RoomKindReader {
     constexpr std::size_t kMostWords = 4;
     for (std::size_t back = 1; back <= kMostWords && back <= i; ++back) {
       const std::string_view word = words_.At(i - back);
-      if (IsAmong(kHavingWords, word) || IsAmong("and , plus", word)) return word != "without";
-      if (IsAmong("of in on at by for to from near like as", word) || words_.EndsSentence(i - back)) return false;
+      if (IsIn("having", word) || IsOneOf(word, {"and", ",", "plus"})) return word != "without";
+      if (IsIn("not_in_a_list", word) || words_.EndsSentence(i - back)) return false;
     }
     return false;
   }
@@ -161,27 +130,26 @@ class RoomKindReader {
     bool joined = false;
     for (std::size_t i = from; i < to; ++i) {
       // "a study that doubles as a guest room"
-      const bool between = IsAmong(kListWords, words_.At(i)) || IsAmong("cum doubles doubling", words_.At(i));
+      const bool between = words_.Is(i, "room_list_signs") || words_.Says(i, {"cum", "doubles", "doubling"});
       joined = joined || between;
-      if (!between && !IsAmong("a an the area room space that also as which", words_.At(i))) return false;
+      if (!between && !words_.Is(i, "between_uses")) return false;
     }
     return joined;
   }
 
   // "kitchen diner", "kitchen living room".
   static bool IsOpenPlan(const NamedRoom& a, const NamedRoom& b) {
-    constexpr std::string_view kLiving = "kitchen living dining";
-    const auto first = [](const NamedRoom& one) {
-      return std::string_view(one.archetype->name()).substr(0, one.archetype->name().find(' '));
+    const auto is_living = [](const NamedRoom& one) {
+      return IsIn("open_plan", std::string_view(one.archetype->name()).substr(0, one.archetype->name().find(' ')));
     };
-    return a.end == b.begin && IsAmong(kLiving, first(a)) && IsAmong(kLiving, first(b));
+    return a.end == b.begin && is_living(a) && is_living(b);
   }
 
   // The rank of a name as that of the room itself: the higher, the likelier.
   static int RankOf(const Found& found) {
     const int length = static_cast<int>(std::min<std::size_t>(found.room.end - found.room.begin, 100));
     const int head = found.outside ? 0 : found.within ? 1 : 2;
-    const int own = Serves(*found.room.archetype) ? 0 : 1;
+    const int own = found.room.archetype->serving() ? 0 : 1;
     return ((head * 2 + own) * 2 + (found.use ? 0 : 1)) * 128 + length;
   }
 
@@ -205,7 +173,7 @@ class RoomKindReader {
       const bool nested = one.room.begin >= kind.room.begin && one.room.end <= kind.room.end;
       if (nested) continue;
       const bool listed = one.list == head.list && head.closed && !one.within;
-      const bool serving = Serves(*one.room.archetype) || Serves(*kind.room.archetype);
+      const bool serving = one.room.archetype->serving() || kind.room.archetype->serving();
       if (listed && !serving) {
         kind.also.push_back(one.room);
       } else if (listed || one.had) {
@@ -238,23 +206,21 @@ class RoomKindReader {
     for (const Found& one : found_) {
       if (one.outside) continue;
       std::size_t at = one.room.end;
-      while (IsAmong("area zone space part is should be", words_.At(at))) ++at;
-      if (!IsAmong("at in on along to towards", words_.At(at))) continue;
+      while (words_.Is(at, "parts_of_a_room")) ++at;
+      if (!words_.Is(at, "at_places")) continue;
       at = words_.BehindArticle(at + 1);
-      if (!IsAmong(kEndWords, words_.At(at)) || !IsAmong("end side wall corner part half", words_.At(at + 1))) continue;
+      if (!words_.Is(at, "ends_of_rooms") || !words_.Is(at + 1, "room_ends")) continue;
       kind.places.push_back(words_.Quote(one.room.begin, at + 2));
     }
   }
 
   const std::vector<Token>& tokens_;
-  const OpeningWords words_;
+  const BriefText words_;
   const Handbook& handbook_;
   std::vector<Found> found_;
 };
 
 }  // namespace
-
-bool IsServing(const hb::Archetype& archetype) { return Serves(archetype); }
 
 RoomKind ReadRoomKind(const std::vector<Token>& tokens, const Handbook& handbook) {
   return RoomKindReader(tokens, handbook).Read();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/handbook/reading/sayings.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 
@@ -25,9 +25,6 @@ struct RoomKind {
   // Words that say where in the room one of its uses lies: "kitchen at the east end".
   std::vector<std::string> places;
 };
-
-// Whether a kind of room belongs to another one, as a bathroom to a bedroom.
-bool IsServing(const hb::Archetype& archetype);
 
 // Reads it. What comes before "with" is the room, what comes after is in it; of several the longest name counts, then
 // the first. Rooms that serve another ("en suite") are that only when no other is named. Linear in the text.

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "language_worker/handbook/program/room_program.h"
-#include "language_worker/handbook/reading/foreign_words.h"
+#include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/testing/test_handbook.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 // "living dining room + kitchen; bathroom": the room, what it is too, what it has.
 std::string KindIn(const std::string& text) {
-  const RoomKind kind = ReadRoomKind(Tokenize(text), TheHandbook());
+  const RoomKind kind = ReadRoomKind(TokensOf(text), TheHandbook());
   if (kind.room.archetype == nullptr) return "";
   std::string told = kind.room.archetype->name();
   for (const NamedRoom& one : kind.also) told += " + " + one.archetype->name();
@@ -109,7 +109,7 @@ TEST(RoomKind, SeveralKindsHaveTheFurnitureOfAll) {
 }
 
 TEST(RoomKind, SaysWhereAUseLies) {
-  EXPECT_EQ(ReadRoomKind(Tokenize("Kitchen/dining room, kitchen at the east end"), TheHandbook()).places,
+  EXPECT_EQ(ReadRoomKind(TokensOf("Kitchen/dining room, kitchen at the east end"), TheHandbook()).places,
             std::vector<std::string>{"kitchen at the east end"});
 }
 
@@ -122,12 +122,12 @@ TEST(RoomKind, WhatIsNoPartOfTheRoomIsReported) {
 TEST(RoomKind, OtherLanguagesAreTold) {
   for (const char* text : {"Wohnzimmer 5m x 4m", "Ein Wohnzimmer mit Sofa", "Une chambre avec un grand lit",
                            "Salon avec canapé", "Cozinha com mesa", "Slaapkamer met een bed"}) {
-    EXPECT_TRUE(IsForeign(Tokenize(text))) << text;
+    EXPECT_TRUE(IsForeign(TokensOf(text))) << text;
     EXPECT_TRUE(Remarks(RoomOf(text), "language_not_known")) << text;
   }
   for (const char* text : {"Bedroom 4x4 m", "A salon with a sofa", "sofa, bed", "Living room, chaise longue, 5 x 4 m",
                            "A room for a Wohnzimmer fan"}) {
-    EXPECT_FALSE(IsForeign(Tokenize(text))) << text;
+    EXPECT_FALSE(IsForeign(TokensOf(text))) << text;
   }
 }
 

@@ -2,49 +2,37 @@
 #include "language_worker/handbook/reading/shape_phrase.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "language_worker/handbook/reading/vocabulary.h"
+
 namespace flair::language {
 namespace {
-
-// Outlines that people ask for and that the handbook does not draw.
-constexpr std::array<std::string_view, 17> kUnknown = {
-    "round",       "circular",     "oval",      "elliptical",  "hexagonal", "octagonal",
-    "pentagonal",  "triangular",   "trapezoid", "trapezoidal", "polygonal", "irregular",
-    "irregularly", "semicircular", "curved",    "diamond",     "rhombic"};
-// The same, said by naming a part of the house.
-constexpr std::array<std::string_view, 3> kPlaces = {"attic", "mansard", "garret"};
 
 // How far from the word the noun may stand that it speaks of.
 constexpr std::size_t kReach = 8;
 
 class ShapeReader {
  public:
-  ShapeReader(const std::vector<Token>& tokens, const Handbook& handbook) : tokens_(tokens), handbook_(handbook) {}
+  ShapeReader(const std::vector<Token>& tokens, const Handbook& handbook)
+      : text_(tokens), tokens_(tokens), vocabulary_(handbook.vocabulary()) {}
 
   ShapeRequest Read() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const auto [letter, length] = LetterAt(i);
       if (length > 0 && IsOfRoom(i, i + length).value_or(true)) return OfLetter(letter);
-      if (Is(i, kPlaces) && IsOfRoom(i, i + 1).value_or(true)) return {RoomShape::kRectangle, tokens_[i].text};
+      if (text_.Is(i, "sloped_rooms") && IsOfRoom(i, i + 1).value_or(true))
+        return {RoomShape::kRectangle, tokens_[i].text};
       // "all year round": without a room such words mean something else.
-      if (Is(i, kUnknown) && IsOfRoom(i, i + 1).value_or(false)) return {RoomShape::kRectangle, tokens_[i].text};
+      if (text_.Is(i, "shapes") && IsOfRoom(i, i + 1).value_or(false)) return {RoomShape::kRectangle, tokens_[i].text};
     }
     return {};
   }
 
  private:
-  const std::string& Text(std::size_t i) const { return i < tokens_.size() ? tokens_[i].text : empty_; }
-
-  template <std::size_t N>
-  bool Is(std::size_t i, const std::array<std::string_view, N>& words) const {
-    return std::find(words.begin(), words.end(), Text(i)) != words.end();
-  }
-
   static ShapeRequest OfLetter(char letter) {
     if (letter == 'l') return {RoomShape::kL, ""};
     if (letter == 't') return {RoomShape::kT, ""};
@@ -55,15 +43,15 @@ class ShapeReader {
   // "l-shaped", "l shape", "shaped like an l" from token i on: the letter and how many tokens say it.
   std::pair<char, std::size_t> LetterAt(std::size_t i) const {
     const auto letter = [&](std::size_t k) {
-      return Text(k).size() == 1 && Text(k)[0] >= 'a' && Text(k)[0] <= 'z' ? Text(k)[0] : '\0';
+      return text_.At(k).size() == 1 && text_.At(k)[0] >= 'a' && text_.At(k)[0] <= 'z' ? text_.At(k)[0] : '\0';
     };
-    const std::size_t after = Text(i + 1) == "-" ? i + 2 : i + 1;
-    const bool shape = Text(after) == "shaped" || Text(after) == "shape";
+    const std::size_t after = text_.At(i + 1) == "-" ? i + 2 : i + 1;
+    const bool shape = text_.At(after) == "shaped" || text_.At(after) == "shape";
     const bool known = letter(i) == 'l' || letter(i) == 't' || letter(i) == 'u';
     // "where I shape clay" and "its shape" speak of no letter.
     if (letter(i) != '\0' && shape && (known || after == i + 2)) return {letter(i), after + 1 - i};
-    const bool like = Text(i) == "shaped" && (Text(i + 1) == "like" || Text(i + 1) == "as");
-    const bool article = Text(i + 2) == "a" || Text(i + 2) == "an" || Text(i + 2) == "the";
+    const bool like = text_.At(i) == "shaped" && (text_.At(i + 1) == "like" || text_.At(i + 1) == "as");
+    const bool article = text_.At(i + 2) == "a" || text_.At(i + 2) == "an" || text_.At(i + 2) == "the";
     if (like && article && letter(i + 3) != '\0') return {letter(i + 3), 4};
     return {'\0', 0};
   }
@@ -87,43 +75,21 @@ class ShapeReader {
   // Sets `noun` when one that is known begins at i: true for the room, false for furniture. How many tokens it has
   // besides the first.
   std::size_t ReadNoun(std::size_t i, std::optional<bool>& noun) const {
-    const std::size_t room = RoomWordAt(i), piece = FurnitureAt(i);
+    const std::size_t word = text_.Is(i, "room_words") ? 1 : 0;
+    const std::size_t room = std::max(word, LongestAt(vocabulary_.rooms, tokens_, i, /*plural=*/true).second);
+    const std::size_t piece = LongestAt(vocabulary_.names, tokens_, i, /*plural=*/true).second;
     if (room == 0 && piece == 0) return 0;
     noun = room >= piece;
     return std::max(room, piece) - 1;
   }
 
   bool EndsClause(std::size_t i) const {
-    static constexpr std::array<std::string_view, 12> kEnds = {"with",  "of",  "and", "for", "that", "which",
-                                                               "where", "but", "in",  "on",  "at",   "without"};
-    return tokens_[i].kind == Token::Kind::kSign ? Text(i) != "-" : Is(i, kEnds);
+    return tokens_[i].kind == Token::Kind::kSign ? text_.At(i) != "-" : text_.Is(i, "shape_ends");
   }
 
-  std::size_t FurnitureAt(std::size_t i) const {
-    std::size_t longest = 0;
-    for (const hb::Furniture& furniture : handbook_.contents().furniture()) {
-      longest = std::max(longest, Phrase(furniture.name()).MatchAt(tokens_, i));
-      for (const std::string& other : furniture.synonyms())
-        longest = std::max(longest, Phrase(other).MatchAt(tokens_, i));
-    }
-    return longest;
-  }
-
-  std::size_t RoomWordAt(std::size_t i) const {
-    static constexpr std::array<std::string_view, 11> kWords = {
-        "room", "space", "floor", "plan", "layout", "flat", "house", "area", "studio", "apartment", "loft"};
-    std::size_t longest = Is(i, kWords) ? 1 : 0;
-    for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
-      longest = std::max(longest, Phrase(archetype.name()).MatchAt(tokens_, i));
-      for (const std::string& other : archetype.synonyms())
-        longest = std::max(longest, Phrase(other).MatchAt(tokens_, i));
-    }
-    return longest;
-  }
-
+  const BriefText text_;
   const std::vector<Token>& tokens_;
-  const Handbook& handbook_;
-  const std::string empty_;
+  const Vocabulary& vocabulary_;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 class ShapePhrase : public testing::Test {
  protected:
-  static ShapeRequest Read(const std::string& text) { return ReadShape(Tokenize(text), TheHandbook()); }
+  static ShapeRequest Read(const std::string& text) { return ReadShape(TokensOf(text), TheHandbook()); }
 };
 
 TEST_F(ShapePhrase, ReadsLettersInAllTheirSpellings) {

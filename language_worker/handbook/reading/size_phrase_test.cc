@@ -5,24 +5,16 @@
 
 #include <string>
 
+#include "language_worker/handbook/testing/test_handbook.h"
+
 namespace flair::language {
 namespace {
 
-hb::Handbook Words() {
-  hb::Handbook handbook;
-  hb::SizeWord& small = *handbook.add_size_words();
-  small.add_words("small");
-  small.set_area_factor(0.75);
-  hb::SizeWord& square = *handbook.add_size_words();
-  square.add_words("square");
-  square.set_side_ratio(1);
-  hb::SizeWord& narrow = *handbook.add_size_words();
-  narrow.add_words("narrow");
-  narrow.set_side_ratio(0.5);
-  return handbook;
+absl::StatusOr<SizeRequest> Read(const std::string& text) {
+  const std::vector<Token> tokens = TokensOf(text);
+  std::vector<bool> used(tokens.size());
+  return ReadSize(tokens, TheHandbook(), used);
 }
-
-absl::StatusOr<SizeRequest> Read(const std::string& text) { return ReadSize(Tokenize(text), Words()); }
 
 struct PairCase {
   const char* name;
@@ -92,23 +84,13 @@ TEST(ReadSize, KnowsSizeWords) {
   EXPECT_FALSE(Read("a room")->in_numbers());
 }
 
-// As Words, with furniture and kinds of room.
-hb::Handbook Things() {
-  hb::Handbook handbook = Words();
-  for (const char* name : {"desk", "coffee table", "bed", "sofa", "piano", "bookshelf"}) {
-    handbook.add_furniture()->set_name(name);
-  }
-  for (const char* name : {"bedroom", "living room", "music room"}) handbook.add_archetypes()->set_name(name);
-  return handbook;
-}
-
 TEST(ReadSize, LeavesTheSizesOfThingsInTheRoomAlone) {
   for (const char* text :
        {"A bedroom with a 0.6m x 0.4m desk", "A living room, TV 65 inches, 120cm x 60cm coffee table",
         "a bedroom with a desk of 1.6 m x 0.8 m", "a bedroom with a desk (1.6 x 0.8 m)", "a 2.4 m high bookshelf",
         "a 2 m long sofa", "a studio with canvases of 3m x 2m", "a room for a giant who is 20 m tall",
         "a bedroom with a solid oak desk that is 1.8 m wide", "a bedroom with a 2m x 2m double bed"}) {
-    const absl::StatusOr<SizeRequest> size = ReadSize(Tokenize(text), Things());
+    const absl::StatusOr<SizeRequest> size = Read(text);
     ASSERT_TRUE(size.ok()) << text << ": " << size.status();
     EXPECT_FALSE(size->in_numbers()) << text;
     EXPECT_FALSE(size->height_m.has_value()) << text;
@@ -116,20 +98,16 @@ TEST(ReadSize, LeavesTheSizesOfThingsInTheRoomAlone) {
 }
 
 TEST(ReadSize, SizeWordsOfThingsAndPeopleAreNotTheRooms) {
-  hb::Handbook handbook = Things();
-  handbook.mutable_size_words(0)->add_words("grand");
-  handbook.mutable_size_words(0)->add_words("little");
-  handbook.mutable_furniture(4)->add_synonyms("baby grand");
   for (const char* text :
        {"a bedroom with a small desk", "A bedroom, small desk and sofa", "a music room with a grand piano",
         "a living room with a baby grand", "a living room with small windows", "a bedroom for a little girl",
         "a bedroom with a bed and a small aquarium", "a bedroom with a sofa that is small"}) {
-    EXPECT_EQ(ReadSize(Tokenize(text), handbook)->area_factor, 1) << text;
+    EXPECT_EQ(Read(text)->area_factor, 1) << text;
   }
   for (const char* text : {"a small bedroom with a desk", "a bedroom that is small", "a bedroom, small and bright",
                            "a bedroom for two, small", "a small bedroom for a little girl", "small",
                            "a small solid bedroom with a grand piano", "a sofa and a desk in a small room"}) {
-    EXPECT_EQ(ReadSize(Tokenize(text), handbook)->area_factor, 0.75) << text;
+    EXPECT_EQ(Read(text)->area_factor, 0.75) << text;
   }
 }
 
@@ -138,7 +116,7 @@ TEST(ReadSize, FindsTheRoomsSizeBesideThoseOfThings) {
                            "A bedroom of 4m x 5m with a bed", "a boutique of 4m x 5m", "a 4 x 5 m piano room",
                            "A bedroom with a desk and a bed, 4m x 5m", "a 4 x 5 m music room with a 2.4 m wide piano",
                            "bed, desk, sofa; 4m x 5m", "A 4m x 5m space for a sofa"}) {
-    const absl::StatusOr<SizeRequest> size = ReadSize(Tokenize(text), Things());
+    const absl::StatusOr<SizeRequest> size = Read(text);
     ASSERT_TRUE(size.ok()) << text << ": " << size.status();
     ASSERT_TRUE(size->width_m && size->depth_m) << text;
     EXPECT_EQ(*size->width_m, 4) << text;

@@ -1,9 +1,122 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/handbook/reading/vocabulary.h"
 
-#include <utility>
+#include <set>
+
+#include "english/words.h"
 
 namespace flair::language {
+namespace {
+
+constexpr std::size_t kShortest = 5;
+constexpr std::size_t kLongest = 24;  // words of that many letters are no English any more
+constexpr std::size_t kMostCorrections = 20;
+
+std::string FirstKey(std::string_view word) { return "<" + std::string(word.substr(0, 2)); }
+std::string LastKey(std::string_view word) { return ">" + std::string(word.substr(word.size() - 2)); }
+
+template <typename T, typename Others>
+void AddSayings(const std::string& name, const Others& others, const T& meaning, std::vector<Saying<T>>& sayings) {
+  if (!name.empty()) sayings.push_back({Phrase(name), &meaning});
+  for (const std::string& other : others) sayings.push_back({Phrase(other), &meaning});
+}
+
+}  // namespace
+
+bool IsOneEditAway(std::string_view a, std::string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  if (b.size() - a.size() > 1 || a == b) return false;
+  std::size_t same = 0;
+  while (same < a.size() && a[same] == b[same]) ++same;
+  if (a.size() < b.size()) return a.substr(same) == b.substr(same + 1);
+  if (a.substr(same + 1) == b.substr(same + 1)) return true;
+  return same + 1 < a.size() && a[same] == b[same + 1] && a[same + 1] == b[same] &&
+         a.substr(same + 2) == b.substr(same + 2);
+}
+
+Speller::Speller(const hb::Handbook& handbook) {
+  const auto learn = [this](const auto& phrases, bool corrects) {
+    for (const std::string& phrase : phrases) Learn(phrase, corrects);
+  };
+  for (const hb::Furniture& furniture : handbook.furniture()) {
+    Learn(furniture.name(), true);
+    learn(furniture.synonyms(), true);
+  }
+  for (const hb::Archetype& archetype : handbook.archetypes()) {
+    Learn(archetype.name(), true);
+    learn(archetype.synonyms(), true);
+    learn(archetype.hints(), false);
+  }
+  for (const hb::NamedColour& colour : handbook.colours()) {
+    Learn(colour.name(), true);
+    learn(colour.synonyms(), true);
+  }
+  for (const hb::Noun& noun : handbook.nouns()) {
+    learn(noun.words(), true);
+    for (const hb::NounOption& option : noun.options()) learn(option.modifiers(), false);
+  }
+  for (const hb::Style& style : handbook.styles()) Learn(style.name(), true);
+  for (const hb::Theme& theme : handbook.themes()) learn(theme.keywords(), false);
+  for (const hb::Need& need : handbook.needs()) {
+    learn(need.keywords(), false);
+    learn(need.also_keywords(), false);
+  }
+  for (const hb::SizeWord& size : handbook.size_words()) learn(size.words(), false);
+  for (const hb::CountWord& count : handbook.count_words()) learn(count.words(), false);
+  for (const hb::AskedPlace& place : handbook.asked_places()) learn(place.words(), false);
+  learn(handbook.other_things(), false);
+  learn(handbook.common_words(), false);
+}
+
+void Speller::Learn(std::string_view phrase, bool corrects) {
+  for (const Token& token : TokensOf(phrase)) {
+    if (token.kind != Token::Kind::kWord) continue;
+    const bool fresh = right_.insert(token.text).second;
+    // Whatever follows is also right: "bunks", "painted".
+    if (!corrects || token.text.size() < kShortest) continue;
+    for (const std::string& form : {token.text, token.text + "s"}) {
+      if (form != token.text) right_.insert(form);
+      for (const std::string& key : {FirstKey(form), LastKey(form)}) {
+        std::vector<std::string>& words = by_ends_[key];
+        if (fresh || std::ranges::find(words, form) == words.end()) words.push_back(form);
+      }
+    }
+  }
+}
+
+std::string Speller::MeantBy(std::string_view word) const {
+  if (word.size() < kShortest || word.size() > kLongest || IsRight(std::string(word))) return "";
+  // Forms of words that are right: "tables", "painted", "shelves".
+  if (IsRight(english::Singular(word)) || IsRight(english::British(word))) return "";
+  for (const std::string_view ending : {"es", "ed", "d", "ing", "ly", "er", "y", "n", "r"}) {
+    if (word.ends_with(ending) && IsRight(std::string(word.substr(0, word.size() - ending.size())))) return "";
+  }
+  std::string meant;
+  for (const std::string& key : {FirstKey(word), LastKey(word)}) {
+    const auto words = by_ends_.find(key);
+    if (words == by_ends_.end()) continue;
+    for (const std::string& known : words->second) {
+      if (known == meant || !IsOneEditAway(word, known)) continue;
+      if (!meant.empty() && english::Singular(known) != english::Singular(meant)) return "";
+      // Of "chair" and "chairs" that with as many letters.
+      if (meant.empty() || known.size() == word.size()) meant = known;
+    }
+  }
+  return meant;
+}
+
+std::vector<Correction> Speller::Correct(std::vector<Token>& tokens) const {
+  std::vector<Correction> corrections;
+  std::set<std::string> done;
+  for (Token& token : tokens) {
+    if (token.kind != Token::Kind::kWord || corrections.size() >= kMostCorrections) continue;
+    std::string meant = MeantBy(token.text);
+    if (meant.empty()) continue;
+    if (done.insert(token.text).second) corrections.push_back({token.text, meant});
+    token.text = std::move(meant);
+  }
+  return corrections;
+}
 
 Vocabulary::Vocabulary(const Handbook& handbook) : speller(handbook.contents()) {
   for (const hb::Noun& noun : handbook.contents().nouns()) {
@@ -21,6 +134,12 @@ Vocabulary::Vocabulary(const Handbook& handbook) : speller(handbook.contents()) 
   }
   for (const hb::Furniture& furniture : handbook.contents().furniture()) {
     AddSayings(furniture.name(), furniture.synonyms(), furniture, names);
+  }
+  for (const hb::Archetype& archetype : handbook.contents().archetypes()) {
+    if (!archetype.fallback()) AddSayings(archetype.name(), archetype.synonyms(), archetype, rooms);
+  }
+  for (const hb::NamedColour& colour : handbook.contents().colours()) {
+    AddSayings(colour.name(), colour.synonyms(), colour, colours);
   }
   for (const std::string& words : handbook.contents().other_things()) other_things.emplace_back(words);
 }

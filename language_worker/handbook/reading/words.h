@@ -1,41 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A brief's words, and phrases found among them. Lists of words are those of english/data/en/briefs.textproto, asked
+// for by their names.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "english/text.h"
+
 namespace flair::language {
 
-// A piece of a brief: a word (letters, lower case), a number, or a single sign.
-struct Token {
-  enum class Kind { kWord, kNumber, kSign };
-  Kind kind = Kind::kSign;
-  std::string text;    // lower case; typographic quotes, primes and multiplication signs as ', " and x
-  double number = 0;   // of kNumber; a comma between digits is a decimal point
-  bool glued = false;  // no space before it
-};
+using english::Token;
 
-// Splits UTF-8 text. Bytes that belong to no word or number become signs. Number words from thirteen on are numbers, as
-// if written in digits. Linear in the length of the text.
-std::vector<Token> Tokenize(std::string_view text);
+// The tokens of a text. Number words from thirteen on are numbers, as if written in digits. Linear in its length.
+std::vector<Token> TokensOf(std::string_view text);
 
 // "one" to "twelve", "a", "an", "both", "pair" and the like; nothing for other words.
 std::optional<int> NumberWord(std::string_view word);
 
-// Whether `word` is `stem`, or a plural of it in -s, -es, -ies or -ves. A stem that ends in '*' stands for any ending.
-bool MatchesWord(std::string_view word, std::string_view stem);
+// Whether two words are forms of one noun; a `base` that ends in '*' stands for any ending.
+bool MatchesWord(std::string_view word, std::string_view base);
 
-// Whether "six WORD" counts those whom the room is for: people, guests, children ...
-bool CountsPeople(std::string_view word);
+// Whether the list of that name has the word, or a form of it.
+bool IsIn(std::string_view list, std::string_view word);
+bool IsFormIn(std::string_view list, std::string_view word);
+inline bool IsOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
 
-// Whether a list has a word, exactly.
-template <typename List>
-bool IncludesWord(const List& list, std::string_view word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
+// Whether a list has an item.
+template <typename List, typename Item>
+bool Includes(const List& list, const Item& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
 }
 
 // Phrases looked for in a text, as words; "{n}" in a phrase matches a number.
@@ -55,6 +56,47 @@ class Phrase {
   std::size_t MatchSpelling(const std::vector<Token>& tokens, std::size_t start, bool plural) const;
 
   std::vector<std::string> words_;
+};
+
+// The words of the list of that name, in its order, and the same as phrases.
+const std::vector<std::string>& WordsOf(std::string_view list);
+const std::vector<Phrase>& PhrasesOf(std::string_view list);
+
+// Tokens as readers look at them: beyond the end there are empty words. The tokens must outlive it.
+class BriefText {
+ public:
+  explicit BriefText(const std::vector<Token>& tokens) : tokens_(tokens) {}
+
+  std::size_t size() const { return tokens_.size(); }
+  const std::vector<Token>& tokens() const { return tokens_; }
+  std::string_view At(std::size_t i) const { return i < size() ? std::string_view(tokens_[i].text) : ""; }
+  bool IsSign(std::size_t i) const { return i < size() && tokens_[i].kind == Token::Kind::kSign; }
+  bool IsNumber(std::size_t i) const { return i < size() && tokens_[i].kind == Token::Kind::kNumber; }
+  bool IsWord(std::size_t i) const { return i < size() && tokens_[i].kind == Token::Kind::kWord; }
+  double NumberAt(std::size_t i) const { return i < size() ? tokens_[i].number : 0; }
+  bool IsHyphen(std::size_t i) const { return IsSign(i) && At(i) == "-" && tokens_[i].glued; }  // within a word
+  bool EndsSentence(std::size_t i) const { return i >= size() || (IsSign(i) && IsOneOf(At(i), {".", ";", "!", "?"})); }
+
+  // Whether the word there is in the list of that name, or one of these.
+  bool Is(std::size_t i, std::string_view list) const { return i < size() && IsIn(list, At(i)); }
+  bool Says(std::size_t i, std::initializer_list<std::string_view> words) const {
+    return i < size() && IsOneOf(At(i), words);
+  }
+
+  // The index behind a phrase that stands there, hyphens passed over; nothing when it does not.
+  std::optional<std::size_t> Behind(std::size_t i, std::string_view phrase) const;
+  // The index behind the longest phrase of a list that stands there.
+  std::optional<std::size_t> BehindPhrase(std::size_t i, std::string_view list) const;
+  // Behind the words "the", "a", "your" and the like, if any.
+  std::size_t BehindArticle(std::size_t i) const { return Is(i, "articles") ? i + 1 : i; }
+
+  // A length with its unit, metres, which begins at a number: "1.2 m", "90cm", "3 ft", "4'"; `end` is behind it.
+  std::optional<double> LengthAt(std::size_t i, std::size_t& end) const;
+
+  std::string Quote(std::size_t begin, std::size_t end) const;
+
+ private:
+  const std::vector<Token>& tokens_;
 };
 
 }  // namespace flair::language

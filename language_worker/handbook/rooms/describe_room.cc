@@ -56,19 +56,32 @@ void Remark(v1::Severity severity, const char* code, const std::string& message,
   diagnostic.set_message(message);
 }
 
-// What of the brief went unheard.
-void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::Room& room) {
+// Which kind of room was taken for that of the brief.
+void RemarkOnKind(const BriefFacts& facts, const hb::Archetype& archetype, v1::Room& room) {
   if (!facts.archetype_named) {
     Remark(v1::SEVERITY_WARNING, "room_type_assumed",
-           "The brief names no kind of room that the handbook knows; it is furnished as a " + archetype.name() + ".",
+           facts.room_words.empty()
+               ? fmt::format("The brief names no kind of room; it is furnished as a {}.", archetype.name())
+               : fmt::format("The handbook knows no kind of room called \"{}\"; it is furnished as a {}.",
+                             facts.room_words, archetype.name()),
            room);
+  } else if (facts.room_words != archetype.name()) {
+    Remark(v1::SEVERITY_NOTE, "room_type_taken",
+           fmt::format("\"{}\" is furnished as a {}.", facts.room_words, archetype.name()), room);
   }
+}
+
+// What of the brief was read otherwise, or not at all.
+void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::Room& room) {
   if (!facts.reads_as_english) {
     Remark(v1::SEVERITY_WARNING, "language_not_known",
-           "The brief does not read as English, the one language of the handbook; what it asks for was largely not "
-           "understood. A language model understands others.",
+           fmt::format("The brief does not read as English, the only language of the handbook: its numbers were read, "
+                       "and it is furnished as a {}. A language model understands other languages.",
+                       archetype.name()),
            room);
+    return;
   }
+  RemarkOnKind(facts, archetype, room);
   if (!facts.other_rooms.empty()) {
     Remark(v1::SEVERITY_WARNING, "other_rooms_named",
            fmt::format("One room is designed ({}); nothing was made of \"{}\", {}.", archetype.name(),
@@ -96,6 +109,11 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
     Remark(v1::SEVERITY_WARNING, "words_not_known",
            fmt::format("The handbook has no word for \"{}\"; nothing was made of it. A language model may.",
                        fmt::join(facts.not_known, "\", \"")),
+           room);
+  }
+  if (!facts.unheard.empty()) {
+    Remark(v1::SEVERITY_WARNING, "words_not_heard",
+           fmt::format("Not understood, and nothing was made of it: \"{}\".", fmt::join(facts.unheard, "\", \"")),
            room);
   }
 }
@@ -139,7 +157,7 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
   room.set_room_type(archetype.name());
   room.set_title(TitleOf(brief.text()));
   room.set_height_m(size.height_m);
-  SetFloor(ReadShape(Tokenize(brief.text()), handbook), facts.size, size, choice, room);
+  SetFloor(ReadShape(TokensOf(brief.text()), handbook), facts.size, size, choice, room);
   const std::vector<std::string> not_made = AddOpenings(PlanOpenings(facts, archetype, FloorArea(room)), choice, room);
   if (!size.assumption.empty()) Remark(v1::SEVERITY_NOTE, "size_assumed", size.assumption, room);
   RemarkOnBrief(facts, archetype, room);

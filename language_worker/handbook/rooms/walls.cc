@@ -110,7 +110,7 @@ std::optional<int> OneWord(const v1::Room& room, const std::string& word) {
 // "northeast" as its two words.
 std::vector<std::string> SideWords(std::string_view words) {
   std::vector<std::string> all;
-  for (const Token& token : Tokenize(words)) {
+  for (const Token& token : TokensOf(words)) {
     if (token.text.size() == 9 && (token.text.starts_with("north") || token.text.starts_with("south"))) {
       all.push_back(token.text.substr(0, 5));
       all.push_back(token.text.substr(5));

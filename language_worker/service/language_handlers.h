@@ -14,14 +14,16 @@
 
 namespace flair::language {
 
-// Answers the six requests of the language phase with a model. Each validates its request, returns what the brief
-// itself brings, else asks the model; a step that fails for the model's sake, and nothing else, is answered by the
-// handbook where the request allows that, and a remark "stand_in" says so. Thread-safe; every call blocks its thread
-// until the model has answered.
-class ModelHandlers {
+// Answers the six requests of the language phase. Each validates its request; returns what the brief itself brings, by
+// the method "brief" (INVALID_ARGUMENT when that does not go with what it belongs to); else asks the model, or, without
+// one, the handbook. A step that fails because of the model, and for no other reason, is answered by the handbook where
+// the request allows that, and a remark "stand_in" says so. Thread-safe; every call to a model blocks its thread until
+// the model has answered.
+class LanguageHandlers {
  public:
   // `handbook` must outlive it.
-  ModelHandlers(const Handbook& handbook, std::unique_ptr<llm::LlmClient> client, llm::PromptLibrary prompts);
+  explicit LanguageHandlers(const Handbook& handbook) : handbook_(handbook) {}
+  LanguageHandlers(const Handbook& handbook, std::unique_ptr<llm::LlmClient> client, llm::PromptLibrary prompts);
 
   absl::StatusOr<v1::DescribeRoomResponse> Handle(const v1::DescribeRoomRequest& request,
                                                   runtime::CallContext& call) const;
@@ -36,19 +38,24 @@ class ModelHandlers {
                                                       runtime::CallContext& call) const;
 
  private:
-  v1::Producer Producer(const llm::Conversation& conversation, bool stood_in) const;
+  // What asking a model takes.
+  struct Model {
+    Model(const Handbook& handbook, std::unique_ptr<llm::LlmClient> client, llm::PromptLibrary prompts);
 
-  // Asks with `ask(Conversation&)`, else `stand_in()`, both of which return the artifact, and puts it where `part` of
-  // the response points to.
+    const std::unique_ptr<llm::LlmClient> client;
+    const llm::PromptLibrary prompts;
+    const FurnitureIndex furniture;
+    const ModelTools tools;
+  };
+
+  // Asks with `ask(Conversation&, ModelTools)`, else `stand_in()`, both of which return the artifact, and puts it where
+  // `part` of the response points to.
   template <typename Response, typename Request, typename Ask, typename StandIn, typename Part>
   absl::StatusOr<Response> Answer(const Request& request, runtime::CallContext& call, const Ask& ask,
                                   const StandIn& stand_in, Part part) const;
 
   const Handbook& handbook_;
-  const std::unique_ptr<llm::LlmClient> client_;
-  const llm::PromptLibrary prompts_;
-  const FurnitureIndex furniture_;
-  const ModelTools tools_;
+  std::unique_ptr<const Model> model_;  // null: the handbook answers
 };
 
 }  // namespace flair::language

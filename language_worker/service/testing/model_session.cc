@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/service/model_session.h"
+#include "language_worker/service/testing/model_session.h"
 
 #include <cstdlib>
 #include <utility>

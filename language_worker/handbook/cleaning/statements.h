@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What single sentences of a constraint list state.
 #pragma once
 
 #include <string>
@@ -8,11 +9,18 @@
 
 namespace flair::language {
 
+// The single statements of a sentence that says several things, in order; the sentence alone when it says one:
+//   "The bed does not block doors or windows."           -> about doors; about windows
+//   "The desk is against a wall and near a socket."      -> "... is against a wall."; "The desk is near a socket."
+//   "The sofa faces the window and has its back to us."  -> "... faces the window."; "The sofa has its back to us."
+//   "Keep the door free; leave space around the bed."    -> both
+std::vector<std::string> SplitStatements(const std::string& text);
+
 // What a sentence claims about where its first subject is, as far as contradictions go.
 struct Stance {
   enum class Kind { kNone, kAtWall, kOffWalls, kCentral, kInCorner, kNear, kAway, kFacing, kNotFacing };
   Kind kind = Kind::kNone;
-  // Who: the first subject id, else the words before the verb.
+  // Who: the first subject id.
   std::string subject;
   // Of what: "window", "door", "socket", a named wall such as "north wall", or the id of the second subject.
   std::string partner;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/handbook/reading/speller.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ TEST(Speller, LeavesAloneWhatIsShortFarOrNearToSeveral) {
 }
 
 TEST(Speller, ReplacesEveryOneAndTellsEachOnce) {
-  std::vector<Token> tokens = Tokenize("a kichen, another kichen and a tabel");
+  std::vector<Token> tokens = TokensOf("a kichen, another kichen and a tabel");
   const std::vector<Correction> corrections = TheSpeller().Correct(tokens);
   ASSERT_EQ(corrections.size(), 2u);
   EXPECT_EQ(corrections[0].written, "kichen");

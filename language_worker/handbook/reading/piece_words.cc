@@ -1,31 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/handbook/reading/piece_count.h"
+#include "language_worker/handbook/reading/piece_words.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "language_worker/handbook/reading/sayings.h"
+#include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
+
 namespace {
 
 // "three-seat", "2 seater", "six-drawer", "ten-foot", "65-inch", "2 m long": how large a piece is, not how many of it.
 bool MeasuresThePiece(const std::vector<Token>& tokens, std::size_t i) {
-  constexpr std::array<std::string_view, 33> kMeasures = {
-      "seat",  "seats", "seater", "person", "drawer", "door",  "tier", "piece", "leg",    "legged", "poster",
-      "bulb",  "arm",   "armed",  "burner", "panel",  "shelf", "foot", "feet",  "ft",     "m",      "metre",
-      "meter", "cm",    "mm",     "inch",   "inches", "\"",    "'",    "litre", "string", "bay",    "light"};
   if (tokens[i].kind != Token::Kind::kNumber && !NumberWord(tokens[i].text)) return false;
   std::size_t next = i + 1;
   if (next < tokens.size() && tokens[next].text == "-" && tokens[next].glued) ++next;
   const bool one = tokens[i].text == "a" || tokens[i].text == "an";
-  return !one && next < tokens.size() && IncludesWord(kMeasures, tokens[next].text);
+  return !one && next < tokens.size() && IsIn("piece_measures", tokens[next].text);
 }
 
 }  // namespace
@@ -33,15 +29,12 @@ bool MeasuresThePiece(const std::vector<Token>& tokens, std::size_t i) {
 bool IsArticle(std::string_view word) { return word == "a" || word == "an" || word == "the"; }
 
 bool AsksForFew(const std::vector<Token>& tokens, std::size_t i) {
-  static const std::vector<Phrase> kFew = {Phrase("not too many"), Phrase("not many"),   Phrase("not so many"),
-                                           Phrase("hardly any"),   Phrase("barely any"), Phrase("few"),
-                                           Phrase("as few")};
   constexpr std::size_t kMostBack = 4;
   for (std::size_t back = 1; back <= kMostBack && back <= i; ++back) {
     const std::size_t at = i - back;
     if (tokens[at].kind == Token::Kind::kSign || tokens[at].text == "and" || tokens[at].text == "with") return false;
     const bool some = at > 0 && (tokens[at - 1].text == "a" || tokens[at - 1].text == "quite");
-    for (const Phrase& few : kFew) {
+    for (const Phrase& few : PhrasesOf("few_phrases")) {
       const std::size_t length = few.MatchAt(tokens, at, /*plural=*/false);
       if (length > 0 && at + length <= i && !some) return true;
     }
@@ -78,12 +71,9 @@ int SeatsAfter(const std::vector<Token>& tokens, std::size_t i) {
   const int number = token.kind == Token::Kind::kNumber ? static_cast<int>(std::min(token.number, 1e6))
                                                         : NumberWord(token.text).value_or(0);
   // What may follow: "for six by the window". A number with another behind it is a size.
-  constexpr std::array<std::string_view, 22> kNext = {
-      "and",    "with",   "near",    "by",       "next", "in",    "on", "at",    "under", "beside", "against",
-      "behind", "facing", "between", "opposite", "to",   "along", "or", "close", "that",  "which",  "below"};
   const bool by_size = i + 3 < tokens.size() && tokens[i + 3].kind == Token::Kind::kNumber;
   const bool ends = i + 2 == tokens.size() || tokens[i + 2].kind == Token::Kind::kSign ||
-                    CountsPeople(tokens[i + 2].text) || (IncludesWord(kNext, tokens[i + 2].text) && !by_size);
+                    CountsPeople(tokens[i + 2].text) || (IsIn("after_seats", tokens[i + 2].text) && !by_size);
   return ends && number <= kMostSeats ? number : 0;
 }
 
@@ -139,6 +129,72 @@ PieceCount CountBefore(const Handbook& handbook, const std::vector<Token>& token
                         return 0;
                       }).second < length;
   return plural ? PieceCount{2, false} : PieceCount{};
+}
+
+std::string LastWord(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
+
+bool RefuseKind(const Handbook& handbook, const std::vector<Token>& tokens, std::size_t i, BriefFacts& facts) {
+  bool any = false;
+  for (const hb::Furniture& other : handbook.contents().furniture()) {
+    const std::string last = LastWord(other.name());
+    // Planters and bonsai are plants too.
+    const bool same = Phrase(last).MatchAt(tokens, i) == 1 || MatchesWord(tokens[i].text, other.category());
+    const bool compound = last.size() > 5 && last.ends_with("chair") && Phrase("chair").MatchAt(tokens, i) == 1;
+    if (same || compound) AddOnce(facts.refusals, &other);
+    any = any || same || compound;
+  }
+  return any;
+}
+
+bool IsRefused(const std::vector<Token>& tokens, std::size_t i) {
+  for (std::size_t back = 1; back <= 4 && back <= i; ++back) {
+    const std::string& word = tokens[i - back].text;
+    const std::string_view before = back < i ? std::string_view(tokens[i - back - 1].text) : std::string_view();
+    if (IsIn("place_prepositions", word)) return false;
+    if ((word == "of" && before == "instead") || (word == "than" && before == "rather")) return true;
+    if (word == "than") return false;
+    if (word == "no" || word == "without" || word == "not") return true;
+    if (word == "," || word == "." || word == ";" || word == "with" || word == "but" || word == "and") return false;
+  }
+  return false;
+}
+
+bool IsOptional(const std::vector<Token>& tokens, const std::vector<bool>& used, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kMostWords = 8, kMostBefore = 5;
+  const auto says = [&](const std::vector<Phrase>& phrases, std::size_t at) {
+    return std::ranges::any_of(phrases, [&](const Phrase& one) { return one.MatchAt(tokens, at, false) > 0; });
+  };
+  for (std::size_t at = end; at < tokens.size() && at < end + kMostWords; ++at) {
+    if (says(PhrasesOf("optional_behind"), at)) return true;
+    const std::string& word = tokens[at].text;
+    const bool comma = word == "," && at + 1 < tokens.size() && says(PhrasesOf("optional_behind"), at + 1);
+    if ((tokens[at].kind == Token::Kind::kSign && !comma && word != "(") || word == "and" || word == "with") break;
+  }
+  for (std::size_t back = 1; back <= kMostBefore && back <= begin; ++back) {
+    const std::size_t at = begin - back;
+    if (says(PhrasesOf("optional_before"), at)) return true;
+    if (tokens[at].kind == Token::Kind::kSign && tokens[at].text != ",") break;
+    if (tokens[at].text == "and" || tokens[at].text == "with" || tokens[at].text == "is" || used[at]) break;
+  }
+  return false;
+}
+
+bool AsksForNothingElse(const Handbook& handbook, const std::vector<Token>& tokens) {
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    const std::string &word = tokens[i].text, &next = tokens[i + 1].text;
+    const bool negated = i > 0 && (tokens[i - 1].text == "not" || tokens[i - 1].text == "if");
+    const bool counts = NumberWord(next) || IsArticle(next) || tokens[i + 1].kind == Token::Kind::kNumber;
+    if ((word == "only" || word == "just") && !negated && counts) {
+      // "only 3 m wide", "only one window": of the room.
+      const std::size_t end = std::min(i + 5, tokens.size());
+      for (std::size_t k = i + 2; k < end; ++k) {
+        if (LongestAt(handbook.vocabulary().names, tokens, k, /*plural=*/true).second > 0) return true;
+        if (tokens[k].kind == Token::Kind::kSign || tokens[k].text == "with" || tokens[k].text == "for") break;
+      }
+    }
+    if (word == "nothing" && (next == "but" || next == "else")) return true;
+  }
+  return false;
 }
 
 }  // namespace flair::language

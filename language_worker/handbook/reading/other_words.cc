@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/other_words.h"
+
+#include <cmath>
+
+namespace flair::language {
+namespace {
+
+constexpr std::size_t kMostAdverbs = 4;
+constexpr std::size_t kMostBeforePersons = 2;
+constexpr double kMostCounted = 2000;
+constexpr std::size_t kMostThings = 8;
+constexpr std::size_t kMostWords = 5;
+constexpr std::size_t kMostBareWords = 3;
+constexpr std::size_t kShortText = 4;
+
+// "readers", "gardeners": of whom an unknown word in "for six ..." most likely speaks.
+bool SoundsLikePersons(std::string_view word) {
+  if (word.size() <= 5 || IsIn("person_like_things", word)) return false;
+  for (std::size_t length = 3; length <= 5; ++length) {
+    if (IsIn("person_endings", word.substr(word.size() - length))) return true;
+  }
+  return false;
+}
+
+class PeopleReader {
+ public:
+  PeopleReader(const std::vector<Token>& tokens, std::vector<bool>& used)
+      : text_(tokens), tokens_(tokens), used_(used) {}
+
+  std::optional<int> Read() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (used_[i]) continue;
+      const bool purpose = text_.At(i) == "for";
+      if (purpose || text_.Is(i, "holds_people")) {
+        if (const std::optional<int> number = Introduced(i + 1, purpose)) return number;
+      }
+      if (const std::optional<int> number = NumberOfPersons(i)) return number;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool Ends(std::size_t i) const {
+    return i >= text_.size() || (text_.IsSign(i) && !text_.Says(i, {"-", "'", "\""})) || text_.Is(i, "people_ends");
+  }
+
+  std::optional<int> NumberAt(std::size_t i) const {
+    if (i >= tokens_.size() || used_[i]) return std::nullopt;
+    const Token& token = tokens_[i];
+    if (token.kind == Token::Kind::kNumber) {
+      const bool whole = token.number >= 1 && token.number <= kMostCounted && token.number == std::floor(token.number);
+      return whole ? std::optional<int>(static_cast<int>(token.number)) : std::nullopt;
+    }
+    return IsIn("vague_numbers", token.text) ? std::nullopt : NumberWord(token.text);
+  }
+
+  // Behind "for", "seats", "a family of": a number that ends its phrase or counts whom it is for.
+  std::optional<int> Introduced(std::size_t at, bool purpose) {
+    const std::size_t start = at;
+    while (at < start + kMostAdverbs && (text_.Is(at, "about_numbers") || text_.Is(at, "before_people"))) ++at;
+    const std::optional<int> number = NumberAt(at);
+    if (!number) return std::nullopt;
+    if (Ends(at + 1)) return Take(start - 1, at + 1, *number);
+    for (std::size_t noun = at + 1; noun <= at + 1 + kMostBeforePersons && noun < tokens_.size(); ++noun) {
+      if (text_.IsHyphen(noun)) continue;
+      if (!text_.IsWord(noun) || Ends(noun)) break;
+      if (CountsPeople(text_.At(noun)) || (purpose && SoundsLikePersons(text_.At(noun)))) {
+        const std::optional<int> all = WithOthers(noun + 1, *number);
+        return Take(start - 1, noun + 1, all.value_or(*number));
+      }
+    }
+    return std::nullopt;
+  }
+
+  // "twenty students", "a couple and their three children", "forty seats".
+  std::optional<int> NumberOfPersons(std::size_t i) {
+    const std::optional<int> number = NumberAt(i);
+    if (!number) return std::nullopt;
+    for (std::size_t noun = i + 1; noun <= i + 1 + kMostBeforePersons && noun < tokens_.size(); ++noun) {
+      if (text_.IsHyphen(noun)) continue;
+      if (!text_.IsWord(noun) || used_[noun] || Ends(noun)) break;
+      if (!CountsPeople(text_.At(noun))) continue;
+      if (*number < 2) return std::nullopt;
+      return Take(i, noun + 1, WithOthers(noun + 1, *number).value_or(*number));
+    }
+    return std::nullopt;
+  }
+
+  // "... and three children": they come on top.
+  std::optional<int> WithOthers(std::size_t at, int number) const {
+    if (text_.At(at) != "and") return std::nullopt;
+    ++at;
+    while (text_.Says(at, {"their", "her", "his"})) ++at;
+    std::optional<int> more = NumberAt(at);
+    if (!more && text_.Says(at, {"a", "an"})) more = 1;
+    if (!more || !CountsPeople(text_.At(at + 1)) || text_.At(at + 1) == "seats") return std::nullopt;
+    return number + *more;
+  }
+
+  int Take(std::size_t begin, std::size_t end, int number) {
+    std::fill(used_.begin() + static_cast<std::ptrdiff_t>(begin), used_.begin() + static_cast<std::ptrdiff_t>(end),
+              true);
+    return number;
+  }
+
+  const BriefText text_;
+  const std::vector<Token>& tokens_;
+  std::vector<bool>& used_;
+};
+
+class ThingFinder {
+ public:
+  ThingFinder(const std::vector<Token>& tokens, const std::vector<bool>& used)
+      : text_(tokens), tokens_(tokens), used_(used) {}
+
+  // The thing whose article or number is at `i`; empty when there is none that is unknown.
+  std::string ThingAt(std::size_t i) const {
+    if (used_[i] || !BeginsThing(i)) return "";
+    std::size_t end = i + 1;
+    while (end < tokens_.size() && Continues(end)) ++end;
+    // The feet and inches of a size are no thing.
+    if (end == i + 1 || end > i + 1 + kMostWords || tokens_[i + 1].kind == Token::Kind::kSign) return "";
+    for (std::size_t k = i + 1; k < end; ++k) {
+      if (used_[k]) return "";
+    }
+    const std::string& first = tokens_[i + 1].text;
+    const std::string& last = tokens_[end - 1].text;
+    return IsFormIn("no_things", first) || IsFormIn("no_things", last) || CountsPeople(last) ? ""
+                                                                                             : text_.Quote(i + 1, end);
+  }
+
+  // The thing that is listed at `i` without an article: "a sofa, vending machine and bookshelf". Only one whose last
+  // word is said of things, since an adjective may be listed as well.
+  std::string BareThingAt(std::size_t i) const {
+    if (i == 0 || !IsIn("listing", tokens_[i - 1].text)) return "";
+    std::size_t end = i;
+    for (; end < tokens_.size() && Continues(end) && end < i + kMostBareWords; ++end) {
+      if (used_[end] || IsIn("thing_articles", tokens_[end].text)) return "";
+    }
+    if (end == i || (end < tokens_.size() && Continues(end))) return "";
+    return IsFormIn("thing_nouns", tokens_[end - 1].text) && !IsIn("thing_verbs", tokens_[i].text) ? text_.Quote(i, end)
+                                                                                                   : "";
+  }
+
+ private:
+  bool BeginsThing(std::size_t i) const {
+    const Token& token = tokens_[i];
+    const bool number =
+        token.kind == Token::Kind::kNumber && i + 1 < tokens_.size() && !IsFormIn("unit_words", tokens_[i + 1].text);
+    if (!number && !IsIn("thing_articles", token.text) && !NumberWord(token.text)) return false;
+    if (i == 0) return true;
+    const Token& before = tokens_[i - 1];
+    return before.kind == Token::Kind::kSign ? before.text != "-" && before.text != "'"
+                                             : IsIn("before_things", before.text);
+  }
+
+  // Words, and the hyphens in them.
+  bool Continues(std::size_t i) const {
+    const Token& token = tokens_[i];
+    if (token.kind == Token::Kind::kSign) return (token.text == "-" || token.text == "'") && token.glued;
+    return token.kind == Token::Kind::kWord && !IsIn("after_things", token.text);
+  }
+
+  const BriefText text_;
+  const std::vector<Token>& tokens_;
+  const std::vector<bool>& used_;
+};
+
+}  // namespace
+
+bool CountsPeople(std::string_view word) { return IsFormIn("persons", word); }
+
+std::optional<int> ReadPeople(const std::vector<Token>& tokens, std::vector<bool>& used) {
+  return PeopleReader(tokens, used).Read();
+}
+
+bool ReadsAsEnglish(const std::vector<Token>& tokens) {
+  std::size_t words = 0;
+  for (const Token& token : tokens) {
+    if (token.kind != Token::Kind::kWord) continue;
+    if (IsIn("english", token.text)) return true;
+    words += token.text.size() > 1 ? 1 : 0;
+  }
+  return words <= kShortText;
+}
+
+std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, const std::vector<bool>& used) {
+  const ThingFinder finder(tokens, used);
+  std::vector<std::string> things;
+  for (std::size_t i = 0; i < tokens.size() && things.size() < kMostThings; ++i) {
+    std::string thing = finder.ThingAt(i);
+    if (thing.empty()) thing = finder.BareThingAt(i);
+    if (!thing.empty() && !Includes(things, thing)) things.push_back(std::move(thing));
+  }
+  return things;
+}
+
+bool IsForeign(const std::vector<Token>& tokens) {
+  const auto has = [&](std::string_view list) {
+    return std::ranges::any_of(
+        tokens, [&](const Token& token) { return token.kind == Token::Kind::kWord && IsIn(list, token.text); });
+  };
+  return has("foreign") && !has("small_words");
+}
+
+std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const std::vector<bool>& used) {
+  constexpr std::size_t kMostAround = 3;
+  const BriefText text(tokens);
+  const auto ends = [&](std::size_t i) { return text.IsSign(i) && !text.IsHyphen(i); };
+  std::vector<std::string> all;
+  std::size_t told_to = 0;
+  for (std::size_t i = 0; i < tokens.size() && all.size() < kMostThings; ++i) {
+    if (used[i] || i < told_to || !(text.IsNumber(i) || text.Is(i, "asking_words") || CountsPeople(text.At(i))))
+      continue;
+    std::size_t begin = i, end = i + 1;
+    while (begin > told_to && i - begin < kMostAround && !ends(begin - 1)) --begin;
+    while (end < tokens.size() && end - i <= kMostAround && !ends(end)) ++end;
+    all.push_back(text.Quote(begin, end));
+    told_to = end;
+  }
+  return all;
+}
+
+}  // namespace flair::language

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a brief says besides rooms, pieces and places: how many people it is for, what nobody understood, and in which
+// language it is.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+
+// How many a room is for: "for forty readers", "seats twelve", "a family of five", "twenty students and a teacher".
+// Marks the tokens that it has used; `used` ones have another meaning ("a table for eight"). Nothing when the text does
+// not say.
+std::optional<int> ReadPeople(const std::vector<Token>& tokens, std::vector<bool>& used);
+
+// Whether "six WORD" counts those whom the room is for: people, guests, children ...
+bool CountsPeople(std::string_view word);
+
+// Whether at least one word is of the kind that no longer English sentence is without ("the", "with", "and" ...). Short
+// texts pass: names of rooms and sizes are alike in many languages.
+bool ReadsAsEnglish(const std::vector<Token>& tokens);
+
+// Whether a text has words for rooms, or small words, of another language and none of the small words of English.
+bool IsForeign(const std::vector<Token>& tokens);
+
+// Things that the text lists with an article or a number ("with a counter, two ovens") and of whose words none is
+// `used`, as many tokens as `tokens`; in its order, eight at most. What is listed without either is found when its last
+// word is one for things ("vending machine"); else it may be an adjective.
+std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, const std::vector<bool>& used);
+
+// The other words that ask for something and that nobody has used, each with its neighbours: materials, directions,
+// numbers, "both" and "no", people; in the order of the text, eight at most.
+std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const std::vector<bool>& used);
+
+}  // namespace flair::language
