@@ -60,4 +60,16 @@ class Handbook {
   std::shared_ptr<const Vocabulary> vocabulary_;
 };
 
+// The band of a kind of room for a floor area: the first whose limit is above it, else the last. It has one at least.
+inline const hb::Band& BandFor(const hb::Archetype& room, double area_m2) {
+  for (const hb::Band& band : room.bands()) {
+    if (band.max_area_m2() == 0 || area_m2 < band.max_area_m2()) return band;
+  }
+  return room.bands(room.bands_size() - 1);
+}
+
+// The ends of a range of sizes, metres.
+inline double LeastOf(const hb::Extent& extent) { return extent.min() > 0 ? extent.min() : extent.typical(); }
+inline double MostOf(const hb::Extent& extent) { return extent.max() > 0 ? extent.max() : extent.typical(); }
+
 }  // namespace flair::language

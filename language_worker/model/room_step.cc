@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "language_worker/handbook/choosing/choice.h"
+#include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/rooms/openings.h"

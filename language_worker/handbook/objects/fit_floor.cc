@@ -16,7 +16,6 @@ namespace {
 // [Handbook facts] the recorded rooms cover 20 to 29 % of the floor, small bedrooms up to 49 %.
 constexpr double kCoverLimit = 0.45;
 
-double Least(const hb::Extent& extent) { return extent.min() > 0 ? extent.min() : extent.typical(); }
 bool IsAskedFor(const ProgramItem& item) { return item.requested && !item.optional; }
 double ToCentimetre(double length_m) { return std::round(length_m * 100) / 100; }
 
@@ -62,7 +61,7 @@ class FloorFitter {
   static void SizeForSeats(const ProgramItem& item, SizedItem& sized) {
     const hb::Furniture& table = *item.furniture;
     const bool round = table.category() == "round_table";
-    const double start_m = item.count > 1 || item.seats <= 2 ? Least(table.width_m()) : sized.width_m;
+    const double start_m = item.count > 1 || item.seats <= 2 ? LeastOf(table.width_m()) : sized.width_m;
     sized.width_m = WidthForSeats(table, item.seats, start_m, sized.depth_m);
     if (round) sized.depth_m = sized.width_m;
   }
@@ -122,8 +121,8 @@ class FloorFitter {
     const auto towards = [&](double now_m, double least_m) {
       return least_m < now_m ? ToCentimetre(now_m + share * (least_m - now_m)) : now_m;
     };
-    sized.width_m = towards(sized.width_m, Least(furniture.width_m()));
-    sized.depth_m = towards(sized.depth_m, Least(furniture.depth_m()));
+    sized.width_m = towards(sized.width_m, LeastOf(furniture.width_m()));
+    sized.depth_m = towards(sized.depth_m, LeastOf(furniture.depth_m()));
   }
 
   void ShrinkAll() {

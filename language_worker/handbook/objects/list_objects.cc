@@ -165,11 +165,7 @@ std::vector<HostedPiece> ShareOut(const RoomProgram& program, const v1::ObjectLi
 
 namespace {
 
-double Clamp(double value, const hb::Extent& extent) {
-  const double low = extent.min() > 0 ? extent.min() : extent.typical();
-  const double high = extent.max() > 0 ? extent.max() : extent.typical();
-  return std::clamp(value, low, high);
-}
+double Clamp(double value, const hb::Extent& extent) { return std::clamp(value, LeastOf(extent), MostOf(extent)); }
 
 class ObjectLister {
  public:

@@ -5,15 +5,6 @@
 
 namespace flair::language {
 
-namespace {
-
-template <typename List>
-bool Names(const List& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
-
-}  // namespace
-
 bool IsFloorPiece(const hb::Furniture& furniture) {
   return !furniture.walk_over() &&
          (furniture.kind() == hb::FURNITURE_KIND_FLOOR || furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED);
@@ -33,14 +24,14 @@ bool HasZone(const RoomProgram& program, const std::string& name) {
 
 std::string HomeOf(const hb::Furniture& furniture, const RoomProgram& program) {
   for (const hb::ZoneSpec& zone : program.zones) {
-    if (Names(zone.primaries(), furniture.name())) return zone.name();
+    if (Includes(zone.primaries(), furniture.name())) return zone.name();
   }
   for (const std::string& hint : furniture.zone_hints()) {
     if (HasZone(program, hint)) return hint;
   }
   for (const hb::Relation& relation : furniture.relations()) {
     for (const ProgramItem& item : program.floor_items) {
-      if (Names(relation.targets(), item.furniture->name())) return item.zone;
+      if (Includes(relation.targets(), item.furniture->name())) return item.zone;
     }
   }
   return program.zones.empty() ? "" : program.zones.front().name();
@@ -64,11 +55,6 @@ void Remove(const std::string& name, RoomProgram& program) {
 
 namespace {
 
-template <typename List>
-bool Has(const List& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
-
 class ProgramMaker {
  public:
   ProgramMaker(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice)
@@ -88,14 +74,6 @@ class ProgramMaker {
   }
 
  private:
-  static const hb::Band& BandByArea(const hb::Archetype& archetype, double area_m2) {
-    const auto& bands = archetype.bands();
-    for (const hb::Band& band : bands) {
-      if (band.max_area_m2() == 0 || area_m2 < band.max_area_m2()) return band;
-    }
-    return bands[bands.size() - 1];
-  }
-
   // What each kind that the room is has on its share of the floor; of what two of them have one is enough.
   void TakeBands() {
     program_.also = AlsoOf(facts_, *program_.archetype);
@@ -109,7 +87,7 @@ class ProgramMaker {
   }
 
   void TakeBand(const hb::Archetype& archetype, double share_m2, const std::string& owner) {
-    const hb::Band& band = BandByArea(archetype, share_m2);
+    const hb::Band& band = BandFor(archetype, share_m2);
     for (const std::string& name : band.zones()) {
       for (const hb::ZoneSpec& zone : archetype.zones()) {
         if (zone.name() == name && !HasZone(program_, name)) program_.zones.push_back(zone);
@@ -237,7 +215,7 @@ bool Holds(const hb::Condition& condition, const hb::Archetype& archetype, doubl
            const std::string& key) {
   if (area_m2 < condition.min_area_m2()) return false;
   if (condition.max_area_m2() > 0 && area_m2 >= condition.max_area_m2()) return false;
-  if (!condition.rooms().empty() && !Has(condition.rooms(), archetype.name())) return false;
+  if (!condition.rooms().empty() && !Includes(condition.rooms(), archetype.name())) return false;
   return condition.chance() <= 0 || choice.Happens("chance." + key, condition.chance());
 }
 
@@ -270,7 +248,7 @@ std::vector<std::string> WithSubstitutes(const google::protobuf::RepeatedPtrFiel
   for (const std::string& name : classes) {
     all.push_back(name);
     for (const auto& [went, came] : program.substitutes) {
-      if (went == name && !Has(all, came)) all.push_back(came);
+      if (went == name && !Includes(all, came)) all.push_back(came);
     }
   }
   return all;

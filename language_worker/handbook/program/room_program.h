@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "language_worker/handbook/choosing/choice.h"
+#include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 

@@ -10,11 +10,6 @@
 namespace flair::language {
 namespace {
 
-template <typename List>
-bool Includes(const List& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
-
 class WishMaker {
  public:
   WishMaker(const BriefFacts& facts, const Handbook& handbook, RoomProgram& program)

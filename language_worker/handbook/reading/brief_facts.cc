@@ -43,6 +43,7 @@ class BriefReader {
     if (facts_.reads_as_english) {
       for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
       furniture.MarkCounts();
+      for (const std::size_t i : facts_.told) used_[i] = true;
       for (std::size_t i = 0; i < used_.size(); ++i) used_[i] = used_[i] || size_words[i];
       facts_.unheard = UnheardWords(tokens_, used_);
     }
@@ -95,7 +96,7 @@ class BriefReader {
     std::size_t end = begin;
     while (text.IsWord(end) && !text.Is(end, "after_a_room")) ++end;
     if (text.Is(end, "rooms_by_head")) ++end;
-    facts_.room_words = text.Quote(begin, end);
+    if (!text.Is(begin, "rooms_by_head")) facts_.room_words = text.Quote(begin, end);
     facts_.archetype = &handbook_.fallback_archetype();
     int most = 0;
     for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {

@@ -66,6 +66,7 @@ struct BriefFacts {
   std::optional<int> people;
   std::string room_words;               // what it calls the room; where no kind is named, its first words
   std::vector<std::string> unheard;     // other words of which nothing was made: "of solid oak"
+  std::vector<std::size_t> told;        // tokens that a remark quotes already
   std::vector<std::string> not_known;   // things asked for that the handbook has no word for: "proofing cabinet"
   std::vector<Correction> corrections;  // of misspelt words
   bool reads_as_english = true;         // false: most likely another language

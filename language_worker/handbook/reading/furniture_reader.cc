@@ -22,13 +22,6 @@ double AreaOf(const BriefFacts& facts) {
   return facts.size.width_m.value_or(room.width_m().typical()) * facts.size.depth_m.value_or(room.depth_m().typical());
 }
 
-const hb::Band* BandOf(const hb::Archetype& room, double area_m2) {
-  for (const hb::Band& band : room.bands()) {
-    if (band.max_area_m2() == 0 || area_m2 < band.max_area_m2()) return &band;
-  }
-  return room.bands().empty() ? nullptr : &room.bands(room.bands_size() - 1);
-}
-
 bool EndsNounPhrase(const Token& token) {
   if (token.kind == Token::Kind::kSign) return token.text != "-" && token.text != "'";
   return IsIn("noun_phrase_ends", token.text);
@@ -52,9 +45,9 @@ NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
       if (std::ranges::find(hints, zone.name()) != hints.end()) raise(furniture.name(), kOfAZone);
     }
   }
-  const hb::Band* usual = BandOf(room, AreaOf(facts));
+  const hb::Band& usual = BandFor(room, AreaOf(facts));
   for (const hb::Band& band : room.bands()) {
-    for (const hb::ObjectEntry& entry : band.objects()) raise(entry.furniture(), &band == usual ? kListed : kOfAZone);
+    for (const hb::ObjectEntry& entry : band.objects()) raise(entry.furniture(), &band == &usual ? kListed : kOfAZone);
   }
   for (const hb::ObjectEntry& entry : room.tertiaries()) raise(entry.furniture(), kListed);
   raise(room.per_person(), kOnePerPerson);
@@ -183,6 +176,9 @@ void FurnitureReader::Read() {
       i += other - 1;
       continue;
     }
+    for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i && IsRefused(tokens_, i); ++k) {
+      if (IsIn("refusing", tokens_[k].text)) counts_.push_back(k);
+    }
     const hb::Furniture* furniture = nouns_.Modified(tokens_, i, name_length, named);
     const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
     if (length == 0) {
@@ -191,9 +187,6 @@ void FurnitureReader::Read() {
       continue;
     }
     if (IsRefused(tokens_, i)) {
-      for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i; ++k) {
-        if (IsIn("refusing", tokens_[k].text)) counts_.push_back(k);
-      }
       AddOnce(facts_.refusals, furniture);
       if (length == 1) RefuseKind(handbook_, tokens_, i, facts_);
       last_.reset();

@@ -114,33 +114,39 @@ class ThingFinder {
   ThingFinder(const std::vector<Token>& tokens, const std::vector<bool>& used)
       : text_(tokens), tokens_(tokens), used_(used) {}
 
-  // The thing whose article or number is at `i`; empty when there is none that is unknown.
-  std::string ThingAt(std::size_t i) const {
-    if (used_[i] || !BeginsThing(i)) return "";
+  // Tokens [begin, end) of a thing; none when they are equal.
+  struct Found {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+
+  // The thing whose article or number is at `i`, if it is unknown.
+  Found ThingAt(std::size_t i) const {
+    if (used_[i] || !BeginsThing(i)) return {};
     std::size_t end = i + 1;
     while (end < tokens_.size() && Continues(end)) ++end;
     // The feet and inches of a size are no thing.
-    if (end == i + 1 || end > i + 1 + kMostWords || tokens_[i + 1].kind == Token::Kind::kSign) return "";
+    if (end == i + 1 || end > i + 1 + kMostWords || tokens_[i + 1].kind == Token::Kind::kSign) return {};
     for (std::size_t k = i + 1; k < end; ++k) {
-      if (used_[k]) return "";
+      if (used_[k]) return {};
     }
     const std::string& first = tokens_[i + 1].text;
     const std::string& last = tokens_[end - 1].text;
-    return IsFormIn("no_things", first) || IsFormIn("no_things", last) || CountsPeople(last) ? ""
-                                                                                             : text_.Quote(i + 1, end);
+    const bool none = IsFormIn("no_things", first) || IsFormIn("no_things", last) || CountsPeople(last);
+    return none ? Found() : Found{i + 1, end};
   }
 
   // The thing that is listed at `i` without an article: "a sofa, vending machine and bookshelf". Only one whose last
   // word is said of things, since an adjective may be listed as well.
-  std::string BareThingAt(std::size_t i) const {
-    if (i == 0 || !IsIn("listing", tokens_[i - 1].text)) return "";
+  Found BareThingAt(std::size_t i) const {
+    if (i == 0 || !IsIn("listing", tokens_[i - 1].text)) return {};
     std::size_t end = i;
     for (; end < tokens_.size() && Continues(end) && end < i + kMostBareWords; ++end) {
-      if (used_[end] || IsIn("thing_articles", tokens_[end].text)) return "";
+      if (used_[end] || IsIn("thing_articles", tokens_[end].text)) return {};
     }
-    if (end == i || (end < tokens_.size() && Continues(end))) return "";
-    return IsFormIn("thing_nouns", tokens_[end - 1].text) && !IsIn("thing_verbs", tokens_[i].text) ? text_.Quote(i, end)
-                                                                                                   : "";
+    if (end == i || (end < tokens_.size() && Continues(end))) return {};
+    const bool thing = IsFormIn("thing_nouns", tokens_[end - 1].text) && !IsIn("thing_verbs", tokens_[i].text);
+    return thing ? Found{i, end} : Found();
   }
 
  private:
@@ -185,13 +191,17 @@ bool ReadsAsEnglish(const std::vector<Token>& tokens) {
   return words <= kShortText;
 }
 
-std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, const std::vector<bool>& used) {
+std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, std::vector<bool>& used) {
   const ThingFinder finder(tokens, used);
+  const BriefText text(tokens);
   std::vector<std::string> things;
   for (std::size_t i = 0; i < tokens.size() && things.size() < kMostThings; ++i) {
-    std::string thing = finder.ThingAt(i);
-    if (thing.empty()) thing = finder.BareThingAt(i);
-    if (!thing.empty() && !Includes(things, thing)) things.push_back(std::move(thing));
+    ThingFinder::Found found = finder.ThingAt(i);
+    if (found.begin == found.end) found = finder.BareThingAt(i);
+    if (found.begin == found.end) continue;
+    std::string thing = text.Quote(found.begin, found.end);
+    for (std::size_t k = found.begin; k < found.end; ++k) used[k] = true;
+    if (!Includes(things, thing)) things.push_back(std::move(thing));
   }
   return things;
 }
@@ -211,8 +221,8 @@ std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const st
   std::vector<std::string> all;
   std::size_t told_to = 0;
   for (std::size_t i = 0; i < tokens.size() && all.size() < kMostThings; ++i) {
-    if (used[i] || i < told_to || !(text.IsNumber(i) || text.Is(i, "asking_words") || CountsPeople(text.At(i))))
-      continue;
+    const bool people = CountsPeople(text.At(i)) && !IsFormIn("seats_and_places", text.At(i));
+    if (used[i] || i < told_to || !(people || text.IsNumber(i) || text.Is(i, "asking_words"))) continue;
     std::size_t begin = i, end = i + 1;
     while (begin > told_to && i - begin < kMostAround && !ends(begin - 1)) --begin;
     while (end < tokens.size() && end - i <= kMostAround && !ends(end)) ++end;

@@ -326,6 +326,7 @@ void PlaceReader::NoteUnread(std::size_t i) {
     ++end;
   }
   read_to_ = end;
+  for (std::size_t k = i; k < end; ++k) facts_.told.push_back(k);
   if (!subject) begin = i - std::min<std::size_t>(i, 4);
   while (!subject && begin < i && (tokens_[begin].kind == Token::Kind::kSign || Word(begin) == "and")) ++begin;
   std::string said = Quote(subject ? i : begin, end);

@@ -26,6 +26,14 @@ class SizeOwner {
   // Whether the size in tokens [start, end) is that of a thing, as far as the words around it say.
   bool IsOfAThing(std::size_t start, std::size_t end) const { return ThingFollows(end) || ThingPrecedes(start); }
 
+  // "lamps 30 cm high": a single length right behind a thing.
+  bool IsBehindAThing(std::size_t start) const {
+    for (std::size_t length = 1; length <= std::min<std::size_t>(start, 4); ++length) {
+      if (ThingAt(start - length) == length && !RoomAt(start - length)) return true;
+    }
+    return false;
+  }
+
   // The same for a word of size, such as "large": "a large wardrobe", "with large windows", "for a little girl", and
   // the "grand" of a grand piano.
   bool IsWordOfAThing(std::size_t start, std::size_t end) const {
@@ -210,7 +218,8 @@ class SizeReader {
     const bool ceiling = text_.Says(end, {"ceiling", "ceilings"});
     if (IsHeightBefore(i)) {
       size.height_m = measure->value;
-    } else if (!ceiling && text_.At(end + 1) != "ceiling" && owner_.IsOfAThing(i, end + 1)) {
+    } else if (!ceiling && text_.At(end + 1) != "ceiling" &&
+               (owner_.IsOfAThing(i, end + 1) || owner_.IsBehindAThing(i))) {
       return size;
     } else if (ceiling || text_.Says(end, {"high", "tall"})) {
       size.height_m = measure->value;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flair/v1/room.pb.h"
-#include "language_worker/handbook/choosing/choice.h"
+#include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/opening_wish.h"
 #include "language_worker/handbook/rooms/walls.h"

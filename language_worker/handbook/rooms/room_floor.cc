@@ -61,9 +61,6 @@ double FloorForWishes(const BriefFacts& facts, const Handbook& handbook, double 
   return std::min(kLargest_m2, asked_m2 / (facts.size.area_factor < 1 ? kMostCoveredIfSmall : kMostCovered));
 }
 
-double Low(const hb::Extent& extent) { return extent.min() > 0 ? extent.min() : extent.typical(); }
-double High(const hb::Extent& extent) { return extent.max() > 0 ? extent.max() : extent.typical(); }
-
 }  // namespace
 
 RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const Choice& choice) {
@@ -101,8 +98,8 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const
     const bool larger = needed_m2 > usual_m2 || !also.empty();
     SidesOf(std::max(usual_m2, needed_m2), asked.side_ratio.value_or(usual_ratio), deeper, size);
     if (area_factor <= 2.5 && !asked.side_ratio && named && !larger) {
-      size.width_m = std::clamp(size.width_m, Low(archetype.width_m()), High(archetype.width_m()));
-      size.depth_m = std::clamp(size.depth_m, Low(archetype.depth_m()), High(archetype.depth_m()));
+      size.width_m = std::clamp(size.width_m, LeastOf(archetype.width_m()), MostOf(archetype.width_m()));
+      size.depth_m = std::clamp(size.depth_m, LeastOf(archetype.depth_m()), MostOf(archetype.depth_m()));
     }
     size.assumption = fmt::format("The brief gives no size in numbers; {:g} m x {:g} m {}.", size.width_m, size.depth_m,
                                   larger ? "has room for what it asks for" : "is usual for this " + archetype.name());

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "flair/v1/room.pb.h"
-#include "language_worker/handbook/choosing/choice.h"
+#include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/reading/shape_phrase.h"

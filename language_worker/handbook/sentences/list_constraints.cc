@@ -174,23 +174,18 @@ std::vector<v1::Sentence> PlaceWriter::WriteCorner(const Place& place, const Gro
 
 namespace {
 
-template <typename List, typename Item>
-bool Has(const List& list, const Item& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
-
 bool Selects(const hb::Selector& selector, const v1::Object& object, const hb::Furniture* furniture,
              bool first_on_host) {
   const hb::Furniture& facts = furniture != nullptr ? *furniture : hb::Furniture::default_instance();
   if (selector.kinds().empty()) {
     if (object.kind() != v1::OBJECT_KIND_FLOOR || object.walk_over()) return false;
-  } else if (!Has(selector.kinds(), static_cast<int>(object.kind()))) {
+  } else if (!Includes(selector.kinds(), static_cast<int>(object.kind()))) {
     return false;
   }
-  if (!selector.backs().empty() && !Has(selector.backs(), static_cast<int>(facts.back()))) return false;
-  if (!selector.categories().empty() && !Has(selector.categories(), object.category())) return false;
-  if (!selector.furniture().empty() && !Has(selector.furniture(), object.name())) return false;
-  if (Has(selector.except_furniture(), object.name())) return false;
+  if (!selector.backs().empty() && !Includes(selector.backs(), static_cast<int>(facts.back()))) return false;
+  if (!selector.categories().empty() && !Includes(selector.categories(), object.category())) return false;
+  if (!selector.furniture().empty() && !Includes(selector.furniture(), object.name())) return false;
+  if (Includes(selector.except_furniture(), object.name())) return false;
   if (selector.has_host_center() && selector.host_center() != first_on_host) return false;
   if (object.height_m() < selector.min_height_m()) return false;
   if (selector.max_height_m() > 0 && object.height_m() >= selector.max_height_m()) return false;
@@ -286,7 +281,7 @@ class ConstraintLister {
     google::protobuf::RepeatedPtrField<std::string> classes;
     *classes.Add() = furniture.name();
     return !writer_.groups().contains(furniture.name()) &&
-           (Has(WithSubstitutes(classes, program_), name) || furniture.smaller() == name);
+           (Includes(WithSubstitutes(classes, program_), name) || furniture.smaller() == name);
   }
 
   // Places of which no sentence came, of pieces that are there: the others are told of where they are left out.

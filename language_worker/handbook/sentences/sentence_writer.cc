@@ -18,11 +18,6 @@ namespace {
 constexpr std::array<const char*, 13> kNumbers = {"no",    "one",   "two",  "three", "four",   "five",  "six",
                                                   "seven", "eight", "nine", "ten",   "eleven", "twelve"};
 
-template <typename List>
-bool HasItem(const List& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
-
 std::string Metres(double length_m) { return fmt::format("{:g} m", length_m); }
 
 // "The books is on …" -> "The books are on …" for names that are plural by themselves.
@@ -75,7 +70,7 @@ bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) c
     const bool elsewhere = !IsInZoneOf(*group.front(), name) && HasPartnerInZone(relation, *group.front());
     if (!elsewhere) return false;
   }
-  if (!condition.zones().empty() && !HasItem(condition.zones(), ZoneName(*group.front()))) return false;
+  if (!condition.zones().empty() && !Includes(condition.zones(), ZoneName(*group.front()))) return false;
   return !condition.needs_window() ||
          std::any_of(room_.openings().begin(), room_.openings().end(),
                      [](const auto& opening) { return opening.kind() == v1::OPENING_KIND_WINDOW; });
@@ -234,7 +229,7 @@ v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group&
   for (const v1::Object* subject : subjects) sentence.add_subject_ids(subject->id());
   const bool all = relation.text().find("{targets}") != std::string::npos;
   for (std::size_t i = 0; i < (all ? targets.size() : std::min<std::size_t>(1, targets.size())); ++i) {
-    if (!HasItem(sentence.subject_ids(), targets[i]->id())) sentence.add_subject_ids(targets[i]->id());
+    if (!Includes(sentence.subject_ids(), targets[i]->id())) sentence.add_subject_ids(targets[i]->id());
   }
   sentence.set_scope(object.role() == v1::OBJECT_ROLE_TERTIARY ? v1::SENTENCE_SCOPE_TERTIARY
                      : sentence.subject_ids_size() > static_cast<int>(subjects.size()) || subjects.size() > 1

@@ -10,7 +10,7 @@
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
 #include "flair/v1/style_sheet.pb.h"
-#include "language_worker/handbook/choosing/choice.h"
+#include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 
