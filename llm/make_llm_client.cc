@@ -10,15 +10,12 @@
 #include "absl/strings/ascii.h"
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
-#include "llm/http/http_loop.h"
 #include "llm/openai/openai_client.h"
-#include "llm/wrappers/caching_llm_client.h"
+#include "llm/wrappers/folder_llm_clients.h"
 #include "llm/wrappers/limiting_llm_client.h"
 #include "llm/wrappers/metered_llm_client.h"
-#include "llm/wrappers/priced_llm_client.h"
-#include "llm/wrappers/recording_llm_client.h"
-#include "llm/wrappers/replaying_llm_client.h"
 #include "llm/wrappers/retrying_llm_client.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
 namespace {
@@ -65,15 +62,14 @@ absl::StatusOr<OpenAiOptions> MakeOpenAiOptions(const LlmConfig& config) {
   OpenAiOptions options;
   options.base_url = config.base_url();
   options.model = config.model();
-  absl::StatusOr<std::string> key = ReadKey(config);
-  if (!key.ok()) return key.status();
-  options.api_key = *std::move(key);
+  ASSIGN_OR_RETURN(options.api_key, ReadKey(config));
   if (config.has_azure()) options.azure = AzureDeployment{config.azure().deployment(), config.azure().api_version()};
   for (const config::v1::LlmHeader& header : config.headers()) {
-    absl::StatusOr<std::string> value =
-        header.value_env().empty() ? header.value() : ReadVariable("headers.value_env", header.value_env());
-    if (!value.ok()) return value.status();
-    options.headers.push_back({header.name(), *std::move(value)});
+    std::string value = header.value();
+    if (!header.value_env().empty()) {
+      ASSIGN_OR_RETURN(value, ReadVariable("headers.value_env", header.value_env()));
+    }
+    options.headers.push_back({header.name(), std::move(value)});
   }
   if (config.has_temperature()) options.temperature = config.temperature();
   if (config.has_seed()) options.seed = config.seed();
@@ -110,59 +106,43 @@ CallLimits MakeCallLimits(const LlmConfig& config) {
   return limits;
 }
 
-// A model with the loop that it runs on.
-class LoopedLlmClient final : public LlmClient {
+// For a model with a seed of its own: those of requests decide nothing and are in no key.
+class SeedlessLlmClient final : public LlmClientWrapper {
  public:
-  // `fixed_seed`: the model has a seed of its own, so that those of requests decide nothing and are in no key.
-  LoopedLlmClient(std::unique_ptr<HttpLoop> loop, std::unique_ptr<LlmClient> inner, bool fixed_seed)
-      : loop_(std::move(loop)), inner_(std::move(inner)), fixed_seed_(fixed_seed) {}
-  // The loop calls back into the wrappers until it has stopped.
-  ~LoopedLlmClient() override { loop_->Stop(); }
+  using LlmClientWrapper::LlmClientWrapper;
 
-  void Ask(const ChatRequest& request, runtime::CallContext& call, AnswerCallback done) override {
-    if (!fixed_seed_ || request.seed == 0) return inner_->Ask(request, call, std::move(done));
+  absl::StatusOr<ChatAnswer> Ask(const ChatRequest& request, runtime::CallContext& call) override {
     ChatRequest seedless = request;
     seedless.seed = 0;
-    inner_->Ask(seedless, call, std::move(done));
+    return inner_->Ask(seedless, call);
   }
-  std::string identity() const override { return inner_->identity(); }
-
- private:
-  const std::unique_ptr<HttpLoop> loop_;
-  const std::unique_ptr<LlmClient> inner_;
-  const bool fixed_seed_;
 };
 
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<LlmClient>> MakeLlmClient(const LlmConfig& config, runtime::WorkerContext& worker) {
-  if (absl::Status status = Check(config); !status.ok()) return status;
+  RETURN_IF_ERROR(Check(config));
   if (!config.replay_path().empty()) {
-    absl::StatusOr<std::unique_ptr<LlmClient>> replay = ReplayingLlmClient::Make(config.replay_path());
-    if (!replay.ok()) return replay.status();
-    return std::make_unique<MeteredLlmClient>(*std::move(replay), worker.metrics, worker.clock);
+    ASSIGN_OR_RETURN(std::unique_ptr<LlmClient> replay, ReplayingLlmClient::Make(config.replay_path()));
+    return std::make_unique<MeteredLlmClient>(std::move(replay), worker.metrics, worker.clock);
   }
-  absl::StatusOr<OpenAiOptions> options = MakeOpenAiOptions(config);
-  if (!options.ok()) return options.status();
+  ASSIGN_OR_RETURN(OpenAiOptions options, MakeOpenAiOptions(config));
 
   // From the innermost to the outermost.
-  auto loop = std::make_unique<HttpLoop>(worker.clock);
   std::unique_ptr<LlmClient> client =
-      std::make_unique<OpenAiClient>(*std::move(options), *loop, MakeHttpOptions(config));
-  client = std::make_unique<LimitingLlmClient>(std::move(client), MakeCallLimits(config), *loop, worker.clock);
-  client = std::make_unique<RetryingLlmClient>(std::move(client), MakeRetryPolicy(config.retry()), *loop, worker.clock);
+      std::make_unique<OpenAiClient>(std::move(options), MakeHttpOptions(config), worker.clock);
+  client = std::make_unique<LimitingLlmClient>(std::move(client), MakeCallLimits(config), worker.clock);
+  client = std::make_unique<RetryingLlmClient>(std::move(client), MakeRetryPolicy(config.retry()), worker.clock);
   client = std::make_unique<PricedLlmClient>(
       std::move(client), std::vector<config::v1::LlmPrice>(config.prices().begin(), config.prices().end()),
       config.model());
   if (!config.cache_path().empty()) client = std::make_unique<CachingLlmClient>(std::move(client), config.cache_path());
   if (!config.record_path().empty()) {
-    absl::StatusOr<std::unique_ptr<LlmClient>> recording =
-        RecordingLlmClient::Make(std::move(client), config.record_path());
-    if (!recording.ok()) return recording.status();
-    client = *std::move(recording);
+    ASSIGN_OR_RETURN(client, RecordingLlmClient::Make(std::move(client), config.record_path()));
   }
   client = std::make_unique<MeteredLlmClient>(std::move(client), worker.metrics, worker.clock);
-  return std::make_unique<LoopedLlmClient>(std::move(loop), std::move(client), config.has_seed());
+  if (config.has_seed()) client = std::make_unique<SeedlessLlmClient>(std::move(client));
+  return client;
 }
 
 }  // namespace flair::llm

@@ -12,8 +12,7 @@ namespace flair::llm {
 
 // The model of a config, with all its wrappers. Reads keys from the environment and from files now, so that a missing
 // one is known at once: INVALID_ARGUMENT names the field; FAILED_PRECONDITION for a key, a certificate file or a folder
-// that cannot be used; NOT_FOUND when there is no recording to replay. `worker` must outlive it. Ends what is on its
-// way with CANCELLED when it is destroyed.
+// that cannot be used; NOT_FOUND when there is no recording to replay. `worker` must outlive it.
 absl::StatusOr<std::unique_ptr<LlmClient>> MakeLlmClient(const config::v1::LlmConfig& config,
                                                          runtime::WorkerContext& worker);
 

@@ -80,7 +80,7 @@ absl::StatusOr<llm::ChatAnswer> AskOnce(LlmConfig config, config::v1::AnswerForm
   absl::StatusOr<std::unique_ptr<llm::LlmClient>> client = llm::MakeLlmClient(config, resources.context());
   if (!client.ok()) return client.status();
   runtime::CallContext call("doctor", absl::Now() + kAnswerWithin, resources.context().clock);
-  return llm::AskAndWait(**client, TinyQuestion(), call);
+  return (*client)->Ask(TinyQuestion(), call);
 }
 
 }  // namespace

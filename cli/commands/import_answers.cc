@@ -21,7 +21,7 @@
 #include "language_worker/model/model_tools.h"
 #include "language_worker/recorded/recorded_room_client.h"
 #include "llm/wrappers/answer_folder.h"
-#include "llm/wrappers/recording_llm_client.h"
+#include "llm/wrappers/folder_llm_clients.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "translator_worker/model/model_translator.h"
 #include "worker_runtime/text/counted.h"

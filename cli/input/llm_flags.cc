@@ -10,7 +10,7 @@
 #include "cli/input/value_checks.h"
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
-#include "llm/wrappers/priced_llm_client.h"
+#include "llm/wrappers/metered_llm_client.h"
 #include "worker_runtime/config/config_reader.h"
 
 namespace flair::cli {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::evaluation {
 namespace {
@@ -138,9 +139,8 @@ absl::StatusOr<Words> FlairGptArguments::Sides(const json& value, const std::str
   }
   for (const std::string& word : words) {
     if (word == "one" || word == "any") return Words{"front"};
-    const absl::StatusOr<Words> named = SidesNamed(word, wide);
-    if (!named.ok()) return named.status();
-    for (const std::string& side : *named) {
+    ASSIGN_OR_RETURN(const Words named, SidesNamed(word, wide));
+    for (const std::string& side : named) {
       if (std::find(sides.begin(), sides.end(), side) == sides.end()) sides.push_back(side);
     }
   }
@@ -151,9 +151,8 @@ absl::StatusOr<Words> FlairGptArguments::Objects(const json& value) const {
   if (!value.is_array()) return absl::InvalidArgumentError(fmt::format("{} is not a list of objects", Quoted(value)));
   Words ids;
   for (const json& item : value) {
-    absl::StatusOr<std::string> id = ObjectId(item, false);
-    if (!id.ok()) return id.status();
-    if (std::find(ids.begin(), ids.end(), *id) == ids.end()) ids.push_back(*std::move(id));
+    ASSIGN_OR_RETURN(std::string id, ObjectId(item, false));
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(std::move(id));
   }
   return ids;
 }

@@ -8,6 +8,7 @@
 #include "evaluation/readers/flairgpt_arguments.h"
 #include "evaluation/readers/flairgpt_functions.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::evaluation {
 namespace {
@@ -100,9 +101,8 @@ absl::StatusOr<v1::ConstraintEdge> EdgeOf(const Call& call, const FlairGptArgume
 
 absl::StatusOr<std::vector<v1::ConstraintEdge>> Read(const json& record, const v1::LayoutGraph& graph) {
   const FlairGptArguments arguments(graph);
-  absl::StatusOr<Call> assigned = Assign(record);
-  if (!assigned.ok()) return assigned.status();
-  const Call call = Reinterpret(*std::move(assigned), arguments);
+  ASSIGN_OR_RETURN(Call assigned, Assign(record));
+  const Call call = Reinterpret(std::move(assigned), arguments);
   std::vector<Call> calls(1, call);
   const bool takes_several = call.name == "io_away_from" || call.name == "io_near";
   if (takes_several && call.values[1].is_array() && call.values[1].size() > 1) {
@@ -111,9 +111,8 @@ absl::StatusOr<std::vector<v1::ConstraintEdge>> Read(const json& record, const v
   }
   std::vector<v1::ConstraintEdge> edges;
   for (const Call& one : calls) {
-    absl::StatusOr<v1::ConstraintEdge> edge = EdgeOf(one, arguments);
-    if (!edge.ok()) return edge.status();
-    edges.push_back(*std::move(edge));
+    ASSIGN_OR_RETURN(v1::ConstraintEdge edge, EdgeOf(one, arguments));
+    edges.push_back(std::move(edge));
   }
   return edges;
 }

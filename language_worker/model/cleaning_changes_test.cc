@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/model/cleaning_changes.h"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "language_worker/model/cleaning_step.h"
 #include "llm/answers/read_answer.h"
 
 namespace flair::language {

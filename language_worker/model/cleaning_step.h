@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -9,7 +11,8 @@
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
 #include "language_worker/model/model_tools.h"
-#include "language_worker/model/object_words.h"
+#include "language_worker/model/prompt_text.h"
+#include "llm/answers/fault.h"
 
 namespace flair::language {
 
@@ -26,5 +29,26 @@ std::vector<llm::Fault> CheckCleaning(const v1::ConstraintList& list, const mode
 // The list after the changes of an answer from which what was wrong has been left out.
 v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const model::v1::CleaningAnswer& answer,
                                  const ObjectWords& words);
+
+// Sentences by id: those that a cleaning may change. Borrows the list.
+using SentenceIndex = std::map<std::string, const v1::Sentence*, std::less<>>;
+SentenceIndex IndexOf(const v1::ConstraintList& list);
+
+// Some sentences and what takes their place: one of several, several of one, or nothing.
+struct Change {
+  std::vector<std::string> from;
+  std::vector<std::string> to;
+  // Why they go; may be empty.
+  std::string reason;
+};
+
+// The changes of an answer, in its order; lines about the same sentence are one change, and one that leaves its
+// sentence as it is is none. Others that make no sense are left out, with a fault of their element in `faults` when it
+// is not null: ids that there are not, sentences changed twice, several made of several. Takes any answer.
+std::vector<Change> ReadChanges(const model::v1::CleaningAnswer& answer, const SentenceIndex& sentences,
+                                std::vector<llm::Fault>* faults);
+
+// Sentences that go without another in their place.
+size_t RemovedCount(const std::vector<Change>& changes);
 
 }  // namespace flair::language

@@ -9,9 +9,8 @@
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
 #include "flair/v1/zone_plan.pb.h"
-#include "language_worker/model/id_maker.h"
+#include "language_worker/model/furniture_index.h"
 #include "language_worker/model/model_tools.h"
-#include "language_worker/model/object_size.h"
 
 namespace flair::language {
 
@@ -26,20 +25,6 @@ struct ObjectsRequest {
 // knows to hang or to lie are taken as tertiaries, at the end. `ids` gets their ids. Errors as Conversation::Ask.
 absl::StatusOr<v1::ObjectList> AskFloorObjects(const ObjectsRequest& request, const ModelTools& tools,
                                                llm::Conversation& conversation, IdMaker& ids);
-
-// Judges the lengths of an answer about objects, floor objects or tertiaries, by what is usual for those that the
-// handbook knows. The arguments must outlive it.
-template <typename Answer>
-llm::LengthJudge JudgeOf(const ObjectsRequest& request, const ModelTools& tools) {
-  return [&](const google::protobuf::Message& message) {
-    llm::LengthEvidence evidence;
-    for (const auto& object : static_cast<const Answer&>(message).objects()) {
-      evidence.Add(EvidenceOf({object.width_m(), object.depth_m(), object.height_m()},
-                              tools.furniture.Find(object.name()), ExtentOf(request.room)));
-    }
-    return evidence;
-  };
-}
 
 // What is wrong with an answer that reads well: larger than the room, covering the floor, hundreds, named twice, zones
 // without a primary. Equal objects that are listed one by one are doubtful, not wrong.

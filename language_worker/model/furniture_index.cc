@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/model/furniture_index.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace flair::language {
 namespace {
@@ -16,6 +20,20 @@ std::array<std::string, 4> Singulars(const std::string& name) {
   if (ends("es")) forms[2] = name.substr(0, name.size() - 2);
   if (ends("s")) forms[3] = name.substr(0, name.size() - 1);
   return forms;
+}
+
+// Whether a length is at most so many times as large as a class gets, and at least as small as that allows.
+bool IsWithin(double value_m, const hb::Extent& extent, double factor) {
+  const double low_m = extent.min() > 0 ? extent.min() : extent.typical();
+  const double high_m = extent.max() > 0 ? extent.max() : extent.typical();
+  return high_m <= 0 || (value_m <= factor * high_m && value_m >= low_m / factor);
+}
+
+// Longer and shorter side of a class: width and depth of an object may be meant the other way round.
+std::pair<const hb::Extent&, const hb::Extent&> SidesOf(const hb::Furniture& furniture) {
+  const hb::Extent &width = furniture.width_m(), &depth = furniture.depth_m();
+  if (width.typical() >= depth.typical()) return {width, depth};
+  return {depth, width};
 }
 
 }  // namespace
@@ -75,5 +93,26 @@ std::string PlainName(std::string_view name) {
   if (!plain.empty() && plain.back() == ' ') plain.pop_back();
   return plain;
 }
+
+bool FitsFloor(const ObjectSize& size, const FloorExtent& floor) {
+  return std::max(size.width_m, size.depth_m) <= std::max(floor.width_m, floor.depth_m) &&
+         std::min(size.width_m, size.depth_m) <= std::min(floor.width_m, floor.depth_m);
+}
+
+std::string OddSize(const ObjectSize& size, const hb::Furniture* furniture) {
+  if (furniture == nullptr) return "";
+  constexpr double kFactor = 2.5;
+  const auto [longer, shorter] = SidesOf(*furniture);
+  const auto odd = [](double value_m, const hb::Extent& extent) {
+    return value_m > 0 && !IsWithin(value_m, extent, kFactor);
+  };
+  if (!odd(std::max(size.width_m, size.depth_m), longer) && !odd(std::min(size.width_m, size.depth_m), shorter)) {
+    return "";
+  }
+  return fmt::format("is {}; a {} usually measures {:g} m x {:g} m", FootprintText(size), furniture->name(),
+                     furniture->width_m().typical(), furniture->depth_m().typical());
+}
+
+std::string FootprintText(const ObjectSize& size) { return fmt::format("{:g} m x {:g} m", size.width_m, size.depth_m); }
 
 }  // namespace flair::language

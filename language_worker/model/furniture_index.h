@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/objects/fit_floor.h"
 
 namespace flair::language {
 
@@ -30,5 +31,22 @@ bool IsRugName(std::string_view name);
 
 // The words of a name in lower case, one space between them, without other signs.
 std::string PlainName(std::string_view name);
+
+// Extents of one object, metres.
+struct ObjectSize {
+  double width_m = 0;
+  double depth_m = 0;
+  double height_m = 0;
+};
+
+// Whether its footprint fits between the room's walls in one of its turns.
+bool FitsFloor(const ObjectSize& size, const FloorExtent& floor);
+
+// What is odd about a size of that class, as a fault's text: more than 2.5 times as large as the class gets or as much
+// smaller, as lengths in a wrong unit are; empty when nothing is, or the class is not known.
+std::string OddSize(const ObjectSize& size, const hb::Furniture* furniture);
+
+// "2.2 m x 0.6 m"
+std::string FootprintText(const ObjectSize& size);
 
 }  // namespace flair::language

@@ -5,8 +5,7 @@
 
 #include <string>
 
-#include "language_worker/model/id_maker.h"
-#include "language_worker/model/object_size.h"
+#include "language_worker/model/model_tools.h"
 #include "language_worker/service/testing/model_session.h"
 
 namespace flair::language {

@@ -5,9 +5,25 @@
 
 #include <utility>
 
+#include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/model/furniture_index.h"
 #include "worker_runtime/files/files.h"
 
 namespace flair::language {
+namespace {
+
+// Leaves room for a number behind it: ids have at most 64 characters.
+constexpr size_t kLongestBase = 50;
+
+std::string BaseOf(std::string_view name, std::string_view fallback) {
+  std::string base = IdOf(PlainName(name));
+  if (base == "unnamed") base = std::string(fallback);
+  if (base.size() > kLongestBase) base.resize(kLongestBase);
+  while (base.size() > 1 && base.back() == '_') base.pop_back();
+  return base;
+}
+
+}  // namespace
 
 std::vector<llm::PromptSpec> LanguagePrompts() {
   std::vector<llm::PromptSpec> prompts = llm::RepairPrompts();
@@ -44,6 +60,27 @@ absl::Status BothFailed(const absl::Status& first, const absl::Status& second) {
 absl::Status UnusableResult(std::string_view step, const absl::Status& status) {
   return absl::DataLossError(fmt::format("step \"{}\": what the model answered makes no good artifact: {}", step,
                                          std::string(status.message())));
+}
+
+std::string IdMaker::Make(std::string_view name, std::string_view fallback) { return MakeLike(BaseOf(name, fallback)); }
+
+std::string IdMaker::MakeLike(const std::string& id) {
+  if (taken_.insert(id).second) return id;
+  for (int number = 2;; ++number) {
+    std::string numbered = fmt::format("{}_{}", id, number);
+    if (taken_.insert(numbered).second) return numbered;
+  }
+}
+
+std::vector<std::string> IdMaker::MakeSeveral(std::string_view name, int count, std::string_view fallback) {
+  if (count == 1) return {Make(name, fallback)};
+  std::vector<std::string> ids;
+  const std::string base = BaseOf(name, fallback);
+  for (int number = 1; static_cast<int>(ids.size()) < count; ++number) {
+    std::string id = fmt::format("{}_{}", base, number);
+    if (taken_.insert(id).second) ids.push_back(std::move(id));
+  }
+  return ids;
 }
 
 }  // namespace flair::language

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,8 +41,7 @@ void AddDiagnostic(v1::Severity severity, std::string code, std::string message,
   diagnostic.set_message(std::move(message));
 }
 
-// Adds a remark for every fault that an answer had to the end: "left_out" for elements that were, "unit_assumed" for
-// lengths that were not in metres, else "model_answer".
+// Adds a remark for every fault that an answer had to the end: "left_out" for elements that were, else "model_answer".
 template <typename WithDiagnostics>
 void AddFaults(std::string_view step, const std::vector<llm::Fault>& faults, WithDiagnostics& to) {
   constexpr int kMost = 40;
@@ -54,9 +54,8 @@ void AddFaults(std::string_view step, const std::vector<llm::Fault>& faults, Wit
                     to);
       return;
     }
-    const bool wrong = fault.kind == llm::FaultKind::kWrong, unit = fault.kind == llm::FaultKind::kUnit;
-    AddDiagnostic(wrong || unit ? v1::SEVERITY_WARNING : v1::SEVERITY_NOTE,
-                  wrong ? "left_out" : (unit ? "unit_assumed" : "model_answer"),
+    const bool wrong = fault.kind == llm::FaultKind::kWrong;
+    AddDiagnostic(wrong ? v1::SEVERITY_WARNING : v1::SEVERITY_NOTE, wrong ? "left_out" : "model_answer",
                   "The model's answer to \"" + std::string(step) + "\": " + fault.Sentence() +
                       (wrong ? "; it was left out." : "."),
                   to);
@@ -75,5 +74,24 @@ absl::Status BothFailed(const absl::Status& first, const absl::Status& second);
 
 // An error for a result that the model's answer was turned into and that does not validate after all.
 absl::Status UnusableResult(std::string_view step, const absl::Status& status);
+
+// Makes ids of names that strangers gave: short, of a-z, 0-9 and "_", none twice.
+class IdMaker {
+ public:
+  // An id for one thing: "desk", or "desk_2" when that is taken; `fallback` for names without a letter of ours.
+  std::string Make(std::string_view name, std::string_view fallback);
+
+  // Ids for `count` equal things: "dining_chair_1" and so on, or as Make for a single one.
+  std::vector<std::string> MakeSeveral(std::string_view name, int count, std::string_view fallback);
+
+  // This id, made elsewhere, or one like it when it is taken.
+  std::string MakeLike(const std::string& id);
+
+  // For an id that was made elsewhere.
+  void Take(const std::string& id) { taken_.insert(id); }
+
+ private:
+  std::set<std::string, std::less<>> taken_;
+};
 
 }  // namespace flair::language

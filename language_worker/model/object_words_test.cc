@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/model/object_words.h"
-
 #include <gtest/gtest.h>
 
+#include "language_worker/model/prompt_text.h"
 #include "language_worker/service/testing/model_session.h"
 
 namespace flair::language {

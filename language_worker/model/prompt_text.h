@@ -2,6 +2,7 @@
 // The parts of a problem as a model is told them: short, exact, strangers' words quoted.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -40,5 +41,20 @@ llm::Choices GroupChoices(const std::vector<ObjectGroup>& groups);
 
 // The ids of what an answer named: of a group's members, or of a single object.
 std::vector<std::string> IdsOf(const std::string& name, const std::vector<ObjectGroup>& groups);
+
+// Turns the ids that a model writes into its sentences, because it was shown them, into words: "double_bed" is "double
+// bed", "nightstand_2" the "second nightstand", "window_1" a "window". Immutable, thread-safe.
+class ObjectWords {
+ public:
+  ObjectWords(const v1::ObjectList& objects, const v1::Room& room);
+
+  std::string InWords(const std::string& sentence) const;
+
+ private:
+  std::map<std::string, std::string, std::less<>> words_;
+};
+
+// "first" to "tenth", then "11th"; `number` counts from 0.
+std::string Ordinal(size_t number);
 
 }  // namespace flair::language

@@ -15,6 +15,7 @@
 #include "language_worker/handbook/rooms/openings.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -185,25 +186,6 @@ std::vector<Fault> CheckRoom(const SizeRequest& size, RoomAnswer& answer) {
   return faults;
 }
 
-llm::LengthEvidence EvidenceOf(const SizeRequest& size, const RoomAnswer& answer) {
-  llm::LengthEvidence evidence;
-  const auto add = [&](double value_m, double least_m, double most_m) {
-    evidence.Add({.known = 1, .plausible = value_m >= least_m && value_m <= most_m ? 1 : 0});
-  };
-  constexpr double kNear = 1.05;
-  if (size.width_m) add(answer.width_m(), *size.width_m / kNear, *size.width_m * kNear);
-  if (size.depth_m) add(answer.depth_m(), *size.depth_m / kNear, *size.depth_m * kNear);
-  if (answer.has_height_m()) add(answer.height_m(), 2.1, 5);
-  // Builders' measures; what two units could mean says little, so wide ranges do no harm.
-  for (const OpeningAnswer& opening : answer.openings()) {
-    const bool door = opening.kind() == "door";
-    add(opening.width_m(), door ? 0.6 : 0.4, door ? 1.9 : 4);
-    if (opening.has_head_m()) add(opening.head_m(), 1.7, 2.9);
-    if (!door && opening.sill_m() > 0) add(opening.sill_m(), 0.2, 1.8);
-  }
-  return evidence;
-}
-
 v1::Room ToRoom(const v1::Brief& brief, const SizeRequest& size, const RoomAnswer& answer) {
   RoomAnswer sized = answer;
   sized.set_width_m(size.width_m.value_or(answer.width_m()));
@@ -223,19 +205,14 @@ v1::Room ToRoom(const v1::Brief& brief, const SizeRequest& size, const RoomAnswe
 }
 
 absl::StatusOr<v1::Room> AskRoom(const v1::Brief& brief, const ModelTools& tools, llm::Conversation& conversation) {
-  const absl::StatusOr<BriefFacts> facts = ReadBrief(brief, tools.handbook);
-  if (!facts.ok()) return facts.status();
+  ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, tools.handbook));
   llm::Question question =
       MakeQuestion(tools, "room", "room", {{"brief", llm::QuoteData(brief.text())}}, RoomAnswer::default_instance());
   question.repaired_whole = true;
-  question.check = llm::CheckOf<RoomAnswer>([&](RoomAnswer& answer) { return CheckRoom(facts->size, answer); });
-  question.judge_lengths = [&](const google::protobuf::Message& answer) {
-    return EvidenceOf(facts->size, static_cast<const RoomAnswer&>(answer));
-  };
-  const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
-  if (!reply.ok()) return reply.status();
-  v1::Room room = ToRoom(brief, facts->size, reply->As<RoomAnswer>());
-  AddFaults("room", reply->faults, room);
+  question.check = llm::CheckOf<RoomAnswer>([&](RoomAnswer& answer) { return CheckRoom(facts.size, answer); });
+  ASSIGN_OR_RETURN(const llm::Reply reply, conversation.Ask(question));
+  v1::Room room = ToRoom(brief, facts.size, reply.As<RoomAnswer>());
+  AddFaults("room", reply.faults, room);
   if (absl::Status status = Validate(room); !status.ok()) return UnusableResult("room", status);
   return room;
 }

@@ -19,9 +19,6 @@ absl::StatusOr<v1::Room> AskRoom(const v1::Brief& brief, const ModelTools& tools
 // What is wrong with an answer that reads well, given the size that the brief asks for.
 std::vector<llm::Fault> CheckRoom(const SizeRequest& size, model::v1::RoomAnswer& answer);
 
-// How an answer's lengths go with the size that the brief asks for and with what doors and windows measure.
-llm::LengthEvidence EvidenceOf(const SizeRequest& size, const model::v1::RoomAnswer& answer);
-
 // The room of an answer from which what CheckRoom found wrong has been left out.
 v1::Room ToRoom(const v1::Brief& brief, const SizeRequest& size, const model::v1::RoomAnswer& answer);
 

@@ -12,6 +12,7 @@
 #include "language_worker/model/prompt_text.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::language {
@@ -157,14 +158,13 @@ absl::StatusOr<v1::StyleSheet> AskStyle(const StyleRequest& request, const Model
                                         StyleAnswer::default_instance());
   question.choices[kSubjectField] = SubjectChoices(request);
   question.check = llm::CheckOf<StyleAnswer>([&](StyleAnswer& answer) { return CheckStyle(request, tools, answer); });
-  const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
-  if (!reply.ok()) return reply.status();
-  v1::StyleSheet sheet = ToStyleSheet(request, tools.handbook, reply->As<StyleAnswer>());
+  ASSIGN_OR_RETURN(const llm::Reply reply, conversation.Ask(question));
+  v1::StyleSheet sheet = ToStyleSheet(request, tools.handbook, reply.As<StyleAnswer>());
   const absl::StatusOr<v1::StyleSheet> usual =
       ChooseStyle(request.brief, request.room, request.objects, tools.handbook);
   if (!usual.ok()) return usual.status();
   Complete(*usual, sheet);
-  AddFaults("style", reply->faults, sheet);
+  AddFaults("style", reply.faults, sheet);
   if (absl::Status status = Validate(sheet, request.room, request.objects); !status.ok()) {
     return UnusableResult("style", status);
   }

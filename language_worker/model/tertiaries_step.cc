@@ -8,10 +8,11 @@
 #include <string>
 #include <utility>
 
-#include "language_worker/model/object_size.h"
-#include "language_worker/model/object_words.h"
+#include "language_worker/model/furniture_index.h"
+#include "language_worker/model/prompt_text.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -210,12 +211,10 @@ absl::Status AskTertiaries(const ObjectsRequest& request, const ModelTools& tool
   question.choices["flair.model.v1.TertiaryAnswer.at"] = GroupChoices(groups);
   question.check = llm::CheckOf<TertiariesAnswer>(
       [&](TertiariesAnswer& answer) { return CheckTertiaries(request, tools, list, answer); });
-  question.judge_lengths = JudgeOf<TertiariesAnswer>(request, tools);
-  const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
-  if (!reply.ok()) return reply.status();
+  ASSIGN_OR_RETURN(const llm::Reply reply, conversation.Ask(question));
   v1::ObjectList all = list;
-  AddTertiaries(request, tools, reply->As<TertiariesAnswer>(), ids, all);
-  AddFaults("objects.tertiary", reply->faults, all);
+  AddTertiaries(request, tools, reply.As<TertiariesAnswer>(), ids, all);
+  AddFaults("objects.tertiary", reply.faults, all);
   if (absl::Status status = Validate(all, request.zones); !status.ok()) {
     return UnusableResult("objects.tertiary", status);
   }

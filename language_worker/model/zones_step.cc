@@ -8,10 +8,11 @@
 #include <string>
 
 #include "language_worker/handbook/rooms/describe_room.h"
-#include "language_worker/model/id_maker.h"
+#include "language_worker/model/model_tools.h"
 #include "language_worker/model/prompt_text.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -112,14 +113,13 @@ absl::StatusOr<v1::ZonePlan> AskZones(const v1::Brief& brief, const v1::Room& ro
                                         ZonesAnswer::default_instance());
   question.repaired_whole = true;
   question.check = llm::CheckOf<ZonesAnswer>([&](ZonesAnswer& answer) { return CheckZones(room, answer); });
-  const absl::StatusOr<llm::Reply> reply = conversation.Ask(question);
-  if (!reply.ok()) return reply.status();
-  if (reply->As<ZonesAnswer>().zones().empty()) {
+  ASSIGN_OR_RETURN(const llm::Reply reply, conversation.Ask(question));
+  if (reply.As<ZonesAnswer>().zones().empty()) {
     return absl::DataLossError("step \"zones\": the model's answer has no usable zone, also after a repair");
   }
-  v1::ZonePlan plan = ToZonePlan(reply->As<ZonesAnswer>());
+  v1::ZonePlan plan = ToZonePlan(reply.As<ZonesAnswer>());
   AddWantedZones(brief, plan);
-  AddFaults("zones", reply->faults, plan);
+  AddFaults("zones", reply.faults, plan);
   if (absl::Status status = Validate(plan); !status.ok()) return UnusableResult("zones", status);
   return plan;
 }

@@ -6,7 +6,8 @@
 
 #include "language_worker/recorded/recorded_room_client.h"
 #include "language_worker/service/language_handlers.h"
-#include "llm/wrappers/recording_llm_client.h"
+#include "llm/wrappers/folder_llm_clients.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -44,10 +45,9 @@ class Phase {
     if constexpr (requires { request.mutable_constraint_list(); }) {
       *request.mutable_constraint_list() = result_.constraints;
     }
-    const absl::StatusOr<Response> response = handlers_.Handle(request, call_);
-    if (!response.ok()) return response.status();
-    part = ((*response).*get)();
-    result_.calls.insert(result_.calls.end(), response->model_calls().begin(), response->model_calls().end());
+    ASSIGN_OR_RETURN(const Response response, handlers_.Handle(request, call_));
+    part = ((response).*get)();
+    result_.calls.insert(result_.calls.end(), response.model_calls().begin(), response.model_calls().end());
     return absl::OkStatus();
   }
 
@@ -68,7 +68,7 @@ absl::StatusOr<ImportedAnswers> ImportAnswers(const RecordedRoom& room, const Ha
   if (!recording.ok()) return recording.status();
   const LanguageHandlers handlers(handbook, *std::move(recording), prompts);
   ImportedAnswers result;
-  if (absl::Status status = Phase(room, handlers, result).Run(); !status.ok()) return status;
+  RETURN_IF_ERROR(Phase(room, handlers, result).Run());
   result.conversions = client.conversions();
   return result;
 }

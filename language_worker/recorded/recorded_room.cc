@@ -11,6 +11,7 @@
 #include "evaluation/readers/flairgpt_room.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -80,12 +81,11 @@ absl::StatusOr<RecordedRoom> ReadRecordedRoom(const std::string& text) {
   if (absl::Status status = Validate(room.brief); !status.ok()) {
     return Bad(fmt::format("prompt: {}", std::string(status.message())));
   }
-  absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(text);
-  if (!graph.ok()) return graph.status();
-  room.graph = *std::move(graph);
+  ASSIGN_OR_RETURN(v1::LayoutGraph graph, evaluation::ReadFlairGptRoom(text));
+  room.graph = std::move(graph);
   if (room.FloorObjects().empty()) return Bad("primary: names no object");
   if (room.graph.zone_plan().zones().empty()) return Bad("zones: names no zone");
-  if (absl::Status status = ReadTexts(*problem, room); !status.ok()) return status;
+  RETURN_IF_ERROR(ReadTexts(*problem, room));
   return room;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "language_worker/recorded/recorded_calls.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -95,25 +96,17 @@ absl::StatusOr<std::string> RecordedRoomClient::Answer(const std::string& step, 
   return absl::NotFoundError(fmt::format("step \"{}\": a recorded room has no answer to it", step));
 }
 
-void RecordedRoomClient::Ask(const llm::ChatRequest& request, runtime::CallContext&, llm::AnswerCallback done) {
+absl::StatusOr<llm::ChatAnswer> RecordedRoomClient::Ask(const llm::ChatRequest& request, runtime::CallContext&) {
   // A repair shows what was answered; that is answered again.
   const bool repair = request.step.ends_with("/repair") && request.messages.size() > 2;
-  absl::StatusOr<std::string> text =
-      repair ? request.messages[request.messages.size() - 2].text : Answer(request.step, request);
-  if (!text.ok()) {
-    done(text.status());
-    return;
-  }
   llm::ChatAnswer answer;
-  answer.text = *std::move(text);
+  ASSIGN_OR_RETURN(answer.text,
+                   repair ? request.messages[request.messages.size() - 2].text : Answer(request.step, request));
   answer.model = "gpt-4o-recorded";
   answer.usage.estimated = true;
-  answer.usage.input_token_count = llm::EstimateTokens(request.schema);
-  for (const llm::Message& message : request.messages) {
-    answer.usage.input_token_count += llm::EstimateTokens(message.text);
-  }
+  answer.usage.input_token_count = llm::EstimateTokens(request);
   answer.usage.output_token_count = llm::EstimateTokens(answer.text);
-  done(std::move(answer));
+  return answer;
 }
 
 std::map<std::string, Conversion> RecordedRoomClient::conversions() const {

@@ -30,7 +30,7 @@ class RecordedRoomClient final : public llm::LlmClient {
                      RecordedTranslation translation = RecordedTranslation::kCalls)
       : room_(room), answers_(room, handbook), translation_(translation) {}
 
-  void Ask(const llm::ChatRequest& request, runtime::CallContext& call, llm::AnswerCallback done) override;
+  absl::StatusOr<llm::ChatAnswer> Ask(const llm::ChatRequest& request, runtime::CallContext& call) override;
   // Names the recording: another one gives other answers to the same brief.
   std::string identity() const override { return "gpt-4o, recorded as free text " + room_.digest; }
 

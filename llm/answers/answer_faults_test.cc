@@ -52,6 +52,13 @@ INSTANTIATE_TEST_SUITE_P(
         {"ListForText", R"("name":["bed","cot"])", "objects[0].name: is a list of 2; a text would be right"},
         {"ObjectForNumber", R"("height_m":{"m":1})",
          "objects[0].height_m: is an object; a number in metres, 0.01 to 12 would be right"},
+        {"ThingsInANumber", R"("count":"two")",
+         R"(objects[0].count: is "two"; a whole number, 1 to 40 would be right)"},
+        {"ForeignUnit", R"("width_m":"5'6")",
+         R"(objects[0].width_m: is "5'6"; a number in metres, 0.05 to 20 would be right)"},
+        {"Range", R"("count":"2-3")", R"(objects[0].count: is "2-3"; a whole number, 1 to 40 would be right)"},
+        {"ZoneInAPhrase", R"("zone":"the sleeping area")",
+         R"(objects[0].zone: is "the sleeping area"; one of "sleeping", "floor work" would be right)"},
         {"WordForBool", R"("primary":"maybe")", R"(objects[0].primary: is "maybe"; true or false would be right)"},
     }),
     [](const auto& info) { return info.param.name; });

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/answers/choices.h"
 
-#include <algorithm>
 #include <set>
 #include <utility>
-
-#include "llm/answers/utf8.h"
 
 namespace flair::llm {
 namespace {
@@ -28,19 +25,6 @@ std::string WithoutPlural(std::string text) {
   return text;
 }
 
-// Its words in lower case and in the singular.
-std::set<std::string> WordsOf(std::string_view written) {
-  const std::string text = PlainMarks(written);
-  std::set<std::string> words;
-  std::string word;
-  for (size_t i = 0; i <= text.size(); ++i) {
-    const std::string bare = i < text.size() ? Bare(std::string_view(text).substr(i, 1)) : "";
-    word += bare;
-    if (bare.empty() && !word.empty()) words.insert(WithoutPlural(std::exchange(word, {})));
-  }
-  return words;
-}
-
 }  // namespace
 
 std::string Bare(std::string_view text) {
@@ -56,7 +40,7 @@ std::string Bare(std::string_view text) {
 }
 
 std::optional<std::string> FindChoice(std::string_view text, const Choices& choices) {
-  const std::string bare = Bare(PlainMarks(text));
+  const std::string bare = Bare(text);
   if (bare.empty()) return std::nullopt;
   for (const std::string& name : choices.names) {
     if (name == text) return name;
@@ -68,28 +52,6 @@ std::optional<std::string> FindChoice(std::string_view text, const Choices& choi
   }
   if (meant.size() != 1) return std::nullopt;
   return *meant.begin();
-}
-
-std::optional<std::string> FindChoiceWithin(std::string_view text, const Choices& choices) {
-  const std::set<std::string> words = WordsOf(text);
-  if (words.empty()) return std::nullopt;
-  std::set<std::string> held, holding;
-  size_t most = 0;
-  const auto compare = [&](const std::string& written, const std::string& name) {
-    const std::set<std::string> own = WordsOf(written);
-    if (own.empty()) return;
-    if (std::ranges::includes(words, own) && own.size() >= most) {
-      if (own.size() > most) held.clear();
-      most = own.size();
-      held.insert(name);
-    } else if (std::ranges::includes(own, words)) {
-      holding.insert(name);
-    }
-  };
-  for (const std::string& name : choices.names) compare(name, name);
-  for (const auto& [alias, name] : choices.aliases) compare(alias, name);
-  const std::set<std::string>& meant = held.empty() ? holding : held;
-  return meant.size() == 1 ? std::optional(*meant.begin()) : std::nullopt;
 }
 
 }  // namespace flair::llm

@@ -24,11 +24,6 @@ using FieldChoices = std::map<std::string, Choices>;
 // sense; nothing when there is none or it would be more than one.
 std::optional<std::string> FindChoice(std::string_view text, const Choices& choices);
 
-// The choice that a text holds: all of its words ("the north wall" for "north"), the longest of several; else the only
-// choice that has all words of the text ("bed" for "double_bed"). Nothing when none or several are meant. For names
-// that are otherwise of no use.
-std::optional<std::string> FindChoiceWithin(std::string_view text, const Choices& choices);
-
 // Letters and digits of a text in lower case, bytes beyond ASCII as they are: what names are compared by.
 std::string Bare(std::string_view text);
 

@@ -133,7 +133,7 @@ void Conversation::Round(std::span<Turn* const> turns) {
   }
   std::vector<ChatRequest> requests;
   for (const Turn* turn : turns) requests.push_back(turn->request);
-  const std::vector<absl::StatusOr<ChatAnswer>> answers = AskAllAndWait(client_, requests, call_);
+  const std::vector<absl::StatusOr<ChatAnswer>> answers = llm::AskAll(client_, requests, call_);
   for (size_t i = 0; i < turns.size(); ++i) {
     if (answers[i].ok()) {
       Judge(*answers[i], *turns[i]);
@@ -217,7 +217,6 @@ void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
   if (turn.part) {
     of_answer = TakePart(faults, turn);
   } else {
-    if (!unread && question.judge_lengths) TakeUnit(answer.text, faults, turn);
     turn.read_fault_count = faults.size();
     // What could not be read at all need not be judged.
     if (!unread && question.check) AddChecked(question.check(*turn.reply.answer), faults);
@@ -227,18 +226,6 @@ void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
   if (options_.texts_omitted()) LeaveOutQuotations(of_answer);
   Record(turn, answer, of_answer);
   turn.first_answer = answer.text;
-}
-
-void Conversation::TakeUnit(std::string_view answer, std::vector<Fault>& faults, Turn& turn) {
-  const Question& question = *turn.question;
-  UnitReading reading = ReadInClearUnit(answer, question.choices, *question.answer, question.judge_lengths);
-  if (reading.unit == nullptr) return;
-  turn.reply.answer = std::move(reading.answer);
-  faults = std::move(reading.faults);
-  faults.push_back({"",
-                    fmt::format("gives its lengths in {}, as it seems; all of them in metres would be right; converted",
-                                reading.unit->name),
-                    FaultKind::kUnit});
 }
 
 std::vector<Fault> Conversation::TakePart(const std::vector<Fault>& read, Turn& turn) {

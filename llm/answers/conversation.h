@@ -16,7 +16,6 @@
 #include "flair/v1/model_call.pb.h"
 #include "llm/answers/choices.h"
 #include "llm/answers/fault.h"
-#include "llm/answers/length_unit.h"
 #include "llm/answers/partial_repair.h"
 #include "llm/answers/prompt_library.h"
 #include "llm/client/llm_client.h"
@@ -42,9 +41,6 @@ struct Question {
   // What is wrong with an answer that reads well; may mend it (`kMended`) and append to its lists, but leaves the order
   // of list elements. Called for the first answer and for the repaired one.
   std::function<std::vector<Fault>(google::protobuf::Message&)> check = {};
-  // How an answer's lengths go with what they are lengths of, for models that stay with a unit of their own; when not
-  // set, lengths are metres.
-  LengthJudge judge_lengths = {};
   // An answer so short that it is repaired as a whole: its elements are read against each other.
   bool repaired_whole = false;
   // The task as far as it is about these elements of an answer, for a repair of nothing else; when not set, `text`.
@@ -119,8 +115,6 @@ class Conversation {
   // Puts what a repair of some elements has into the first answer, which becomes the turn's reply; gives what is wrong
   // with the repair, as the model sees it. `read`: faults of reading it.
   static std::vector<Fault> TakePart(const std::vector<Fault>& read, Turn& turn);
-  // Reads the turn's reply in the unit of its lengths when that is clearly not metres.
-  static void TakeUnit(std::string_view answer, std::vector<Fault>& faults, Turn& turn);
   void PrepareRepair(Turn& turn) const;
   // Leaves out what stayed wrong; an error when nothing useful is left.
   static absl::Status Finish(Turn& turn);

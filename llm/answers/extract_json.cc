@@ -4,12 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "llm/answers/choices.h"
-#include "llm/answers/json_scan.h"
-#include "llm/answers/json_words.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::llm {
@@ -19,6 +16,7 @@ using nlohmann::json;
 
 constexpr size_t kMostBytes = 1'000'000;
 constexpr int kMostCandidates = 50;
+constexpr size_t kMostNesting = 64;
 
 std::string_view Trimmed(std::string_view text) {
   constexpr std::string_view kSpace = " \t\r\n\v\f";
@@ -39,45 +37,130 @@ bool IsHtml(std::string_view text) {
   return text.starts_with('<') && (start.starts_with("doctypehtml") || start.starts_with("html"));
 }
 
-// Whether a text begins with a key without quotes: "name:".
-bool BeginsWithKey(std::string_view text) {
-  size_t end = 0;
-  while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_')) ++end;
-  const size_t next = text.find_first_not_of(" \t", end);
-  return end > 0 && next != std::string_view::npos && text[next] == ':';
-}
-
 // Whether the text behind a bracket is how JSON goes on, rather than prose in brackets.
 bool LooksLikeJson(std::string_view text, size_t start) {
   const size_t next = text.find_first_not_of(" \t\r\n", start + 1);
-  if (next == std::string_view::npos || QuoteLength(text.substr(next)) > 0) return true;
-  if (text.substr(next).starts_with("# ")) return true;
-  if (text[start] == '{') return text[next] == '}' || text[next] == '/' || BeginsWithKey(text.substr(next));
-  return std::string_view("{[-0123456789tfn]/").find(text[next]) != std::string_view::npos;
+  if (next == std::string_view::npos) return true;
+  return std::string_view(text[start] == '{' ? "\"}/" : "\"{[]-0123456789tfn/").find(text[next]) !=
+         std::string_view::npos;
 }
 
-// Parses text whose brackets match; on failure `fault` says where and what.
-json Parse(const std::string& text, Fault& fault) {
+// A stretch of text that may be one JSON value, found by its brackets.
+struct JsonScan {
+  // How it ended: with its own closing bracket, with the text, with a bracket that closes another kind, or too deep.
+  enum class End { kComplete, kTruncated, kBroken, kTooDeep };
+  End end = End::kBroken;
+  // Behind its last byte.
+  size_t stop = 0;
+  // The value without comments and trailing commas, control characters in texts escaped.
+  std::string json;
+  // When truncated: the value up to the last list element that is whole, closed; empty when there is none.
+  std::string salvaged;
+};
+
+// Scans the bracket at a place of a text to its end. Linear in the text.
+class Scanner {
+ public:
+  Scanner(std::string_view text, size_t start) : text_(text), at_(start) {}
+
+  JsonScan Scan() {
+    scan_.end = JsonScan::End::kTruncated;
+    while (at_ < text_.size() && scan_.end == JsonScan::End::kTruncated) {
+      const char c = text_[at_];
+      if (c == '"') {
+        CopyString();
+      } else if (c == '/' && SkipComment()) {
+        continue;
+      } else if (c == '{' || c == '[') {
+        Open(c);
+      } else if (c == '}' || c == ']') {
+        Close(c);
+      } else {
+        scan_.json += c;
+      }
+      ++at_;
+    }
+    scan_.stop = std::min(at_, text_.size());
+    if (scan_.end == JsonScan::End::kTruncated && whole_ > 0) {
+      scan_.salvaged = scan_.json.substr(0, whole_) + closers_;
+    }
+    return std::move(scan_);
+  }
+
+ private:
+  // at_ ends on its last byte.
+  void CopyString() {
+    scan_.json += '"';
+    for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
+      const char c = text_[at_];
+      if (static_cast<unsigned char>(c) < 0x20) {
+        scan_.json += fmt::format("\\u{:04x}", static_cast<int>(c));
+        continue;
+      }
+      scan_.json += c;
+      if (c == '\\' && at_ + 1 < text_.size()) scan_.json += text_[++at_];
+    }
+    scan_.json += '"';
+  }
+
+  // "// ..." to the end of the line and "/* ... */"; at_ ends behind it.
+  bool SkipComment() {
+    const bool line = text_.substr(at_).starts_with("//");
+    if (!line && !text_.substr(at_).starts_with("/*")) return false;
+    const size_t end = text_.find(line ? "\n" : "*/", at_ + 2);
+    at_ = end == std::string_view::npos ? text_.size() : end + (line ? 1 : 2);
+    return true;
+  }
+
+  void Open(char bracket) {
+    if (open_.size() == kMostNesting) {
+      scan_.end = JsonScan::End::kTooDeep;
+      at_ = text_.size();
+      return;
+    }
+    scan_.json += bracket;
+    open_ += bracket;
+  }
+
+  void Close(char bracket) {
+    if (open_.empty() || (bracket == '}') != (open_.back() == '{')) {
+      scan_.end = JsonScan::End::kBroken;
+      return;
+    }
+    // A comma before it is one too many.
+    const size_t last = scan_.json.find_last_not_of(" \t\r\n");
+    if (scan_.json[last] == ',') scan_.json.resize(last);
+    scan_.json += bracket;
+    open_.pop_back();
+    if (open_.empty()) scan_.end = JsonScan::End::kComplete;
+    if (open_.empty() || open_.back() != '[') return;
+    whole_ = scan_.json.size();
+    closers_.clear();
+    for (auto open = open_.rbegin(); open != open_.rend(); ++open) closers_ += *open == '{' ? '}' : ']';
+  }
+
+  const std::string_view text_;
+  size_t at_;
+  JsonScan scan_;
+  std::string open_;     // brackets that are open
+  size_t whole_ = 0;     // length of the JSON up to the last whole list element; 0 for none
+  std::string closers_;  // what closes it there
+};
+
+json Parsed(const std::string& text) { return json::parse(text, nullptr, /*allow_exceptions=*/false); }
+
+// Where text whose brackets match is no JSON.
+std::string NoJsonText(const std::string& text) {
   try {
-    return json::parse(text);
+    (void)json::parse(text);
   } catch (const json::parse_error& error) {
     const size_t byte = std::min(error.byte, text.size());
-    const std::string place = ScanJson(CutCharacters(text, byte), 0).path;
-    const size_t from = byte > 20 ? byte - 20 : 0;
-    fault.text = fmt::format("is no valid JSON{}{}, near {}; plain JSON with double quotes would be right",
-                             place.empty() ? "" : " at ", place, Quoted(std::string_view(text).substr(from, 40)));
+    return fmt::format("is no valid JSON near {}; plain JSON with double quotes would be right",
+                       Quoted(std::string_view(text).substr(byte > 20 ? byte - 20 : 0, 40)));
   } catch (const json::exception&) {
-    fault.text = "is no valid JSON: a number is too large; plain JSON would be right";
+    // Below.
   }
-  return json(json::value_t::discarded);
-}
-
-// The text within a JSON string that is all of a text: some gateways quote the whole answer. Else the text.
-std::string WithoutQuotation(std::string_view text) {
-  if (!text.starts_with('"')) return std::string(text);
-  const json value = json::parse(text, nullptr, /*allow_exceptions=*/false);
-  const bool holds_json = value.is_string() && value.get_ref<const std::string&>().find('{') != std::string::npos;
-  return holds_json ? value.get<std::string>() : std::string(text);
+  return "is no valid JSON: a number is too large; plain JSON would be right";
 }
 
 // What the search for the value has found so far.
@@ -101,7 +184,6 @@ class Search {
   }
 
   ExtractedJson Take(std::string_view text) {
-    if (best_known_ <= 1 && !salvaged_ && elements_.size() > 1) return {std::move(elements_), {}};
     // A value without any of the keys is an example or an aside when another one was cut off.
     if (best_ && (best_known_ > 1 || !salvaged_)) return {std::move(*best_), {}};
     if (salvaged_ && fault_) return {std::move(*salvaged_), {*fault_}};
@@ -114,53 +196,48 @@ class Search {
  private:
   // Tries the value that starts at `at` and returns where to look on.
   size_t Try(std::string_view text, size_t at) {
-    const JsonScan scan = ScanJson(text, at);
-    Fault fault;
+    const JsonScan scan = Scanner(text, at).Scan();
+    const std::string_view end = text.substr(0, scan.stop);
+    const std::string near = Quoted(end.substr(end.size() > 30 ? end.size() - 30 : 0));
     if (scan.end == JsonScan::End::kComplete) {
-      // What is wrong is told of the first alone.
-      json value = fault_ ? json::parse(scan.json, nullptr, /*allow_exceptions=*/false) : Parse(scan.json, fault);
+      json value = Parsed(scan.json);
       if (value.is_discarded()) {
-        if (!fault_) fault_ = fault;
-      } else {
-        // An empty list among other things is a part of something that is no JSON.
-        const bool alone = text.find_first_of("{[") == at && text.find_first_of("{[", scan.stop) == text.npos;
-        if (!value.is_array() || !value.empty() || alone) Offer(std::move(value));
+        Blame(NoJsonText(scan.json));
+      } else if (!value.is_array() || !value.empty() || IsAlone(text, at, scan.stop)) {
+        Offer(std::move(value));
       }
-      return scan.stop;
+    } else if (scan.end == JsonScan::End::kTooDeep) {
+      Blame("is nested deeper than any answer; plain JSON would be right");
+    } else if (scan.end == JsonScan::End::kBroken) {
+      Blame(fmt::format("is no valid JSON: a bracket that does not match near {}", near));
+    } else {
+      json value = scan.salvaged.empty() ? json(json::value_t::discarded) : Parsed(scan.salvaged);
+      const std::string ended = fmt::format("ended after {}; the whole JSON would be right, shorter if need be", near);
+      if (!value.is_discarded()) {
+        salvaged_ = std::move(value);
+        fault_ = Fault{"", ended, FaultKind::kDoubtful};
+      } else {
+        Blame(ended);
+      }
     }
-    const std::string place = scan.path.empty() ? "" : " inside " + scan.path;
-    if (scan.end == JsonScan::End::kTooDeep) {
-      if (!fault_) fault_ = Fault{"", "is nested deeper than any answer; plain JSON would be right"};
-      return scan.stop;
-    }
-    if (scan.end == JsonScan::End::kBroken) {
-      fault.text = fmt::format("is no valid JSON: a bracket that does not match{}, near {}", place,
-                               Quoted(text.substr(scan.stop > 20 ? scan.stop - 20 : 0, 40)));
-      if (!fault_) fault_ = fault;
-      return scan.stop;
-    }
-    fault.text = fmt::format("ended{}, after {}; the whole JSON would be right, shorter if need be", place,
-                             Quoted(text.substr(text.size() > 30 ? text.size() - 30 : 0)));
-    json value = scan.salvaged.empty() ? json(json::value_t::discarded) : Parse(scan.salvaged, fault);
-    if (!value.is_discarded()) {
-      fault.kind = scan.only_unclosed ? FaultKind::kMended : FaultKind::kDoubtful;
-      salvaged_ = std::move(value);
-      fault_ = fault;
-    } else if (!fault_) {
-      fault_ = fault;
-    }
-    // Whatever values follow are parts of this one.
-    return text.size();
+    return scan.stop;
+  }
+
+  // An empty list among other things is a part of something that is no JSON.
+  static bool IsAlone(std::string_view text, size_t start, size_t stop) {
+    return text.find_first_of("{[") == start && text.find_first_of("{[", stop) == std::string_view::npos;
+  }
+
+  // What is wrong is told of the first alone.
+  void Blame(std::string text) {
+    if (!fault_) fault_ = Fault{"", std::move(text)};
   }
 
   void Offer(json value) {
-    int known = 0;
+    int known = value.is_object() ? 1 : 0;  // an object before a list
     if (value.is_object()) {
-      for (const auto& [key, member] : value.items()) {
-        known += std::find(keys_.begin(), keys_.end(), Bare(key)) != keys_.end() ? 2 : 0;
-      }
-      ++known;  // an object before a list
-      if (known == 1 && !value.empty()) elements_.push_back(value);
+      for (const auto& [key, member] : value.items())
+        known += std::ranges::find(keys_, Bare(key)) != keys_.end() ? 2 : 0;
     }
     if (best_ && known < best_known_) return;
     best_ = std::move(value);
@@ -168,8 +245,6 @@ class Search {
   }
 
   std::vector<std::string> keys_;
-  // The objects without any of the keys: a list's elements, when there is nothing else.
-  json elements_ = json::array();
   std::optional<json> best_;
   int best_known_ = 0;
   std::optional<json> salvaged_;
@@ -190,9 +265,8 @@ ExtractedJson ExtractJson(std::string_view answer, std::span<const std::string> 
   if (text.empty()) return no_value("is empty; one JSON object would be right");
   if (IsHtml(text)) return no_value(fmt::format("is an HTML page, {}; one JSON object would be right", Quoted(text)));
   Search search(keys);
-  const std::string unquoted = WithoutQuotation(text);
-  search.Run(unquoted);
-  return search.Take(unquoted);
+  search.Run(text);
+  return search.Take(text);
 }
 
 }  // namespace flair::llm

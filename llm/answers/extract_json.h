@@ -15,16 +15,14 @@ namespace flair::llm {
 struct ExtractedJson {
   // Discarded (`is_discarded()`) when the answer holds none; the faults then say what it holds instead.
   nlohmann::json value = nlohmann::json(nlohmann::json::value_t::discarded);
-  // A truncated answer whose first list elements are whole gives those, and a doubtful fault that says where it ended;
-  // one that lacks its last bracket alone is whole, with a mended fault.
+  // A truncated answer whose first list elements are whole gives those, and a doubtful fault.
   std::vector<Fault> faults;
 };
 
-// Takes the JSON out of what a model wrote: alone, between fences, with prose around it, after "thoughts", as the text
-// of a string, with comments, trailing, missing or full-width commas, or spaces and quotes of other kinds. Of several
-// values that with most of the `keys` at its root wins, then the later one; several objects with none of them are one
-// list. Faults for an empty answer, HTML, prose without JSON, JSON that does not parse (with the place), and more than
-// a megabyte. Pure; any bytes are good input.
+// Takes the JSON out of what a model wrote: alone, between fences, with prose around it, after "thoughts", with
+// comments, trailing commas or line ends within its texts. Of several values that with most of the `keys` at its root
+// wins, then the later one. Faults for an empty answer, HTML, prose without JSON, JSON that does not parse, and more
+// than a megabyte. Pure; any bytes are good input.
 ExtractedJson ExtractJson(std::string_view answer, std::span<const std::string> keys);
 
 }  // namespace flair::llm

@@ -48,15 +48,12 @@ INSTANTIATE_TEST_SUITE_P(
         {"ByteOrderMark", "\xEF\xBB\xBF" + kGood, kGood, ""},
         {"TrailingCommas", R"({"zones":[{"name":"sleeping",},],})", kGood, ""},
         {"Comments", "{ // the plan\n\"zones\": [ /* one */ {\"name\": \"sleeping\"} ] }", kGood, ""},
-        {"CommentsWithHashes", "{ # the plan\n\"zones\": [ # one\n {\"name\": \"sleeping\"} # ok\n]}", kGood, ""},
-        {"ColoursAreNoComments", "{\"zones\":[#7A8B6F]}", R"({"zones":["#7A8B6F"]})", ""},
         {"AnEmptyListAloneIsTheAnswer", "Nothing to change: []", "[]", ""},
         {"AnEmptyListInWhatIsNoJsonIsNone", "{= zones: []}", "", "has no JSON"},
         {"CommentMarksInsideAString", R"({"zones":["a // b, ] /* c */"]})", R"({"zones":["a // b, ] /* c */"]})", ""},
         {"LineEndInsideAString", "{\"zones\":[\"a\nb\"]}", R"({"zones":["a\nb"]})", ""},
         {"BracketsInsideAString", R"({"zones":["}]{["]})", R"({"zones":["}]{["]})", ""},
         {"EscapedQuotes", R"({"zones":["say \"}\" \\"]})", R"({"zones":["say \"}\" \\"]})", ""},
-        {"PythonsWords", R"({"zones":[True,False,None,"None"]})", R"({"zones":[true,false,null,"None"]})", ""},
         {"Thoughts", "<think>{\"zones\": []} or rather</think>" + kGood, kGood, ""},
         {"TheSchemaFirst", R"({"type":"object","properties":{"zones":{"type":"array"}}} )" + kGood, kGood, ""},
         {"TheSecondThoughtCounts", R"({"zones":[]} no: )" + kGood, kGood, ""},
@@ -66,37 +63,21 @@ INSTANTIATE_TEST_SUITE_P(
         {"Refusal", "I'm sorry, but I can't help with that.", "", "has no JSON; it says \"I'm sorry, but I can't"},
         {"Html", "<!DOCTYPE html><html><script>var a = {\"zones\": []};</script></html>", "", "is an HTML page"},
         {"HtmlWithoutDoctype", "<HTML><body>502 Bad Gateway", "", "is an HTML page"},
-        {"Truncated", R"({"zones":[{"name":"sleeping"},{"name":"dres)", kGood, "ended inside zones[1].name"},
-        {"TruncatedInTheFirst", R"({"zones":[{"name":"sle)", "", "ended inside zones[0].name"},
-        {"TruncatedAfterAComma", R"({"zones":[{"name":"sleeping"},)", kGood, "ended inside zones[1]"},
         {"TruncatedAtOnce", "{", "", "ended"},
-        {"SingleQuotes", R"({'zones': [{'name': 'the bed\'s "head"'}, {'name': 'king's'}]})",
-         R"({"zones":[{"name":"the bed's \"head\""},{"name":"king's"}]})", ""},
-        {"TypographicQuotes", "{“zones”: [{“name”: “a “b” c”}]}", R"({"zones":[{"name":"a “b” c"}]})", ""},
-        {"QuotesWithinAString", R"({"zones":[{"name":"a 24" screen"}, "b"]})",
-         R"({"zones":[{"name":"a 24\" screen"},"b"]})", ""},
-        {"KeysWithoutQuotes", "{zones: [{name: \"a\"}]}", R"({"zones":[{"name":"a"}]})", ""},
-        {"BareWords", R"({"zones":[{"name":sleeping area, "w":1.6 m, "n": -2, "x": .5}]})",
-         R"({"zones":[{"n":-2,"name":"sleeping area","w":"1.6 m","x":".5"}]})", ""},
-        {"MissingCommas", "{\"zones\":[{\"name\":\"a\"} {\"name\":\"b\"\n\"x\":1}]}",
-         R"({"zones":[{"name":"a"},{"name":"b","x":1}]})", ""},
-        {"EscapesThatAreNone", R"({"zones":["it\'s 1\/2 \_ \u12"]})", R"({"zones":["it's 1/2 _ u12"]})", ""},
-        {"AQuotationOfTheWhole", R"("{\"zones\":[]}")", R"({"zones":[]})", ""},
-        {"ElementsAlone", R"({"name":"a"}
-{"name":"b"})",
-         R"([{"name":"a"},{"name":"b"}])", ""},
-        {"OnlyTheLastBracketIsMissing", R"({"zones":[{"name":"sleeping"}])", kGood, "ended"},
-        {"ACommaBehindTheLastIsNotTheEnd", R"({"zones":[{"name":"sleeping"}],)", kGood, "ended"},
         {"SpacesAndMarksNobodySees", "\u200e{\u00a0\"zones\":\u3000[{\"name\":\u202f\"sleeping\u200f\"}]\u2028}\u2060",
          kGood, ""},
-        {"FullWidthMarks", "{\"zones\"：[{\"name\"：\"sleeping\"，\"n\"：1，\"m\"：2.5}，2，3]}",
-         R"({"zones":[{"m":2.5,"n":1,"name":"sleeping"},2,3]})", ""},
         {"FullWidthMarksInATextStay", "{\"zones\":[\"a：b，c\"]}", "{\"zones\":[\"a：b，c\"]}", ""},
-        {"ControlCharactersBetweenValues", std::string("{\"zones\":\0[\x01{\"name\":\"sleeping\"}]}", 35), kGood, ""},
-        {"MissingColon", R"({"zones" [1]})", "", "ended inside"},
-        {"WrongBracket", R"({"zones":[{"name":"a"}})", "", "a bracket that does not match inside zones"},
-        {"HugeNumber", R"({"zones":1e999})", R"({"zones":"1e999"})", ""},
-        {"HalfACharacter", R"({"zones":"\ud83d, \ud83d\ude00"})", R"({"zones":"�, 😀"})", ""},
+        {"Truncated", R"({"zones":[{"name":"sleeping"},{"name":"dres)", kGood, "ended after"},
+        {"TruncatedInTheFirst", R"({"zones":[{"name":"sle)", "", "ended after"},
+        {"TruncatedAfterAComma", R"({"zones":[{"name":"sleeping"},)", kGood, "ended after"},
+        {"WithoutTheLastBracket", R"({"zones":[{"name":"sleeping"}])", kGood, "ended after"},
+        {"SingleQuotes", R"({'zones': []})", "", "has no JSON"},
+        {"KeysWithoutQuotes", "{\"zones\":[{name: 1}]}", "", "is no valid JSON near"},
+        {"MissingComma", R"({"zones":[{"name":"a"} {"name":"b"}]})", "", "is no valid JSON near"},
+        {"MissingColon", R"({"zones" [1]})", "", "is no valid JSON near"},
+        {"WrongBracket", R"({"zones":[{"name":"a"}})", "", "a bracket that does not match near"},
+        {"HugeNumber", R"({"zones":1e999})", "", "a number is too large"},
+        {"HalfACharacter", R"({"zones":"\ud83d"})", "", "is no valid JSON near"},
     }),
     [](const auto& info) { return info.param.name; });
 
@@ -118,10 +99,12 @@ TEST(ExtractJson, NestingAndLengthHaveLimits) {
 }
 
 TEST(ExtractJson, FaultsAreGoodTextWhereverTheyQuote) {
-  for (const std::string whole :
-       {R"({"zones":[{"größe des schönen möbelstücks im zimmer über dem öfchen":"ä 家具 🛋 é"},{"name":äöü家具🛋}]})",
-        R"({"zones":[家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü]})",
-        "家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü"}) {
+  for (
+      const std::string whole :
+      {R"({"zones":[{"größe des schönen möbelstücks im zimmer über dem öfchen":"ä 家具 🛋 é"},{"name":äöü家具🛋}]})",
+       R"({"zones":[家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü]})",
+       "家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äöü家具🛋äö"
+       "ü"}) {
     for (size_t start = 0; start < whole.size(); ++start) {
       for (const std::string& part : {whole.substr(start), whole.substr(0, start)}) {
         for (const Fault& fault : ExtractJson(part, kKeys).faults) EXPECT_EQ(ToUtf8(fault.text), fault.text) << part;
@@ -129,13 +112,6 @@ TEST(ExtractJson, FaultsAreGoodTextWhereverTheyQuote) {
       EXPECT_EQ(ToUtf8(Quoted(whole.substr(start))), Quoted(whole.substr(start)));
     }
   }
-}
-
-TEST(ExtractJson, WhatLacksItsLastBracketAloneIsWhole) {
-  EXPECT_EQ(ExtractJson(R"({"zones":[1],"x":{"y":2} )", kKeys).faults.at(0).kind, FaultKind::kMended);
-  EXPECT_EQ(ExtractJson(R"({"zones":[1],"x":{"y":2)", kKeys).faults.at(0).kind, FaultKind::kWrong);
-  EXPECT_EQ(ExtractJson(R"({"zones":[{}],"x":2)", kKeys).faults.at(0).kind, FaultKind::kDoubtful) << "or 25";
-  EXPECT_EQ(ExtractJson(R"({"zones":[{}, {})", kKeys).faults.at(0).kind, FaultKind::kDoubtful) << "or more of them";
 }
 
 TEST(ExtractJson, FaultsHaveNoControlCharactersAndNoHalfCharacters) {

@@ -17,8 +17,6 @@ enum class FaultKind {
   kMended,
   // Asked about once; what was read is used when the model stays with it.
   kDoubtful,
-  // All lengths are in another unit: asked about once, then converted.
-  kUnit,
   // Asked about once; when it stays, the list element that it is in is left out, or the answer when it is in none.
   kWrong,
 };

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "llm/answers/answer_root.h"
 #include "llm/answers/choices.h"
+#include "llm/answers/read_answer.h"
 
 namespace flair::llm {
 namespace {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
 namespace {
@@ -108,10 +109,9 @@ absl::StatusOr<PromptLibrary> PromptLibrary::Load(const fs::path& installed, con
     fs::path path = overrides / (spec.name + ".txt");
     if (overrides.empty() || !fs::exists(path, error)) path = installed / (spec.name + ".txt");
     if (!fs::exists(path, error)) return absl::NotFoundError(fmt::format("prompt {} is missing", path.string()));
-    absl::StatusOr<std::string> text = ReadFile(path);
-    if (!text.ok()) return text.status();
-    const std::string kept = WithoutRemarks(*text);
-    if (absl::Status status = Check(path, kept, spec); !status.ok()) return status;
+    ASSIGN_OR_RETURN(const std::string text, ReadFile(path));
+    const std::string kept = WithoutRemarks(text);
+    RETURN_IF_ERROR(Check(path, kept, spec));
     library.texts_[spec.name] = Trimmed(kept);
   }
   for (const auto& [name, text] : library.texts_) all += fmt::format("{}\n{}\n{}", name, text.size(), text);

@@ -3,26 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "llm/answers/answer_elements.h"
-#include "llm/answers/answer_lines.h"
-#include "llm/answers/answer_members.h"
-#include "llm/answers/answer_root.h"
-#include "llm/answers/extract_json.h"
 #include "llm/answers/field_facts.h"
-#include "llm/answers/plain_value.h"
-#include "llm/answers/read_number.h"
+#include "llm/answers/quantity.h"
 #include "llm/answers/utf8.h"
-#include "llm/answers/written_size.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::llm {
 namespace {
 
+using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using ProtoMessage = google::protobuf::Message;
 using google::protobuf::Reflection;
@@ -59,82 +54,150 @@ bool CutTo(int most, std::string& text) {
   return false;
 }
 
+// A value as a fault shows it, short.
+std::string Shown(const json& value) {
+  if (value.is_string()) return Quoted(value.get_ref<const std::string&>());
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return fmt::format("a list of {}", value.size());
+  return value.dump();
+}
+
+std::string FieldNames(const Descriptor& type) {
+  std::string names;
+  for (int i = 0; i < type.field_count(); ++i) names += (i > 0 ? ", " : "") + type.field(i)->name();
+  return names;
+}
+
+// What an object has for a field: by its name, else by a name that is the same but for case, other characters and the
+// unit, or one of its aliases. Null when there is nothing.
+const json* FindMember(const json& object, const FieldDescriptor& field) {
+  if (const auto found = object.find(field.name()); found != object.end()) return &*found;
+  const std::string& unit = FactsOf(field).unit();
+  std::vector<std::string> names = {Bare(field.name())};
+  if (!unit.empty() && field.name().ends_with("_" + unit)) {
+    names.push_back(names.front().substr(0, names.front().size() - unit.size()));
+  }
+  for (const std::string& alias : FactsOf(field).aliases()) {
+    names.push_back(Bare(alias));
+    names.push_back(Bare(alias + unit));
+  }
+  for (const auto& [key, value] : object.items()) {
+    if (std::ranges::find(names, Bare(key)) != names.end()) return &value;
+  }
+  return nullptr;
+}
+
+bool HasAnyMember(const json& value, const Descriptor& type) {
+  if (!value.is_object()) return false;
+  for (int i = 0; i < type.field_count(); ++i) {
+    if (FindMember(value, *type.field(i)) != nullptr) return true;
+  }
+  return false;
+}
+
+// The only list of a type; null when it has none or several.
+const FieldDescriptor* OnlyList(const Descriptor& type) {
+  const FieldDescriptor* only = nullptr;
+  for (int i = 0; i < type.field_count(); ++i) {
+    if (!type.field(i)->is_repeated()) continue;
+    if (only != nullptr) return nullptr;
+    only = type.field(i);
+  }
+  return only;
+}
+
+// Length of what a line is about, from its first letter: names up to a colon, "s1, s2", else one name.
+size_t FirstPartLength(std::string_view line) {
+  const std::string_view names = line.substr(0, line.find(':'));
+  const size_t last = names.find_last_not_of(" \t*])\"'`");
+  const bool plain = std::ranges::all_of(names, [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("_ ,+&*])\"'`\t").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (names.size() < line.size() && plain && last != std::string_view::npos) return last + 1;
+  return std::min(line.find_first_of(" \t-*[]()\"'`:="), line.size());
+}
+
+// A line "s1: words" as the object that it stands for: the part before the colon is the type's first field, the rest
+// the only element of its second. Marks of a list, quotes and brackets around the first part mean nothing.
+json ObjectOfLine(std::string_view line, const Descriptor& type) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t-*[]()\"'`"), line.size()));
+  const size_t end = FirstPartLength(line);
+  const size_t rest = std::min(line.find_first_not_of(" \t:=*\"'`])", end), line.size());
+  json object = json::object();
+  object[type.field(0)->name()] = std::string(line.substr(0, end));
+  object[type.field(1)->name()] = json::array({std::string(line.substr(rest))});
+  return object;
+}
+
+// The metres that a number beyond all metres is in centimetres, or beyond those in millimetres.
+std::optional<double> LengthMeant(double number, const NumberRange& range_m) {
+  constexpr double kMostCentimetres = 1000;
+  if (number < 0) return std::nullopt;
+  // A rug that is no more than flat.
+  constexpr double kThin_m = 0.005;
+  if (number < range_m.least) return range_m.least <= kThin_m ? std::optional(range_m.least) : std::nullopt;
+  const double length_m = number <= kMostCentimetres ? number / 100 : number / 1000;
+  return length_m >= range_m.least && length_m <= range_m.most ? std::optional(length_m) : std::nullopt;
+}
+
 class Reader {
  public:
-  Reader(const FieldChoices& choices, const LengthUnit* bare_unit) : choices_(choices), bare_unit_(bare_unit) {}
+  explicit Reader(const FieldChoices& choices) : choices_(choices) {}
 
   std::vector<Fault> TakeFaults() { return std::move(faults_); }
 
   // As ReadMessage, but an object with nothing of what was asked for is no answer.
   void ReadRoot(const json& value, ProtoMessage& message) {
-    const google::protobuf::Descriptor& type = *message.GetDescriptor();
-    bool any = !value.is_object();
-    Members members(value, type);
-    for (int i = 0; i < type.field_count(); ++i) any = any || members.Find(*type.field(i)).value != nullptr;
-    if (any) {
-      ReadMessage(value, "", message);
-    } else {
-      Wrong("", fmt::format("has none of what was asked for; an object with {} would be right", FieldNames(type)));
-    }
-  }
-
-  void ReadMessage(const json& value, const std::string& path, ProtoMessage& message) {
-    const google::protobuf::Descriptor& type = *message.GetDescriptor();
-    if (value.is_string()) {
-      const json object = ObjectOfText(value.get_ref<const std::string&>(), type);
-      if (object.is_object()) return ReadMessage(object, path, message);
-    }
-    if (!value.is_object()) {
-      Wrong(path, fmt::format("is {}; an object with {} would be right", Shown(value), FieldNames(type)));
-      return;
-    }
-    const std::optional<LengthUnit> unit = UnitOf(value, type);
-    const LengthUnit* const outer_unit = std::exchange(bare_unit_, unit ? &*unit : bare_unit_);
-    const std::optional<json> sized = WithWrittenSize(value, type);
-    Members members(sized ? *sized : value, type);
-    for (int i = 0; i < type.field_count(); ++i) {
-      const FieldDescriptor& field = *type.field(i);
-      const std::string at = path.empty() ? field.name() : path + "." + field.name();
-      const Member member = members.Find(field);
-      const json by_choice =
-          field.is_repeated() && member.value == nullptr ? MembersByChoice(value, field, choices_) : json();
-      ReadField(by_choice.is_null() ? member : Member{&by_choice}, field, at, message);
-    }
-    bare_unit_ = outer_unit;
+    const Descriptor& type = *message.GetDescriptor();
+    if (!value.is_object() || HasAnyMember(value, type)) return ReadMessage(value, "", message);
+    Wrong("", fmt::format("has none of what was asked for; an object with {} would be right", FieldNames(type)));
   }
 
  private:
   void Wrong(const std::string& path, std::string text) {
     faults_.push_back({path, std::move(text), FaultKind::kWrong});
   }
-
-  static std::string FieldNames(const google::protobuf::Descriptor& type) {
-    std::string names;
-    for (int i = 0; i < type.field_count(); ++i) names += (i > 0 ? ", " : "") + type.field(i)->name();
-    return names;
+  void WrongValue(const std::string& path, const json& value, const FieldDescriptor& field) {
+    Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
+  }
+  void Mended(const std::string& path, std::string text) {
+    faults_.push_back({path, std::move(text), FaultKind::kMended});
+  }
+  void Doubtful(const std::string& path, std::string text) {
+    faults_.push_back({path, std::move(text), FaultKind::kDoubtful});
   }
 
-  void ReadField(const Member& member, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
-    const bool absent = member.value == nullptr || member.value->is_null();
+  void ReadMessage(const json& value, const std::string& path, ProtoMessage& message) {
+    const Descriptor& type = *message.GetDescriptor();
+    if (!value.is_object()) {
+      return Wrong(path, fmt::format("is {}; an object with {} would be right", Shown(value), FieldNames(type)));
+    }
+    for (int i = 0; i < type.field_count(); ++i) {
+      const FieldDescriptor& field = *type.field(i);
+      const std::string at = path.empty() ? field.name() : path + "." + field.name();
+      ReadField(FindMember(value, field), field, at, message);
+    }
+  }
+
+  void ReadField(const json* member, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
+    const bool absent = member == nullptr || member->is_null();
     if (field.is_repeated()) {
-      static const json nothing = json::array();
-      ReadList(absent ? nothing : *member.value, field, path, message);
+      ReadList(absent ? json::array() : *member, field, path, message);
     } else if (absent) {
       ReadNothing(field, path, message);
     } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
-      ReadMessage(*member.value, path, *message.GetReflection()->MutableMessage(&message, &field));
-    } else if (const std::optional<double> number = member.unit.empty() ? std::nullopt : PlainNumber(*member.value)) {
-      ReadScalar(fmt::format("{} {}", *number, member.unit), field, path, message);
+      ReadMessage(*member, path, *message.GetReflection()->MutableMessage(&message, &field));
     } else {
-      ReadScalar(*member.value, field, path, message);
+      ReadScalar(*member, field, path, message);
     }
   }
 
   void ReadNothing(const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const model::v1::FieldFacts& facts = FactsOf(field);
     if (facts.has_when_absent()) {
-      faults_.push_back({path, fmt::format("is missing; taken as {}", facts.when_absent()), FaultKind::kMended});
-      SetNumber(facts.when_absent(), field, message);
+      Mended(path, fmt::format("is missing; taken as {}", facts.when_absent()));
+      SetNumberField(facts.when_absent(), field, message);
     } else if (!field.has_optional_keyword() && field.cpp_type() != FieldDescriptor::CPPTYPE_BOOL) {
       Wrong(path, fmt::format("is missing; {} would be right", RightFor(field, choices_)));
     }
@@ -142,166 +205,161 @@ class Reader {
 
   void ReadList(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const model::v1::FieldFacts& facts = FactsOf(field);
-    const bool plain = value.is_array() && !facts.line();
-    const json made = plain ? json() : ElementsOf(value, field, choices_);
-    const json& list = plain ? value : made;
+    // One element alone is a list of it.
+    const int count = value.is_array() ? static_cast<int>(value.size()) : 1;
     const int most = facts.max_items() > 0 ? facts.max_items() : kMostItems;
-    const int count = static_cast<int>(list.size());
     if (count < facts.min_items()) {
       Wrong(path, fmt::format("has {}; at least {}", Counted(count, "element"), facts.min_items()));
     } else if (count > most) {
-      faults_.push_back(
-          {path, fmt::format("has {} elements; at most {}, the first are taken", count, most), FaultKind::kDoubtful});
+      Doubtful(path, fmt::format("has {} elements; at most {}, the first are taken", count, most));
     }
     for (int i = 0; i < std::min(count, most); ++i) {
-      const std::string element = fmt::format("{}[{}]", path, i);
-      if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
-        ReadMessage(list[static_cast<size_t>(i)], element, *message.GetReflection()->AddMessage(&message, &field));
-      } else {
-        ReadScalar(list[static_cast<size_t>(i)], field, element, message);
+      const json& element = value.is_array() ? value[static_cast<size_t>(i)] : value;
+      const std::string at = fmt::format("{}[{}]", path, i);
+      if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) {
+        ReadScalar(element, field, at, message);
+        continue;
       }
+      ProtoMessage& read = *message.GetReflection()->AddMessage(&message, &field);
+      const bool line = facts.line() && element.is_string();
+      ReadMessage(line ? ObjectOfLine(element.get_ref<const std::string&>(), *field.message_type()) : element, at,
+                  read);
     }
   }
 
   void ReadScalar(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
-    if (const json* const plain = PlainValueOf(value, field)) return ReadScalar(*plain, field, path, message);
-    // One value in a list is that value.
-    if (value.is_array() && value.size() == 1 && !value[0].is_structured() && !FactsOf(field).notation()) {
-      return ReadScalar(value[0], field, path, message);
-    }
+    const Reflection& reflection = *message.GetReflection();
     switch (field.cpp_type()) {
-      case FieldDescriptor::CPPTYPE_STRING:
-        SetText(ReadText(value, field, path), field, message);
-        break;
-      case FieldDescriptor::CPPTYPE_ENUM:
-        SetEnum(ReadText(value, field, path), field, message);
-        break;
-      case FieldDescriptor::CPPTYPE_BOOL:
-        SetBool(ReadBool(value, field, path), field, message);
-        break;
-      default:
-        if (SaysNothing(value) && (field.has_optional_keyword() || FactsOf(field).has_when_absent())) {
-          ReadNothing(field, path, message);
-        } else {
-          SetNumber(ReadNumber(value, field, path, bare_unit_, faults_), field, message);
+      case FieldDescriptor::CPPTYPE_STRING: {
+        std::string text = ReadText(value, field, path);
+        if (field.is_repeated()) {
+          reflection.AddString(&message, &field, text);
+        } else if (!text.empty()) {
+          reflection.SetString(&message, &field, text);
         }
+        return;
+      }
+      case FieldDescriptor::CPPTYPE_ENUM: {
+        const int number = EnumNumber(*field.enum_type(), ReadText(value, field, path));
+        if (field.is_repeated()) {
+          reflection.AddEnumValue(&message, &field, number);
+        } else if (number != 0) {
+          reflection.SetEnumValue(&message, &field, number);
+        }
+        return;
+      }
+      case FieldDescriptor::CPPTYPE_BOOL: {
+        const bool flag = ReadBool(value, field, path);
+        if (field.is_repeated()) {
+          reflection.AddBool(&message, &field, flag);
+        } else {
+          reflection.SetBool(&message, &field, flag);
+        }
+        return;
+      }
+      default:
+        const std::optional<double> number = ReadNumber(value, field, path);
+        // In a list a bad number keeps its place as 0.
+        if (number || field.is_repeated()) SetNumberField(number.value_or(0), field, message);
     }
   }
 
   std::string ReadText(const json& value, const FieldDescriptor& field, const std::string& path) {
-    const auto wrong = [&] {
-      Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
-      return std::string();
-    };
     const bool notation = FactsOf(field).notation();
-    if (!value.is_string() && !value.is_number() && !notation) return wrong();
-    std::string text = OneLine(value.is_string() ? value.get<std::string>()
-                                                 : value.dump(-1, ' ', false, json::error_handler_t::replace));
-    const FieldTexts texts(field, choices_);
-    if (field.has_optional_keyword() && value.is_string() && SaysNothing(std::string_view(text)) &&
-        !IsOneOf(text, texts)) {
-      text.clear();
+    std::string text;
+    if (value.is_string() || value.is_number() || notation) {
+      text = OneLine(value.is_string() ? value.get<std::string>()
+                                       : value.dump(-1, ' ', false, json::error_handler_t::replace));
     }
-    if (text.empty()) return field.has_optional_keyword() || notation ? text : wrong();
+    if (text.empty()) {
+      const bool may_be_empty = notation || (field.has_optional_keyword() && value.is_string());
+      if (!may_be_empty) WrongValue(path, value, field);
+      return text;
+    }
+    const FieldTexts texts(field, choices_);
     if (texts.get() != nullptr) {
-      std::optional<std::string> chosen = FindChoice(text, *texts.get());
-      if (!chosen) chosen = FindChoiceWithin(text, *texts.get());
-      if (!chosen && field.has_optional_keyword() && FactsOf(field).choices_size() > 0) {
-        faults_.push_back(
-            {path, fmt::format("is {}; {} would be right, taken as null", Shown(value), RightFor(field, choices_)),
-             FaultKind::kMended});
-        return "";
+      const std::optional<std::string> chosen = FindChoice(text, *texts.get());
+      if (chosen) return *chosen;
+      if (field.has_optional_keyword() && FactsOf(field).choices_size() > 0) {
+        Mended(path, fmt::format("is {}; {} would be right, taken as null", Shown(value), RightFor(field, choices_)));
+      } else {
+        WrongValue(path, value, field);
       }
-      return chosen ? *chosen : wrong();
+      return "";
     }
     const int most = FactsOf(field).max_length() > 0 ? FactsOf(field).max_length() : kMostCharacters;
-    if (CutTo(most, text)) {
-      faults_.push_back({path, fmt::format("is longer than {} characters; cut there", most), FaultKind::kMended});
-    }
+    if (CutTo(most, text)) Mended(path, fmt::format("is longer than {} characters; cut there", most));
     return text;
-  }
-
-  // Whether it is a choice as it stands: "none" may be one.
-  static bool IsOneOf(const std::string& text, const FieldTexts& texts) {
-    return texts.get() != nullptr && FindChoice(text, *texts.get());
   }
 
   bool ReadBool(const json& value, const FieldDescriptor& field, const std::string& path) {
     if (value.is_boolean()) return value.get<bool>();
-    if (value.is_number()) return value.get<double>() != 0;
     const std::string word = value.is_string() ? Bare(value.get<std::string>()) : "";
-    if (word == "true" || word == "yes" || word == "y" || word == "1") return true;
-    if (word != "false" && word != "no" && word != "n" && word != "0") {
-      Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
-    }
-    return false;
+    if (word != "true" && word != "false") WrongValue(path, value, field);
+    return word == "true";
   }
 
-  static void SetText(const std::string& text, const FieldDescriptor& field, ProtoMessage& message) {
-    const Reflection& reflection = *message.GetReflection();
-    if (field.is_repeated()) {
-      reflection.AddString(&message, &field, text);
-    } else if (!text.empty()) {
-      reflection.SetString(&message, &field, text);
-    }
-  }
-
-  static void SetEnum(const std::string& name, const FieldDescriptor& field, ProtoMessage& message) {
-    const int number = EnumNumber(*field.enum_type(), name);
-    if (field.is_repeated()) {
-      message.GetReflection()->AddEnumValue(&message, &field, number);
-    } else if (number != 0) {
-      message.GetReflection()->SetEnumValue(&message, &field, number);
-    }
-  }
-
-  static void SetBool(bool value, const FieldDescriptor& field, ProtoMessage& message) {
-    if (field.is_repeated()) {
-      message.GetReflection()->AddBool(&message, &field, value);
+  std::optional<double> ReadNumber(const json& value, const FieldDescriptor& field, const std::string& path) {
+    const std::string& unit = FactsOf(field).unit();
+    std::optional<double> number;
+    if (value.is_number()) number = value.get<double>();
+    if (value.is_string()) number = ReadQuantity(value.get_ref<const std::string&>(), unit);
+    const NumberRange range = RangeOf(field);
+    const bool whole = !IsWhole(field) || (number && *number == std::floor(*number));
+    if (number && std::isfinite(*number) && whole && *number >= range.least && *number <= range.most) return number;
+    const std::optional<double> length_m = number && unit == "m" ? LengthMeant(*number, range) : std::nullopt;
+    if (length_m) {
+      Doubtful(path, fmt::format("is {}; {} would be right; taken as {}", Shown(value), RightFor(field, choices_),
+                                 *length_m));
     } else {
-      message.GetReflection()->SetBool(&message, &field, value);
+      WrongValue(path, value, field);
     }
-  }
-
-  static void SetNumber(std::optional<double> number, const FieldDescriptor& field, ProtoMessage& message) {
-    // In a list a bad number keeps its place as 0.
-    if (!number && !field.is_repeated()) return;
-    SetNumberField(number.value_or(0), field, message);
+    return length_m;
   }
 
   const FieldChoices& choices_;
-  // Of lengths without one, where the answer now is.
-  const LengthUnit* bare_unit_;
   std::vector<Fault> faults_;
 };
 
 }  // namespace
 
-std::vector<Fault> ReadJson(json value, const FieldChoices& choices, ProtoMessage& message,
-                            const LengthUnit* bare_unit) {
-  Reader reader(choices, bare_unit);
+json AnswerRoot(json value, const Descriptor& type) {
+  constexpr int kMostWrappers = 3;
+  const FieldDescriptor* const list = OnlyList(type);
+  for (int i = 0; i < kMostWrappers && value.is_structured() && !HasAnyMember(value, type); ++i) {
+    const bool of_objects = list != nullptr && list->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
+    const auto is_element = [&](const json& item) {
+      return (FactsOf(*list).line() && item.is_string()) || HasAnyMember(item, *list->message_type());
+    };
+    if (value.is_array() && of_objects && std::ranges::any_of(value, is_element)) {
+      json root = json::object();
+      root[list->name()] = std::move(value);
+      return root;
+    }
+    if (value.size() != 1 || !value.front().is_structured()) break;
+    json inner = std::move(value.front());
+    value = std::move(inner);
+  }
+  return value;
+}
+
+std::vector<Fault> ReadJson(json value, const FieldChoices& choices, ProtoMessage& message) {
+  Reader reader(choices);
   reader.ReadRoot(AnswerRoot(std::move(value), *message.GetDescriptor()), message);
   return reader.TakeFaults();
 }
 
-ExtractedJson ExtractAnswer(std::string_view answer, const google::protobuf::Descriptor& type) {
+ExtractedJson ExtractAnswer(std::string_view answer, const Descriptor& type) {
   std::vector<std::string> keys;
-  keys.reserve(static_cast<size_t>(type.field_count()));
   for (int i = 0; i < type.field_count(); ++i) keys.push_back(type.field(i)->name());
   return ExtractJson(answer, keys);
 }
 
-std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, ProtoMessage& message,
-                              const LengthUnit* bare_unit) {
+std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, ProtoMessage& message) {
   ExtractedJson extracted = ExtractAnswer(answer, *message.GetDescriptor());
-  if (extracted.value.is_discarded()) {
-    extracted.value = AnswerOfLines(answer, *message.GetDescriptor(), choices);
-    if (extracted.value.is_discarded()) return std::move(extracted.faults);
-    extracted.faults = {{"", "has lines instead of JSON", FaultKind::kMended}};
-  }
   std::vector<Fault> faults = std::move(extracted.faults);
-  for (Fault& fault : ReadJson(std::move(extracted.value), choices, message, bare_unit))
-    faults.push_back(std::move(fault));
+  if (extracted.value.is_discarded()) return faults;
+  for (Fault& fault : ReadJson(std::move(extracted.value), choices, message)) faults.push_back(std::move(fault));
   return faults;
 }
 

@@ -10,24 +10,24 @@
 #include "llm/answers/choices.h"
 #include "llm/answers/extract_json.h"
 #include "llm/answers/fault.h"
-#include "llm/answers/length_unit.h"
 
 namespace flair::llm {
 
 // Reads a JSON value into a message, whose fields are named as in the proto, and says of everything that is not as the
 // fields' facts want it what it is and what would be right. Elements of lists keep their numbers: a bad one is there,
-// with what of it could be read. Tolerant where the meaning is certain: lengths with units, numbers as text, names in
-// another case or with spaces, null or nothing for what may be absent, one element where a list is wanted, an outer
-// object or a list alone around or instead of the root. Lengths without a unit are in `bare_unit`, or metres when it is
-// null. Pure; any value is good input.
-std::vector<Fault> ReadJson(nlohmann::json value, const FieldChoices& choices, google::protobuf::Message& message,
-                            const LengthUnit* bare_unit = nullptr);
+// with what of it could be read. Beyond the schema it takes numbers as text ("1.6 m"), names in another case or with
+// spaces, aliases of fields, null or nothing for what may be absent, one element where a list is wanted, and what
+// AnswerRoot takes. Pure; any value is good input.
+std::vector<Fault> ReadJson(nlohmann::json value, const FieldChoices& choices, google::protobuf::Message& message);
 
 // ExtractJson with the fields of a type.
 ExtractedJson ExtractAnswer(std::string_view answer, const google::protobuf::Descriptor& type);
 
 // ExtractAnswer, then ReadJson: all that is wrong with what a model wrote. Pure; any bytes are good input.
-std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, google::protobuf::Message& message,
-                              const LengthUnit* bare_unit = nullptr);
+std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, google::protobuf::Message& message);
+
+// The object that a value means for an answer of that type: itself when it has any of the type's fields; the value that
+// it wraps alone, as {"answer": {...}} and [{...}] do; the elements of the type's only list. Else the value itself.
+nlohmann::json AnswerRoot(nlohmann::json value, const google::protobuf::Descriptor& type);
 
 }  // namespace flair::llm

@@ -38,11 +38,6 @@ constexpr Stretch kSpaces[] = {
     {"\xE2\x81", 0xA0, 0xA0, ""}, {"\xE2\x81", 0xA6, 0xA9, ""},  {"\xE3\x80", 0x80, 0x80, " "},
     {"\xEF\xBB", 0xBF, 0xBF, ""}};
 
-constexpr Stretch kMarks[] = {{"\xE2\x80", 0x90, 0x95, "-"},
-                              {"\xE2\x80", 0x98, 0x9B, "'"},
-                              {"\xE2\x80", 0x9C, 0x9F, "\""},
-                              {"\xE2\x88", 0x92, 0x92, "-"}};
-
 std::string Replaced(std::string_view text, std::span<const Stretch> stretches) {
   std::string plain;
   plain.reserve(text.size());
@@ -67,8 +62,6 @@ bool IsAscii(std::string_view text) {
 }  // namespace
 
 std::string PlainSpaces(std::string text) { return IsAscii(text) ? text : Replaced(text, kSpaces); }
-
-std::string PlainMarks(std::string_view text) { return IsAscii(text) ? std::string(text) : Replaced(text, kMarks); }
 
 std::string ToUtf8(std::string_view text) {
   std::string good;

@@ -19,9 +19,6 @@ std::string CutBytes(const std::string& text, size_t most);
 // marks, soft hyphens, marks of direction. What joins letters stays.
 std::string PlainSpaces(std::string text);
 
-// Good UTF-8 with hyphens, dashes and quotes of all kinds as ASCII's.
-std::string PlainMarks(std::string_view text);
-
 // With spaces in the place of control characters, but for those of `kept`.
 std::string WithoutControls(std::string text, std::string_view kept = {});
 

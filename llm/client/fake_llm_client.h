@@ -12,9 +12,8 @@
 
 namespace flair::llm {
 
-// Answers each step's calls, in their order, with what was scripted for the step ("zones", "zones/repair"), at once and
-// in the caller's thread; a call that nothing is scripted for fails with NOT_FOUND. Keeps what it was asked.
-// Thread-safe.
+// Answers each step's calls, in their order, with what was scripted for the step ("zones", "zones/repair"); a call that
+// nothing is scripted for fails with NOT_FOUND. Keeps what it was asked. Thread-safe.
 class FakeLlmClient final : public LlmClient {
  public:
   void Answer(const std::string& step, std::string text, FinishReason finish = FinishReason::kStop) {
@@ -35,7 +34,7 @@ class FakeLlmClient final : public LlmClient {
     script_.erase(step);
   }
 
-  void Ask(const ChatRequest& request, runtime::CallContext&, AnswerCallback done) override {
+  absl::StatusOr<ChatAnswer> Ask(const ChatRequest& request, runtime::CallContext&) override {
     absl::StatusOr<ChatAnswer> answer = absl::NotFoundError("nothing is scripted for step \"" + request.step + "\"");
     {
       const std::lock_guard lock(mutex_);
@@ -51,7 +50,7 @@ class FakeLlmClient final : public LlmClient {
       answer->usage.output_token_count = EstimateTokens(answer->text);
       answer->usage.estimated = true;
     }
-    done(std::move(answer));
+    return answer;
   }
 
   std::string identity() const override { return "fake-1"; }

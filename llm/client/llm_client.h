@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "absl/time/time.h"
 #include "llm/client/chat.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::llm {
-
-using AnswerCallback = std::function<void(absl::StatusOr<ChatAnswer>)>;
 
 // A language model, or a wrapper around one (retrying, metering, recording ...). Thread-safe.
 //
@@ -25,20 +26,38 @@ class LlmClient {
  public:
   virtual ~LlmClient() = default;
 
-  // Asks and returns at once. `done` is called exactly once, from any thread, also from within this call; it must not
-  // block. `call` lives until then; cancelling it, or its deadline, ends the request and closes its connection.
-  virtual void Ask(const ChatRequest& request, runtime::CallContext& call, AnswerCallback done) = 0;
+  // Asks and waits for the answer. Cancelling `call`, or its deadline, ends the request within a second and closes its
+  // connection.
+  virtual absl::StatusOr<ChatAnswer> Ask(const ChatRequest& request, runtime::CallContext& call) = 0;
 
   // Names what decides the answers beyond the request: model, address, sampling. Never secret. Goes into the keys under
   // which results are used again.
   virtual std::string identity() const = 0;
+
+  // How many calls gain from being made at the same time; 1 for those that answer at once, such as a replay.
+  virtual int concurrency() const { return 1; }
 };
 
-// Asks and waits.
-absl::StatusOr<ChatAnswer> AskAndWait(LlmClient& client, const ChatRequest& request, runtime::CallContext& call);
+// What wrappers have in common: unless they say otherwise they pass for the client that they wrap.
+class LlmClientWrapper : public LlmClient {
+ public:
+  explicit LlmClientWrapper(std::unique_ptr<LlmClient> inner) : inner_(std::move(inner)) {}
+  std::string identity() const override { return inner_->identity(); }
+  int concurrency() const override { return inner_->concurrency(); }
 
-// Asks all at once and waits for all; answers in the order of the requests.
-std::vector<absl::StatusOr<ChatAnswer>> AskAllAndWait(LlmClient& client, std::span<const ChatRequest> requests,
-                                                      runtime::CallContext& call);
+ protected:
+  const std::unique_ptr<LlmClient> inner_;
+};
+
+// Asks all, as many at once as the client gains from, and waits for all; answers in the order of the requests.
+std::vector<absl::StatusOr<ChatAnswer>> AskAll(LlmClient& client, std::span<const ChatRequest> requests,
+                                               runtime::CallContext& call);
+
+// Notes in an error that the server wants no new attempt before `delay` has passed (Retry-After); negative counts as 0,
+// at most a day. Does nothing to OK.
+void SetRetryAfter(absl::Status& status, absl::Duration delay);
+
+// The delay that was noted, if any.
+std::optional<absl::Duration> RetryAfter(const absl::Status& status);
 
 }  // namespace flair::llm

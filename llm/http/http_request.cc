@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "absl/strings/match.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
 namespace {
@@ -78,7 +79,7 @@ absl::Status CheckRequest(const HttpRequest& request) {
     return absl::InvalidArgumentError("the address holds a space or a control character");
   }
   for (const HttpHeader& header : request.headers) {
-    if (absl::Status status = CheckHeader(header); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckHeader(header));
   }
   return absl::OkStatus();
 }

@@ -27,8 +27,8 @@ struct HttpRequest {
   std::string url;
   std::vector<HttpHeader> headers = {};
   std::string body = {};
-  // When set, receives the body of a 2xx answer piece by piece, decompressed, in the thread of the loop, and the
-  // response holds no body. An error ends the request with it. Must not block.
+  // When set, receives the body of a 2xx answer piece by piece, decompressed, in the sender's thread, and the response
+  // holds no body. An error ends the request with it.
   std::function<absl::Status(std::string_view piece)> on_piece = {};
 };
 
@@ -42,8 +42,6 @@ struct HttpResponse {
   // Value of the first header of that name (in lower case); empty when there is none.
   std::string_view header(std::string_view name) const;
 };
-
-using HttpCallback = std::function<void(absl::StatusOr<HttpResponse>)>;
 
 // All positive.
 struct HttpTimeouts {

@@ -7,11 +7,9 @@
 
 #include <fstream>
 #include <string>
-#include <utility>
 
-#include "llm/http/http_loop.h"
+#include "llm/http/http_client.h"
 #include "tests/fixtures/llm_server/scripted_server.h"
-#include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 
@@ -28,24 +26,13 @@ inline HttpRequest Question(const std::string& address) {
           .body = kQuestion};
 }
 
-inline absl::StatusOr<HttpResponse> SendAndWait(HttpClient& client, HttpRequest request, runtime::CallContext& call) {
-  runtime::TestGate answered;
-  absl::StatusOr<HttpResponse> result;
-  client.Send(std::move(request), call, [&](absl::StatusOr<HttpResponse> response) {
-    result = std::move(response);
-    answered.Open();
-  });
-  answered.Wait();
-  return result;
-}
-
 class HttpClientTest : public ::testing::Test {
  protected:
   ~HttpClientTest() override { unlink(ca_path_.c_str()); }
 
   absl::StatusOr<HttpResponse> Ask(const std::string& address, const HttpOptions& options = {}) {
-    HttpClient client(loop_, options);
-    return SendAndWait(client, Question(address), call_);
+    HttpClient client(options);
+    return client.Send(Question(address), call_);
   }
 
   // What a client with these timeouts makes of it.
@@ -62,7 +49,6 @@ class HttpClientTest : public ::testing::Test {
 
   const std::string ca_path_ = ::testing::TempDir() + "flair_http_ca_" + std::to_string(getpid()) + ".pem";
   runtime::CallContext call_;
-  HttpLoop loop_;
 };
 
 }  // namespace flair::llm

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
+#include "absl/status/statusor.h"
+#include "llm/client/chat.h"
 #include "llm/openai/openai_options.h"
 #include "llm/openai/server_error.h"
 
@@ -39,5 +42,10 @@ std::optional<Dialect> WeakerDialect(const Dialect& dialect, const OpenAiOptions
 
 // Whether the server rejects the schema itself, not the form: then other schemas may still be sent.
 bool RejectsSchema(const ServerError& error);
+
+// The JSON of a chat completion request, its fields always in the same order. A schema that is not asked for by
+// response_format goes into the system's message. INVALID_ARGUMENT when the request's schema is no JSON object.
+absl::StatusOr<std::string> EncodeRequest(const OpenAiOptions& options, const Dialect& dialect,
+                                          const ChatRequest& request);
 
 }  // namespace flair::llm

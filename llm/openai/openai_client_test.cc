@@ -197,15 +197,5 @@ TEST_F(OpenAiClientTest, SpeaksTls) {
   unlink(http_.ca_path.c_str());
 }
 
-TEST_F(OpenAiClientTest, MayBeDestroyedWhenTheLoopHasStopped) {
-  Serve("silent");
-  absl::Status status;
-  client().Ask(ZonesRequest(), call_, [&](const absl::StatusOr<ChatAnswer>& answer) { status = answer.status(); });
-  server_->WaitForRequests(1);
-  loop_.Stop();
-  client_.reset();
-  EXPECT_EQ(status.code(), StatusCode::kCancelled);
-}
-
 }  // namespace
 }  // namespace flair::llm

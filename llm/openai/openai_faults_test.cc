@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <thread>
 
-#include "llm/client/retry_hint.h"
 #include "llm/openai/test_client.h"
-#include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 namespace {
@@ -90,15 +89,12 @@ TEST_P(OpenAiFaultsTest, ABodyOfAGigabyteIsLeftWhereItIs) {
 
 TEST_P(OpenAiFaultsTest, CancellingClosesTheConnection) {
   Serve("silent_in_stream");
-  runtime::TestGate answered;
+  client();
   absl::Status status;
-  client().Ask(ZonesRequest(), call_, [&](const absl::StatusOr<ChatAnswer>& answer) {
-    status = answer.status();
-    answered.Open();
-  });
+  std::thread asker([&] { status = Ask().status(); });
   server_->WaitForRequests(1);
   call_.cancellation().Cancel();
-  answered.Wait();
+  asker.join();
   EXPECT_EQ(status.code(), StatusCode::kCancelled);
   server_->WaitForClosedByClient(1);
 }

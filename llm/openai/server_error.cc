@@ -12,7 +12,7 @@
 #include "absl/strings/match.h"
 #include "absl/strings/numbers.h"
 #include "absl/time/time.h"
-#include "llm/client/retry_hint.h"
+#include "llm/client/llm_client.h"
 #include "llm/openai/json_fields.h"
 
 namespace flair::llm {
@@ -64,7 +64,8 @@ bool IsConfidential(std::string_view text, const Confidential& confidential) {
 
 // One printable line of the server's text, cut between characters.
 std::string Shown(std::string text) {
-  std::ranges::replace_if(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
   if (text.size() <= kMessageByteLimit) return text;
   size_t end = kMessageByteLimit;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "llm/client/retry_hint.h"
+#include "llm/client/llm_client.h"
 
 namespace flair::llm {
 namespace {

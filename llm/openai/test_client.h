@@ -37,7 +37,6 @@ class OpenAiClientTest : public ::testing::Test {
 
   // The server found no fault with what the client sent.
   ~OpenAiClientTest() override {
-    loop_.Stop();
     if (server_ != nullptr) {
       EXPECT_THAT(server_->problems(), ::testing::IsEmpty());
     }
@@ -53,13 +52,11 @@ class OpenAiClientTest : public ::testing::Test {
 
   // Made with the first use, so that a test can change options_ and http_ before.
   OpenAiClient& client() {
-    if (client_ == nullptr) client_ = std::make_unique<OpenAiClient>(options_, loop_, http_);
+    if (client_ == nullptr) client_ = std::make_unique<OpenAiClient>(options_, http_);
     return *client_;
   }
 
-  absl::StatusOr<ChatAnswer> Ask(const ChatRequest& request = ZonesRequest()) {
-    return AskAndWait(client(), request, call_);
-  }
+  absl::StatusOr<ChatAnswer> Ask(const ChatRequest& request = ZonesRequest()) { return client().Ask(request, call_); }
 
   // The body of a request that the server saw.
   nlohmann::json Sent(int index) const { return nlohmann::json::parse(server_->requests().at(index).body); }
@@ -68,7 +65,6 @@ class OpenAiClientTest : public ::testing::Test {
   HttpOptions http_;
   runtime::CallContext call_;
   std::unique_ptr<flair::testing::ScriptedServer> server_;
-  HttpLoop loop_;
   std::unique_ptr<OpenAiClient> client_;
 };
 

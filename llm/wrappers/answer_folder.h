@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -37,5 +38,12 @@ class AnswerFolder {
  private:
   const std::string path_;
 };
+
+// A request with its answer as JSON text, as it is kept in files, indented for people. Bytes that are not UTF-8 become
+// U+FFFD.
+std::string RecordJson(const ChatRequest& request, const ChatAnswer& answer);
+
+// The answer of a record. DATA_LOSS, naming the field, for anything else.
+absl::StatusOr<ChatAnswer> ReadRecordJson(const std::string& text);
 
 }  // namespace flair::llm

@@ -2,149 +2,69 @@
 #include "llm/wrappers/limiting_llm_client.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
-#include "llm/wrappers/timed_wait.h"
+#include "worker_runtime/bootstrap/call_context.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
 namespace {
 
-// Calls without a deadline need no end of their wait.
-constexpr absl::Duration kLongestWait = absl::Hours(24);
+// Deadlines and tokens are looked at so often; the end of a call and a cancellation wake at once.
+constexpr std::chrono::milliseconds kLookAgain(50);
 
 }  // namespace
 
-struct LimitingLlmClient::Waiting {
-  enum class State { kNew, kQueued, kEnded };
-  ChatRequest request;
-  runtime::CallContext& call;
-  AnswerCallback done;
-  int64_t estimate = 0;
-  // With the client's mutex held.
-  State state = State::kNew;
-  // To its deadline.
-  std::unique_ptr<TimedWait> wait = nullptr;
-};
-
-LimitingLlmClient::LimitingLlmClient(std::unique_ptr<LlmClient> inner, CallLimits limits, runtime::Timer& timer,
-                                     const runtime::Clock& clock)
-    : limits_(limits),
-      timer_(timer),
+LimitingLlmClient::LimitingLlmClient(std::unique_ptr<LlmClient> inner, CallLimits limits, const runtime::Clock& clock)
+    : LlmClientWrapper(std::move(inner)),
+      limits_(limits),
       clock_(clock),
       tokens_(static_cast<double>(limits.tokens_per_minute)),
-      filled_at_(clock.Elapsed()),
-      inner_(std::move(inner)) {}
+      filled_at_(clock.Elapsed()) {}
 
-void LimitingLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call, AnswerCallback done) {
+absl::StatusOr<ChatAnswer> LimitingLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
   const int64_t estimate = EstimateTokens(request);
-  const bool at_once = [&] {
-    const std::lock_guard lock(mutex_);
-    return queue_.empty() && TakeTurn(estimate);
-  }();
-  if (at_once) {
-    Start(request, call, estimate, std::move(done));
-  } else {
-    Queue(std::make_shared<Waiting>(Waiting{request, call, std::move(done), estimate}));
+  RETURN_IF_ERROR(WaitForTurn(estimate, call));
+  absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, call);
+  const std::lock_guard lock(mutex_);
+  --in_flight_;
+  if (answer.ok()) {
+    const int64_t consumed = answer->usage.input_token_count + answer->usage.output_token_count;
+    tokens_ -= static_cast<double>(consumed - estimate);
   }
+  changed_.notify_all();
+  return answer;
 }
 
-void LimitingLlmClient::Queue(std::shared_ptr<Waiting> waiting) {
-  const absl::Duration until_deadline = std::min(waiting->call.deadline() - clock_.Now(), kLongestWait);
-  waiting->wait = std::make_unique<TimedWait>(timer_, waiting->call.cancellation());
-  waiting->wait->Begin(until_deadline, [this, waiting](const absl::Status& status) {
-    Leave(waiting, status.ok() ? waiting->call.CheckAlive() : status);
+absl::Status LimitingLlmClient::WaitForTurn(int64_t estimate, runtime::CallContext& call) {
+  const runtime::OnCancel wake_up(call.cancellation(), [this] {
+    const std::lock_guard lock(mutex_);
+    changed_.notify_all();
   });
-  {
-    const std::lock_guard lock(mutex_);
-    if (waiting->state != Waiting::State::kNew) return;
-    waiting->state = Waiting::State::kQueued;
-    queue_.push_back(std::move(waiting));
-    Refill();
-  }
-  // Also when only a slot was missing: it may have come free since.
-  PumpWhenTokensReturn();
-}
-
-void LimitingLlmClient::PumpWhenTokensReturn() {
-  absl::Duration after, due;
-  {
-    const std::lock_guard lock(mutex_);
-    after = TokensReturnAfter();
-    due = clock_.Elapsed() + after;
-    if (due >= next_pump_) return;
-    next_pump_ = due;
-  }
-  timer_.RunAfter(after, [this, due](const absl::Status&) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (next_pump_ == due) next_pump_ = absl::InfiniteDuration();
-    }
-    Pump();
-  });
-}
-
-void LimitingLlmClient::Leave(const std::shared_ptr<Waiting>& waiting, absl::Status status) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (waiting->state == Waiting::State::kEnded) return;
-    waiting->state = Waiting::State::kEnded;
-    std::erase(queue_, waiting);
-  }
-  waiting->wait.reset();
-  if (status.ok()) status = absl::DeadlineExceededError("the call waited a day for its turn");
-  waiting->done(std::move(status));
-}
-
-void LimitingLlmClient::Pump() {
+  std::unique_lock lock(mutex_);
+  const int64_t number = next_number_++;
+  queue_.push_back(number);
+  absl::Status status;
   while (true) {
-    std::shared_ptr<Waiting> next;
-    bool for_tokens = false;
-    {
-      const std::lock_guard lock(mutex_);
-      if (queue_.empty()) return;
-      if (TakeTurn(queue_.front()->estimate)) {
-        next = std::move(queue_.front());
-        queue_.pop_front();
-        next->state = Waiting::State::kEnded;
-      } else {
-        for_tokens = TokensReturnAfter() > absl::ZeroDuration();
-      }
-    }
-    if (next == nullptr) {
-      // Else the end of a call pumps.
-      if (for_tokens) PumpWhenTokensReturn();
-      return;
-    }
-    next->wait->Hasten();
-    next->wait.reset();
-    Start(next->request, next->call, next->estimate, std::move(next->done));
+    status = call.CheckAlive();
+    Refill();
+    const bool may_begin = queue_.front() == number && in_flight_ < limits_.in_flight && HasTokens();
+    if (!status.ok() || may_begin) break;
+    changed_.wait_for(lock, kLookAgain);
   }
-}
-
-void LimitingLlmClient::Start(const ChatRequest& request, runtime::CallContext& call, int64_t estimate,
-                              AnswerCallback done) {
-  inner_->Ask(request, call, [this, estimate, done = std::move(done)](absl::StatusOr<ChatAnswer> answer) {
-    bool others_wait = false;
-    {
-      const std::lock_guard lock(mutex_);
-      --in_flight_;
-      if (answer.ok()) {
-        const int64_t consumed = answer->usage.input_token_count + answer->usage.output_token_count;
-        tokens_ -= static_cast<double>(consumed - estimate);
-      }
-      others_wait = !queue_.empty();
-    }
-    if (others_wait) timer_.RunAfter(absl::ZeroDuration(), [this](const absl::Status&) { Pump(); });
-    done(std::move(answer));
-  });
-}
-
-bool LimitingLlmClient::TakeTurn(int64_t estimate) {
-  Refill();
-  if (in_flight_ >= limits_.in_flight || TokensReturnAfter() > absl::ZeroDuration()) return false;
+  std::erase(queue_, number);
+  // The next may have its turn too.
+  changed_.notify_all();
+  RETURN_IF_ERROR(status);
   ++in_flight_;
   tokens_ -= static_cast<double>(estimate);
-  return true;
+  return absl::OkStatus();
+}
+
+int LimitingLlmClient::waiting() const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<int>(queue_.size());
 }
 
 void LimitingLlmClient::Refill() {
@@ -152,12 +72,6 @@ void LimitingLlmClient::Refill() {
   const auto rate = static_cast<double>(limits_.tokens_per_minute);
   tokens_ = std::min(rate, tokens_ + rate * absl::ToDoubleSeconds(now - filled_at_) / 60);
   filled_at_ = now;
-}
-
-absl::Duration LimitingLlmClient::TokensReturnAfter() const {
-  if (limits_.tokens_per_minute == 0 || tokens_ > 0) return absl::ZeroDuration();
-  // One token and a little, so that rounding cannot end the wait too early.
-  return absl::Minutes(1) * ((1 - tokens_) / static_cast<double>(limits_.tokens_per_minute)) + absl::Milliseconds(1);
 }
 
 }  // namespace flair::llm

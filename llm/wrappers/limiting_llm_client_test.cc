@@ -1,34 +1,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/wrappers/limiting_llm_client.h"
 
+#include <condition_variable>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "llm/wrappers/held_llm_client.h"
+#include "llm/wrappers/test_llm_client.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 using ::testing::SizeIs;
+
+// Holds every call until the test answers it, by its step. Thread-safe.
+class HeldLlmClient final : public LlmClient {
+ public:
+  absl::StatusOr<ChatAnswer> Ask(const ChatRequest& request, runtime::CallContext&) override {
+    std::unique_lock lock(mutex_);
+    begun_.push_back(request.step);
+    changed_.notify_all();
+    changed_.wait(lock, [&] { return answers_.contains(request.step); });
+    return answers_.at(request.step);
+  }
+  std::string identity() const override { return "held@test"; }
+
+  void Answer(const std::string& step, absl::StatusOr<ChatAnswer> answer) {
+    const std::lock_guard lock(mutex_);
+    answers_.emplace(step, std::move(answer));
+    changed_.notify_all();
+  }
+
+  // Waits until so many calls have begun; their steps, in order.
+  std::vector<std::string> Begun(size_t count) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return begun_.size() >= count; });
+    return begun_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::string> begun_;
+  std::map<std::string, absl::StatusOr<ChatAnswer>> answers_;
+};
 
 class LimitingLlmClientTest : public ::testing::Test {
  protected:
+  ~LimitingLlmClientTest() override {
+    for (auto& [step, thread] : threads_) thread.join();
+  }
+
   void Limit(CallLimits limits) {
     held_ = new HeldLlmClient();
-    client_ = std::make_unique<LimitingLlmClient>(std::unique_ptr<LlmClient>(held_), limits, timer_, clock_);
+    client_ = std::make_unique<LimitingLlmClient>(std::unique_ptr<LlmClient>(held_), limits, clock_);
   }
+  // Asks in a thread of its own.
   void Ask(const std::string& step, runtime::CallContext& call) {
-    client_->Ask(AskFor(step), call, [this, step](const absl::StatusOr<ChatAnswer>& answer) {
-      ended_.push_back(step);
-      statuses_.push_back(answer.status());
-    });
+    threads_.emplace(step, std::thread([&, step] {
+                       const absl::Status status = client_->Ask(AskFor(step), call).status();
+                       const std::lock_guard lock(mutex_);
+                       statuses_[step] = status;
+                     }));
   }
-  std::vector<std::string> Begun() const {
-    std::vector<std::string> steps;
-    for (const ChatRequest& request : held_->requests) steps.push_back(request.step);
-    return steps;
+  // Asks, and waits until the call is in the queue behind so many others.
+  void AskInVain(const std::string& step, runtime::CallContext& call, int others = 0) {
+    Ask(step, call);
+    while (client_->waiting() <= others) std::this_thread::yield();
+  }
+  absl::Status End(const std::string& step) {
+    threads_.at(step).join();
+    threads_.erase(step);
+    return statuses_.at(step);
   }
   static ChatAnswer Consuming(int64_t tokens) {
     ChatAnswer answer;
@@ -37,53 +85,56 @@ class LimitingLlmClientTest : public ::testing::Test {
   }
 
   runtime::FakeClock clock_;
-  runtime::FakeTimer timer_{clock_};
+  runtime::CallContext call_{"", absl::InfiniteFuture(), clock_};
   HeldLlmClient* held_ = nullptr;
   std::unique_ptr<LimitingLlmClient> client_;
-  std::vector<std::string> ended_;
-  std::vector<absl::Status> statuses_;
-  runtime::CallContext call_{"", absl::InfiniteFuture(), clock_};
+  std::mutex mutex_;
+  std::map<std::string, absl::Status> statuses_;
+  std::map<std::string, std::thread> threads_;
 };
 
 TEST_F(LimitingLlmClientTest, LetsSoManyCallsThroughAndTheOthersInTheirOrder) {
   Limit({.in_flight = 2});
-  for (const char* step : {"a", "b", "c", "d"}) Ask(step, call_);
-  timer_.Advance(absl::ZeroDuration());
-  EXPECT_THAT(Begun(), ElementsAre("a", "b"));
-  held_->Answer(1, "");
-  timer_.Advance(absl::ZeroDuration());
-  EXPECT_THAT(Begun(), ElementsAre("a", "b", "c"));
-  held_->Answer(0, absl::UnavailableError(""));
-  timer_.Advance(absl::ZeroDuration());
-  EXPECT_THAT(Begun(), ElementsAre("a", "b", "c", "d"));
-  EXPECT_THAT(ended_, ElementsAre("b", "a"));
+  Ask("a", call_);
+  held_->Begun(1);
+  Ask("b", call_);
+  held_->Begun(2);
+  AskInVain("c", call_);
+  AskInVain("d", call_, 1);
+  held_->Answer("b", ChatAnswer());
+  EXPECT_THAT(held_->Begun(3), ElementsAre("a", "b", "c"));
+  EXPECT_EQ(client_->waiting(), 1);
+  held_->Answer("a", absl::UnavailableError(""));
+  EXPECT_THAT(held_->Begun(4), ElementsAre("a", "b", "c", "d"));
+  held_->Answer("c", ChatAnswer());
+  held_->Answer("d", ChatAnswer());
 }
 
 TEST_F(LimitingLlmClientTest, ACallThatIsCancelledLeavesTheQueueAndIsNeverMade) {
   Limit({.in_flight = 1});
   runtime::CallContext other("", absl::InfiniteFuture(), clock_);
   Ask("a", call_);
-  Ask("b", other);
-  Ask("c", call_);
+  held_->Begun(1);
+  AskInVain("b", other);
+  AskInVain("c", call_, 1);
   other.cancellation().Cancel();
-  timer_.Advance(absl::ZeroDuration());
-  ASSERT_THAT(ended_, ElementsAre("b"));
-  EXPECT_TRUE(absl::IsCancelled(statuses_[0]));
-  held_->Answer(0, "");
-  timer_.Advance(absl::ZeroDuration());
-  EXPECT_THAT(Begun(), ElementsAre("a", "c"));
+  EXPECT_TRUE(absl::IsCancelled(End("b")));
+  held_->Answer("a", ChatAnswer());
+  EXPECT_THAT(held_->Begun(2), ElementsAre("a", "c"));
+  held_->Answer("c", ChatAnswer());
 }
 
 TEST_F(LimitingLlmClientTest, ACallWhoseDeadlineComesInTheQueueEndsThen) {
   Limit({.in_flight = 1});
   runtime::CallContext hasty("", clock_.Now() + absl::Seconds(3), clock_);
   Ask("a", call_);
-  Ask("b", hasty);
-  timer_.Advance(absl::Seconds(2));
-  EXPECT_THAT(ended_, IsEmpty());
-  timer_.Advance(absl::Seconds(2));
-  ASSERT_THAT(ended_, ElementsAre("b"));
-  EXPECT_TRUE(absl::IsDeadlineExceeded(statuses_[0]));
+  held_->Begun(1);
+  AskInVain("b", hasty);
+  clock_.Advance(absl::Seconds(2));
+  EXPECT_EQ(client_->waiting(), 1);
+  clock_.Advance(absl::Seconds(2));
+  EXPECT_TRUE(absl::IsDeadlineExceeded(End("b")));
+  held_->Answer("a", ChatAnswer());
 }
 
 TEST_F(LimitingLlmClientTest, ACallThatWasCancelledBeforeItCameLeavesToo) {
@@ -91,55 +142,50 @@ TEST_F(LimitingLlmClientTest, ACallThatWasCancelledBeforeItCameLeavesToo) {
   runtime::CallContext gone("", absl::InfiniteFuture(), clock_);
   gone.cancellation().Cancel();
   Ask("a", call_);
+  held_->Begun(1);
   Ask("b", gone);
-  timer_.Advance(absl::ZeroDuration());
-  EXPECT_THAT(ended_, ElementsAre("b"));
+  EXPECT_TRUE(absl::IsCancelled(End("b")));
+  held_->Answer("a", ChatAnswer());
 }
 
 TEST_F(LimitingLlmClientTest, TokensThatAreSpentComeBackEvenly) {
   Limit({.in_flight = 100, .tokens_per_minute = 600});
   Ask("a", call_);
-  held_->Answer(0, Consuming(700));
+  held_->Answer("a", Consuming(700));
+  ASSERT_TRUE(End("a").ok());
   // 100 below empty, 10 a second.
-  Ask("b", call_);
-  timer_.Advance(absl::Seconds(10));
-  EXPECT_THAT(Begun(), ElementsAre("a"));
-  timer_.Advance(absl::Seconds(0.2));
-  EXPECT_THAT(Begun(), ElementsAre("a", "b"));
+  AskInVain("b", call_);
+  clock_.Advance(absl::Seconds(10));
+  EXPECT_THAT(held_->Begun(0), ElementsAre("a"));
+  EXPECT_EQ(client_->waiting(), 1);
+  clock_.Advance(absl::Seconds(0.2));
+  EXPECT_THAT(held_->Begun(2), ElementsAre("a", "b"));
+  held_->Answer("b", ChatAnswer());
 }
 
 TEST_F(LimitingLlmClientTest, AMinuteWithoutCallsSavesNoMoreThanAMinutesTokens) {
   Limit({.in_flight = 100, .tokens_per_minute = 600});
   clock_.Advance(absl::Hours(5));
   Ask("a", call_);
-  held_->Answer(0, Consuming(1200));
-  Ask("b", call_);
-  timer_.Advance(absl::Seconds(59));
-  EXPECT_THAT(Begun(), ElementsAre("a"));
-  timer_.Advance(absl::Seconds(2));
-  EXPECT_THAT(Begun(), ElementsAre("a", "b"));
-}
-
-TEST_F(LimitingLlmClientTest, ManyThatWaitForTokensAreWokenUpForByOneTimer) {
-  Limit({.in_flight = 1000, .tokens_per_minute = 600});
-  Ask("first", call_);
-  held_->Answer(0, Consuming(700));
-  constexpr int kCallCount = 300;
-  for (int i = 0; i < kCallCount; ++i) Ask(std::to_string(i), call_);
-  // A question takes a token of the 10 a second; each may begin when there is one.
-  for (int i = 0; i < 600 && static_cast<int>(Begun().size()) <= kCallCount; ++i) timer_.Advance(absl::Seconds(0.2));
-  EXPECT_THAT(Begun(), SizeIs(kCallCount + 1));
-  // One each to its deadline, and some for tokens.
-  EXPECT_LE(timer_.delays().size(), 3u * kCallCount);
+  held_->Answer("a", Consuming(1200));
+  ASSERT_TRUE(End("a").ok());
+  AskInVain("b", call_);
+  clock_.Advance(absl::Seconds(59));
+  EXPECT_EQ(client_->waiting(), 1);
+  clock_.Advance(absl::Seconds(2));
+  EXPECT_THAT(held_->Begun(2), ElementsAre("a", "b"));
+  held_->Answer("b", ChatAnswer());
 }
 
 TEST_F(LimitingLlmClientTest, QuestionsInFlightCountBeforeTheirAnswers) {
   Limit({.in_flight = 100, .tokens_per_minute = 4});
   Ask("a long question", call_);
-  Ask("b", call_);
-  EXPECT_THAT(held_->requests, SizeIs(1));
+  held_->Begun(1);
+  AskInVain("b", call_);
+  EXPECT_THAT(held_->Begun(0), SizeIs(1));
   call_.cancellation().Cancel();
-  timer_.Advance(absl::ZeroDuration());
+  EXPECT_TRUE(absl::IsCancelled(End("b")));
+  held_->Answer("a long question", ChatAnswer());
 }
 
 }  // namespace

@@ -2,13 +2,14 @@
 #include "llm/wrappers/retrying_llm_client.h"
 
 #include <algorithm>
-#include <functional>
+#include <condition_variable>
+#include <mutex>
 #include <utility>
 
 #include "fmt/format.h"
-#include "llm/client/retry_hint.h"
-#include "llm/wrappers/timed_wait.h"
+#include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
 namespace {
@@ -37,49 +38,33 @@ std::optional<absl::Duration> RetryPolicy::DelayAfter(const absl::Status& failur
   return std::max(asked.value_or(absl::ZeroDuration()), std::min(own, longest_delay)) * spread;
 }
 
-struct RetryingLlmClient::Pending {
-  ChatRequest request;
-  runtime::CallContext& call;
-  AnswerCallback done;
-  int attempt = 0;
-  // Set while it waits for the next attempt.
-  std::unique_ptr<TimedWait> wait = nullptr;
-};
-
-RetryingLlmClient::RetryingLlmClient(std::unique_ptr<LlmClient> inner, RetryPolicy policy, runtime::Timer& timer,
-                                     const runtime::Clock& clock)
-    : policy_(policy), timer_(timer), clock_(clock), inner_(std::move(inner)) {}
-
-void RetryingLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call, AnswerCallback done) {
-  Try(std::make_shared<Pending>(Pending{request, call, std::move(done)}));
-}
-
-void RetryingLlmClient::Try(std::shared_ptr<Pending> pending) {
-  ++pending->attempt;
-  inner_->Ask(pending->request, pending->call,
-              [this, pending](absl::StatusOr<ChatAnswer> answer) { Decide(pending, std::move(answer)); });
-}
-
-void RetryingLlmClient::Decide(std::shared_ptr<Pending> pending, absl::StatusOr<ChatAnswer> answer) {
-  const std::optional<absl::Duration> delay =
-      answer.ok() ? std::nullopt
-                  : policy_.DelayAfter(answer.status(), pending->attempt,
-                                       pending->call.request_id() + "/" + pending->request.step);
-  if (!delay.has_value() || clock_.Now() + *delay >= pending->call.deadline()) {
-    if (!answer.ok()) answer = AfterAttempts(answer.status(), pending->attempt);
-    pending->done(std::move(answer));
-    return;
-  }
-  pending->wait = std::make_unique<TimedWait>(timer_, pending->call.cancellation());
-  pending->wait->Begin(*delay, [this, pending](const absl::Status& status) {
-    pending->wait.reset();
-    absl::Status alive = status.ok() ? pending->call.CheckAlive() : status;
-    if (!alive.ok()) {
-      pending->done(std::move(alive));
-      return;
-    }
-    Try(pending);
+void WaitOrCancelled(absl::Duration delay, runtime::CallContext& call) {
+  std::mutex mutex;
+  std::condition_variable wake;
+  const runtime::OnCancel on_cancel(call.cancellation(), [&] {
+    const std::lock_guard lock(mutex);
+    wake.notify_all();
   });
+  std::unique_lock lock(mutex);
+  wake.wait_for(lock, absl::ToChronoMilliseconds(delay), [&] { return call.cancellation().cancelled(); });
+}
+
+RetryingLlmClient::RetryingLlmClient(std::unique_ptr<LlmClient> inner, RetryPolicy policy, const runtime::Clock& clock,
+                                     Wait wait)
+    : LlmClientWrapper(std::move(inner)), policy_(policy), clock_(clock), wait_(std::move(wait)) {}
+
+absl::StatusOr<ChatAnswer> RetryingLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
+  for (int attempt = 1;; ++attempt) {
+    absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, call);
+    if (answer.ok()) return answer;
+    const std::optional<absl::Duration> delay =
+        policy_.DelayAfter(answer.status(), attempt, call.request_id() + "/" + request.step);
+    if (!delay.has_value() || clock_.Now() + *delay >= call.deadline()) {
+      return AfterAttempts(answer.status(), attempt);
+    }
+    wait_(*delay, call);
+    RETURN_IF_ERROR(call.CheckAlive());
+  }
 }
 
 }  // namespace flair::llm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,26 +25,25 @@ struct RetryPolicy {
   std::optional<absl::Duration> DelayAfter(const absl::Status& failure, int attempt, const std::string& key) const;
 };
 
-// Asks again by a policy, without a thread that waits. A wait that would outlast the call's deadline is not begun: the
-// last failure is returned, saying how many attempts were made.
-class RetryingLlmClient final : public LlmClient {
- public:
-  // `timer` and `clock` outlive it.
-  RetryingLlmClient(std::unique_ptr<LlmClient> inner, RetryPolicy policy, runtime::Timer& timer,
-                    const runtime::Clock& clock);
+// Waits so long, or until the call is cancelled.
+void WaitOrCancelled(absl::Duration delay, runtime::CallContext& call);
 
-  void Ask(const ChatRequest& request, runtime::CallContext& call, AnswerCallback done) override;
-  std::string identity() const override { return inner_->identity(); }
+// Asks again by a policy; between attempts it holds nothing that another call waits for. A wait that would outlast the
+// call's deadline is not begun: the last failure is returned, saying how many attempts were made.
+class RetryingLlmClient final : public LlmClientWrapper {
+ public:
+  using Wait = std::function<void(absl::Duration delay, runtime::CallContext& call)>;
+
+  // `clock` outlives it. `wait` is another in tests.
+  RetryingLlmClient(std::unique_ptr<LlmClient> inner, RetryPolicy policy, const runtime::Clock& clock,
+                    Wait wait = WaitOrCancelled);
+
+  absl::StatusOr<ChatAnswer> Ask(const ChatRequest& request, runtime::CallContext& call) override;
 
  private:
-  struct Pending;
-  void Try(std::shared_ptr<Pending> pending);
-  void Decide(std::shared_ptr<Pending> pending, absl::StatusOr<ChatAnswer> answer);
-
   const RetryPolicy policy_;
-  runtime::Timer& timer_;
   const runtime::Clock& clock_;
-  const std::unique_ptr<LlmClient> inner_;
+  const Wait wait_;
 };
 
 }  // namespace flair::llm

@@ -1,106 +1,106 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/wrappers/retrying_llm_client.h"
 
+#include <thread>
+
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "llm/client/retry_hint.h"
-#include "llm/wrappers/held_llm_client.h"
+#include "llm/wrappers/test_llm_client.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 class RetryingLlmClientTest : public ::testing::Test {
  protected:
-  void Ask(runtime::CallContext& call) {
-    client_.Ask(AskFor("zones"), call, [this](absl::StatusOr<ChatAnswer> answer) { answers_.push_back(answer); });
+  absl::StatusOr<ChatAnswer> Ask() { return client_.Ask(AskFor("zones"), call_); }
+  static absl::Status Down() { return absl::UnavailableError("status 503"); }
+  static ChatAnswer Fine() {
+    ChatAnswer answer;
+    answer.text = "fine";
+    return answer;
   }
-  absl::Status Down() { return absl::UnavailableError("status 503"); }
 
   runtime::FakeClock clock_;
-  runtime::FakeTimer timer_{clock_};
-  HeldLlmClient* held_ = new HeldLlmClient();
-  RetryingLlmClient client_{std::unique_ptr<LlmClient>(held_), {.attempt_limit = 3}, timer_, clock_};
-  std::vector<absl::StatusOr<ChatAnswer>> answers_;
+  std::vector<absl::Duration> delays_;
+  TestLlmClient* model_ = new TestLlmClient();
+  RetryingLlmClient client_{std::unique_ptr<LlmClient>(model_),
+                            {.attempt_limit = 3},
+                            clock_,
+                            [this](absl::Duration delay, runtime::CallContext&) {
+                              delays_.push_back(delay);
+                              clock_.Advance(delay);
+                            }};
   runtime::CallContext call_{"job-1", absl::InfiniteFuture(), clock_};
 };
 
 TEST_F(RetryingLlmClientTest, AsksAgainAfterUnavailableAndGivesTheAnswer) {
-  Ask(call_);
-  held_->Answer(0, Down());
-  EXPECT_THAT(answers_, SizeIs(0));
-  timer_.Advance(absl::Seconds(1));
-  ASSERT_THAT(held_->requests, SizeIs(2));
-  EXPECT_EQ(held_->requests[1].step, "zones");
-  held_->Answer(1, "fine");
-  ASSERT_THAT(answers_, SizeIs(1));
-  EXPECT_EQ(answers_[0]->text, "fine");
+  model_->answer = [](size_t number) { return number == 1 ? absl::StatusOr<ChatAnswer>(Down()) : Fine(); };
+  EXPECT_EQ(Ask()->text, "fine");
+  ASSERT_THAT(model_->requests, SizeIs(2));
+  EXPECT_EQ(model_->requests[1].step, "zones");
+  ASSERT_THAT(delays_, SizeIs(1));
+  EXPECT_LE(delays_[0], absl::Seconds(1));
 }
 
 TEST_F(RetryingLlmClientTest, GivesUpAfterTheLastAttemptAndSaysHowManyThereWere) {
-  Ask(call_);
-  for (size_t i = 0; i < 3; ++i) {
-    held_->Answer(i, Down());
-    timer_.Advance(absl::Seconds(10));
-  }
-  ASSERT_THAT(answers_, SizeIs(1));
-  EXPECT_TRUE(absl::IsUnavailable(answers_[0].status()));
-  EXPECT_THAT(std::string(answers_[0].status().message()), HasSubstr("status 503 (after 3 attempts)"));
-  EXPECT_THAT(held_->requests, SizeIs(3));
+  model_->answer = [](size_t) { return Down(); };
+  const absl::Status status = Ask().status();
+  EXPECT_TRUE(absl::IsUnavailable(status));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("status 503 (after 3 attempts)"));
+  EXPECT_THAT(model_->requests, SizeIs(3));
 }
 
 TEST_F(RetryingLlmClientTest, NeverAsksAgainAfterWhatWouldFailAgain) {
   for (const absl::Status& failure :
        {absl::InvalidArgumentError("400"), absl::UnauthenticatedError("401"), absl::PermissionDeniedError("403"),
         absl::NotFoundError("404"), absl::DataLossError("html"), absl::CancelledError("")}) {
-    answers_.clear();
-    Ask(call_);
-    held_->Answer(held_->requests.size() - 1, failure);
-    ASSERT_THAT(answers_, SizeIs(1)) << failure;
-    EXPECT_EQ(answers_[0].status(), failure);
+    model_->answer = [&](size_t) { return failure; };
+    EXPECT_EQ(Ask().status(), failure);
   }
-  EXPECT_EQ(timer_.waiting(), 0);
+  EXPECT_THAT(delays_, IsEmpty());
 }
 
 TEST_F(RetryingLlmClientTest, WaitsAtLeastAsLongAsTheServerAsks) {
-  Ask(call_);
   absl::Status busy = Down();
   SetRetryAfter(busy, absl::Seconds(20));
-  held_->Answer(0, busy);
-  timer_.Advance(absl::Seconds(19.9));
-  EXPECT_THAT(held_->requests, SizeIs(1));
-  timer_.Advance(absl::Seconds(10.2));
-  EXPECT_THAT(held_->requests, SizeIs(2));
+  model_->answer = [&](size_t number) { return number == 1 ? absl::StatusOr<ChatAnswer>(busy) : Fine(); };
+  ASSERT_TRUE(Ask().ok());
+  ASSERT_THAT(delays_, SizeIs(1));
+  EXPECT_GE(delays_[0], absl::Seconds(20));
+  EXPECT_LE(delays_[0], absl::Seconds(30));
 }
 
 TEST_F(RetryingLlmClientTest, EndsAtOnceWhenTheServerAsksForMoreThanTheLongestDelay) {
-  Ask(call_);
   absl::Status busy = Down();
   SetRetryAfter(busy, absl::Hours(1));
-  held_->Answer(0, busy);
-  ASSERT_THAT(answers_, SizeIs(1));
-  EXPECT_TRUE(absl::IsUnavailable(answers_[0].status()));
+  model_->answer = [&](size_t) { return busy; };
+  EXPECT_TRUE(absl::IsUnavailable(Ask().status()));
+  EXPECT_THAT(delays_, IsEmpty());
 }
 
 TEST_F(RetryingLlmClientTest, DoesNotBeginAWaitThatOutlastsTheDeadline) {
   runtime::CallContext call("job-2", clock_.Now() + absl::Milliseconds(300), clock_);
-  Ask(call);
-  held_->Answer(0, Down());
-  ASSERT_THAT(answers_, SizeIs(1));
-  EXPECT_TRUE(absl::IsUnavailable(answers_[0].status()));
+  model_->answer = [](size_t) { return Down(); };
+  EXPECT_TRUE(absl::IsUnavailable(client_.Ask(AskFor("zones"), call).status()));
+  EXPECT_THAT(delays_, IsEmpty());
 }
 
 TEST_F(RetryingLlmClientTest, ACancelledCallDoesNotWaitForItsNextAttempt) {
-  Ask(call_);
-  held_->Answer(0, Down());
-  call_.cancellation().Cancel();
-  timer_.Advance(absl::ZeroDuration());
-  ASSERT_THAT(answers_, SizeIs(1));
-  EXPECT_TRUE(absl::IsCancelled(answers_[0].status()));
-  EXPECT_THAT(held_->requests, SizeIs(1));
+  auto* model = new TestLlmClient();
+  RetryingLlmClient client(std::unique_ptr<LlmClient>(model), {.first_delay = absl::Hours(1)}, clock_);
+  std::thread canceller;
+  model->answer = [&](size_t) {
+    canceller = std::thread([&] { call_.cancellation().Cancel(); });
+    return Down();
+  };
+  EXPECT_TRUE(absl::IsCancelled(client.Ask(AskFor("zones"), call_).status()));
+  EXPECT_THAT(model->requests, SizeIs(1));
+  canceller.join();
 }
 
 TEST(RetryPolicy, DelaysDoubleAreSpreadByTheKeyAndStayBelowTheLongest) {

@@ -10,9 +10,8 @@
 #include "flair/model/v1/object_answers.pb.h"
 #include "flair/model/v1/room_answers.pb.h"
 #include "flair/model/v1/style_answers.pb.h"
-#include "llm/answers/length_unit.h"
 #include "llm/answers/read_answer.h"
-#include "llm/wrappers/answer_json.h"
+#include "llm/wrappers/answer_folder.h"
 #include "tests/fuzz/answer_promises.h"
 #include "tests/fuzz/targets.h"
 
@@ -41,9 +40,9 @@ const llm::FieldChoices& SomeChoices() {
   return choices;
 }
 
-void ReadTyped(std::string_view text, const Message& type, const llm::LengthUnit* bare_unit) {
+void ReadTyped(std::string_view text, const Message& type) {
   const std::unique_ptr<Message> answer(type.New());
-  const std::vector<llm::Fault> faults = llm::ReadAnswer(text, SomeChoices(), *answer, bare_unit);
+  const std::vector<llm::Fault> faults = llm::ReadAnswer(text, SomeChoices(), *answer);
   CheckFaults(faults, *type.GetDescriptor());
   CheckLists(*answer);
   CheckPartialRepair(text, faults, *answer, SomeChoices());
@@ -69,10 +68,9 @@ void ReadModelAnswer(std::string_view bytes) {
   if (bytes.empty()) return;
   const size_t byte = static_cast<unsigned char>(bytes.front());
   const size_t choice = byte % (AnswerTypes().size() + 1);
-  const size_t unit = byte / (AnswerTypes().size() + 1) % (llm::kLengthUnits.size() + 1);
   bytes.remove_prefix(1);
   if (choice < AnswerTypes().size()) {
-    ReadTyped(bytes, *AnswerTypes()[choice], unit == 0 ? nullptr : &llm::kLengthUnits[unit - 1]);
+    ReadTyped(bytes, *AnswerTypes()[choice]);
   } else {
     ReadRecord(bytes);
   }

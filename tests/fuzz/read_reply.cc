@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "llm/openai/json_fields.h"
-#include "llm/openai/plain_delta.h"
 #include "llm/openai/reply_reader.h"
 #include "tests/fuzz/targets.h"
 
@@ -77,49 +75,6 @@ std::vector<std::string> Events(std::string_view bytes, Pieces pieces) {
   return events;
 }
 
-bool Once(std::string_view text, std::string_view word) {
-  const size_t at = text.find(word);
-  return at != std::string_view::npos && text.find(word, at + 1) == std::string_view::npos;
-}
-
-bool Repeats(std::string_view text, const std::string& word) {
-  const size_t at = text.find(word);
-  return at != std::string_view::npos && text.find(word, at + 1) != std::string_view::npos;
-}
-
-// The quickest way brings what the quick one does.
-void CheckQuickestWay(const std::vector<std::string>& chunks) {
-  llm::RepeatedDelta repeated;
-  for (const std::string& chunk : chunks) {
-    const auto piece = llm::PlainDelta(chunk);
-    if (const auto text = repeated.Text(chunk)) {
-      Require(piece.has_value() && llm::PlainText(piece->string) == text, "a chunk like another is read like it");
-      Require(text->empty() || piece->thought == repeated.thought(), "a thought is none of the answer");
-    }
-    if (piece.has_value()) repeated.Learn(chunk, *piece);
-  }
-}
-
-// The quick way to read a chunk brings what the thorough one does, unless the chunk says something twice.
-void CheckQuickWay(std::string_view chunk) {
-  const auto piece = llm::PlainDelta(chunk);
-  if (!piece.has_value() || chunk.find("\\u") != std::string_view::npos) return;
-  if (!Once(chunk, "\"choices\"") || !Once(chunk, "\"delta\"")) return;
-  const nlohmann::json parsed = llm::ParseJson(chunk);
-  if (parsed.is_discarded()) return;
-  const nlohmann::json text = llm::ParseJson(piece->string);
-  const nlohmann::json& delta = parsed["choices"][0]["delta"];
-  for (const char* name : {"content", "reasoning_content", "reasoning"}) {
-    if (Repeats(chunk, "\"" + std::string(name) + "\"")) return;
-    const bool of_thought = std::string_view(name) != "content";
-    const std::string expected = llm::TextField(delta, name);
-    if (of_thought != piece->thought) Require(expected.empty(), "the quick way leaves nothing out");
-    if (!expected.empty()) Require(text == expected, "the quick way brings the text of the chunk");
-  }
-  const auto plain = llm::PlainText(piece->string);
-  if (plain.has_value()) Require(text == std::string(*plain), "a plain text is the text");
-}
-
 }  // namespace
 
 void ReadReply(std::string_view bytes) {
@@ -138,8 +93,6 @@ void ReadReply(std::string_view bytes) {
 
   const std::vector<std::string> events = Events(bytes, whole);
   Require(events == Events(bytes, odd), "pieces do not change the events");
-  for (const std::string& event : events) CheckQuickWay(event);
-  CheckQuickestWay(events);
 
   const llm::ServerError error = llm::ReadServerError(bytes);
   CheckFailure(llm::StatusOf(400 + sizes, error, "http://model: HTTP", Secrets()));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -11,15 +12,17 @@
 #include "fmt/format.h"
 #include "llm/answers/choices.h"
 #include "llm/answers/fault.h"
+#include "llm/answers/quantity.h"
 #include "translator_worker/catalog/catalog_index.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::translator {
 namespace {
 
 using Values = std::vector<std::string>;
 
-bool TakesList(const v1::ParameterSpec& parameter) {
-  return parameter.kind() == v1::PARAMETER_KIND_OBJECTS || parameter.kind() == v1::PARAMETER_KIND_SIDES;
+bool TakesList(v1::ParameterKind kind) {
+  return kind == v1::PARAMETER_KIND_OBJECTS || kind == v1::PARAMETER_KIND_SIDES;
 }
 
 // "None", "null": as if it were not there.
@@ -91,7 +94,7 @@ class Binder {
 
   absl::Status AddByPlace(const WrittenArgument& argument) {
     // "surround(table, chair_1, chair_2)": one list.
-    const bool list = last_ >= 0 && TakesList(type_.parameters(last_)) && !argument.in_brackets;
+    const bool list = last_ >= 0 && TakesList(type_.parameters(last_).kind()) && !argument.in_brackets;
     if (list && CanTake(last_, argument.values)) return Give(last_, argument);
     int first = -1;
     for (int i = next_; i < type_.parameters_size(); ++i) {
@@ -107,7 +110,7 @@ class Binder {
 
   absl::Status Give(int parameter, const WrittenArgument& argument) {
     Values& values = given_[parameter];
-    if (!values.empty() && !TakesList(type_.parameters(parameter)) && values != argument.values) {
+    if (!values.empty() && !TakesList(type_.parameters(parameter).kind()) && values != argument.values) {
       return absl::InvalidArgumentError(fmt::format("{} is given {} twice; a call for each would be right",
                                                     type_.name(), type_.parameters(parameter).name()));
     }
@@ -138,19 +141,50 @@ Values ObjectsOf(const v1::ConstraintType& type, const Call& call) {
   return ids;
 }
 
+const llm::Choices& Sides() {
+  static const llm::Choices sides = {{"front", "back", "left", "right"}, {}};
+  return sides;
+}
+
+const llm::Choices& Corners() {
+  static const llm::Choices corners = {{"back_left", "back_right", "front_left", "front_right"},
+                                       {{"left_back", "back_left"},
+                                        {"right_back", "back_right"},
+                                        {"left_front", "front_left"},
+                                        {"right_front", "front_right"}}};
+  return corners;
+}
+
+const llm::Choices& Features() {
+  static const llm::Choices features = {
+      {"door", "window", "socket"},
+      {{"electrical socket", "socket"}, {"outlet", "socket"}, {"power outlet", "socket"}}};
+  return features;
+}
+
+const llm::Choices& Flags() {
+  static const llm::Choices flags = {{"true", "false"}, {{"yes", "true"}, {"no", "false"}}};
+  return flags;
+}
+
+absl::StatusOr<double> ReadNumber(const v1::ParameterSpec& parameter, const std::string& value) {
+  const std::optional<double> number = llm::ReadQuantity(value, parameter.unit());
+  if (number.has_value() && std::isfinite(*number)) return *number;
+  return absl::InvalidArgumentError(
+      fmt::format("{} is no number{}", llm::Quoted(value), parameter.unit().empty() ? "" : " in " + parameter.unit()));
+}
+
 }  // namespace
 
 absl::StatusOr<Call> BindCall(const WrittenCall& written, const v1::ConstraintType& type, const ArgumentReader& reader,
                               std::vector<std::string>& remarks) {
   Binder binder(type, reader);
   for (const WrittenArgument& argument : written.arguments) {
-    if (absl::Status status = binder.Add(argument); !status.ok()) return status;
+    RETURN_IF_ERROR(binder.Add(argument));
   }
-  absl::StatusOr<std::vector<v1::Argument>> arguments = binder.Read();
-  if (!arguments.ok()) return arguments.status();
   Call call(type.name());
-  call.arguments = *std::move(arguments);
-  if (absl::Status status = CatalogIndex::Fit(type, call.arguments, remarks); !status.ok()) return status;
+  ASSIGN_OR_RETURN(call.arguments, binder.Read());
+  RETURN_IF_ERROR(CatalogIndex::Fit(type, call.arguments, remarks));
   Values objects = ObjectsOf(type, call);
   std::sort(objects.begin(), objects.end());
   const auto twice = std::adjacent_find(objects.begin(), objects.end());
@@ -158,6 +192,119 @@ absl::StatusOr<Call> BindCall(const WrittenCall& written, const v1::ConstraintTy
     return absl::InvalidArgumentError(fmt::format("{} relates \"{}\" to itself", type.name(), *twice));
   }
   return call;
+}
+
+ArgumentReader::ArgumentReader(const v1::TranslateRequest& request) {
+  for (const v1::Object& object : request.object_list().objects()) {
+    objects_.names.push_back(object.id());
+    groups_[llm::Bare(object.name())].push_back(object.id());
+  }
+  for (const v1::Zone& zone : request.zone_plan().zones()) {
+    zones_.names.push_back(zone.id());
+    zones_.aliases.emplace(zone.name(), zone.id());
+  }
+  for (const v1::Wall& wall : request.room().walls()) {
+    walls_.names.push_back(wall.name());
+    walls_.aliases.emplace(wall.name() + " wall", wall.name());
+  }
+}
+
+absl::StatusOr<std::string> ArgumentReader::One(const llm::Choices& choices, const char* what,
+                                                const std::string& value) const {
+  if (std::optional<std::string> found = llm::FindChoice(value, choices)) return *std::move(found);
+  constexpr size_t kMostShown = 12;
+  const size_t shown = std::min(choices.names.size(), kMostShown);
+  return absl::InvalidArgumentError(fmt::format("{} is no {}; one of {}{} would be right", llm::Quoted(value), what,
+                                                fmt::join(choices.names.begin(), choices.names.begin() + shown, ", "),
+                                                shown < choices.names.size() ? ", ..." : ""));
+}
+
+absl::StatusOr<std::vector<std::string>> ArgumentReader::ObjectIds(const std::string& value) const {
+  for (const std::string& id : objects_.names) {
+    if (id == value) return std::vector<std::string>{id};
+  }
+  // "dining chairs" is "dining chair" for all of them.
+  std::string bare = llm::Bare(value);
+  auto group = groups_.find(bare);
+  if (group == groups_.end() && !bare.empty() && bare.back() == 's')
+    group = groups_.find(bare.substr(0, bare.size() - 1));
+  if (group != groups_.end()) return group->second;
+  ASSIGN_OR_RETURN(std::string id, One(objects_, "object", value));
+  return std::vector<std::string>{std::move(id)};
+}
+
+absl::StatusOr<v1::ArgumentValue> ArgumentReader::Single(const v1::ParameterSpec& parameter,
+                                                         const std::string& value) const {
+  v1::ArgumentValue result;
+  absl::StatusOr<std::string> text;
+  switch (parameter.kind()) {
+    case v1::PARAMETER_KIND_NUMBER: {
+      ASSIGN_OR_RETURN(const double number, ReadNumber(parameter, value));
+      result.set_number(number);
+      return result;
+    }
+    case v1::PARAMETER_KIND_BOOLEAN:
+      text = One(Flags(), "truth value", value);
+      if (!text.ok()) return text.status();
+      result.set_flag(*text == "true");
+      return result;
+    case v1::PARAMETER_KIND_OBJECT: {
+      ASSIGN_OR_RETURN(const std::vector<std::string> ids, ObjectIds(value));
+      if (ids.size() > 1) {
+        return absl::InvalidArgumentError(
+            fmt::format("{} means {} objects ({}); one of them would be right, in a call of its own",
+                        llm::Quoted(value), ids.size(), fmt::join(ids, ", ")));
+      }
+      text = ids.front();
+      break;
+    }
+    case v1::PARAMETER_KIND_ZONE:
+      text = One(zones_, "zone", value);
+      break;
+    case v1::PARAMETER_KIND_WALL:
+      text = One(walls_, "wall", value);
+      break;
+    case v1::PARAMETER_KIND_FEATURE:
+      text = One(Features(), "feature", value);
+      break;
+    case v1::PARAMETER_KIND_SIDE:
+      text = One(Sides(), "side", value);
+      break;
+    case v1::PARAMETER_KIND_CORNER:
+      text = One(Corners(), "corner", value);
+      break;
+    default:
+      text = value;
+  }
+  if (!text.ok()) return text.status();
+  result.set_text(*std::move(text));
+  return result;
+}
+
+absl::StatusOr<v1::ArgumentValue> ArgumentReader::Read(const v1::ParameterSpec& parameter,
+                                                       std::span<const std::string> values) const {
+  if (!TakesList(parameter.kind())) {
+    if (values.size() != 1) {
+      return absl::InvalidArgumentError(
+          fmt::format("{} has {} values; one would be right, or a call for each", parameter.name(), values.size()));
+    }
+    return Single(parameter, values.front());
+  }
+  v1::ArgumentValue result;
+  v1::TextList& list = *result.mutable_texts();
+  const auto add = [&list](const std::string& item) {
+    if (std::find(list.items().begin(), list.items().end(), item) == list.items().end()) list.add_items(item);
+  };
+  for (const std::string& value : values) {
+    if (parameter.kind() == v1::PARAMETER_KIND_SIDES) {
+      ASSIGN_OR_RETURN(const std::string side, One(Sides(), "side", value));
+      add(side);
+      continue;
+    }
+    ASSIGN_OR_RETURN(const std::vector<std::string> ids, ObjectIds(value));
+    for (const std::string& id : ids) add(id);
+  }
+  return result;
 }
 
 }  // namespace flair::translator

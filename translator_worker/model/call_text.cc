@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "fmt/format.h"
 #include "llm/answers/choices.h"
 #include "llm/answers/fault.h"
-#include "translator_worker/model/call_json.h"
 
 namespace flair::translator {
 namespace {
@@ -20,8 +18,7 @@ constexpr const char* kSpaces = " \t\r\n";
 struct Quotes {
   std::string_view open, close;
 };
-constexpr std::array<Quotes, 6> kQuotes = {
-    {{"\"", "\""}, {"'", "'"}, {"`", "`"}, {"\\\"", "\\\""}, {"“", "”"}, {"‘", "’"}}};
+constexpr std::array<Quotes, 3> kQuotes = {{{"\"", "\""}, {"'", "'"}, {"`", "`"}}};
 
 std::string_view Trimmed(std::string_view text, std::string_view marks = kSpaces) {
   const size_t first = text.find_first_not_of(marks);
@@ -89,9 +86,7 @@ std::vector<std::string_view> Divide(std::string_view text, std::string_view mar
 bool TakeNone(std::string_view& text) {
   const size_t end = std::min(text.find_first_of(std::string("(:-,;. \t")), text.size());
   const std::string word = llm::Bare(text.substr(0, end));
-  static constexpr std::array<std::string_view, 7> kNone = {"none",    "null",    "nothing", "nocall",
-                                                            "nocalls", "refusal", "na"};
-  if (std::find(kNone.begin(), kNone.end(), word) == kNone.end()) return false;
+  if (word != "none" && word != "null") return false;
   text.remove_prefix(end);
   return true;
 }
@@ -100,14 +95,9 @@ bool TakeNone(std::string_view& text) {
 bool IsIdle(std::string_view rest) { return rest.empty() || rest[0] == '#' || rest.starts_with("//"); }
 
 // Takes what stands between calls.
-void SkipBetween(std::string_view& text) {
-  text = Trimmed(text, " \t,;.&)]}`\"'");
-  if (text.starts_with("and ")) text.remove_prefix(4);
-  text = Trimmed(text);
-}
+void SkipBetween(std::string_view& text) { text = Trimmed(Trimmed(text, " \t,;.&)]}`\"'")); }
 
-}  // namespace
-
+// One argument in the notation: "sofa", "target=sofa", "objects: [a, b]".
 WrittenArgument ReadArgumentText(std::string_view text) {
   WrittenArgument argument;
   // A name before "=" or ":".
@@ -127,10 +117,11 @@ WrittenArgument ReadArgumentText(std::string_view text) {
   return argument;
 }
 
+}  // namespace
+
 absl::StatusOr<WrittenCalls> ReadCallText(std::string_view written) {
   std::string_view text = Trimmed(written, " \t\r\n`");
   while (text.starts_with("- ") || text.starts_with("* ")) text = Trimmed(text.substr(2));
-  if (text.starts_with("{") || text.starts_with("[")) return ReadCallJson(text);
   WrittenCalls read;
   if (text.empty()) read.none = true;
   while (!text.empty()) {

@@ -36,10 +36,9 @@ struct WrittenCalls {
   std::string why;
 };
 
-// Reads one call, several one after the other, or none. Takes quotes of any kind, "name: value", lists in any
-// brackets, spaces, a semicolon or point at the end, code marks, a missing last bracket, and calls written as JSON
-// ({"function": "near", "arguments": {"object": "sofa"}}). INVALID_ARGUMENT says what is no call, and what would be
-// right. Pure; any text is good input.
+// Reads one call, several one after the other, or none. Takes quotes, "name: value", lists in any brackets, spaces, a
+// semicolon or point at the end, code marks, and a missing last bracket. INVALID_ARGUMENT says what is no call, and
+// what would be right. Pure; any text is good input.
 absl::StatusOr<WrittenCalls> ReadCallText(std::string_view text);
 
 }  // namespace flair::translator

@@ -46,7 +46,6 @@ TEST(CallText, ReadsWhatModelsWriteInItsStead) {
            Deviation{"near(desk, shelf", "near(desk;shelf;)"},
            Deviation{"near(object=\"desk\", target='shelf')", "near(object=desk;target=shelf;)"},
            Deviation{"near(\"object\": \"desk\", target: shelf)", "near(object=desk;target=shelf;)"},
-           Deviation{"near(“desk”, ‘tall shelf’)", "near(desk;tall shelf;)"},
            Deviation{"row([\"a\",\"b\"])", "row([a|b];)"},
            Deviation{"row(objects={a; b})", "row(objects=[a|b];)"},
            Deviation{"row((a, b))", "row([a|b];)"},
@@ -54,7 +53,7 @@ TEST(CallText, ReadsWhatModelsWriteInItsStead) {
            Deviation{"near(the bed's end, shelf)", "near(the bed's end;shelf;)"},
            Deviation{"near('a, b', c)", "near(a, b;c;)"},
            Deviation{"near(a, b); near(a, c)", "near(a;b;)near(a;c;)"},
-           Deviation{"near(a, b) and facing(a, b)  # both", "near(a;b;)facing(a;b;)"},
+           Deviation{"near(a, b), facing(a, b)  # both", "near(a;b;)facing(a;b;)"},
            Deviation{"near(a, b), none(no light)", "near(a;b;)none:no light"},
        }) {
     EXPECT_EQ(Read(deviation.text), deviation.read) << deviation.text;
@@ -62,37 +61,16 @@ TEST(CallText, ReadsWhatModelsWriteInItsStead) {
 }
 
 TEST(CallText, ReadsNoCallInAnyOfItsForms) {
-  for (const char* text : {"none(about light)", "None: about light", "NONE - about light", "none('about light')",
-                           "null (about light)", "no_call(about light)"}) {
+  for (const char* text :
+       {"none(about light)", "None: about light", "NONE - about light", "none('about light')", "null (about light)"}) {
     EXPECT_EQ(Read(text), "none:about light") << text;
   }
-  for (const char* text : {"", "none", "none()", "null", "n/a", "{}", "[]", "  "})
-    EXPECT_EQ(Read(text), "none:") << text;
-}
-
-TEST(CallText, ReadsCallsThatAreJsonAfterAll) {
-  for (const char* text : {
-           R"({"function":"near","arguments":[{"name":"object","values":["a"]},{"name":"target","values":["b"]}]})",
-           R"({"function":"near","arguments":[{"name":"object","value":"a"},{"name":"target","value":"b"}]})",
-           R"({"name":"near","arguments":{"object":"a","target":"b"}})",
-           R"({"name":"near","arguments":"{\"object\":\"a\",\"target\":\"b\"}"})",
-           R"({"function":"near","object":"a","target":"b"})",
-           R"({"near":{"object":"a","target":"b"}})",
-           R"({"function":"near","arguments":["object=a","target=b"]})",
-           R"x(["near(object=a, target=b)"])x",
-           R"({"function":"near","args":[],"kwargs":{"object":"a","target":"b"}})",
-       }) {
-    EXPECT_EQ(Read(text), "near(object=a;target=b;)") << text;
-  }
-  EXPECT_EQ(Read(R"({"near":["a","b",0.5]})"), "near(a;b;0.5;)");
-  EXPECT_EQ(Read(R"({"function":"row","arguments":{"objects":["a","b"],"both":true,"side":null}})"),
-            "row(both=true;objects=[a|b];)");
-  EXPECT_EQ(Read(R"({"function":"none","arguments":["about light"]})"), "none:about light");
+  for (const char* text : {"", "none", "none()", "null", "  "}) EXPECT_EQ(Read(text), "none:") << text;
 }
 
 TEST(CallText, SaysWhatIsNoCall) {
   for (const char* text : {"the bed stands at a wall", "near", "(a, b)", "near(a, b) which is right",
-                           "{\"a\":1,\"b\":2}", "{near(a)", "[[[[", "42", "\xff\xfe"}) {
+                           "{\"function\":\"near\"}", "n/a", "[[[[", "42", "\xff\xfe"}) {
     EXPECT_TRUE(Read(text).starts_with("error: ")) << text << ": " << Read(text);
   }
   EXPECT_EQ(Read("near"), "error: \"near\" is no call; one such as near(sofa, shelf) or none(why) would be right");

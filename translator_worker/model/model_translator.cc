@@ -14,11 +14,11 @@
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/translate.h"
 #include "translator_worker/grammar/scene_names.h"
-#include "translator_worker/model/argument_reader.h"
-#include "translator_worker/model/passes.h"
+#include "translator_worker/model/bind_call.h"
 #include "translator_worker/model/prompt_texts.h"
 #include "translator_worker/model/read_calls.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::translator {
@@ -238,9 +238,8 @@ absl::StatusOr<std::unique_ptr<ModelTranslator>> ModelTranslator::Make(std::uniq
   specs.push_back({.name = "translation",
                    .placeholders = {"pass", "functions", "room", "zones", "objects", "sentences"},
                    .required = {"functions", "objects", "sentences"}});
-  absl::StatusOr<llm::PromptLibrary> library = llm::PromptLibrary::Load(prompts, overrides, specs);
-  if (!library.ok()) return library.status();
-  return std::unique_ptr<ModelTranslator>(new ModelTranslator(std::move(client), *std::move(library)));
+  ASSIGN_OR_RETURN(llm::PromptLibrary library, llm::PromptLibrary::Load(prompts, overrides, specs));
+  return std::unique_ptr<ModelTranslator>(new ModelTranslator(std::move(client), std::move(library)));
 }
 
 absl::StatusOr<v1::TranslateResponse> ModelTranslator::Translate(const v1::TranslateRequest& request,

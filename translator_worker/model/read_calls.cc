@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "fmt/format.h"
-#include "translator_worker/model/bind_call.h"
-#include "translator_worker/model/call_text.h"
 
 namespace flair::translator {
 namespace {

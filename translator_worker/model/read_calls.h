@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "flair/model/v1/calls_answers.pb.h"
 #include "flair/v1/constraint_list.pb.h"
 #include "llm/answers/choices.h"
 #include "llm/answers/fault.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/call.h"
-#include "translator_worker/model/argument_reader.h"
+#include "translator_worker/model/bind_call.h"
 
 namespace flair::translator {
 

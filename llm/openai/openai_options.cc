@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/openai/endpoint.h"
+#include "llm/openai/openai_options.h"
 
 #include <fmt/format.h>
 

@@ -1,28 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/http/transfer.h"
+#include "llm/http/http_client.h"
 
+#include <curl/curl.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
-#include "worker_runtime/clock/clock.h"
+#include "worker_runtime/bootstrap/call_context.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
 namespace {
 
 constexpr int64_t kErrorBodyByteLimit = 64 << 10;
 constexpr int64_t kHeaderByteLimit = 64 << 10;
-constexpr size_t kGatherByteCount = 64 << 10;
 
 absl::Duration Now() { return runtime::SystemClock().Elapsed(); }
 
 long Milliseconds(absl::Duration duration) {
   return std::max<long>(1, static_cast<long>(absl::ToInt64Milliseconds(std::min(duration, absl::Hours(24)))));
 }
+
+// Once in a process, before any other use of libcurl.
+void InitCurl() {
+  static const CURLcode done = curl_global_init(CURL_GLOBAL_DEFAULT);
+  (void)done;
+}
+
+// Writing to a connection that the server has closed is an error of that connection, not the end of the process.
+class WithoutSigpipe {
+ public:
+  WithoutSigpipe() {
+    sigemptyset(&sigpipe_);
+    sigaddset(&sigpipe_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &sigpipe_, &before_);
+  }
+  ~WithoutSigpipe() {
+    if (sigismember(&before_, SIGPIPE) == 1) return;
+    constexpr timespec kAtOnce = {};
+    while (sigtimedwait(&sigpipe_, nullptr, &kAtOnce) == SIGPIPE) continue;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+ private:
+  sigset_t sigpipe_;
+  sigset_t before_;
+};
 
 // Whether the certificates that libcurl trusts by itself are in a file.
 bool SystemHasCertificateFile() {
@@ -40,22 +71,71 @@ void SetTrust(CURL* handle, const std::string& ca_path) {
   if (!ca_path.empty() || SystemHasCertificateFile()) curl_easy_setopt(handle, CURLOPT_CAPATH, nullptr);
 }
 
-}  // namespace
-
-Transfer::Transfer(HttpRequest request, const HttpOptions& options, absl::Duration start, absl::Duration deadline)
-    : request_(std::move(request)),
-      timeouts_(options.timeouts),
-      body_byte_limit_(request_.on_piece ? options.stream_byte_limit : options.body_byte_limit),
-      total_end_(start + options.timeouts.total),
-      deadline_(deadline),
-      handle_(curl_easy_init()) {
-  if (handle_ == nullptr) {
-    failure_ = absl::ResourceExhaustedError("no memory for an HTTP request");
-    return;
+// One request on its way: a libcurl easy handle, what came so far, and when to give up.
+class Transfer {
+ public:
+  // `deadline` is when the caller stops waiting; times are SystemClock().Elapsed(). All arguments outlive it.
+  Transfer(const HttpRequest& request, const HttpOptions& options, absl::Duration deadline)
+      : request_(request),
+        timeouts_(options.timeouts),
+        body_byte_limit_(request.on_piece ? options.stream_byte_limit : options.body_byte_limit),
+        total_end_(Now() + options.timeouts.total),
+        deadline_(deadline),
+        handle_(curl_easy_init()) {
+    if (handle_ == nullptr) return;
+    AddHeaders();
+    SetOptions(options);
   }
-  AddHeaders();
-  SetOptions(options);
-}
+
+  // Null when there is no memory.
+  CURL* handle() const { return handle_.get(); }
+
+  // The earliest moment at which Expired() can have an error, as known at `now`.
+  absl::Duration NextCheck(absl::Duration now) const {
+    // One that still connects may have sent its request a moment later.
+    return std::min({total_end_, deadline_, std::min(silent_since_, now) + timeouts_.first_byte});
+  }
+
+  // The error of a transfer that has run out of time at `now`; else OK.
+  absl::Status Expired(absl::Duration now) const;
+
+  // What came of it, after libcurl said `code`.
+  absl::StatusOr<HttpResponse> Finish(CURLcode code);
+
+ private:
+  struct CleanUp {
+    void operator()(CURL* handle) const { curl_easy_cleanup(handle); }
+    void operator()(curl_slist* list) const { curl_slist_free_all(list); }
+  };
+
+  void SetOptions(const HttpOptions& options);
+  void SetCallbacks();
+  void AddHeaders();
+  size_t TakeHeader(std::string_view line);
+  size_t TakeBody(std::string_view piece);
+  // Of the answer, by HTTP; 0 when there is none yet.
+  int HttpStatus() const;
+  absl::Status ErrorOf(CURLcode code) const;
+
+  const HttpRequest& request_;
+  const HttpTimeouts timeouts_;
+  const int64_t body_byte_limit_;
+  const absl::Duration total_end_;
+  const absl::Duration deadline_;
+  // Since when the server is silent; infinite while connecting.
+  absl::Duration silent_since_ = absl::InfiniteDuration();
+  std::unique_ptr<curl_slist, CleanUp> header_list_;
+  HttpResponse response_;
+  int64_t header_byte_count_ = 0;
+  int64_t body_byte_count_ = 0;
+  // Why the transfer was ended from our side.
+  absl::Status failure_;
+  // Enough of the body of an error was read.
+  bool enough_ = false;
+  char error_text_[CURL_ERROR_SIZE] = {};
+  // The last member: closing a handle may still call back.
+  std::unique_ptr<CURL, CleanUp> handle_;
+};
 
 void Transfer::AddHeaders() {
   curl_slist* list = curl_slist_append(nullptr, "Expect:");
@@ -82,12 +162,10 @@ void Transfer::SetOptions(const HttpOptions& options) {
   curl_easy_setopt(handle, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(request_.body.size()));
   curl_easy_setopt(handle, CURLOPT_HTTPHEADER, header_list_.get());
   curl_easy_setopt(handle, CURLOPT_ACCEPT_ENCODING, "gzip, deflate");
-  // Many requests to one HTTP/2 server share its connection. Without TLS nothing is offered, and nobody waits for it.
+  // Without TLS nothing is offered, and nobody waits for it.
   curl_easy_setopt(handle, CURLOPT_HTTP_VERSION,
                    static_cast<long>(tls ? CURL_HTTP_VERSION_2TLS : CURL_HTTP_VERSION_1_1));
-  curl_easy_setopt(handle, CURLOPT_PIPEWAIT, tls ? 1L : 0L);
   curl_easy_setopt(handle, CURLOPT_TCP_KEEPALIVE, 1L);
-  curl_easy_setopt(handle, CURLOPT_UPLOAD_BUFFERSIZE, 16384L);
   curl_easy_setopt(handle, CURLOPT_CONNECTTIMEOUT_MS, Milliseconds(timeouts_.connect));
   curl_easy_setopt(handle, CURLOPT_SSL_VERIFYPEER, 1L);
   curl_easy_setopt(handle, CURLOPT_SSL_VERIFYHOST, 2L);
@@ -96,7 +174,11 @@ void Transfer::SetOptions(const HttpOptions& options) {
   if (!options.proxy.empty()) curl_easy_setopt(handle, CURLOPT_PROXY, options.proxy.c_str());
   curl_easy_setopt(handle, CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L);
   curl_easy_setopt(handle, CURLOPT_ERRORBUFFER, error_text_);
+  SetCallbacks();
+}
 
+void Transfer::SetCallbacks() {
+  CURL* const handle = handle_.get();
   curl_easy_setopt(handle, CURLOPT_PREREQDATA, this);
   curl_easy_setopt(
       handle, CURLOPT_PREREQFUNCTION, +[](void* self, char*, char*, int, int) {
@@ -115,12 +197,7 @@ void Transfer::SetOptions(const HttpOptions& options) {
       });
 }
 
-absl::Duration Transfer::NextCheck(absl::Duration now) const {
-  // One that still connects may have sent its request a moment later.
-  return std::min({total_end_, deadline_, std::min(silent_since_, now) + timeouts_.first_byte});
-}
-
-std::optional<absl::Status> Transfer::Expired(absl::Duration now) const {
+absl::Status Transfer::Expired(absl::Duration now) const {
   if (now >= deadline_) return absl::DeadlineExceededError("the call's deadline has passed");
   const std::string address = PublicAddress(request_.url);
   if (now >= total_end_) {
@@ -131,11 +208,11 @@ std::optional<absl::Status> Transfer::Expired(absl::Duration now) const {
     return absl::UnavailableError(
         fmt::format("{}: silent for {}", address, absl::FormatDuration(timeouts_.first_byte)));
   }
-  return std::nullopt;
+  return absl::OkStatus();
 }
 
 size_t Transfer::TakeHeader(std::string_view line) {
-  silent_since_ = round_->now;
+  silent_since_ = Now();
   header_byte_count_ += static_cast<int64_t>(line.size());
   if (header_byte_count_ > kHeaderByteLimit) {
     failure_ = absl::DataLossError(
@@ -153,36 +230,19 @@ size_t Transfer::TakeHeader(std::string_view line) {
   return line.size();
 }
 
-void ReadRound::Deliver() {
-  if (gathering == nullptr) return;
-  Transfer& transfer = *std::exchange(gathering, nullptr);
-  transfer.failure_ = transfer.request_.on_piece(gathered);
-  gathered.clear();
-  if (!transfer.failure_.ok()) refused.push_back(transfer.id_);
-}
-
-bool Transfer::Gather(std::string_view piece) {
-  // Over a shared connection a round has pieces of several answers.
-  if (round_->gathering != this) round_->Deliver();
-  if (!failure_.ok()) return false;
-  round_->gathering = this;
-  round_->gathered += piece;
-  if (round_->gathered.size() >= kGatherByteCount) round_->Deliver();
-  return failure_.ok();
-}
-
 size_t Transfer::TakeBody(std::string_view piece) {
-  silent_since_ = round_->now;
-  round_->body_byte_count += static_cast<int64_t>(piece.size());
-  if (body_byte_count_ == 0) status_ = HttpStatus();
-  const bool success = status_ / 100 == 2;
+  silent_since_ = Now();
+  const bool success = HttpStatus() / 100 == 2;
   body_byte_count_ += static_cast<int64_t>(piece.size());
   if (success && body_byte_count_ > body_byte_limit_) {
     failure_ = absl::DataLossError(
         fmt::format("{}: an answer of more than {} bytes", PublicAddress(request_.url), body_byte_limit_));
     return 0;
   }
-  if (success && request_.on_piece) return Gather(piece) ? piece.size() : 0;
+  if (success && request_.on_piece) {
+    failure_ = request_.on_piece(piece);
+    return failure_.ok() ? piece.size() : 0;
+  }
   response_.body += piece;
   if (!success && body_byte_count_ > kErrorBodyByteLimit) {
     response_.body.resize(kErrorBodyByteLimit);
@@ -199,7 +259,7 @@ int Transfer::HttpStatus() const {
 }
 
 absl::StatusOr<HttpResponse> Transfer::Finish(CURLcode code) {
-  if (!failure_.ok()) return failure_;
+  RETURN_IF_ERROR(failure_);
   if (code != CURLE_OK && !enough_) return ErrorOf(code);
   response_.status = HttpStatus();
   return std::move(response_);
@@ -233,6 +293,74 @@ absl::Status Transfer::ErrorOf(CURLcode code) const {
     default:
       return absl::UnavailableError(message);
   }
+}
+
+}  // namespace
+
+class HttpClient::Connections {
+ public:
+  Connections() : multi_(curl_multi_init()) {}
+  ~Connections() { curl_multi_cleanup(multi_); }
+
+  absl::StatusOr<HttpResponse> Run(Transfer& transfer, runtime::CallContext& call) {
+    if (transfer.handle() == nullptr || multi_ == nullptr ||
+        curl_multi_add_handle(multi_, transfer.handle()) != CURLM_OK) {
+      return absl::ResourceExhaustedError("no memory for an HTTP request");
+    }
+    const absl::StatusOr<CURLcode> code = Wait(transfer, call);
+    // Closes the connection of a transfer that has not ended.
+    curl_multi_remove_handle(multi_, transfer.handle());
+    if (!code.ok()) return code.status();
+    return transfer.Finish(*code);
+  }
+
+ private:
+  absl::StatusOr<CURLcode> Wait(const Transfer& transfer, runtime::CallContext& call) {
+    const runtime::OnCancel wake_up(call.cancellation(), [this] { curl_multi_wakeup(multi_); });
+    while (true) {
+      int running = 0;
+      curl_multi_perform(multi_, &running);
+      int left = 0;
+      if (const CURLMsg* const message = curl_multi_info_read(multi_, &left)) return message->data.result;
+      if (call.cancellation().cancelled()) return absl::CancelledError("the caller cancelled the call");
+      const absl::Duration now = Now();
+      RETURN_IF_ERROR(transfer.Expired(now));
+      const absl::Duration wait = std::min(transfer.NextCheck(now) - now, absl::Seconds(1));
+      curl_multi_poll(multi_, nullptr, 0, static_cast<int>(Milliseconds(wait)), nullptr);
+    }
+  }
+
+  CURLM* const multi_;
+};
+
+HttpClient::HttpClient(HttpOptions options, const runtime::Clock& clock) : options_(std::move(options)), clock_(clock) {
+  InitCurl();
+}
+
+HttpClient::~HttpClient() = default;
+
+absl::StatusOr<HttpResponse> HttpClient::Send(const HttpRequest& request, runtime::CallContext& call) {
+  RETURN_IF_ERROR(CheckRequest(request));
+  RETURN_IF_ERROR(call.CheckAlive());
+  const WithoutSigpipe without_sigpipe;
+  Transfer transfer(request, options_, Now() + (call.deadline() - clock_.Now()));
+  std::unique_ptr<Connections> connections = Borrow();
+  absl::StatusOr<HttpResponse> response = connections->Run(transfer, call);
+  GiveBack(std::move(connections));
+  return response;
+}
+
+std::unique_ptr<HttpClient::Connections> HttpClient::Borrow() {
+  const std::lock_guard lock(mutex_);
+  if (idle_.empty()) return std::make_unique<Connections>();
+  std::unique_ptr<Connections> last = std::move(idle_.back());
+  idle_.pop_back();
+  return last;
+}
+
+void HttpClient::GiveBack(std::unique_ptr<Connections> connections) {
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(connections));
 }
 
 }  // namespace flair::llm

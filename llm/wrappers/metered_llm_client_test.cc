@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/wrappers/priced_llm_client.h"
+#include "llm/wrappers/metered_llm_client.h"
 
 #include "gtest/gtest.h"
-#include "llm/wrappers/held_llm_client.h"
+#include "llm/wrappers/test_llm_client.h"
 
 namespace flair::llm {
 namespace {
@@ -39,16 +39,16 @@ TEST(CostUsd, TheExactNameCountsBeforeTheLongestPrefixBeforeAShorter) {
 }
 
 TEST(PricedLlmClient, PricesByTheServersNameAndElseByTheConfiguredOne) {
-  auto* held = new HeldLlmClient();
-  PricedLlmClient client(std::unique_ptr<LlmClient>(held), {Price("mine", 1, 0)}, "mine");
+  auto* model = new TestLlmClient();
+  model->answer = [](size_t) {
+    ChatAnswer answer;
+    answer.model = "/models/some.gguf";
+    answer.usage = Tokens(2'000'000, 0);
+    return answer;
+  };
+  PricedLlmClient client(std::unique_ptr<LlmClient>(model), {Price("mine", 1, 0)}, "mine");
   runtime::CallContext call;
-  double cost_usd = 0;
-  client.Ask(AskFor("a"), call, [&](const absl::StatusOr<ChatAnswer>& answer) { cost_usd = answer->cost_usd; });
-  ChatAnswer answer;
-  answer.model = "/models/some.gguf";
-  answer.usage = Tokens(2'000'000, 0);
-  held->Answer(0, answer);
-  EXPECT_DOUBLE_EQ(cost_usd, 2);
+  EXPECT_DOUBLE_EQ(client.Ask(AskFor("a"), call)->cost_usd, 2);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/openai/sse_reader.h"
+#include "llm/openai/reply_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -61,7 +61,8 @@ TEST(SseReader, SkipsAByteOrderMark) {
 
 TEST(SseReader, PiecesOfAnySizeMakeTheSameEvents) {
   const std::string stream =
-      "\xef\xbb\xbf: c\r\n\r\ndata: {\"größe\": \"🛏\"}\r\n\r\nevent: e\rdata: one\rdata: two\r\rdata:\n\ndata: end\r\n";
+      "\xef\xbb\xbf: c\r\n\r\ndata: {\"größe\": \"🛏\"}\r\n\r\nevent: e\rdata: one\rdata: two\r\rdata:\n\ndata: "
+      "end\r\n";
   const auto whole = Read(stream);
   EXPECT_THAT(whole, ElementsAre("{\"größe\": \"🛏\"}", "one\ntwo", "", "end"));
   for (size_t size = 1; size <= stream.size(); ++size) EXPECT_EQ(Read(stream, size), whole) << size;

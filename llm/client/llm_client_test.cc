@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/client/retry_hint.h"
+#include "llm/client/llm_client.h"
 
 #include <gtest/gtest.h>
 

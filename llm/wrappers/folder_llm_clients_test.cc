@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is kept in folders: the files, and the clients that cache, record and replay.
-#include "llm/wrappers/answer_folder.h"
+#include "llm/wrappers/folder_llm_clients.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -8,11 +8,7 @@
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "llm/wrappers/answer_json.h"
-#include "llm/wrappers/caching_llm_client.h"
-#include "llm/wrappers/held_llm_client.h"
-#include "llm/wrappers/recording_llm_client.h"
-#include "llm/wrappers/replaying_llm_client.h"
+#include "llm/wrappers/test_llm_client.h"
 
 namespace flair::llm {
 namespace {
@@ -41,15 +37,12 @@ class AnswerFolderTest : public ::testing::Test {
     EXPECT_EQ(RecordJson({}, a), RecordJson({}, b));
     EXPECT_EQ(a.cost_usd, b.cost_usd);
   }
-  // Asks, letting `held` answer with `text` when it is asked at all.
-  static absl::StatusOr<ChatAnswer> Ask(LlmClient& client, const ChatRequest& request, HeldLlmClient* held,
+  // Asks, letting `model` answer with `text` when it is asked at all.
+  static absl::StatusOr<ChatAnswer> Ask(LlmClient& client, const ChatRequest& request, TestLlmClient* model,
                                         const std::string& text) {
     runtime::CallContext call;
-    absl::StatusOr<ChatAnswer> result = absl::UnknownError("not called");
-    const size_t before = held == nullptr ? 0 : held->requests.size();
-    client.Ask(request, call, [&](absl::StatusOr<ChatAnswer> answer) { result = std::move(answer); });
-    if (held != nullptr && held->requests.size() > before) held->Answer(before, Answer(text));
-    return result;
+    if (model != nullptr) model->answer = [&text](size_t) { return Answer(text); };
+    return client.Ask(request, call);
   }
 
   std::string path_;
@@ -114,10 +107,10 @@ TEST_F(AnswerFolderTest, ADamagedFileIsAnErrorThatNamesFileAndField) {
 }
 
 TEST_F(AnswerFolderTest, ARecordingReplaysAndAMissingAnswerNamesItsRequest) {
-  auto* held = new HeldLlmClient();
-  auto recording = RecordingLlmClient::Make(std::unique_ptr<LlmClient>(held), path_);
+  auto* model = new TestLlmClient();
+  auto recording = RecordingLlmClient::Make(std::unique_ptr<LlmClient>(model), path_);
   ASSERT_TRUE(recording.ok()) << recording.status();
-  const auto asked = Ask(**recording, AskFor("zones"), held, "yes");
+  const auto asked = Ask(**recording, AskFor("zones"), model, "yes");
   ASSERT_TRUE(asked.ok()) << asked.status();
   auto replaying = ReplayingLlmClient::Make(path_);
   ASSERT_TRUE(replaying.ok()) << replaying.status();
@@ -152,27 +145,27 @@ TEST_F(AnswerFolderTest, ARecordingOfOneSeedIsNoneOfAnotherButOneWithoutASeedIsO
 }
 
 TEST_F(AnswerFolderTest, ACacheAsksAgainForAnotherSeed) {
-  auto* held = new HeldLlmClient();
-  CachingLlmClient cache(std::unique_ptr<LlmClient>(held), path_);
+  auto* model = new TestLlmClient();
+  CachingLlmClient cache(std::unique_ptr<LlmClient>(model), path_);
   ChatRequest seven = AskFor("zones");
   seven.seed = 7;
-  EXPECT_EQ(Ask(cache, AskFor("zones"), held, "of none")->text, "of none");
-  EXPECT_EQ(Ask(cache, seven, held, "of seven")->text, "of seven");
-  EXPECT_EQ(Ask(cache, seven, held, "again")->text, "of seven");
-  EXPECT_THAT(held->requests, SizeIs(2));
+  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "of none")->text, "of none");
+  EXPECT_EQ(Ask(cache, seven, model, "of seven")->text, "of seven");
+  EXPECT_EQ(Ask(cache, seven, model, "again")->text, "of seven");
+  EXPECT_THAT(model->requests, SizeIs(2));
 }
 
 TEST_F(AnswerFolderTest, ARecordingIsNotAskedTwiceForTheSame) {
-  auto* held = new HeldLlmClient();
-  auto recording = RecordingLlmClient::Make(std::unique_ptr<LlmClient>(held), path_);
-  EXPECT_EQ(Ask(**recording, AskFor("zones"), held, "first")->text, "first");
-  EXPECT_EQ(Ask(**recording, AskFor("zones"), held, "second")->text, "first");
-  EXPECT_THAT(held->requests, SizeIs(1));
+  auto* model = new TestLlmClient();
+  auto recording = RecordingLlmClient::Make(std::unique_ptr<LlmClient>(model), path_);
+  EXPECT_EQ(Ask(**recording, AskFor("zones"), model, "first")->text, "first");
+  EXPECT_EQ(Ask(**recording, AskFor("zones"), model, "second")->text, "first");
+  EXPECT_THAT(model->requests, SizeIs(1));
 }
 
 TEST_F(AnswerFolderTest, ARecordingOfAnotherModelIsRefused) {
   ASSERT_TRUE(AnswerFolder(path_).ClaimFor("other@there").ok());
-  const auto recording = RecordingLlmClient::Make(std::make_unique<HeldLlmClient>(), path_);
+  const auto recording = RecordingLlmClient::Make(std::make_unique<TestLlmClient>(), path_);
   EXPECT_TRUE(absl::IsFailedPrecondition(recording.status()));
   EXPECT_THAT(std::string(recording.status().message()), HasSubstr("other@there"));
 }
@@ -183,33 +176,31 @@ TEST_F(AnswerFolderTest, AFolderWithoutARecordingIsNotReplayed) {
 }
 
 TEST_F(AnswerFolderTest, ARecordingThatCannotBeWrittenFailsTheCall) {
-  auto* held = new HeldLlmClient();
-  auto recording = RecordingLlmClient::Make(std::unique_ptr<LlmClient>(held), path_ + "/r");
+  auto* model = new TestLlmClient();
+  auto recording = RecordingLlmClient::Make(std::unique_ptr<LlmClient>(model), path_ + "/r");
   ASSERT_TRUE(recording.ok());
   std::filesystem::remove_all(path_ + "/r");
   std::ofstream(path_ + "/r") << "a file where the folder was";
-  EXPECT_FALSE(Ask(**recording, AskFor("zones"), held, "lost").ok());
+  EXPECT_FALSE(Ask(**recording, AskFor("zones"), model, "lost").ok());
 }
 
 TEST_F(AnswerFolderTest, ACacheAsksOnceAndForgetsNothingButErrors) {
-  auto* held = new HeldLlmClient();
-  CachingLlmClient cache(std::unique_ptr<LlmClient>(held), path_);
+  auto* model = new TestLlmClient();
+  CachingLlmClient cache(std::unique_ptr<LlmClient>(model), path_);
   runtime::CallContext call;
-  absl::Status failure;
-  cache.Ask(AskFor("zones"), call, [&](const absl::StatusOr<ChatAnswer>& answer) { failure = answer.status(); });
-  held->Answer(0, absl::UnavailableError("down"));
-  EXPECT_TRUE(absl::IsUnavailable(failure));
-  EXPECT_EQ(Ask(cache, AskFor("zones"), held, "up")->text, "up");
-  EXPECT_EQ(Ask(cache, AskFor("zones"), held, "again")->text, "up");
-  EXPECT_THAT(held->requests, SizeIs(2));
+  model->answer = [](size_t) { return absl::UnavailableError("down"); };
+  EXPECT_TRUE(absl::IsUnavailable(cache.Ask(AskFor("zones"), call).status()));
+  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "up")->text, "up");
+  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "again")->text, "up");
+  EXPECT_THAT(model->requests, SizeIs(2));
 }
 
 TEST_F(AnswerFolderTest, ACacheThatCannotBeUsedIsAsIfEmpty) {
   std::ofstream(path_ + "/c") << "a file";
-  auto* held = new HeldLlmClient();
-  CachingLlmClient cache(std::unique_ptr<LlmClient>(held), path_ + "/c");
-  EXPECT_EQ(Ask(cache, AskFor("zones"), held, "a")->text, "a");
-  EXPECT_EQ(Ask(cache, AskFor("zones"), held, "b")->text, "b");
+  auto* model = new TestLlmClient();
+  CachingLlmClient cache(std::unique_ptr<LlmClient>(model), path_ + "/c");
+  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "a")->text, "a");
+  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "b")->text, "b");
 }
 
 }  // namespace
