@@ -5,7 +5,6 @@
 
 #include "cli/input/artifact_file.h"
 #include "cli/input/files.h"
-#include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 

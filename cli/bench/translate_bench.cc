@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cli/output/text_table.h"
-#include "evaluation/readers/flairgpt_functions.h"
+#include "evaluation/readers/flairgpt_calls.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "worker_runtime/text/counted.h"

@@ -11,7 +11,7 @@
 
 #include "cli/input/files.h"
 #include "evaluation/readers/flairgpt_arguments.h"
-#include "evaluation/readers/flairgpt_functions.h"
+#include "evaluation/readers/flairgpt_calls.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"

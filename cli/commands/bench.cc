@@ -16,7 +16,7 @@
 #include "cli/input/value_checks.h"
 #include "cli/output/layout_artifact.h"
 #include "cli/output/output_folder.h"
-#include "evaluation/readers/flairgpt_layout.h"
+#include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/text/counted.h"

@@ -10,7 +10,6 @@
 #include "cli/input/files.h"
 #include "cli/output/layout_artifact.h"
 #include "cli/output/output_folder.h"
-#include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"

@@ -19,7 +19,6 @@
 #include "fmt/format.h"
 #include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/model/model_tools.h"
-#include "language_worker/recorded/recorded_room_client.h"
 #include "llm/wrappers/answer_folder.h"
 #include "llm/wrappers/folder_llm_clients.h"
 #include "optimizer_worker/constraints/registry.h"

@@ -3,8 +3,7 @@
 
 #include "evaluation/metrics/overlap.h"
 #include "evaluation/metrics/pathway.h"
-#include "evaluation/metrics/penetration.h"
-#include "evaluation/metrics/reach.h"
+#include "evaluation/metrics/routes.h"
 #include "room/conversion/conversion.h"
 
 namespace flair::evaluation {

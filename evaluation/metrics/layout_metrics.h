@@ -8,7 +8,7 @@
 
 namespace flair::evaluation {
 
-// All measures of a layout; see overlap.h and reach.h for what they mean.
+// All measures of a layout; see overlap.h and routes.h for what they mean.
 v1::LayoutMetrics MeasureLayout(const LayoutView& view);
 
 // The same of a message, which is validated first.

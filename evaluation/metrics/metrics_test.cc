@@ -6,7 +6,7 @@
 
 #include "evaluation/metrics/layout_metrics.h"
 #include "evaluation/metrics/overlap.h"
-#include "evaluation/metrics/reach.h"
+#include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/furnished.h"
 
 namespace flair::evaluation {

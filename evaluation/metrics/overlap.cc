@@ -2,7 +2,11 @@
 #include "evaluation/metrics/overlap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
 
 #include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
@@ -105,6 +109,39 @@ void AddCoveredOpenings(const LayoutView& view, std::vector<Overlap>& overlaps) 
   }
 }
 
+constexpr double kDoorMargin_m = 0.2;
+
+std::array<Vec2<double>, 4> DoorSquare(const Room& room, const Opening& door) {
+  const Wall& wall = room.walls[static_cast<size_t>(door.wall)];
+  const Vec2<double> low = wall.PointAt(door.offset_m - kDoorMargin_m);
+  const Vec2<double> high = wall.PointAt(door.offset_m + door.width_m + kDoorMargin_m);
+  const bool north = wall.inward_normal.y < -0.5;
+  const Vec2<double> behind = (north ? 0 : -kDoorMargin_m) * wall.inward_normal;
+  const Vec2<double> inside = (door.width_m + kDoorMargin_m) * wall.inward_normal;
+  return {low + behind, high + behind, high + inside, low + inside};
+}
+
+constexpr int kDoorArcPieces = 32;
+
+// Widest gap between two convex shapes along the outward normals of `a`; negative when none parts them.
+double WidestGap(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b) {
+  double widest = -std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < a.size(); ++i) {
+    const Vec2<double> edge = a[(i + 1) % a.size()] - a[i];
+    const double length = Norm(edge);
+    if (length == 0) continue;
+    const Vec2<double> normal = (-1 / length) * Perpendicular(edge);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec2<double>& p : b) nearest = std::min(nearest, Dot(normal, p - a[i]));
+    widest = std::max(widest, nearest);
+  }
+  return widest;
+}
+
+double Penetration_m(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b) {
+  return std::max(0.0, -std::max(WidestGap(a, b), WidestGap(b, a)));
+}
+
 }  // namespace
 
 std::vector<Overlap> FindOverlaps(const LayoutView& view) {
@@ -136,6 +173,44 @@ double OorPercent(const LayoutView& view) {
   double area = 0;
   for (const Overlap& overlap : FindOverlaps(view)) area += overlap.area_m2;
   return 100 * area / Area(view.scene.room.floor);
+}
+
+double OorPaperPercent(const LayoutView& view) {
+  const Scene& scene = view.scene;
+  std::vector<std::array<Vec2<double>, 4>> placed;
+  double area = 0;
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!view.Has(i) || scene.objects[i].kind != ObjectKind::kFloor) continue;
+    const std::array<Vec2<double>, 4> corners = Corners(scene.objects[i].footprint, view.layout[i]);
+    for (const auto& other : placed) area += ConvexIntersectionArea(corners, other);
+    for (const Opening& door : scene.room.openings) {
+      if (door.kind == OpeningKind::kDoor) area += ConvexIntersectionArea(corners, DoorSquare(scene.room, door));
+    }
+    placed.push_back(corners);
+  }
+  return 100 * area / Area(scene.room.floor);
+}
+
+double DeepestOverlap_m(const LayoutView& view) {
+  const Scene& scene = view.scene;
+  double deepest = 0;
+  std::vector<std::array<Vec2<double>, 4>> solids;
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!view.Has(i)) continue;
+    const std::array<Vec2<double>, 4> corners = Corners(scene.objects[i].footprint, view.layout[i]);
+    for (const Vec2<double>& corner : corners) {
+      deepest = std::max(deepest, -SignedDistance(scene.room.floor, corner));
+    }
+    if (!IsSolid(scene.objects[i])) continue;
+    for (const auto& other : solids) deepest = std::max(deepest, Penetration_m(corners, other));
+    solids.push_back(corners);
+  }
+  for (const Opening& door : scene.room.openings) {
+    for (const Polygon& piece : ConvexSwingAreas(scene.room, door, kDoorArcPieces)) {
+      for (const auto& corners : solids) deepest = std::max(deepest, Penetration_m(corners, piece.vertices));
+    }
+  }
+  return deepest;
 }
 
 }  // namespace flair::evaluation

@@ -5,9 +5,8 @@
 
 #include <cmath>
 
-#include "evaluation/metrics/penetration.h"
+#include "evaluation/metrics/overlap.h"
 #include "evaluation/metrics/testing/furnished.h"
-#include "evaluation/metrics/ways.h"
 #include "fmt/format.h"
 
 namespace flair::evaluation {

@@ -5,10 +5,8 @@
 #include <string>
 
 #include "evaluation/metrics/overlap.h"
-#include "evaluation/metrics/paper_overlap.h"
 #include "evaluation/metrics/pathway.h"
-#include "evaluation/metrics/penetration.h"
-#include "evaluation/metrics/reach.h"
+#include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/furnished.h"
 
 namespace flair::evaluation {

@@ -11,8 +11,7 @@
 
 #include "absl/strings/str_split.h"
 #include "evaluation/metrics/overlap.h"
-#include "evaluation/metrics/paper_overlap.h"
-#include "evaluation/metrics/reach.h"
+#include "evaluation/metrics/routes.h"
 #include "room/text_format/scene_text.h"
 
 namespace flair::evaluation {

@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "evaluation/metrics/reach.h"
 #include "evaluation/metrics/testing/furnished.h"
 #include "evaluation/metrics/walk_floor.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "evaluation/readers/flairgpt_functions.h"
+#include "evaluation/readers/flairgpt_calls.h"
 #include "flair/v1/layout_graph.pb.h"
 #include "nlohmann/json.hpp"
 

@@ -8,8 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "evaluation/readers/flairgpt_functions.h"
-#include "evaluation/readers/flairgpt_layout.h"
+#include "evaluation/readers/flairgpt_calls.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "nlohmann/json.hpp"
 #include "room/conversion/conversion.h"

@@ -2,10 +2,8 @@
 #include "language_worker/model/colour_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "language_worker/handbook/styling/choose_style.h"
@@ -16,78 +14,18 @@ namespace flair::language {
 namespace {
 
 constexpr size_t kLongestName = 60;
+constexpr size_t kValueLength = 7;  // "#7A8B6F"
 
-using Triple = std::array<int, 3>;
-
-bool IsHexDigit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
-
-int HexValue(std::string_view digits) {
-  int value = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-  return value;
-}
-
-// A colour's value and where it stands in a text.
-struct Value {
-  Triple triple = {};
-  size_t begin = 0, end = 0;
-};
-
-// The three numbers behind "rgb(".
-std::optional<Value> FindTriple(std::string_view text) {
-  Value value;
-  value.begin = text.find("rgb");
-  if (value.begin == std::string_view::npos) return std::nullopt;
-  const char* at = text.data() + value.begin;
-  const char* const end = text.data() + text.size();
-  for (int& number : value.triple) {
-    while (at != end && (*at < '0' || *at > '9')) ++at;
-    const auto [stop, error] = std::from_chars(at, end, number);
-    if (error != std::errc() || number > 255) return std::nullopt;
-    at = stop;
+// Where "#" and six hex digits stand in a text; npos for nowhere.
+size_t FindValue(std::string_view text) {
+  for (size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
+    const std::string_view digits = text.substr(at + 1, kValueLength - 1);
+    const auto is_digit = [](unsigned char c) { return std::isxdigit(c) != 0; };
+    const bool longer =
+        at + kValueLength < text.size() && is_digit(static_cast<unsigned char>(text[at + kValueLength]));
+    if (digits.size() == kValueLength - 1 && !longer && std::ranges::all_of(digits, is_digit)) return at;
   }
-  value.end = std::min(text.find(')', static_cast<size_t>(at - text.data())), text.size() - 1) + 1;
-  return value;
-}
-
-// Whether six hex digits are a value and no word: "B98B55", "FFEEDD", not "facade".
-bool IsValue(std::string_view digits) {
-  return std::any_of(digits.begin(), digits.end(), [](char c) { return c <= '9'; }) ||
-         std::all_of(digits.begin(), digits.end(), [](char c) { return c <= 'F'; });
-}
-
-// Six hex digits, or behind "#" three, or eight of which the last two say how opaque it is.
-std::optional<Value> FindHex(std::string_view text) {
-  for (size_t begin = 0; begin < text.size(); ++begin) {
-    const bool marked = text[begin] == '#';
-    const bool inside = begin > 0 && std::isalnum(static_cast<unsigned char>(text[begin - 1])) != 0;
-    const size_t first = begin + (marked ? 1 : 0);
-    size_t end = first;
-    while (end < text.size() && IsHexDigit(text[end])) ++end;
-    const bool cut = end < text.size() && std::isalnum(static_cast<unsigned char>(text[end])) != 0;
-    const std::string_view digits = text.substr(first, end - first);
-    if (inside || cut || (digits.size() != 6 && !(marked && (digits.size() == 3 || digits.size() == 8)))) continue;
-    if (!marked && !IsValue(digits)) continue;
-    Value value{{}, begin, end};
-    for (size_t i = 0; i < 3; ++i) {
-      value.triple[i] = digits.size() >= 6 ? HexValue(digits.substr(2 * i, 2)) : 17 * HexValue(digits.substr(i, 1));
-    }
-    return value;
-  }
-  return std::nullopt;
-}
-
-// {"name": "sage", "hex": "#7A8B6F"} as "sage #7A8B6F".
-std::string WithoutJson(std::string_view text) {
-  const nlohmann::json value = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (!value.is_structured()) return std::string(text);
-  std::string parts, hex;
-  for (const nlohmann::json& member : value) {
-    if (!member.is_string()) continue;
-    const auto& part = member.get_ref<const std::string&>();
-    (part.starts_with("#") ? hex : parts) += part + " ";
-  }
-  return parts + hex;
+  return std::string_view::npos;
 }
 
 std::string NameIn(std::string_view text) {
@@ -110,13 +48,10 @@ const hb::NamedColour* FindNamed(std::string_view name, const Handbook& handbook
 
 }  // namespace
 
-std::optional<v1::Colour> ReadColour(std::string_view written, const Handbook& handbook) {
-  const std::string text =
-      written.starts_with('{') || written.starts_with('[') ? WithoutJson(written) : std::string(written);
+std::optional<v1::Colour> ReadColour(std::string_view text, const Handbook& handbook) {
   v1::Colour colour;
-  std::optional<Value> value = FindHex(text);
-  if (!value) value = FindTriple(text);
-  if (!value) {
+  const size_t at = FindValue(text);
+  if (at == std::string_view::npos) {
     const std::string name = NameIn(text.substr(0, text.find('#')));
     const hb::NamedColour* named = FindNamed(name, handbook);
     if (named == nullptr) return std::nullopt;
@@ -124,11 +59,13 @@ std::optional<v1::Colour> ReadColour(std::string_view written, const Handbook& h
     colour.set_name(name);
     return colour;
   }
-  colour.set_red(value->triple[0]);
-  colour.set_green(value->triple[1]);
-  colour.set_blue(value->triple[2]);
-  std::string name = NameIn(text.substr(0, value->begin));
-  if (name.empty()) name = NameIn(text.substr(value->end));
+  int value = 0;
+  std::from_chars(text.data() + at + 1, text.data() + at + kValueLength, value, 16);
+  colour.set_red(value >> 16);
+  colour.set_green((value >> 8) & 0xFF);
+  colour.set_blue(value & 0xFF);
+  std::string name = NameIn(text.substr(0, at));
+  if (name.empty()) name = NameIn(text.substr(at + kValueLength));
   colour.set_name(name);
   return colour;
 }

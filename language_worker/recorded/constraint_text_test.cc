@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "language_worker/recorded/sentences.h"
+#include "language_worker/recorded/object_names.h"
 
 namespace flair::language {
 namespace {

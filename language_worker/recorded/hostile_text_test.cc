@@ -9,7 +9,6 @@
 #include "language_worker/model/model_tools.h"
 #include "language_worker/recorded/constraint_text.h"
 #include "language_worker/recorded/import_answers.h"
-#include "language_worker/recorded/style_text.h"
 #include "language_worker/recorded/tertiary_text.h"
 #include "language_worker/recorded/test_room.h"
 
@@ -102,10 +101,6 @@ void ReadAll(const RecordedRoom& room, const std::string& text) {
   const auto placements = ReadTertiaryText(text, tertiaries, names, conversion);
   ASSERT_EQ(placements.size(), tertiaries.size());
   for (const RecordedPlacement& placement : placements) ASSERT_LE(placement.text.size(), 400u);
-  for (const RecordedLook& look : ReadStyleText(text, names, TestHandbook(), conversion).looks) {
-    ASSERT_LE(look.material.size(), 100u);
-    ASSERT_EQ(look.colour.hex.size(), 7u);
-  }
   ASSERT_LE(conversion.converted, conversion.lines);
 }
 

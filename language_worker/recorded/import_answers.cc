@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/recorded/import_answers.h"
 
-#include <memory>
-#include <utility>
+#include <fmt/format.h>
+#include <google/protobuf/util/json_util.h>
 
-#include "language_worker/recorded/recorded_room_client.h"
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "language_worker/recorded/recorded_calls.h"
 #include "language_worker/service/language_handlers.h"
 #include "llm/wrappers/folder_llm_clients.h"
 #include "worker_runtime/status/status_macros.h"
@@ -57,6 +62,62 @@ class Phase {
   runtime::CallContext call_;
 };
 
+using nlohmann::json;
+
+std::string ToJson(const google::protobuf::Message& message) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;
+  options.always_print_primitive_fields = true;
+  std::string text;
+  // Texts are UTF-8: they come out of a JSON file.
+  const bool printed = google::protobuf::util::MessageToJsonString(message, &text, options).ok();
+  return printed ? text : "{}";
+}
+
+// One line a sentence, as the prompt asks for.
+std::string ToJson(const model::v1::CallsAnswer& answer) {
+  json lines = json::array();
+  for (const model::v1::SentenceCallsAnswer& sentence : answer.sentences()) {
+    lines.push_back(fmt::format("{}: {}", sentence.id(), fmt::join(sentence.calls(), "; ")));
+  }
+  return json{{"sentences", lines}}.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string ToJson(const model::v1::CleaningAnswer& answer) {
+  json lines = json::array();
+  for (const model::v1::ChangeAnswer& change : answer.changes()) {
+    for (const std::string& text : change.to()) lines.push_back(fmt::format("{}: {}", change.from(), text));
+  }
+  return json{{"changes", lines}}.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+// The first message of the user: the question. Repairs have another one behind it.
+std::string QuestionOf(const llm::ChatRequest& request) {
+  for (const llm::Message& message : request.messages) {
+    if (message.role == llm::Role::kUser) return message.text;
+  }
+  return "";
+}
+
+// The choices of the first field of that name in a schema.
+std::vector<std::string> FindChoices(const json& schema, const char* field) {
+  std::vector<std::string> names;
+  if (!schema.is_structured()) return names;
+  if (schema.is_object() && schema.contains("properties") && schema["properties"].contains(field)) {
+    const json& described = schema["properties"][field];
+    // Of a list, those of its elements.
+    for (const json& name : described.value("items", described).value("enum", json::array())) {
+      if (name.is_string()) names.push_back(name.get<std::string>());
+    }
+    return names;
+  }
+  for (const json& part : schema) {
+    names = FindChoices(part, field);
+    if (!names.empty()) break;
+  }
+  return names;
+}
+
 }  // namespace
 
 absl::StatusOr<ImportedAnswers> ImportAnswers(const RecordedRoom& room, const Handbook& handbook,
@@ -71,6 +132,48 @@ absl::StatusOr<ImportedAnswers> ImportAnswers(const RecordedRoom& room, const Ha
   RETURN_IF_ERROR(Phase(room, handlers, result).Run());
   result.conversions = client.conversions();
   return result;
+}
+
+absl::StatusOr<std::string> RecordedRoomClient::Answer(const std::string& step, const llm::ChatRequest& request) {
+  Conversion conversion;
+  const auto keep = [&](const auto& answer) {
+    const std::lock_guard lock(mutex_);
+    conversions_[step] = std::move(conversion);
+    return ToJson(answer);
+  };
+  const std::string question = QuestionOf(request);
+  if (step == "room") return keep(answers_.Room());
+  if (step == "zones") return keep(answers_.Zones());
+  if (step == "objects.floor") return keep(answers_.FloorObjects());
+  if (step == "objects.tertiary") return keep(answers_.Tertiaries(question, conversion));
+  if (step == "constraints.intra") return keep(answers_.Intra(question, conversion));
+  if (step == "constraints.inter") return keep(answers_.Inter(question, conversion));
+  if (step == "cleaning") return keep(answers_.Cleaning(question));
+  const json schema = json::parse(request.schema, nullptr, /*allow_exceptions=*/false);
+  if (step == "style") return keep(answers_.Style(FindChoices(schema, "of")));
+  if (step.starts_with("translation.")) {
+    if (translation_ == RecordedTranslation::kRefused) return "I have no calls for these sentences.";
+    return keep(FindCalls(room_, step, question, conversion));
+  }
+  return absl::NotFoundError(fmt::format("step \"{}\": a recorded room has no answer to it", step));
+}
+
+absl::StatusOr<llm::ChatAnswer> RecordedRoomClient::Ask(const llm::ChatRequest& request, runtime::CallContext&) {
+  // A repair shows what was answered; that is answered again.
+  const bool repair = request.step.ends_with("/repair") && request.messages.size() > 2;
+  llm::ChatAnswer answer;
+  ASSIGN_OR_RETURN(answer.text,
+                   repair ? request.messages[request.messages.size() - 2].text : Answer(request.step, request));
+  answer.model = "gpt-4o-recorded";
+  answer.usage.estimated = true;
+  answer.usage.input_token_count = llm::EstimateTokens(request);
+  answer.usage.output_token_count = llm::EstimateTokens(answer.text);
+  return answer;
+}
+
+std::map<std::string, Conversion> RecordedRoomClient::conversions() const {
+  const std::lock_guard lock(mutex_);
+  return conversions_;
 }
 
 }  // namespace flair::language

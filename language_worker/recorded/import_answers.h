@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@
 #include "flair/v1/room.pb.h"
 #include "flair/v1/zone_plan.pb.h"
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/recorded/conversion.h"
+#include "language_worker/recorded/recorded_answers.h"
 #include "language_worker/recorded/recorded_room.h"
 #include "llm/answers/prompt_library.h"
 #include "llm/client/llm_client.h"
@@ -36,5 +37,41 @@ struct ImportedAnswers {
 // with these prompts. Errors as those of the steps and of RecordingLlmClient.
 absl::StatusOr<ImportedAnswers> ImportAnswers(const RecordedRoom& room, const Handbook& handbook,
                                               const llm::PromptLibrary& prompts, const std::string& folder);
+
+// How the questions of the translation are answered.
+enum class RecordedTranslation {
+  // With the calls that the recorded model translated its own sentences to, as far as they can be told to belong to
+  // one.
+  kCalls,
+  // With a refusal in prose, so that the grammar stands in where that is allowed.
+  kRefused,
+};
+
+// A model that answers the steps of the language phase and of the translation with what another model wrote when a room
+// was recorded, as typed answers. Repairs get the same answer again: that is what was recorded. Other steps are
+// NOT_FOUND. Usage is estimated from the lengths of messages, schema and answer. Thread-safe.
+class RecordedRoomClient final : public llm::LlmClient {
+ public:
+  // Both must outlive it.
+  RecordedRoomClient(const RecordedRoom& room, const Handbook& handbook,
+                     RecordedTranslation translation = RecordedTranslation::kCalls)
+      : room_(room), answers_(room, handbook), translation_(translation) {}
+
+  absl::StatusOr<llm::ChatAnswer> Ask(const llm::ChatRequest& request, runtime::CallContext& call) override;
+  // Names the recording: another one gives other answers to the same brief.
+  std::string identity() const override { return "gpt-4o, recorded as free text " + room_.digest; }
+
+  // What became of the texts of the steps that were asked so far.
+  std::map<std::string, Conversion> conversions() const;
+
+ private:
+  absl::StatusOr<std::string> Answer(const std::string& step, const llm::ChatRequest& request);
+
+  const RecordedRoom& room_;
+  const RecordedAnswers answers_;
+  const RecordedTranslation translation_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Conversion> conversions_;
+};
 
 }  // namespace flair::language

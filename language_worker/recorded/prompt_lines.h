@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "flair/v1/object_list.pb.h"
+
 namespace flair::language {
 
 // A line of GroupsText: equal objects.
@@ -52,5 +54,25 @@ std::vector<PromptFunction> ReadPromptFunctions(std::string_view prompt);
 
 // "dining_chair_3" without its number.
 std::string_view WithoutNumber(std::string_view id);
+
+// How a prompt calls the recorded objects.
+class PromptIds {
+ public:
+  // Matches by name, zone and size, equal ones in their order.
+  PromptIds(const std::vector<const v1::Object*>& objects, std::vector<PromptObjects> listed);
+
+  // Names that together mean these objects: a group's when it is meant whole, else ids; in the order of the objects.
+  // Objects that the prompt does not list have none.
+  std::vector<std::string> NamesOf(const std::vector<int>& objects) const;
+
+ private:
+  struct Place {
+    int group = -1;
+    std::string id;
+  };
+
+  std::vector<PromptObjects> listed_;
+  std::vector<Place> places_;
+};
 
 }  // namespace flair::language

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "language_worker/handbook/reading/brief_facts.h"
-#include "language_worker/recorded/prompt_ids.h"
+#include "language_worker/handbook/styling/choose_style.h"
+#include "language_worker/recorded/constraint_text.h"
+#include "language_worker/recorded/prompt_lines.h"
 #include "language_worker/recorded/tertiary_text.h"
 
 namespace flair::language {
@@ -89,6 +93,33 @@ const v1::Object* HostByCalls(const RecordedRoom& room, const v1::Object& item) 
     if (about_it && other != nullptr) return other;
   }
   return nullptr;
+}
+
+// Limits of the answers, see protos/flair/model/v1/constraint_answers.proto.
+constexpr int kMostPerObject = 12, kMostPairs = 200, kMostOfAPair = 8;
+
+// As an answer writes it: "sage #7A8B6F".
+std::string ColourText(const v1::Colour& colour) {
+  return fmt::format("{} #{:02X}{:02X}{:02X}", colour.name(), colour.red(), colour.green(), colour.blue());
+}
+
+// The names in the prompt that mean objects of that name. Those that are called alike (two bookshelves of two sizes)
+// share their looks.
+std::vector<std::string> NamesFor(const std::string& key, const std::vector<std::string>& names) {
+  std::vector<std::string> found;
+  for (const std::string& name : names) {
+    if (NameKey(name) == key) found.push_back(name);
+  }
+  return found;
+}
+
+model::v1::ObjectSentencesAnswer& EntryFor(const std::string& name, bool must, model::v1::IntraAnswer& answer) {
+  for (model::v1::ObjectSentencesAnswer& entry : *answer.mutable_objects()) {
+    if (entry.object() == name && (must ? entry.must_size() : entry.should_size()) < kMostPerObject) return entry;
+  }
+  model::v1::ObjectSentencesAnswer& entry = *answer.add_objects();
+  entry.set_object(name);
+  return entry;
 }
 
 }  // namespace
@@ -225,6 +256,119 @@ model::v1::TertiariesAnswer RecordedAnswers::Tertiaries(std::string_view prompt,
     if (placement.text.empty()) {
       conversion.Keep("tertiary", 0, object.name(), "is in no item of the text; it goes where its call says");
     }
+  }
+  return answer;
+}
+
+std::vector<RecordedSentence> RecordedAnswers::Sentences(ConstraintTextKind kind, std::string_view ending,
+                                                         Conversion& conversion) const {
+  const std::string name = std::string(kind == ConstraintTextKind::kIntra ? "intra" : "inter") + std::string(ending);
+  const std::string primary = "primary_" + name, secondary = "secondary_" + name;
+  const auto is_primary = [&](int object) { return static_cast<size_t>(object) < primary_count_; };
+  std::vector<RecordedSentence> sentences =
+      ReadConstraintText({primary, room_.Text(primary), kind, floor_names_, zone_ids_}, conversion);
+  // The first list is of the primaries: a secondary of the same name is not meant.
+  for (RecordedSentence& sentence : sentences) {
+    const std::vector<int> named = sentence.objects;
+    std::erase_if(sentence.objects, [&](int object) {
+      return !is_primary(object) && std::any_of(named.begin(), named.end(), [&](int other) {
+        return is_primary(other) && NameOf(other) == NameOf(object);
+      });
+    });
+  }
+  for (RecordedSentence& sentence :
+       ReadConstraintText({secondary, room_.Text(secondary), kind, floor_names_, zone_ids_}, conversion)) {
+    // And the other way round.
+    std::vector<int>& objects = sentence.objects;
+    if (kind == ConstraintTextKind::kIntra && !std::all_of(objects.begin(), objects.end(), is_primary)) {
+      std::erase_if(objects, is_primary);
+    }
+    sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+std::string RecordedAnswers::NameOf(int object) const { return NameKey(floor_[static_cast<size_t>(object)]->name()); }
+
+model::v1::IntraAnswer RecordedAnswers::Intra(std::string_view prompt, Conversion& conversion) const {
+  const PromptIds ids(floor_, ReadPromptObjects(prompt));
+  model::v1::IntraAnswer answer;
+  for (const RecordedSentence& sentence : Sentences(ConstraintTextKind::kIntra, "", conversion)) {
+    const std::vector<std::string> names = ids.NamesOf(sentence.objects);
+    if (names.empty()) {
+      conversion.Unconvert("intra", sentence.text, "its object was left out");
+      continue;
+    }
+    for (const std::string& name : names) {
+      model::v1::ObjectSentencesAnswer& entry = EntryFor(name, sentence.must, answer);
+      *(sentence.must ? entry.add_must() : entry.add_should()) = sentence.text;
+    }
+  }
+  return answer;
+}
+
+model::v1::InterAnswer RecordedAnswers::Inter(std::string_view prompt, Conversion& conversion) const {
+  const PromptIds ids(floor_, ReadPromptObjects(prompt));
+  model::v1::InterAnswer answer;
+  for (const RecordedSentence& sentence : Sentences(ConstraintTextKind::kInter, "", conversion)) {
+    const std::vector<std::string> names = ids.NamesOf(sentence.objects);
+    if (names.empty() || answer.constraints_size() == kMostPairs) {
+      conversion.Unconvert("inter", sentence.text, names.empty() ? "its objects were left out" : "one too many");
+      continue;
+    }
+    model::v1::PairAnswer entry;
+    for (const std::string& name : names) {
+      if (entry.objects_size() < kMostOfAPair) entry.add_objects(name);
+    }
+    const auto same = [&](const model::v1::PairAnswer& last) {
+      return std::equal(last.objects().begin(), last.objects().end(), entry.objects().begin(), entry.objects().end()) &&
+             (sentence.must ? last.must_size() : last.should_size()) < kMostPerObject;
+    };
+    const bool again = answer.constraints_size() > 0 && same(*answer.constraints().rbegin());
+    if (!again) *answer.add_constraints() = entry;
+    model::v1::PairAnswer& pair = *answer.mutable_constraints(answer.constraints_size() - 1);
+    *(sentence.must ? pair.add_must() : pair.add_should()) = sentence.text;
+  }
+  return answer;
+}
+
+model::v1::CleaningAnswer RecordedAnswers::Cleaning(std::string_view prompt) const {
+  Conversion unused;  // what counts is what was said, not what was said again
+  std::vector<RecordedSentence> after = Sentences(ConstraintTextKind::kIntra, "_clean", unused);
+  for (RecordedSentence& sentence : Sentences(ConstraintTextKind::kInter, "_clean", unused)) {
+    after.push_back(std::move(sentence));
+  }
+  std::vector<std::string> names;
+  for (const v1::Object* object : floor_) names.push_back(object->name());
+  return FindChanges(ReadPromptSentences(prompt), after, names);
+}
+
+model::v1::StyleAnswer RecordedAnswers::Style(const std::vector<std::string>& names) const {
+  model::v1::StyleAnswer answer;
+  const v1::ObjectList& objects = room_.graph.object_list();
+  const absl::StatusOr<v1::StyleSheet> style = ChooseStyle(room_.brief, room_.graph.room(), objects, handbook_);
+  if (!style.ok()) return answer;
+  answer.set_name(style->name());
+  answer.set_summary(style->summary());
+  for (const v1::Colour& colour : style->palette()) answer.add_palette(ColourText(colour));
+  for (const v1::SurfaceStyle& surface : style->surfaces()) {
+    model::v1::SurfaceAnswer& made = *answer.add_surfaces();
+    made.set_surface(surface.surface());
+    made.set_material(surface.material());
+    made.set_colour(ColourText(surface.colour()));
+  }
+  std::map<std::string, std::string> keys;
+  for (const v1::Object& object : objects.objects()) keys[object.id()] = NameKey(object.name());
+  std::set<std::string> seen;
+  for (const v1::ObjectStyle& object : style->objects()) {
+    const auto key = keys.find(object.subject_id());
+    std::vector<std::string> of = key == keys.end() ? std::vector<std::string>{} : NamesFor(key->second, names);
+    std::erase_if(of, [&](const std::string& name) { return !seen.insert(name).second; });
+    if (of.empty()) continue;
+    model::v1::LookAnswer& look = *answer.add_looks();
+    for (const std::string& name : of) look.add_of(name);
+    look.set_material(object.material());
+    look.set_colour(ColourText(object.colour()));
   }
   return answer;
 }

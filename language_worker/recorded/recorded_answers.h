@@ -12,7 +12,6 @@
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/model/furniture_index.h"
 #include "language_worker/recorded/constraint_text.h"
-#include "language_worker/recorded/conversion.h"
 #include "language_worker/recorded/object_names.h"
 #include "language_worker/recorded/prompt_lines.h"
 #include "language_worker/recorded/recorded_room.h"
@@ -21,7 +20,7 @@ namespace flair::language {
 
 // A recorded room as typed answers to the steps of the language phase. Prompts say by which ids objects and sentences
 // are called now; what a prompt does not list (a piece that was left out since) is kept as a remark. What the
-// recording has no figure for (heights, colours' values, the purpose of a zone) is the handbook's, or plain.
+// recording has no figure for (heights, the purpose of a zone), and the style, is the handbook's, or plain.
 // Immutable, thread-safe.
 class RecordedAnswers {
  public:
@@ -32,8 +31,8 @@ class RecordedAnswers {
   model::v1::ZonesAnswer Zones() const;
   model::v1::FloorObjectsAnswer FloorObjects() const;
   model::v1::TertiariesAnswer Tertiaries(std::string_view prompt, Conversion& conversion) const;
-  // `names`: how objects and openings are called.
-  model::v1::StyleAnswer Style(const std::vector<std::string>& names, Conversion& conversion) const;
+  // The handbook's. `names`: how the prompt calls objects and openings.
+  model::v1::StyleAnswer Style(const std::vector<std::string>& names) const;
   model::v1::IntraAnswer Intra(std::string_view prompt, Conversion& conversion) const;
   model::v1::InterAnswer Inter(std::string_view prompt, Conversion& conversion) const;
   model::v1::CleaningAnswer Cleaning(std::string_view prompt) const;

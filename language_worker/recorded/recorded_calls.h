@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "flair/model/v1/calls_answers.pb.h"
-#include "language_worker/recorded/conversion.h"
 #include "language_worker/recorded/recorded_room.h"
 
 namespace flair::language {

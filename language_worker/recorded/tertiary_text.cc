@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "language_worker/recorded/object_names.h"
 #include "language_worker/recorded/outline.h"
-#include "language_worker/recorded/sentences.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::language {

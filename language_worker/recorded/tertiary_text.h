@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "flair/v1/object_list.pb.h"
-#include "language_worker/recorded/conversion.h"
 #include "language_worker/recorded/object_names.h"
+#include "language_worker/recorded/recorded_room.h"
 
 namespace flair::language {
 

@@ -128,14 +128,14 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(StepFaults, LengthsWithUnitsAreUnderstood) {
   StubbornSession session("objects.floor", [](json& answer) {
     answer["objects"][0]["width_m"] = "160 cm";
-    answer["objects"][0]["depth_m"] = "6 ft 6 in";
-    answer["objects"][0]["height_m"] = "20\"";
+    answer["objects"][0]["depth_m"] = "2 m";
+    answer["objects"][0]["height_m"] = "500 mm";
   });
   const v1::ObjectList list = session.Objects();
   EXPECT_THAT(session.Repair(), IsEmpty());
   EXPECT_NEAR(list.objects(0).width_m(), 1.6, 1e-9);
-  EXPECT_NEAR(list.objects(0).depth_m(), 1.9812, 1e-9);
-  EXPECT_NEAR(list.objects(0).height_m(), 0.508, 1e-9);
+  EXPECT_NEAR(list.objects(0).depth_m(), 2, 1e-9);
+  EXPECT_NEAR(list.objects(0).height_m(), 0.5, 1e-9);
 }
 
 TEST(StepFaults, ACrowdIsThinnedWithTheReasonAndPrimariesStay) {

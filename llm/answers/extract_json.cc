@@ -152,7 +152,7 @@ json Parsed(const std::string& text) { return json::parse(text, nullptr, /*allow
 // Where text whose brackets match is no JSON.
 std::string NoJsonText(const std::string& text) {
   try {
-    (void)json::parse(text);
+    const json unused = json::parse(text);
   } catch (const json::parse_error& error) {
     const size_t byte = std::min(error.byte, text.size());
     return fmt::format("is no valid JSON near {}; plain JSON with double quotes would be right",

@@ -205,6 +205,9 @@ class Reader {
 
   void ReadList(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const model::v1::FieldFacts& facts = FactsOf(field);
+    if (value.is_string() && value.get_ref<const std::string&>().find('\n') != std::string::npos) {
+      return Wrong(path, fmt::format("is {}; a list would be right", Shown(value)));
+    }
     // One element alone is a list of it.
     const int count = value.is_array() ? static_cast<int>(value.size()) : 1;
     const int most = facts.max_items() > 0 ? facts.max_items() : kMostItems;
@@ -336,8 +339,9 @@ json AnswerRoot(json value, const Descriptor& type) {
       root[list->name()] = std::move(value);
       return root;
     }
-    if (value.size() != 1 || !value.front().is_structured()) break;
-    json inner = std::move(value.front());
+    const auto is_structured = [](const json& item) { return item.is_structured(); };
+    if (std::ranges::count_if(value, is_structured) != 1) break;
+    json inner = *std::ranges::find_if(value, is_structured);
     value = std::move(inner);
   }
   return value;

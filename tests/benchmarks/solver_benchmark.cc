@@ -13,7 +13,7 @@
 #include "evaluation/metrics/layout_metrics.h"
 #include "evaluation/metrics/overlap.h"
 #include "evaluation/metrics/pathway.h"
-#include "evaluation/metrics/reach.h"
+#include "evaluation/metrics/routes.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "optimizer_worker/stages/scene_costs.h"

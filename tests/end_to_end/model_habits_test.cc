@@ -46,13 +46,21 @@ std::string Spaced(const std::string& json, const std::string& space) {
 
 std::vector<Deviation> Wrappings() {
   return {
-      {"AsACall", [](const auto& a) { return ordered_json{{"name", "submit"}, {"arguments", a}}.dump(); }},
+      {"AsACall",
+       [](const auto& a) {
+         return ordered_json{{"name", "submit"}, {"arguments", a}}.dump();
+       },
+       true},
       {"AsACallOfText",
-       [](const auto& a) { return ordered_json{{"function", "submit"}, {"arguments", a.dump()}}.dump(); }},
+       [](const auto& a) {
+         return ordered_json{{"function", "submit"}, {"arguments", a.dump()}}.dump();
+       },
+       true},
       {"InToolCallTags",
        [](const auto& a) {
          return "<tool_call>\n" + ordered_json{{"name", "answer"}, {"parameters", a}}.dump() + "\n</tool_call>";
-       }},
+       },
+       true},
       {"AfterChannelMarks", [](const auto& a) { return "<|channel|>final<|message|>" + a.dump() + "<|return|>"; }},
       {"Boxed", [](const auto& a) { return "$\\boxed{" + a.dump() + "}$"; }},
       {"WithoutItsLastBracket",
@@ -60,10 +68,14 @@ std::vector<Deviation> Wrappings() {
          // What ends in a number might have ended in a longer one.
          const std::string text = a.dump();
          return text.ends_with("]}") ? text.substr(0, text.size() - 1) : text;
-       }},
+       },
+       true},
       {"WithABracketTooMany", [](const auto& a) { return a.dump() + "}\n"; }},
-      {"TheSchemaAround", [](const auto& a) { return ordered_json{{"type", "object"}, {"properties", a}}.dump(); }},
-      {"TheSchemaFilledIn", [](const auto& a) { return AsSchema(a).dump(); }},
+      {"TheSchemaAround",
+       [](const auto& a) {
+         return ordered_json{{"type", "object"}, {"properties", a}}.dump();
+       }},
+      {"TheSchemaFilledIn", [](const auto& a) { return AsSchema(a).dump(); }, true},
       {"TheSchemaThenIt",
        [](const auto& a) {
          ordered_json schema = {{"type", "object"}, {"properties", ordered_json::object()}};
@@ -74,7 +86,8 @@ std::vector<Deviation> Wrappings() {
       {"ElementsAsTexts",
        [](const auto& a) {
          return WithElements(a, [](const ordered_json& element) { return ordered_json(element.dump()); }).dump();
-       }},
+       },
+       true},
       {"ListsAsTexts",
        [](const auto& a) {
          return Edited(a,
@@ -83,7 +96,8 @@ std::vector<Deviation> Wrappings() {
                          object[key] = objects ? ordered_json(value.dump()) : value;
                        })
              .dump();
-       }},
+       },
+       true},
   };
 }
 
@@ -91,7 +105,8 @@ std::vector<Deviation> Spellings() {
   return {
       {"SpacesThatDoNotBreak", [](const auto& a) { return Spaced(a.dump(), "\u00a0"); }},
       {"WideSpaces", [](const auto& a) { return Spaced(a.dump(), "\u3000"); }},
-      {"FullWidthMarks", [](const auto& a) { return Replaced(Replaced(a.dump(), "\":", "\"："), ",\"", "，\""); }},
+      {"FullWidthMarks", [](const auto& a) { return Replaced(Replaced(a.dump(), "\":", "\"："), ",\"", "，\""); },
+       true},
       {"MarksOfDirection", [](const auto& a) { return Replaced(a.dump(), ":\"", ":\"\u200f"); }},
       {"InvisibleSpaces", [](const auto& a) { return Replaced(a.dump(), "\",", "\u200b\","); }},
       {"Zeros", [](const auto& a) { return Replaced(a.dump(), ",\"", ",\\u0000\""); }, true},
@@ -99,10 +114,11 @@ std::vector<Deviation> Spellings() {
       {"OtherHyphens",
        [](const auto& a) {
          return WithTexts(a, {"at", "object"}, [](const auto& text) { return Replaced(text, "_", "\u2011"); }).dump();
-       }},
+       },
+       true},
       {"KeysInBold",
        [](const auto& a) { return WithKeys(a, [](const auto& key) { return "**" + key + "**"; }).dump(); }},
-      {"KeysWithEscapes", [](const auto& a) { return Replaced(a.dump(), "_m\":", "\\_m\":"); }},
+      {"KeysWithEscapes", [](const auto& a) { return Replaced(a.dump(), "_m\":", "\\_m\":"); }, true},
       {"KeysInSpanish",
        [](const auto& a) { return WithKeys(a, [](const auto& key) { return "el_" + key + "_es"; }).dump(); }, true},
       {"CommentsWithHashes", [](const auto& a) { return Replaced(a.dump(1), "\n", " # ok\n"); }, true},
@@ -114,19 +130,23 @@ std::vector<Deviation> Spellings() {
 std::vector<Deviation> Values() {
   return {
       {"Fractions",
-       [](const auto& a) { return Replaced(Replaced(a.dump(), ":1.5,", ":\"1 1/2\","), ":0.5,", ":\"½\","); }},
+       [](const auto& a) { return Replaced(Replaced(a.dump(), ":1.5,", ":\"1 1/2\","), ":0.5,", ":\"½\","); }, true},
       {"MetresInWords",
        [](const auto& a) {
          return WithNumbers(a, [](double n) { return n == 2 ? ordered_json("two metres") : ordered_json(n); }).dump();
-       }},
+       },
+       true},
       {"SpacesInQuantities",
        [](const auto& a) {
          return WithNumbers(a, [](double n) { return ordered_json(Centimetres(n) + "\u202fcm"); }).dump();
        }},
       {"Ranges",
        [](const auto& a) {
-         return WithNumbers(a, [](double n) { return ordered_json(Number(n) + "-" + Number(n + 1)); }, "count").dump();
-       }},
+         return WithNumbers(
+                    a, [](double n) { return ordered_json(Number(n) + "-" + Number(n + 1)); }, "count")
+             .dump();
+       },
+       true},
       {"RangesOfLengths",
        [](const auto& a) {
          return WithNumbers(a,
@@ -134,19 +154,24 @@ std::vector<Deviation> Values() {
                               return ordered_json(Centimetres(n * 0.99) + " to " + Centimetres(n * 1.01) + " cm");
                             })
              .dump();
-       }},
+       },
+       true},
       {"Percents",
        [](const auto& a) {
-         return WithNumbers(a, [](double n) { return ordered_json(Number(n * 100) + "%"); }, "position").dump();
-       }},
+         return WithNumbers(
+                    a, [](double n) { return ordered_json(Number(n * 100) + "%"); }, "position")
+             .dump();
+       },
+       true},
       {"AUnitForAll",
        [](const auto& a) {
          ordered_json answer = WithNumbers(a, [](double n) { return ordered_json(n * 100); });
          answer["units"] = "cm";
          return answer.dump();
-       }},
+       },
+       true},
       {"BooleansAsDigits",
-       [](const auto& a) { return Replaced(Replaced(a.dump(), ":true", ":\"1\""), ":false", ":\"0\""); }},
+       [](const auto& a) { return Replaced(Replaced(a.dump(), ":true", ":\"1\""), ":false", ":\"0\""); }, true},
       {"SentencesInObjects",
        [](const auto& a) {
          return WithLists(a, {"must", "should"},
@@ -156,7 +181,8 @@ std::vector<Deviation> Values() {
                             return objects;
                           })
              .dump();
-       }},
+       },
+       true},
       {"SentencesInOneText",
        [](const auto& a) {
          return WithLists(a, {"must", "should"},
@@ -166,7 +192,8 @@ std::vector<Deviation> Values() {
                             return text.empty() ? ordered_json::array() : ordered_json(text);
                           })
              .dump();
-       }},
+       },
+       true},
       {"NamesInObjects",
        [](const auto& a) {
          return Edited(a,
@@ -175,7 +202,8 @@ std::vector<Deviation> Values() {
                          object[key] = name ? ordered_json{{"id", value}} : value;
                        })
              .dump();
-       }},
+       },
+       true},
       {"OpeningsByKind",
        [](ordered_json a) {
          if (!a.contains("openings")) return a.dump();
@@ -186,7 +214,8 @@ std::vector<Deviation> Values() {
          }
          a.erase("openings");
          return a.dump();
-       }},
+       },
+       true},
       {"HeightFirst",
        [](const auto& a) {
          return WithSize(a,
@@ -194,7 +223,8 @@ std::vector<Deviation> Values() {
                            object["size (HxWxD)"] = Number(s[2]) + " x " + Number(s[0]) + " x " + Number(s[1]) + " m";
                          })
              .dump();
-       }},
+       },
+       true},
       {"ZonesInLines",
        [](const auto& a) {
          if (!a.contains("zones")) return a.dump();
@@ -204,7 +234,8 @@ std::vector<Deviation> Values() {
                            zone["purpose"].template get<std::string>());
          }
          return ordered_json{{"zones", zones}}.dump();
-       }},
+       },
+       true},
       {"ZonesAsNames",
        [](const auto& a) {
          if (!a.contains("zones")) return a.dump();
@@ -226,9 +257,15 @@ std::vector<Deviation> Values() {
       {"NamesInThePlural",
        [](const auto& a) {
          return WithTexts(a, {"at", "object"}, [](const auto& text) { return "the " + Title(text) + "s"; }).dump();
-       }},
+       },
+       true},
       {"NegativeCounts",
-       [](const auto& a) { return WithNumbers(a, [](double n) { return ordered_json(-n); }, "count").dump(); }, true},
+       [](const auto& a) {
+         return WithNumbers(
+                    a, [](double n) { return ordered_json(-n); }, "count")
+             .dump();
+       },
+       true},
       {"TwoHundredObjects",
        [](ordered_json a) {
          if (!a.contains("objects") || !a["objects"].front().contains("zone")) return a.dump();

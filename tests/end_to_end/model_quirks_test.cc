@@ -51,10 +51,6 @@ std::string InCamelCase(const std::string& key) {
   return camel;
 }
 
-std::string InCentimetres(const std::string& key) {
-  return key.ends_with("_m") ? key.substr(0, key.size() - 1) + "cm" : key;
-}
-
 ordered_json WithoutNulls(const ordered_json& value) {
   if (!value.is_structured()) return value;
   ordered_json kept = value.is_array() ? ordered_json::array() : ordered_json::object();
@@ -93,19 +89,10 @@ const std::vector<Quirk>& Quirks() {
        [](const ordered_json& answer) {
          return "// the plan\n" + Replaced(Replaced(answer.dump(2), "\n", " // ok\n"), "} // ok\n", "}, // ok\n");
        }},
-      {"KeysWithoutQuotes", [](const ordered_json& answer) { return Replaced(answer.dump(), "\"name\":", "name: "); }},
-      {"TypographicQuotes",
+      {"Wrapped",
        [](const ordered_json& answer) {
-         std::string text;
-         bool open = false;
-         for (const char c : answer.dump()) {
-           text += c == '"' ? (std::exchange(open, !open) ? "”" : "“") : std::string(1, c);
-         }
-         return text;
+         return ordered_json{{"answer", answer}}.dump();
        }},
-      {"Wrapped", [](const ordered_json& answer) { return ordered_json{{"answer", answer}}.dump(); }},
-      {"WrappedAsAText", [](const ordered_json& answer) { return ordered_json{{"output", answer.dump()}}.dump(); }},
-      {"Quoted", [](const ordered_json& answer) { return ordered_json(answer.dump()).dump(); }},
       {"WithoutNulls", [](const ordered_json& answer) { return WithoutNulls(answer).dump(); }},
       {"ExtraKeys",
        [](ordered_json answer) {
@@ -119,14 +106,6 @@ const std::vector<Quirk>& Quirks() {
          return Rewritten(answer, SameKey,
                           [](const std::string& key, double number) {
                             return ordered_json(ordered_json(number).dump() + (key.ends_with("_m") ? " m" : ""));
-                          })
-             .dump();
-       }},
-      {"Centimetres",
-       [](const ordered_json& answer) {
-         return Rewritten(answer, InCentimetres,
-                          [](const std::string& key, double number) {
-                            return ordered_json(key.ends_with("_m") ? number * 100 : number);
                           })
              .dump();
        }},

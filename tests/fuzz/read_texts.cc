@@ -8,7 +8,6 @@
 #include <cmath>
 #include <string>
 
-#include "evaluation/readers/flairgpt_layout.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "flair/v1/artifact.pb.h"
 #include "room/conversion/conversion.h"
