@@ -218,6 +218,10 @@ void AddCalls(const json& calls, v1::LayoutGraph& graph) {
   }
 }
 
+absl::Status Refusal(std::string_view why) {
+  return absl::InvalidArgumentError(fmt::format("not a recorded FlairGPT problem: {}", why));
+}
+
 v1::LayoutGraph ReadProblem(const json& problem) {
   v1::LayoutGraph graph;
   ReadRoom(problem, *graph.mutable_room());
@@ -277,17 +281,18 @@ int IndexOf(const std::string& id, int otherwise) {
 }  // namespace
 
 absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& text) {
-  const auto refuse = [](std::string_view why) {
-    return absl::InvalidArgumentError(fmt::format("not a recorded FlairGPT problem: {}", why));
-  };
   const absl::StatusOr<json> problem = ParseFlairGptText(text);
-  if (!problem.ok()) return refuse(std::string(problem.status().message()));
-  const absl::Status good = CheckFlairGptProblem(*problem);
-  if (!good.ok()) return refuse(std::string(good.message()));
+  if (!problem.ok()) return Refusal(std::string(problem.status().message()));
+  return ReadFlairGptProblem(*problem);
+}
+
+absl::StatusOr<v1::LayoutGraph> ReadFlairGptProblem(const json& problem) {
+  const absl::Status good = CheckFlairGptProblem(problem);
+  if (!good.ok()) return Refusal(std::string(good.message()));
   try {
-    return ReadProblem(*problem);
+    return ReadProblem(problem);
   } catch (const json::exception& error) {
-    return refuse(error.what());
+    return Refusal(error.what());
   }
 }
 

@@ -8,6 +8,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/solved_layout.pb.h"
+#include "nlohmann/json_fwd.hpp"
 
 namespace flair::evaluation {
 
@@ -15,6 +16,9 @@ namespace flair::evaluation {
 // that name absent objects, features or functions become diagnostics, as the recording is a model's and models err;
 // heights, which it lacks, take one plausible value per kind. INVALID_ARGUMENT when the text is not such a file.
 absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& json);
+
+// The same of a text that was parsed already.
+absl::StatusOr<v1::LayoutGraph> ReadFlairGptProblem(const nlohmann::json& problem);
 
 // Layouts of the reference implementation's problems: the one that a recording holds, and ours as its judge reads them.
 

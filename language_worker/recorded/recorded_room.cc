@@ -81,7 +81,7 @@ absl::StatusOr<RecordedRoom> ReadRecordedRoom(const std::string& text) {
   if (absl::Status status = Validate(room.brief); !status.ok()) {
     return Bad(fmt::format("prompt: {}", std::string(status.message())));
   }
-  ASSIGN_OR_RETURN(v1::LayoutGraph graph, evaluation::ReadFlairGptRoom(text));
+  ASSIGN_OR_RETURN(v1::LayoutGraph graph, evaluation::ReadFlairGptProblem(*problem));
   room.graph = std::move(graph);
   if (room.FloorObjects().empty()) return Bad("primary: names no object");
   if (room.graph.zone_plan().zones().empty()) return Bad("zones: names no zone");

@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"an unknown parameter", "against_wall(table, colour=red)", "has no parameter \"colour\""},
         BadCall{"a required parameter that is missing", "against_wall()", "against_wall needs object"},
         BadCall{"prose", "The table is there.", "is no call"}, BadCall{"a name alone", "against_wall", "is no call"},
-        BadCall{"JSON without a function", R"({"object": "table", "side": "back"})", "names no function"}),
+        BadCall{"JSON without a function", R"({"object": "table", "side": "back"})", "is no call"}),
     [](const auto& info) {
       std::string name;
       for (const char c : std::string(info.param.name)) name += c == ' ' ? '_' : c;
