@@ -9,7 +9,7 @@
 #include "flair/model/v1/object_answers.pb.h"
 #include "flair/model/v1/room_answers.pb.h"
 #include "llm/answers/read_answer.h"
-#include "llm/answers/read_answer_samples.h"
+#include "llm/testing/read_answer_samples.h"
 
 namespace flair::llm {
 namespace {

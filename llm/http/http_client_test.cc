@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "llm/http/test_http.h"
+#include "llm/testing/test_http.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "llm/http/test_http.h"
+#include "llm/testing/test_http.h"
 
 namespace flair::llm {
 namespace {

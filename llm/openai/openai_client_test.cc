@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "llm/openai/test_client.h"
+#include "llm/testing/test_openai_client.h"
 
 namespace flair::llm {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "llm/wrappers/test_llm_client.h"
+#include "llm/testing/test_llm_client.h"
 
 namespace flair::llm {
 namespace {

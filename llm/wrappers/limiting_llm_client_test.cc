@@ -9,7 +9,7 @@
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "llm/wrappers/test_llm_client.h"
+#include "llm/testing/test_llm_client.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {

@@ -2,7 +2,7 @@
 #include "llm/wrappers/metered_llm_client.h"
 
 #include "gtest/gtest.h"
-#include "llm/wrappers/test_llm_client.h"
+#include "llm/testing/test_llm_client.h"
 
 namespace flair::llm {
 namespace {
