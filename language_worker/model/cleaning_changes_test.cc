@@ -55,7 +55,6 @@ TEST(CleaningChanges, LinesAboutTheSameSentenceAreItsParts) {
 TEST(CleaningChanges, AreReadFromObjectsAndOtherLinesToo) {
   EXPECT_THAT(Read(R"({"changes":[{"from":["s1","s2"],"to":["One."]},{"from":"S3","to":["A.","B."]}]})"),
               ElementsAre("s1,s2>One.", "s3>A.|B."));
-  EXPECT_THAT(Read(R"({"changes":{"s1":"One.","s2 and s3":["none"]}})"), ElementsAre("s1>One.", "s2,s3>"));
   EXPECT_THAT(Read(R"({"changes":["- [s1] One.","s2 + s3: \"Two.\"","s4a - none: vague"]})"),
               ElementsAre("s1>One.", "s2,s3>Two.\"", "s4a>(vague)"));
 }

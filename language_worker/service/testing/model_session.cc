@@ -37,9 +37,9 @@ const char* const kStyle = R"json({"name":"calm natural","summary":"Oak and line
     {"surface":"floor","material":"oak boards","colour":"oak #B98B55"},
     {"surface":"ceiling","material":"paint","colour":"white #FFFFFF"}],
   "looks":[{"of":["double_bed"],"material":"oak","colour":"oak #B98B55","description":"A low oak bed."},
-    {"of":["nightstand"],"material":"oak","colour":"oak B98B55","description":null},
-    {"of":["wardrobe"],"material":"lacquer","colour":"warm white #fee","description":null},
-    {"of":["desk"],"material":"oak","colour":"oak rgb(185, 139, 85)","description":null},
+    {"of":["nightstand"],"material":"oak","colour":"oak #B98B55","description":null},
+    {"of":["wardrobe"],"material":"lacquer","colour":"warm white #FFEEEE","description":null},
+    {"of":["desk"],"material":"oak","colour":"oak #B98B55","description":null},
     {"of":["desk_chair"],"material":"wool","colour":"sage #9CAF94","description":null},
     {"of":["door_1"],"material":"painted wood","colour":"white #FFFFFF","description":null}]})json";
 
