@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "absl/time/clock.h"
+#include "flair/config/v1/runtime_config.pb.h"
 #include "fmt/format.h"
 #include "llm/make_llm_client.h"
 #include "nlohmann/json.hpp"
