@@ -10,7 +10,6 @@
 #include "language_worker/model/cleaning_step.h"
 #include "language_worker/model/constraints_step.h"
 #include "language_worker/model/objects_step.h"
-#include "language_worker/model/placements.h"
 #include "language_worker/model/room_step.h"
 #include "language_worker/model/style_step.h"
 #include "language_worker/model/zones_step.h"
