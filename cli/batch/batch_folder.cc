@@ -11,13 +11,14 @@
 
 #include "cli/exit_code.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
 
 struct TextState {
   const char* name;
-  std::string BatchPlace::* field;
+  std::string BatchPlace::*field;
 };
 constexpr std::array<TextState, 8> kTextStates = {{{"batch_id", &BatchPlace::batch_id},
                                                    {"label", &BatchPlace::label},
@@ -32,13 +33,11 @@ constexpr char kShardSize[] = "shard_size";
 absl::StatusOr<BatchPlace> Read(ResultsFile& results) {
   BatchPlace place;
   for (const TextState& state : kTextStates) {
-    absl::StatusOr<std::string> value = results.State(state.name);
-    if (!value.ok()) return value.status();
-    place.*state.field = *std::move(value);
+    ASSIGN_OR_RETURN(std::string value, results.State(state.name));
+    place.*state.field = std::move(value);
   }
-  const absl::StatusOr<int64_t> size = results.IntState(kShardSize);
-  if (!size.ok()) return size.status();
-  place.shard_size = static_cast<int>(*size);
+  ASSIGN_OR_RETURN(const int64_t size, results.IntState(kShardSize));
+  place.shard_size = static_cast<int>(size);
   return place;
 }
 
@@ -52,9 +51,8 @@ bool BatchFolder::IsAt(const std::filesystem::path& path) {
 }
 
 absl::StatusOr<BatchPlace> BatchFolder::ReadPlace(const std::filesystem::path& path) {
-  const absl::StatusOr<std::unique_ptr<ResultsFile>> results = ResultsFile::OpenToRead(ResultsPath(path));
-  if (!results.ok()) return results.status();
-  absl::StatusOr<BatchPlace> place = Read(**results);
+  ASSIGN_OR_RETURN(const std::unique_ptr<ResultsFile> results, ResultsFile::OpenToRead(ResultsPath(path)));
+  absl::StatusOr<BatchPlace> place = Read(*results);
   if (!place.ok() || !place->batch_id.empty()) return place;
   return absl::NotFoundError(
       fmt::format("{}: its batch was never created; give the file of briefs again: flair batch FILE --out {}",
@@ -76,9 +74,7 @@ absl::StatusOr<std::unique_ptr<BatchFolder>> BatchFolder::Hold(const std::filesy
     return FileError(
         fmt::format("{}: another flair batch is collecting into it; let it end, or stop it first", path.string()));
   }
-  absl::StatusOr<std::unique_ptr<ResultsFile>> results = ResultsFile::Open(ResultsPath(path));
-  if (!results.ok()) return results.status();
-  folder->results_ = *std::move(results);
+  ASSIGN_OR_RETURN(folder->results_, ResultsFile::Open(ResultsPath(path)));
   return folder;
 }
 
@@ -89,7 +85,7 @@ absl::StatusOr<BatchPlace> BatchFolder::Place() { return Read(*results_); }
 absl::Status BatchFolder::SetPlace(const BatchPlace& place) {
   return results_->Change([&]() -> absl::Status {
     for (const TextState& state : kTextStates) {
-      if (absl::Status status = results_->SetState(state.name, place.*state.field); !status.ok()) return status;
+      RETURN_IF_ERROR(results_->SetState(state.name, place.*state.field));
     }
     return results_->SetState(kShardSize, int64_t{place.shard_size});
   });

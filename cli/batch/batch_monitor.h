@@ -1,16 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What a person sees while a batch runs.
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
 
-#include "cli/batch/batch_progress.h"
+#include "absl/time/time.h"
 #include "cli/session/batch_session.h"
+#include "flair/v1/orchestrator_service.pb.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::cli {
+
+// How many things a second ended lately: over the last minute, or since the beginning.
+class RecentRate {
+ public:
+  // `count` so far, never less than before.
+  void See(absl::Time time, int64_t count);
+  // 0 while too little is known.
+  double PerSecond() const;
+
+ private:
+  struct Point {
+    absl::Time time;
+    int64_t count;
+  };
+  std::deque<Point> points_;
+};
+
+// Show the progress of a batch.
+struct BatchStanding {
+  v1::Batch batch;
+  int64_t rejected_count = 0;
+  int64_t fetched_count = 0;
+  // Still reading lines.
+  bool submitting = false;
+  double per_second = 0;
+};
+
+// "412/1000 · 41 % · 12.3/s · 0:48 left · 4 running · failed: 3 worker, 1 infeasible". On one line; `width` columns at
+// most when it is not 0.
+std::string StandingText(const BatchStanding& standing, size_t width = 0);
+
+// "0:48", "2:05:10", "3 days".
+std::string TimeLeftText(absl::Duration left);
+
+// "3 worker, 1 infeasible"; empty when nothing failed.
+std::string FailuresText(const v1::Batch& batch);
+
+// "active", "paused", "cancelled".
+std::string BatchStateWord(v1::BatchState state);
+
+int64_t EndedCount(const v1::Batch& batch);
 
 // Shows on standard error how a batch stands while it lives: on a terminal in one line that changes, elsewhere in a
 // line a minute. Says so when a batch waits and nobody takes jobs. Thread-safe.

@@ -6,13 +6,14 @@
 #include <numeric>
 #include <utility>
 
-#include "cli/output/printable.h"
-#include "cli/output/text_table.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
+
 namespace {
 
 constexpr size_t kShownOfError = 160;
@@ -38,9 +39,9 @@ Spread SpreadOf(const std::string& column, std::vector<double> values) {
 absl::Status AddSpreads(ResultsFile& results, BatchReport& report) {
   for (const ResultColumn& column : ResultColumns()) {
     if (!IsMeasure(column)) continue;
-    auto values = results.Numbers(fmt::format("SELECT {0} FROM jobs WHERE {0} IS NOT NULL", column.name));
-    if (!values.ok()) return values.status();
-    if (!values->empty()) report.spreads.push_back(SpreadOf(column.name, *std::move(values)));
+    ASSIGN_OR_RETURN(auto values,
+                     results.Numbers(fmt::format("SELECT {0} FROM jobs WHERE {0} IS NOT NULL", column.name)));
+    if (!values.empty()) report.spreads.push_back(SpreadOf(column.name, std::move(values)));
   }
   return absl::OkStatus();
 }
@@ -48,20 +49,17 @@ absl::Status AddSpreads(ResultsFile& results, BatchReport& report) {
 absl::Status AddFailures(ResultsFile& results, BatchReport& report) {
   for (const std::string& kind : FailureKindWords()) {
     const std::string where = fmt::format("FROM jobs WHERE state = 'failed' AND failure_kind = '{}'", kind);
-    const absl::StatusOr<int64_t> count = results.Count("SELECT COUNT(*) " + where);
-    if (!count.ok()) return count.status();
-    if (*count == 0) continue;
-    const absl::StatusOr<int64_t> first = results.Count("SELECT MIN(batch_index) " + where);
-    if (!first.ok()) return first.status();
-    const absl::StatusOr<std::optional<ResultRow>> row = results.Find(*first);
-    if (!row.ok()) return row.status();
-    if (!row->has_value()) continue;
+    ASSIGN_OR_RETURN(const int64_t count, results.Count("SELECT COUNT(*) " + where));
+    if (count == 0) continue;
+    ASSIGN_OR_RETURN(const int64_t first, results.Count("SELECT MIN(batch_index) " + where));
+    ASSIGN_OR_RETURN(const std::optional<ResultRow> row, results.Find(first));
+    if (!row.has_value()) continue;
     report.failures.push_back({.kind = kind,
-                               .count = *count,
-                               .batch_index = *first,
-                               .line = (*row)->Int("line"),
-                               .stage = (*row)->Text("stage"),
-                               .error = (*row)->Text("error")});
+                               .count = count,
+                               .batch_index = first,
+                               .line = row->Int("line"),
+                               .stage = row->Text("stage"),
+                               .error = row->Text("error")});
   }
   std::ranges::stable_sort(report.failures, std::greater(), &FailureSummary::count);
   return absl::OkStatus();
@@ -83,9 +81,8 @@ absl::Status AddCounts(ResultsFile& results, BatchReport& report) {
       {"SELECT SUM(output_tokens) FROM jobs", &report.output_tokens},
       {"SELECT SUM(size_bytes) FROM jobs", &report.size_bytes}};
   for (const auto& [query, count] : counts) {
-    const absl::StatusOr<int64_t> value = results.Count(query);
-    if (!value.ok()) return value.status();
-    *count = *value;
+    ASSIGN_OR_RETURN(const int64_t value, results.Count(query));
+    *count = value;
   }
   const std::pair<const char*, std::string*> texts[] = {
       {"SELECT value FROM state WHERE name = 'batch_id'", &report.batch_id},
@@ -93,13 +90,11 @@ absl::Status AddCounts(ResultsFile& results, BatchReport& report) {
       {"SELECT MIN(create_time) FROM jobs", &report.first_time},
       {"SELECT MAX(end_time) FROM jobs", &report.last_time}};
   for (const auto& [query, text] : texts) {
-    absl::StatusOr<std::string> value = results.Text(query);
-    if (!value.ok()) return value.status();
-    *text = *std::move(value);
+    ASSIGN_OR_RETURN(std::string value, results.Text(query));
+    *text = std::move(value);
   }
-  const absl::StatusOr<std::vector<double>> cost = results.Numbers("SELECT COALESCE(SUM(cost_usd), 0.0) FROM jobs");
-  if (!cost.ok()) return cost.status();
-  report.cost_usd = cost->empty() ? 0 : cost->front();
+  ASSIGN_OR_RETURN(const std::vector<double> cost, results.Numbers("SELECT COALESCE(SUM(cost_usd), 0.0) FROM jobs"));
+  report.cost_usd = cost.empty() ? 0 : cost.front();
   return absl::OkStatus();
 }
 

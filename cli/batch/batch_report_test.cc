@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/batch/batch_progress.h"
+#include "cli/batch/batch_monitor.h"
 #include "cli/batch/kept_files.h"
 #include "nlohmann/json.hpp"
 #include "tests/fixtures/programs.h"

@@ -1,38 +1,94 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/batch/batch_run.h"
 
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdio>
+#include <iostream>
 #include <memory>
 #include <thread>
 
+#include "absl/time/clock.h"
 #include "cli/batch/batch_monitor.h"
 #include "cli/batch/collector.h"
 #include "cli/exit_code.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
+
+namespace {
+
+// Where the handler writes; signals know of no object.
+std::atomic<int> signal_pipe = -1;
+std::atomic<int> signal_count = 0;
+
+constexpr char kSignal = 's';
+constexpr char kEnd = 'e';
+
+void OnSignal(int) {
+  if (signal_count.fetch_add(1) > 0) ::_exit(kExitStopped);
+  const ssize_t ignored = ::write(signal_pipe, &kSignal, 1);
+  (void)ignored;
+}
+
+void SetHandler(void (*handler)(int)) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+}
+
+}  // namespace
+
+Interruption::Interruption() {
+  if (::pipe2(pipe_, O_CLOEXEC) != 0) return;  // then signals end the process as they always do
+  signal_pipe = pipe_[1];
+  signal_count = 0;
+  thread_ = std::thread([this] {
+    char read = kEnd;
+    while (::read(pipe_[0], &read, 1) < 0) {
+    }
+    if (read != kSignal) return;
+    by_signal_ = true;
+    stop_.Cancel();
+  });
+  SetHandler(OnSignal);
+}
+
+Interruption::~Interruption() {
+  if (!thread_.joinable()) return;
+  SetHandler(SIG_DFL);
+  const ssize_t ignored = ::write(pipe_[1], &kEnd, 1);
+  (void)ignored;
+  thread_.join();
+  ::close(pipe_[0]);
+  ::close(pipe_[1]);
+}
+
 namespace {
 
 // Rows that may wait for the files of others.
 constexpr size_t kHeldRows = 2048;
 
 absl::Status Collect(BatchSession& session, BatchFolder& folder, const std::string& batch_id) {
-  const absl::StatusOr<BatchPlace> place = folder.Place();
-  if (!place.ok()) return place.status();
-  absl::StatusOr<KeptFiles> kept = KeptFiles::Parse(place->kept);
-  if (!kept.ok()) return kept.status();
-  const auto shard_size = static_cast<size_t>(place->shard_size);
+  ASSIGN_OR_RETURN(const BatchPlace place, folder.Place());
+  ASSIGN_OR_RETURN(KeptFiles kept, KeptFiles::Parse(place.kept));
+  const auto shard_size = static_cast<size_t>(place.shard_size);
   std::unique_ptr<ResultWriter> writer = MakeJobFolders(folder.path());
   if (shard_size > 0) {
-    absl::StatusOr<std::unique_ptr<ResultWriter>> shards = MakeTarShards(folder.path(), place->shard_size);
-    if (!shards.ok()) return shards.status();
-    writer = *std::move(shards);
+    ASSIGN_OR_RETURN(writer, MakeTarShards(folder.path(), place.shard_size));
   }
   // Shards are for those who train on them: no failures there.
   const Collector::Options options{
-      .kept = *std::move(kept), .keep_failed = shard_size == 0, .held_limit = kHeldRows + shard_size, .end_after = {}};
+      .kept = std::move(kept), .keep_failed = shard_size == 0, .held_limit = kHeldRows + shard_size, .end_after = {}};
   return Collector(session, folder.results(), *writer, options).Run(batch_id);
 }
 
@@ -69,18 +125,17 @@ absl::Status GoesOn(const BatchFolder& folder, const v1::Batch& batch, bool with
 
 absl::Status Summarize(BatchSession& session, const v1::Batch& batch, BatchFolder& folder,
                        const BatchRunOptions& options) {
-  const absl::StatusOr<BatchReport> report = MakeBatchReport(folder.results());
-  if (!report.ok()) return report.status();
+  ASSIGN_OR_RETURN(const BatchReport report, MakeBatchReport(folder.results()));
   if (options.json) {
-    fmt::print("{}\n", BatchReportJson(*report).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", BatchReportJson(report).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   } else if (!options.quiet) {
-    fmt::print(stderr, "{}", BatchOutcomeText(*report));
+    fmt::print(stderr, "{}", BatchOutcomeText(report));
   }
   const absl::StatusOr<v1::Batch> now = session.GetBatch(batch.id());
   if (now.ok() && now->state() == v1::BATCH_STATE_CANCELLED) {
     return EndWith(kExitCancelled, fmt::format("batch {} was cancelled", batch.id()));
   }
-  return EndOf(*report, folder.path().string());
+  return EndOf(report, folder.path().string());
 }
 
 }  // namespace
@@ -129,6 +184,97 @@ absl::Status RunBatch(const v1::Batch& batch, BatchSession& session, BatchFolder
   if (!collected.ok()) return collected;
   if (options.submit_only) return absl::OkStatus();
   return Summarize(session, batch, folder, options);
+}
+
+namespace {
+
+// Where no terminal is, how far it came is said so seldom.
+constexpr absl::Duration kBetweenLines = absl::Minutes(1);
+
+std::string NameOfBatch(const v1::Batch& batch) {
+  return batch.label().empty() ? batch.id() : fmt::format("{} ({})", batch.id(), Printable(batch.label()));
+}
+
+absl::Status Confirm(const v1::Batch& batch) {
+  if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) {
+    return absl::InvalidArgumentError(
+        fmt::format("--yes: missing; {} of batch {} would be gone for good, and nobody is there to be asked",
+                    Counted(batch.job_count(), "job"), batch.id()));
+  }
+  fmt::print(stderr, "Delete batch {} with {} and what only they have? Nothing brings them back. [y/N] ",
+             NameOfBatch(batch), Counted(batch.job_count(), "job"));
+  std::string answer;
+  std::getline(std::cin, answer);
+  if (answer == "y" || answer == "Y" || answer == "yes") return absl::OkStatus();
+  return EndWith(kExitStopped, "nothing was deleted");
+}
+
+// Says how far it came, on one line of a terminal.
+class DeletionProgress {
+ public:
+  explicit DeletionProgress(int64_t job_count) : job_count_(job_count) {}
+  ~DeletionProgress() {
+    if (shown_ && on_terminal_) fmt::print(stderr, "\r\033[K");
+  }
+  void Show(const v1::DeleteBatchResponse& all) {
+    if (!on_terminal_ && absl::Now() - told_ < kBetweenLines) return;
+    told_ = absl::Now();
+    shown_ = true;
+    fmt::print(stderr, "{}deleted {} of {}, {}{}", on_terminal_ ? "\r" : "",
+               std::min(job_count_, all.deleted_job_count()), Counted(job_count_, "job"),
+               Counted(all.deleted_artifact_count(), "artifact"), on_terminal_ ? "\033[K" : "\n");
+    std::fflush(stderr);
+  }
+
+ private:
+  const int64_t job_count_;
+  const bool on_terminal_ = ::isatty(STDERR_FILENO) != 0;
+  absl::Time told_ = absl::Now();
+  bool shown_ = false;
+};
+
+}  // namespace
+
+absl::Status CheckHasEnded(const v1::Batch& batch) {
+  if (!batch.open() && batch.open_count() == 0) return absl::OkStatus();
+  const std::string why = batch.open_count() > 0
+                              ? Counted(batch.open_count(), "job of it waits or runs", "jobs of it wait or run")
+                              : "lines may still be added to it";
+  return EndWith(kExitBadInput, fmt::format("batch {} has not ended: {}; end it first: flair batch cancel {}",
+                                            batch.id(), why, batch.id()));
+}
+
+absl::Status DeleteWholeBatch(const v1::Batch& batch, BatchSession& batches, const DeletionOptions& options) {
+  RETURN_IF_ERROR(CheckHasEnded(batch));
+  RETURN_IF_ERROR(options.yes ? absl::OkStatus() : Confirm(batch));
+  v1::DeleteBatchResponse all;
+  {
+    DeletionProgress progress(batch.job_count());
+    while (!all.done()) {
+      const absl::StatusOr<v1::DeleteBatchResponse> some = batches.DeleteBatch(batch.id());
+      // Somebody else was faster with the rest of it.
+      if (absl::IsNotFound(some.status()) && all.deleted_job_count() > 0) break;
+      if (batches.stopped()) {
+        return EndWith(kExitStopped, fmt::format("stopped; to go on: flair batch delete {}", batch.id()));
+      }
+      if (absl::IsFailedPrecondition(some.status())) {
+        return EndWith(kExitBadInput, std::string(some.status().message()));
+      }
+      if (!some.ok()) return some.status();
+      all.set_deleted_job_count(all.deleted_job_count() + some->deleted_job_count());
+      all.set_deleted_artifact_count(all.deleted_artifact_count() + some->deleted_artifact_count());
+      all.set_done(some->done());
+      if (!all.done()) progress.Show(all);
+    }
+  }
+  all.set_done(true);
+  if (options.json) {
+    fmt::print("{}\n", ToJsonLine(all));
+  } else {
+    fmt::print("deleted batch {}: {}, and {} that no other job had\n", NameOfBatch(batch),
+               Counted(all.deleted_job_count(), "job"), Counted(all.deleted_artifact_count(), "artifact"));
+  }
+  return absl::OkStatus();
 }
 
 }  // namespace flair::cli

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "cli/input/artifact_file.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -42,9 +43,8 @@ absl::StatusOr<int64_t> Collector::FirstSequence() {
 }
 
 absl::StatusOr<bool> Collector::IsNew(const v1::WatchBatchResponse& end) {
-  const absl::StatusOr<std::optional<ResultRow>> row = results_.Find(end.job().batch_index());
-  if (!row.ok()) return row.status();
-  return !row->has_value() || (*row)->Int("end_sequence") != end.sequence() || !(*row)->Text("fetch_error").empty();
+  ASSIGN_OR_RETURN(const std::optional<ResultRow> row, results_.Find(end.job().batch_index()));
+  return !row.has_value() || row->Int("end_sequence") != end.sequence() || !row->Text("fetch_error").empty();
 }
 
 bool Collector::Enqueue(const v1::WatchBatchResponse& end) {
@@ -63,15 +63,14 @@ bool Collector::Enqueue(const v1::WatchBatchResponse& end) {
 }
 
 absl::Status Collector::Watch(const std::string& batch_id) {
-  const absl::StatusOr<int64_t> after = FirstSequence();
-  if (!after.ok()) return after.status();
+  ASSIGN_OR_RETURN(const int64_t after, FirstSequence());
   {
     const std::lock_guard lock(mutex_);
-    last_seen_ = *after;
+    last_seen_ = after;
   }
   std::set<int64_t> seen;  // only where it is asked for
   absl::Status status;
-  const absl::Status watched = session_.WatchBatch(batch_id, *after, failed_, [&](const v1::WatchBatchResponse& end) {
+  const absl::Status watched = session_.WatchBatch(batch_id, after, failed_, [&](const v1::WatchBatchResponse& end) {
     const absl::StatusOr<bool> is_new = IsNew(end);
     status = is_new.status();
     if (!status.ok() || (*is_new && !Enqueue(end))) return false;
@@ -98,11 +97,10 @@ absl::StatusOr<std::vector<v1::Artifact>> Collector::FetchArtifacts(const v1::Jo
   for (const v1::ArtifactRef& ref : job.artifacts()) {
     const bool is_report = ref.kind() == v1::ARTIFACT_KIND_REPORT;
     if (!is_report && (!keeps || !options_.kept.Needs(ref.kind()))) continue;
-    absl::StatusOr<v1::Artifact> artifact = session_.GetArtifact(ref.id());
-    if (!artifact.ok()) return artifact.status();
-    if (absl::Status status = CheckArtifactId(*artifact, "artifact " + ref.id()); !status.ok()) return status;
-    if (is_report) AddReport(artifact->report(), row);
-    if (keeps) artifacts.push_back(*std::move(artifact));
+    ASSIGN_OR_RETURN(v1::Artifact artifact, session_.GetArtifact(ref.id()));
+    RETURN_IF_ERROR(CheckArtifactId(artifact, "artifact " + ref.id()));
+    if (is_report) AddReport(artifact.report(), row);
+    if (keeps) artifacts.push_back(std::move(artifact));
   }
   return artifacts;
 }
@@ -124,13 +122,12 @@ absl::StatusOr<Collector::Fetched> Collector::Fetch(const End& end) {
   if (cancelled || (end.job.state() == v1::JOB_STATE_FAILED && !options_.keep_failed)) return fetched;
   const std::vector<OutputFile> files = options_.kept.FilesOf(end.job, *artifacts);
   if (files.empty()) return fetched;
-  const absl::StatusOr<ResultWriter::Place> place = writer_.Write(end.job.batch_index(), files);
-  if (!place.ok()) return place.status();
+  ASSIGN_OR_RETURN(const ResultWriter::Place place, writer_.Write(end.job.batch_index(), files));
   int64_t size_bytes = 0;
   for (const OutputFile& file : files) size_bytes += static_cast<int64_t>(file.content.size());
-  fetched.row.Set("path", place->path);
+  fetched.row.Set("path", place.path);
   fetched.row.Set("size_bytes", size_bytes);
-  fetched.ticket = place->ticket;
+  fetched.ticket = place.ticket;
   return fetched;
 }
 
@@ -155,7 +152,7 @@ void Collector::FetchEnds() {
 }
 
 absl::Status Collector::Remember(bool all) {
-  if (absl::Status status = writer_.Settle(all); !status.ok()) return status;
+  RETURN_IF_ERROR(writer_.Settle(all));
   std::vector<Fetched> settled;
   int64_t after = 0;
   {
@@ -170,15 +167,14 @@ absl::Status Collector::Remember(bool all) {
         std::ranges::find_if(open_, [&](const auto& one) { return !sequences.contains(one.first); });
     after = first_open == open_.end() ? last_seen_ : first_open->first - 1;
   }
-  absl::Status status = results_.Change([&]() -> absl::Status {
+  RETURN_IF_ERROR(results_.Change([&]() -> absl::Status {
     for (const Fetched& one : settled) {
       absl::Status put = results_.ForgetEnd(one.row.Int("batch_index"));
       if (put.ok()) put = results_.Put(one.row);
       if (!put.ok()) return put;
     }
     return results_.SetState(kAfterSequence, after);
-  });
-  if (!status.ok()) return status;
+  }));
   const std::lock_guard lock(mutex_);
   for (const Fetched& one : settled) open_.erase(one.sequence);
   changed_.notify_all();
@@ -210,7 +206,7 @@ absl::Status Collector::Run(const std::string& batch_id) {
   std::vector<std::thread> fetchers;
   for (int i = 0; i < options_.fetch_count; ++i) fetchers.emplace_back([this] { FetchEnds(); });
   if (const absl::Status status = Watch(batch_id); !status.ok()) Fail(status);
-  const auto tell = [this](bool Collector::* flag) {
+  const auto tell = [this](bool Collector::*flag) {
     const std::lock_guard lock(mutex_);
     this->*flag = true;
     changed_.notify_all();

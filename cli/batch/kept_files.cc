@@ -8,7 +8,6 @@
 #include "absl/strings/str_split.h"
 #include "cli/input/message_words.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/design_files.h"
 #include "cli/output/report_text.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"

@@ -5,9 +5,9 @@
 #include <fstream>
 
 #include "cli/batch/batch_report.h"
-#include "cli/batch/write_file.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -44,7 +44,7 @@ absl::Status WriteRows(ResultsFile& results, std::ofstream& file) {
 }  // namespace
 
 absl::Status WriteResultsCsv(ResultsFile& results, const std::string& path) {
-  if (absl::Status status = CheckOutputFile(path); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckOutputFile(path));
   std::error_code error;
   // A device or pipe is written to as it is.
   const bool in_place = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);

@@ -7,6 +7,7 @@
 #include "absl/strings/str_replace.h"
 #include "cli/exit_code.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -91,7 +92,7 @@ absl::StatusOr<std::unique_ptr<ResultsFile>> ResultsFile::Open(const std::filesy
   sqlite3* connection = nullptr;
   sqlite3_open_v2(path.c_str(), &connection, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
   std::unique_ptr<ResultsFile> file(new ResultsFile(connection, path.string()));
-  if (absl::Status status = file->Configure(); !status.ok()) return status;
+  RETURN_IF_ERROR(file->Configure());
   return file;
 }
 
@@ -127,18 +128,15 @@ absl::Status ResultsFile::Configure() {
     return status;
   }
   return Change([this]() -> absl::Status {
-    const absl::StatusOr<int64_t> version = Count("PRAGMA user_version");
-    if (!version.ok()) return version.status();
-    const absl::StatusOr<int64_t> tables = Count("SELECT COUNT(*) FROM sqlite_schema");
-    if (!tables.ok()) return tables.status();
-    if (*tables == 0) return Execute(SchemaSql());
-    const absl::StatusOr<int64_t> application = Count("PRAGMA application_id");
-    if (!application.ok()) return application.status();
-    if (*application != kApplicationId) return FileError(fmt::format("{}: is no database of flair batch", path_));
-    if (*version == kVersion) return absl::OkStatus();
+    ASSIGN_OR_RETURN(const int64_t version, Count("PRAGMA user_version"));
+    ASSIGN_OR_RETURN(const int64_t tables, Count("SELECT COUNT(*) FROM sqlite_schema"));
+    if (tables == 0) return Execute(SchemaSql());
+    ASSIGN_OR_RETURN(const int64_t application, Count("PRAGMA application_id"));
+    if (application != kApplicationId) return FileError(fmt::format("{}: is no database of flair batch", path_));
+    if (version == kVersion) return absl::OkStatus();
     return FileError(
         fmt::format("{}: has version {}, this program knows {}; use the Flair that made it, or another --out", path_,
-                    *version, kVersion));
+                    version, kVersion));
   });
 }
 
@@ -174,16 +172,14 @@ absl::StatusOr<std::string> ResultsFile::State(std::string_view name) {
   sqlite3_stmt* statement = Prepare("SELECT value FROM state WHERE name = ?");
   const Use use(statement);
   Bind(statement, 1, std::string(name));
-  const absl::StatusOr<bool> row = Step(statement);
-  if (!row.ok()) return row.status();
-  if (!*row) return "";
+  ASSIGN_OR_RETURN(const bool row, Step(statement));
+  if (!row) return "";
   return std::get<std::string>(Read(statement, 0));
 }
 
 absl::StatusOr<int64_t> ResultsFile::IntState(std::string_view name) {
-  const absl::StatusOr<std::string> text = State(name);
-  if (!text.ok()) return text.status();
-  return std::strtoll(text->c_str(), nullptr, 10);
+  ASSIGN_OR_RETURN(const std::string text, State(name));
+  return std::strtoll(text.c_str(), nullptr, 10);
 }
 
 absl::Status ResultsFile::SetState(std::string_view name, std::string_view value) {
@@ -232,9 +228,8 @@ absl::StatusOr<std::optional<ResultRow>> ResultsFile::Find(int64_t batch_index) 
   sqlite3_stmt* statement = Prepare(sql);
   const Use use(statement);
   sqlite3_bind_int64(statement, 1, batch_index);
-  const absl::StatusOr<bool> found = Step(statement);
-  if (!found.ok()) return found.status();
-  if (!*found) return std::nullopt;
+  ASSIGN_OR_RETURN(const bool found, Step(statement));
+  if (!found) return std::nullopt;
   return ReadRow(statement);
 }
 
@@ -244,10 +239,9 @@ absl::Status ResultsFile::ForEach(std::string_view where, const std::function<ab
                                                 where.empty() ? "" : " WHERE ", where));
   const Use use(statement);
   while (true) {
-    const absl::StatusOr<bool> row = Step(statement);
-    if (!row.ok()) return row.status();
-    if (!*row) return absl::OkStatus();
-    if (absl::Status status = see(ReadRow(statement)); !status.ok()) return status;
+    ASSIGN_OR_RETURN(const bool row, Step(statement));
+    if (!row) return absl::OkStatus();
+    RETURN_IF_ERROR(see(ReadRow(statement)));
   }
 }
 
@@ -255,18 +249,16 @@ absl::StatusOr<int64_t> ResultsFile::Count(const std::string& query) {
   const std::lock_guard lock(mutex_);
   sqlite3_stmt* statement = Prepare(query);
   const Use use(statement);
-  const absl::StatusOr<bool> row = Step(statement);
-  if (!row.ok()) return row.status();
-  return *row ? sqlite3_column_int64(statement, 0) : 0;
+  ASSIGN_OR_RETURN(const bool row, Step(statement));
+  return row ? sqlite3_column_int64(statement, 0) : 0;
 }
 
 absl::StatusOr<std::string> ResultsFile::Text(const std::string& query) {
   const std::lock_guard lock(mutex_);
   sqlite3_stmt* statement = Prepare(query);
   const Use use(statement);
-  const absl::StatusOr<bool> row = Step(statement);
-  if (!row.ok()) return row.status();
-  const ResultValue value = *row ? Read(statement, 0) : ResultValue();
+  ASSIGN_OR_RETURN(const bool row, Step(statement));
+  const ResultValue value = row ? Read(statement, 0) : ResultValue();
   const auto* text = std::get_if<std::string>(&value);
   return text == nullptr ? "" : *text;
 }
@@ -277,9 +269,8 @@ absl::StatusOr<std::vector<double>> ResultsFile::Numbers(const std::string& quer
   const Use use(statement);
   std::vector<double> numbers;
   while (true) {
-    const absl::StatusOr<bool> row = Step(statement);
-    if (!row.ok()) return row.status();
-    if (!*row) return numbers;
+    ASSIGN_OR_RETURN(const bool row, Step(statement));
+    if (!row) return numbers;
     numbers.push_back(sqlite3_column_double(statement, 0));
   }
 }

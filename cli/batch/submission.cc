@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/batch/submission.h"
 
+#include <system_error>
+
 #include "absl/strings/ascii.h"
+#include "cli/exit_code.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
+#include "nlohmann/json.hpp"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
+
 namespace {
 
 constexpr int kPageJobs = 500;
@@ -37,9 +43,8 @@ absl::Status Submission::Restore(const v1::Batch& batch) {
   } states[] = {{kOffset, 0}, {kLine, 1}, {kSubmitted, 0}, {kRejected, 0}, {kRejectedBytes, 0}};
   int64_t values[std::size(states)];
   for (size_t i = 0; i < std::size(states); ++i) {
-    const absl::StatusOr<int64_t> value = results_.IntState(states[i].name);
-    if (!value.ok()) return value.status();
-    values[i] = std::max(*value, states[i].value);
+    ASSIGN_OR_RETURN(const int64_t value, results_.IntState(states[i].name));
+    values[i] = std::max(value, states[i].value);
   }
   next_offset_ = values[0];
   next_line_ = values[1];
@@ -84,15 +89,14 @@ void Submission::Take(const Line& line) {
 }
 
 absl::Status Submission::Remember() {
-  if (absl::Status status = rejected_.Flush(); !status.ok()) return status;
+  RETURN_IF_ERROR(rejected_.Flush());
   return results_.Change([this]() -> absl::Status {
     for (const ResultRow& row : rows_) {
       // The job may have ended already: its row then only lacks what this one knows.
-      const absl::StatusOr<std::optional<ResultRow>> known = results_.Find(row.Int("batch_index"));
-      if (!known.ok()) return known.status();
+      ASSIGN_OR_RETURN(const std::optional<ResultRow> known, results_.Find(row.Int("batch_index")));
       ResultRow put = row;
-      if (known->has_value()) put.Set("state", (*known)->Get("state"));
-      if (absl::Status status = results_.Put(put); !status.ok()) return status;
+      if (known.has_value()) put.Set("state", known->Get("state"));
+      RETURN_IF_ERROR(results_.Put(put));
     }
     const std::pair<const char*, int64_t> states[] = {{kOffset, next_offset_},
                                                       {kLine, next_line_},
@@ -100,7 +104,7 @@ absl::Status Submission::Remember() {
                                                       {kRejected, rejected_count_},
                                                       {kRejectedBytes, rejected_.size_bytes()}};
     for (const auto& [name, value] : states) {
-      if (absl::Status status = results_.SetState(name, value); !status.ok()) return status;
+      RETURN_IF_ERROR(results_.SetState(name, value));
     }
     return absl::OkStatus();
   });
@@ -151,7 +155,7 @@ absl::Status Submission::SendPage(bool last) {
     }
     if (!status.ok()) return status;
   }
-  if (absl::Status status = Remember(); !status.ok()) return status;
+  RETURN_IF_ERROR(Remember());
   submitted_count_ = page_.first_index() + page_.specs_size();
   page_.set_first_index(submitted_count_);
   page_.clear_specs();
@@ -161,18 +165,16 @@ absl::Status Submission::SendPage(bool last) {
 }
 
 absl::Status Submission::Run(const v1::Batch& batch) {
-  if (absl::Status status = Restore(batch); !status.ok()) return status;
-  const absl::StatusOr<std::unique_ptr<LineReader>> reader = LineReader::Open(input_.path, next_offset_, next_line_);
-  if (!reader.ok()) return reader.status();
+  RETURN_IF_ERROR(Restore(batch));
+  ASSIGN_OR_RETURN(const std::unique_ptr<LineReader> reader, LineReader::Open(input_.path, next_offset_, next_line_));
   Line line;
   while (true) {
-    const absl::StatusOr<bool> more = (*reader)->Next(line);
-    if (!more.ok()) return more.status();
-    if (!*more) break;
+    ASSIGN_OR_RETURN(const bool more, reader->Next(line));
+    if (!more) break;
     Take(line);
     if (session_.stopped()) return absl::CancelledError("interrupted");
     if (page_.specs_size() < kPageJobs && page_bytes_ < kPageBytes) continue;
-    if (absl::Status status = SendPage(false); !status.ok()) return status;
+    RETURN_IF_ERROR(SendPage(false));
   }
   if (next_offset_ != input_.size_bytes) {
     return absl::InvalidArgumentError(
@@ -180,6 +182,44 @@ absl::Status Submission::Run(const v1::Batch& batch) {
                     input_.path.string(), input_.size_bytes, next_offset_));
   }
   return SendPage(true);
+}
+
+namespace {
+
+// A line that was wrong is mostly short; one that has no end must not fill the disk.
+constexpr size_t kLongestText = 64 << 10;
+
+}  // namespace
+
+absl::Status RejectedLines::Open(int64_t size_bytes) {
+  std::error_code error;
+  size_bytes_ = size_bytes;
+  if (std::filesystem::exists(path_, error)) {
+    if (size_bytes == 0) {
+      std::filesystem::remove(path_, error);
+    } else {
+      std::filesystem::resize_file(path_, static_cast<uintmax_t>(size_bytes), error);
+    }
+  }
+  if (!error) return absl::OkStatus();
+  return FileError(fmt::format("{}: cannot be written: {}", path_.string(), error.message()));
+}
+
+void RejectedLines::Add(int64_t line, const std::string& reason, std::string_view text) {
+  // The file is made for the first of them.
+  if (!file_.is_open()) file_.open(path_, std::ios::app | std::ios::binary);
+  const nlohmann::ordered_json object = {
+      {"line", line}, {"reason", reason}, {"text", std::string(text.substr(0, kLongestText))}};
+  const std::string written = object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  file_ << written;
+  size_bytes_ += static_cast<int64_t>(written.size());
+}
+
+absl::Status RejectedLines::Flush() {
+  if (!file_.is_open() && size_bytes_ == 0) return absl::OkStatus();
+  if (file_.is_open()) file_.flush();
+  if (!file_.fail()) return absl::OkStatus();
+  return FileError(fmt::format("{}: cannot be written; is the disk full?", path_.string()));
 }
 
 }  // namespace flair::cli

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/batch/fake_batch_service.h"
+#include "cli/batch/testing/fake_batch_service.h"
 #include "nlohmann/json.hpp"
 #include "tests/fixtures/programs.h"
 

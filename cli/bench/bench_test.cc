@@ -9,7 +9,7 @@
 #include "cli/bench/restarts_measure.h"
 #include "cli/bench/solve_bench.h"
 #include "cli/bench/statistics.h"
-#include "cli/output/layout_artifact.h"
+#include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "cli/bench/statistics.h"
-#include "cli/output/text_table.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "optimizer_worker/resolve/edit_text.h"
 #include "optimizer_worker/resolve/resolve_layout.h"

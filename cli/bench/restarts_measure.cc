@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cli/bench/statistics.h"
-#include "cli/output/text_table.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "optimizer_worker/solver/nlopt_solver.h"

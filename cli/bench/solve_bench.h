@@ -11,7 +11,7 @@
 
 #include "absl/status/statusor.h"
 #include "cli/bench/problem.h"
-#include "cli/output/text_table.h"
+#include "cli/output/text.h"
 #include "flair/v1/layout_metrics.pb.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "optimizer_worker/stages/stage.h"

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "cli/output/text_table.h"
+#include "cli/output/text.h"
 #include "evaluation/readers/flairgpt_calls.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"

@@ -10,15 +10,15 @@
 #include "cli/batch/batch_input.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/kept_files.h"
-#include "cli/commands/batch_actions.h"
 #include "cli/commands/batch_flags.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input/command_line.h"
 #include "cli/input/option_path.h"
 #include "cli/input/render_flags.h"
-#include "cli/input/value_checks.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -56,47 +56,43 @@ absl::StatusOr<v1::JobSpec> MakeDefaults(const BatchArguments& arguments) {
   if (arguments.size_px) spec.mutable_render_options()->set_size_px(*arguments.size_px);
   *spec.mutable_model_options() = MakeModelOptions(arguments.model);
   for (const std::string& option : arguments.options) {
-    if (absl::Status status = SetOption(option, spec).status(); !status.ok()) return status;
+    RETURN_IF_ERROR(SetOption(option, spec).status());
   }
   std::vector<v1::RenderOptions> views;
   for (const std::string& name : arguments.views) {
-    const absl::StatusOr<v1::PreviewView> view = ViewOfName(name);
-    if (!view.ok()) return view.status();
+    ASSIGN_OR_RETURN(const v1::PreviewView view, ViewOfName(name));
     views.push_back(spec.render_options());
-    views.back().set_view(*view);
+    views.back().set_view(view);
   }
   SetViews(views, spec);
   v1::JobSpec example = spec;
   example.mutable_brief()->set_text("A room.");
-  if (absl::Status status = Validate(example); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(example));
   return spec;
 }
 
 // Whether the folder is free for this request: new, or of the same one.
 absl::Status CheckFolder(BatchFolder& folder, const std::string& request_id) {
-  const absl::StatusOr<BatchPlace> place = folder.Place();
-  if (!place.ok()) return place.status();
-  const absl::StatusOr<std::string> known = folder.results().State("request_id");
-  if (!known.ok()) return known.status();
-  if (place->batch_id.empty() || *known == request_id) return absl::OkStatus();
-  if (known->empty()) {
+  ASSIGN_OR_RETURN(const BatchPlace place, folder.Place());
+  ASSIGN_OR_RETURN(const std::string known, folder.results().State("request_id"));
+  if (place.batch_id.empty() || known == request_id) return absl::OkStatus();
+  if (known.empty()) {
     return FileError(fmt::format("{}: collects batch {}, which was submitted elsewhere; give --out another folder",
-                                 folder.path().string(), place->batch_id));
+                                 folder.path().string(), place.batch_id));
   }
   return FileError(
       fmt::format("{}: holds batch {} of other briefs or options; give --out another folder, or what it was made with",
-                  folder.path().string(), place->batch_id));
+                  folder.path().string(), place.batch_id));
 }
 
 absl::Status RememberPlace(const BatchArguments& arguments, const v1::Batch& batch, const std::string& kept,
                            BatchFolder& folder) {
-  const absl::StatusOr<BatchPlace> before = folder.Place();
-  if (!before.ok()) return before.status();
-  if (!before->batch_id.empty() && before->batch_id != batch.id()) {
+  ASSIGN_OR_RETURN(const BatchPlace before, folder.Place());
+  if (!before.batch_id.empty() && before.batch_id != batch.id()) {
     return FileError(
         fmt::format("{}: holds batch {}, but here these briefs are batch {}; say where it is as before "
                     "(--orchestrator, --engine, FLAIR_HOME), or give --out another folder",
-                    folder.path().string(), before->batch_id, batch.id()));
+                    folder.path().string(), before.batch_id, batch.id()));
   }
   BatchPlace place;
   place.batch_id = batch.id();
@@ -108,10 +104,8 @@ absl::Status RememberPlace(const BatchArguments& arguments, const v1::Batch& bat
 }
 
 absl::Status Submit(const BatchArguments& arguments) {
-  const absl::StatusOr<v1::JobSpec> defaults = MakeDefaults(arguments);
-  if (!defaults.ok()) return defaults.status();
-  const absl::StatusOr<KeptFiles> kept = KeptFiles::Parse(arguments.kept);
-  if (!kept.ok()) return kept.status();
+  ASSIGN_OR_RETURN(const v1::JobSpec defaults, MakeDefaults(arguments));
+  ASSIGN_OR_RETURN(const KeptFiles kept, KeptFiles::Parse(arguments.kept));
   absl::Status status = CheckStageFlags(arguments.flags.stages, arguments.flags.orchestrator, arguments.flags.llm);
   if (!status.ok()) return status;
   const absl::StatusOr<OptionalLlm> llm =
@@ -120,34 +114,30 @@ absl::Status Submit(const BatchArguments& arguments) {
   Interruption interruption;
   // A name of its own: another process may be reading its copy.
   const std::filesystem::path copy = std::filesystem::path(arguments.out) / fmt::format("input-{}.jsonl", ::getpid());
-  const absl::StatusOr<BatchInput> input = OpenBatchInput(arguments.briefs, copy, interruption.stop());
-  if (!input.ok()) return input.status();
-  const absl::StatusOr<std::unique_ptr<BatchFolder>> folder = BatchFolder::Hold(arguments.out);
-  if (!folder.ok()) return folder.status();
-  const std::string label = arguments.name.empty() ? input->name : arguments.name;
-  Submission::Options options{.defaults = *defaults, .seed_count = arguments.seed_count, .folder = (*folder)->path()};
-  const std::string request_id = Submission::RequestId(*input, options, arguments.name);
-  if (status = CheckFolder(**folder, request_id); !status.ok()) return status;
-  absl::StatusOr<BatchWay> way = OpenBatchWay(arguments.flags, !arguments.submit_only, *llm, interruption);
-  if (!way.ok()) return way.status();
-  const absl::StatusOr<v1::Batch> batch = way->batches->CreateBatch(request_id, label);
-  if (!batch.ok()) return batch.status();
-  if (batch->state() == v1::BATCH_STATE_CANCELLED) {
+  ASSIGN_OR_RETURN(const BatchInput input, OpenBatchInput(arguments.briefs, copy, interruption.stop()));
+  ASSIGN_OR_RETURN(const std::unique_ptr<BatchFolder> folder, BatchFolder::Hold(arguments.out));
+  const std::string label = arguments.name.empty() ? input.name : arguments.name;
+  Submission::Options options{.defaults = defaults, .seed_count = arguments.seed_count, .folder = folder->path()};
+  const std::string request_id = Submission::RequestId(input, options, arguments.name);
+  if (status = CheckFolder(*folder, request_id); !status.ok()) return status;
+  ASSIGN_OR_RETURN(BatchWay way, OpenBatchWay(arguments.flags, !arguments.submit_only, *llm, interruption));
+  ASSIGN_OR_RETURN(const v1::Batch batch, way.batches->CreateBatch(request_id, label));
+  if (batch.state() == v1::BATCH_STATE_CANCELLED) {
     return EndWith(kExitCancelled,
                    fmt::format("these briefs are batch {}, which was cancelled; to run them all the same "
                                "give the batch another --name",
-                               batch->id()));
+                               batch.id()));
   }
-  status = RememberPlace(arguments, *batch, kept->Words(), **folder);
-  if (status.ok()) status = (*folder)->results().SetState("request_id", request_id);
+  status = RememberPlace(arguments, batch, kept.Words(), *folder);
+  if (status.ok()) status = folder->results().SetState("request_id", request_id);
   if (!status.ok()) return status;
   if (!arguments.quiet) {
-    fmt::print(stderr, "batch {}{}\n", batch->id(), batch->job_count() > 0 ? ", which is known and goes on" : "");
+    fmt::print(stderr, "batch {}{}\n", batch.id(), batch.job_count() > 0 ? ", which is known and goes on" : "");
   }
-  Submission submission(*way->batches, (*folder)->results(), *input, options);
+  Submission submission(*way.batches, folder->results(), input, options);
   status = RunBatch(
-      *batch, *way->batches, **folder, &submission, interruption,
-      {.remedy = way->remedy, .submit_only = arguments.submit_only, .quiet = arguments.quiet, .json = arguments.json});
+      batch, *way.batches, *folder, &submission, interruption,
+      {.remedy = way.remedy, .submit_only = arguments.submit_only, .quiet = arguments.quiet, .json = arguments.json});
   std::error_code ignored;
   std::filesystem::remove(copy, ignored);  // of standard input, which is given again where it is needed again
   if (status.ok() && arguments.submit_only && !arguments.quiet) {
@@ -230,7 +220,7 @@ void AddBatch(CLI::App& program, absl::Status& result) {
   AddBatchFlags(*command, arguments->flags, true);
   AddModelFlags(*command, arguments->model);
   command->add_flag("--json", arguments->json, "The summary as JSON on standard output");
-  command->add_flag("-q,--quiet", arguments->quiet, "Say nothing unless something is wrong");
+  command->add_flag("-q,--quiet", arguments->quiet, "Print nothing unless something goes wrong");
   AddBatchActions(*command, result);
   command->footer(
       "A line is a sentence, or a JSON object with the fields of a Brief and id, variants, views, solve, "
@@ -238,8 +228,8 @@ void AddBatch(CLI::App& program, absl::Status& result) {
       "    A bedroom that is 4m x 5m.\n"
       "    {\"id\": \"k17\", \"text\": \"A small kitchen.\", \"views\": [\"plan\", \"birdseye\"]}\n"
       "DIR gets a folder for each job under jobs/ (or shards/), results.db with a row for each job, and "
-      "rejected.jsonl with the lines that are no briefs. After ^C or a crash the same command goes on where "
-      "it was; the same file with the same options is the same batch. ID is the batch's id, the beginning "
+      "rejected.jsonl with the lines that are no briefs. After ^C or a crash the same command continues where "
+      "it stopped; the same file with the same options is the same batch. ID is the batch's id, the beginning "
       "of it, or DIR. See docs/batches.md.");
   command->callback([arguments, command, &result] {
     if (!command->get_subcommands().empty()) return;

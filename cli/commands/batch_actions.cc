@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair batch status, watch, pause, resume, cancel, retry, delete, report, list.
-#include "cli/commands/batch_actions.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <memory>
 
 #include "absl/strings/str_join.h"
-#include "absl/time/time.h"
-#include "cli/batch/batch_deletion.h"
-#include "cli/batch/batch_progress.h"
+#include "cli/batch/batch_monitor.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/collector.h"
 #include "cli/batch/kept_files.h"
 #include "cli/commands/batch_flags.h"
 #include "cli/exit_code.h"
-#include "cli/input/value_checks.h"
+#include "cli/input/command_line.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/printable.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "orchestrator/batch/work_queue.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -47,10 +44,6 @@ struct ActionArguments {
   bool json = false;
 };
 
-std::string TimeText(const google::protobuf::Timestamp& time) {
-  return absl::FormatTime("%Y-%m-%d %H:%M:%S", absl::FromUnixSeconds(time.seconds()), absl::LocalTimeZone());
-}
-
 void ShowBatch(const v1::Batch& batch, bool json) {
   if (json) {
     fmt::print("{}\n", ToJsonLine(batch));
@@ -67,7 +60,7 @@ void ShowBatch(const v1::Batch& batch, bool json) {
   if (batch.open_count() > 0) {
     line("to do", fmt::format("{}, of which {}", batch.open_count(), Counted(batch.running_count(), "runs", "run")));
   }
-  line("created", TimeText(batch.create_time()));
+  line("created", LocalTimeText(batch.create_time()));
 }
 
 // What is refused because the batch was cancelled.
@@ -82,9 +75,8 @@ absl::Status ShowOr(const absl::StatusOr<v1::Batch>& batch, bool json) {
 }
 
 absl::Status List(const ActionArguments& arguments, BatchSession& batches) {
-  const absl::StatusOr<std::vector<v1::Batch>> all = batches.ListBatches(arguments.count);
-  if (!all.ok()) return all.status();
-  for (const v1::Batch& listed : *all) {
+  ASSIGN_OR_RETURN(const std::vector<v1::Batch> all, batches.ListBatches(arguments.count));
+  for (const v1::Batch& listed : all) {
     // The list itself need not have the counts.
     const absl::StatusOr<v1::Batch> counted = batches.GetBatch(listed.id());
     // Deleted just now.
@@ -101,9 +93,9 @@ absl::Status List(const ActionArguments& arguments, BatchSession& batches) {
             ? "ended"
             : BatchStateWord(batch.state());
     fmt::print("{}  {:<9}  {}/{}{}  {}  {}\n", batch.id(), state, EndedCount(batch), batch.job_count(), failed,
-               TimeText(batch.create_time()), Printable(batch.label()));
+               LocalTimeText(batch.create_time()), Printable(batch.label()));
   }
-  if (all->empty() && !arguments.json) {
+  if (all.empty() && !arguments.json) {
     fmt::print(stderr, "No batches yet. Try: flair batch BRIEFS.jsonl --out out/batch\n");
   }
   return absl::OkStatus();
@@ -144,64 +136,59 @@ absl::StatusOr<std::unique_ptr<BatchFolder>> HoldFolder(const ActionArguments& a
   }
   absl::StatusOr<std::unique_ptr<BatchFolder>> folder = BatchFolder::Hold(path);
   if (!folder.ok()) return folder;
-  absl::StatusOr<BatchPlace> place = (*folder)->Place();
-  if (!place.ok()) return place.status();
-  if (place->batch_id == named.batch.id()) return folder;
-  if (!place->batch_id.empty()) {
-    return FileError(fmt::format("{}: holds batch {}; give --out another folder", path, place->batch_id));
+  ASSIGN_OR_RETURN(BatchPlace place, (*folder)->Place());
+  if (place.batch_id == named.batch.id()) return folder;
+  if (!place.batch_id.empty()) {
+    return FileError(fmt::format("{}: holds batch {}; give --out another folder", path, place.batch_id));
   }
-  const absl::StatusOr<KeptFiles> kept = KeptFiles::Parse(arguments.kept);
-  if (!kept.ok()) return kept.status();
+  ASSIGN_OR_RETURN(const KeptFiles kept, KeptFiles::Parse(arguments.kept));
   BatchPlace made;
   made.batch_id = named.batch.id();
   made.label = named.batch.label();
   FillPlace(arguments.flags, made);
-  made.kept = kept->Words();
+  made.kept = kept.Words();
   made.shard_size = arguments.shard_size;
-  if (absl::Status status = (*folder)->SetPlace(made); !status.ok()) return status;
+  RETURN_IF_ERROR((*folder)->SetPlace(made));
   return folder;
 }
 
 absl::Status Watch(const ActionArguments& arguments, const NamedBatch& named, const BatchWay& way,
                    Interruption& interruption) {
-  const absl::StatusOr<std::unique_ptr<BatchFolder>> folder = HoldFolder(arguments, named);
-  if (!folder.ok()) return folder.status();
+  ASSIGN_OR_RETURN(const std::unique_ptr<BatchFolder> folder, HoldFolder(arguments, named));
   if (named.batch.open() && !arguments.quiet) {
     fmt::print(stderr,
                "batch {}: not all lines are submitted yet; if nobody does, give its file again: flair batch FILE "
                "--out DIR\n",
                named.batch.id());
   }
-  return RunBatch(named.batch, *way.batches, **folder, nullptr, interruption,
+  return RunBatch(named.batch, *way.batches, *folder, nullptr, interruption,
                   {.remedy = way.remedy, .quiet = arguments.quiet, .json = arguments.json});
 }
 
 absl::Status ShowReport(ResultsFile& results, const ActionArguments& arguments) {
   if (!arguments.csv.empty()) {
-    if (absl::Status status = WriteResultsCsv(results, arguments.csv); !status.ok()) return status;
+    RETURN_IF_ERROR(WriteResultsCsv(results, arguments.csv));
   }
-  const absl::StatusOr<BatchReport> report = MakeBatchReport(results);
-  if (!report.ok()) return report.status();
+  ASSIGN_OR_RETURN(const BatchReport report, MakeBatchReport(results));
   if (arguments.json) {
-    fmt::print("{}\n", BatchReportJson(*report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", BatchReportJson(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else if (arguments.csv != "-" && arguments.csv != "/dev/stdout") {
-    fmt::print("{}", BatchReportText(*report));
+    fmt::print("{}", BatchReportText(report));
   }
   return absl::OkStatus();
 }
 
 // Of a batch that was never collected here: its reports are fetched, and nothing else.
 absl::Status ReportOfService(const ActionArguments& arguments, const NamedBatch& named, BatchSession& batches) {
-  const absl::StatusOr<std::unique_ptr<ResultsFile>> results = ResultsFile::OpenTemporary();
-  if (!results.ok()) return results.status();
-  absl::Status status = (*results)->SetState("batch_id", named.batch.id());
-  if (status.ok()) status = (*results)->SetState("label", named.batch.label());
+  ASSIGN_OR_RETURN(const std::unique_ptr<ResultsFile> results, ResultsFile::OpenTemporary());
+  absl::Status status = results->SetState("batch_id", named.batch.id());
+  if (status.ok()) status = results->SetState("label", named.batch.label());
   if (const int64_t ended = EndedCount(named.batch); status.ok() && ended > 0) {
     const std::unique_ptr<ResultWriter> unused = MakeJobFolders("");
     const Collector::Options options{.kept = {}, .end_after = ended};
-    status = Collector(batches, **results, *unused, options).Run(named.batch.id());
+    status = Collector(batches, *results, *unused, options).Run(named.batch.id());
   }
-  return status.ok() ? ShowReport(**results, arguments) : status;
+  return status.ok() ? ShowReport(*results, arguments) : status;
 }
 
 absl::Status Report(const ActionArguments& arguments) {
@@ -210,10 +197,9 @@ absl::Status Report(const ActionArguments& arguments) {
     return results.ok() ? ShowReport(**results, arguments) : results.status();
   }
   Interruption interruption;
-  const absl::StatusOr<BatchWay> way = OpenBatchWay(arguments.flags, false, std::nullopt, interruption);
-  if (!way.ok()) return way.status();
-  const absl::StatusOr<NamedBatch> named = FindBatch(arguments.id, *way->batches);
-  return named.ok() ? ReportOfService(arguments, *named, *way->batches) : named.status();
+  ASSIGN_OR_RETURN(const BatchWay way, OpenBatchWay(arguments.flags, false, std::nullopt, interruption));
+  const absl::StatusOr<NamedBatch> named = FindBatch(arguments.id, *way.batches);
+  return named.ok() ? ReportOfService(arguments, *named, *way.batches) : named.status();
 }
 
 // Does something with the batch that the arguments name.
@@ -221,15 +207,14 @@ using BatchAction =
     std::function<absl::Status(const ActionArguments&, const NamedBatch&, const BatchWay&, Interruption&)>;
 
 absl::Status Act(ActionArguments& arguments, bool runs_jobs, const BatchAction& action) {
-  if (absl::Status status = TakePlaceOf(arguments.id, arguments.flags); !status.ok()) return status;
+  RETURN_IF_ERROR(TakePlaceOf(arguments.id, arguments.flags));
   const absl::StatusOr<OptionalLlm> llm =
       runs_jobs ? ReadDesignModel(arguments.flags.llm, {}, arguments.flags.orchestrator) : OptionalLlm();
   if (!llm.ok()) return llm.status();
   Interruption interruption;
-  const absl::StatusOr<BatchWay> way = OpenBatchWay(arguments.flags, runs_jobs, *llm, interruption);
-  if (!way.ok()) return way.status();
-  const absl::StatusOr<NamedBatch> named = FindBatch(arguments.id, *way->batches);
-  return named.ok() ? action(arguments, *named, *way, interruption) : named.status();
+  ASSIGN_OR_RETURN(const BatchWay way, OpenBatchWay(arguments.flags, runs_jobs, *llm, interruption));
+  const absl::StatusOr<NamedBatch> named = FindBatch(arguments.id, *way.batches);
+  return named.ok() ? action(arguments, *named, way, interruption) : named.status();
 }
 
 // A subcommand with the flags that all have.
@@ -278,14 +263,14 @@ void AddWatch(CLI::App& batch, absl::Status& result) {
                    "Tar files of so many jobs, 1 to 1000000, instead of a folder for each job")
       ->type_name("JOBS")
       ->check(WholeNumber(1, 1000000));
-  watch.command->add_flag("-q,--quiet", watch.arguments->quiet, "Say nothing unless something is wrong");
+  watch.command->add_flag("-q,--quiet", watch.arguments->quiet, "Print nothing unless something goes wrong");
   watch.command->footer("Where jobs wait in this machine's own store, watching runs them.");
   OnCall(watch, result, true, Watch);
 }
 
 void AddRetry(CLI::App& batch, absl::Status& result) {
   const Added retry =
-      Add(batch, "retry", "Let failed jobs of a batch run again, from the results that they have.", true, false);
+      Add(batch, "retry", "Run failed jobs of a batch again, from the results that they have.", true, false);
   retry.command
       ->add_option("--kind", retry.arguments->kinds,
                    "Only failures of this kind: input, language, translation, infeasible, worker, timeout, store")
@@ -305,7 +290,7 @@ void AddRetry(CLI::App& batch, absl::Status& result) {
 void AddDelete(CLI::App& batch, absl::Status& result) {
   const Added deletion =
       Add(batch, "delete",
-          "Forget a batch that has ended, its jobs, and the artifacts that no other job has; what was "
+          "Delete a batch that has ended, its jobs, and the artifacts that no other job has; what was "
           "collected in a DIR stays.",
           true, false);
   deletion.command->add_flag("-y,--yes", deletion.arguments->yes, "Do not ask");
@@ -344,16 +329,16 @@ void AddList(CLI::App& batch, absl::Status& result) {
 }  // namespace
 
 void AddBatchActions(CLI::App& batch, absl::Status& result) {
-  OnCall(Add(batch, "status", "How a batch stands.", true, false), result, false,
+  OnCall(Add(batch, "status", "Show the progress of a batch.", true, false), result, false,
          [](const ActionArguments& arguments, const NamedBatch& named, const BatchWay&, Interruption&) {
            ShowBatch(named.batch, arguments.json);
            return absl::OkStatus();
          });
   AddWatch(batch, result);
-  AddStateChange(batch, result, "pause", "Begin no more jobs of a batch; running ones go on.",
+  AddStateChange(batch, result, "pause", "Start no more jobs of a batch; running ones continue.",
                  &BatchSession::PauseBatch);
-  AddStateChange(batch, result, "resume", "Let a paused batch go on.", &BatchSession::ResumeBatch);
-  AddStateChange(batch, result, "cancel", "End a batch and all of its jobs.", &BatchSession::CancelBatch);
+  AddStateChange(batch, result, "resume", "Resume a paused batch.", &BatchSession::ResumeBatch);
+  AddStateChange(batch, result, "cancel", "Cancel a batch and all of its jobs.", &BatchSession::CancelBatch);
   AddRetry(batch, result);
   AddDelete(batch, result);
   AddReport(batch, result);

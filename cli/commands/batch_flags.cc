@@ -3,10 +3,11 @@
 
 #include <vector>
 
-#include "cli/input/connection_flags.h"
-#include "cli/input/value_checks.h"
+#include "cli/input/command_line.h"
+#include "cli/input/service_flags.h"
 #include "fmt/format.h"
 #include "orchestrator/jetstream/connect_options.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -36,7 +37,7 @@ std::string RemedyOf(const BatchFlags& flags, bool runs_jobs) {
 }  // namespace
 
 void AddBatchFlags(CLI::App& command, BatchFlags& flags, bool runs_jobs) {
-  command.add_option("--orchestrator", flags.orchestrator, "Use this one instead of one in this process")
+  command.add_option("--orchestrator", flags.orchestrator, "Use this orchestrator instead of one in this process")
       ->type_name("HOST:PORT");
   AddEngineFlags(command, flags.engine);
   if (!runs_jobs) return;
@@ -51,7 +52,7 @@ void AddBatchFlags(CLI::App& command, BatchFlags& flags, bool runs_jobs) {
 
 absl::StatusOr<BatchWay> OpenBatchWay(const BatchFlags& flags, bool runs_jobs, const OptionalLlm& llm,
                                       Interruption& interruption) {
-  if (absl::Status status = CheckEngineFlags(flags.engine, flags.orchestrator); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckEngineFlags(flags.engine, flags.orchestrator));
   if (flags.parallel.has_value() && !flags.orchestrator.empty()) {
     return absl::InvalidArgumentError(
         fmt::format("--parallel {}: not with --orchestrator {}, whose config says how many jobs it runs: "
@@ -61,20 +62,18 @@ absl::StatusOr<BatchWay> OpenBatchWay(const BatchFlags& flags, bool runs_jobs, c
   config::v1::OrchestratorConfig config;
   SetEngine(flags.engine, config);
   if (!flags.engine.address.empty()) {
-    const absl::StatusOr<runtime::ChannelOptions> connection = StageConnection();
-    if (!connection.ok()) return connection.status();
-    if (connection->tls.has_value()) *config.mutable_runtime()->mutable_tls() = *connection->tls;
+    ASSIGN_OR_RETURN(const runtime::ChannelOptions connection, StageConnection());
+    if (connection.tls.has_value()) *config.mutable_runtime()->mutable_tls() = *connection.tls;
   }
   config.set_store_path(flags.store);
   config.set_running_job_limit(flags.parallel.value_or(0));
   config.set_takes_no_jobs(!runs_jobs || (!flags.engine.address.empty() && !flags.parallel.has_value()));
-  absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(flags.orchestrator, llm, flags.stages, config);
-  if (!session.ok()) return session.status();
+  ASSIGN_OR_RETURN(std::unique_ptr<Session> session, Session::Open(flags.orchestrator, llm, flags.stages, config));
   BatchWay way;
   way.batches = std::make_unique<BatchSession>(
-      (*session)->channel(),
-      BatchSession::Options{.address = (*session)->address(), .embedded = (*session)->embedded()}, interruption.stop());
-  way.session = *std::move(session);
+      session->channel(), BatchSession::Options{.address = session->address(), .embedded = session->embedded()},
+      interruption.stop());
+  way.session = std::move(session);
   way.remedy = RemedyOf(flags, runs_jobs);
   return way;
 }
@@ -91,13 +90,12 @@ void FillPlace(const BatchFlags& flags, BatchPlace& place) {
 
 absl::Status TakePlaceOf(const std::string& name, BatchFlags& flags) {
   if (!BatchFolder::IsAt(name) || !flags.orchestrator.empty() || !flags.engine.address.empty()) return absl::OkStatus();
-  const absl::StatusOr<BatchPlace> place = BatchFolder::ReadPlace(name);
-  if (!place.ok()) return place.status();
-  flags.orchestrator = place->orchestrator;
-  flags.store = place->store;
-  flags.engine.address = place->engine;
-  if (flags.engine.queue.empty()) flags.engine.queue = place->queue;
-  if (flags.engine.artifacts.empty()) flags.engine.artifacts = place->artifacts;
+  ASSIGN_OR_RETURN(const BatchPlace place, BatchFolder::ReadPlace(name));
+  flags.orchestrator = place.orchestrator;
+  flags.store = place.store;
+  flags.engine.address = place.engine;
+  if (flags.engine.queue.empty()) flags.engine.queue = place.queue;
+  if (flags.engine.artifacts.empty()) flags.engine.artifacts = place.artifacts;
   return absl::OkStatus();
 }
 
@@ -105,9 +103,8 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batc
   NamedBatch found;
   std::string id = name;
   if (BatchFolder::IsAt(name)) {
-    const absl::StatusOr<BatchPlace> place = BatchFolder::ReadPlace(name);
-    if (!place.ok()) return place.status();
-    id = place->batch_id;
+    ASSIGN_OR_RETURN(const BatchPlace place, BatchFolder::ReadPlace(name));
+    id = place.batch_id;
     found.folder = name;
   }
   absl::StatusOr<v1::Batch> exact = batches.GetBatch(id);
@@ -120,17 +117,14 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batc
                     "--engine",
                     name, id, batches.address()));
   }
-  const absl::StatusOr<std::vector<v1::Batch>> all = batches.ListBatches(kSearchedBatches);
-  if (!all.ok()) return all.status();
+  ASSIGN_OR_RETURN(const std::vector<v1::Batch> all, batches.ListBatches(kSearchedBatches));
   std::vector<v1::Batch> fitting;
-  for (const v1::Batch& batch : *all) {
+  for (const v1::Batch& batch : all) {
     if (!name.empty() && batch.id().starts_with(name)) fitting.push_back(batch);
   }
   if (fitting.size() == 1) {
     // The list need not have the counts.
-    absl::StatusOr<v1::Batch> batch = batches.GetBatch(fitting.front().id());
-    if (!batch.ok()) return batch.status();
-    found.batch = *std::move(batch);
+    ASSIGN_OR_RETURN(found.batch, batches.GetBatch(fitting.front().id()));
     return found;
   }
   if (fitting.empty()) {

@@ -8,12 +8,12 @@
 #include <string>
 
 #include "CLI/CLI.hpp"
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "cli/batch/batch_folder.h"
-#include "cli/batch/interruption.h"
-#include "cli/input/engine_flags.h"
+#include "cli/batch/batch_run.h"
 #include "cli/input/llm_flags.h"
-#include "cli/input/stage_flags.h"
+#include "cli/input/service_flags.h"
 #include "cli/session/batch_session.h"
 #include "cli/session/session.h"
 
@@ -62,5 +62,8 @@ absl::Status TakePlaceOf(const std::string& name, BatchFlags& flags);
 
 // NOT_FOUND when there is none, INVALID_ARGUMENT when several ids begin so.
 absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batches);
+
+// What is done with a batch that is there: status, watch, pause, resume, cancel, retry, delete, report, list.
+void AddBatchActions(CLI::App& batch, absl::Status& result);
 
 }  // namespace flair::cli

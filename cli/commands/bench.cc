@@ -13,8 +13,8 @@
 #include "cli/bench/statistics.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
-#include "cli/input/value_checks.h"
-#include "cli/output/layout_artifact.h"
+#include "cli/input/command_line.h"
+#include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
@@ -163,7 +163,9 @@ void AddBench(CLI::App& program, absl::Status& result) {
   command->add_option("--repeat", arguments->repeats, "Solves of each problem, 1 to 1000 (1); the median counts")
       ->type_name("N")
       ->check(WholeNumber(1, 1000));
-  command->add_option("--seed", arguments->seed, "Another seed, another layout (0)")->type_name("N")->check(Seed());
+  command->add_option("--seed", arguments->seed, "Seed; another seed, another layout (0)")
+      ->type_name("N")
+      ->check(Seed());
   command->add_option("--restarts", arguments->restarts, "Most restarts per stage, 1 to 10000 (by the stage's size)")
       ->type_name("N")
       ->check(WholeNumber(1, 10000));

@@ -6,7 +6,7 @@
 #include "CLI/CLI.hpp"
 #include "cli/bench/restarts_measure.h"
 #include "cli/commands/commands.h"
-#include "cli/input/value_checks.h"
+#include "cli/input/command_line.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "worker_runtime/text/counted.h"

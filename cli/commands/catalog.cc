@@ -45,7 +45,7 @@ absl::Status Catalog(const CatalogArguments& arguments) {
 
 void AddCatalog(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<CatalogArguments>();
-  CLI::App* command = program.add_subcommand("catalog", "The constraints that the optimizer understands.");
+  CLI::App* command = program.add_subcommand("catalog", "List the constraints that the optimizer understands.");
   command->add_option("TYPE", arguments->type, "One of them in full, by name or alias");
   CLI::Option* const json = command->add_flag("--json", arguments->json, "As JSON");
   command->add_flag("--markdown", arguments->markdown, "All of them in full, as docs/constraints.md")->excludes(json);

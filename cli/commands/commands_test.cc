@@ -2,6 +2,8 @@
 // What all commands have in common: how they explain themselves, and how they refuse.
 #include "cli/commands/commands.h"
 
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <regex>
 #include <sstream>
@@ -9,13 +11,14 @@
 #include <vector>
 
 #include "CLI/CLI.hpp"
-#include "cli/input/usage_error.h"
-#include "cli/output/help_text.h"
-#include "cli/output/wrapped_text.h"
+#include "cli/commands/batch_flags.h"
+#include "cli/input/command_line.h"
+#include "cli/output/text.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
 namespace flair::cli {
+
 namespace {
 
 using ::testing::AllOf;
@@ -105,13 +108,13 @@ TEST_F(CommandsTest, SlipsOfThePenAreRecognized) {
 }
 
 TEST_F(CommandsTest, WhatIsMissingOrTooMuchIsNamed) {
-  EXPECT_THAT(ErrorOf({}), StartsWith("which command? flair --help tells of them: design, batch, jobs, "));
-  EXPECT_EQ(ErrorOf({"token"}), "which command? flair token --help tells of them: new");
+  EXPECT_THAT(ErrorOf({}), StartsWith("which command? flair --help describes them: design, batch, jobs, "));
+  EXPECT_EQ(ErrorOf({"token"}), "which command? flair token --help describes them: new");
   EXPECT_EQ(ErrorOf({"design", "A room."}), "--out: missing; flair design --help says more");
   EXPECT_EQ(ErrorOf({"render"}), "LAYOUT: missing; flair render --help says more");
   EXPECT_EQ(ErrorOf({"design", "A room.", "--out"}), "--out: its value is missing; flair design --help says more");
   EXPECT_EQ(ErrorOf({"design", "A", "room.", "--out", "x"}),
-            "\"room.\": is more than flair design takes; a text of several words stands between quotes");
+            "\"room.\": is more than flair design takes; put text of several words in quotes");
   EXPECT_EQ(ErrorOf({"solve", "g", "--seed", "1", "--seed", "2"}), "--seed: given more than once; once is right");
   EXPECT_EQ(ErrorOf({"design", "A.", "--out", "x", "--json", "--quiet"}), "--json: not together with --quiet");
   EXPECT_EQ(ErrorOf({"contract", "--markdown"}), "--markdown: only together with --list");
@@ -124,5 +127,15 @@ TEST_F(CommandsTest, ValuesOutOfRangeAreToldWithTheRange) {
   EXPECT_EQ(ErrorOf({"jobs", "-n", "0"}), "--count: 0: expected a whole number, 1 to 100000");
 }
 
+TEST(BatchFlags, AFolderRemembersServersWithoutTheirCredentials) {
+  BatchFlags flags;
+  flags.engine.address = "nats://user:secret@one:4222,nats://two:4222";
+  BatchPlace place;
+  FillPlace(flags, place);
+  EXPECT_EQ(place.engine, "nats://one:4222,nats://two:4222");
+  EXPECT_EQ(place.store, "") << "elsewhere";
+}
+
 }  // namespace
+
 }  // namespace flair::cli

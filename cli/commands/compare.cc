@@ -7,18 +7,19 @@
 
 #include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
-#include "cli/compare/trial_text.h"
+#include "cli/compare/trial.h"
 #include "cli/embedded/remote_stage.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_source.h"
-#include "cli/input/design_folders.h"
+#include "cli/input/command_line.h"
+#include "cli/input/files.h"
 #include "cli/input/solve_flags.h"
-#include "cli/input/value_checks.h"
 #include "cli/output/output_folder.h"
-#include "cli/output/printable.h"
-#include "cli/progress/slow_note.h"
-#include "cli/session/plans_beside.h"
+#include "cli/output/text.h"
+#include "cli/progress/progress.h"
+#include "cli/session/pictures.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -90,31 +91,28 @@ absl::Status DrawPicture(const CompareArguments& arguments, const Contest& conte
 }
 
 absl::Status CompareOne(const CompareArguments& arguments, const v1::SolveOptions& options) {
-  const absl::StatusOr<v1::Artifact> graph = OpenArtifact(arguments.graph, arguments.source);
-  if (!graph.ok()) return graph.status();
-  if (absl::Status status = CheckGraph(arguments.graph, *graph); !status.ok()) return status;
-  const absl::StatusOr<Contest> contest = Run(arguments, arguments.graph, graph->layout_graph(), options);
-  if (!contest.ok()) return contest.status();
+  ASSIGN_OR_RETURN(const v1::Artifact graph, OpenArtifact(arguments.graph, arguments.source));
+  RETURN_IF_ERROR(CheckGraph(arguments.graph, graph));
+  ASSIGN_OR_RETURN(const Contest contest, Run(arguments, arguments.graph, graph.layout_graph(), options));
   if (!arguments.picture.empty()) {
-    if (absl::Status status = DrawPicture(arguments, *contest); !status.ok()) return status;
+    RETURN_IF_ERROR(DrawPicture(arguments, contest));
   }
   if (arguments.format == "json") {
     fmt::print(
         "{}\n",
-        ContestJson(*contest, arguments.optimizers).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        ContestJson(contest, arguments.optimizers).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
-    fmt::print("{}", Printable(ContestText(*contest, arguments.optimizers, arguments.all)));
+    fmt::print("{}", Printable(ContestText(contest, arguments.optimizers, arguments.all)));
   }
   return absl::OkStatus();
 }
 
 // What cannot be compared is told, and the others are compared.
 absl::Status CompareFolder(const CompareArguments& arguments, const v1::SolveOptions& options) {
-  const absl::StatusOr<std::vector<fs::path>> folders = FindFoldersWith(arguments.graph, "graph.pb", kMostGraphs);
-  if (!folders.ok()) return folders.status();
+  ASSIGN_OR_RETURN(const std::vector<fs::path> folders, FindFoldersWith(arguments.graph, "graph.pb", kMostGraphs));
   std::vector<Contest> contests;
   absl::Status last;
-  for (const fs::path& folder : *folders) {
+  for (const fs::path& folder : folders) {
     const std::string name =
         folder == fs::path(arguments.graph) ? "." : folder.lexically_relative(arguments.graph).string();
     const absl::StatusOr<v1::Artifact> graph = OpenArtifact(folder / "graph.pb", arguments.source);
@@ -136,9 +134,9 @@ absl::Status CompareFolder(const CompareArguments& arguments, const v1::SolveOpt
   } else {
     fmt::print("{}", Printable(ContestsTable(contests, arguments.optimizers)));
   }
-  if (contests.size() == folders->size()) return absl::OkStatus();
-  return absl::Status(last.code(), fmt::format("{} of {} could not be compared", folders->size() - contests.size(),
-                                               Counted(std::ssize(*folders), "graph")));
+  if (contests.size() == folders.size()) return absl::OkStatus();
+  return absl::Status(last.code(), fmt::format("{} of {} could not be compared", folders.size() - contests.size(),
+                                               Counted(std::ssize(folders), "graph")));
 }
 
 absl::Status Compare(const CompareArguments& arguments) {
@@ -148,12 +146,11 @@ absl::Status Compare(const CompareArguments& arguments) {
                     "--optimizer own --optimizer 127.0.0.1:50053",
                     arguments.optimizers.size(), kMostOptimizers));
   }
-  const absl::StatusOr<v1::SolveOptions> options = ReadSolveFlags(arguments.solve);
-  if (!options.ok()) return options.status();
+  ASSIGN_OR_RETURN(const v1::SolveOptions options, ReadSolveFlags(arguments.solve));
   // All must be there before the first begins to work.
   for (const std::string& optimizer : arguments.optimizers) {
     if (AddressOf(optimizer).empty()) continue;
-    if (absl::Status status = ConnectToStage(kOptimizerStage, optimizer).status(); !status.ok()) return status;
+    RETURN_IF_ERROR(ConnectToStage(kOptimizerStage, optimizer).status());
   }
   const bool is_folder = fs::is_directory(arguments.graph);
   if (!arguments.picture.empty()) {
@@ -161,16 +158,16 @@ absl::Status Compare(const CompareArguments& arguments) {
       return absl::InvalidArgumentError(
           fmt::format("--picture: {} is a folder; a picture shows one graph", arguments.graph));
     }
-    if (absl::Status status = CheckPicture({arguments.picture, arguments.size_px, {}, {}}); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckPicture({arguments.picture, arguments.size_px, {}, {}}));
   }
-  return is_folder ? CompareFolder(arguments, *options) : CompareOne(arguments, *options);
+  return is_folder ? CompareFolder(arguments, options) : CompareOne(arguments, options);
 }
 
 }  // namespace
 
 void AddCompare(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = program.add_subcommand("compare", "Let several optimizers solve the same graph, on one scale.");
+  CLI::App* command = program.add_subcommand("compare", "Compare several optimizers on the same graph, on one scale.");
   command->add_option("GRAPH", arguments->graph, fmt::format("A graph: {}; or a folder of designs", kSourceHelp))
       ->required();
   command
@@ -190,7 +187,7 @@ void AddCompare(CLI::App& program, absl::Status& result) {
   AddSourceFlags(*command, arguments->source);
   AddRendererFlags(*command, arguments->renderer);
   command->footer(
-      "Whoever places the objects, this program judges: costs, verdicts and measures are those of its own "
+      "This program judges all answers itself: costs, verdicts and measures are those of its own "
       "evaluation of the answer. Of constraints whose type it does not know it shows what the optimizer "
       "says, marked *. A folder gives a line per design below it (graph.pb) and optimizer, and medians.");
   command->callback([arguments, &result] { result = Compare(*arguments); });

@@ -11,16 +11,16 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
-#include "cli/input/design_folders.h"
+#include "cli/input/command_line.h"
 #include "cli/input/files.h"
-#include "cli/input/layout_file.h"
 #include "cli/input/render_flags.h"
-#include "cli/input/value_checks.h"
 #include "cli/output/output_folder.h"
-#include "cli/output/printable.h"
-#include "cli/progress/slow_note.h"
-#include "cli/session/renderer_client.h"
+#include "cli/output/solve_text.h"
+#include "cli/output/text.h"
+#include "cli/progress/progress.h"
+#include "cli/session/stage_calls.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -40,20 +40,13 @@ struct ContactSheetArguments {
   std::string view = "plan";
   std::string picture;
   std::optional<int> tile_px;
+  bool variants = false;
   RendererChoice renderer;
 };
 
 // "45 of 50 constraints hold, OOB 0.00 %, OOR 0.00 %, 3 zones".
 std::string Metrics(const v1::SolvedLayout& layout) {
-  int held = 0;
-  for (const v1::EdgeOutcome& outcome : layout.edge_outcomes())
-    held += outcome.status() == v1::OUTCOME_STATUS_SATISFIED ? 1 : 0;
-  std::string text;
-  if (layout.edge_outcomes_size() > 0)
-    text =
-        fmt::format("{} of {}, ", held, Counted(layout.edge_outcomes_size(), "constraint holds", "constraints hold"));
-  return text + fmt::format("OOB {:.2f} %, OOR {:.2f} %, {}", layout.metrics().oob_percent(),
-                            layout.metrics().oor_percent(), Counted(layout.graph().zone_plan().zones_size(), "zone"));
+  return fmt::format("{}, {}", LayoutLine(layout), Counted(layout.graph().zone_plan().zones_size(), "zone"));
 }
 
 // Leaves room for the metrics.
@@ -64,16 +57,29 @@ std::string RemarkOf(const std::string& title) {
   return remark;
 }
 
+// What one tile shows: the layout of a folder, or one of its runner-ups.
+struct TileSource {
+  fs::path folder;
+  int runner_up = -1;
+};
+
 class Sheet {
  public:
   Sheet(const ContactSheetArguments& arguments, RendererClient& renderer, v1::PreviewView view)
       : arguments_(arguments), renderer_(renderer), view_(view) {}
 
-  v1::ContactSheetTile TileOf(const fs::path& folder) const {
+  v1::ContactSheetTile TileOf(const TileSource& source) const {
+    const fs::path& folder = source.folder;
     v1::ContactSheetTile tile;
     std::string name = folder.lexically_relative(arguments_.folder).string();
     if (name == ".") name = fs::absolute(folder).lexically_normal().filename().string();
     absl::StatusOr<LayoutFile> layout = ReadLayout(folder / "layout.pb");
+    if (layout.ok() && source.runner_up >= 0) {
+      v1::SolvedLayout& best = *layout->artifact.mutable_solved_layout();
+      v1::SolvedLayout variant = VariantOf(best, source.runner_up);
+      best = std::move(variant);
+      name += fmt::format(", variant {}", source.runner_up + 2);
+    }
     if (layout.ok()) {
       const v1::SolvedLayout& solved = layout->artifact.solved_layout();
       const std::string& title = solved.graph().room().title();
@@ -88,15 +94,14 @@ class Sheet {
     return tile;
   }
 
- private:
   // The layout alone: where its brief lies does not matter here.
   static absl::StatusOr<LayoutFile> ReadLayout(const fs::path& path) {
-    absl::StatusOr<v1::Artifact> artifact = ReadArtifact(path);
-    if (!artifact.ok()) return artifact.status();
-    if (!artifact->has_solved_layout()) return absl::InvalidArgumentError(path.string() + ": not a layout");
-    return LayoutFile{.artifact = *std::move(artifact), .brief = {}};
+    ASSIGN_OR_RETURN(v1::Artifact artifact, ReadArtifact(path));
+    if (!artifact.has_solved_layout()) return absl::InvalidArgumentError(path.string() + ": not a layout");
+    return LayoutFile{.artifact = std::move(artifact), .brief = {}};
   }
 
+ private:
   absl::Status Fill(const fs::path& folder, absl::StatusOr<LayoutFile>& layout, v1::ContactSheetTile& tile) const {
     if (!arguments_.picture.empty()) return FillFromFile(folder / arguments_.picture, tile);
     if (!layout.ok()) return layout.status();
@@ -110,9 +115,8 @@ class Sheet {
     options.set_view(view_);
     options.set_size_px(std::clamp(arguments_.tile_px.value_or(480), 256, 1024));
     options.set_sample_count(kQuickSampleCount);
-    absl::StatusOr<v1::RenderResponse> response = renderer_.Render(request);
-    if (!response.ok()) return response.status();
-    tile.set_image(std::move(*response->mutable_preview()->mutable_image()));
+    ASSIGN_OR_RETURN(v1::RenderResponse response, renderer_.Render(request));
+    tile.set_image(std::move(*response.mutable_preview()->mutable_image()));
     return absl::OkStatus();
   }
 
@@ -123,9 +127,8 @@ class Sheet {
       return absl::InvalidArgumentError(
           fmt::format("{} has {} MiB; at most {}", path.filename().string(), size >> 20, kLargestPictureBytes >> 20));
     }
-    absl::StatusOr<std::string> bytes = ReadFile(path);
-    if (!bytes.ok()) return bytes.status();
-    tile.set_image(*std::move(bytes));
+    ASSIGN_OR_RETURN(std::string bytes, ReadFile(path));
+    tile.set_image(std::move(bytes));
     return absl::OkStatus();
   }
 
@@ -150,32 +153,50 @@ absl::StatusOr<v1::ContactSheetOptions> MakeOptions(const ContactSheetArguments&
   return options;
 }
 
+// With `variants`, the complete runner-ups of each layout behind it, as many as a picture holds beside the layouts.
+std::vector<TileSource> SourcesOf(const std::vector<fs::path>& folders, bool variants) {
+  std::vector<TileSource> sources;
+  size_t room = kMostTiles - std::min(kMostTiles, folders.size());
+  for (const fs::path& folder : folders) {
+    sources.push_back({folder});
+    const absl::StatusOr<LayoutFile> layout =
+        variants ? Sheet::ReadLayout(folder / "layout.pb") : absl::NotFoundError("");
+    if (!layout.ok()) continue;
+    const v1::SolvedLayout& solved = layout->artifact.solved_layout();
+    for (int i = 0; i < solved.runner_ups_size() && room > 0; ++i) {
+      if (!IsComplete(solved.runner_ups(i))) continue;
+      sources.push_back({folder, i});
+      --room;
+    }
+  }
+  return sources;
+}
+
 absl::Status MakeContactSheet(const ContactSheetArguments& arguments) {
-  const absl::StatusOr<v1::PreviewView> view = ViewOfName(arguments.view);
-  if (!view.ok()) return view.status();
-  if (absl::Status status = MakeOptions(arguments, 1).status(); !status.ok()) return status;
+  ASSIGN_OR_RETURN(const v1::PreviewView view, ViewOfName(arguments.view));
+  RETURN_IF_ERROR(MakeOptions(arguments, 1).status());
   const absl::StatusOr<std::vector<fs::path>> designs =
       FindFoldersWith(arguments.folder, arguments.picture.empty() ? "layout.pb" : arguments.picture, kMostTiles);
   if (!designs.ok()) return designs.status();
-  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
-  absl::StatusOr<std::unique_ptr<RendererClient>> renderer = RendererClient::Open(arguments.renderer);
-  if (!renderer.ok()) return renderer.status();
-  const Sheet sheet(arguments, **renderer, *view);
+  RETURN_IF_ERROR(CheckOutputFile(arguments.out));
+  ASSIGN_OR_RETURN(std::unique_ptr<RendererClient> renderer, RendererClient::Open(arguments.renderer));
+  const Sheet sheet(arguments, *renderer, view);
+  const std::vector<TileSource> sources = SourcesOf(*designs, arguments.variants);
   absl::StatusOr<v1::ComposeContactSheetResponse> response;
   {
     SlowNote note("drawing");
     const std::unique_ptr<ContactSheetCall> call =
-        (*renderer)->ComposeContactSheet(*MakeOptions(arguments, designs->size()));
-    for (size_t i = 0; i < designs->size(); ++i) {
-      note.Set(fmt::format("tile {} of {}", i + 1, designs->size()));
-      if (!call->Add(sheet.TileOf((*designs)[i]))) break;
+        renderer->ComposeContactSheet(*MakeOptions(arguments, sources.size()));
+    for (size_t i = 0; i < sources.size(); ++i) {
+      note.Set(fmt::format("tile {} of {}", i + 1, sources.size()));
+      if (!call->Add(sheet.TileOf(sources[i]))) break;
     }
     response = call->Finish();
   }
   if (!response.ok()) return response.status();
-  if (absl::Status status = WriteOutputFile(arguments.out, response->sheet().image()); !status.ok()) return status;
+  RETURN_IF_ERROR(WriteOutputFile(arguments.out, response->sheet().image()));
   for (const v1::Diagnostic& diagnostic : response->diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
-  fmt::print(stderr, "{}: {}, {} x {} px\n", arguments.out, Counted(std::ssize(*designs), "tile"),
+  fmt::print(stderr, "{}: {}, {} x {} px\n", arguments.out, Counted(std::ssize(sources), "tile"),
              response->sheet().width_px(), response->sheet().height_px());
   return absl::OkStatus();
 }
@@ -201,6 +222,8 @@ void AddContactSheet(CLI::App& program, absl::Status& result) {
           ->type_name("NAME");
   command->add_option("--view", arguments->view, "Draw layouts as plan, birdseye or perspective (plan)")
       ->type_name("VIEW")
+      ->excludes(picture);
+  command->add_flag("--variants", arguments->variants, "Also show the variants of each layout, best first")
       ->excludes(picture);
   AddRendererFlags(*command, arguments->renderer);
   command->footer(

@@ -8,25 +8,26 @@
 #include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
-#include "cli/input/brief_file.h"
+#include "cli/input/artifact_file.h"
+#include "cli/input/command_line.h"
 #include "cli/input/llm_flags.h"
-#include "cli/input/one_line.h"
+#include "cli/input/message_words.h"
 #include "cli/input/room_file.h"
-#include "cli/input/stage_flags.h"
-#include "cli/input/value_checks.h"
+#include "cli/input/service_flags.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/design_files.h"
 #include "cli/output/models_text.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
 #include "cli/progress/progress.h"
 #include "cli/session/finished_job.h"
-#include "cli/session/further_views.h"
+#include "cli/session/pictures.h"
 #include "cli/session/session.h"
+#include "cli/session/variants.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "orchestrator/pipeline/summary.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -45,6 +46,7 @@ struct DesignArguments {
   std::optional<int> size_px;
   std::optional<int> threads;
   std::optional<int> restarts;
+  std::optional<int> variants;
   std::vector<std::string> views;
   bool json = false;
   bool quiet = false;
@@ -53,23 +55,22 @@ struct DesignArguments {
 absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
   v1::JobSpec spec;
   if (!arguments.brief.empty()) {
-    absl::StatusOr<v1::Brief> brief = ReadBrief("--brief", arguments.brief);
-    if (!brief.ok()) return brief.status();
-    *spec.mutable_brief() = *std::move(brief);
+    ASSIGN_OR_RETURN(v1::Brief brief, ReadBrief("--brief", arguments.brief));
+    *spec.mutable_brief() = std::move(brief);
   }
   if (!arguments.text.empty()) spec.mutable_brief()->set_text(OneLine(arguments.text));
   if (arguments.seed) spec.mutable_brief()->set_seed(*arguments.seed);
   if (!arguments.room.empty()) {
-    const absl::StatusOr<v1::Room> room = ReadRoom(arguments.room);
-    if (!room.ok()) return room.status();
-    *spec.mutable_brief()->mutable_room() = *room;
+    ASSIGN_OR_RETURN(const v1::Room room, ReadRoom(arguments.room));
+    *spec.mutable_brief()->mutable_room() = room;
   }
   if (arguments.threads) spec.mutable_solve_options()->set_thread_count(*arguments.threads);
   if (arguments.restarts) spec.mutable_solve_options()->set_max_restart_count(*arguments.restarts);
+  if (arguments.variants) spec.mutable_solve_options()->set_variant_count(*arguments.variants);
   if (arguments.size_px) spec.mutable_render_options()->set_size_px(*arguments.size_px);
   *spec.mutable_model_options() = MakeModelOptions(arguments.model);
-  if (absl::Status status = Validate(spec.brief()); !status.ok()) return status;
-  if (absl::Status status = Validate(spec); !status.ok()) return status;
+  RETURN_IF_ERROR(Validate(spec.brief()));
+  RETURN_IF_ERROR(Validate(spec));
   return spec;
 }
 
@@ -107,40 +108,56 @@ void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const Artifac
   fmt::print(stderr, "Done: {}/plan.png, and the reasons in {}/report.md\n", arguments.out, arguments.out);
 }
 
+// The further layouts of --variants, and a picture of all of them.
+absl::Status AddVariants(const DesignArguments& arguments, const v1::JobSpec& spec, const v1::Artifact& layout,
+                         std::vector<OutputFile>& files) {
+  const int wanted = arguments.variants.value_or(1);
+  if (wanted <= 1) return absl::OkStatus();
+  ASSIGN_OR_RETURN(const std::vector<OutputFile> variants,
+                   MakeVariantFiles(layout, spec.solve_options(),
+                                    {.address = arguments.stages.addresses.renderer(), .asset_folder = {}}));
+  files.insert(files.end(), variants.begin(), variants.end());
+  if (arguments.json || arguments.quiet) return absl::OkStatus();
+  // The picture is one of the files, and the best layout none.
+  if (std::ssize(variants) < wanted) {
+    fmt::print(stderr, "{:<12} {}\n", "variants", FewerVariants(variants.size(), wanted));
+  }
+  fmt::print(
+      stderr, "{:<12} layout.pb{} in {}/{}\n", "variants",
+      variants.size() > 1 ? fmt::format(" to {}", VariantPath("layout.pb", static_cast<int>(variants.size()))) : "",
+      arguments.out, kVariantsPicture);
+  return absl::OkStatus();
+}
+
 absl::Status Design(const DesignArguments& arguments) {
-  if (absl::Status status = CheckViews(arguments.views); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckViews(arguments.views));
   absl::Status stages = CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm);
   if (!stages.ok()) return stages;
-  const absl::StatusOr<v1::JobSpec> spec = MakeSpec(arguments);
-  if (!spec.ok()) return spec.status();
-  const absl::StatusOr<OptionalLlm> llm = ReadDesignModel(arguments.llm, arguments.model, arguments.orchestrator);
-  if (!llm.ok()) return llm.status();
-  if (absl::Status status = CheckOutputFolder(arguments.out, DesignFileNames()); !status.ok()) return status;
-  absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments.orchestrator, *llm, arguments.stages);
-  if (!session.ok()) return session.status();
-  const absl::StatusOr<v1::Job> created = (*session)->CreateJob(*spec);
-  if (!created.ok()) return created.status();
+  ASSIGN_OR_RETURN(const v1::JobSpec spec, MakeSpec(arguments));
+  ASSIGN_OR_RETURN(const OptionalLlm llm, ReadDesignModel(arguments.llm, arguments.model, arguments.orchestrator));
+  RETURN_IF_ERROR(CheckOutputFolder(arguments.out, DesignFileNames()));
+  ASSIGN_OR_RETURN(std::unique_ptr<Session> session, Session::Open(arguments.orchestrator, llm, arguments.stages));
+  ASSIGN_OR_RETURN(const v1::Job created, session->CreateJob(spec));
   absl::Status finished;
   {
     const std::unique_ptr<Progress> progress = MakeProgress(ChooseProgressForm(arguments.json, arguments.quiet));
-    finished = WaitForJob(**session, created->id(), *progress);
+    finished = WaitForJob(*session, created.id(), *progress);
   }
   if (!finished.ok()) {
-    if (!arguments.json && !arguments.quiet) ShowSpent(**session, created->id());
+    if (!arguments.json && !arguments.quiet) ShowSpent(*session, created.id());
     return finished;
   }
-  const absl::StatusOr<v1::Job> job = (*session)->GetJob(created->id());
-  if (!job.ok()) return job.status();
-  const absl::StatusOr<ArtifactsByKind> artifacts = CollectArtifacts(**session, *job);
-  if (!artifacts.ok()) return artifacts.status();
-  std::vector<OutputFile> files = MakeDesignFiles(*job, *artifacts);
+  ASSIGN_OR_RETURN(const v1::Job job, session->GetJob(created.id()));
+  ASSIGN_OR_RETURN(const ArtifactsByKind artifacts, CollectArtifacts(*session, job));
+  std::vector<OutputFile> files = MakeDesignFiles(job, artifacts);
   absl::StatusOr<std::vector<OutputFile>> views =
-      DrawViews(arguments.views, {.address = arguments.stages.addresses.renderer()},
-                artifacts->at(v1::ARTIFACT_KIND_SOLVED_LAYOUT), spec->brief(), arguments.json || arguments.quiet);
+      DrawViews(arguments.views, {.address = arguments.stages.addresses.renderer(), .asset_folder = {}},
+                artifacts.at(v1::ARTIFACT_KIND_SOLVED_LAYOUT), spec.brief(), arguments.json || arguments.quiet);
   if (!views.ok()) return views.status();
   files.insert(files.end(), std::make_move_iterator(views->begin()), std::make_move_iterator(views->end()));
-  if (absl::Status status = WriteOutputFolder(arguments.out, files); !status.ok()) return status;
-  ShowEnd(arguments, *job, *artifacts);
+  RETURN_IF_ERROR(AddVariants(arguments, spec, artifacts.at(v1::ARTIFACT_KIND_SOLVED_LAYOUT), files));
+  RETURN_IF_ERROR(WriteOutputFolder(arguments.out, files));
+  ShowEnd(arguments, job, artifacts);
   return absl::OkStatus();
 }
 
@@ -162,7 +179,10 @@ void AddDesign(CLI::App& program, absl::Status& result) {
                    "A whole Brief as .json, text or artifact: own room, zones, objects, constraints; TEXT goes before "
                    "its text")
       ->type_name("FILE");
-  command->add_option("--room", arguments->room, "Furnish this room instead of describing one, see docs/rooms.md")
+  command
+      ->add_option(
+          "--room", arguments->room,
+          "Furnish this room instead of describing one: a Room as .json, .textproto or artifact (docs/rooms.md)")
       ->type_name("FILE");
   command->add_option("--size", arguments->size_px, "Longer side of plan.png in pixels, 256 to 8192 (1600)")
       ->type_name("PX")
@@ -179,13 +199,21 @@ void AddDesign(CLI::App& program, absl::Status& result) {
                    "Most restarts per stage of the solver, 1 to 10000 (by the stage's size)")
       ->type_name("N")
       ->check(WholeNumber(1, 10000));
-  command->add_option("--orchestrator", arguments->orchestrator, "Use the services of this one instead of own ones")
+  command
+      ->add_option(
+          "--variants", arguments->variants,
+          "Layouts that differ visibly, 1 to 32 (1), best first: also writes layout-2.pb, ... and variants.png")
+      ->type_name("K")
+      ->check(WholeNumber(1, 32));
+  command
+      ->add_option("--orchestrator", arguments->orchestrator,
+                   "Use the services of this orchestrator instead of those in this process")
       ->type_name("HOST:PORT");
   AddStageFlags(*command, arguments->stages);
   AddLlmFlags(*command, arguments->llm);
   AddModelFlags(*command, arguments->model);
   CLI::Option* json = command->add_flag("--json", arguments->json, "Events as JSON lines on standard output");
-  command->add_flag("-q,--quiet", arguments->quiet, "Say nothing unless something is wrong")->excludes(json);
+  command->add_flag("-q,--quiet", arguments->quiet, "Print nothing unless something goes wrong")->excludes(json);
   command->footer(
       "DIR gets plan.png, the pictures of --view, report.md and each stage's artifact as .pb and .json. It "
       "is written when all is done, whole or not at all; files of other names in it stay. Run again after "

@@ -7,15 +7,17 @@
 #include "CLI/CLI.hpp"
 #include "absl/strings/str_replace.h"
 #include "cli/commands/commands.h"
-#include "cli/diff/artifact_difference.h"
+#include "cli/diff/difference.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_source.h"
+#include "cli/input/command_line.h"
 #include "cli/input/render_flags.h"
-#include "cli/input/value_checks.h"
 #include "cli/output/output_folder.h"
-#include "cli/output/printable.h"
-#include "cli/session/plans_beside.h"
+#include "cli/output/solve_text.h"
+#include "cli/output/text.h"
+#include "cli/session/pictures.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -31,15 +33,9 @@ struct DiffArguments {
   RendererChoice renderer;
 };
 
-// "14 of 15 constraints hold, OOB 0.00 %, OOR 0.12 %".
+// "14 of 15 constraints hold, OOB 0.00 %, OOR 0.12 %, cost 3.25".
 std::string MeasuresOf(const v1::SolvedLayout& layout) {
-  int held = 0;
-  for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
-    held += outcome.status() == v1::OUTCOME_STATUS_SATISFIED ? 1 : 0;
-  }
-  return fmt::format("{} of {}, OOB {:.2f} %, OOR {:.2f} %, cost {:.2f}", held,
-                     Counted(layout.edge_outcomes_size(), "constraint holds", "constraints hold"),
-                     layout.metrics().oob_percent(), layout.metrics().oor_percent(), layout.total_cost());
+  return fmt::format("{}, cost {:.2f}", LayoutLine(layout), layout.total_cost());
 }
 
 // The picture without its plans.
@@ -63,23 +59,21 @@ absl::Status DrawPicture(const DiffArguments& arguments, const v1::Artifact& a, 
 
 absl::Status Diff(const DiffArguments& arguments) {
   if (!arguments.picture.empty()) {
-    if (absl::Status status = CheckPicture(PictureOf(arguments)); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckPicture(PictureOf(arguments)));
   }
-  const absl::StatusOr<v1::Artifact> a = OpenArtifact(arguments.a, arguments.source);
-  if (!a.ok()) return a.status();
-  const absl::StatusOr<v1::Artifact> b = OpenArtifact(arguments.b, arguments.source);
-  if (!b.ok()) return b.status();
-  const absl::StatusOr<Difference> difference = CompareArtifacts(*a, *b);
+  ASSIGN_OR_RETURN(const v1::Artifact a, OpenArtifact(arguments.a, arguments.source));
+  ASSIGN_OR_RETURN(const v1::Artifact b, OpenArtifact(arguments.b, arguments.source));
+  const absl::StatusOr<Difference> difference = CompareArtifacts(a, b);
   if (!difference.ok()) {
     return absl::Status(difference.status().code(), fmt::format("{} and {}: {}", arguments.a, arguments.b,
                                                                 std::string(difference.status().message())));
   }
   if (!arguments.picture.empty()) {
-    if (!a->has_solved_layout()) {
+    if (!a.has_solved_layout()) {
       return absl::InvalidArgumentError(
           fmt::format("--picture: {} is no layout, and only layouts can be drawn", arguments.a));
     }
-    if (absl::Status status = DrawPicture(arguments, *a, *b, *difference); !status.ok()) return status;
+    RETURN_IF_ERROR(DrawPicture(arguments, a, b, *difference));
   }
   fmt::print("{}", arguments.format == "json" ? DifferenceJson(*difference, arguments.a, arguments.b)
                                               : Printable(DifferenceText(*difference, arguments.a, arguments.b)));
@@ -90,7 +84,7 @@ absl::Status Diff(const DiffArguments& arguments) {
 
 void AddDiff(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<DiffArguments>();
-  CLI::App* command = program.add_subcommand("diff", "Tell what differs between two artifacts of a kind, by meaning.");
+  CLI::App* command = program.add_subcommand("diff", "Show what differs between two artifacts of a kind, by meaning.");
   command->add_option("A", arguments->a, fmt::format("An artifact: {}", kSourceHelp))->required();
   command->add_option("B", arguments->b, "Another of the same kind, which came after it")->required();
   command->add_option("--format", arguments->format, "How: text or json (text)")

@@ -8,7 +8,7 @@
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/files.h"
-#include "cli/output/layout_artifact.h"
+#include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"

@@ -11,6 +11,7 @@
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -33,9 +34,8 @@ absl::StatusOr<v1::Artifact> ReadLayout(const std::string& file, const SourceFla
 }
 
 absl::Status Explain(const ExplainArguments& arguments) {
-  const absl::StatusOr<v1::Artifact> artifact = ReadLayout(arguments.file, arguments.source);
-  if (!artifact.ok()) return artifact.status();
-  const absl::StatusOr<LayoutNote> note = MakeLayoutNote(artifact->solved_layout());
+  ASSIGN_OR_RETURN(const v1::Artifact artifact, ReadLayout(arguments.file, arguments.source));
+  const absl::StatusOr<LayoutNote> note = MakeLayoutNote(artifact.solved_layout());
   if (!note.ok()) {
     return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.file, std::string(note.status().message())));
   }
@@ -44,9 +44,8 @@ absl::Status Explain(const ExplainArguments& arguments) {
     fmt::print("{}", arguments.json ? NoteJson(*note) : NoteText(*note, style));
     return absl::OkStatus();
   }
-  const absl::StatusOr<const ObjectNote*> object = FindObject(*note, arguments.object);
-  if (!object.ok()) return object.status();
-  fmt::print("{}", arguments.json ? ObjectJson(**object) : ObjectText(**object, style));
+  ASSIGN_OR_RETURN(const ObjectNote* object, FindObject(*note, arguments.object));
+  fmt::print("{}", arguments.json ? ObjectJson(*object) : ObjectText(*object, style));
   return absl::OkStatus();
 }
 
@@ -54,7 +53,7 @@ absl::Status Explain(const ExplainArguments& arguments) {
 
 void AddExplain(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<ExplainArguments>();
-  CLI::App* command = program.add_subcommand("explain", "Why everything in a layout stands where it stands, in words.");
+  CLI::App* command = program.add_subcommand("explain", "Say why everything in a layout stands where it stands.");
   command
       ->add_option("LAYOUT", arguments->file,
                    "A solved layout: a file (.pb, .json or .textproto), digits of its id, or JOB/solve")

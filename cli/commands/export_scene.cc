@@ -5,16 +5,18 @@
 #include <memory>
 
 #include "CLI/CLI.hpp"
+#include "absl/strings/ascii.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
-#include "cli/input/layout_file.h"
+#include "cli/input/artifact_file.h"
 #include "cli/output/output_folder.h"
-#include "cli/progress/slow_note.h"
-#include "cli/session/renderer_client.h"
+#include "cli/progress/progress.h"
+#include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/scene_state/write_scene_state.h"
 #include "renderer_worker/service/furnishing_choice.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -29,51 +31,45 @@ struct ExportSceneArguments {
 };
 
 absl::Status ExportScene(const ExportSceneArguments& arguments, v1::SceneFormat format) {
-  const absl::StatusOr<LayoutFile> layout = ReadLayoutFile(arguments.layout);
-  if (!layout.ok()) return layout.status();
-  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
+  ASSIGN_OR_RETURN(const LayoutFile layout, ReadLayoutFile(arguments.layout));
+  RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   v1::ExportSceneRequest request;
   request.set_request_id("flair-export");
   request.set_format(format);
-  SetOrigin(*layout, request);
-  absl::StatusOr<std::unique_ptr<RendererClient>> renderer = RendererClient::Open(arguments.renderer);
-  if (!renderer.ok()) return renderer.status();
-  const absl::StatusOr<v1::ExportSceneResponse> response = [&] {
+  SetOrigin(layout, request);
+  ASSIGN_OR_RETURN(std::unique_ptr<RendererClient> renderer, RendererClient::Open(arguments.renderer));
+  ASSIGN_OR_RETURN(const v1::ExportSceneResponse response, [&] {
     const SlowNote note("building the scene");
-    return (*renderer)->ExportScene(request);
-  }();
-  if (!response.ok()) return response.status();
-  if (absl::Status status = WriteOutputFile(arguments.out, response->scene()); !status.ok()) return status;
-  for (const v1::Diagnostic& diagnostic : response->diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
+    return renderer->ExportScene(request);
+  }());
+  RETURN_IF_ERROR(WriteOutputFile(arguments.out, response.scene()));
+  for (const v1::Diagnostic& diagnostic : response.diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
   fmt::print(stderr, "{}: {}, {} KiB\n", arguments.out,
-             Counted(layout->artifact.solved_layout().placements_size(), "object"),
-             (response->scene().size() + 1023) / 1024);
+             Counted(layout.artifact.solved_layout().placements_size(), "object"),
+             (response.scene().size() + 1023) / 1024);
   return absl::OkStatus();
 }
 
 // The models that the JSON names, made in this process.
 absl::Status WriteMeshes(const ExportSceneArguments& arguments) {
   if (arguments.meshes.empty()) return absl::OkStatus();
-  const absl::StatusOr<LayoutFile> layout = ReadLayoutFile(arguments.layout);
-  if (!layout.ok()) return layout.status();
+  ASSIGN_OR_RETURN(const LayoutFile layout, ReadLayoutFile(arguments.layout));
   const absl::StatusOr<renderer::FurnishingChoice> furnishing =
       renderer::ChooseFurnishing(arguments.renderer.asset_folder);
   if (!furnishing.ok()) return furnishing.status();
   const absl::StatusOr<renderer::Scene> scene =
-      renderer::BuildScene(layout->artifact.solved_layout(), *furnishing->source);
+      renderer::BuildScene(layout.artifact.solved_layout(), *furnishing->source);
   if (!scene.ok()) return scene.status();
-  const absl::StatusOr<std::vector<renderer::SceneStateFile>> files = renderer::SceneStateAssets(*scene);
-  if (!files.ok()) return files.status();
-  for (const renderer::SceneStateFile& file : *files) {
-    const absl::Status written = WriteOutputFile(std::filesystem::path(arguments.meshes) / file.path, file.bytes);
-    if (!written.ok()) return written;
+  ASSIGN_OR_RETURN(const std::vector<renderer::SceneStateFile> files, renderer::SceneStateAssets(*scene));
+  for (const renderer::SceneStateFile& file : files) {
+    RETURN_IF_ERROR(WriteOutputFile(std::filesystem::path(arguments.meshes) / file.path, file.bytes));
   }
-  fmt::print(stderr, "{}: {}\n", arguments.meshes, Counted(std::ssize(*files), "file"));
+  fmt::print(stderr, "{}: {}\n", arguments.meshes, Counted(std::ssize(files), "file"));
   return absl::OkStatus();
 }
 
 absl::Status ExportSceneState(const ExportSceneArguments& arguments) {
-  if (absl::Status status = ExportScene(arguments, v1::SCENE_FORMAT_SCENE_STATE); !status.ok()) return status;
+  RETURN_IF_ERROR(ExportScene(arguments, v1::SCENE_FORMAT_SCENE_STATE));
   return WriteMeshes(arguments);
 }
 
@@ -82,8 +78,9 @@ absl::Status ExportGlb(const ExportSceneArguments& arguments) {
     return absl::InvalidArgumentError(fmt::format(
         "--format: {}: is no format of scenes; glb (for SceneEval: flair export sceneeval)", arguments.format));
   }
-  const std::string ending = std::filesystem::path(arguments.out).extension().string();
-  if (!ending.empty() && ending != ".glb" && ending != ".GLB") {
+  std::string ending = std::filesystem::path(arguments.out).extension().string();
+  absl::AsciiStrToLower(&ending);
+  if (!ending.empty() && ending != ".glb") {
     return absl::InvalidArgumentError(
         fmt::format("--out: {}: scenes are written as .glb (binary glTF 2.0); Blender turns that into USD, FBX or OBJ",
                     arguments.out));

@@ -7,12 +7,12 @@
 #include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
-#include "cli/graph/dot_text.h"
-#include "cli/graph/run_dot.h"
+#include "cli/graph/layout_diagram.h"
 #include "cli/input/artifact_source.h"
 #include "cli/output/output_folder.h"
-#include "cli/progress/slow_note.h"
+#include "cli/progress/progress.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -33,29 +33,26 @@ absl::StatusOr<std::string> FormatOf(const std::string& out) {
 }
 
 absl::StatusOr<Diagram> ReadDiagram(const GraphArguments& arguments) {
-  const absl::StatusOr<v1::Artifact> artifact = OpenArtifact(arguments.graph, arguments.source);
-  if (!artifact.ok()) return artifact.status();
-  if (artifact->has_solved_layout()) return DiagramOf(artifact->solved_layout());
-  if (artifact->has_layout_graph()) return DiagramOf(artifact->layout_graph());
+  ASSIGN_OR_RETURN(const v1::Artifact artifact, OpenArtifact(arguments.graph, arguments.source));
+  if (artifact.has_solved_layout()) return DiagramOf(artifact.solved_layout());
+  if (artifact.has_layout_graph()) return DiagramOf(artifact.layout_graph());
   return absl::InvalidArgumentError(
       fmt::format("{}: neither a layout nor a graph; give the layout.pb or graph.pb of a design", arguments.graph));
 }
 
 absl::Status Graph(const GraphArguments& arguments) {
-  const absl::StatusOr<std::string> format = FormatOf(arguments.out);
-  if (!format.ok()) return format.status();
-  const absl::StatusOr<Diagram> diagram = ReadDiagram(arguments);
-  if (!diagram.ok()) return diagram.status();
-  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
-  absl::StatusOr<std::string> bytes = DotText(*diagram);
-  if (*format != "dot") {
+  ASSIGN_OR_RETURN(const std::string format, FormatOf(arguments.out));
+  ASSIGN_OR_RETURN(const Diagram diagram, ReadDiagram(arguments));
+  RETURN_IF_ERROR(CheckOutputFile(arguments.out));
+  absl::StatusOr<std::string> bytes = DotText(diagram);
+  if (format != "dot") {
     const SlowNote note("drawing");
-    bytes = RunDot(*bytes, *format);
+    bytes = RunDot(*bytes, format);
     if (!bytes.ok()) return bytes.status();
   }
-  if (absl::Status status = WriteOutputFile(arguments.out, *bytes); !status.ok()) return status;
-  fmt::print(stderr, "{}: {}, {}, {}\n", arguments.out, Counted(std::ssize(diagram->nodes), "node"),
-             Counted(std::ssize(diagram->links), "link"), Counted(std::ssize(diagram->groups), "group"));
+  RETURN_IF_ERROR(WriteOutputFile(arguments.out, *bytes));
+  fmt::print(stderr, "{}: {}, {}, {}\n", arguments.out, Counted(std::ssize(diagram.nodes), "node"),
+             Counted(std::ssize(diagram.links), "link"), Counted(std::ssize(diagram.groups), "group"));
   return absl::OkStatus();
 }
 

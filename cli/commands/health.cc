@@ -5,10 +5,11 @@
 #include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/contract/target.h"
-#include "cli/input/connection_flags.h"
-#include "cli/input/value_checks.h"
+#include "cli/input/command_line.h"
+#include "cli/input/service_flags.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -20,13 +21,11 @@ struct HealthArguments {
 };
 
 absl::Status Health(const HealthArguments& arguments) {
-  const absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
-  if (!options.ok()) return options.status();
-  const auto channel = runtime::MakeChannel(arguments.address, arguments.service, *options);
-  if (!channel.ok()) return channel.status();
+  ASSIGN_OR_RETURN(const runtime::ChannelOptions options, StageConnection());
+  ASSIGN_OR_RETURN(const auto channel, runtime::MakeChannel(arguments.address, arguments.service, options));
   const std::string what =
       arguments.service.empty() ? arguments.address : fmt::format("{} at {}", arguments.service, arguments.address);
-  const auto health = contract::HealthOf(*channel, arguments.service, absl::Seconds(arguments.patience_s));
+  const auto health = contract::HealthOf(channel, arguments.service, absl::Seconds(arguments.patience_s));
   if (absl::IsNotFound(health.status())) {
     return absl::NotFoundError(
         fmt::format("{}: the server there has no such service; is this another stage's port?", what));
@@ -43,7 +42,7 @@ absl::Status Health(const HealthArguments& arguments) {
 
 void AddHealth(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<HealthArguments>();
-  CLI::App* command = program.add_subcommand("health", "Whether a server serves, by the gRPC health protocol.");
+  CLI::App* command = program.add_subcommand("health", "Ask whether a server is serving, by the gRPC health protocol.");
   command->add_option("ADDRESS", arguments->address, "The server, HOST:PORT or unix:PATH")
       ->required()
       ->type_name("ADDRESS");

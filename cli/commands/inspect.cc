@@ -15,8 +15,9 @@
 #include "cli/output/artifact_text.h"
 #include "cli/output/models_text.h"
 #include "cli/output/output_folder.h"
-#include "cli/output/printable.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -61,9 +62,8 @@ absl::StatusOr<std::string> Render(const InspectArguments& arguments, const std:
   const v1::Artifact& artifact = found.file.artifact;
   const ContentStyle style = {.most_rows = arguments.all ? SIZE_MAX : ContentStyle().most_rows};
   if (!arguments.field.empty()) {
-    const absl::StatusOr<FieldView> view = FindField(artifact, arguments.field);
-    if (!view.ok()) return view.status();
-    return FieldText(*view, format == "json" ? FieldFormat::kJson : FieldFormat::kText);
+    ASSIGN_OR_RETURN(const FieldView view, FindField(artifact, arguments.field));
+    return FieldText(view, format == "json" ? FieldFormat::kJson : FieldFormat::kText);
   }
   if (arguments.provenance) {
     const std::vector<ProvenanceStep> steps = FindProvenance(artifact, finder);
@@ -87,29 +87,26 @@ absl::Status Give(const InspectArguments& arguments, const std::string& text) {
 }
 
 absl::Status Inspect(const InspectArguments& arguments) {
-  if (absl::Status status = CheckFormat(arguments.format); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckFormat(arguments.format));
   const std::string format = FormatOf(arguments);
   if (!arguments.out.empty()) {
-    if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   }
-  const absl::StatusOr<std::unique_ptr<ArtifactShelf>> shelf = OpenShelf(arguments.from);
-  if (!shelf.ok()) return shelf.status();
-  const absl::StatusOr<FoundSource> found = FindSource(arguments.source, **shelf);
-  if (!found.ok()) return found.status();
-  if (found->is_job) {
+  ASSIGN_OR_RETURN(const std::unique_ptr<ArtifactShelf> shelf, OpenShelf(arguments.from));
+  ASSIGN_OR_RETURN(const FoundSource found, FindSource(arguments.source, *shelf));
+  if (found.is_job) {
     if (!arguments.field.empty() || arguments.provenance || arguments.calls || format == "binary") {
       return absl::InvalidArgumentError(
           fmt::format("{0}: a job; say which of its artifacts, such as {0}/solve", arguments.source));
     }
-    return Give(arguments, format == "json"        ? ToJson(found->job)
-                           : format == "textproto" ? ToText(found->job)
-                                                   : Printable(JobText(found->job, **shelf)));
+    return Give(arguments, format == "json"        ? ToJson(found.job)
+                           : format == "textproto" ? ToText(found.job)
+                                                   : Printable(JobText(found.job, *shelf)));
   }
-  ArtifactFinder finder(found->path, **shelf);
-  const absl::StatusOr<std::string> text = Render(arguments, format, *found, finder);
-  if (!text.ok()) return text.status();
-  if (absl::Status status = Give(arguments, *text); !status.ok()) return status;
-  return found->file.whole.ok() ? found->file.good : found->file.whole;
+  ArtifactFinder finder(found.path, *shelf);
+  ASSIGN_OR_RETURN(const std::string text, Render(arguments, format, found, finder));
+  RETURN_IF_ERROR(Give(arguments, text));
+  return found.file.whole.ok() ? found.file.good : found.file.whole;
 }
 
 }  // namespace

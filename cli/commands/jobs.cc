@@ -5,13 +5,13 @@
 #include <memory>
 
 #include "CLI/CLI.hpp"
-#include "absl/time/time.h"
 #include "cli/commands/commands.h"
-#include "cli/input/value_checks.h"
+#include "cli/input/command_line.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/printable.h"
+#include "cli/output/text.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -30,11 +30,6 @@ std::string StateName(v1::JobState state) {
   return name;
 }
 
-std::string TimeText(const google::protobuf::Timestamp& time) {
-  const absl::Time value = absl::FromUnixSeconds(time.seconds()) + absl::Nanoseconds(time.nanos());
-  return absl::FormatTime("%Y-%m-%d %H:%M:%S", value, absl::LocalTimeZone());
-}
-
 // Of a brief, in the list.
 constexpr size_t kShownOfText = 60;
 
@@ -48,26 +43,25 @@ std::string ReplayText(const v1::Job& job) {
 void ShowJob(const v1::Job& job) {
   fmt::print("{:<11}{}\n{:<11}{}{}\n{:<11}{}\n{:<11}{}\n{:<11}{}\n", "job", job.id(), "state", StateName(job.state()),
              job.stage().empty() ? "" : " at " + job.stage(), "asked for", PrintableLine(job.spec().brief().text()),
-             "seed", job.spec().brief().seed(), "created", TimeText(job.create_time()));
+             "seed", job.spec().brief().seed(), "created", LocalTimeText(job.create_time()));
   if (job.spec().has_replay()) fmt::print("{:<11}{}\n", "replay of", ReplayText(job));
-  if (job.has_end_time()) fmt::print("{:<11}{}\n", "ended", TimeText(job.end_time()));
+  if (job.has_end_time()) fmt::print("{:<11}{}\n", "ended", LocalTimeText(job.end_time()));
   if (!job.error().empty()) fmt::print("{:<11}{}\n", "error", Printable(job.error()));
   fmt::print("{:<11}{}\n", "artifacts", job.artifacts_size());
 }
 
 absl::Status List(Session& session, const JobsArguments& arguments) {
-  const absl::StatusOr<std::vector<v1::Job>> jobs = session.ListJobs(arguments.count);
-  if (!jobs.ok()) return jobs.status();
-  for (const v1::Job& job : *jobs) {
+  ASSIGN_OR_RETURN(const std::vector<v1::Job> jobs, session.ListJobs(arguments.count));
+  for (const v1::Job& job : jobs) {
     if (arguments.json) {
       fmt::print("{}\n", ToJsonLine(job));
     } else {
-      fmt::print("{}  {:<9}  {}  {}{}\n", job.id(), StateName(job.state()), TimeText(job.create_time()),
+      fmt::print("{}  {:<9}  {}  {}{}\n", job.id(), StateName(job.state()), LocalTimeText(job.create_time()),
                  Shortened(PrintableLine(job.spec().brief().text()), kShownOfText),
                  job.spec().has_replay() ? "  (replay of " + ReplayText(job) + ")" : "");
     }
   }
-  if (jobs->empty() && !arguments.json) fmt::print(stderr, "No jobs yet. Try: flair design \"A bedroom.\" --out out\n");
+  if (jobs.empty() && !arguments.json) fmt::print(stderr, "No jobs yet. Try: flair design \"A bedroom.\" --out out\n");
   return absl::OkStatus();
 }
 
@@ -82,9 +76,8 @@ absl::Status Report(const absl::StatusOr<v1::Job>& job, bool json) {
 }
 
 absl::Status ListArtifacts(Session& session, const JobsArguments& arguments) {
-  const absl::StatusOr<v1::Job> job = session.GetJob(arguments.id);
-  if (!job.ok()) return job.status();
-  for (const v1::ArtifactRef& ref : job->artifacts()) {
+  ASSIGN_OR_RETURN(const v1::Job job, session.GetJob(arguments.id));
+  for (const v1::ArtifactRef& ref : job.artifacts()) {
     if (arguments.json) {
       fmt::print("{}\n", ToJsonLine(ref));
     } else {
@@ -95,13 +88,12 @@ absl::Status ListArtifacts(Session& session, const JobsArguments& arguments) {
 }
 
 absl::Status Delete(Session& session, const JobsArguments& arguments) {
-  const absl::StatusOr<v1::DeleteJobResponse> deleted = session.DeleteJob(arguments.id);
-  if (!deleted.ok()) return deleted.status();
+  ASSIGN_OR_RETURN(const v1::DeleteJobResponse deleted, session.DeleteJob(arguments.id));
   if (arguments.json) {
-    fmt::print("{}\n", ToJsonLine(*deleted));
+    fmt::print("{}\n", ToJsonLine(deleted));
   } else {
     fmt::print("deleted job {} and {} that no other job had\n", arguments.id,
-               Counted(deleted->deleted_artifact_count(), "artifact"));
+               Counted(deleted.deleted_artifact_count(), "artifact"));
   }
   return absl::OkStatus();
 }
@@ -137,17 +129,17 @@ void AddAction(CLI::App& jobs, const std::shared_ptr<JobsArguments>& arguments, 
 
 void AddJobs(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<JobsArguments>();
-  CLI::App* jobs = program.add_subcommand("jobs", "What was designed before, and what is running.");
+  CLI::App* jobs = program.add_subcommand("jobs", "List past and running jobs.");
   jobs->require_subcommand(0, 1);
   AddAction(*jobs, arguments, result, "list", "Jobs, newest first (the default).", false, List);
   AddAction(*jobs, arguments, result, "show", "One job.", true,
             [](Session& session, const JobsArguments& a) { return Report(session.GetJob(a.id), a.json); });
-  AddAction(*jobs, arguments, result, "cancel", "End a job.", true,
+  AddAction(*jobs, arguments, result, "cancel", "Cancel a job.", true,
             [](Session& session, const JobsArguments& a) { return Report(session.CancelJob(a.id), a.json); });
   AddAction(*jobs, arguments, result, "delete",
-            "Forget a job that has ended, with the artifacts that no other job has. Files that it wrote stay.", true,
+            "Delete a job that has ended, with the artifacts that no other job has. Files that it wrote stay.", true,
             Delete);
-  AddAction(*jobs, arguments, result, "artifacts", "What a job has stored.", true, ListArtifacts);
+  AddAction(*jobs, arguments, result, "artifacts", "List the artifacts of a job.", true, ListArtifacts);
   AddCallFlags(*jobs, *arguments);
   AddCount(*jobs, *arguments);
   jobs->callback([jobs, arguments, &result] {

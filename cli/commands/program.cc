@@ -16,10 +16,9 @@
 #include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
-#include "cli/input/connection_flags.h"
-#include "cli/input/usage_error.h"
-#include "cli/output/help_text.h"
-#include "cli/output/wrapped_text.h"
+#include "cli/input/command_line.h"
+#include "cli/input/service_flags.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "worker_runtime/bootstrap/build_id.h"
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair protocol: the services and messages of package flair.v1.
+#include "cli/protocol/protocol.h"
+
 #include <cstdio>
 #include <memory>
 
 #include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
-#include "cli/protocol/protocol_page.h"
-#include "cli/protocol/protocol_text.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -22,9 +23,8 @@ absl::Status Protocol(const ProtocolArguments& arguments) {
     fmt::print("{}", arguments.markdown ? ProtocolMarkdown() : ProtocolOverview());
     return absl::OkStatus();
   }
-  const absl::StatusOr<std::string> entry = ProtocolEntryText(arguments.name);
-  if (!entry.ok()) return entry.status();
-  fmt::print("{}", *entry);
+  ASSIGN_OR_RETURN(const std::string entry, ProtocolEntryText(arguments.name));
+  fmt::print("{}", entry);
   return absl::OkStatus();
 }
 
@@ -32,7 +32,7 @@ absl::Status Protocol(const ProtocolArguments& arguments) {
 
 void AddProtocol(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<ProtocolArguments>();
-  CLI::App* command = program.add_subcommand("protocol", "The services and messages that stages speak.");
+  CLI::App* command = program.add_subcommand("protocol", "List the services and messages of the protocol.");
   CLI::Option* const name =
       command->add_option("NAME", arguments->name, "One of them in full: a service, call, message or enum");
   command->add_flag("--markdown", arguments->markdown, "All of them in full, as docs/protocol.md")->excludes(name);

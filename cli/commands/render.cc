@@ -6,13 +6,14 @@
 #include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
-#include "cli/input/layout_file.h"
+#include "cli/input/artifact_file.h"
 #include "cli/input/render_flags.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
-#include "cli/progress/slow_note.h"
-#include "cli/session/renderer_client.h"
+#include "cli/progress/progress.h"
+#include "cli/session/stage_calls.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -43,36 +44,31 @@ std::string WhatTakesLong(const v1::RenderOptions& options) {
 }
 
 absl::Status Render(const RenderArguments& arguments) {
-  const absl::StatusOr<v1::RenderOptions> options = ReadRenderFlags(arguments.flags, arguments.out);
-  if (!options.ok()) return options.status();
-  const absl::StatusOr<std::string> annotations = AnnotationsPath(arguments, *options);
-  if (!annotations.ok()) return annotations.status();
-  const absl::StatusOr<LayoutFile> layout = ReadLayoutFile(arguments.layout);
-  if (!layout.ok()) return layout.status();
-  for (const std::string& path : {arguments.out, *annotations}) {
-    if (absl::Status status = CheckOutputFile(path); !status.ok()) return status;
+  ASSIGN_OR_RETURN(const v1::RenderOptions options, ReadRenderFlags(arguments.flags, arguments.out));
+  ASSIGN_OR_RETURN(const std::string annotations, AnnotationsPath(arguments, options));
+  ASSIGN_OR_RETURN(const LayoutFile layout, ReadLayoutFile(arguments.layout));
+  for (const std::string& path : {arguments.out, annotations}) {
+    RETURN_IF_ERROR(CheckOutputFile(path));
   }
   v1::RenderRequest request;
   request.set_request_id("flair-render");
-  SetOrigin(*layout, request);
-  *request.mutable_options() = *options;
-  absl::StatusOr<std::unique_ptr<RendererClient>> renderer = RendererClient::Open(arguments.renderer);
-  if (!renderer.ok()) return renderer.status();
-  const absl::StatusOr<v1::RenderResponse> response = [&] {
-    const SlowNote note(WhatTakesLong(*options));
-    return (*renderer)->Render(request);
-  }();
-  if (!response.ok()) return response.status();
-  const v1::Preview& preview = response->preview();
-  if (absl::Status status = WriteOutputFile(arguments.out, preview.image()); !status.ok()) return status;
-  if (!annotations->empty()) {
-    if (absl::Status status = WriteOutputFile(*annotations, ToJson(preview.annotations())); !status.ok()) return status;
+  SetOrigin(layout, request);
+  *request.mutable_options() = options;
+  ASSIGN_OR_RETURN(std::unique_ptr<RendererClient> renderer, RendererClient::Open(arguments.renderer));
+  ASSIGN_OR_RETURN(const v1::RenderResponse response, [&] {
+    const SlowNote note(WhatTakesLong(options));
+    return renderer->Render(request);
+  }());
+  const v1::Preview& preview = response.preview();
+  RETURN_IF_ERROR(WriteOutputFile(arguments.out, preview.image()));
+  if (!annotations.empty()) {
+    RETURN_IF_ERROR(WriteOutputFile(annotations, ToJson(preview.annotations())));
   }
-  for (const v1::Diagnostic& diagnostic : response->diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
+  for (const v1::Diagnostic& diagnostic : response.diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
   fmt::print(stderr, "{}: {}\n", arguments.out,
              preview.width_px() > 0 ? fmt::format("{} x {} px", preview.width_px(), preview.height_px())
                                     : fmt::format("{} KiB", (preview.image().size() + 1023) / 1024));
-  if (!annotations->empty()) fmt::print(stderr, "{}: camera and objects\n", *annotations);
+  if (!annotations.empty()) fmt::print(stderr, "{}: camera and objects\n", annotations);
   return absl::OkStatus();
 }
 

@@ -9,16 +9,17 @@
 #include "cli/exit_code.h"
 #include "cli/input/llm_flags.h"
 #include "cli/input/option_path.h"
-#include "cli/input/stage_flags.h"
-#include "cli/output/design_files.h"
-#include "cli/output/wrapped_text.h"
+#include "cli/input/service_flags.h"
+#include "cli/output/report_text.h"
+#include "cli/output/text.h"
 #include "cli/progress/progress.h"
-#include "cli/replay/comparison_text.h"
+#include "cli/replay/comparison.h"
 #include "cli/session/finished_job.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/stage.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -40,9 +41,8 @@ struct ReplayArguments {
 absl::StatusOr<std::string_view> SetOptions(const std::vector<std::string>& options, v1::JobSpec& spec) {
   int first = static_cast<int>(orchestrator::Stages().size());
   for (const std::string& option : options) {
-    const absl::StatusOr<std::string_view> stage = SetOption(option, spec);
-    if (!stage.ok()) return stage.status();
-    first = std::min(first, orchestrator::StageIndex(*stage));
+    ASSIGN_OR_RETURN(const std::string_view stage, SetOption(option, spec));
+    first = std::min(first, orchestrator::StageIndex(stage));
   }
   absl::Status status = Validate(spec.solve_options(), "--set optimizer");
   if (status.ok()) status = Validate(spec.render_options(), "--set renderer");
@@ -54,14 +54,13 @@ absl::StatusOr<std::string_view> SetOptions(const std::vector<std::string>& opti
 absl::StatusOr<v1::JobSpec> MakeSpec(const ReplayArguments& arguments, const v1::Job& earlier) {
   v1::JobSpec spec = earlier.spec();
   spec.mutable_model_options()->MergeFrom(MakeModelOptions(arguments.model));
-  const absl::StatusOr<std::string_view> reached = SetOptions(arguments.options, spec);
-  if (!reached.ok()) return reached.status();
-  const std::string from = arguments.from.empty() ? std::string(*reached) : arguments.from;
-  if (!reached->empty() && orchestrator::StageIndex(from) > orchestrator::StageIndex(*reached)) {
+  ASSIGN_OR_RETURN(const std::string_view reached, SetOptions(arguments.options, spec));
+  const std::string from = arguments.from.empty() ? std::string(reached) : arguments.from;
+  if (!reached.empty() && orchestrator::StageIndex(from) > orchestrator::StageIndex(reached)) {
     return absl::InvalidArgumentError(fmt::format(
         "--from {}: the options of --set reach \"{}\", which would be taken from the earlier job; --from {} "
         "or an earlier stage",
-        from, *reached, *reached));
+        from, reached, reached));
   }
   spec.mutable_replay()->set_job_id(earlier.id());
   spec.mutable_replay()->set_from_stage(from);
@@ -132,26 +131,21 @@ absl::Status Tell(const ReplayArguments& arguments, const v1::Job& first, const 
 
 absl::Status Run(Session& session, const ReplayArguments& arguments, const v1::Job& first, const v1::JobSpec& spec,
                  bool has_model) {
-  const absl::StatusOr<ArtifactsByKind> before = StoredArtifacts(session, first);
-  if (!before.ok()) return before.status();
-  RemarkOnModel(arguments, has_model, *before, spec.replay());
-  const absl::StatusOr<std::string> id = Begin(session, spec, arguments.quiet || arguments.json);
-  if (!id.ok()) return id.status();
+  ASSIGN_OR_RETURN(const ArtifactsByKind before, StoredArtifacts(session, first));
+  RemarkOnModel(arguments, has_model, before, spec.replay());
+  ASSIGN_OR_RETURN(const std::string id, Begin(session, spec, arguments.quiet || arguments.json));
   absl::Status finished;
   {
     const std::unique_ptr<Progress> progress = MakeProgress(ChooseProgressForm(arguments.json, arguments.quiet));
-    finished = WaitForJob(session, *id, *progress);
+    finished = WaitForJob(session, id, *progress);
   }
-  const absl::StatusOr<v1::Job> replay = session.GetJob(*id);
-  if (!replay.ok()) return replay.status();
-  if (replay->state() != v1::JOB_STATE_SUCCEEDED && replay->state() != v1::JOB_STATE_FAILED) return finished;
-  const absl::StatusOr<ArtifactsByKind> after = StoredArtifacts(session, *replay);
-  if (!after.ok()) return after.status();
-  if (!arguments.out.empty() && replay->state() == v1::JOB_STATE_SUCCEEDED) {
-    absl::Status status = WriteOutputFolder(arguments.out, MakeDesignFiles(*replay, *after));
-    if (!status.ok()) return status;
+  ASSIGN_OR_RETURN(const v1::Job replay, session.GetJob(id));
+  if (replay.state() != v1::JOB_STATE_SUCCEEDED && replay.state() != v1::JOB_STATE_FAILED) return finished;
+  ASSIGN_OR_RETURN(const ArtifactsByKind after, StoredArtifacts(session, replay));
+  if (!arguments.out.empty() && replay.state() == v1::JOB_STATE_SUCCEEDED) {
+    RETURN_IF_ERROR(WriteOutputFolder(arguments.out, MakeDesignFiles(replay, after)));
   }
-  return Tell(arguments, first, *replay, CompareStages(first, *before, *replay, *after));
+  return Tell(arguments, first, replay, CompareStages(first, before, replay, after));
 }
 
 absl::Status Replay(const ReplayArguments& arguments) {
@@ -162,29 +156,25 @@ absl::Status Replay(const ReplayArguments& arguments) {
     return absl::InvalidArgumentError(
         fmt::format("--from {}: there is no such stage; one of {}", arguments.from, orchestrator::StageNames()));
   }
-  const absl::StatusOr<OptionalLlm> llm = ReadDesignModel(arguments.llm, arguments.model, arguments.orchestrator);
-  if (!llm.ok()) return llm.status();
+  ASSIGN_OR_RETURN(const OptionalLlm llm, ReadDesignModel(arguments.llm, arguments.model, arguments.orchestrator));
   if (!arguments.out.empty()) {
-    if (absl::Status status = CheckOutputFolder(arguments.out, DesignFileNames()); !status.ok()) return status;
+    RETURN_IF_ERROR(CheckOutputFolder(arguments.out, DesignFileNames()));
   }
-  absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments.orchestrator, *llm, arguments.stages);
-  if (!session.ok()) return session.status();
-  const absl::StatusOr<v1::Job> first = (*session)->GetJob(arguments.job_id);
-  if (!first.ok()) return first.status();
-  if (!HasEnded(*first)) {
+  ASSIGN_OR_RETURN(std::unique_ptr<Session> session, Session::Open(arguments.orchestrator, llm, arguments.stages));
+  ASSIGN_OR_RETURN(const v1::Job first, session->GetJob(arguments.job_id));
+  if (!HasEnded(first)) {
     return absl::InvalidArgumentError(
-        fmt::format("JOB: {} has not ended yet; see: flair jobs show {}", first->id(), first->id()));
+        fmt::format("JOB: {} has not ended yet; see: flair jobs show {}", first.id(), first.id()));
   }
-  const absl::StatusOr<v1::JobSpec> spec = MakeSpec(arguments, *first);
-  if (!spec.ok()) return spec.status();
-  return Run(**session, arguments, *first, *spec, llm->has_value());
+  ASSIGN_OR_RETURN(const v1::JobSpec spec, MakeSpec(arguments, first));
+  return Run(*session, arguments, first, spec, llm.has_value());
 }
 
 }  // namespace
 
 void AddReplay(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* command = program.add_subcommand("replay", "Run a job again and say whether it comes to the same.");
+  CLI::App* command = program.add_subcommand("replay", "Run a job again and say whether the result is the same.");
   command->add_option("JOB", arguments->job_id, "Id of the job, as flair jobs prints it")->required();
   command
       ->add_option("--from", arguments->from,

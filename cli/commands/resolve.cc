@@ -8,18 +8,19 @@
 #include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_source.h"
-#include "cli/input/text_message.h"
-#include "cli/input/value_checks.h"
+#include "cli/input/command_line.h"
+#include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/layout_remarks.h"
 #include "cli/output/output_folder.h"
-#include "cli/session/stage_call.h"
+#include "cli/output/solve_text.h"
+#include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "optimizer_worker/resolve/edit_text.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -42,14 +43,12 @@ absl::StatusOr<v1::ResolveRequest> MakeRequest(const ResolveArguments& arguments
   request.set_request_id("flair-resolve");
   *request.mutable_solved_layout() = layout.solved_layout();
   for (const std::string& line : arguments.edits) {
-    absl::StatusOr<v1::LayoutEdit> edit = optimizer::EditFromText(line, layout.solved_layout());
-    if (!edit.ok()) return edit.status();
-    *request.add_edits() = *std::move(edit);
+    ASSIGN_OR_RETURN(v1::LayoutEdit edit, optimizer::EditFromText(line, layout.solved_layout()));
+    *request.add_edits() = std::move(edit);
   }
   if (!arguments.edits_file.empty()) {
     v1::ResolveRequest read;
-    absl::Status status = ReadTextMessage("--edits", arguments.edits_file, kEditsExample, read);
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(ReadTextMessage("--edits", arguments.edits_file, kEditsExample, read));
     request.mutable_edits()->MergeFrom(read.edits());
   }
   if (request.edits().empty())
@@ -72,28 +71,25 @@ std::string Moved(const v1::ResolveResponse& response) {
 }
 
 absl::Status Resolve(const ResolveArguments& arguments) {
-  const absl::StatusOr<v1::Artifact> before = OpenArtifact(arguments.layout, arguments.source);
-  if (!before.ok()) return before.status();
-  if (!before->has_solved_layout()) {
+  ASSIGN_OR_RETURN(const v1::Artifact before, OpenArtifact(arguments.layout, arguments.source));
+  if (!before.has_solved_layout()) {
     return absl::InvalidArgumentError(
         fmt::format("{}: not a layout; give what flair solve or design wrote", arguments.layout));
   }
-  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
-  const absl::StatusOr<v1::ResolveRequest> request = MakeRequest(arguments, *before);
-  if (!request.ok()) return request.status();
-  const absl::StatusOr<v1::ResolveResponse> response = CallResolve(*request, arguments.optimizer);
-  if (!response.ok()) return response.status();
+  RETURN_IF_ERROR(CheckOutputFile(arguments.out));
+  ASSIGN_OR_RETURN(const v1::ResolveRequest request, MakeRequest(arguments, before));
+  ASSIGN_OR_RETURN(const v1::ResolveResponse response, CallResolve(request, arguments.optimizer));
 
   v1::Artifact layout;
-  layout.add_made_from_ids(before->id());
-  *layout.mutable_producer() = response->producer();
-  layout.set_options_digest(runtime::Sha256Hex(runtime::CanonicalBytes(request->options())));
-  *layout.mutable_solved_layout() = response->solved_layout();
+  layout.add_made_from_ids(before.id());
+  *layout.mutable_producer() = response.producer();
+  layout.set_options_digest(runtime::Sha256Hex(runtime::CanonicalBytes(request.options())));
+  *layout.mutable_solved_layout() = response.solved_layout();
   layout.set_id(orchestrator::ComputeArtifactId(layout));
-  if (absl::Status status = WriteOutputFile(arguments.out, ArtifactBytes(layout)); !status.ok()) return status;
+  RETURN_IF_ERROR(WriteOutputFile(arguments.out, ArtifactBytes(layout)));
   fmt::print(stderr, "{}: {}\n", arguments.out, orchestrator::Summarize(layout));
-  fmt::print(stderr, "{:<11}{}\n", "moved", Moved(*response));
-  fmt::print(stderr, "{}", LayoutRemarks(response->solved_layout()));
+  fmt::print(stderr, "{:<11}{}\n", "moved", Moved(response));
+  fmt::print(stderr, "{}", LayoutRemarks(response.solved_layout()));
   fmt::print(stderr, "{:<11}flair render {} --out plan.png\n", "next", arguments.out);
   return absl::OkStatus();
 }
@@ -112,9 +108,11 @@ void AddResolve(CLI::App& program, absl::Status& result) {
   command->add_option("--edit", arguments->edits, "A change, see below; may be given often")->type_name("TEXT");
   command->add_option("--edits", arguments->edits_file, "Changes as protobuf text: edits { ... }, after all --edit")
       ->type_name("FILE");
-  command->add_option("--seed", arguments->seed, "Another seed, another layout (0)")->type_name("N")->check(Seed());
+  command->add_option("--seed", arguments->seed, "Seed; another seed, another layout (0)")
+      ->type_name("N")
+      ->check(Seed());
   command->add_flag("--leave-out", arguments->leave_out, "Leave out what does not fit");
-  command->add_option("--optimizer", arguments->optimizer, "Use this one instead of an own one")
+  command->add_option("--optimizer", arguments->optimizer, "Use this server instead of one in this process")
       ->type_name("HOST:PORT");
   command->footer(
       "Changes:\n"
@@ -122,7 +120,8 @@ void AddResolve(CLI::App& program, absl::Status& result) {
       "  resize wardrobe 1.5x0.6x2.1                add lamp 0.4x0.4x1.5 near sofa\n"
       "  weight e17 3                drop e17\n"
       "  edge against_wall object=desk side=back\n"
-      "Metres and degrees; a heading of 0 faces north. What is moved is pinned.");
+      "Metres and degrees, counter-clockwise: 0 faces north, 90 west. What is moved is pinned. flair inspect LAYOUT "
+      "lists the ids of objects and constraints. See docs/resolve.md.");
   command->callback([arguments, &result] { result = Resolve(*arguments); });
 }
 

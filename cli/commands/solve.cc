@@ -10,16 +10,15 @@
 #include "cli/input/artifact_source.h"
 #include "cli/input/solve_flags.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/layout_remarks.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/solve_text.h"
-#include "cli/session/stage_call.h"
+#include "cli/session/stage_calls.h"
+#include "cli/session/variants.h"
 #include "fmt/format.h"
-#include "optimizer_worker/solver/nlopt_solver.h"
-#include "optimizer_worker/stages/solve_layout.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -45,58 +44,24 @@ v1::Artifact MakeArtifact(const v1::Artifact& graph, const v1::SolveRequest& req
   return artifact;
 }
 
-// "layout.pb" is followed by "layout-2.pb", "layout-3.pb".
-std::string PathOfVariant(const std::string& out, int number) {
-  if (number == 1) return out;
-  const std::filesystem::path path(out);
-  return (path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()))
-      .string();
-}
-
-// The layout first, then its complete runner-ups, with the terms that runner-ups lack.
-std::vector<v1::SolvedLayout> LayoutsOf(const v1::SolveResponse& response, const v1::SolveRequest& request) {
-  std::vector<v1::SolvedLayout> layouts = {response.solved_layout()};
-  const optimizer::NloptSolver solver;
-  for (int i = 0; i < response.solved_layout().runner_ups_size(); ++i) {
-    if (!IsComplete(response.solved_layout().runner_ups(i))) continue;
-    v1::SolvedLayout& variant = layouts.emplace_back(VariantOf(response.solved_layout(), i));
-    v1::EvaluateRequest evaluate;
-    *evaluate.mutable_layout_graph() = variant.graph();
-    *evaluate.mutable_placements() = variant.placements();
-    *evaluate.mutable_options() = request.options();
-    const absl::StatusOr<v1::EvaluateResponse> terms = optimizer::EvaluateLayout(evaluate, solver);
-    // Another optimizer's library may be unknown here.
-    if (!terms.ok()) continue;
-    *variant.mutable_term_outcomes() = terms->term_outcomes();
-    double total = 0;
-    for (const v1::EdgeOutcome& edge : variant.edge_outcomes()) total += edge.weighted_cost();
-    for (const v1::TermOutcome& term : variant.term_outcomes()) total += term.cost() * term.factor();
-    variant.set_total_cost(total);
-  }
-  return layouts;
-}
-
 absl::Status Solve(const SolveArguments& arguments) {
-  const absl::StatusOr<v1::Artifact> graph = OpenArtifact(arguments.graph, arguments.source);
-  if (!graph.ok()) return graph.status();
-  if (!graph->has_layout_graph()) {
+  ASSIGN_OR_RETURN(const v1::Artifact graph, OpenArtifact(arguments.graph, arguments.source));
+  if (!graph.has_layout_graph()) {
     return absl::InvalidArgumentError(
         fmt::format("{}: not a graph; give the graph.pb of a design or of flair-dev import flairgpt", arguments.graph));
   }
-  if (absl::Status status = CheckOutputFile(arguments.out); !status.ok()) return status;
-  absl::StatusOr<v1::SolveOptions> options = ReadSolveFlags(arguments.flags);
-  if (!options.ok()) return options.status();
+  RETURN_IF_ERROR(CheckOutputFile(arguments.out));
+  ASSIGN_OR_RETURN(v1::SolveOptions options, ReadSolveFlags(arguments.flags));
   v1::SolveRequest request;
   request.set_request_id("flair-solve");
-  *request.mutable_layout_graph() = graph->layout_graph();
-  *request.mutable_options() = *std::move(options);
-  const absl::StatusOr<v1::SolveResponse> response = CallSolve(request, arguments.optimizer);
-  if (!response.ok()) return response.status();
+  *request.mutable_layout_graph() = graph.layout_graph();
+  *request.mutable_options() = std::move(options);
+  ASSIGN_OR_RETURN(const v1::SolveResponse response, CallSolve(request, arguments.optimizer));
 
   std::vector<std::string> files;
-  const std::vector<v1::SolvedLayout> layouts = LayoutsOf(*response, request);
+  const std::vector<v1::SolvedLayout> layouts = VariantLayouts(response.solved_layout(), request.options());
   for (size_t i = 0; i < layouts.size(); ++i) {
-    v1::Artifact artifact = MakeArtifact(*graph, request, response->producer());
+    v1::Artifact artifact = MakeArtifact(graph, request, response.producer());
     *artifact.mutable_solved_layout() = layouts[i];
     artifact.set_id(orchestrator::ComputeArtifactId(artifact));
     if (i == 0) {
@@ -104,20 +69,18 @@ absl::Status Solve(const SolveArguments& arguments) {
                  orchestrator::Summarize(artifact));
     }
     if (arguments.out.empty()) continue;
-    const std::string path = PathOfVariant(arguments.out, static_cast<int>(i) + 1);
-    if (absl::Status status = WriteOutputFile(path, ArtifactBytes(artifact)); !status.ok()) return status;
+    const std::string path = VariantPath(arguments.out, static_cast<int>(i) + 1);
+    RETURN_IF_ERROR(WriteOutputFile(path, ArtifactBytes(artifact)));
     files.push_back(std::filesystem::path(path).filename().string());
   }
   fmt::print(stderr, "{}", LayoutRemarks(layouts.front()));
-  if (arguments.stats) fmt::print("{}", SolveStats(*response));
+  if (arguments.stats) fmt::print("{}", SolveStats(response));
   if (request.options().variant_count() > 1) {
-    fmt::print("{}{}", arguments.stats ? "\n" : "", VariantsTable(response->solved_layout(), files));
+    fmt::print("{}{}", arguments.stats ? "\n" : "", VariantsTable(response.solved_layout(), files));
     std::fflush(stdout);
   }
   if (static_cast<int>(layouts.size()) < request.options().variant_count()) {
-    fmt::print(stderr,
-               "{:<11}{} of {} layouts: no more were found that differ visibly; more --restarts may find some\n",
-               "variants", layouts.size(), request.options().variant_count());
+    fmt::print(stderr, "{:<11}{}\n", "variants", FewerVariants(layouts.size(), request.options().variant_count()));
   }
   if (arguments.out.empty()) {
     fmt::print(stderr, "{:<11}--out FILE keeps the layout\n", "next");
@@ -141,7 +104,7 @@ void AddSolve(CLI::App& program, absl::Status& result) {
       ->type_name("FILE");
   command->add_flag("--stats", arguments->stats, "Print stages, terms, missed constraints and measures");
   AddSolveFlags(*command, arguments->flags);
-  command->add_option("--optimizer", arguments->optimizer, "Use this one instead of an own one")
+  command->add_option("--optimizer", arguments->optimizer, "Use this server instead of one in this process")
       ->type_name("HOST:PORT");
   command->callback([arguments, &result] { result = Solve(*arguments); });
 }

@@ -11,12 +11,13 @@
 #include "CLI/CLI.hpp"
 #include "absl/strings/escaping.h"
 #include "cli/commands/commands.h"
-#include "cli/input/value_checks.h"
+#include "cli/input/command_line.h"
 #include "flair/config/v1/token_list.pb.h"
 #include "fmt/format.h"
 #include "google/protobuf/text_format.h"
 #include "orchestrator/access/access_control.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -34,7 +35,7 @@ struct TokenArguments {
 absl::StatusOr<std::string> NewToken() {
   std::array<char, kTokenBytes> bytes = {};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    return absl::InternalError("the machine gives no random numbers");
+    return absl::InternalError("the system provides no random numbers");
   }
   // What begins so is found by those who look for secrets in the wrong places.
   return "flair_" + absl::WebSafeBase64Escape(absl::string_view(bytes.data(), bytes.size()));
@@ -44,7 +45,7 @@ absl::StatusOr<std::string> NewToken() {
 absl::Status WriteToken(const std::string& path, const std::string& token) {
   if (std::filesystem::exists(path)) {
     return absl::InvalidArgumentError(
-        fmt::format("--token-out {}: is there already; a token is not written over", path));
+        fmt::format("--token-out {}: already exists; a token is never overwritten", path));
   }
   const mode_t mask = ::umask(077);
   const absl::Status status = runtime::WriteFileAtomically(path, token + "\n");
@@ -53,24 +54,23 @@ absl::Status WriteToken(const std::string& path, const std::string& token) {
 }
 
 absl::Status New(const TokenArguments& arguments) {
-  const absl::StatusOr<std::string> token = NewToken();
-  if (!token.ok()) return token.status();
+  ASSIGN_OR_RETURN(const std::string token, NewToken());
   config::v1::TokenList list;
   config::v1::TokenEntry& entry = *list.add_tokens();
   entry.set_name(arguments.name);
-  entry.set_sha256(runtime::Sha256Hex(*token));
+  entry.set_sha256(runtime::Sha256Hex(token));
   if (arguments.open_job_limit != 0) entry.set_open_job_limit(arguments.open_job_limit);
   if (arguments.calls_per_minute_limit != 0) entry.set_calls_per_minute_limit(arguments.calls_per_minute_limit);
   if (arguments.is_operator) entry.set_operator_(true);
-  if (absl::Status status = orchestrator::CheckTokenList(list); !status.ok()) return status;
+  RETURN_IF_ERROR(orchestrator::CheckTokenList(list));
   if (!arguments.out.empty()) {
-    if (absl::Status status = WriteToken(arguments.out, *token); !status.ok()) return status;
+    RETURN_IF_ERROR(WriteToken(arguments.out, token));
   }
   std::string text;
   google::protobuf::TextFormat::PrintToString(list, &text);
   fmt::print("{}", text);
   std::fflush(stdout);
-  if (arguments.out.empty()) fmt::print(stderr, "\nThe token, which is shown only now and kept nowhere:\n{}\n", *token);
+  if (arguments.out.empty()) fmt::print(stderr, "\nThe token, which is shown only now and kept nowhere:\n{}\n", token);
   return absl::OkStatus();
 }
 
@@ -78,10 +78,10 @@ absl::Status New(const TokenArguments& arguments) {
 
 void AddToken(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<TokenArguments>();
-  CLI::App* token = program.add_subcommand("token", "Tokens of those who may call an orchestrator.");
+  CLI::App* token = program.add_subcommand("token", "Manage tokens for callers of an orchestrator.");
   token->require_subcommand(1);
   CLI::App* command = token->add_subcommand("new", "Make a token, and its entry for the file in tokens_path.");
-  command->add_option("NAME", arguments->name, "Whom it is for; jobs are kept under this name")->required();
+  command->add_option("NAME", arguments->name, "Who it is for; jobs are kept under this name")->required();
   command
       ->add_option("--token-out", arguments->out,
                    "Write the token to a new file that only you can read, instead of the screen")

@@ -11,14 +11,13 @@
 #include "absl/time/clock.h"
 #include "cli/commands/commands.h"
 #include "cli/embedded/embedded_services.h"
-#include "cli/input/value_checks.h"
-#include "cli/session/no_orchestrator.h"
+#include "cli/input/command_line.h"
 #include "cli/session/session.h"
-#include "cli/top/cluster_client.h"
-#include "cli/top/terminal_screen.h"
-#include "cli/top/top_json.h"
+#include "cli/top/cluster_state.h"
+#include "cli/top/terminal.h"
 #include "cli/top/top_text.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -61,11 +60,10 @@ class Top {
   }
 
   absl::Status Look() {
-    absl::StatusOr<ClusterLook> look = client_.Look();
-    if (!look.ok()) return look.status();
+    ASSIGN_OR_RETURN(ClusterLook look, client_.Look());
     // This process works on nothing, and knows nothing of others that work on its store.
-    if (!watches_cluster_) look->cluster.clear_orchestrators();
-    state_.See(*look);
+    if (!watches_cluster_) look.cluster.clear_orchestrators();
+    state_.See(look);
     return absl::OkStatus();
   }
 
@@ -134,7 +132,7 @@ void AddTop(CLI::App& program, absl::Status& result) {
   auto arguments = std::make_shared<TopArguments>();
   CLI::App* top = program.add_subcommand(
       "top",
-      "How a cluster or the local store does, live: queue, batches, orchestrators, workers. Printed once when not on "
+      "Watch a cluster or the local store live: queue, batches, orchestrators, workers. Printed once when not on "
       "a terminal.");
   top->add_option("--orchestrator", arguments->orchestrator,
                   "Watch the cluster of this one, which knows all of its queue, instead of the local store")

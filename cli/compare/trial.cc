@@ -6,7 +6,7 @@
 #include <set>
 
 #include "absl/time/clock.h"
-#include "cli/session/stage_call.h"
+#include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/solver/nlopt_solver.h"

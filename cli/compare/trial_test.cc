@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/compare/trial_text.h"
 #include "tests/fixtures/bedroom.h"
 
 namespace flair::cli {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/compare/trial_text.h"
-
 #include <algorithm>
 
-#include "cli/diff/content_difference.h"
-#include "cli/output/call_text.h"
-#include "cli/output/text_table.h"
+#include "cli/compare/trial.h"
+#include "cli/diff/difference.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "worker_runtime/text/counted.h"
 

@@ -4,10 +4,10 @@
 
 #include <numbers>
 
-#include "cli/diff/artifact_difference.h"
+#include "cli/diff/difference.h"
 #include "cli/diff/field_words.h"
-#include "cli/diff/matching.h"
-#include "cli/diff/place_change.h"
+#include "cli/diff/layout_difference.h"
+#include "cli/diff/pairing.h"
 #include "tests/fixtures/bedroom.h"
 
 namespace flair::cli {
@@ -60,6 +60,27 @@ std::string TextOf(const v1::Artifact& a, const v1::Artifact& b) {
 
 TEST(Diff, TheSameIsToldInOneLine) {
   EXPECT_EQ(TextOf(Layout(), Layout()), "a.pb and b.pb are the same solved layout\n");
+}
+
+TEST(Diff, LikeChangesOfLooksShareALineAndColoursAreNamed) {
+  v1::Artifact a, b;
+  for (const char* id : {"bed", "desk", "chair", "lamp"}) {
+    v1::ObjectStyle& style = *a.mutable_style_sheet()->add_objects();
+    style.set_subject_id(id);
+    style.set_material("oak");
+    style.mutable_colour()->set_name("honey");
+    style.mutable_colour()->set_red(200);
+    style.set_description(std::string("A plain ") + id + ".");
+  }
+  b = a;
+  for (int i = 0; i < 3; ++i) {
+    v1::ObjectStyle& style = *b.mutable_style_sheet()->mutable_objects(i);
+    style.mutable_colour()->set_name("grey");
+    style.mutable_colour()->set_red(90);
+    style.set_description("Another one.");
+  }
+  EXPECT_THAT(TextOf(a, b), HasSubstr("  ~ bed, desk, chair  colour honey -> grey\n"));
+  EXPECT_THAT(TextOf(a, b), Not(HasSubstr("red")));
 }
 
 TEST(Diff, AMoveIsADistanceADirectionAndATurn) {

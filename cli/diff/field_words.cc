@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "cli/output/artifact_text.h"
+#include "flair/v1/style_sheet.pb.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
+
 namespace {
 
 using google::protobuf::FieldDescriptor;
@@ -109,6 +111,10 @@ class Walk {
       case FieldDescriptor::CPPTYPE_STRING:
         return CompareStrings(of_a.GetString(a, &field), of_b.GetString(b, &field), field, path, name);
       case FieldDescriptor::CPPTYPE_MESSAGE:
+        if (field.message_type() == v1::Colour::descriptor()) {
+          return CompareColours(static_cast<const v1::Colour&>(of_a.GetMessage(a, &field)),
+                                static_cast<const v1::Colour&>(of_b.GetMessage(b, &field)), path, name);
+        }
         return Compare(of_a.GetMessage(a, &field), of_b.GetMessage(b, &field), path + ".", name + " ", {});
       default:
         return;  // the contract has no other types
@@ -125,6 +131,17 @@ class Walk {
   void CompareTexts(const std::string& a, const std::string& b, const std::string& path, const std::string& name) {
     if (a != b) Add(path, name, fmt::format("{} -> {}", a, b), a, b);
   }
+  // By name; channels say something only where the names do not.
+  void CompareColours(const v1::Colour& a, const v1::Colour& b, const std::string& path, const std::string& name) {
+    const auto hex = [](const v1::Colour& colour) {
+      return fmt::format("#{:02x}{:02x}{:02x}", colour.red() & 255, colour.green() & 255, colour.blue() & 255);
+    };
+    const auto both = [&hex](const v1::Colour& colour) { return colour.name() + " " + hex(colour); };
+    if (both(a) == both(b)) return;
+    const bool named = !a.name().empty() && !b.name().empty() && a.name() != b.name();
+    Add(path, name, fmt::format("{} -> {}", named ? a.name() : hex(a), named ? b.name() : hex(b)), both(a), both(b));
+  }
+
   void CompareStrings(const std::string& a, const std::string& b, const FieldDescriptor& field, const std::string& path,
                       const std::string& name) {
     if (a == b) return;
@@ -186,7 +203,9 @@ std::optional<FieldWords> ChangedFields(const Message& a, const Message& b, cons
   if (walk.items.empty()) return std::nullopt;
   FieldWords words{.words = "", .detail = {{"fields", nlohmann::json::array()}}};
   for (Walk::Item& item : walk.items) {
-    words.words += fmt::format("{}{} {}", words.words.empty() ? "" : ", ", item.name, item.words);
+    // Other words for what has changed anyway.
+    const bool repeats = walk.items.size() > 1 && item.name == "description";
+    if (!repeats) words.words += fmt::format("{}{} {}", words.words.empty() ? "" : ", ", item.name, item.words);
     words.detail["fields"].push_back(std::move(item.detail));
   }
   return words;

@@ -2,10 +2,10 @@
 // Rooms, zones, objects, sentences and calls.
 #include <algorithm>
 
-#include "cli/diff/compare_things.h"
-#include "cli/diff/content_difference.h"
+#include "cli/diff/difference.h"
+#include "cli/diff/field_words.h"
 #include "cli/diff/pairing.h"
-#include "cli/output/call_text.h"
+#include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
-#include "cli/output/call_text.h"
+#include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
+
 namespace {
 
 // The words of the sentence a call comes from.

@@ -9,7 +9,7 @@
 #include "absl/strings/str_split.h"
 #include "cli/embedded/remote_stage.h"
 #include "cli/exit_code.h"
-#include "cli/input/connection_flags.h"
+#include "cli/input/service_flags.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"

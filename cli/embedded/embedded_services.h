@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "cli/input/stage_flags.h"
+#include "cli/input/service_flags.h"
 #include "flair/config/v1/llm_config.pb.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "orchestrator/service/make_orchestrator_service.h"

@@ -2,7 +2,7 @@
 #include "cli/embedded/remote_stage.h"
 
 #include "absl/time/clock.h"
-#include "cli/input/connection_flags.h"
+#include "cli/input/service_flags.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"

@@ -9,7 +9,7 @@
 
 #include "cli/explain/call_words.h"
 #include "cli/explain/sentence_words.h"
-#include "cli/output/wrapped_text.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "worker_runtime/text/counted.h"
 

@@ -2,9 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/graph/dot_text.h"
 #include "cli/graph/layout_diagram.h"
-#include "cli/graph/run_dot.h"
 #include "tests/fixtures/bedroom.h"
 
 namespace flair::cli {

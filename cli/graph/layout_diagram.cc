@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "cli/output/call_text.h"
+#include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "flair/v1/solved_layout.pb.h"
 
 namespace flair::cli {
@@ -63,5 +64,15 @@ Diagram DiagramOf(const v1::LayoutGraph& graph);
 
 // The worst of the verdicts: what a link of several calls looks like.
 v1::OutcomeStatus WorstOf(const std::vector<DiagramCall>& calls);
+
+// The diagram in Graphviz's language: zones are clusters in the plan's colours, objects tables with a row for each call
+// about them alone, links coloured by verdict with the sentences as tooltips. Pure; any text of a layout is escaped.
+std::string DotText(const Diagram& diagram);
+
+// What Graphviz's program `dot` makes of `text` as "svg", "png" or "pdf". A process of its own: nothing of Graphviz is
+// loaded by other commands, and a graph that it cannot cope with harms nobody. The same text gives the same bytes.
+// FAILED_PRECONDITION when there is no `dot`, DEADLINE_EXCEEDED when it takes more than two minutes, INTERNAL with what
+// it said otherwise.
+absl::StatusOr<std::string> RunDot(const std::string& text, const std::string& format);
 
 }  // namespace flair::cli

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Artifacts as files: binary as Flair writes them, or JSON and protobuf text, which people may change.
+// Artifacts as files: binary as Flair writes them, or JSON and protobuf text, which people may change; and the files
+// that stand for a brief, a room or a layout.
 #pragma once
 
+#include <google/protobuf/message.h>
+
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
+#include "flair/v1/brief.pb.h"
+#include "flair/v1/room.pb.h"
+#include "room/validation/field.h"
 
 namespace flair::cli {
 
@@ -45,5 +54,38 @@ void MarkEdited(v1::Artifact& artifact);
 
 // Whether it is one of MarkEdited.
 bool IsEdited(const v1::Artifact& artifact);
+
+// Reads a file that holds a whole and good artifact, or a message of another type by itself: fills the one or the other
+// and returns whether it was the artifact. The message by itself is checked with `problems` once it is filled. Errors
+// as ReadArtifact, about what the file seems to hold.
+absl::StatusOr<bool> ReadArtifactOr(const std::filesystem::path& path, v1::Artifact& artifact,
+                                    google::protobuf::Message& alone,
+                                    const std::function<std::vector<validation::Problem>()>& problems);
+
+// A whole brief, with the user's own room, zones, objects or constraints where it brings them: the artifact of an
+// earlier design (.pb or .json), or a Brief as JSON or as protobuf text. INVALID_ARGUMENT names `flag`, the path, the
+// place and what would be right; NOT_FOUND and FAILED_PRECONDITION as ReadFile. A Brief may leave out its text.
+absl::StatusOr<v1::Brief> ReadBrief(const std::string& flag, const std::string& path);
+
+// A stored layout and, where its folder still holds all that it was made from, the brief it goes back to.
+struct LayoutFile {
+  v1::Artifact artifact;  // with a solved_layout
+  std::optional<v1::Brief> brief;
+};
+
+// As ReadArtifact; INVALID_ARGUMENT when it holds no layout. A brief that lies beside it is only taken when the ids
+// lead to it.
+absl::StatusOr<LayoutFile> ReadLayoutFile(const std::filesystem::path& path);
+
+// Writes where a picture or scene comes from into a RenderRequest or ExportSceneRequest, as the pipeline does: the same
+// layout gives the same bytes wherever it is drawn.
+template <typename Request>
+void SetOrigin(const LayoutFile& file, Request& request) {
+  *request.mutable_solved_layout() = file.artifact.solved_layout();
+  request.set_job_id(file.artifact.id());
+  if (!file.brief) return;
+  request.set_brief_text(file.brief->text());
+  request.set_brief_seed(file.brief->seed());
+}
 
 }  // namespace flair::cli

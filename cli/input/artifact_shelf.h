@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Where artifacts are kept: a store, an orchestrator, the folder of a file.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,5 +32,36 @@ class ArtifactShelf {
 
 // A job store's folder, read directly: nothing is started, and where there is none none is made.
 std::unique_ptr<ArtifactShelf> MakeStoreShelf(const std::string& folder);
+
+// Finds what an artifact was made from: in the folder of its file, then on a shelf. Only what has the id of its bytes
+// counts. Of a folder's .pb files the first bytes are read; its JSON and protobuf text files, which may be edited ones,
+// only when everything else fails, and no more than two megabytes of them.
+class ArtifactFinder {
+ public:
+  // `path` of the artifact's file, empty when it has none; `shelf` must outlive the finder.
+  ArtifactFinder(std::string path, ArtifactShelf& shelf) : path_(std::move(path)), shelf_(shelf) {}
+
+  struct Found {
+    v1::Artifact artifact;
+    std::string place;  // "graph.pb", "the store ..."
+  };
+  std::optional<Found> Find(const std::string& id);
+
+  // Name of the .pb file beside the artifact's that says to have the id; empty when none does.
+  std::string FileBeside(const std::string& id);
+
+  // "neither beside out/graph.pb nor in the store ...".
+  std::string SearchedPlaces() const;
+
+ private:
+  void ListFolder();
+  std::optional<Found> FindInTexts(const std::string& id);
+
+  const std::string path_;
+  ArtifactShelf& shelf_;
+  bool listed_ = false;
+  std::map<std::string, std::string> binary_files_;     // paths by stated id
+  std::optional<std::map<std::string, Found>> edited_;  // by id, once they have been read
+};
 
 }  // namespace flair::cli

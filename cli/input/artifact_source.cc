@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -11,13 +12,15 @@
 #include "cli/input/message_text.h"
 #include "cli/input/message_words.h"
 #include "cli/output/artifact_text.h"
-#include "cli/session/orchestrator_shelf.h"
+#include "cli/session/session.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/stage.h"
 #include "orchestrator/store/artifact_id.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
+
 namespace {
 
 constexpr size_t kFewestDigits = 6;
@@ -38,28 +41,26 @@ bool LooksLikeJob(const std::string& text) {
 
 // The artifact with what is wrong with it; one of a store has been found to be whole.
 absl::StatusOr<FoundSource> FromShelf(const std::string& source, const std::string& id, ArtifactShelf& shelf) {
-  absl::StatusOr<v1::Artifact> artifact = shelf.GetArtifact(id);
-  if (!artifact.ok()) return artifact.status();
+  ASSIGN_OR_RETURN(v1::Artifact artifact, shelf.GetArtifact(id));
   FoundSource found;
-  found.file.stated_id = artifact->id();
-  found.file.whole = CheckArtifactId(*artifact, source);
-  found.file.good = ListProblems(source, FindProblems(*artifact));
-  found.file.artifact = *std::move(artifact);
+  found.file.stated_id = artifact.id();
+  found.file.whole = CheckArtifactId(artifact, source);
+  found.file.good = ListProblems(source, FindProblems(artifact));
+  found.file.artifact = std::move(artifact);
   return found;
 }
 
 absl::StatusOr<FoundSource> FindByDigits(const std::string& digits, ArtifactShelf& shelf) {
   const std::string prefix = absl::AsciiStrToLower(digits);
   if (prefix.size() == kIdDigits) return FromShelf(digits, prefix, shelf);
-  const absl::StatusOr<std::vector<std::string>> ids = shelf.FindIds(prefix);
-  if (!ids.ok()) return ids.status();
-  if (ids->size() == 1) return FromShelf(digits, ids->front(), shelf);
-  if (ids->empty()) {
+  ASSIGN_OR_RETURN(const std::vector<std::string> ids, shelf.FindIds(prefix));
+  if (ids.size() == 1) return FromShelf(digits, ids.front(), shelf);
+  if (ids.empty()) {
     return absl::NotFoundError(
         fmt::format("{}: no such file, and no artifact in {} has an id that begins so", digits, shelf.name()));
   }
   return absl::InvalidArgumentError(fmt::format("{}: {} artifacts have ids that begin so: {}; give more digits", digits,
-                                                ids->size(), ListNames(*ids, 5)));
+                                                ids.size(), ListNames(ids, 5)));
 }
 
 // The kind that a stage makes, by the stage's name or by that of the file that holds it.
@@ -104,7 +105,7 @@ void AddSourceFlags(CLI::App& command, SourceFlags& flags) {
   CLI::Option* store =
       command.add_option("--store", flags.store, "Look up ids and jobs in this store (that of flair jobs)")
           ->type_name("DIR");
-  command.add_option("--orchestrator", flags.orchestrator, "Look them up at this orchestrator instead")
+  command.add_option("--orchestrator", flags.orchestrator, "Look them up at this orchestrator")
       ->type_name("HOST:PORT")
       ->excludes(store);
 }
@@ -135,19 +136,54 @@ absl::StatusOr<FoundSource> FindSource(const std::string& source, ArtifactShelf&
 }
 
 absl::StatusOr<v1::Artifact> OpenArtifact(const std::string& source, const SourceFlags& flags) {
-  const absl::StatusOr<std::unique_ptr<ArtifactShelf>> shelf = OpenShelf(flags);
-  if (!shelf.ok()) return shelf.status();
-  absl::StatusOr<FoundSource> found = FindSource(source, **shelf);
-  if (!found.ok()) return found.status();
-  if (found->is_job) {
+  ASSIGN_OR_RETURN(const std::unique_ptr<ArtifactShelf> shelf, OpenShelf(flags));
+  ASSIGN_OR_RETURN(FoundSource found, FindSource(source, *shelf));
+  if (found.is_job) {
     std::vector<std::string> stages;
-    for (const v1::ArtifactRef& ref : found->job.artifacts()) stages.push_back(StageOf(ref.kind()));
+    for (const v1::ArtifactRef& ref : found.job.artifacts()) stages.push_back(StageOf(ref.kind()));
     return absl::InvalidArgumentError(
         fmt::format("{0}: a job; which of its artifacts, such as {0}/solve? It has {1}", source, ListNames(stages)));
   }
-  if (!found->file.whole.ok()) return found->file.whole;
-  if (!found->file.good.ok()) return found->file.good;
-  return std::move(found->file.artifact);
+  if (!found.file.whole.ok()) return found.file.whole;
+  if (!found.file.good.ok()) return found.file.good;
+  return std::move(found.file.artifact);
+}
+
+namespace {
+
+constexpr int kSearchedJobs = 1000;
+
+class OrchestratorShelf final : public ArtifactShelf {
+ public:
+  OrchestratorShelf(std::unique_ptr<Session> session, const std::string& address)
+      : session_(std::move(session)), name_("the orchestrator at " + address) {}
+
+  absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id) override { return session_->GetArtifact(id); }
+
+  absl::StatusOr<std::vector<std::string>> FindIds(const std::string& prefix) override {
+    ASSIGN_OR_RETURN(const std::vector<v1::Job> jobs, session_->ListJobs(kSearchedJobs));
+    std::set<std::string> ids;
+    for (const v1::Job& job : jobs) {
+      for (const v1::ArtifactRef& ref : job.artifacts()) {
+        if (ref.id().starts_with(prefix)) ids.insert(ref.id());
+      }
+    }
+    return std::vector<std::string>(ids.begin(), ids.end());
+  }
+
+  absl::StatusOr<v1::Job> GetJob(const std::string& id) override { return session_->GetJob(id); }
+  std::string name() const override { return name_; }
+
+ private:
+  const std::unique_ptr<Session> session_;
+  const std::string name_;
+};
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<ArtifactShelf>> OpenOrchestratorShelf(const std::string& address) {
+  ASSIGN_OR_RETURN(std::unique_ptr<Session> session, Session::Open(address));
+  return std::make_unique<OrchestratorShelf>(std::move(session), address);
 }
 
 }  // namespace flair::cli

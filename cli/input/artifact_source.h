@@ -46,4 +46,8 @@ absl::StatusOr<FoundSource> FindSource(const std::string& source, ArtifactShelf&
 // The artifact, whole and good; INVALID_ARGUMENT for a job without stage.
 absl::StatusOr<v1::Artifact> OpenArtifact(const std::string& source, const SourceFlags& flags);
 
+// What an orchestrator keeps, asked for with its RPCs. Ids are looked for among its latest 1000 jobs. INVALID_ARGUMENT
+// for an address that is none; who does not answer is UNAVAILABLE at the first question.
+absl::StatusOr<std::unique_ptr<ArtifactShelf>> OpenOrchestratorShelf(const std::string& address);
+
 }  // namespace flair::cli

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Paths to parts of messages, and where in a JSON text such a part is.
 #pragma once
 
 #include <string>
@@ -23,5 +24,12 @@ std::string PathText(const std::vector<PathStep>& steps, size_t count);
 
 // The number in brackets, from 0 on; -1 when it is no number.
 int IndexOf(const PathStep& step);
+
+// Where in a JSON text the field begins, as a byte offset; of the innermost part on the way to it that is there. Field
+// names may be those of the .proto files or in camel case. Looks once through what lies before; 0 for what is no JSON.
+size_t FindJsonField(std::string_view json, const std::vector<PathStep>& path);
+
+// The line of a byte, from 1 on.
+int LineAt(std::string_view text, size_t offset);
 
 }  // namespace flair::cli

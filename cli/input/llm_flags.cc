@@ -7,11 +7,12 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/input/value_checks.h"
+#include "cli/input/command_line.h"
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/wrappers/metered_llm_client.h"
 #include "worker_runtime/config/config_reader.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -24,7 +25,7 @@ constexpr char kFileVariable[] = "FLAIR_LLM";
 struct FlagField {
   std::string_view flag;
   std::string_view field;
-  std::string LlmFlags::* value;
+  std::string LlmFlags::*value;
   void (*set)(LlmConfig& config, const std::string& value);
 };
 
@@ -136,8 +137,8 @@ void AddLlmFlags(CLI::App& command, LlmFlags& flags) {
   const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
     return command.add_option(flag, value, help)->type_name(type)->group(group);
   };
-  add("--llm", flags.file, "The model and how to reach it, as text of an LlmConfig ($FLAIR_LLM; none: no model)",
-      "FILE");
+  add("--llm", flags.file,
+      "The model and how to reach it, as text of an LlmConfig (default $FLAIR_LLM; without either, no model)", "FILE");
   add("--model", flags.model, "The model's name, such as gpt-4o", "NAME");
   add("--base-url", flags.base_url, "Its server, such as https://api.openai.com/v1 or http://127.0.0.1:11434/v1",
       "URL");
@@ -145,12 +146,12 @@ void AddLlmFlags(CLI::App& command, LlmFlags& flags) {
   CLI::Option* record = add("--record", flags.record, "Write all questions and answers to this folder", "DIR");
   add("--replay", flags.replay, "Take all answers from this folder; no network", "DIR")->excludes(record);
   add("--cache", flags.cache, "Keep answers in this folder and ask nothing twice", "DIR");
-  add("--prompts", flags.prompts, "Own prompts in place of those of the same name (flair prompts)", "DIR");
+  add("--prompts", flags.prompts, "Your own prompts, in place of ours of the same name (flair prompts)", "DIR");
 }
 
 void AddModelFlags(CLI::App& command, ModelFlags& flags) {
   const std::string group = "Language model";
-  command.add_option("--max-calls", flags.calls, "Most questions to the model, 0 to 100000; the design fails after")
+  command.add_option("--max-calls", flags.calls, "Most calls of the model, 0 to 100000; beyond that the design fails")
       ->type_name("N")
       ->check(WholeNumber(0, 100000))
       ->group(group);
@@ -177,9 +178,8 @@ absl::StatusOr<std::optional<LlmConfig>> ReadLlmFlags(const LlmFlags& flags) {
     if (variable != nullptr) path = variable;
   }
   if (path.empty() && flags.Given().empty()) return std::optional<LlmConfig>();
-  absl::StatusOr<LlmConfig> config = path.empty() ? ReadFlagsAlone(flags) : ReadFileAndFlags(path, flags);
-  if (!config.ok()) return config.status();
-  return std::optional<LlmConfig>(*std::move(config));
+  ASSIGN_OR_RETURN(LlmConfig config, path.empty() ? ReadFlagsAlone(flags) : ReadFileAndFlags(path, flags));
+  return std::optional<LlmConfig>(std::move(config));
 }
 
 absl::Status CheckLimits(const ModelFlags& flags, const LlmConfig& config) {
@@ -206,7 +206,7 @@ absl::StatusOr<std::optional<LlmConfig>> ReadDesignModel(const LlmFlags& flags, 
   }
   absl::StatusOr<std::optional<LlmConfig>> llm = ReadLlmFlags(flags);
   if (!llm.ok() || !llm->has_value()) return llm;
-  if (absl::Status status = CheckLimits(limits, **llm); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckLimits(limits, **llm));
   return llm;
 }
 

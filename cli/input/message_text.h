@@ -27,4 +27,15 @@ absl::Status LocateProblems(TextForm form, const std::string& name, const std::s
 // The same of what has no lines: "NAME: FIELD: is ...".
 absl::Status ListProblems(const std::string& name, const std::vector<validation::Problem>& problems);
 
+// Fills `message` from proto JSON, field names as in the .proto files or in camel case. INVALID_ARGUMENT as
+// ParseMessageText, in words of ours where protobuf's name its types.
+absl::Status ParseJsonMessage(const std::string& name, const std::string& json, google::protobuf::Message& message);
+
+// Messages that people write as protobuf text.
+
+// Fills `message` from the file. Errors begin with `flag`, such as "--options", and the path: NOT_FOUND and
+// FAILED_PRECONDITION as ReadFile, INVALID_ARGUMENT with line, column and `example`, what would be right.
+absl::Status ReadTextMessage(const std::string& flag, const std::string& path, const std::string& example,
+                             google::protobuf::Message& message);
+
 }  // namespace flair::cli

@@ -7,6 +7,7 @@
 #include "fmt/format.h"
 
 namespace flair::cli {
+
 namespace {
 
 using google::protobuf::Descriptor;

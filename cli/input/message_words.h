@@ -22,4 +22,12 @@ std::string DidYouMean(std::string_view name, const std::vector<std::string>& na
 // What a field takes: "a number", "text", "one of KIND_A, KIND_B", "an object {...}".
 std::string Expected(const google::protobuf::FieldDescriptor& field);
 
+// A request as one line: line breaks and tabs come from copying text; they mean a space.
+inline std::string OneLine(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+  }
+  return text;
+}
+
 }  // namespace flair::cli

@@ -13,6 +13,7 @@
 #include "absl/strings/str_split.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -73,9 +74,8 @@ absl::Status ReadCamera(const RenderFlags& flags, v1::RenderOptions& options) {
     return absl::InvalidArgumentError("--fov goes with --camera and --look-at");
   }
   v1::ViewCamera& camera = *options.mutable_camera();
-  if (absl::Status status = ReadVector("--camera", flags.camera, *camera.mutable_eye_m()); !status.ok()) return status;
-  if (absl::Status status = ReadVector("--look-at", flags.look_at, *camera.mutable_target_m()); !status.ok())
-    return status;
+  RETURN_IF_ERROR(ReadVector("--camera", flags.camera, *camera.mutable_eye_m()));
+  RETURN_IF_ERROR(ReadVector("--look-at", flags.look_at, *camera.mutable_target_m()));
   if (flags.field_of_view_deg) camera.set_field_of_view_rad(*flags.field_of_view_deg * std::numbers::pi / 180);
   return absl::OkStatus();
 }
@@ -179,19 +179,17 @@ absl::StatusOr<v1::PreviewFormat> FormatOfFile(const std::string& path) {
 
 absl::StatusOr<v1::RenderOptions> ReadRenderFlags(const RenderFlags& flags, const std::string& out) {
   v1::RenderOptions options;
-  const absl::StatusOr<v1::PreviewView> view = ViewOfName(flags.view);
-  if (!view.ok()) return view.status();
-  options.set_view(*view);
-  const absl::StatusOr<v1::PreviewFormat> format = FormatOfFile(out);
-  if (!format.ok()) return format.status();
-  options.set_format(*format);
+  ASSIGN_OR_RETURN(const v1::PreviewView view, ViewOfName(flags.view));
+  options.set_view(view);
+  ASSIGN_OR_RETURN(const v1::PreviewFormat format, FormatOfFile(out));
+  options.set_format(format);
   if (flags.size_px) options.set_size_px(*flags.size_px);
   if (flags.dpi) options.set_dpi(*flags.dpi);
-  if (absl::Status status = ReadSheet(flags, options); !status.ok()) return status;
-  if (absl::Status status = ReadLayers(flags.layers, options); !status.ok()) return status;
+  RETURN_IF_ERROR(ReadSheet(flags, options));
+  RETURN_IF_ERROR(ReadLayers(flags.layers, options));
   if (flags.samples) options.set_sample_count(*flags.samples);
   if (flags.seed) options.set_seed(*flags.seed);
-  if (absl::Status status = ReadCamera(flags, options); !status.ok()) return status;
+  RETURN_IF_ERROR(ReadCamera(flags, options));
   if (const absl::Status good = Validate(options); !good.ok())
     return absl::InvalidArgumentError(InFlags(std::string(good.message())));
   return options;

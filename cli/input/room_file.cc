@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/input/artifact_or.h"
+#include "cli/input/artifact_file.h"
 #include "flair/v1/artifact.pb.h"
 #include "fmt/format.h"
 #include "room/geometry/polygon.h"

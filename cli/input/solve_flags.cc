@@ -3,9 +3,10 @@
 
 #include <cmath>
 
-#include "cli/input/text_message.h"
-#include "cli/input/value_checks.h"
+#include "cli/input/command_line.h"
+#include "cli/input/message_text.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -46,7 +47,7 @@ absl::Status SetField(const char* flag, const std::string& text, google::protobu
 }  // namespace
 
 void AddSolveFlags(CLI::App& command, SolveFlags& flags) {
-  command.add_option("--seed", flags.seed, "Another seed, another layout (0)")->type_name("N")->check(Seed());
+  command.add_option("--seed", flags.seed, "Seed; another seed, another layout (0)")->type_name("N")->check(Seed());
   command.add_option("--restarts", flags.restarts, "Restarts per stage, 1 to 10000 (by the stage's size)")
       ->type_name("N")
       ->check(WholeNumber(1, 10000));
@@ -58,32 +59,32 @@ void AddSolveFlags(CLI::App& command, SolveFlags& flags) {
       ->check(WholeNumber(1, 32));
   command
       .add_option("--path-width", flags.path_width_m,
-                  "Width of the way from the door to everything in metres, 0 to 2 (0.6)")
+                  "Width in metres of the paths from the door that are kept free, 0 to 2 (0.6)")
       ->type_name("M")
       ->check(Number(0.0, 2.0));
   command
-      .add_option("--misfits", flags.misfits, "What does not fit: keep it where it is least bad, or leave-out (keep)")
+      .add_option("--misfits", flags.misfits,
+                  "What to do with objects that do not fit: keep them where they do least harm, or leave-out (keep)")
       ->type_name("HOW")
       ->check(OneOf({"keep", "leave-out"}));
   command
       .add_option("--time-limit", flags.time_limit_s,
-                  "End with the best layout after so many seconds, 0.001 to 1000000; results then vary")
+                  "Stop after so many seconds with the best layout so far, 0.001 to 1000000; results then vary")
       ->type_name("S")
       ->check(Number(1e-3, 1e6));
-  command.add_flag("--contradictions", flags.contradictions, "Find the constraints that cannot hold together");
-  command.add_option("--lambda", flags.lambdas, "A factor of the paper: no_overlap=5, balanced=10, ...")
+  command.add_flag("--contradictions", flags.contradictions, "Find the constraints that contradict each other");
+  command.add_option("--lambda", flags.lambdas, "A weight of the paper's cost: no_overlap=5, balanced=10, ...")
       ->type_name("NAME=VALUE");
-  command.add_option("--tolerance", flags.tolerances, "When a descent ends: relative=1e-4, absolute=1e-5, ...")
+  command.add_option("--tolerance", flags.tolerances, "When a descent stops: relative=1e-4, absolute=1e-5, ...")
       ->type_name("NAME=VALUE");
-  command.add_option("--options", flags.file, "All of these and more, as text of a SolveOptions; flags go before it")
+  command.add_option("--options", flags.file, "All of these and more, as text of a SolveOptions; flags override it")
       ->type_name("FILE");
 }
 
 absl::StatusOr<v1::SolveOptions> ReadSolveFlags(const SolveFlags& flags) {
   v1::SolveOptions options;
   if (!flags.file.empty()) {
-    if (absl::Status status = ReadTextMessage("--options", flags.file, kOptionsExample, options); !status.ok())
-      return status;
+    RETURN_IF_ERROR(ReadTextMessage("--options", flags.file, kOptionsExample, options));
   }
   if (flags.seed) options.set_seed(*flags.seed);
   if (flags.restarts) options.set_max_restart_count(*flags.restarts);
@@ -99,11 +100,10 @@ absl::StatusOr<v1::SolveOptions> ReadSolveFlags(const SolveFlags& flags) {
   }
   if (flags.contradictions) options.set_find_contradictions(true);
   for (const std::string& lambda : flags.lambdas) {
-    if (absl::Status status = SetField("--lambda", lambda, *options.mutable_lambdas()); !status.ok()) return status;
+    RETURN_IF_ERROR(SetField("--lambda", lambda, *options.mutable_lambdas()));
   }
   for (const std::string& tolerance : flags.tolerances) {
-    absl::Status status = SetField("--tolerance", tolerance, *options.mutable_tolerances());
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(SetField("--tolerance", tolerance, *options.mutable_tolerances()));
   }
   if (!options.has_seed()) options.set_seed(0);
   return options;

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/inspect/columns.h"
 #include "cli/inspect/content_text.h"
-#include "cli/output/call_text.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "worker_runtime/text/counted.h"

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/inspect/columns.h"
-#include "cli/output/call_text.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/text.h"
 #include "tests/fixtures/bedroom.h"
 
 namespace flair::cli {

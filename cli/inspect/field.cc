@@ -13,6 +13,7 @@
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -51,7 +52,7 @@ class Walk {
  private:
   absl::Status TakeField(const PathStep& step, const std::string& here, const std::string& before) {
     if (view_.field != nullptr) {
-      if (absl::Status status = Enter(before); !status.ok()) return status;
+      RETURN_IF_ERROR(Enter(before));
     }
     const Descriptor& type = *message_->GetDescriptor();
     const FieldDescriptor* field = type.FindFieldByName(step.text);
@@ -176,8 +177,7 @@ absl::StatusOr<FieldView> FindField(const Message& message, const std::string& p
   CompletePath(message, *steps);
   Walk walk(message);
   for (size_t i = 0; i < steps->size(); ++i) {
-    const absl::Status status = walk.Take((*steps)[i], PathText(*steps, i + 1), PathText(*steps, i));
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(walk.Take((*steps)[i], PathText(*steps, i + 1), PathText(*steps, i)));
   }
   return walk.view();
 }

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-v1::Artifact Graph() {
+v1::Artifact FieldGraph() {
   v1::Artifact artifact;
   *artifact.mutable_layout_graph() = testing::BedroomGraph();
   artifact.add_made_from_ids("first");
@@ -21,13 +21,13 @@ v1::Artifact Graph() {
 }
 
 std::string Text(const std::string& path, FieldFormat format = FieldFormat::kText) {
-  const v1::Artifact graph = Graph();
+  const v1::Artifact graph = FieldGraph();
   const absl::StatusOr<FieldView> view = FindField(graph, path);
   return view.ok() ? FieldText(*view, format) : std::string(view.status().message());
 }
 
 TEST(Field, ItemsAreFoundByNumberAndById) {
-  const v1::Artifact graph = Graph();
+  const v1::Artifact graph = FieldGraph();
   for (int i = 0; i < graph.layout_graph().object_list().objects_size(); ++i) {
     const v1::Object& object = graph.layout_graph().object_list().objects(i);
     const std::string path = "layout_graph.object_list.objects[";

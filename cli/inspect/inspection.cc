@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/inspect/inspection.h"
 
-#include "cli/inspect/columns.h"
 #include "cli/inspect/provenance.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/models_text.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "google/protobuf/util/time_util.h"
 #include "orchestrator/pipeline/summary.h"

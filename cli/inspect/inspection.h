@@ -5,7 +5,6 @@
 
 #include "cli/input/artifact_file.h"
 #include "cli/input/artifact_shelf.h"
-#include "cli/inspect/artifact_finder.h"
 #include "cli/inspect/content_text.h"
 #include "flair/v1/job.pb.h"
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cli/input/message_words.h"
-#include "cli/inspect/columns.h"
 #include "cli/inspect/content_text.h"
-#include "cli/output/call_text.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "orchestrator/pipeline/summary.h"
@@ -106,6 +106,19 @@ std::string OffendersText(const v1::SolvedLayout& layout, const ContentStyle& st
          table.Text(std::max(kWorst, style.most_rows));
 }
 
+// With their ids, which flair resolve takes.
+std::string MetText(const v1::SolvedLayout& layout, const ContentStyle& style) {
+  std::vector<int> edges = EdgesWith(layout, v1::OUTCOME_STATUS_SATISFIED);
+  if (edges.empty()) return "";
+  std::ranges::sort(edges);
+  Columns table({"edge", "call", "sentence"});
+  for (const int i : edges) {
+    const v1::ConstraintEdge& edge = layout.graph().edges(i);
+    table.Add({edge.id(), CallText(edge), SentenceOf(layout.graph(), edge.sentence_id())});
+  }
+  return Heading(fmt::format("MET, {}", edges.size())) + table.Text(style.most_rows);
+}
+
 std::string DroppedText(const v1::SolvedLayout& layout, const ContentStyle& style) {
   const std::vector<int> edges = EdgesWith(layout, v1::OUTCOME_STATUS_DROPPED);
   if (edges.empty()) return "";
@@ -160,7 +173,7 @@ std::string LayoutText(const v1::SolvedLayout& layout, const ContentStyle& style
     text += fmt::format("{:<11}{} nearly as good, of cost {}\n", "runner-ups", Counted(std::ssize(costs), "other"),
                         ListNames(costs, 8));
   }
-  text += PosesText(layout, style) + OffendersText(layout, style) + DroppedText(layout, style);
+  text += PosesText(layout, style) + OffendersText(layout, style) + DroppedText(layout, style) + MetText(layout, style);
   if (!layout.contradictions().empty()) {
     text += Heading("CANNOT HOLD TOGETHER");
     for (const v1::Contradiction& clash : layout.contradictions()) {

@@ -4,8 +4,8 @@
 #include <tuple>
 #include <vector>
 
-#include "cli/inspect/columns.h"
 #include "cli/inspect/content_text.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/inspect/artifact_finder.h"
+#include "cli/input/artifact_shelf.h"
 #include "flair/v1/artifact.pb.h"
 
 namespace flair::cli {

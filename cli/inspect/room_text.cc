@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "absl/strings/ascii.h"
-#include "cli/inspect/columns.h"
 #include "cli/inspect/content_text.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {

@@ -6,9 +6,14 @@
 #include <google/protobuf/text_format.h>
 #include <google/protobuf/util/json_util.h>
 
+#include "absl/time/time.h"
+#include "fmt/format.h"
+#include "fmt/ranges.h"
 #include "orchestrator/pipeline/stage.h"
+#include "orchestrator/store/artifact_id.h"
 
 namespace flair::cli {
+
 namespace {
 
 std::string Json(const google::protobuf::Message& message, bool indent) {
@@ -85,6 +90,65 @@ std::string KindName(v1::ArtifactKind kind) {
   std::string name = v1::ArtifactKind_Name(kind).substr(std::string(kPrefix).size());
   for (char& c : name) c = c == '_' ? ' ' : static_cast<char>(c - 'A' + 'a');
   return name;
+}
+
+namespace {
+
+std::string Finish(v1::Artifact artifact, const std::string& command, const std::string& build) {
+  v1::Producer& producer = *artifact.mutable_producer();
+  producer.set_program("flair");
+  producer.set_method(command);
+  producer.set_version("1");
+  producer.set_build(build);
+  artifact.set_id(orchestrator::ComputeArtifactId(artifact));
+  return ArtifactBytes(artifact);
+}
+
+}  // namespace
+
+std::string LayoutArtifactBytes(const v1::SolvedLayout& layout, const std::string& command, const std::string& build) {
+  v1::Artifact artifact;
+  *artifact.mutable_solved_layout() = layout;
+  return Finish(std::move(artifact), command, build);
+}
+
+std::string GraphArtifactBytes(const v1::LayoutGraph& graph, const std::string& command, const std::string& build) {
+  v1::Artifact artifact;
+  *artifact.mutable_layout_graph() = graph;
+  return Finish(std::move(artifact), command, build);
+}
+
+std::string ValueText(const v1::ArgumentValue& value) {
+  switch (value.value_case()) {
+    case v1::ArgumentValue::kText:
+      return value.text();
+    case v1::ArgumentValue::kTexts:
+      return fmt::format("[{}]", fmt::join(value.texts().items(), ", "));
+    case v1::ArgumentValue::kNumber:
+      return fmt::format("{:g}", value.number());
+    case v1::ArgumentValue::kFlag:
+      return value.flag() ? "true" : "false";
+    case v1::ArgumentValue::VALUE_NOT_SET:
+      break;
+  }
+  return "?";
+}
+
+std::string CallText(const std::string& type, const google::protobuf::RepeatedPtrField<v1::Argument>& arguments) {
+  std::string text;
+  for (const v1::Argument& argument : arguments) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", argument.name(), ValueText(argument.value()));
+  }
+  return fmt::format("{}({})", type, text);
+}
+
+std::string CallText(const v1::ConstraintEdge& edge) {
+  const std::string weight = edge.weight() == 1 ? "" : fmt::format(" x {:g}", edge.weight());
+  return CallText(edge.type(), edge.arguments()) + weight;
+}
+
+std::string LocalTimeText(const google::protobuf::Timestamp& time) {
+  return absl::FormatTime("%Y-%m-%d %H:%M:%S", absl::FromUnixSeconds(time.seconds()), absl::LocalTimeZone());
 }
 
 }  // namespace flair::cli

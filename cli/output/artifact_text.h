@@ -2,9 +2,12 @@
 // Artifacts as bytes and as text; the same artifact gives the same bytes.
 #pragma once
 
+#include <google/protobuf/timestamp.pb.h>
+
 #include <string>
 
 #include "flair/v1/artifact.pb.h"
+#include "flair/v1/layout_graph.pb.h"
 
 namespace flair::cli {
 
@@ -23,5 +26,24 @@ std::string FileStem(v1::ArtifactKind kind);
 std::string StageOf(v1::ArtifactKind kind);
 // Kind for people, such as "zone plan".
 std::string KindName(v1::ArtifactKind kind);
+
+// Graphs and layouts that no job made, as artifact files.
+
+// A layout or a graph as the bytes of an artifact with its id, made by `flair` of the given build and, as the
+// producer's method, by the command given.
+std::string LayoutArtifactBytes(const v1::SolvedLayout& layout, const std::string& command, const std::string& build);
+std::string GraphArtifactBytes(const v1::LayoutGraph& graph, const std::string& command, const std::string& build);
+
+// "bed", "[left, right]", "0.6" or "true"; "?" when unset.
+std::string ValueText(const v1::ArgumentValue& value);
+
+// A call as it is written: "against_wall(object=bed, side=back)".
+std::string CallText(const std::string& type, const google::protobuf::RepeatedPtrField<v1::Argument>& arguments);
+
+// The same, with " x 3" when it weighs 3.
+std::string CallText(const v1::ConstraintEdge& edge);
+
+// "2026-05-21 13:45:01" in local time.
+std::string LocalTimeText(const google::protobuf::Timestamp& time);
 
 }  // namespace flair::cli

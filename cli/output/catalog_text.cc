@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "absl/strings/str_join.h"
-#include "cli/output/call_text.h"
+#include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {

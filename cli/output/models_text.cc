@@ -5,7 +5,7 @@
 #include <set>
 
 #include "cli/output/artifact_text.h"
-#include "cli/output/printable.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/summary.h"
 #include "worker_runtime/text/counted.h"

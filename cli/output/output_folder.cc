@@ -15,8 +15,11 @@
 #include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
 #include "fmt/format.h"
+#include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,10 +146,9 @@ absl::Status CheckOutputFolder(const fs::path& given, const std::vector<std::str
 absl::Status WriteOutputFolder(const fs::path& given, const std::vector<OutputFile>& files) {
   const fs::path folder = Absolute(given);
   TemporaryFolder temporary;
-  if (absl::Status status = temporary.Make(folder); !status.ok()) return status;
+  RETURN_IF_ERROR(temporary.Make(folder));
   for (const OutputFile& file : files) {
-    if (absl::Status status = WriteNew(temporary.path() / file.name, file.content, folder / file.name); !status.ok())
-      return status;
+    RETURN_IF_ERROR(WriteNew(temporary.path() / file.name, file.content, folder / file.name));
   }
   absl::Status status = PutInPlace(temporary.path(), folder, files);
   if (status.ok()) temporary.KeepParents();
@@ -168,12 +170,39 @@ absl::Status WriteOutputFile(const fs::path& given, const std::string& content) 
   if (fs::is_directory(path, error)) return FileError(fmt::format("{}: is a folder", path.string()));
   if (IsSpecial(path)) return Write(path, 0, content, path);
   TemporaryFolder temporary;
-  if (absl::Status status = temporary.Make(path); !status.ok()) return status;
+  RETURN_IF_ERROR(temporary.Make(path));
   const fs::path made = temporary.path() / path.filename();
-  if (absl::Status status = WriteNew(made, content, path); !status.ok()) return status;
+  RETURN_IF_ERROR(WriteNew(made, content, path));
   if (rename(made.c_str(), path.c_str()) != 0) return Cannot("be written", path, errno);
   temporary.KeepParents();
   return absl::OkStatus();
 }
+
+namespace {
+
+absl::Status WithDescriptor(const std::filesystem::path& path, int flags, int (*act)(int)) {
+  const int file = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (file < 0) return CannotWrite(path, errno);
+  const int error = act(file) == 0 ? 0 : errno;
+  ::close(file);
+  return error == 0 ? absl::OkStatus() : CannotWrite(path, error);
+}
+
+}  // namespace
+
+absl::Status CannotWrite(const std::filesystem::path& path, int error) {
+  return FileError(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(error)));
+}
+
+absl::Status WriteFile(const std::filesystem::path& path, const std::string& content) {
+  const absl::Status status = runtime::WriteFileAtomically(path.string(), content, runtime::Durability::kProcessCrash);
+  return status.ok() ? status : FileError(std::string(status.message()));
+}
+
+absl::Status FlushFileSystem(const std::filesystem::path& path) {
+  return WithDescriptor(path, O_RDONLY | O_DIRECTORY, ::syncfs);
+}
+
+absl::Status FlushFile(const std::filesystem::path& path) { return WithDescriptor(path, O_RDONLY, ::fsync); }
 
 }  // namespace flair::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A folder of results that is written whole or not at all.
+// Files and folders of results, written whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -30,5 +30,17 @@ absl::Status CheckOutputFile(const std::filesystem::path& path);
 
 // One file, whole or not at all. A device or pipe of that name is written to and stays what it is.
 absl::Status WriteOutputFile(const std::filesystem::path& path, const std::string& content);
+
+// FAILED_PRECONDITION with the path and why, of an errno.
+absl::Status CannotWrite(const std::filesystem::path& path, int error);
+
+// A file, whole or not at all; the disk may have it later.
+absl::Status WriteFile(const std::filesystem::path& path, const std::string& content);
+
+// Returns when the disk has all that was written to the file system of `path`: one call for thousands of files.
+absl::Status FlushFileSystem(const std::filesystem::path& path);
+
+// Returns when the disk has the file.
+absl::Status FlushFile(const std::filesystem::path& path);
 
 }  // namespace flair::cli

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "cli/output/text_table.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
+
 namespace {
 
 constexpr size_t kNameWidth = 24;
@@ -97,6 +99,15 @@ double FloorCost(const v1::SolvedLayout& layout) {
 
 }  // namespace
 
+std::string LayoutLine(const v1::SolvedLayout& layout) {
+  const int count = layout.edge_outcomes_size();
+  const std::string held = count == 0 ? ""
+                                      : fmt::format("{} of {}, ", CountOf(layout, v1::OUTCOME_STATUS_SATISFIED),
+                                                    Counted(count, "constraint holds", "constraints hold"));
+  return fmt::format("{}OOB {:.2f} %, OOR {:.2f} %", held, layout.metrics().oob_percent(),
+                     layout.metrics().oor_percent());
+}
+
 bool IsComplete(const v1::RunnerUp& runner_up) { return runner_up.has_metrics(); }
 
 std::string SolveStats(const v1::SolveResponse& response) {
@@ -134,6 +145,29 @@ v1::SolvedLayout VariantOf(const v1::SolvedLayout& layout, int index) {
   *variant.mutable_metrics() = runner_up.metrics();
   *variant.mutable_diagnostics() = runner_up.diagnostics();
   return variant;
+}
+
+namespace {
+
+constexpr int kListedDrops = 20;
+
+}  // namespace
+
+std::string LayoutRemarks(const v1::SolvedLayout& layout) {
+  std::string text;
+  for (const v1::Diagnostic& diagnostic : layout.diagnostics()) {
+    text += fmt::format("{:<11}{}\n", "remark", diagnostic.message());
+  }
+  int dropped = 0;
+  for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
+    if (outcome.status() != v1::OUTCOME_STATUS_DROPPED || ++dropped > kListedDrops) continue;
+    text += fmt::format("{:<11}{}: {}\n", "dropped", outcome.edge_id(), outcome.reason());
+  }
+  if (dropped > kListedDrops) text += fmt::format("{:<11}{} more\n", "dropped", dropped - kListedDrops);
+  for (const v1::Contradiction& contradiction : layout.contradictions()) {
+    text += fmt::format("{:<11}{}\n", "clash", contradiction.explanation());
+  }
+  return text;
 }
 
 }  // namespace flair::cli

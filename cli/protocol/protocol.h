@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "google/protobuf/descriptor.h"
 
 namespace flair::cli {
@@ -50,5 +51,16 @@ struct ProtocolEntry {
 };
 // By its name without the package, in any case: "Room", "SolveOptions", "OptimizerService", "Solve".
 ProtocolEntry FindInProtocol(std::string_view name);
+
+// The protocol for a terminal.
+
+// Every service with its calls, every other name with the first sentence about it.
+std::string ProtocolOverview();
+
+// One service, call, message or enum in full. NOT_FOUND names what there is.
+absl::StatusOr<std::string> ProtocolEntryText(std::string_view name);
+
+// All of package flair.v1 as a page in GitHub's Markdown: docs/protocol.md. Every name of the package is a link.
+std::string ProtocolMarkdown();
 
 }  // namespace flair::cli

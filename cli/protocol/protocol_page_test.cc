@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/protocol/protocol_page.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +9,6 @@
 #include <sstream>
 
 #include "cli/protocol/protocol.h"
-#include "cli/protocol/protocol_text.h"
 
 namespace flair::cli {
 namespace {

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/protocol/protocol_text.h"
-
+#include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
-#include "cli/output/wrapped_text.h"
+#include "cli/output/text.h"
 #include "cli/protocol/protocol.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
+
 namespace {
 
 using google::protobuf::Descriptor;
@@ -104,6 +107,172 @@ absl::StatusOr<std::string> ProtocolEntryText(std::string_view name) {
   }
   return absl::StrCat("call of ", entry.method->service()->name(), "\n  ", MethodText(*entry.method), "\n",
                       MessageText(*entry.method->input_type()), "\n", MessageText(*entry.method->output_type()));
+}
+
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::EnumDescriptor;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::FileDescriptor;
+using google::protobuf::MethodDescriptor;
+using google::protobuf::OneofDescriptor;
+using google::protobuf::ServiceDescriptor;
+
+constexpr std::string_view kIntroduction =
+    "# Protocol\n\n"
+    "Package `flair.v1`: what the servers are asked, what they answer, and the artifacts between them. Written from "
+    "the\n"
+    "comments in [protos/flair/v1](../protos/flair/v1) by `flair protocol --markdown`; a test fails when it is stale.\n"
+    "`flair protocol NAME` prints one entry. How a server is put in a stage's place: "
+    "[replace-a-stage.md](replace-a-stage.md).\n\n"
+    "Metres and radians; x east, y north, z up. A field without \"optional\" that is not sent has its zero value; a "
+    "field of\n"
+    "message type may always be absent. In JSON and text the names are those given here.\n\n";
+
+// As GitHub makes it from a heading.
+std::string AnchorOf(std::string_view heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    if (c == ' ') anchor += '-';
+    if (absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_') {
+      anchor += absl::ascii_tolower(static_cast<unsigned char>(c));
+    }
+  }
+  return anchor;
+}
+
+std::string LinkTo(std::string_view text, std::string_view name) {
+  return fmt::format("[{}](#{})", text, AnchorOf(name));
+}
+
+// Whether a word of a comment means a declaration, "SolveRequest", "Producer.build", rather than the thing, "Room".
+bool IsReference(std::string_view word) {
+  const std::string_view name = word.substr(0, word.find('.'));
+  const ProtocolEntry entry = FindInProtocol(name);
+  const std::string* exact = entry.message != nullptr       ? &entry.message->name()
+                             : entry.enumeration != nullptr ? &entry.enumeration->name()
+                             : entry.service != nullptr     ? &entry.service->name()
+                                                            : nullptr;
+  if (exact == nullptr || *exact != name) return false;
+  return name.size() < word.size() ||
+         std::count_if(name.begin(), name.end(), [](unsigned char c) { return std::isupper(c) != 0; }) > 1;
+}
+
+// A comment's words with links, and with what Markdown would take for its own escaped.
+std::string Inline(std::string_view comment) {
+  std::string text;
+  bool is_code = false;
+  for (size_t i = 0; i < comment.size();) {
+    size_t end = i;
+    while (end < comment.size() && (absl::ascii_isalnum(static_cast<unsigned char>(comment[end])) ||
+                                    comment[end] == '_' || comment[end] == '.')) {
+      ++end;
+    }
+    while (end > i && comment[end - 1] == '.') --end;
+    if (end > i) {
+      const std::string_view word = comment.substr(i, end - i);
+      text += !is_code && IsReference(word) ? LinkTo(word, word.substr(0, word.find('.'))) : std::string(word);
+      i = end;
+      continue;
+    }
+    const char c = comment[i++];
+    if (c == '`') is_code = !is_code;
+    if (c == '|' || (!is_code && (c == '*' || c == '<' || c == '_'))) text += '\\';
+    text += c;
+  }
+  return text;
+}
+
+template <typename Declaration>
+std::string Paragraphs(const Declaration& declaration) {
+  std::string text;
+  for (const std::string& paragraph : CommentOf(declaration)) absl::StrAppend(&text, Inline(paragraph), "\n\n");
+  return text;
+}
+
+template <typename Declaration>
+std::string OneLine(const Declaration& declaration) {
+  return Inline(absl::StrJoin(CommentOf(declaration), " "));
+}
+
+std::string TypeCell(const FieldDescriptor& field) {
+  const FieldType type = TypeOf(field);
+  return absl::StrCat(type.prefix, type.prefix.empty() ? "" : " ",
+                      type.is_ours ? LinkTo(type.name, type.name) : absl::StrCat("`", type.name, "`"));
+}
+
+std::string OneofText(const OneofDescriptor& oneof) {
+  std::vector<std::string> names;
+  for (int i = 0; i < oneof.field_count(); ++i) names.push_back(absl::StrCat("`", oneof.field(i)->name(), "`"));
+  return fmt::format("\nAt most one of {} (`{}`): {}\n", absl::StrJoin(names, ", "), oneof.name(), OneLine(oneof));
+}
+
+std::string MessageSection(const Descriptor& message) {
+  std::string text = fmt::format("### {}\n\n{}", message.name(), Paragraphs(message));
+  if (message.field_count() == 0) return text + "Has no fields.\n\n";
+  text += "| field | type | number | meaning |\n| --- | --- | --- | --- |\n";
+  for (int i = 0; i < message.field_count(); ++i) {
+    const FieldDescriptor& field = *message.field(i);
+    absl::StrAppend(
+        &text, fmt::format("| `{}` | {} | {} | {} |\n", field.name(), TypeCell(field), field.number(), OneLine(field)));
+  }
+  for (int i = 0; i < message.real_oneof_decl_count(); ++i) text += OneofText(*message.oneof_decl(i));
+  return text + "\n";
+}
+
+std::string EnumSection(const EnumDescriptor& enumeration) {
+  std::string text = fmt::format("### {}\n\n{}| value | number | meaning |\n| --- | --- | --- |\n", enumeration.name(),
+                                 Paragraphs(enumeration));
+  for (int i = 0; i < enumeration.value_count(); ++i) {
+    const auto& value = *enumeration.value(i);
+    absl::StrAppend(&text, fmt::format("| `{}` | {} | {} |\n", value.name(), value.number(), OneLine(value)));
+  }
+  return text + "\n";
+}
+
+std::string ServiceSection(const ServiceDescriptor& service) {
+  std::string text = fmt::format("### {}\n\n{}", service.name(), Paragraphs(service));
+  for (int i = 0; i < service.method_count(); ++i) {
+    const MethodDescriptor& method = *service.method(i);
+    const std::string& request = method.input_type()->name();
+    const std::string& response = method.output_type()->name();
+    absl::StrAppend(
+        &text, fmt::format("- **{}**: {} → {}{}<br>{}\n", method.name(), LinkTo(request, request),
+                           method.server_streaming() ? "stream of " : "", LinkTo(response, response), OneLine(method)));
+  }
+  return text + "\n";
+}
+
+// Names of what a file declares, in its order, kinds apart.
+std::vector<std::string> NamesIn(const FileDescriptor& file) {
+  std::vector<std::string> names;
+  for (int i = 0; i < file.service_count(); ++i) names.push_back(file.service(i)->name());
+  for (int i = 0; i < file.message_type_count(); ++i) names.push_back(file.message_type(i)->name());
+  for (int i = 0; i < file.enum_type_count(); ++i) names.push_back(file.enum_type(i)->name());
+  return names;
+}
+
+}  // namespace
+
+std::string ProtocolMarkdown() {
+  std::string text(kIntroduction);
+  text += "| chapter | what is in it |\n| --- | --- |\n";
+  for (const auto& [title, file] : ProtocolFiles()) {
+    std::vector<std::string> links;
+    for (const std::string& name : NamesIn(*file)) links.push_back(LinkTo(name, name));
+    absl::StrAppend(&text, fmt::format("| {} | {} |\n", LinkTo(title, title), absl::StrJoin(links, ", ")));
+  }
+  text += "\n";
+  for (const auto& [title, file] : ProtocolFiles()) {
+    const std::string name = file->name().substr(file->name().rfind('/') + 1);
+    absl::StrAppend(&text, fmt::format("## {}\n\n[{}](../protos/{})\n\n", title, name, file->name()));
+    for (int i = 0; i < file->service_count(); ++i) text += ServiceSection(*file->service(i));
+    for (int i = 0; i < file->message_type_count(); ++i) text += MessageSection(*file->message_type(i));
+    for (int i = 0; i < file->enum_type_count(); ++i) text += EnumSection(*file->enum_type(i));
+  }
+  text.pop_back();
+  return text;
 }
 
 }  // namespace flair::cli

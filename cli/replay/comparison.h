@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/output/first_difference.h"
 #include "cli/output/report_text.h"
+#include "cli/replay/first_difference.h"
 #include "flair/v1/job.pb.h"
 
 namespace flair::cli {
@@ -45,5 +45,17 @@ std::vector<StageComparison> CompareStages(const v1::Job& first, const Artifacts
 
 // True when no stage parts.
 bool AllAgree(const std::vector<StageComparison>& stages);
+
+// What a replay showed, for people and for programs.
+
+// A line or two per stage, ending in newlines.
+std::string ComparisonTable(const std::vector<StageComparison>& stages);
+
+// One line: what agrees, where the jobs part first, and the likely cause.
+std::string ComparisonSummary(const std::vector<StageComparison>& stages);
+
+// One JSON object on one line, without the newline: both ids, "agrees", and the stages.
+std::string ComparisonJson(const std::vector<StageComparison>& stages, const std::string& first_id,
+                           const std::string& replay_id);
 
 }  // namespace flair::cli

@@ -3,8 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include "cli/replay/comparison_text.h"
-
 namespace flair::cli {
 namespace {
 

@@ -8,9 +8,10 @@
 
 #include "absl/strings/match.h"
 #include "absl/time/clock.h"
-#include "cli/session/no_orchestrator.h"
+#include "cli/input/service_flags.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -79,9 +80,8 @@ absl::StatusOr<v1::Batch> BatchSession::AskOfBatch(grpc::Status (Stub::*method)(
                                                    const std::string& id) {
   Request request;
   request.set_batch_id(id);
-  auto response = Ask(method, request);
-  if (!response.ok()) return response.status();
-  return std::move(*response->mutable_batch());
+  ASSIGN_OR_RETURN(auto response, Ask(method, request));
+  return std::move(*response.mutable_batch());
 }
 
 absl::StatusOr<v1::Batch> BatchSession::CreateBatch(const std::string& request_id, const std::string& label) {
@@ -89,9 +89,8 @@ absl::StatusOr<v1::Batch> BatchSession::CreateBatch(const std::string& request_i
   request.set_request_id(request_id);
   request.set_label(label);
   request.set_open(true);
-  auto response = Ask(&Stub::CreateBatch, request);
-  if (!response.ok()) return response.status();
-  return std::move(*response->mutable_batch());
+  ASSIGN_OR_RETURN(auto response, Ask(&Stub::CreateBatch, request));
+  return std::move(*response.mutable_batch());
 }
 
 absl::StatusOr<v1::Batch> BatchSession::AddToBatch(const v1::AddToBatchRequest& request,
@@ -127,10 +126,9 @@ absl::StatusOr<std::vector<v1::Batch>> BatchSession::ListBatches(int count) {
   v1::ListBatchesRequest request;
   do {
     request.set_page_size(std::min(1000, count - static_cast<int>(batches.size())));
-    auto response = Ask(&Stub::ListBatches, request);
-    if (!response.ok()) return response.status();
-    batches.insert(batches.end(), response->batches().begin(), response->batches().end());
-    request.set_page_token(response->next_page_token());
+    ASSIGN_OR_RETURN(auto response, Ask(&Stub::ListBatches, request));
+    batches.insert(batches.end(), response.batches().begin(), response.batches().end());
+    request.set_page_token(response.next_page_token());
   } while (!request.page_token().empty() && static_cast<int>(batches.size()) < count);
   return batches;
 }
@@ -146,9 +144,8 @@ absl::StatusOr<v1::GetClusterResponse> BatchSession::GetCluster() {
 absl::StatusOr<v1::Artifact> BatchSession::GetArtifact(const std::string& id) {
   v1::GetArtifactRequest request;
   request.set_artifact_id(id);
-  auto response = Ask(&Stub::GetArtifact, request);
-  if (!response.ok()) return response.status();
-  return std::move(*response->mutable_artifact());
+  ASSIGN_OR_RETURN(auto response, Ask(&Stub::GetArtifact, request));
+  return std::move(*response.mutable_artifact());
 }
 
 absl::Status BatchSession::WatchBatch(const std::string& id, int64_t after_sequence, runtime::Cancellation& enough,

@@ -10,6 +10,7 @@
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/stage.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 
@@ -31,15 +32,14 @@ absl::Status WaitForJob(Session& session, const std::string& id, Progress& progr
   if (absl::Status status = session.Watch(id, [&](const v1::JobEvent& event) { progress.See(event); }); !status.ok()) {
     return status;
   }
-  const absl::StatusOr<v1::Job> job = session.GetJob(id);
-  if (!job.ok()) return job.status();
-  switch (job->state()) {
+  ASSIGN_OR_RETURN(const v1::Job job, session.GetJob(id));
+  switch (job.state()) {
     case v1::JOB_STATE_SUCCEEDED:
       return absl::OkStatus();
     case v1::JOB_STATE_CANCELLED:
       return absl::CancelledError(fmt::format("job {} was cancelled", id));
     case v1::JOB_STATE_FAILED:
-      return ErrorOf(*job);
+      return ErrorOf(job);
     default:
       return absl::InternalError(fmt::format("job {} has not ended; see: flair jobs show {}", id, id));
   }
@@ -48,11 +48,10 @@ absl::Status WaitForJob(Session& session, const std::string& id, Progress& progr
 absl::StatusOr<ArtifactsByKind> StoredArtifacts(Session& session, const v1::Job& job) {
   ArtifactsByKind artifacts;
   for (const v1::ArtifactRef& ref : job.artifacts()) {
-    absl::StatusOr<v1::Artifact> artifact = session.GetArtifact(ref.id());
-    if (!artifact.ok()) return artifact.status();
-    if (absl::Status status = CheckArtifactId(*artifact, "artifact " + ref.id()); !status.ok()) return status;
+    ASSIGN_OR_RETURN(v1::Artifact artifact, session.GetArtifact(ref.id()));
+    RETURN_IF_ERROR(CheckArtifactId(artifact, "artifact " + ref.id()));
     // The first of its kind: further views come after the preview.
-    artifacts.try_emplace(ref.kind(), *std::move(artifact));
+    artifacts.try_emplace(ref.kind(), std::move(artifact));
   }
   return artifacts;
 }

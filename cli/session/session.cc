@@ -9,16 +9,17 @@
 
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
-#include "cli/input/connection_flags.h"
-#include "cli/session/no_orchestrator.h"
+#include "cli/input/service_flags.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
+
 namespace {
 
-constexpr absl::Duration kAnswerWithin = absl::Seconds(30);
+constexpr absl::Duration kJobAnswerWithin = absl::Seconds(30);
 constexpr int kReconnects = 8;
 
 // Unique enough to be the key of one wish of one process.
@@ -46,11 +47,9 @@ absl::StatusOr<std::unique_ptr<Session>> Session::Open(const std::string& addres
     std::shared_ptr<grpc::Channel> channel = (*services)->orchestrator();
     return std::unique_ptr<Session>(new Session(*std::move(services), std::move(channel), "this process"));
   }
-  const absl::StatusOr<runtime::ChannelOptions> options = OrchestratorConnection();
-  if (!options.ok()) return options.status();
-  auto channel = runtime::MakeChannel(address, v1::OrchestratorService::service_full_name(), *options);
-  if (!channel.ok()) return channel.status();
-  return std::unique_ptr<Session>(new Session(nullptr, *std::move(channel), address));
+  ASSIGN_OR_RETURN(const runtime::ChannelOptions options, OrchestratorConnection());
+  ASSIGN_OR_RETURN(auto channel, runtime::MakeChannel(address, v1::OrchestratorService::service_full_name(), options));
+  return std::unique_ptr<Session>(new Session(nullptr, std::move(channel), address));
 }
 
 absl::Status Session::Explain(const absl::Status& status) const {
@@ -68,11 +67,11 @@ absl::StatusOr<Response> Session::Ask(
     grpc::Status (v1::OrchestratorService::StubInterface::*method)(grpc::ClientContext*, const Request&, Response*),
     const Request& request) {
   runtime::CallContext call;
-  const absl::Time end = absl::Now() + kAnswerWithin;
+  const absl::Time end = absl::Now() + kJobAnswerWithin;
   auto response = runtime::UnaryRequest(*stub_, method, request, call, end);
   if (runtime::SaidNoHello(response.status())) {
     fmt::print(stderr, "flair: {} is slow to answer; waiting for up to {} s\n", address_,
-               absl::ToInt64Seconds(kAnswerWithin));
+               absl::ToInt64Seconds(kJobAnswerWithin));
     if (channel_->WaitForConnected(absl::ToChronoTime(end))) {
       response = runtime::UnaryRequest(*stub_, method, request, call, end);
     }
@@ -85,9 +84,8 @@ absl::StatusOr<v1::Job> Session::CreateJob(const v1::JobSpec& spec) {
   v1::CreateJobRequest request;
   request.set_request_id(NewRequestId());
   *request.mutable_spec() = spec;
-  auto response = Ask(&v1::OrchestratorService::StubInterface::CreateJob, request);
-  if (!response.ok()) return response.status();
-  return response->job();
+  ASSIGN_OR_RETURN(auto response, Ask(&v1::OrchestratorService::StubInterface::CreateJob, request));
+  return response.job();
 }
 
 absl::StatusOr<v1::Job> Session::GetJob(const std::string& id) {
@@ -119,10 +117,9 @@ absl::StatusOr<std::vector<v1::Job>> Session::ListJobs(int count) {
   v1::ListJobsRequest request;
   do {
     request.set_page_size(std::min(1000, count - static_cast<int>(jobs.size())));
-    auto response = Ask(&v1::OrchestratorService::StubInterface::ListJobs, request);
-    if (!response.ok()) return response.status();
-    jobs.insert(jobs.end(), response->jobs().begin(), response->jobs().end());
-    request.set_page_token(response->next_page_token());
+    ASSIGN_OR_RETURN(auto response, Ask(&v1::OrchestratorService::StubInterface::ListJobs, request));
+    jobs.insert(jobs.end(), response.jobs().begin(), response.jobs().end());
+    request.set_page_token(response.next_page_token());
   } while (!request.page_token().empty() && static_cast<int>(jobs.size()) < count);
   return jobs;
 }
@@ -130,9 +127,8 @@ absl::StatusOr<std::vector<v1::Job>> Session::ListJobs(int count) {
 absl::StatusOr<v1::Artifact> Session::GetArtifact(const std::string& id) {
   v1::GetArtifactRequest request;
   request.set_artifact_id(id);
-  auto response = Ask(&v1::OrchestratorService::StubInterface::GetArtifact, request);
-  if (!response.ok()) return response.status();
-  return std::move(*response->mutable_artifact());
+  ASSIGN_OR_RETURN(auto response, Ask(&v1::OrchestratorService::StubInterface::GetArtifact, request));
+  return std::move(*response.mutable_artifact());
 }
 
 absl::Status Session::Watch(const std::string& id, const std::function<void(const v1::JobEvent&)>& see) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "cli/embedded/embedded_services.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/top/cluster_client.h"
-
 #include <gmock/gmock.h>
 
+#include "cli/top/cluster_state.h"
 #include "worker_runtime/grpc/in_process_server.h"
 
 namespace flair::cli {

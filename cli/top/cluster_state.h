@@ -1,16 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of a cluster, from look to look.
 #pragma once
 
+#include <grpcpp/channel.h>
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "absl/time/time.h"
-#include "cli/top/rate_meter.h"
+#include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "flair/v1/orchestrator_service.pb.h"
 
 namespace flair::cli {
+
+// How fast counts grow, by name, over the last `window`. A count that falls has begun anew.
+class RateMeter {
+ public:
+  explicit RateMeter(absl::Duration window) : window_(window) {}
+
+  // `time` is when it was so many; a look at the same time says nothing new.
+  void Add(const std::string& name, absl::Time time, int64_t count) {
+    std::deque<Look>& looks = looks_[name];
+    if (!looks.empty() && count < looks.back().count) looks.clear();
+    if (!looks.empty() && time <= looks.back().time) return;
+    looks.push_back({time, count});
+    while (looks.size() > 2 && time - looks[1].time >= window_) looks.pop_front();
+  }
+
+  // A second; nothing before two looks.
+  std::optional<double> PerSecond(const std::string& name) const {
+    const auto found = looks_.find(name);
+    if (found == looks_.end() || found->second.size() < 2) return std::nullopt;
+    const Look& first = found->second.front();
+    const Look& last = found->second.back();
+    return static_cast<double>(last.count - first.count) / absl::ToDoubleSeconds(last.time - first.time);
+  }
+
+ private:
+  struct Look {
+    absl::Time time;
+    int64_t count;
+  };
+  const absl::Duration window_;
+  std::map<std::string, std::deque<Look>> looks_;
+};
+
+// What is known of a cluster, from look to look.
 
 // One look. A store that no orchestrator serves has none; processes that work on it say nothing of themselves.
 struct ClusterLook {
@@ -87,6 +128,24 @@ class ClusterState {
   std::vector<WorkerRow> workers_;
   std::vector<BatchRow> batches_;
   RateMeter rates_{absl::Seconds(15)};
+};
+
+// Asks an orchestrator how its cluster does.
+class ClusterClient {
+ public:
+  explicit ClusterClient(const std::shared_ptr<grpc::Channel>& channel)
+      : stub_(v1::OrchestratorService::NewStub(channel)) {}
+
+  // Waits a few seconds for an answer at most.
+  absl::StatusOr<ClusterLook> Look();
+
+ private:
+  absl::Status AddBatches(ClusterLook& look);
+
+  const std::unique_ptr<v1::OrchestratorService::StubInterface> stub_;
+  // Batches that had ended; asked for again now and then, for those that are retried.
+  std::set<std::string> ended_;
+  int look_count_ = 0;
 };
 
 }  // namespace flair::cli

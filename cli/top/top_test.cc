@@ -3,8 +3,7 @@
 
 #include "absl/strings/str_join.h"
 #include "cli/top/cluster_state.h"
-#include "cli/top/styled_line.h"
-#include "cli/top/top_json.h"
+#include "cli/top/terminal.h"
 #include "cli/top/top_text.h"
 #include "nlohmann/json.hpp"
 

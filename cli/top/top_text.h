@@ -28,4 +28,8 @@ std::string ShortDuration(absl::Duration duration);
 // "12,345".
 std::string Grouped(int64_t number);
 
+// The same as TopText as one JSON object on one line, without line break: time, totals, batches, orchestrators,
+// workers.
+std::string TopJson(const ClusterState& state);
+
 }  // namespace flair::cli

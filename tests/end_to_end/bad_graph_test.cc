@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "cli/exit_code.h"
-#include "cli/output/layout_artifact.h"
+#include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "tests/fixtures/programs.h"
 

@@ -9,6 +9,7 @@
 namespace flair::testing {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -48,6 +49,20 @@ TEST_F(ContactSheetCommand, ShowsPicturesThatLieThere) {
 TEST_F(ContactSheetCommand, ShowsViews) {
   const Finished run = Sheet({"--view", "birdseye", "--tile", "128"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
+}
+
+TEST_F(ContactSheetCommand, ADesignOfVariantsEndsInOnePictureOfThemAll) {
+  const std::string out = folder_ / "variants";
+  const Finished design = RunProgram("flair", {"design", "A bedroom.", "--variants", "3", "--out", out},
+                                     {{"FLAIR_HOME", folder_ / "home"}});
+  ASSERT_EQ(design.exit_code, 0) << design.err;
+  EXPECT_THAT(design.err, HasSubstr("variants.png"));
+  EXPECT_THAT(ReadAll(out + "/variants.png"), StartsWith("\x89PNG"));
+  EXPECT_TRUE(fs::exists(out + "/layout-2.pb"));
+  const Finished sheet = RunProgram("flair", {"contact-sheet", out, "--variants", "--out", folder_ / "sheet.png"},
+                                    {{"FLAIR_HOME", folder_ / "home"}});
+  ASSERT_EQ(sheet.exit_code, 0) << sheet.err;
+  EXPECT_THAT(sheet.err, AnyOf(HasSubstr("2 tiles"), HasSubstr("3 tiles")));
 }
 
 TEST_F(ContactSheetCommand, HostilePicturesShowWhyInTheirPlaces) {

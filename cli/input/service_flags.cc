@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/input/service_flags.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "CLI/CLI.hpp"
+#include "absl/strings/ascii.h"
+#include "absl/strings/string_view.h"
+#include "absl/time/clock.h"
+#include "cli/input/command_line.h"
+#include "cli/input/llm_flags.h"
+#include "fmt/format.h"
+#include "worker_runtime/security/security.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::cli {
+
+namespace {
+
+constexpr char kGroup[] = "Connection";
+constexpr size_t kTokenLength = 1000;
+
+struct ConnectionFlags {
+  bool tls = false;
+  std::string authority;
+  std::string certificate;
+  std::string key;
+  std::string token_file;
+  bool allow_insecure = false;
+
+  bool WantTls() const { return tls || !authority.empty() || !certificate.empty() || !key.empty(); }
+};
+
+// Of the one command that this process runs.
+ConnectionFlags& Flags() {
+  static ConnectionFlags& flags = *new ConnectionFlags();
+  return flags;
+}
+
+std::string Variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+// `where` it is from; the token itself is in no message.
+absl::StatusOr<std::string> CheckedToken(std::string token, const std::string& where) {
+  absl::StripAsciiWhitespace(&token);
+  if (token.empty()) return absl::InvalidArgumentError(fmt::format("{}: holds no token", where));
+  const bool printable = std::ranges::all_of(token, [](char c) { return c > ' ' && c <= '~'; });
+  if (printable && token.size() <= kTokenLength) return token;
+  return absl::InvalidArgumentError(fmt::format(
+      "{}: that is no token; expected at most {} letters, digits and signs without spaces", where, kTokenLength));
+}
+
+absl::StatusOr<std::string> TokenOf(const std::string& file, const std::string& flag) {
+  const std::string where = fmt::format("{} {}", flag, file);
+  std::ifstream stream(file, std::ios::binary);
+  // No more of it than shows that it is too long.
+  std::string content(kTokenLength + 100, '\0');
+  if (stream) stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+  if (!stream.is_open() || stream.bad()) return absl::InvalidArgumentError(fmt::format("{}: cannot be read", where));
+  content.resize(static_cast<size_t>(stream.gcount()));
+  return CheckedToken(std::move(content), where);
+}
+
+// Empty when none is given.
+absl::StatusOr<std::string> GivenToken() {
+  if (!Flags().token_file.empty()) return TokenOf(Flags().token_file, "--token-file");
+  if (const std::string file = Variable("FLAIR_TOKEN_FILE"); !file.empty()) return TokenOf(file, "FLAIR_TOKEN_FILE");
+  if (const std::string token = Variable("FLAIR_TOKEN"); !token.empty()) return CheckedToken(token, "FLAIR_TOKEN");
+  return "";
+}
+
+void AddTo(CLI::App& command, bool calls_orchestrator) {
+  ConnectionFlags& flags = Flags();
+  command.add_flag("--tls", flags.tls, "Use TLS; trusts the system's certificate authorities unless others are given")
+      ->group(kGroup);
+  command
+      .add_option("--tls-authority", flags.authority,
+                  "PEM file with the certificate authorities to trust; implies --tls")
+      ->type_name("FILE")
+      ->envname("FLAIR_TLS_AUTHORITY")
+      ->group(kGroup);
+  command
+      .add_option("--tls-certificate", flags.certificate,
+                  "PEM file with a client certificate, for servers that require one")
+      ->type_name("FILE")
+      ->envname("FLAIR_TLS_CERTIFICATE")
+      ->group(kGroup);
+  command.add_option("--tls-key", flags.key, "PEM file with its key")
+      ->type_name("FILE")
+      ->envname("FLAIR_TLS_KEY")
+      ->group(kGroup);
+  if (!calls_orchestrator) return;
+  command
+      .add_option("--token-file", flags.token_file,
+                  "File with the token that the orchestrator asks for; otherwise FLAIR_TOKEN_FILE or FLAIR_TOKEN")
+      ->type_name("FILE")
+      ->group(kGroup);
+  command.add_flag("--allow-insecure", flags.allow_insecure, "Send the token in plain text, to other machines too")
+      ->group(kGroup);
+}
+
+bool Has(const CLI::App& command, std::initializer_list<const char*> options) {
+  return std::ranges::any_of(options, [&](const char* name) { return command.get_option_no_throw(name) != nullptr; });
+}
+
+}  // namespace
+
+void AddConnectionFlags(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
+    const bool calls_orchestrator = Has(*command, {"--orchestrator", "--target"});
+    const bool calls_stage = Has(*command, {"--language", "--translator", "--optimizer", "--renderer", "ADDRESS"});
+    if (calls_orchestrator || calls_stage) AddTo(*command, calls_orchestrator);
+    AddConnectionFlags(*command);
+  }
+}
+
+absl::StatusOr<runtime::ChannelOptions> StageConnection() {
+  const ConnectionFlags& flags = Flags();
+  runtime::ChannelOptions options;
+  options.allow_insecure = true;
+  if (!flags.WantTls()) return options;
+  if (flags.certificate.empty() != flags.key.empty()) {
+    return absl::InvalidArgumentError(flags.key.empty()
+                                          ? fmt::format("--tls-certificate {}: needs --tls-key too", flags.certificate)
+                                          : fmt::format("--tls-key {}: needs --tls-certificate too", flags.key));
+  }
+  config::v1::TlsConfig& tls = options.tls.emplace();
+  tls.set_authority_path(flags.authority);
+  tls.set_certificate_path(flags.certificate);
+  tls.set_key_path(flags.key);
+  RETURN_IF_ERROR(runtime::CheckTlsFiles(
+      tls, absl::Now(), {.certificate = "--tls-certificate", .key = "--tls-key", .authority = "--tls-authority"}));
+  return options;
+}
+
+absl::StatusOr<runtime::ChannelOptions> OrchestratorConnection() {
+  absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
+  if (!options.ok()) return options;
+  ASSIGN_OR_RETURN(std::string token, GivenToken());
+  options->token = std::move(token);
+  options->allow_insecure = options->token.empty() || Flags().allow_insecure;
+  return options;
+}
+
+void AddEngineFlags(CLI::App& command, EngineFlags& flags) {
+  constexpr char kGroup[] = "Queue on other machines";
+  command
+      .add_option(
+          "--engine", flags.address,
+          "Use the queue of these NATS servers, such as nats://127.0.0.1:4222, or tls://; commas between several")
+      ->type_name("ADDRESS")
+      ->group(kGroup);
+  command.add_option("--queue", flags.queue, "Name of the queue there, for several on the same servers (flair)")
+      ->type_name("NAME")
+      ->group(kGroup);
+  command
+      .add_option("--artifacts", flags.artifacts,
+                  "Where its orchestrators keep artifacts: jetstream: or folder:PATH (jetstream:)")
+      ->type_name("ADDRESS")
+      ->group(kGroup);
+  command
+      .add_option("--replicas", flags.replica_count, "Copies of everything when the queue is first made: 1, 3, 5 (1)")
+      ->type_name("N")
+      ->check(OneOf({"1", "3", "5"}))
+      ->group(kGroup);
+}
+
+absl::Status CheckEngineFlags(const EngineFlags& flags, const std::string& orchestrator) {
+  if (!flags.address.empty() && !orchestrator.empty()) {
+    return absl::InvalidArgumentError(fmt::format(
+        "--engine: not with --orchestrator {}, which uses the queue of its own config; set queue.address there",
+        orchestrator));
+  }
+  if (!flags.address.empty()) return absl::OkStatus();
+  const char* flag = nullptr;
+  if (!flags.queue.empty()) flag = "--queue";
+  if (!flags.artifacts.empty()) flag = "--artifacts";
+  if (flags.replica_count > 0) flag = "--replicas";
+  if (flag == nullptr) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      fmt::format("{}: belongs to a queue of --engine nats://HOST:PORT; give both", flag));
+}
+
+void SetEngine(const EngineFlags& flags, config::v1::OrchestratorConfig& config) {
+  if (flags.address.empty()) return;
+  config.mutable_queue()->set_address(flags.address);
+  config.mutable_queue()->set_name(flags.queue);
+  config.mutable_queue()->set_replica_count(flags.replica_count);
+  config.set_artifact_store(flags.artifacts);
+}
+
+void AddStageFlags(CLI::App& command, StageFlags& flags) {
+  const auto add = [&command](const char* flag, std::string* address, const char* help) {
+    command.add_option(flag, *address, help)->type_name("HOST:PORT[,HOST:PORT...]")->group("Stages on other servers");
+  };
+  add("--language", flags.addresses.mutable_language(), "Server of the language stage, instead of the built-in one");
+  add("--translator", flags.addresses.mutable_translator(),
+      "Server of the translator stage, instead of the built-in one");
+  add("--optimizer", flags.addresses.mutable_optimizer(),
+      "Server of the optimizer stage, instead of the built-in one; its catalogue is used");
+  add("--renderer", flags.addresses.mutable_renderer(), "Server of the renderer stage, instead of the built-in one");
+  command
+      .add_option("--handbook", flags.handbooks,
+                  "Furniture, kinds of room and styles of your own, laid over the handbook; again for more folders")
+      ->type_name("DIR");
+}
+
+absl::Status CheckStageFlags(const StageFlags& flags, const std::string& orchestrator, const LlmFlags& llm) {
+  const struct {
+    const char* stage;
+    const std::string& address;
+  } stages[] = {{"language", flags.addresses.language()},
+                {"translator", flags.addresses.translator()},
+                {"optimizer", flags.addresses.optimizer()},
+                {"renderer", flags.addresses.renderer()}};
+  for (const auto& [stage, address] : stages) {
+    if (address.empty() || orchestrator.empty()) continue;
+    return absl::InvalidArgumentError(fmt::format(
+        "--{0} {1}: not with --orchestrator {2}, which asks the stages of its own config; set there: stages "
+        "{{ {0}: \"{1}\" }}",
+        stage, address, orchestrator));
+  }
+  const std::string& language = orchestrator.empty() ? flags.addresses.language() : orchestrator;
+  if (!flags.handbooks.empty() && !language.empty()) {
+    return absl::InvalidArgumentError(fmt::format(
+        "--handbook {}: not with {} {}, whose language worker reads its own handbook; set in its config: "
+        "handbook_overlay_paths: \"{}\"",
+        flags.handbooks[0], orchestrator.empty() ? "--language" : "--orchestrator", language, flags.handbooks[0]));
+  }
+  if (flags.addresses.language().empty() || flags.addresses.translator().empty() || llm.Given().empty())
+    return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      fmt::format("{}: not with both --language {} and --translator {}: they have their own models, and no other stage "
+                  "asks one",
+                  llm.Given(), flags.addresses.language(), flags.addresses.translator()));
+}
+
+absl::Status NoOrchestrator(const absl::Status& status, const std::string& address) {
+  if (!absl::IsUnavailable(status) && !absl::IsDeadlineExceeded(status)) return status;
+  const std::string_view why(status.message().data(), status.message().size());
+  return absl::UnavailableError(fmt::format(
+      "no orchestrator answers at {}: {}{} Is flair-orchestrator running there? Without --orchestrator, flair "
+      "uses this machine alone",
+      address, why, why.ends_with('?') ? "" : "."));
+}
+
+}  // namespace flair::cli

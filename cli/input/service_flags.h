@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flags for other machines: how servers are reached, which queue is used, which stages run elsewhere.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "flair/config/v1/orchestrator_config.pb.h"
+#include "worker_runtime/grpc/channel.h"
+
+namespace CLI {
+class App;
+}
+
+namespace flair::cli {
+
+struct LlmFlags;
+
+// Adds --tls, --tls-authority, --tls-certificate and --tls-key to every command that takes the address of a server, and
+// --token-file and --allow-insecure to those that take that of an orchestrator. After all commands, once: one process
+// runs one command, and reaches all servers that it is told of in one way.
+void AddConnectionFlags(CLI::App& program);
+
+// As the flags and the environment say. INVALID_ARGUMENT names the flag or variable, the file and what is wrong with
+// it. Stages on other servers are not told the token; without one, plain text goes to any machine.
+absl::StatusOr<runtime::ChannelOptions> StageConnection();
+absl::StatusOr<runtime::ChannelOptions> OrchestratorConnection();
+
+// Where jobs wait: a queue in NATS JetStream; in the local store when `address` is empty.
+struct EngineFlags {
+  std::string address;
+  std::string queue;
+  std::string artifacts;
+  int replica_count = 0;
+};
+
+// Adds --engine, --queue, --artifacts and --replicas; `flags` must outlive the command.
+void AddEngineFlags(CLI::App& command, EngineFlags& flags);
+
+// INVALID_ARGUMENT when the engine is given beside the orchestrator that would have to use it, or no engine beside what
+// belongs to one.
+absl::Status CheckEngineFlags(const EngineFlags& flags, const std::string& orchestrator);
+
+// Tells an orchestrator of this process.
+void SetEngine(const EngineFlags& flags, config::v1::OrchestratorConfig& config);
+
+// Which stages run elsewhere, and what the language stage of this process reads.
+struct StageFlags {
+  config::v1::StageAddresses addresses;  // an empty address: the stage runs in this process
+  std::vector<std::string> handbooks;    // folders laid over the handbook of the own language stage, in this order
+};
+
+// Adds --language, --translator, --optimizer, --renderer and --handbook; `flags` must outlive the command.
+void AddStageFlags(CLI::App& command, StageFlags& flags);
+
+// INVALID_ARGUMENT when stages or handbooks are given that the orchestrator or the language stage would not use, or a
+// model that none of the own stages would ask.
+absl::Status CheckStageFlags(const StageFlags& flags, const std::string& orchestrator, const LlmFlags& llm);
+
+// What a command that got `status` from the orchestrator at `address` ends with: when nobody answered there or not in
+// time, UNAVAILABLE with the address, why, and what to do; `status` itself otherwise.
+absl::Status NoOrchestrator(const absl::Status& status, const std::string& address);
+
+}  // namespace flair::cli
