@@ -23,7 +23,7 @@ using ::testing::StartsWith;
 class InspectCommand : public ::testing::Test {
  protected:
   Finished Flair(const std::vector<std::string>& arguments) const {
-    return RunProgram("flair", arguments, {{"FLAIR_HOME", folder_ / "home"}});
+    return RunProgram(ProgramWith(arguments), arguments, {{"FLAIR_HOME", folder_ / "home"}});
   }
   std::string Good(const std::vector<std::string>& arguments) const {
     const Finished run = Flair(arguments);
