@@ -62,12 +62,11 @@ TEST(AddAConstraint, EveryBlockOfThePageIsInAFileOfTheExample) {
 }
 
 // This test has the example's library.
-TEST(AddAConstraint, ATypeWithoutWordsIsToldByItsSummaryAndByHowMuchItIsMissed) {
+TEST(AddAConstraint, ItIsToldByItsPhraseAndByHowMuchItIsMissed) {
   const absl::StatusOr<SceneText> text = ParseScene("4x3 room; window south 1 1; desk 1.2x0.6 at 1.5,1.2,0");
   ASSERT_TRUE(text.ok()) << text.status();
   const v1::ConstraintEdge edge = optimizer::EdgeFromText("daylight_from_side", "object=desk");
-  EXPECT_EQ(cli::CallInWords(edge, text->scene),
-            "is so that daylight falls on the desk from its left or right: one of these sides is before a window");
+  EXPECT_EQ(cli::CallInWords(edge, text->scene), "has daylight from its left or right");
   const auto shortfall = optimizer::Explain(edge, {text->scene, text->layout, text->zone_centers});
   ASSERT_TRUE(shortfall.has_value());
   EXPECT_EQ(shortfall->sentence, "what is asked of the desk is missed by 0.87 m");
