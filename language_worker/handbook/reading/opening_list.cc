@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The openings of a brief as they are found: joined to those named before, related to each other, contradictions
+// settled.
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "fmt/format.h"
+#include "language_worker/handbook/reading/opening_parts.h"
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+
+namespace {
+
+constexpr std::size_t kMostWishes = 12;
+
+void Inherit(const OpeningWish& from, OpeningWish& to) {
+  if (!to.width_m) to.width_m = from.width_m;
+  if (!to.height_m) to.height_m = from.height_m;
+  if (!to.sill_m) to.sill_m = from.sill_m;
+  if (to.width_factor == 1) to.width_factor = from.width_factor;
+  if (to.along.at == AlongWall::At::kAny) to.along = from.along;
+  if (to.leads_to.empty()) to.leads_to = from.leads_to;
+  if (to.kind.empty()) to.kind = from.kind;
+  if (to.swing == v1::DOOR_SWING_UNSPECIFIED) to.swing = from.swing;
+  to.to_ceiling = to.to_ceiling || from.to_ceiling;
+}
+
+}  // namespace
+
+void OpeningList::AddOnSides(const OpeningNoun& noun, const OpeningSite& site) {
+  OpeningWish wish = noun.wish;
+  Join(noun, site, wish);
+  if (site.sides.empty()) return Add(wish);
+  const int walls = static_cast<int>(site.sides.size()), all = wish.count;
+  const bool each = !wish.counted || all < walls;
+  for (int w = 0; w < walls; ++w) {
+    wish.side = Resolved(site.sides[static_cast<std::size_t>(w)], wish.door);
+    wish.count = walls == 1 ? all : each ? 1 : all / walls + (w < all % walls ? 1 : 0);
+    Add(wish);
+  }
+}
+
+// A wall that goes by the opening of the same kind that was named before.
+std::string OpeningList::Resolved(const std::string& side, bool door) const {
+  const bool any_kind = side == "opposite" || side == "beside";
+  if (side != "same" && side != "across same" && !any_kind) return side;
+  const bool across = side != "same" && side != "beside";
+  for (std::size_t i = openings_.wishes.size(); i-- > 0;) {
+    const OpeningWish& there = openings_.wishes[i];
+    if ((!any_kind && there.door != door) || there.side.empty() || there.side.starts_with("across")) continue;
+    return across ? "across " + there.side : there.side;
+  }
+  return across ? "far" : "near";
+}
+
+// Takes over what was said before of the same openings: "two windows. The windows are on the east wall."
+void OpeningList::Join(const OpeningNoun& noun, const OpeningSite& site, OpeningWish& wish) {
+  if (!wish.definite && !noun.part) return;
+  for (std::size_t i = 0; i < openings_.wishes.size(); ++i) {
+    OpeningWish& there = openings_.wishes[i];
+    const bool same_kind =
+        there.door == wish.door &&
+        (there.leads_to == wish.leads_to || (wish.outside && there.outside) || (wish.leads_to.empty() && !wish.door));
+    if (!same_kind || there.outside != wish.outside || there.of_many) continue;
+    const bool plural = words_.At(noun.noun).ends_with('s') && noun.noun > 0;
+    if (there.side.empty() && there.count > wish.count && !plural) {
+      // One of several.
+      there.count -= wish.count;
+      wish.counted = there.counted;
+      return Inherit(there, wish);
+    }
+    if (!there.side.empty() && !site.sides.empty() && there.side != site.sides[0]) {
+      if (!(wish.door && there.definite && wish.definite)) continue;
+      openings_.not_read.push_back(
+          fmt::format("The brief says both \"{}\" and \"{}\"; the first holds.", there.said, wish.said));
+      wish.count = 0;
+      return;
+    }
+    if (noun.part && !there.side.empty()) continue;
+    Inherit(there, wish);
+    if (plural || !wish.counted) {
+      wish.count = std::max(wish.counted ? wish.count : 1, there.count);
+      wish.counted = wish.counted || there.counted;
+    }
+    if (wish.side.empty() && site.sides.empty()) wish.side = there.side;
+    openings_.wishes.erase(openings_.wishes.begin() + static_cast<std::ptrdiff_t>(i));
+    return;
+  }
+}
+
+void OpeningList::Add(const OpeningWish& wish) {
+  if (wish.count > 0 && openings_.wishes.size() < kMostWishes) openings_.wishes.push_back(wish);
+}
+
+void OpeningList::SettleRelations() {
+  std::vector<OpeningWish>& all = openings_.wishes;
+  for (std::size_t d = 0; d < all.size(); ++d) {
+    const bool across = all[d].side == "across window";
+    if (!all[d].door || (!across && all[d].side != "window")) continue;
+    const auto is_window = [](const OpeningWish& one) { return !one.door && !one.of_many; };
+    const auto window = std::ranges::find_if(all, is_window);
+    if (window != all.end() && !window->side.empty() && !IsIn("sides_from_the_door", window->side)) {
+      all[d].side = across ? "across " + window->side : window->side;
+      continue;
+    }
+    all[d].side.clear();
+    if (window != all.end()) {
+      window->side = across ? "far" : "near";
+      continue;
+    }
+    OpeningWish added;
+    added.side = across ? "far" : "near";
+    added.said = all[d].said;
+    added.of_many = true;
+    Add(added);
+  }
+}
+
+void OpeningList::SettleContradictions() {
+  const auto is_window = [](const OpeningWish& one) { return !one.door; };
+  const auto window = std::ranges::find_if(openings_.wishes, is_window);
+  if (!openings_.no_windows || (window == openings_.wishes.end() && !openings_.window_meant)) return;
+  if (window == openings_.wishes.end()) {
+    openings_.not_read.push_back("The brief asks for no windows and speaks of one; there are none.");
+    return;
+  }
+  openings_.not_read.push_back(
+      fmt::format("The brief asks for no windows and for \"{}\"; the latter holds.", window->said));
+  openings_.no_windows = false;
+}
+
+}  // namespace flair::language
