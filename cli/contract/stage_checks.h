@@ -46,6 +46,12 @@ std::function<Finding(Target&)> Answered(Request request, std::function<Finding(
   };
 }
 
+// Kept when a call was refused in this way.
+inline Finding RefusedAs(absl::StatusCode code, const absl::Status& status) {
+  if (status.code() == code) return Kept();
+  return Wrong(StatusText(status), absl::StatusCodeToString(code));
+}
+
 // "" or what is missing in what an answer says of its maker.
 std::string ProducerFault(const v1::Producer& producer);
 
