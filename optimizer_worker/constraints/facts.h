@@ -78,7 +78,6 @@ v1::ParameterSpec LengthParameter(std::string name, std::string doc, double min_
 v1::ParameterSpec FlagParameter(std::string name, std::string doc, bool default_flag);
 
 // Which constraints a program has.
-
 struct ConstraintLibrary {
   // What the catalogue, layouts and peers call it, such as "flair-optimizer" and "1". Libraries that differ must differ
   // here: optimizers share the restarts of a solve only with those that say the same.

@@ -37,7 +37,7 @@ absl::StatusOr<std::unique_ptr<Cost>> Bind(const v1::ConstraintEdge& edge, const
 // the call is not valid.
 std::vector<int> NamedObjects(const v1::ConstraintEdge& edge, const Scene& scene);
 
-// What the program has, see library.h; the types sorted by name. Stays valid.
+// What the program has, see facts.h; the types sorted by name. Stays valid.
 const ConstraintLibrary& Library();
 
 // Its types.

@@ -16,18 +16,18 @@ namespace flair::optimizer {
 // Whether two objects can be in each other's way: same storey of the room, none to walk over, none carrying the other.
 bool CanCollide(const Scene& scene, int a, int b);
 
-// depth^2 [m2], see room/no_overlap.h. Null when they cannot collide.
+// depth^2 [m2], see room/no_overlap.cc. Null when they cannot collide.
 std::unique_ptr<Cost> NoOverlapPair(const Scene& scene, int a, int b);
-// Sum of squared distances outside [m2], see room/in_bounds.h.
+// Sum of squared distances outside [m2], see room/in_bounds.cc.
 std::unique_ptr<Cost> InBounds(const Scene& scene, int object);
 // Penetration^2 into swings and passages [m2], see room/door_clear.h. Null when there is no door or the object is
 // above or walked over.
 std::unique_ptr<Cost> DoorClear(const Scene& scene, int object);
-// sin^2(2 theta) / 5, see room/aligned.h.
+// sin^2(2 theta) / 5, see room/aligned.cc.
 std::unique_ptr<Cost> Aligned(const Scene& scene, int object);
-// Squared distance from the nearest wall beyond half a diagonal and 0.5 m [m2], see room/wall_attraction.h.
+// Squared distance from the nearest wall beyond half a diagonal and 0.5 m [m2], see room/wall_attraction.cc.
 std::unique_ptr<Cost> WallAttraction(const Scene& scene, int object);
-// Squared distance of the centre of mass of the objects to the room's centre [m2], see room/balanced.h. Null when
+// Squared distance of the centre of mass of the objects to the room's centre [m2], see room/balanced.cc. Null when
 // `objects` is empty.
 std::unique_ptr<Cost> Balanced(const Scene& scene, std::span<const int> objects);
 // Squared differences of distances to zone centres [m2], see room/zone_affinity.h. Null for objects without a zone and

@@ -100,7 +100,6 @@ class LayoutSearch {
 };
 
 // How narrow the gaps are that furniture leaves: what the pathway cost of a layout will be, without its medial axis.
-
 // Sum over pairs of obstacles, and obstacles and walls, of  length * F(gap)  [m3]
 //   gap     between two sides that face each other in parallel, above 0.02 m (less is touching) and below 0.6 m
 //   length  on which they face each other

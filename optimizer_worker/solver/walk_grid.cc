@@ -11,7 +11,7 @@
 namespace flair::optimizer {
 namespace {
 
-// No more cells along a side than these, of search cells and finer ones; the latter as evaluation/metrics/reach.h.
+// No more cells along a side than these, of search cells and finer ones; the latter as evaluation/metrics/walk_floor.h.
 constexpr double kMostCells = 300, kMostFineCells = 1000;
 constexpr double kFrontStrip_m = 0.6;
 constexpr double kLanding_m = 0.6;

@@ -27,7 +27,7 @@ struct WalkResult {
   bool door_free = true;
 };
 
-// Cells of a search, and of decisions between layouts that are exact already: those of evaluation/metrics/reach.h.
+// Cells of a search, and of decisions between layouts that are exact already: those of evaluation/metrics/walk_floor.h.
 inline constexpr double kSearchCell_m = 0.05, kFineCell_m = 0.025;
 
 // Accurate to the cell, which is coarser than asked for in rooms of more than 15 m (25 m for fine cells). Keeps scratch

@@ -37,7 +37,6 @@ std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const SceneC
 std::string NoFreePlace(const SolveInput& input, const PartialLayout& state, int object);
 
 // The largest empty place on the floor of a furnished room.
-
 struct FreePlace {
   // Long and short side; 0 when the floor is full.
   double long_m = 0;

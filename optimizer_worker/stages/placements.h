@@ -18,10 +18,9 @@ std::vector<v1::Placement> MakePlacements(const SolveInput& input, const Partial
 absl::Status ReadPlacements(const SolveInput& input,
                             const google::protobuf::RepeatedPtrField<v1::Placement>& placements, PartialLayout& state);
 
-// Stages "primary" and "secondary": places new floor objects among those that stand already.
-
-// Restart 0 places the objects in their order, each where it is best; later restarts shuffle the order and add noise.
-// Then sweeps, then SLSQP over all of the stage's objects.
+// Stages "primary" and "secondary": places new floor objects among those that stand already. Restart 0 places the
+// objects in their order, each where it is best; later restarts shuffle the order and add noise. Then sweeps, then
+// SLSQP over all of the stage's objects.
 RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart);
 
 }  // namespace flair::optimizer

@@ -27,15 +27,11 @@ absl::StatusOr<SolveResult> SolveLayout(const v1::LayoutGraph& graph, const v1::
                                         const Solver& solver, const CancelCheck& cancelled = nullptr,
                                         const RestartRunner& runner = LocalRestartRunner());
 
-// The account of a layout that somebody else made.
-
 // Outcomes and metrics of given placements. INVALID_ARGUMENT names the field.
 absl::StatusOr<v1::EvaluateResponse> EvaluateLayout(const v1::EvaluateRequest& request, const Solver& solver);
 
-// The restarts of one stage, for a driver elsewhere.
-
-// Restarts [first_restart, first_restart + restart_count) of one stage, exactly as SolveLayout runs them.
-// INVALID_ARGUMENT names the field; CANCELLED when `cancelled` says so.
+// For a driver elsewhere: restarts [first_restart, first_restart + restart_count) of one stage, exactly as SolveLayout
+// runs them. INVALID_ARGUMENT names the field; CANCELLED when `cancelled` says so.
 absl::StatusOr<std::vector<v1::RestartOutcome>> SolveStageRestarts(const v1::SolveRestartsRequest& request,
                                                                    const Solver& solver,
                                                                    const CancelCheck& cancelled = nullptr);

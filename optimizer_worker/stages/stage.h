@@ -73,7 +73,6 @@ Problem MakeProblem(const SolveInput& input, const SceneCosts& costs, const Stag
                     const PartialLayout& before);
 
 // Where the restarts of a stage run: on this process's threads, or spread over other optimizers as well.
-
 class RestartRunner {
  public:
   virtual ~RestartRunner() = default;

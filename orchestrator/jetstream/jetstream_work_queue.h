@@ -70,7 +70,7 @@ class JetStreamWorkQueue final : public WorkQueue {
   explicit JetStreamWorkQueue(std::unique_ptr<QueueParts> parts);
   absl::Status Start();
 
-  // create.cc
+  // requests.cc
   absl::StatusOr<std::string> IdOfRequest(const std::string& key, const std::string& id);
   absl::Status AddRecords(const std::string& batch_id, std::span<const v1::Job> jobs);
   absl::Status CompareSpecs(std::span<const v1::Job> jobs);
@@ -89,7 +89,7 @@ class JetStreamWorkQueue final : public WorkQueue {
                                 Deleted& deleted);
   absl::Status ForgetBatch(const store::v1::BatchRecord& record);
 
-  // ended.cc
+  // list.cc
   absl::StatusOr<bool> BatchEndedBefore(absl::Time time, const std::string& batch_id);
 
   // take.cc

@@ -25,7 +25,7 @@ namespace flair::orchestrator {
 //                          artifacts, see delete.cc
 //   bucket NAME-status     OrchestratorStatus, forgotten soon
 //   bucket NAME-artifacts  see jetstream_artifacts.h
-//   subject NAME.news      hints, which may be lost; see News
+//   subject NAME.news      notifications, which may be lost
 // A bucket is a stream KV_BUCKET with subjects $KV.BUCKET.KEY, as NATS's own tools know them.
 class QueueNames {
  public:

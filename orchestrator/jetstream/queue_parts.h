@@ -53,7 +53,7 @@ class QueueParts {
   // The subject under which the job waits.
   std::string SubjectOf(const v1::Job& job) const;
 
-  // Tells the other processes, which may miss it: see news.h.
+  // Tells the other processes, which may miss it: see names.h.
   void NotifyWork(const std::string& consumer);
   void NotifyJob(const v1::Job& job);
   void NotifyHolder(const std::string& job_id);

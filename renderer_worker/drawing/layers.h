@@ -20,7 +20,7 @@ struct DoorLeafGeometry {
 };
 DoorLeafGeometry LeafOf(const Plan& plan, const PlanOpening& door);
 
-// floor.cc
+// furniture.cc
 void DrawFloor(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawZones(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 // walls.cc
@@ -33,11 +33,11 @@ void DrawSockets(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawRugs(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawMounted(Canvas& canvas, const Plan& plan, const Sheet& sheet);
-// circulation_layer.cc: the ways, below the furniture; what they do not reach, above it; what that means, in a box
+// overlay_layers.cc: circulation, below the furniture; what they do not reach, above it; what that means, in a box
 void DrawRoutes(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawBlocked(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawRouteSign(Canvas& canvas, const Box& box, bool blocked);
-// constraint_layer.cc; violated edges carry letters in their order
+// overlay_layers.cc; violated edges carry letters in their order
 void DrawConstraints(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 Stroke VerdictStroke(v1::OutcomeStatus status);
 std::string ViolationLetters(int index);

@@ -19,7 +19,7 @@ void Rule(Canvas& canvas, double x0, double x1, double y);
 // Small capitals above a block; returns where the block goes on.
 double Heading(Canvas& canvas, const std::string& text, double x, double y);
 
-// title_block.cc: the name and facts of the room, above all; drawing, scale, paper and north, below all.
+// side_panel.cc: the name and facts of the room, above all; drawing, scale, paper and north, below all.
 double DrawTitle(Canvas& canvas, const Plan& plan, const Box& box);
 inline constexpr double kTitleBlockMm = 33;
 void DrawTitleBlock(Canvas& canvas, const Plan& plan, const Sheet& sheet, const Box& box);
@@ -28,13 +28,13 @@ void DrawTitleBlock(Canvas& canvas, const Plan& plan, const Sheet& sheet, const 
 double LeastKeyHeight(const Plan& plan);
 void DrawKey(Canvas& canvas, const Plan& plan, const Box& box);
 
-// style_panel.cc; with `draw` false it only measures, without `words` it leaves the sentences out.
+// side_panel.cc; with `draw` false it only measures, without `words` it leaves the sentences out.
 double DrawStyle(Canvas& canvas, const Plan& plan, const Box& box, bool words, bool draw);
 
-// signs_panel.cc: what lines and symbols mean, of those that are on the plan.
+// legends.cc: what lines and symbols mean, of those that are on the plan.
 double DrawSigns(Canvas& canvas, const Plan& plan, const Box& box, bool draw);
 
-// overlay_panel.cc: verdicts and ways, when their layers are drawn.
+// legends.cc: verdicts and circulation, when their layers are drawn.
 double DrawOverlayLegend(Canvas& canvas, const Plan& plan, const Box& box, double most_mm, bool draw);
 
 }  // namespace flair::renderer

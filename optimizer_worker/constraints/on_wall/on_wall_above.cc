@@ -2,7 +2,7 @@
 // Hangs a wall object above a floor object.
 //   cost = min over walls of  (on_wall) + max(|m_1 - m_2| - play, 0)^2 + max(p - max(p_min, 0.15), 0)^2            [m2]
 //   on_wall   cost of hanging on that wall, off its openings (room/on_wall.h)
-//   m_1, m_2  middles of the two along the wall;  p, p_min  as in on_wall_near.h
+//   m_1, m_2  middles of the two along the wall;  p, p_min  as in on_wall_near.cc
 //   play      0 for the only thing above the target, else what it can move above it: several share the place
 // Zero exactly when it hangs on the wall that the target stands at, above its middle.
 #include <vector>

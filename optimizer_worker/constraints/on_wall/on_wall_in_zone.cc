@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hangs a wall object in a zone.
-//   cost = (zone cost of measure/zones.h) + (cost of on_wall, room/on_wall.h)                                     [m2]
+//   cost = (zone cost of measure/outside.h) + (cost of on_wall, room/on_wall.h) [m2]
 // Zero exactly when it hangs on a wall, its centre in the zone's Voronoi cell. The released on_wall_in_region is the
 // first part; the second is there so that the call alone says all of its sentence.
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
-#include "optimizer_worker/constraints/measure/on_top.h"
+#include "optimizer_worker/constraints/measure/outside.h"
 #include "optimizer_worker/constraints/room/on_wall.h"
 #include "room/geometry/footprint.h"
 #include "room/geometry/vec2.h"

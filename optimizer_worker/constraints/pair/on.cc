@@ -8,7 +8,7 @@
 
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
-#include "optimizer_worker/constraints/measure/on_top.h"
+#include "optimizer_worker/constraints/measure/outside.h"
 #include "room/geometry/footprint.h"
 
 namespace flair::optimizer {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hangs a wall object on a wall, off the openings.
 //   cost = min over walls of ( gap^2 + (1 - cos a) + overhang^2 + sum over openings of overlap^2 )   [m2]
-//   gap, a, overhang  as in wall/against_wall.h, for the back
+//   gap, a, overhang  as in wall/against_wall.cc, for the back
 //   overlap           shortest slide along the wall that takes the object off a door or window, when their heights meet
 // Zero exactly when the back is flush on one wall and off its openings. The paper's Eq. on_wall is a product over all
 // walls with headings that are not reduced, so that a painting flush on the south wall at 2 pi costs millions

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "optimizer_worker/constraints/facts.h"
-#include "optimizer_worker/constraints/measure/on_top.h"
+#include "optimizer_worker/constraints/measure/outside.h"
 #include "optimizer_worker/constraints/whole_room.h"
 
 namespace flair::optimizer {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps an object's centre in the Voronoi cell of a zone: cost as in measure/zones.h [m2]. Zero exactly in the cell.
+// Keeps an object's centre in the Voronoi cell of a zone: cost as in measure/outside.h [m2]. Zero exactly in the cell.
 // The released ind_in_region is 5 times this.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far one rectangle sticks out over another.
+// How far something is outside of where it belongs: a rectangle beyond its carrier, a point beyond its zone.
 #pragma once
 
 #include <cmath>
@@ -28,14 +28,13 @@ T SquaredSticksOut(const Footprint& object, const Frame<T>& frame, const Footpri
   return sum;
 }
 
-// How far a point is on the wrong side of the borders between zones.
-//   sum over other zones j of max(|p - z_own| - |p - z_j|, 0)^2                                    [m2]
-// [Paper] Eq. zone, as released (without its weight). Zero exactly in the own Voronoi cell.
-
 // Callers give a zone in which nothing stands yet a middle at least this far away; nothing can be in it.
 inline constexpr double kNoPlace_m = 1e5;
 inline bool HasPlace(const Vec2<double>& center) { return std::abs(center.x) < kNoPlace_m; }
 
+// How far a point is on the wrong side of the borders between zones.
+//   sum over other zones j of max(|p - z_own| - |p - z_j|, 0)^2                                    [m2]
+// [Paper] Eq. zone, as released (without its weight). Zero exactly in the own Voronoi cell.
 template <typename T>
 T SquaredBeyondBorders(const Vec2<T>& p, std::span<const Vec2<double>> centers, int own) {
   const T own_distance = Length(p - Cast<T>(centers[static_cast<size_t>(own)]));
