@@ -73,6 +73,27 @@ function(flair_program name)
   endif()
 endfunction()
 
+# flair_embedded_text(TARGET FUNCTION file ...): gives a library a function `std::string_view FUNCTION()` in namespace flair
+# that returns the text of the files, one after the other. Its users declare it.
+function(flair_embedded_text target function)
+  set(text "")
+  foreach(file IN LISTS ARGN)
+    file(READ ${file} part)
+    string(APPEND text "${part}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  endforeach()
+  file(CONFIGURE OUTPUT ${function}.cc @ONLY CONTENT
+"#include <string_view>
+namespace flair {
+std::string_view ${function}();
+std::string_view ${function}() {
+  return R\"text(${text})text\";
+}
+}  // namespace flair
+")
+  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${function}.cc)
+endfunction()
+
 # Precompiled headers: one for libraries, one for tests (-fPIE), each compiled once. CMake puts it before every file; a file
 # includes what it uses all the same. Clang refuses that of the tests, whose definitions differ; without -fpch-preprocess
 # ccache would keep nothing.

@@ -2,6 +2,7 @@
 // flair-language: serves flair.v1.LanguageService.
 #include "flair/config/v1/language_worker_config.pb.h"
 #include "flair/v1/language_service.grpc.pb.h"
+#include "language_worker/model/model_handlers.h"
 #include "language_worker/service/make_language_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
@@ -10,7 +11,10 @@ namespace flair {
 namespace {
 
 absl::Status Assemble(const config::v1::LanguageWorkerConfig& config, runtime::Worker& worker) {
-  absl::StatusOr<std::unique_ptr<grpc::Service>> service = language::MakeLanguageService(config, worker.context());
+  const auto with_model = [](const auto& config, const language::Handbook& handbook, runtime::WorkerContext& context) {
+    return language::MakeModelHandlers(config, handbook, context);
+  };
+  auto service = language::MakeLanguageService(config, worker.context(), with_model);
   if (!service.ok()) return service.status();
   worker.Serve(v1::LanguageService::service_full_name(), *std::move(service));
   return absl::OkStatus();

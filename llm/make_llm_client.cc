@@ -11,10 +11,8 @@
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/openai/openai_client.h"
+#include "llm/wrappers/call_llm_clients.h"
 #include "llm/wrappers/folder_llm_clients.h"
-#include "llm/wrappers/limiting_llm_client.h"
-#include "llm/wrappers/metered_llm_client.h"
-#include "llm/wrappers/retrying_llm_client.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
@@ -47,23 +45,9 @@ absl::StatusOr<std::string> ReadKey(const LlmConfig& config) {
       fmt::format("llm.api_key_path: {}: holds no key, or cannot be read", config.api_key_path()));
 }
 
-AnswerForm FirstForm(config::v1::AnswerForm form) {
-  switch (form) {
-    case config::v1::ANSWER_FORM_JSON_OBJECT:
-      return AnswerForm::kJsonObject;
-    case config::v1::ANSWER_FORM_TEXT:
-      return AnswerForm::kText;
-    default:
-      return AnswerForm::kJsonSchema;
-  }
-}
-
 absl::StatusOr<OpenAiOptions> MakeOpenAiOptions(const LlmConfig& config) {
-  OpenAiOptions options;
-  options.base_url = config.base_url();
-  options.model = config.model();
+  OpenAiOptions options{.config = config, .api_key = {}, .headers = {}};
   ASSIGN_OR_RETURN(options.api_key, ReadKey(config));
-  if (config.has_azure()) options.azure = AzureDeployment{config.azure().deployment(), config.azure().api_version()};
   for (const config::v1::LlmHeader& header : config.headers()) {
     std::string value = header.value();
     if (!header.value_env().empty()) {
@@ -71,12 +55,6 @@ absl::StatusOr<OpenAiOptions> MakeOpenAiOptions(const LlmConfig& config) {
     }
     options.headers.push_back({header.name(), std::move(value)});
   }
-  if (config.has_temperature()) options.temperature = config.temperature();
-  if (config.has_seed()) options.seed = config.seed();
-  options.max_output_token_count = config.max_output_token_count();
-  options.answer_form = FirstForm(config.answer_form());
-  options.fall_back = config.answer_form() == config::v1::ANSWER_FORM_UNSPECIFIED;
-  options.stream = config.stream();
   return options;
 }
 
@@ -123,7 +101,7 @@ class SeedlessLlmClient final : public LlmClientWrapper {
 absl::StatusOr<std::unique_ptr<LlmClient>> MakeLlmClient(const LlmConfig& config, runtime::WorkerContext& worker) {
   RETURN_IF_ERROR(Check(config));
   if (!config.replay_path().empty()) {
-    ASSIGN_OR_RETURN(std::unique_ptr<LlmClient> replay, ReplayingLlmClient::Make(config.replay_path()));
+    ASSIGN_OR_RETURN(std::unique_ptr<LlmClient> replay, MakeReplayingClient(config.replay_path()));
     return std::make_unique<MeteredLlmClient>(std::move(replay), worker.metrics, worker.clock);
   }
   ASSIGN_OR_RETURN(OpenAiOptions options, MakeOpenAiOptions(config));
@@ -136,9 +114,9 @@ absl::StatusOr<std::unique_ptr<LlmClient>> MakeLlmClient(const LlmConfig& config
   client = std::make_unique<PricedLlmClient>(
       std::move(client), std::vector<config::v1::LlmPrice>(config.prices().begin(), config.prices().end()),
       config.model());
-  if (!config.cache_path().empty()) client = std::make_unique<CachingLlmClient>(std::move(client), config.cache_path());
+  if (!config.cache_path().empty()) client = MakeCachingClient(std::move(client), config.cache_path());
   if (!config.record_path().empty()) {
-    ASSIGN_OR_RETURN(client, RecordingLlmClient::Make(std::move(client), config.record_path()));
+    ASSIGN_OR_RETURN(client, MakeRecordingClient(std::move(client), config.record_path()));
   }
   client = std::make_unique<MeteredLlmClient>(std::move(client), worker.metrics, worker.clock);
   if (config.has_seed()) client = std::make_unique<SeedlessLlmClient>(std::move(client));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair-orchestrator: serves OrchestratorService.
 #include "absl/synchronization/mutex.h"
+#include "orchestrator/batch/queue_config.h"
+#include "orchestrator/jetstream/open.h"
 #include "orchestrator/service/make_orchestrator_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
@@ -24,6 +26,7 @@ absl::Status Assemble(const config::v1::OrchestratorConfig& config, runtime::Wor
 int main(int argc, char** argv) {
   // Debian's absl looks for deadlocks at each lock that gRPC takes, under one lock of its own.
   absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
+  flair::orchestrator::UseNats({flair::orchestrator::OpenJetStreamQueue, flair::orchestrator::OpenJetStreamArtifacts});
   return flair::runtime::Run<flair::config::v1::OrchestratorConfig>(
       argc, argv,
       {"flair-orchestrator", "Serves flair.v1.OrchestratorService: runs briefs through the stages.",

@@ -2,6 +2,7 @@
 // flair-translator: serves flair.v1.TranslatorService.
 #include "flair/config/v1/translator_worker_config.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
+#include "translator_worker/model/model_translator.h"
 #include "translator_worker/service/make_translator_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
@@ -10,7 +11,7 @@ namespace flair {
 namespace {
 
 absl::Status Assemble(const config::v1::TranslatorWorkerConfig& config, runtime::Worker& worker) {
-  absl::StatusOr<std::unique_ptr<grpc::Service>> service = translator::MakeTranslatorService(config, worker.context());
+  auto service = translator::MakeTranslatorService(config, worker.context(), translator::MakeModelTranslator);
   if (!service.ok()) return service.status();
   worker.Serve(v1::TranslatorService::service_full_name(), *std::move(service));
   return absl::OkStatus();

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -52,32 +53,19 @@ class LineReader {
   // none.
   static absl::StatusOr<std::unique_ptr<LineReader>> Open(const std::filesystem::path& path, int64_t offset = 0,
                                                           int64_t number = 1);
-  ~LineReader();
-  LineReader(const LineReader&) = delete;
-  LineReader& operator=(const LineReader&) = delete;
 
   // False after the last line.
   absl::StatusOr<bool> Next(Line& line);
 
  private:
-  LineReader(std::filesystem::path path, int file, int64_t offset, int64_t number)
-      : path_(std::move(path)), file_(file), offset_(offset), number_(number) {}
-  // Reads more behind what is left; false at the end of the file.
-  absl::StatusOr<bool> Fill();
-  // Reads up to the end of a line of which `line` has the beginning.
-  absl::StatusOr<bool> SkipRest(Line& line);
-  void Trim(Line& line) const;
+  LineReader(std::filesystem::path path, int64_t offset, int64_t number);
 
   const std::filesystem::path path_;
-  const int file_;
+  std::ifstream file_;
   // Of the next line.
   int64_t offset_;
   int64_t number_;
   std::string buffer_;
-  // What of the buffer has been given out.
-  size_t used_ = 0;
-  // The beginning of a line that is too long.
-  std::string beginning_;
 };
 
 }  // namespace flair::cli

@@ -19,24 +19,6 @@
 
 namespace flair::cli {
 
-namespace {
-
-constexpr absl::Duration kRecent = absl::Minutes(1);
-
-}  // namespace
-
-void RecentRate::See(absl::Time time, int64_t count) {
-  points_.push_back({time, count});
-  // One point older than a minute stays, to measure from.
-  while (points_.size() > 2 && points_[1].time <= time - kRecent) points_.pop_front();
-}
-
-double RecentRate::PerSecond() const {
-  if (points_.size() < 2) return 0;
-  const double seconds = absl::ToDoubleSeconds(points_.back().time - points_.front().time);
-  return seconds <= 0 ? 0 : static_cast<double>(points_.back().count - points_.front().count) / seconds;
-}
-
 std::string TimeLeftText(absl::Duration left) {
   const int64_t seconds = std::max<int64_t>(0, absl::ToInt64Seconds(left));
   if (seconds >= 2 * 86400) return fmt::format("{} days", seconds / 86400);
@@ -131,9 +113,9 @@ void BatchMonitor::Say(const std::string& text) {
 
 void BatchMonitor::Show(const v1::Batch& batch, absl::Time now) {
   const std::lock_guard lock(mutex_);
-  rate_.See(now, EndedCount(batch));
+  rate_.Add("", now, EndedCount(batch));
   if (options_.quiet) return;
-  BatchStanding standing{.batch = batch, .per_second = rate_.PerSecond()};
+  BatchStanding standing{.batch = batch, .per_second = rate_.PerSecond("").value_or(0)};
   options_.complete(standing);
   if (on_terminal_) {
     std::fprintf(stderr, "\r\x1b[K\x1b[2m%s\x1b[0m", StandingText(standing, TerminalWidth()).c_str());

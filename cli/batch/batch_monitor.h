@@ -3,36 +3,20 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
 
 #include "absl/time/time.h"
+#include "cli/progress/rate_meter.h"
 #include "cli/session/batch_session.h"
 #include "flair/v1/orchestrator_service.pb.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::cli {
 
-// How many things a second ended lately: over the last minute, or since the beginning.
-class RecentRate {
- public:
-  // `count` so far, never less than before.
-  void See(absl::Time time, int64_t count);
-  // 0 while too little is known.
-  double PerSecond() const;
-
- private:
-  struct Point {
-    absl::Time time;
-    int64_t count;
-  };
-  std::deque<Point> points_;
-};
-
-// Show the progress of a batch.
+// The progress of a batch.
 struct BatchStanding {
   v1::Batch batch;
   int64_t rejected_count = 0;
@@ -89,7 +73,7 @@ class BatchMonitor {
   std::mutex mutex_;
   std::string last_said_;
   bool line_shown_ = false;
-  RecentRate rate_;
+  RateMeter rate_{absl::Minutes(1)};
   absl::Time next_line_;
   absl::Time next_check_;
   runtime::Cancellation end_;

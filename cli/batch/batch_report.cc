@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/batch/batch_report.h"
 
+#include <stdio.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <fstream>
 #include <numeric>
 #include <utility>
 
+#include "cli/output/output_folder.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
@@ -16,86 +21,59 @@ namespace flair::cli {
 
 namespace {
 
+using nlohmann::ordered_json;
+
 constexpr size_t kShownOfError = 160;
+
+// One JSON object.
+constexpr char kCounts[] = R"sql(
+  SELECT json_object(
+    'batch_id', COALESCE((SELECT value FROM state WHERE name = 'batch_id'), ''),
+    'label', COALESCE((SELECT value FROM state WHERE name = 'label'), ''),
+    'job_count', COUNT(*),
+    'succeeded_count', COUNT(*) FILTER (WHERE state = 'succeeded'),
+    'failed_count', COUNT(*) FILTER (WHERE state = 'failed'),
+    'cancelled_count', COUNT(*) FILTER (WHERE state = 'cancelled'),
+    'waiting_count', COUNT(*) FILTER (WHERE state = 'waiting'),
+    'rejected_count', CAST(COALESCE((SELECT value FROM state WHERE name = 'rejected_count'), 0) AS INTEGER),
+    'not_fetched_count', COUNT(fetch_error),
+    'first_time', COALESCE(MIN(create_time), ''),
+    'last_time', COALESCE(MAX(end_time), ''),
+    'satisfied_count', COALESCE(SUM(satisfied_count), 0),
+    'violated_count', COALESCE(SUM(violated_count), 0),
+    'model_calls', COALESCE(SUM(model_calls), 0),
+    'input_tokens', COALESCE(SUM(input_tokens), 0),
+    'output_tokens', COALESCE(SUM(output_tokens), 0),
+    'cost_usd', TOTAL(cost_usd),
+    'size_bytes', COALESCE(SUM(size_bytes), 0)) FROM jobs)sql";
+
+// A list of JSON objects, the most frequent kind first. With MIN, SQLite takes the other columns from that row.
+constexpr char kFailures[] = R"sql(
+  SELECT json_group_array(json_object('kind', failure_kind, 'count', count, 'batch_index', first,
+                                      'line', COALESCE(line, 0), 'stage', COALESCE(stage, ''),
+                                      'error', COALESCE(error, '')))
+  FROM (SELECT failure_kind, COUNT(*) AS count, MIN(batch_index) AS first, line, stage, error FROM jobs
+        WHERE state = 'failed' AND failure_kind IS NOT NULL GROUP BY failure_kind ORDER BY count DESC, first))sql";
+
+absl::StatusOr<ordered_json> JsonOf(ResultsFile& results, const char* query) {
+  ASSIGN_OR_RETURN(const std::string text, results.Text(query));
+  ordered_json json = ordered_json::parse(text, nullptr, false);
+  if (json.is_discarded()) return absl::DataLossError("results.db: holds text that is not UTF-8");
+  return json;
+}
 
 // Columns whose spread says something about a batch.
 bool IsMeasure(const ResultColumn& column) { return column.type == "REAL" && column.name != "cost_usd"; }
 
-Spread SpreadOf(const std::string& column, std::vector<double> values) {
+ordered_json SpreadOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {
     return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
   };
   const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-  return {.column = column,
-          .count = static_cast<int64_t>(values.size()),
-          .mean = sum / static_cast<double>(values.size()),
-          .p50 = at(0.5),
-          .p90 = at(0.9),
-          .p99 = at(0.99),
-          .most = values.back()};
-}
-
-absl::Status AddSpreads(ResultsFile& results, BatchReport& report) {
-  for (const ResultColumn& column : ResultColumns()) {
-    if (!IsMeasure(column)) continue;
-    ASSIGN_OR_RETURN(auto values,
-                     results.Numbers(fmt::format("SELECT {0} FROM jobs WHERE {0} IS NOT NULL", column.name)));
-    if (!values.empty()) report.spreads.push_back(SpreadOf(column.name, std::move(values)));
-  }
-  return absl::OkStatus();
-}
-
-absl::Status AddFailures(ResultsFile& results, BatchReport& report) {
-  for (const std::string& kind : FailureKindWords()) {
-    const std::string where = fmt::format("FROM jobs WHERE state = 'failed' AND failure_kind = '{}'", kind);
-    ASSIGN_OR_RETURN(const int64_t count, results.Count("SELECT COUNT(*) " + where));
-    if (count == 0) continue;
-    ASSIGN_OR_RETURN(const int64_t first, results.Count("SELECT MIN(batch_index) " + where));
-    ASSIGN_OR_RETURN(const std::optional<ResultRow> row, results.Find(first));
-    if (!row.has_value()) continue;
-    report.failures.push_back({.kind = kind,
-                               .count = count,
-                               .batch_index = first,
-                               .line = row->Int("line"),
-                               .stage = row->Text("stage"),
-                               .error = row->Text("error")});
-  }
-  std::ranges::stable_sort(report.failures, std::greater(), &FailureSummary::count);
-  return absl::OkStatus();
-}
-
-absl::Status AddCounts(ResultsFile& results, BatchReport& report) {
-  const std::pair<const char*, int64_t*> counts[] = {
-      {"SELECT COUNT(*) FROM jobs", &report.job_count},
-      {"SELECT COUNT(*) FROM jobs WHERE state = 'succeeded'", &report.succeeded_count},
-      {"SELECT COUNT(*) FROM jobs WHERE state = 'failed'", &report.failed_count},
-      {"SELECT COUNT(*) FROM jobs WHERE state = 'cancelled'", &report.cancelled_count},
-      {"SELECT COUNT(*) FROM jobs WHERE state = 'waiting'", &report.waiting_count},
-      {"SELECT COUNT(*) FROM jobs WHERE fetch_error IS NOT NULL", &report.not_fetched_count},
-      {"SELECT value FROM state WHERE name = 'rejected_count'", &report.rejected_count},
-      {"SELECT SUM(satisfied_count) FROM jobs", &report.satisfied_count},
-      {"SELECT SUM(violated_count) FROM jobs", &report.violated_count},
-      {"SELECT SUM(model_calls) FROM jobs", &report.model_calls},
-      {"SELECT SUM(input_tokens) FROM jobs", &report.input_tokens},
-      {"SELECT SUM(output_tokens) FROM jobs", &report.output_tokens},
-      {"SELECT SUM(size_bytes) FROM jobs", &report.size_bytes}};
-  for (const auto& [query, count] : counts) {
-    ASSIGN_OR_RETURN(const int64_t value, results.Count(query));
-    *count = value;
-  }
-  const std::pair<const char*, std::string*> texts[] = {
-      {"SELECT value FROM state WHERE name = 'batch_id'", &report.batch_id},
-      {"SELECT value FROM state WHERE name = 'label'", &report.label},
-      {"SELECT MIN(create_time) FROM jobs", &report.first_time},
-      {"SELECT MAX(end_time) FROM jobs", &report.last_time}};
-  for (const auto& [query, text] : texts) {
-    ASSIGN_OR_RETURN(std::string value, results.Text(query));
-    *text = std::move(value);
-  }
-  ASSIGN_OR_RETURN(const std::vector<double> cost, results.Numbers("SELECT COALESCE(SUM(cost_usd), 0.0) FROM jobs"));
-  report.cost_usd = cost.empty() ? 0 : cost.front();
-  return absl::OkStatus();
+  return {{"count", values.size()}, {"mean", sum / static_cast<double>(values.size())},
+          {"p50", at(0.5)},         {"p90", at(0.9)},
+          {"p99", at(0.99)},        {"most", values.back()}};
 }
 
 std::string Figure(double value) {
@@ -103,99 +81,122 @@ std::string Figure(double value) {
   return value >= 1000 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
+std::string Quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string Cell(const ResultValue& value) {
+  if (const auto* number = std::get_if<int64_t>(&value)) return fmt::format("{}", *number);
+  if (const auto* real = std::get_if<double>(&value)) return fmt::format("{}", *real);
+  if (const auto* text = std::get_if<std::string>(&value)) return Quoted(*text);
+  return "";
+}
+
+absl::Status WriteRows(ResultsFile& results, std::ofstream& file) {
+  std::string line;
+  for (const ResultColumn& column : ResultColumns()) line += (line.empty() ? "" : ",") + column.name;
+  file << line << "\r\n";
+  return results.ForEach("", [&](const ResultRow& row) {
+    line.clear();
+    for (size_t i = 0; i < row.values().size(); ++i) line += (i == 0 ? "" : ",") + Cell(row.values()[i]);
+    file << line << "\r\n";
+    return file.fail() ? absl::UnavailableError("") : absl::OkStatus();
+  });
+}
+
 }  // namespace
 
 absl::StatusOr<BatchReport> MakeBatchReport(ResultsFile& results) {
-  BatchReport report;
-  absl::Status status = AddCounts(results, report);
-  if (status.ok()) status = AddFailures(results, report);
-  if (status.ok()) status = AddSpreads(results, report);
-  if (!status.ok()) return status;
+  ASSIGN_OR_RETURN(BatchReport report, JsonOf(results, kCounts));
+  ASSIGN_OR_RETURN(report["failures"], JsonOf(results, kFailures));
+  report["columns"] = ordered_json::object();
+  for (const ResultColumn& column : ResultColumns()) {
+    if (!IsMeasure(column)) continue;
+    ASSIGN_OR_RETURN(std::vector<double> values,
+                     results.Numbers(fmt::format("SELECT {0} FROM jobs WHERE {0} IS NOT NULL", column.name)));
+    if (!values.empty()) report["columns"][column.name] = SpreadOf(std::move(values));
+  }
   return report;
 }
 
+int64_t CountIn(const BatchReport& report, const char* name) { return report.at(name).get<int64_t>(); }
+
 std::string BatchOutcomeText(const BatchReport& report) {
-  std::string text = fmt::format("{}: {} succeeded", Counted(report.job_count, "job"), report.succeeded_count);
-  const std::pair<int64_t, const char*> others[] = {{report.failed_count, "failed"},
-                                                    {report.cancelled_count, "cancelled"},
-                                                    {report.waiting_count, "have not ended"},
-                                                    {report.not_fetched_count, "could not be fetched"}};
-  for (const auto& [count, words] : others) {
-    if (count > 0) text += fmt::format(", {} {}", count, words);
+  std::string text =
+      fmt::format("{}: {} succeeded", Counted(CountIn(report, "job_count"), "job"), CountIn(report, "succeeded_count"));
+  const std::pair<const char*, const char*> others[] = {{"failed_count", "failed"},
+                                                        {"cancelled_count", "cancelled"},
+                                                        {"waiting_count", "have not ended"},
+                                                        {"not_fetched_count", "could not be fetched"}};
+  for (const auto& [name, words] : others) {
+    if (CountIn(report, name) > 0) text += fmt::format(", {} {}", CountIn(report, name), words);
   }
-  if (report.rejected_count > 0)
-    text += fmt::format("; {} rejected (rejected.jsonl)", Counted(report.rejected_count, "line"));
+  const int64_t rejected = CountIn(report, "rejected_count");
+  if (rejected > 0) text += fmt::format("; {} rejected (rejected.jsonl)", Counted(rejected, "line"));
   text += "\n";
-  for (const FailureSummary& failure : report.failures) {
-    text += fmt::format("{:>7} {}, such as job {}{}: {}: {}\n", failure.count, failure.kind, failure.batch_index,
-                        failure.line > 0 ? fmt::format(" (line {})", failure.line) : "",
-                        failure.stage.empty() ? "no stage" : failure.stage,
-                        Shortened(PrintableLine(failure.error), kShownOfError));
+  for (const ordered_json& failure : report.at("failures")) {
+    const int64_t line = CountIn(failure, "line");
+    const std::string stage = failure.at("stage");
+    text += fmt::format("{:>7} {}, such as job {}{}: {}: {}\n", CountIn(failure, "count"),
+                        failure.at("kind").get<std::string>(), CountIn(failure, "batch_index"),
+                        line > 0 ? fmt::format(" (line {})", line) : "", stage.empty() ? "no stage" : stage,
+                        Shortened(PrintableLine(failure.at("error").get<std::string>()), kShownOfError));
   }
   return text;
 }
 
 std::string BatchReportText(const BatchReport& report) {
-  std::string text = fmt::format("batch {}{}\n", report.batch_id,
-                                 report.label.empty() ? "" : fmt::format("  {}", Printable(report.label)));
+  const auto text_of = [&report](const char* name) { return report.at(name).get<std::string>(); };
+  std::string text = fmt::format("batch {}{}\n", text_of("batch_id"),
+                                 text_of("label").empty() ? "" : fmt::format("  {}", Printable(text_of("label"))));
   text += BatchOutcomeText(report);
-  if (!report.last_time.empty()) text += fmt::format("from {} to {} UTC\n", report.first_time, report.last_time);
-  const int64_t held = report.satisfied_count + report.violated_count;
+  if (!text_of("last_time").empty()) {
+    text += fmt::format("from {} to {} UTC\n", text_of("first_time"), text_of("last_time"));
+  }
+  const int64_t satisfied = CountIn(report, "satisfied_count"), held = satisfied + CountIn(report, "violated_count");
   if (held > 0) {
-    text += fmt::format("{} of {} ({:.1f} %)\n", report.satisfied_count,
-                        Counted(held, "constraint holds", "constraints hold"),
-                        100.0 * static_cast<double>(report.satisfied_count) / static_cast<double>(held));
+    text += fmt::format("{} of {} ({:.1f} %)\n", satisfied, Counted(held, "constraint holds", "constraints hold"),
+                        100.0 * static_cast<double>(satisfied) / static_cast<double>(held));
   }
-  if (report.model_calls > 0) {
-    text += fmt::format("{} of models, {} + {} tokens, {:.4f} USD\n", Counted(report.model_calls, "call"),
-                        report.input_tokens, report.output_tokens, report.cost_usd);
+  if (CountIn(report, "model_calls") > 0) {
+    text += fmt::format("{} of models, {} + {} tokens, {:.4f} USD\n", Counted(CountIn(report, "model_calls"), "call"),
+                        CountIn(report, "input_tokens"), CountIn(report, "output_tokens"),
+                        report.at("cost_usd").get<double>());
   }
-  if (report.size_bytes > 0)
-    text += fmt::format("{:.1f} MiB kept\n", static_cast<double>(report.size_bytes) / (1 << 20));
-  if (report.spreads.empty()) return text;
+  const int64_t size_bytes = CountIn(report, "size_bytes");
+  if (size_bytes > 0) text += fmt::format("{:.1f} MiB kept\n", static_cast<double>(size_bytes) / (1 << 20));
+  if (report.at("columns").empty()) return text;
   const TextTable table({"", "jobs", "mean", "p50", "p90", "p99", "most"}, 24, 9);
   text += "\n" + table.Header();
-  for (const Spread& spread : report.spreads) {
-    text += table.Row({spread.column, std::to_string(spread.count), Figure(spread.mean), Figure(spread.p50),
-                       Figure(spread.p90), Figure(spread.p99), Figure(spread.most)});
+  for (const auto& [column, spread] : report.at("columns").items()) {
+    std::vector<std::string> cells = {column, std::to_string(CountIn(spread, "count"))};
+    for (const char* name : {"mean", "p50", "p90", "p99", "most"}) cells.push_back(Figure(spread.at(name)));
+    text += table.Row(cells);
   }
   return text;
 }
 
-nlohmann::ordered_json BatchReportJson(const BatchReport& report) {
-  nlohmann::ordered_json json = {{"batch_id", report.batch_id},
-                                 {"label", report.label},
-                                 {"job_count", report.job_count},
-                                 {"succeeded_count", report.succeeded_count},
-                                 {"failed_count", report.failed_count},
-                                 {"cancelled_count", report.cancelled_count},
-                                 {"waiting_count", report.waiting_count},
-                                 {"rejected_count", report.rejected_count},
-                                 {"not_fetched_count", report.not_fetched_count},
-                                 {"first_time", report.first_time},
-                                 {"last_time", report.last_time},
-                                 {"satisfied_count", report.satisfied_count},
-                                 {"violated_count", report.violated_count},
-                                 {"model_calls", report.model_calls},
-                                 {"input_tokens", report.input_tokens},
-                                 {"output_tokens", report.output_tokens},
-                                 {"cost_usd", report.cost_usd},
-                                 {"size_bytes", report.size_bytes}};
-  json["failures"] = nlohmann::ordered_json::array();
-  for (const FailureSummary& failure : report.failures) {
-    json["failures"].push_back({{"kind", failure.kind},
-                                {"count", failure.count},
-                                {"batch_index", failure.batch_index},
-                                {"line", failure.line},
-                                {"stage", failure.stage},
-                                {"error", failure.error}});
+absl::Status WriteResultsCsv(ResultsFile& results, const std::string& path) {
+  RETURN_IF_ERROR(CheckOutputFile(path));
+  std::error_code error;
+  // A device or pipe is written to as it is.
+  const bool in_place = std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+  const std::string made = in_place ? path : path + ".partial";
+  std::ofstream file(made, std::ios::binary | std::ios::trunc);
+  const absl::Status status = WriteRows(results, file);
+  file.close();
+  if (file.fail() || (status.ok() && !in_place && ::rename(made.c_str(), path.c_str()) != 0)) {
+    const int reason = errno;
+    if (!in_place) std::filesystem::remove(made, error);
+    return CannotWrite(path, reason);
   }
-  json["columns"] = nlohmann::ordered_json::object();
-  for (const Spread& spread : report.spreads) {
-    json["columns"][spread.column] = {{"count", spread.count}, {"mean", spread.mean}, {"p50", spread.p50},
-                                      {"p90", spread.p90},     {"p99", spread.p99},   {"most", spread.most}};
-  }
-  return json;
+  return status;
 }
 
 }  // namespace flair::cli

@@ -127,7 +127,7 @@ absl::Status Summarize(BatchSession& session, const v1::Batch& batch, BatchFolde
                        const BatchRunOptions& options) {
   ASSIGN_OR_RETURN(const BatchReport report, MakeBatchReport(folder.results()));
   if (options.json) {
-    fmt::print("{}\n", BatchReportJson(report).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   } else if (!options.quiet) {
     fmt::print(stderr, "{}", BatchOutcomeText(report));
   }
@@ -141,21 +141,22 @@ absl::Status Summarize(BatchSession& session, const v1::Batch& batch, BatchFolde
 }  // namespace
 
 absl::Status EndOf(const BatchReport& report, const std::string& name) {
-  if (report.failed_count > 0) {
+  const auto count = [&report](const char* field) { return CountIn(report, field); };
+  if (count("failed_count") > 0) {
     return EndWith(kExitSomeFailed,
                    fmt::format("{} of {} failed; more: flair batch report {}; again: flair batch retry {}",
-                               report.failed_count, Counted(report.job_count, "job"), name, name));
+                               count("failed_count"), Counted(count("job_count"), "job"), name, name));
   }
-  if (report.not_fetched_count > 0) {
+  if (count("not_fetched_count") > 0) {
     return EndWith(kExitSomeFailed, fmt::format("the results of {} could not be fetched; again: flair batch watch {}",
-                                                Counted(report.not_fetched_count, "job"), name));
+                                                Counted(count("not_fetched_count"), "job"), name));
   }
-  if (report.rejected_count > 0) {
+  if (count("rejected_count") > 0) {
     return EndWith(kExitSomeFailed, fmt::format("{} rejected; {}/rejected.jsonl says why",
-                                                Counted(report.rejected_count, "line was", "lines were"), name));
+                                                Counted(count("rejected_count"), "line was", "lines were"), name));
   }
-  if (report.cancelled_count > 0) {
-    return EndWith(kExitSomeFailed, Counted(report.cancelled_count, "job was cancelled", "jobs were cancelled"));
+  if (count("cancelled_count") > 0) {
+    return EndWith(kExitSomeFailed, Counted(count("cancelled_count"), "job was cancelled", "jobs were cancelled"));
   }
   return absl::OkStatus();
 }

@@ -12,7 +12,6 @@
 #include "absl/strings/match.h"
 #include "absl/strings/str_replace.h"
 #include "cli/input/message_text.h"
-#include "cli/input/message_words.h"
 #include "cli/input/room_file.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"

@@ -6,7 +6,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_split.h"
-#include "cli/input/message_words.h"
+#include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/report_text.h"
 #include "fmt/format.h"

@@ -7,6 +7,7 @@
 #include "cli/input/files.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 
@@ -32,8 +33,7 @@ absl::StatusOr<std::vector<ProblemFile>> ListProblemFiles(const fs::path& path) 
 }
 
 absl::StatusOr<BenchProblem> ReadBenchProblem(const ProblemFile& file) {
-  absl::StatusOr<std::string> text = ReadFile(file.path);
-  if (!text.ok()) return text.status();
+  ASSIGN_OR_RETURN(std::string text, ReadFile(file.path));
   BenchProblem problem{file.name, {}, std::nullopt};
   const absl::StatusOr<v1::Artifact> artifact = ReadArtifact(file.path);
   if (artifact.ok() && artifact->has_layout_graph()) {
@@ -46,13 +46,13 @@ absl::StatusOr<BenchProblem> ReadBenchProblem(const ProblemFile& file) {
     return problem;
   }
   if (artifact.ok()) return absl::InvalidArgumentError("an artifact, but neither a graph nor a layout");
-  absl::StatusOr<v1::LayoutGraph> recorded = evaluation::ReadFlairGptRoom(*text);
+  absl::StatusOr<v1::LayoutGraph> recorded = evaluation::ReadFlairGptRoom(text);
   if (!recorded.ok()) {
     return absl::InvalidArgumentError(fmt::format("neither a graph, nor a layout, nor a recorded problem: {}",
                                                   std::string(recorded.status().message())));
   }
   problem.graph = *std::move(recorded);
-  absl::StatusOr<v1::SolvedLayout> solution = evaluation::ReadFlairGptSolution(*text, problem.graph);
+  absl::StatusOr<v1::SolvedLayout> solution = evaluation::ReadFlairGptSolution(text, problem.graph);
   if (solution.ok()) problem.recorded = *std::move(solution);
   return problem;
 }

@@ -9,6 +9,7 @@
 #include "nlohmann/json.hpp"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/service/handlers.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -74,16 +75,13 @@ absl::StatusOr<RenderMeasure> MeasureRenders(const std::string& room, const v1::
     }
     const auto make = [&]() -> absl::StatusOr<size_t> {
       if (kind < 4) {
-        const auto response = draw.Handle(requests[kind], call);
-        if (!response.ok()) return response.status();
-        return response->preview().image().size();
+        ASSIGN_OR_RETURN(const auto response, draw.Handle(requests[kind], call));
+        return response.preview().image().size();
       }
-      const auto response = export_scene.Handle(scene, call);
-      if (!response.ok()) return response.status();
-      return response->scene().size();
+      ASSIGN_OR_RETURN(const auto response, export_scene.Handle(scene, call));
+      return response.scene().size();
     };
-    const absl::Status measured = Measure(make, bench.repeat_count, measure.cpu_s[kind], measure.bytes[kind]);
-    if (!measured.ok()) return measured;
+    RETURN_IF_ERROR(Measure(make, bench.repeat_count, measure.cpu_s[kind], measure.bytes[kind]));
   }
   return measure;
 }

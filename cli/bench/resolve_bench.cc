@@ -13,6 +13,7 @@
 #include "optimizer_worker/solver/nlopt_solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "room/geometry/pose.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -114,17 +115,15 @@ absl::StatusOr<std::vector<ResolveMeasure>> MeasureResolves(const BenchProblem& 
                                                             const v1::SolveOptions& options, int per_kind,
                                                             int compare_every) {
   const optimizer::NloptSolver solver;
-  const absl::StatusOr<optimizer::SolveResult> start = optimizer::SolveLayout(problem.graph, options, solver);
-  if (!start.ok()) return start.status();
+  ASSIGN_OR_RETURN(const optimizer::SolveResult start, optimizer::SolveLayout(problem.graph, options, solver));
   std::vector<ResolveMeasure> measures;
-  for (const std::string& line : EditsOf(start->layout, per_kind)) {
-    absl::StatusOr<v1::LayoutEdit> edit = optimizer::EditFromText(line, start->layout);
-    if (!edit.ok()) return edit.status();
+  for (const std::string& line : EditsOf(start.layout, per_kind)) {
+    ASSIGN_OR_RETURN(v1::LayoutEdit edit, optimizer::EditFromText(line, start.layout));
     google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
-    *edits.Add() = *std::move(edit);
+    *edits.Add() = std::move(edit);
     const double began = ProcessCpu_s();
     const absl::StatusOr<optimizer::ResolveResult> result =
-        optimizer::ResolveLayout(start->layout, edits, options, solver);
+        optimizer::ResolveLayout(start.layout, edits, options, solver);
     const double cpu_s = ProcessCpu_s() - began;
     // An object grown or added beyond what validation lets through is no measure of the solver.
     if (!result.ok()) continue;
@@ -134,7 +133,7 @@ absl::StatusOr<std::vector<ResolveMeasure>> MeasureResolves(const BenchProblem& 
     measure.cpu_s = cpu_s;
     measure.object_count = problem.graph.object_list().objects_size();
     measure.moved_count = static_cast<int>(result->moved_ids.size());
-    measure.held_before = Held(start->layout);
+    measure.held_before = Held(start.layout);
     measure.held_after = Held(result->layout);
     measure.deepest_overlap_m = result->layout.metrics().deepest_overlap_m();
     if (compare_every == 0 || measures.size() % compare_every != 1 % compare_every) continue;

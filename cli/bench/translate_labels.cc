@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "cli/input/files.h"
-#include "evaluation/readers/flairgpt_arguments.h"
 #include "evaluation/readers/flairgpt_calls.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -42,10 +42,9 @@ absl::Status AddObjects(const json& objects, const FlairGptFunction& function, c
     if (next >= objects.size()) return absl::InvalidArgumentError(fmt::format("objects: too few for {}", edge.type()));
     v1::ArgumentValue& value = *AddArgument(parameter.name, edge).mutable_value();
     do {
-      const absl::StatusOr<std::string> id = ReadGoldObject(objects[next++], room);
-      if (!id.ok()) return id.status();
-      if (one) value.set_text(*id);
-      if (list) value.mutable_texts()->add_items(*id);
+      ASSIGN_OR_RETURN(const std::string id, ReadGoldObject(objects[next++], room));
+      if (one) value.set_text(id);
+      if (list) value.mutable_texts()->add_items(id);
     } while (list && next < objects.size());
   }
   if (next == objects.size()) return absl::OkStatus();
@@ -108,9 +107,8 @@ absl::StatusOr<Line> ReadLine(const json& record, const v1::LayoutGraph& room) {
         fmt::format("list: unknown list {}; known are {}", line.list, fmt::join(kLists, ", ")));
   }
   for (const json& index : record.value("subject_index", json::array())) {
-    absl::StatusOr<std::string> id = ReadGoldObject(index, room);
-    if (!id.ok()) return id.status();
-    line.subject_ids.push_back(*std::move(id));
+    ASSIGN_OR_RETURN(std::string id, ReadGoldObject(index, room));
+    line.subject_ids.push_back(std::move(id));
   }
   line.label.text = record["sentence"];
   line.label.function = "refuse";
@@ -122,9 +120,8 @@ absl::StatusOr<Line> ReadLine(const json& record, const v1::LayoutGraph& room) {
     if (!alternative.is_array() || alternative.empty())
       return absl::InvalidArgumentError("gold: an alternative without calls");
     for (const json& call : alternative) {
-      absl::StatusOr<v1::ConstraintEdge> edge = ReadGoldCall(call, room);
-      if (!edge.ok()) return edge.status();
-      calls.push_back(*std::move(edge));
+      ASSIGN_OR_RETURN(v1::ConstraintEdge edge, ReadGoldCall(call, room));
+      calls.push_back(std::move(edge));
     }
     if (line.label.alternatives.size() == 1) line.label.function = alternative[0]["function"];
   }
@@ -167,11 +164,9 @@ class Reader {
     if (!record.contains("room") || !record["room"].is_string()) return absl::InvalidArgumentError("room: missing");
     try {
       const std::string name = record["room"];
-      absl::StatusOr<const v1::LayoutGraph*> graph = Room(name);
-      if (!graph.ok()) return graph.status();
-      absl::StatusOr<Line> line = ReadLine(record, **graph);
-      if (!line.ok()) return line.status();
-      AddLine(labels_.rooms[index_[name]], *std::move(line));
+      ASSIGN_OR_RETURN(const v1::LayoutGraph* graph, Room(name));
+      ASSIGN_OR_RETURN(Line line, ReadLine(record, *graph));
+      AddLine(labels_.rooms[index_[name]], std::move(line));
     } catch (const json::exception& error) {
       return absl::InvalidArgumentError(error.what());
     }
@@ -185,15 +180,14 @@ class Reader {
     for (const fs::path& folder : folders_) {
       const absl::StatusOr<std::string> text = ReadFile(folder / (name + ".json"));
       if (!text.ok()) continue;
-      absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(*text);
-      if (!graph.ok()) return graph.status();
+      ASSIGN_OR_RETURN(v1::LayoutGraph graph, evaluation::ReadFlairGptRoom(*text));
       LabelledRoom& room = labels_.rooms.emplace_back();
       room.name = name;
-      *room.request.mutable_room() = graph->room();
-      *room.request.mutable_zone_plan() = graph->zone_plan();
-      *room.request.mutable_object_list() = graph->object_list();
+      *room.request.mutable_room() = graph.room();
+      *room.request.mutable_zone_plan() = graph.zone_plan();
+      *room.request.mutable_object_list() = graph.object_list();
       index_[name] = labels_.rooms.size() - 1;
-      return &(graphs_[name] = *std::move(graph));
+      return &(graphs_[name] = std::move(graph));
     }
     return absl::NotFoundError(
         fmt::format("room: no {}.json in {}; name its folder with --rooms", name, folders_[0].string()));
@@ -245,23 +239,21 @@ absl::StatusOr<v1::ConstraintEdge> ReadGoldCall(const json& call, const v1::Layo
   if (function == nullptr) return absl::NotFoundError(fmt::format("gold: unknown function {}", name));
   v1::ConstraintEdge edge;
   edge.set_type(function->type);
-  if (absl::Status status = AddObjects(call["objects"], *function, room, edge); !status.ok()) return status;
+  RETURN_IF_ERROR(AddObjects(call["objects"], *function, room, edge));
   const json params = call.value("params", json::object());
   if (!params.is_object()) return absl::InvalidArgumentError("gold: params is not an object");
   for (const auto& [key, value] : params.items()) {
-    if (absl::Status status = AddParameter(key, value, *function, room, edge); !status.ok()) return status;
+    RETURN_IF_ERROR(AddParameter(key, value, *function, room, edge));
   }
   return edge;
 }
 
 absl::StatusOr<TranslateLabels> ReadTranslateLabels(const fs::path& path, const fs::path& rooms) {
-  const absl::StatusOr<std::vector<fs::path>> files = LabelFiles(path);
-  if (!files.ok()) return files.status();
+  ASSIGN_OR_RETURN(const std::vector<fs::path> files, LabelFiles(path));
   Reader reader(path, rooms);
-  for (const fs::path& file : *files) {
-    const absl::StatusOr<std::string> text = ReadFile(file);
-    if (!text.ok()) return text.status();
-    reader.Read(file, *text);
+  for (const fs::path& file : files) {
+    ASSIGN_OR_RETURN(const std::string text, ReadFile(file));
+    reader.Read(file, text);
   }
   TranslateLabels labels = std::move(reader).Finish();
   if (!labels.rooms.empty()) return labels;

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "cli/input/command_line.h"
 #include "cli/input/service_flags.h"
 #include "fmt/format.h"
-#include "orchestrator/jetstream/connect_options.h"
+#include "orchestrator/batch/queue_config.h"
+#include "orchestrator/jetstream/open.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
@@ -15,70 +15,58 @@ namespace {
 constexpr int kSearchedBatches = 10000;
 
 // For people and files: without a user, password or token that an address may hold.
-std::string ShownEngine(const BatchFlags& flags) {
+std::string ShownEngine(const BatchPlaceFlags& flags) {
   config::v1::QueueConfig queue;
   queue.set_address(flags.engine.address);
   return orchestrator::ShownAddress(queue);
 }
 
-std::string RemedyOf(const BatchFlags& flags, bool runs_jobs) {
-  if (!runs_jobs || (flags.orchestrator.empty() && (flags.engine.address.empty() || flags.parallel.has_value()))) {
-    return "";
-  }
+std::string RemedyOf(const BatchPlaceFlags& flags, const BatchRunFlags* runs) {
+  if (runs == nullptr) return "";
   if (!flags.orchestrator.empty()) {
     return fmt::format("start flair-orchestrator on the queue of {}, without takes_no_jobs", flags.orchestrator);
   }
+  if (flags.engine.address.empty() || runs->parallel.has_value()) return "";
   return fmt::format(
-      "start flair-orchestrator with queue {{ address: \"{}\" }} in its config, or give --parallel N to "
-      "run jobs here",
+      "start flair-orchestrator with queue {{ address: \"{}\" }} in its config, or give --parallel N to run jobs here",
       ShownEngine(flags));
 }
 
 }  // namespace
 
-void AddBatchFlags(CLI::App& command, BatchFlags& flags, bool runs_jobs) {
-  command.add_option("--orchestrator", flags.orchestrator, "Use this orchestrator instead of one in this process")
-      ->type_name("HOST:PORT");
-  AddEngineFlags(command, flags.engine);
-  if (!runs_jobs) return;
-  command
-      .add_option("--parallel", flags.parallel,
-                  "Jobs at once in this process, 1 to 256 (cores; with --engine none: others run them)")
-      ->type_name("N")
-      ->check(WholeNumber(1, 256));
-  AddStageFlags(command, flags.stages);
-  AddLlmFlags(command, flags.llm);
-}
-
-absl::StatusOr<BatchWay> OpenBatchWay(const BatchFlags& flags, bool runs_jobs, const OptionalLlm& llm,
+absl::StatusOr<BatchWay> OpenBatchWay(const BatchPlaceFlags& flags, const BatchRunFlags* runs, const OptionalLlm& llm,
                                       Interruption& interruption) {
   RETURN_IF_ERROR(CheckEngineFlags(flags.engine, flags.orchestrator));
-  if (flags.parallel.has_value() && !flags.orchestrator.empty()) {
+  const std::optional<int> parallel = runs == nullptr ? std::nullopt : runs->parallel;
+  if (parallel.has_value() && !flags.orchestrator.empty()) {
     return absl::InvalidArgumentError(
         fmt::format("--parallel {}: not with --orchestrator {}, whose config says how many jobs it runs: "
                     "running_job_limit",
-                    *flags.parallel, flags.orchestrator));
+                    *parallel, flags.orchestrator));
   }
   config::v1::OrchestratorConfig config;
   SetEngine(flags.engine, config);
   if (!flags.engine.address.empty()) {
+    orchestrator::UseNats({orchestrator::OpenJetStreamQueue, orchestrator::OpenJetStreamArtifacts});
     ASSIGN_OR_RETURN(const runtime::ChannelOptions connection, StageConnection());
     if (connection.tls.has_value()) *config.mutable_runtime()->mutable_tls() = *connection.tls;
   }
   config.set_store_path(flags.store);
-  config.set_running_job_limit(flags.parallel.value_or(0));
-  config.set_takes_no_jobs(!runs_jobs || (!flags.engine.address.empty() && !flags.parallel.has_value()));
-  ASSIGN_OR_RETURN(std::unique_ptr<Session> session, Session::Open(flags.orchestrator, llm, flags.stages, config));
+  config.set_running_job_limit(parallel.value_or(0));
+  config.set_takes_no_jobs(runs == nullptr || (!flags.engine.address.empty() && !parallel.has_value()));
+  ASSIGN_OR_RETURN(
+      std::unique_ptr<Session> session,
+      Session::Open(flags.orchestrator, llm, runs == nullptr ? StageChoice() : StageChoice(runs->stages), config));
   BatchWay way;
   way.batches = std::make_unique<BatchSession>(
       session->channel(), BatchSession::Options{.address = session->address(), .embedded = session->embedded()},
       interruption.stop());
   way.session = std::move(session);
-  way.remedy = RemedyOf(flags, runs_jobs);
+  way.remedy = RemedyOf(flags, runs);
   return way;
 }
 
-void FillPlace(const BatchFlags& flags, BatchPlace& place) {
+void FillPlace(const BatchPlaceFlags& flags, BatchPlace& place) {
   place.orchestrator = flags.orchestrator;
   place.engine = ShownEngine(flags);
   place.queue = flags.engine.queue;
@@ -88,7 +76,7 @@ void FillPlace(const BatchFlags& flags, BatchPlace& place) {
   place.store = local ? std::filesystem::absolute(store).string() : "";
 }
 
-absl::Status TakePlaceOf(const std::string& name, BatchFlags& flags) {
+absl::Status TakePlaceOf(const std::string& name, BatchPlaceFlags& flags) {
   if (!BatchFolder::IsAt(name) || !flags.orchestrator.empty() || !flags.engine.address.empty()) return absl::OkStatus();
   ASSIGN_OR_RETURN(const BatchPlace place, BatchFolder::ReadPlace(name));
   flags.orchestrator = place.orchestrator;

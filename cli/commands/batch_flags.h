@@ -7,32 +7,49 @@
 #include <optional>
 #include <string>
 
-#include "CLI/CLI.hpp"
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "cli/batch/batch_folder.h"
 #include "cli/batch/batch_run.h"
+#include "cli/batch/kept_files.h"
 #include "cli/input/llm_flags.h"
+#include "cli/input/options.h"
 #include "cli/input/service_flags.h"
 #include "cli/session/batch_session.h"
 #include "cli/session/session.h"
 
 namespace flair::cli {
 
-// Where jobs wait and who runs them.
-struct BatchFlags {
-  std::string orchestrator;
-  EngineFlags engine;
+// Where jobs wait.
+struct BatchPlaceFlags : Options {
+  using Options::Options;
+  std::string& orchestrator = Text("--orchestrator HOST:PORT", "Use this orchestrator instead of one in this process");
+  EngineFlags engine{command()};
   // The local store; that of all commands when empty.
   std::string store;
-  // Jobs at once in this process; nothing when not given.
-  std::optional<int> parallel;
-  StageFlags stages;
-  LlmFlags llm;
 };
 
-// Adds --orchestrator and the flags of a queue; with `runs_jobs`, also those of what runs jobs in this process.
-void AddBatchFlags(CLI::App& command, BatchFlags& flags, bool runs_jobs);
+// Who runs jobs in this process.
+struct BatchRunFlags : Options {
+  using Options::Options;
+  std::optional<int>& parallel = Whole(
+      "--parallel N", 1, 256, "Jobs at once in this process, 1 to 256 (cores; with --engine none: others run them)");
+  StageFlags stages{command()};
+  LlmFlags llm{command()};
+};
+
+// What becomes of the results of a batch.
+struct CollectFlags : Options {
+  using Options::Options;
+  absl::StatusOr<KeptFiles> Kept() const { return KeptFiles::Parse(kept.empty() ? KeptFiles::kDefault : kept); }
+
+  std::string& kept =
+      Text("--keep A,B",
+           "Files of each job: brief, room, ..., graph, layout, pictures, report, report.md, all, none; NAME.json "
+           "for JSON (layout,pictures,report)");
+  int& shard_size = Whole("--shards JOBS", 1, 1000000, 0,
+                          "Tar files of so many jobs, 1 to 1000000, instead of a folder for each job");
+};
 
 // An open way to the batches, alive while the command is.
 struct BatchWay {
@@ -42,9 +59,9 @@ struct BatchWay {
   std::string remedy;
 };
 
-// Opens it; `llm` is the model of the jobs that run here. UNAVAILABLE and so on as Session; INVALID_ARGUMENT for flags
-// that do not go together.
-absl::StatusOr<BatchWay> OpenBatchWay(const BatchFlags& flags, bool runs_jobs, const OptionalLlm& llm,
+// Opens it; with `runs`, jobs run here and `llm` is their model. UNAVAILABLE and so on as Session; INVALID_ARGUMENT for
+// flags that do not go together.
+absl::StatusOr<BatchWay> OpenBatchWay(const BatchPlaceFlags& flags, const BatchRunFlags* runs, const OptionalLlm& llm,
                                       Interruption& interruption);
 
 // What a person calls a batch: its id, the beginning of it, or the folder of an earlier run.
@@ -55,15 +72,15 @@ struct NamedBatch {
 };
 
 // What of the flags a folder remembers.
-void FillPlace(const BatchFlags& flags, BatchPlace& place);
+void FillPlace(const BatchPlaceFlags& flags, BatchPlace& place);
 
 // Where the folder `name` says that its batch is, unless flags say otherwise.
-absl::Status TakePlaceOf(const std::string& name, BatchFlags& flags);
+absl::Status TakePlaceOf(const std::string& name, BatchPlaceFlags& flags);
 
 // NOT_FOUND when there is none, INVALID_ARGUMENT when several ids begin so.
 absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batches);
 
 // What is done with a batch that is there: status, watch, pause, resume, cancel, retry, delete, report, list.
-void AddBatchActions(CLI::App& batch, absl::Status& result);
+void AddBatchActions(const Commands& batch);
 
 }  // namespace flair::cli

@@ -4,14 +4,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "CLI/CLI.hpp"
 #include "cli/bench/render_measure.h"
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_file.h"
-#include "cli/input/command_line.h"
 #include "cli/input/files.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -19,35 +18,44 @@ namespace {
 
 constexpr size_t kMostRooms = 10000;
 
-struct BenchRenderArguments {
-  std::string folder;
-  std::string json;
-  RenderBench bench;
-  bool no_views = false;
-  bool list = false;
+struct BenchRenderArguments : Options {
+  using Options::Options;
+  std::string& folder = Required("DIR", "Folder of designs, at any depth");
+  int& repeats = Whole("--repeat N", 1, 100, RenderBench().repeat_count,
+                       "Times that each is drawn, 1 to 100 (3); the quickest counts");
+  int& size_px = Whole("--size PX", 256, 4096, RenderBench().view_size_px,
+                       "Longer side of the bird's-eye view in pixels, 256 to 4096 (1024)");
+  int& samples =
+      Whole("--samples N", 1, 4096, RenderBench().sample_count, "Its paths of light per pixel, 1 to 4096 (16)");
+  int& threads = Whole("--threads N", 1, 256, RenderBench().thread_count, "Its threads, 1 to 256 (2)");
+  bool& no_views = Flag("--no-views", "Leave the views out");
+  bool& list = Flag("--list", "Every room, a line each");
+  std::string& json = Text("--json FILE", "Write all figures there");
 };
 
-absl::Status BenchRender(BenchRenderArguments arguments) {
-  arguments.bench.views = !arguments.no_views;
-  const absl::StatusOr<std::vector<std::filesystem::path>> folders =
-      FindFoldersWith(arguments.folder, "layout.pb", kMostRooms);
-  if (!folders.ok()) return folders.status();
-  if (absl::Status status = CheckOutputFile(arguments.json); !status.ok()) return status;
+absl::Status BenchRender(const BenchRenderArguments& arguments) {
+  RenderBench bench;
+  bench.repeat_count = arguments.repeats;
+  bench.view_size_px = arguments.size_px;
+  bench.sample_count = arguments.samples;
+  bench.thread_count = arguments.threads;
+  bench.views = !arguments.no_views;
+  ASSIGN_OR_RETURN(const std::vector<std::filesystem::path> folders,
+                   FindFoldersWith(arguments.folder, "layout.pb", kMostRooms));
+  RETURN_IF_ERROR(CheckOutputFile(arguments.json));
   const std::unique_ptr<renderer::ImageWriter> writer = renderer::MakeImageWriter();
   std::vector<RenderMeasure> measures;
-  bool loaded = false;
-  for (const std::filesystem::path& folder : *folders) {
-    const absl::StatusOr<LayoutFile> layout = ReadLayoutFile(folder / "layout.pb");
-    if (!layout.ok()) return layout.status();
-    const v1::SolvedLayout& solved = layout->artifact.solved_layout();
+  for (const std::filesystem::path& folder : folders) {
+    ASSIGN_OR_RETURN(const LayoutFile layout, ReadLayoutFile(folder / "layout.pb"));
+    const v1::SolvedLayout& solved = layout.artifact.solved_layout();
     const std::string room = folder.lexically_relative(arguments.folder).string();
-    if (!loaded) {
-      RenderBench once = arguments.bench;
+    // The first picture loads what all of them need.
+    if (measures.empty()) {
+      RenderBench once = bench;
       once.repeat_count = 1;
-      if (const auto first = MeasureRenders(room, solved, once, *writer); !first.ok()) return first.status();
-      loaded = true;
+      RETURN_IF_ERROR(MeasureRenders(room, solved, once, *writer).status());
     }
-    absl::StatusOr<RenderMeasure> measure = MeasureRenders(room, solved, arguments.bench, *writer);
+    absl::StatusOr<RenderMeasure> measure = MeasureRenders(room, solved, bench, *writer);
     if (!measure.ok()) {
       return absl::Status(measure.status().code(),
                           fmt::format("{}: {}", folder.string(), std::string(measure.status().message())));
@@ -62,41 +70,16 @@ absl::Status BenchRender(BenchRenderArguments arguments) {
     measures.push_back(*std::move(measure));
   }
   fmt::print("{}, {}, views of {} px with {} per pixel on {}\n{}", Counted(std::ssize(measures), "room"),
-             Counted(arguments.bench.repeat_count, "repeat"), arguments.bench.view_size_px,
-             Counted(arguments.bench.sample_count, "path"), Counted(arguments.bench.thread_count, "thread"),
-             RenderTable(measures));
-  std::fflush(stdout);
+             Counted(bench.repeat_count, "repeat"), bench.view_size_px, Counted(bench.sample_count, "path"),
+             Counted(bench.thread_count, "thread"), RenderTable(measures));
   if (arguments.json.empty()) return absl::OkStatus();
-  return WriteOutputFile(arguments.json, RenderJson(measures, arguments.bench));
+  return WriteOutputFile(arguments.json, RenderJson(measures, bench));
 }
 
 }  // namespace
 
-void AddBenchRender(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<BenchRenderArguments>();
-  CLI::App* command = program.get_subcommand("bench")->add_subcommand(
-      "render", "Draw the layouts of a folder: CPU of plans, bird's-eye views and scenes.");
-  command->add_option("DIR", arguments->folder, "Folder of designs, at any depth")->required();
-  command
-      ->add_option("--repeat", arguments->bench.repeat_count,
-                   "Times that each is drawn, 1 to 100 (3); the quickest counts")
-      ->type_name("N")
-      ->check(WholeNumber(1, 100));
-  command
-      ->add_option("--size", arguments->bench.view_size_px,
-                   "Longer side of the bird's-eye view in pixels, 256 to 4096 (1024)")
-      ->type_name("PX")
-      ->check(WholeNumber(256, 4096));
-  command->add_option("--samples", arguments->bench.sample_count, "Its paths of light per pixel, 1 to 4096 (16)")
-      ->type_name("N")
-      ->check(WholeNumber(1, 4096));
-  command->add_option("--threads", arguments->bench.thread_count, "Its threads, 1 to 256 (2)")
-      ->type_name("N")
-      ->check(WholeNumber(1, 256));
-  command->add_flag("--no-views", arguments->no_views, "Leave the views out");
-  command->add_flag("--list", arguments->list, "Every room, a line each");
-  command->add_option("--json", arguments->json, "Write all figures there")->type_name("FILE");
-  command->callback([arguments, &result] { result = BenchRender(*arguments); });
+void AddBenchRender(const Commands& bench) {
+  bench.Add("render", "Draw the layouts of a folder: CPU of plans, bird's-eye views and scenes.", BenchRender);
 }
 
 }  // namespace flair::cli

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair catalog: the constraints that the optimizer understands.
 #include <cstdio>
-#include <memory>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
-#include "cli/input/message_words.h"
+#include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/catalog_text.h"
 #include "fmt/format.h"
@@ -14,10 +12,11 @@
 namespace flair::cli {
 namespace {
 
-struct CatalogArguments {
-  std::string type;
-  bool markdown = false;
-  bool json = false;
+struct CatalogArguments : Options {
+  using Options::Options;
+  std::string& type = Text("TYPE", "One of them in full, by name or alias");
+  bool& json = Flag("--json", "As JSON");
+  bool& markdown = Flag("--markdown", "All of them in full, as docs/constraints.md", {"--json"});
 };
 
 absl::Status Catalog(const CatalogArguments& arguments) {
@@ -31,7 +30,7 @@ absl::Status Catalog(const CatalogArguments& arguments) {
                                              DidYouMean(arguments.type, names)));
     }
     for (const v1::ConstraintType& type : catalog.types()) {
-      if (type.name() == facts->name) fmt::print("{}", arguments.json ? ToJson(type) : TypeText(type));
+      if (type.name() == facts->name()) fmt::print("{}", arguments.json ? ToJson(type) : TypeText(type));
     }
     return absl::OkStatus();
   }
@@ -43,16 +42,8 @@ absl::Status Catalog(const CatalogArguments& arguments) {
 
 }  // namespace
 
-void AddCatalog(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<CatalogArguments>();
-  CLI::App* command = program.add_subcommand("catalog", "List the constraints that the optimizer understands.");
-  command->add_option("TYPE", arguments->type, "One of them in full, by name or alias");
-  CLI::Option* const json = command->add_flag("--json", arguments->json, "As JSON");
-  command->add_flag("--markdown", arguments->markdown, "All of them in full, as docs/constraints.md")->excludes(json);
-  command->callback([arguments, &result] {
-    result = Catalog(*arguments);
-    std::fflush(stdout);
-  });
+void AddCatalog(const Commands& program) {
+  program.Add("catalog", "List the constraints that the optimizer understands.", Catalog);
 }
 
 }  // namespace flair::cli

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One function per command: adds it to the program and, when it is the one called, runs it and says how it ended.
+// One function per command, which adds it to the program.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "absl/status/status.h"
-
-namespace CLI {
-class App;
-}
+#include "cli/input/options.h"
 
 namespace flair::cli {
 
-using AddCommand = void (*)(CLI::App& program, absl::Status& result);
+using AddCommand = void (*)(const Commands& program);
 
 // Commands under one heading of --help.
 struct CommandGroup {
@@ -28,60 +24,94 @@ struct Program {
   std::vector<CommandGroup> groups;
   // The end of --help.
   std::string footer;
+  // Called before a command: registers what this program links and others do without. May be null.
+  void (*prepare)() = nullptr;
 };
-
-// flair: what users and operators do.
-Program FlairCommands();
-// flair-design: the part of it that ./flair builds first.
-Program DesignCommands();
-// flair-dev: what only Flair's own developers do.
-Program DevCommands();
 
 // Runs the command that the arguments name; returns the exit code.
 int RunProgram(int argc, char** argv, const Program& about);
 
 // The commands in their groups, with what they share: how --help looks, and the flags of connections.
-void AddCommands(CLI::App& program, const std::vector<CommandGroup>& groups, absl::Status& result);
+void AddCommands(const Commands& program, const std::vector<CommandGroup>& groups);
 
-void AddDesign(CLI::App& program, absl::Status& result);
-void AddBatch(CLI::App& program, absl::Status& result);
-void AddJobs(CLI::App& program, absl::Status& result);
-void AddReplay(CLI::App& program, absl::Status& result);
+void AddDesign(const Commands& program);
+void AddBatch(const Commands& program);
+void AddJobs(const Commands& program);
+void AddReplay(const Commands& program);
 
-void AddInspect(CLI::App& program, absl::Status& result);
-void AddExplain(CLI::App& program, absl::Status& result);
-void AddDiff(CLI::App& program, absl::Status& result);
-void AddGraph(CLI::App& program, absl::Status& result);
-void AddRender(CLI::App& program, absl::Status& result);
-void AddContactSheet(CLI::App& program, absl::Status& result);
+void AddInspect(const Commands& program);
+void AddExplain(const Commands& program);
+void AddDiff(const Commands& program);
+void AddGraph(const Commands& program);
+void AddRender(const Commands& program);
+void AddContactSheet(const Commands& program);
 
-void AddSolve(CLI::App& program, absl::Status& result);
-void AddResolve(CLI::App& program, absl::Status& result);
-void AddCompare(CLI::App& program, absl::Status& result);
+void AddSolve(const Commands& program);
+void AddResolve(const Commands& program);
+void AddCompare(const Commands& program);
 
-void AddExport(CLI::App& program, absl::Status& result);
+void AddExport(const Commands& program);
 
-void AddHandbook(CLI::App& program, absl::Status& result);
-void AddCatalog(CLI::App& program, absl::Status& result);
-void AddProtocol(CLI::App& program, absl::Status& result);
-void AddPrompts(CLI::App& program, absl::Status& result);
-void AddContract(CLI::App& program, absl::Status& result);
+void AddHandbook(const Commands& program);
+void AddCatalog(const Commands& program);
+void AddProtocol(const Commands& program);
+void AddPrompts(const Commands& program);
+void AddContract(const Commands& program);
 
-void AddTop(CLI::App& program, absl::Status& result);
-void AddDoctor(CLI::App& program, absl::Status& result);
-void AddHealth(CLI::App& program, absl::Status& result);
-void AddToken(CLI::App& program, absl::Status& result);
+void AddTop(const Commands& program);
+void AddDoctor(const Commands& program);
+void AddHealth(const Commands& program);
+void AddToken(const Commands& program);
 
 // Of flair-dev.
-void AddImport(CLI::App& program, absl::Status& result);
+void AddImport(const Commands& program);
 // Into the command that AddImport makes.
-void AddImportAnswers(CLI::App& import, absl::Status& result);
-void AddExportFlairGpt(CLI::App& program, absl::Status& result);
-void AddBench(CLI::App& program, absl::Status& result);
-// After AddBench.
-void AddBenchRender(CLI::App& program, absl::Status& result);
-void AddBenchResolve(CLI::App& program, absl::Status& result);
-void AddBenchRestarts(CLI::App& program, absl::Status& result);
-void AddBenchTranslate(CLI::App& program, absl::Status& result);
+void AddImportAnswers(const Commands& import);
+void AddExportFlairGpt(const Commands& program);
+void AddBench(const Commands& program);
+// Into the command that AddBench makes.
+void AddBenchRender(const Commands& bench);
+void AddBenchTranslate(const Commands& bench);
+
+// The programs: inline, so that each links only its own commands.
+
+void UseOurModels();  // embedded/embedded_services.h
+
+// flair: what users and operators do.
+inline Program FlairCommands() {
+  return {.name = "flair",
+          .description = "From a sentence to a furnished, explained, editable room.",
+          .groups = {{"Design", {AddDesign, AddBatch, AddJobs, AddReplay}},
+                     {"Look at what was made", {AddInspect, AddExplain, AddDiff, AddGraph, AddRender, AddContactSheet}},
+                     {"Place the furniture again", {AddSolve, AddResolve, AddCompare}},
+                     {"Exchange with other programs", {AddExport}},
+                     {"Stages of your own", {AddHandbook, AddCatalog, AddProtocol, AddPrompts, AddContract}},
+                     {"Operate", {AddTop, AddDoctor, AddHealth, AddToken}}},
+          .footer =
+              "flair COMMAND --help says more. Try:\n"
+              "  flair design \"A bedroom that is 4m x 5m.\" --out out/bedroom",
+          .prepare = UseOurModels};
+}
+
+// flair-design: what a first room and the next steps with it need, so that ./flair need not build everything first.
+// ./flair names the same commands in `first_commands`.
+inline Program DesignCommands() {
+  return {.name = "flair",
+          .description = "From a sentence to a furnished, explained, editable room.",
+          .groups = {{"Design", {AddDesign}},
+                     {"Look at what was made", {AddInspect, AddExplain, AddRender}},
+                     {"Place the furniture again", {AddSolve, AddResolve}}},
+          .footer = "These are the commands that are built first; ./flair --help lists all."};
+}
+
+// flair-dev: what only Flair's own developers do.
+inline Program DevCommands() {
+  return {.name = "flair-dev",
+          .description = "Measures Flair, and exchanges problems with the paper's released implementation.",
+          .groups = {{"Measure", {AddBench}},
+                     {"Exchange with the released implementation", {AddImport, AddExportFlairGpt}}},
+          .footer = "flair-dev COMMAND --help says more.",
+          .prepare = UseOurModels};
+}
 
 }  // namespace flair::cli

@@ -32,8 +32,8 @@ using ::testing::StartsWith;
 class CommandsTest : public ::testing::Test {
  protected:
   CommandsTest() : program_("Makes rooms.", "flair"), dev_program_("Measures.", "flair-dev") {
-    AddCommands(program_, FlairCommands().groups, result_);
-    AddCommands(dev_program_, DevCommands().groups, result_);
+    AddCommands({program_, result_}, FlairCommands().groups);
+    AddCommands({dev_program_, result_}, DevCommands().groups);
     Collect(program_, "flair");
     Collect(dev_program_, "flair-dev");
   }
@@ -128,7 +128,8 @@ TEST_F(CommandsTest, ValuesOutOfRangeAreToldWithTheRange) {
 }
 
 TEST(BatchFlags, AFolderRemembersServersWithoutTheirCredentials) {
-  BatchFlags flags;
+  CLI::App app;
+  BatchPlaceFlags flags(app);
   flags.engine.address = "nats://user:secret@one:4222,nats://two:4222";
   BatchPlace place;
   FillPlace(flags, place);

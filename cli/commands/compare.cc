@@ -2,18 +2,15 @@
 // flair compare: several optimizers on the same graphs.
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <vector>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/compare/trial.h"
 #include "cli/embedded/remote_stage.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_source.h"
-#include "cli/input/command_line.h"
 #include "cli/input/files.h"
-#include "cli/input/solve_flags.h"
+#include "cli/input/job_options.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/text.h"
 #include "cli/progress/progress.h"
@@ -30,16 +27,19 @@ namespace fs = std::filesystem;
 constexpr size_t kMostGraphs = 1000;
 constexpr size_t kMostOptimizers = 8;
 
-struct CompareArguments {
-  std::string graph;
-  std::vector<std::string> optimizers;
-  std::string format = "text";
-  std::string picture;
-  std::optional<int> size_px;
-  bool all = false;
-  SolveFlags solve;
-  SourceFlags source;
-  RendererChoice renderer;
+struct CompareArguments : Options {
+  using Options::Options;
+  std::string& graph = Required("GRAPH", fmt::format("A graph: {}; or a folder of designs", kSourceHelp));
+  std::vector<std::string>& optimizers =
+      List("--optimizer WHICH", "HOST:PORT, or own for the one in this program; for each of two to eight");
+  bool& all = Flag("--all", "List also the constraints that hold with all of them");
+  std::string& format = Word("--format FORMAT", {"text", "json"}, "How: text or json (text)");
+  std::string& picture = Text("--picture FILE", "The plans side by side; png jpg tif svg pdf");
+  std::optional<int>& size_px =
+      Whole("--size PX", 256, 8192, "Longer side of the picture in pixels, 256 to 8192 (2400)");
+  SolveFlags solve{command()};
+  SourceFlags source{command()};
+  RendererFlags renderer{command()};
 };
 
 // "own" and "embedded" are the one in this process.
@@ -165,32 +165,11 @@ absl::Status Compare(const CompareArguments& arguments) {
 
 }  // namespace
 
-void AddCompare(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = program.add_subcommand("compare", "Compare several optimizers on the same graph, on one scale.");
-  command->add_option("GRAPH", arguments->graph, fmt::format("A graph: {}; or a folder of designs", kSourceHelp))
-      ->required();
-  command
-      ->add_option("--optimizer", arguments->optimizers,
-                   "HOST:PORT, or own for the one in this program; for each of two to eight")
-      ->type_name("WHICH");
-  command->add_flag("--all", arguments->all, "List also the constraints that hold with all of them");
-  command->add_option("--format", arguments->format, "How: text or json (text)")
-      ->type_name("FORMAT")
-      ->check(OneOf({"text", "json"}));
-  command->add_option("--picture", arguments->picture, "The plans side by side; png jpg tif svg pdf")
-      ->type_name("FILE");
-  command->add_option("--size", arguments->size_px, "Longer side of the picture in pixels, 256 to 8192 (2400)")
-      ->type_name("PX")
-      ->check(WholeNumber(256, 8192));
-  AddSolveFlags(*command, arguments->solve);
-  AddSourceFlags(*command, arguments->source);
-  AddRendererFlags(*command, arguments->renderer);
-  command->footer(
-      "This program judges all answers itself: costs, verdicts and measures are those of its own "
-      "evaluation of the answer. Of constraints whose type it does not know it shows what the optimizer "
-      "says, marked *. A folder gives a line per design below it (graph.pb) and optimizer, and medians.");
-  command->callback([arguments, &result] { result = Compare(*arguments); });
+void AddCompare(const Commands& program) {
+  program.Add("compare", "Compare several optimizers on the same graph, on one scale.", Compare,
+              "This program judges all answers itself: costs, verdicts and measures are those of its own "
+              "evaluation of the answer. Of constraints whose type it does not know it shows what the optimizer "
+              "says, marked *. A folder gives a line per design below it (graph.pb) and optimizer, and medians.");
 }
 
 }  // namespace flair::cli

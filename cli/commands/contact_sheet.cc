@@ -4,16 +4,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <vector>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
-#include "cli/input/command_line.h"
 #include "cli/input/files.h"
-#include "cli/input/render_flags.h"
+#include "cli/input/job_options.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/solve_text.h"
 #include "cli/output/text.h"
@@ -33,15 +30,17 @@ constexpr size_t kMostTiles = 10000;
 constexpr uintmax_t kLargestPictureBytes = uintmax_t{31} << 20;
 constexpr int kQuickSampleCount = 8;
 
-struct ContactSheetArguments {
-  std::string folder;
-  std::string out;
-  std::string title;
-  std::string view = "plan";
-  std::string picture;
-  std::optional<int> tile_px;
-  bool variants = false;
-  RendererChoice renderer;
+struct ContactSheetArguments : Options {
+  using Options::Options;
+  std::string& folder = Required("DIR", "Folder of designs, at any depth: of folders that hold a layout.pb");
+  std::string& out = Required("-o,--out FILE", "Where the sheet goes: png, jpg or tif");
+  std::string& title = Text("--title TEXT", "Its heading");
+  std::optional<int>& tile_px = Whole("--tile PX", 64, 1024, "Width of a tile, 64 to 1024 (480, or what fits 8192 px)");
+  std::string& picture =
+      Text("--picture NAME", "Show this file (PNG, JPEG, TIFF) of every folder that has one, such as plan.png");
+  std::string& view = Text("--view VIEW", "Draw layouts as plan, birdseye or perspective (plan)", {"--picture"});
+  bool& variants = Flag("--variants", "Also show the variants of each layout, best first", {"--picture"});
+  RendererFlags renderer{command()};
 };
 
 // "45 of 50 constraints hold, OOB 0.00 %, OOR 0.00 %, 3 zones".
@@ -173,7 +172,7 @@ std::vector<TileSource> SourcesOf(const std::vector<fs::path>& folders, bool var
 }
 
 absl::Status MakeContactSheet(const ContactSheetArguments& arguments) {
-  ASSIGN_OR_RETURN(const v1::PreviewView view, ViewOfName(arguments.view));
+  ASSIGN_OR_RETURN(const v1::PreviewView view, ViewOfName(arguments.view.empty() ? "plan" : arguments.view));
   RETURN_IF_ERROR(MakeOptions(arguments, 1).status());
   const absl::StatusOr<std::vector<fs::path>> designs =
       FindFoldersWith(arguments.folder, arguments.picture.empty() ? "layout.pb" : arguments.picture, kMostTiles);
@@ -203,33 +202,10 @@ absl::Status MakeContactSheet(const ContactSheetArguments& arguments) {
 
 }  // namespace
 
-void AddContactSheet(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<ContactSheetArguments>();
-  CLI::App* command = program.add_subcommand("contact-sheet", "Put the designs of a folder on one picture.");
-  command->add_option("DIR", arguments->folder, "Folder of designs, at any depth: of folders that hold a layout.pb")
-      ->required();
-  command->add_option("-o,--out", arguments->out, "Where the sheet goes: png, jpg or tif")
-      ->required()
-      ->type_name("FILE");
-  command->add_option("--title", arguments->title, "Its heading")->type_name("TEXT");
-  command->add_option("--tile", arguments->tile_px, "Width of a tile, 64 to 1024 (480, or what fits 8192 px)")
-      ->type_name("PX")
-      ->check(WholeNumber(64, 1024));
-  CLI::Option* picture =
-      command
-          ->add_option("--picture", arguments->picture,
-                       "Show this file (PNG, JPEG, TIFF) of every folder that has one, such as plan.png")
-          ->type_name("NAME");
-  command->add_option("--view", arguments->view, "Draw layouts as plan, birdseye or perspective (plan)")
-      ->type_name("VIEW")
-      ->excludes(picture);
-  command->add_flag("--variants", arguments->variants, "Also show the variants of each layout, best first")
-      ->excludes(picture);
-  AddRendererFlags(*command, arguments->renderer);
-  command->footer(
-      "Below each tile: its folder and room, constraints that hold, furniture out of bounds (OOB) and "
-      "overlapping (OOR) in percent of the room, zones. What cannot be drawn shows why in its place.");
-  command->callback([arguments, &result] { result = MakeContactSheet(*arguments); });
+void AddContactSheet(const Commands& program) {
+  program.Add("contact-sheet", "Put the designs of a folder on one picture.", MakeContactSheet,
+              "Below each tile: its folder and room, constraints that hold, furniture out of bounds (OOB) and "
+              "overlapping (OOR) in percent of the room, zones. What cannot be drawn shows why in its place.");
 }
 
 }  // namespace flair::cli

@@ -2,16 +2,12 @@
 // flair diff: what differs between two artifacts of a kind, by meaning.
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
-#include "CLI/CLI.hpp"
 #include "absl/strings/str_replace.h"
 #include "cli/commands/commands.h"
 #include "cli/diff/difference.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_source.h"
-#include "cli/input/command_line.h"
-#include "cli/input/render_flags.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/solve_text.h"
 #include "cli/output/text.h"
@@ -23,14 +19,17 @@
 namespace flair::cli {
 namespace {
 
-struct DiffArguments {
-  std::string a;
-  std::string b;
-  std::string format = "text";
-  std::string picture;
-  std::optional<int> size_px;
-  SourceFlags source;
-  RendererChoice renderer;
+struct DiffArguments : Options {
+  using Options::Options;
+  std::string& a = Required("A", fmt::format("An artifact: {}", kSourceHelp));
+  std::string& b = Required("B", "Another of the same kind, which came after it");
+  std::string& format = Word("--format FORMAT", {"text", "json"}, "How: text or json (text)");
+  std::string& picture =
+      Text("--picture FILE", "Layouts: both plans in one picture, the differences marked; png jpg tif svg pdf");
+  std::optional<int>& size_px =
+      Whole("--size PX", 256, 8192, "Longer side of the picture in pixels, 256 to 8192 (2400)");
+  SourceFlags source{command()};
+  RendererFlags renderer{command()};
 };
 
 // "14 of 15 constraints hold, OOB 0.00 %, OOR 0.12 %, cost 3.25".
@@ -82,31 +81,14 @@ absl::Status Diff(const DiffArguments& arguments) {
 
 }  // namespace
 
-void AddDiff(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<DiffArguments>();
-  CLI::App* command = program.add_subcommand("diff", "Show what differs between two artifacts of a kind, by meaning.");
-  command->add_option("A", arguments->a, fmt::format("An artifact: {}", kSourceHelp))->required();
-  command->add_option("B", arguments->b, "Another of the same kind, which came after it")->required();
-  command->add_option("--format", arguments->format, "How: text or json (text)")
-      ->type_name("FORMAT")
-      ->check(OneOf({"text", "json"}));
-  command
-      ->add_option("--picture", arguments->picture,
-                   "Layouts: both plans in one picture, the differences marked; png jpg tif svg pdf")
-      ->type_name("FILE");
-  command->add_option("--size", arguments->size_px, "Longer side of the picture in pixels, 256 to 8192 (2400)")
-      ->type_name("PX")
-      ->check(WholeNumber(256, 8192));
-  AddSourceFlags(*command, arguments->source);
-  AddRendererFlags(*command, arguments->renderer);
-  command->footer(
-      "Things are the same when they mean the same: sentences by their words, calls by what they say, "
-      "objects by id or name. + added, - removed, ~ changed, < better (costs less, holds now), > worse. "
-      "Ends with 0 when the contents are the same, whoever made them, and with 7 when they differ. "
-      "Examples:\n"
-      "  flair diff out/a/layout.pb out/b/layout.pb --picture difference.png\n"
-      "  flair diff out/a/constraints_raw.pb out/a/constraints.pb");
-  command->callback([arguments, &result] { result = Diff(*arguments); });
+void AddDiff(const Commands& program) {
+  program.Add("diff", "Show what differs between two artifacts of a kind, by meaning.", Diff,
+              "Things are the same when they mean the same: sentences by their words, calls by what they say, "
+              "objects by id or name. + added, - removed, ~ changed, < better (costs less, holds now), > worse. "
+              "Exits with 0 when the contents are the same, whoever made them, and with 7 when they differ. "
+              "Examples:\n"
+              "  flair diff out/a/layout.pb out/b/layout.pb --picture difference.png\n"
+              "  flair diff out/a/constraints_raw.pb out/a/constraints.pb");
 }
 
 }  // namespace flair::cli

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "CLI/CLI.hpp"
 #include "absl/strings/ascii.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
@@ -22,15 +21,23 @@
 namespace flair::cli {
 namespace {
 
-struct ExportSceneArguments {
-  std::string layout;
-  std::string out;
-  std::string format = "glb";
-  std::string meshes;
-  RendererChoice renderer;
+struct ExportArguments : Options {
+  using Options::Options;
+  std::string& layout = Required("LAYOUT", "A layout: layout.pb or layout.json of a design");
+  std::string& out = Required("-o,--out FILE", "Where the scene goes");
+  RendererFlags renderer{command()};
+};
+struct ExportGlbArguments : ExportArguments {
+  using ExportArguments::ExportArguments;
+  std::string& format = Text("--format FORMAT", "How: glb, which is binary glTF 2.0 (glb)");
+};
+struct ExportSceneStateArguments : ExportArguments {
+  using ExportArguments::ExportArguments;
+  std::string& meshes =
+      Text("--meshes DIR", "Write the models that the JSON names there too, as ID/ID.glb and ID/data.json");
 };
 
-absl::Status ExportScene(const ExportSceneArguments& arguments, v1::SceneFormat format) {
+absl::Status ExportScene(const ExportArguments& arguments, v1::SceneFormat format) {
   ASSIGN_OR_RETURN(const LayoutFile layout, ReadLayoutFile(arguments.layout));
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   v1::ExportSceneRequest request;
@@ -51,16 +58,14 @@ absl::Status ExportScene(const ExportSceneArguments& arguments, v1::SceneFormat 
 }
 
 // The models that the JSON names, made in this process.
-absl::Status WriteMeshes(const ExportSceneArguments& arguments) {
+absl::Status WriteMeshes(const ExportSceneStateArguments& arguments) {
   if (arguments.meshes.empty()) return absl::OkStatus();
   ASSIGN_OR_RETURN(const LayoutFile layout, ReadLayoutFile(arguments.layout));
-  const absl::StatusOr<renderer::FurnishingChoice> furnishing =
-      renderer::ChooseFurnishing(arguments.renderer.asset_folder);
-  if (!furnishing.ok()) return furnishing.status();
-  const absl::StatusOr<renderer::Scene> scene =
-      renderer::BuildScene(layout.artifact.solved_layout(), *furnishing->source);
-  if (!scene.ok()) return scene.status();
-  ASSIGN_OR_RETURN(const std::vector<renderer::SceneStateFile> files, renderer::SceneStateAssets(*scene));
+  ASSIGN_OR_RETURN(const renderer::FurnishingChoice furnishing,
+                   renderer::ChooseFurnishing(arguments.renderer.asset_folder));
+  ASSIGN_OR_RETURN(const renderer::Scene scene,
+                   renderer::BuildScene(layout.artifact.solved_layout(), *furnishing.source));
+  ASSIGN_OR_RETURN(const std::vector<renderer::SceneStateFile> files, renderer::SceneStateAssets(scene));
   for (const renderer::SceneStateFile& file : files) {
     RETURN_IF_ERROR(WriteOutputFile(std::filesystem::path(arguments.meshes) / file.path, file.bytes));
   }
@@ -68,13 +73,13 @@ absl::Status WriteMeshes(const ExportSceneArguments& arguments) {
   return absl::OkStatus();
 }
 
-absl::Status ExportSceneState(const ExportSceneArguments& arguments) {
+absl::Status ExportSceneState(const ExportSceneStateArguments& arguments) {
   RETURN_IF_ERROR(ExportScene(arguments, v1::SCENE_FORMAT_SCENE_STATE));
   return WriteMeshes(arguments);
 }
 
-absl::Status ExportGlb(const ExportSceneArguments& arguments) {
-  if (arguments.format != "glb") {
+absl::Status ExportGlb(const ExportGlbArguments& arguments) {
+  if (!arguments.format.empty() && arguments.format != "glb") {
     return absl::InvalidArgumentError(fmt::format(
         "--format: {}: is no format of scenes; glb (for SceneEval: flair export sceneeval)", arguments.format));
   }
@@ -90,28 +95,10 @@ absl::Status ExportGlb(const ExportSceneArguments& arguments) {
 
 }  // namespace
 
-void AddExport(CLI::App& program, absl::Status& result) {
-  CLI::App* const exports = program.add_subcommand("export", "Layouts as 3D scenes, for other programs.");
-  exports->require_subcommand(1);
-  auto scene = std::make_shared<ExportSceneArguments>();
-  CLI::App* command = exports->add_subcommand(
-      "scene", "The furnished room in three dimensions, for Blender, Unity, Unreal and browsers.");
-  command->add_option("LAYOUT", scene->layout, "A layout: layout.pb or layout.json of a design")->required();
-  command->add_option("-o,--out", scene->out, "Where the scene goes")->required()->type_name("FILE");
-  command->add_option("--format", scene->format, "How: glb, which is binary glTF 2.0 (glb)")->type_name("FORMAT");
-  AddRendererFlags(*command, scene->renderer);
-  command->callback([scene, &result] { result = ExportGlb(*scene); });
-
-  auto state = std::make_shared<ExportSceneArguments>();
-  command = exports->add_subcommand("sceneeval", "SceneState JSON, as the benchmark SceneEval reads it.");
-  command->add_option("LAYOUT", state->layout, "A layout: layout.pb or layout.json of a design")->required();
-  command->add_option("-o,--out", state->out, "Where the .json goes")->required()->type_name("FILE");
-  command
-      ->add_option("--meshes", state->meshes,
-                   "Write the models that the JSON names there too, as ID/ID.glb and ID/data.json")
-      ->type_name("DIR");
-  AddRendererFlags(*command, state->renderer);
-  command->callback([state, &result] { result = ExportSceneState(*state); });
+void AddExport(const Commands& program) {
+  const Commands exports = program.Group("export", "Layouts as 3D scenes, for other programs.");
+  exports.Add("scene", "The furnished room in three dimensions, for Blender, Unity, Unreal and browsers.", ExportGlb);
+  exports.Add("sceneeval", "SceneState JSON, as the benchmark SceneEval reads it.", ExportSceneState);
 }
 
 }  // namespace flair::cli

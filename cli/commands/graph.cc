@@ -2,9 +2,7 @@
 // flair graph: the layout graph itself as a diagram.
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/graph/layout_diagram.h"
@@ -18,10 +16,11 @@
 namespace flair::cli {
 namespace {
 
-struct GraphArguments {
-  std::string graph;
-  std::string out;
-  SourceFlags source;
+struct GraphArguments : Options {
+  using Options::Options;
+  std::string& graph = Required("LAYOUT", fmt::format("A layout, or a graph not solved yet: {}", kSourceHelp));
+  std::string& out = Required("-o,--out FILE", "Where it goes; the ending says the format: svg png pdf dot");
+  SourceFlags source{command()};
 };
 
 absl::StatusOr<std::string> FormatOf(const std::string& out) {
@@ -58,22 +57,12 @@ absl::Status Graph(const GraphArguments& arguments) {
 
 }  // namespace
 
-void AddGraph(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<GraphArguments>();
-  CLI::App* command =
-      program.add_subcommand("graph", "Draw the layout graph: objects, parts of the room, and the calls between them.");
-  command->add_option("LAYOUT", arguments->graph, fmt::format("A layout, or a graph not solved yet: {}", kSourceHelp))
-      ->required();
-  command->add_option("-o,--out", arguments->out, "Where it goes; the ending says the format: svg png pdf dot")
-      ->required()
-      ->type_name("FILE");
-  AddSourceFlags(*command, arguments->source);
-  command->footer(
-      "Boxes in a colour are zones, as on the plan. Calls about one object alone are rows in it; those "
-      "between two are links; those of a group have a box of their own. Green holds, red does not, dashed "
-      "grey was dropped. In an SVG, the sentence behind a call shows under the pointer. Graphviz draws "
-      "(apt-get install graphviz); .dot needs none.");
-  command->callback([arguments, &result] { result = Graph(*arguments); });
+void AddGraph(const Commands& program) {
+  program.Add("graph", "Draw the layout graph: objects, parts of the room, and the calls between them.", Graph,
+              "Boxes in a colour are zones, as on the plan. Calls about one object alone are rows in it; those "
+              "between two are links; those of a group have a box of their own. Green holds, red does not, dashed "
+              "grey was dropped. In an SVG, the sentence behind a call shows under the pointer. Graphviz draws "
+              "(apt-get install graphviz); .dot needs none.");
 }
 
 }  // namespace flair::cli

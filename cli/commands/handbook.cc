@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "language_worker/handbook/loading/load_handbook.h"
@@ -106,7 +104,14 @@ class SentenceCheck {
   v1::TranslateRequest request_;
 };
 
-absl::Status Check(const std::vector<std::string>& folders) {
+struct CheckArguments : Options {
+  using Options::Options;
+  std::vector<std::string>& folders =
+      List("DIR DIR...", "Folder with *.textproto files; more are laid over the ones before");
+};
+
+absl::Status Check(const CheckArguments& arguments) {
+  const std::vector<std::string>& folders = arguments.folders;
   ASSIGN_OR_RETURN(language::HandbookFindings findings,
                    language::CheckHandbook(language::DefaultHandbookFolder(), {folders.begin(), folders.end()}));
   std::vector<std::string> faults = std::move(findings.faults);
@@ -132,18 +137,13 @@ absl::Status Check(const std::vector<std::string>& folders) {
 
 }  // namespace
 
-void AddHandbook(CLI::App& program, absl::Status& result) {
-  CLI::App* command = program.add_subcommand("handbook", "Work on furniture, kinds of room and styles of your own.");
-  command->require_subcommand(1);
-  CLI::App* check = command->add_subcommand("check", "Check a folder of handbook data: names, sizes, sentences.");
-  auto folders = std::make_shared<std::vector<std::string>>();
-  check->add_option("DIR", *folders, "Folder with *.textproto files; more are laid over the ones before")
-      ->required()
-      ->type_name("DIR...");
-  check->footer(
-      "Every fault is named with file, line and field. Of sentences it says which ones the grammar does not "
-      "understand. Then use the folder: flair design ... --handbook DIR");
-  check->callback([folders, &result] { result = Check(*folders); });
+void AddHandbook(const Commands& program) {
+  program.Group("handbook", "Work on furniture, kinds of room and styles of your own.")
+      .Add("check", "Check a folder of handbook data: names, sizes, sentences.", Check,
+           "Every fault is named with file, line and field. Of sentences it says which ones the grammar does not "
+           "understand. Then use the folder: flair design ... --handbook DIR")
+      .app.get_option("DIR")
+      ->required();
 }
 
 }  // namespace flair::cli

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair health: asks a server whether it serves, for people, containers and their orchestrators.
-#include <memory>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/contract/target.h"
-#include "cli/input/command_line.h"
 #include "cli/input/service_flags.h"
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
@@ -14,10 +11,12 @@
 namespace flair::cli {
 namespace {
 
-struct HealthArguments {
-  std::string address;
-  std::string service;
-  double patience_s = 3;
+struct HealthArguments : Options {
+  using Options::Options;
+  std::string& address = Required("ADDRESS", "The server, HOST:PORT or unix:PATH");
+  std::string& service =
+      Text("--service", "One service of it in full, such as flair.v1.OptimizerService; otherwise the whole server");
+  double& patience_s = Decimal("--patience S", 0.1, 600, 3, "Seconds to wait for an answer, 0.1 to 600 (3)");
 };
 
 absl::Status Health(const HealthArguments& arguments) {
@@ -40,22 +39,11 @@ absl::Status Health(const HealthArguments& arguments) {
 
 }  // namespace
 
-void AddHealth(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<HealthArguments>();
-  CLI::App* command = program.add_subcommand("health", "Ask whether a server is serving, by the gRPC health protocol.");
-  command->add_option("ADDRESS", arguments->address, "The server, HOST:PORT or unix:PATH")
-      ->required()
-      ->type_name("ADDRESS");
-  command->add_option("--service", arguments->service,
-                      "One service of it in full, such as flair.v1.OptimizerService; otherwise the whole server");
-  command->add_option("--patience", arguments->patience_s, "Seconds to wait for an answer, 0.1 to 600 (3)")
-      ->type_name("S")
-      ->check(Number(0.1, 600));
-  command->footer(
-      "Ends with 0 when it serves, with 3 when it does not or cannot be reached, with 2 when it has no such "
-      "service. Any gRPC server that has grpc.health.v1.Health can be asked. Made for health checks: reads "
-      "no files, quick.");
-  command->callback([arguments, &result] { result = Health(*arguments); });
+void AddHealth(const Commands& program) {
+  program.Add("health", "Ask whether a server is serving, by the gRPC health protocol.", Health,
+              "Exits with 0 when it serves, with 3 when it does not or cannot be reached, with 2 when it has no such "
+              "service. Any gRPC server that has grpc.health.v1.Health can be asked. Made for health checks: reads "
+              "no files, quick.");
 }
 
 }  // namespace flair::cli

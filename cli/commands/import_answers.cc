@@ -2,7 +2,6 @@
 // flair-dev import answers: what a model once wrote for a room, as a folder of answers that a design replays.
 #include "language_worker/recorded/import_answers.h"
 
-#include <google/protobuf/util/json_util.h>
 #include <stdlib.h>
 
 #include <algorithm>
@@ -11,18 +10,18 @@
 #include <memory>
 #include <vector>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/files.h"
+#include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/model/model_tools.h"
-#include "llm/wrappers/answer_folder.h"
 #include "llm/wrappers/folder_llm_clients.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "translator_worker/model/model_translator.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -30,10 +29,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ImportAnswersArguments {
-  std::string room;
-  std::string out;
-  bool no_calls = false;
+struct ImportAnswersArguments : Options {
+  using Options::Options;
+  std::string& room = Required("ROOM", "The room's .json, of the released implementation");
+  std::string& out = Required("-o,--out DIR", "Folder for the answers and their brief; made when missing");
+  bool& no_calls = Flag("--no-calls", "Leave the translation to the grammar: design with --stand-in then");
 };
 
 constexpr char kBriefFile[] = "brief.json";
@@ -60,9 +60,8 @@ class WorkFolder {
     std::vector<OutputFile> files;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(path_, error)) {
-      absl::StatusOr<std::string> content = ReadFile(entry.path());
-      if (!content.ok()) return content.status();
-      files.push_back({entry.path().filename().string(), *std::move(content)});
+      ASSIGN_OR_RETURN(std::string content, ReadFile(entry.path()));
+      files.push_back({entry.path().filename().string(), std::move(content)});
     }
     std::sort(files.begin(), files.end(), [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
     return files;
@@ -94,12 +93,9 @@ absl::Status ImportTranslation(const language::RecordedRoom& room, const languag
       arguments.no_calls ? language::RecordedTranslation::kRefused : language::RecordedTranslation::kCalls;
   auto recorded = std::make_unique<language::RecordedRoomClient>(room, handbook, translation);
   const language::RecordedRoomClient& client = *recorded;
-  absl::StatusOr<std::unique_ptr<llm::LlmClient>> recording =
-      llm::RecordingLlmClient::Make(std::move(recorded), folder);
-  if (!recording.ok()) return recording.status();
-  const auto translator =
-      translator::ModelTranslator::Make(*std::move(recording), translator::DefaultPromptFolder(), {});
-  if (!translator.ok()) return translator.status();
+  ASSIGN_OR_RETURN(std::unique_ptr<llm::LlmClient> recording, llm::MakeRecordingClient(std::move(recorded), folder));
+  ASSIGN_OR_RETURN(const auto translator,
+                   translator::ModelTranslator::Make(std::move(recording), translator::DefaultPromptFolder(), {}));
   v1::TranslateRequest request;
   request.set_request_id("import");
   *request.mutable_room() = imported.room;
@@ -109,9 +105,8 @@ absl::Status ImportTranslation(const language::RecordedRoom& room, const languag
   *request.mutable_catalog() = optimizer::MakeCatalog();
   request.mutable_model_options()->set_stand_in_allowed(arguments.no_calls);
   runtime::CallContext call;
-  const absl::StatusOr<v1::TranslateResponse> response = (*translator)->Translate(request, call);
-  if (!response.ok()) return response.status();
-  imported.calls.insert(imported.calls.end(), response->model_calls().begin(), response->model_calls().end());
+  ASSIGN_OR_RETURN(const v1::TranslateResponse response, translator->Translate(request, call));
+  imported.calls.insert(imported.calls.end(), response.model_calls().begin(), response.model_calls().end());
   for (auto& [step, conversion] : client.conversions()) imported.conversions[step] = conversion;
   return absl::OkStatus();
 }
@@ -125,14 +120,6 @@ std::string RemarksText(const language::ImportedAnswers& imported) {
     }
   }
   return text;
-}
-
-absl::StatusOr<std::string> BriefText(const language::RecordedRoom& room) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  if (google::protobuf::util::MessageToJsonString(room.brief, &json, options).ok()) return json + "\n";
-  return absl::InternalError("the brief cannot be written as JSON");
 }
 
 // What a person wants to know at the end.
@@ -160,53 +147,34 @@ void ShowEnd(const ImportAnswersArguments& arguments, const language::ImportedAn
 }
 
 absl::Status ImportAnswersOf(const ImportAnswersArguments& arguments) {
-  const absl::StatusOr<std::string> text = ReadFile(arguments.room);
-  if (!text.ok()) return text.status();
-  const absl::StatusOr<language::RecordedRoom> room = language::ReadRecordedRoom(*text);
+  ASSIGN_OR_RETURN(const std::string text, ReadFile(arguments.room));
+  const absl::StatusOr<language::RecordedRoom> room = language::ReadRecordedRoom(text);
   if (!room.ok()) {
     return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.room, std::string(room.status().message())));
   }
-  const auto handbook = language::LoadHandbook(language::DefaultHandbookFolder());
-  if (!handbook.ok()) return handbook.status();
-  const auto prompts = llm::PromptLibrary::Load(language::DefaultPromptsFolder(), {}, language::LanguagePrompts());
-  if (!prompts.ok()) return prompts.status();
-  if (absl::Status status = CheckFolder(arguments, *room, **handbook); !status.ok()) return status;
+  ASSIGN_OR_RETURN(const auto handbook, language::LoadHandbook(language::DefaultHandbookFolder()));
+  ASSIGN_OR_RETURN(const auto prompts,
+                   llm::PromptLibrary::Load(language::DefaultPromptsFolder(), {}, language::LanguagePrompts()));
+  RETURN_IF_ERROR(CheckFolder(arguments, *room, *handbook));
   WorkFolder work;
-  if (absl::Status status = work.Make(); !status.ok()) return status;
-  absl::StatusOr<language::ImportedAnswers> imported =
-      language::ImportAnswers(*room, **handbook, *prompts, work.path());
-  if (!imported.ok()) return imported.status();
-  if (absl::Status status = ImportTranslation(*room, **handbook, arguments, work.path(), *imported); !status.ok()) {
-    return status;
-  }
-  const absl::StatusOr<std::string> brief = BriefText(*room);
-  if (!brief.ok()) return brief.status();
-  absl::StatusOr<std::vector<OutputFile>> files = work.Files();
-  if (!files.ok()) return files.status();
-  files->push_back({kBriefFile, *brief});
-  files->push_back({kRemarksFile, RemarksText(*imported)});
-  if (absl::Status status = WriteOutputFolder(arguments.out, *files); !status.ok()) return status;
-  ShowEnd(arguments, *imported);
+  RETURN_IF_ERROR(work.Make());
+  ASSIGN_OR_RETURN(language::ImportedAnswers imported, language::ImportAnswers(*room, *handbook, prompts, work.path()));
+  RETURN_IF_ERROR(ImportTranslation(*room, *handbook, arguments, work.path(), imported));
+  ASSIGN_OR_RETURN(std::vector<OutputFile> files, work.Files());
+  files.push_back({kBriefFile, ToJson(room->brief)});
+  files.push_back({kRemarksFile, RemarksText(imported)});
+  RETURN_IF_ERROR(WriteOutputFolder(arguments.out, files));
+  ShowEnd(arguments, imported);
   return absl::OkStatus();
 }
 
 }  // namespace
 
-void AddImportAnswers(CLI::App& import, absl::Status& result) {
-  auto arguments = std::make_shared<ImportAnswersArguments>();
-  CLI::App* command =
-      import.add_subcommand("answers", "What a model wrote for a recorded room, as answers that a design replays.");
-  command->add_option("ROOM", arguments->room, "The room's .json, of the released implementation")->required();
-  command->add_option("-o,--out", arguments->out, "Folder for the answers and their brief; made when missing")
-      ->required()
-      ->type_name("DIR");
-  command->add_flag("--no-calls", arguments->no_calls,
-                    "Leave the translation to the grammar: design with --stand-in then");
-  command->footer(
-      "DIR gets one file for each question with its answer, brief.json, and remarks.txt with every line of "
-      "the recorded texts that has no place in a typed answer, and why. The answers belong to the prompts, "
-      "the handbook and the catalogue of this version.");
-  command->callback([arguments, &result] { result = ImportAnswersOf(*arguments); });
+void AddImportAnswers(const Commands& import) {
+  import.Add("answers", "What a model wrote for a recorded room, as answers that a design replays.", ImportAnswersOf,
+             "DIR gets one file for each question with its answer, brief.json, and remarks.txt with every line of "
+             "the recorded texts that has no place in a typed answer, and why. The answers belong to the prompts, "
+             "the handbook and the catalogue of this version.");
 }
 
 }  // namespace flair::cli

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_source.h"
+#include "cli/inspect/content_text.h"
 #include "cli/inspect/field.h"
 #include "cli/inspect/inspection.h"
 #include "cli/inspect/provenance.h"
@@ -22,16 +22,20 @@
 namespace flair::cli {
 namespace {
 
-struct InspectArguments {
-  std::string source;
-  std::string format;
-  std::string field;
-  std::string out;
-  bool json = false;
-  bool calls = false;
-  bool provenance = false;
-  bool all = false;
-  SourceFlags from;
+struct InspectArguments : Options {
+  using Options::Options;
+  std::string& source =
+      Required("ARTIFACT", fmt::format("An artifact: {}; or a JOB alone: its state and artifacts", kSourceHelp));
+  std::string& format = Text("--format FORMAT", "How: text, a summary; json or textproto, all of it (text)");
+  bool& json = Flag("--json", "As --format json", {"--format"});
+  std::string& field =
+      Text("--field PATH", "Only this part, such as solved_layout.placements[3].theta_rad or placements[desk]");
+  bool& calls = Flag("--calls", "What a language model was asked for it, and its answers", {"--field"});
+  bool& provenance = Flag("--provenance", "Everything it goes back to, from the brief on", {"--field", "--calls"});
+  bool& all = Flag("--all", "All rows of long tables");
+  std::string& out =
+      Text("-o,--out FILE", "Write it there; .pb, .json and .textproto say the form: this turns one into the other");
+  SourceFlags from{command()};
 };
 
 // What is asked for and in which form; "binary" for a file only.
@@ -60,7 +64,6 @@ absl::StatusOr<std::string> Binary(const ArtifactFile& file) {
 absl::StatusOr<std::string> Render(const InspectArguments& arguments, const std::string& format,
                                    const FoundSource& found, ArtifactFinder& finder) {
   const v1::Artifact& artifact = found.file.artifact;
-  const ContentStyle style = {.most_rows = arguments.all ? SIZE_MAX : ContentStyle().most_rows};
   if (!arguments.field.empty()) {
     ASSIGN_OR_RETURN(const FieldView view, FindField(artifact, arguments.field));
     return FieldText(view, format == "json" ? FieldFormat::kJson : FieldFormat::kText);
@@ -75,14 +78,13 @@ absl::StatusOr<std::string> Render(const InspectArguments& arguments, const std:
   if (format == "binary") return Binary(found.file);
   if (format == "json") return ToJson(artifact);
   if (format == "textproto") return ToText(artifact);
-  return Printable(InspectionText(arguments.source, found.file, finder, style));
+  return Printable(InspectionText(arguments.source, found.file, finder, arguments.all ? SIZE_MAX : kMostRows));
 }
 
 absl::Status Give(const InspectArguments& arguments, const std::string& text) {
   if (!arguments.out.empty()) return WriteOutputFile(arguments.out, text);
   // Bytes for a program may pass; a terminal is spared them.
   fmt::print("{}", ::isatty(STDOUT_FILENO) != 0 ? Printable(text) : text);
-  std::fflush(stdout);
   return absl::OkStatus();
 }
 
@@ -111,39 +113,12 @@ absl::Status Inspect(const InspectArguments& arguments) {
 
 }  // namespace
 
-void AddInspect(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<InspectArguments>();
-  CLI::App* command = program.add_subcommand("inspect", "Show an artifact or job: what it is, who made it from what.");
-  command
-      ->add_option("ARTIFACT", arguments->source,
-                   fmt::format("An artifact: {}; or a JOB alone: its state and artifacts", kSourceHelp))
-      ->required();
-  CLI::Option* format =
-      command->add_option("--format", arguments->format, "How: text, a summary; json or textproto, all of it (text)")
-          ->type_name("FORMAT");
-  command->add_flag("--json", arguments->json, "As --format json")->excludes(format);
-  CLI::Option* field =
-      command
-          ->add_option("--field", arguments->field,
-                       "Only this part, such as solved_layout.placements[3].theta_rad or placements[desk]")
-          ->type_name("PATH");
-  CLI::Option* calls =
-      command->add_flag("--calls", arguments->calls, "What a language model was asked for it, and its answers")
-          ->excludes(field);
-  command->add_flag("--provenance", arguments->provenance, "Everything it goes back to, from the brief on")
-      ->excludes(field)
-      ->excludes(calls);
-  command->add_flag("--all", arguments->all, "All rows of long tables");
-  command
-      ->add_option("-o,--out", arguments->out,
-                   "Write it there; .pb, .json and .textproto say the form: this turns one into the other")
-      ->type_name("FILE");
-  AddSourceFlags(*command, arguments->from);
-  command->footer(
+void AddInspect(const Commands& program) {
+  program.Add(
+      "inspect", "Show an artifact or job: what it is, who made it from what.", Inspect,
       "JSON and textproto may be changed by hand; give the file to any command that reads artifacts. It is "
-      "checked, faults are told with file and line, and it gets an id of its own, made from the one it was. "
-      "Ends with 5 when the id is not the digest of the bytes, with 2 when the content is not valid.");
-  command->callback([arguments, &result] { result = Inspect(*arguments); });
+      "checked, faults are reported with file and line, and it gets an id of its own and names what it was made from. "
+      "Exits with 5 when the id is not the digest of the bytes, with 2 when the content is not valid.");
 }
 
 }  // namespace flair::cli

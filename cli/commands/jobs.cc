@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair jobs: what was designed before, and what is running.
 #include <cstdio>
-#include <functional>
 #include <memory>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
-#include "cli/input/command_line.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/text.h"
 #include "cli/session/session.h"
@@ -17,11 +14,18 @@
 namespace flair::cli {
 namespace {
 
-struct JobsArguments {
-  std::string id;
-  std::string orchestrator;
-  int count = 20;
-  bool json = false;
+struct JobsArguments : Options {
+  using Options::Options;
+  std::string& orchestrator = Text("--orchestrator HOST:PORT", "Ask this one instead of the local store");
+  bool& json = Flag("--json", "One JSON object per line");
+};
+struct JobListArguments : JobsArguments {
+  using JobsArguments::JobsArguments;
+  int& count = Whole("-n,--count N", 1, 100000, 20, "Most jobs to list, 1 to 100000 (20)");
+};
+struct JobArguments : JobsArguments {
+  using JobsArguments::JobsArguments;
+  std::string& id = Required("ID", "Id of the job, as flair jobs prints it");
 };
 
 std::string StateName(v1::JobState state) {
@@ -50,7 +54,7 @@ void ShowJob(const v1::Job& job) {
   fmt::print("{:<11}{}\n", "artifacts", job.artifacts_size());
 }
 
-absl::Status List(Session& session, const JobsArguments& arguments) {
+absl::Status ListJobs(Session& session, const JobListArguments& arguments) {
   ASSIGN_OR_RETURN(const std::vector<v1::Job> jobs, session.ListJobs(arguments.count));
   for (const v1::Job& job : jobs) {
     if (arguments.json) {
@@ -65,7 +69,7 @@ absl::Status List(Session& session, const JobsArguments& arguments) {
   return absl::OkStatus();
 }
 
-absl::Status Report(const absl::StatusOr<v1::Job>& job, bool json) {
+absl::Status ReportJob(const absl::StatusOr<v1::Job>& job, bool json) {
   if (!job.ok()) return job.status();
   if (json) {
     fmt::print("{}\n", ToJsonLine(*job));
@@ -75,7 +79,7 @@ absl::Status Report(const absl::StatusOr<v1::Job>& job, bool json) {
   return absl::OkStatus();
 }
 
-absl::Status ListArtifacts(Session& session, const JobsArguments& arguments) {
+absl::Status ListArtifacts(Session& session, const JobArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Job job, session.GetJob(arguments.id));
   for (const v1::ArtifactRef& ref : job.artifacts()) {
     if (arguments.json) {
@@ -87,7 +91,7 @@ absl::Status ListArtifacts(Session& session, const JobsArguments& arguments) {
   return absl::OkStatus();
 }
 
-absl::Status Delete(Session& session, const JobsArguments& arguments) {
+absl::Status DeleteJob(Session& session, const JobArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::DeleteJobResponse deleted, session.DeleteJob(arguments.id));
   if (arguments.json) {
     fmt::print("{}\n", ToJsonLine(deleted));
@@ -98,55 +102,32 @@ absl::Status Delete(Session& session, const JobsArguments& arguments) {
   return absl::OkStatus();
 }
 
-using JobsAction = std::function<absl::Status(Session&, const JobsArguments&)>;
-
-void AddCallFlags(CLI::App& command, JobsArguments& arguments) {
-  command.add_option("--orchestrator", arguments.orchestrator, "Ask this one instead of the local store")
-      ->type_name("HOST:PORT");
-  command.add_flag("--json", arguments.json, "One JSON object per line");
+absl::Status ShowOneJob(Session& session, const JobArguments& arguments) {
+  return ReportJob(session.GetJob(arguments.id), arguments.json);
 }
 
-void AddCount(CLI::App& command, JobsArguments& arguments) {
-  command.add_option("-n,--count", arguments.count, "Most jobs to list, 1 to 100000 (20)")
-      ->type_name("N")
-      ->check(WholeNumber(1, 100000));
+absl::Status CancelJob(Session& session, const JobArguments& arguments) {
+  return ReportJob(session.CancelJob(arguments.id), arguments.json);
 }
 
-void AddAction(CLI::App& jobs, const std::shared_ptr<JobsArguments>& arguments, absl::Status& result,
-               const std::string& name, const std::string& help, bool takes_id, const JobsAction& action) {
-  CLI::App* command = jobs.add_subcommand(name, help);
-  if (takes_id) command->add_option("ID", arguments->id, "Id of the job, as flair jobs prints it")->required();
-  AddCallFlags(*command, *arguments);
-  if (!takes_id) AddCount(*command, *arguments);
-  command->callback([arguments, &result, action] {
-    absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments->orchestrator);
-    result = session.ok() ? action(**session, *arguments) : session.status();
-    std::fflush(stdout);
-  });
+// Does something by a session with the orchestrator that the arguments name.
+template <auto kAction, typename Arguments>
+absl::Status InSession(const Arguments& arguments) {
+  ASSIGN_OR_RETURN(const std::unique_ptr<Session> session, Session::Open(arguments.orchestrator));
+  return kAction(*session, arguments);
 }
 
 }  // namespace
 
-void AddJobs(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<JobsArguments>();
-  CLI::App* jobs = program.add_subcommand("jobs", "List past and running jobs.");
-  jobs->require_subcommand(0, 1);
-  AddAction(*jobs, arguments, result, "list", "Jobs, newest first (the default).", false, List);
-  AddAction(*jobs, arguments, result, "show", "One job.", true,
-            [](Session& session, const JobsArguments& a) { return Report(session.GetJob(a.id), a.json); });
-  AddAction(*jobs, arguments, result, "cancel", "Cancel a job.", true,
-            [](Session& session, const JobsArguments& a) { return Report(session.CancelJob(a.id), a.json); });
-  AddAction(*jobs, arguments, result, "delete",
-            "Delete a job that has ended, with the artifacts that no other job has. Files that it wrote stay.", true,
-            Delete);
-  AddAction(*jobs, arguments, result, "artifacts", "List the artifacts of a job.", true, ListArtifacts);
-  AddCallFlags(*jobs, *arguments);
-  AddCount(*jobs, *arguments);
-  jobs->callback([jobs, arguments, &result] {
-    if (!jobs->get_subcommands().empty()) return;
-    absl::StatusOr<std::unique_ptr<Session>> session = Session::Open(arguments->orchestrator);
-    result = session.ok() ? List(**session, *arguments) : session.status();
-  });
+void AddJobs(const Commands& program) {
+  const Commands jobs = program.Add("jobs", "List past and running jobs.", InSession<ListJobs, JobListArguments>);
+  jobs.app.require_subcommand(0, 1);
+  jobs.Add("list", "Jobs, newest first (the default).", InSession<ListJobs, JobListArguments>);
+  jobs.Add("show", "One job.", InSession<ShowOneJob, JobArguments>);
+  jobs.Add("cancel", "Cancel a job.", InSession<CancelJob, JobArguments>);
+  jobs.Add("delete", "Delete a job that has ended, with the artifacts that no other job has. Files that it wrote stay.",
+           InSession<DeleteJob, JobArguments>);
+  jobs.Add("artifacts", "List the artifacts of a job.", InSession<ListArtifacts, JobArguments>);
 }
 
 }  // namespace flair::cli

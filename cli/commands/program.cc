@@ -13,7 +13,6 @@
 #include <string>
 #include <system_error>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/command_line.h"
@@ -43,16 +42,17 @@ int OutputFailed(int error) {
 
 }  // namespace
 
-void AddCommands(CLI::App& program, const std::vector<CommandGroup>& groups, absl::Status& result) {
+void AddCommands(const Commands& commands, const std::vector<CommandGroup>& groups) {
+  CLI::App& program = commands.app;
   program.formatter(std::make_shared<HelpText>(TextWidth()));
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.require_subcommand(1);
   for (const CommandGroup& group : groups) {
     for (const AddCommand add : group.commands) {
       const size_t before = program.get_subcommands(nullptr).size();
-      add(program, result);
-      const std::vector<CLI::App*> commands = program.get_subcommands(nullptr);
-      for (size_t i = before; i < commands.size(); ++i) commands[i]->group(group.title);
+      add(commands);
+      const std::vector<CLI::App*> added = program.get_subcommands(nullptr);
+      for (size_t i = before; i < added.size(); ++i) added[i]->group(group.title);
     }
   }
   AddConnectionFlags(program);
@@ -63,11 +63,12 @@ int RunProgram(int argc, char** argv, const Program& about) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is an error like any other
   // What gRPC says to its authors of handshakes that fail is said again, for people, by whoever made the call.
   ::setenv("GRPC_VERBOSITY", "NONE", 0);
+  if (about.prepare != nullptr) about.prepare();
   CLI::App program(about.description, about.name);
   program.set_version_flag("--version", fmt::format("{} {}, build {}", about.name, FLAIR_VERSION, runtime::BuildName()),
                            "Print version and build and exit");
   absl::Status result;
-  AddCommands(program, about.groups, result);
+  AddCommands({program, result}, about.groups);
   // Set last: commands would take it for theirs.
   program.footer(fmt::format("{}\n\n{}", kExitCodeHelp, about.footer));
   try {

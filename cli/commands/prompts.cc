@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <vector>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/files.h"
@@ -14,14 +12,16 @@
 #include "fmt/format.h"
 #include "language_worker/model/model_tools.h"
 #include "translator_worker/model/model_translator.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct PromptsArguments {
-  std::string out;
+struct PromptsArguments : Options {
+  using Options::Options;
+  std::string& out = Required("-o,--out DIR", "Folder to write them to");
 };
 
 // The prompts of one worker's folder. Both have a "repair", which is the same.
@@ -29,14 +29,13 @@ absl::Status AddFolder(const fs::path& folder, std::vector<OutputFile>& files) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() != ".txt") continue;
-    absl::StatusOr<std::string> text = ReadFile(entry.path());
-    if (!text.ok()) return text.status();
+    ASSIGN_OR_RETURN(std::string text, ReadFile(entry.path()));
     const std::string name = entry.path().filename().string();
     const auto same =
         std::find_if(files.begin(), files.end(), [&](const OutputFile& file) { return file.name == name; });
     if (same == files.end()) {
-      files.push_back({name, *std::move(text)});
-    } else if (same->content != *text) {
+      files.push_back({name, std::move(text)});
+    } else if (same->content != text) {
       return absl::InternalError(fmt::format("{}: two workers' prompts of this name differ", entry.path().string()));
     }
   }
@@ -47,7 +46,7 @@ absl::Status AddFolder(const fs::path& folder, std::vector<OutputFile>& files) {
 absl::Status WritePrompts(const PromptsArguments& arguments) {
   std::vector<OutputFile> files;
   for (const fs::path& folder : {language::DefaultPromptsFolder(), translator::DefaultPromptFolder()}) {
-    if (absl::Status status = AddFolder(folder, files); !status.ok()) return status;
+    RETURN_IF_ERROR(AddFolder(folder, files));
   }
   std::sort(files.begin(), files.end(), [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
   std::vector<std::string> names;
@@ -58,8 +57,8 @@ absl::Status WritePrompts(const PromptsArguments& arguments) {
     return FileError(
         fmt::format("{}/{}: is there already and may be your own; choose another folder", arguments.out, file.name));
   }
-  if (absl::Status status = CheckOutputFolder(arguments.out, names); !status.ok()) return status;
-  if (absl::Status status = WriteOutputFolder(arguments.out, files); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckOutputFolder(arguments.out, names));
+  RETURN_IF_ERROR(WriteOutputFolder(arguments.out, files));
   for (const std::string& name : names) fmt::print(stderr, "{}/{}\n", arguments.out, name);
   fmt::print(stderr, "next       flair design TEXT --out DIR --llm FILE --prompts {}\n", arguments.out);
   return absl::OkStatus();
@@ -67,14 +66,10 @@ absl::Status WritePrompts(const PromptsArguments& arguments) {
 
 }  // namespace
 
-void AddPrompts(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<PromptsArguments>();
-  CLI::App* command = program.add_subcommand("prompts", "Write the prompts for language models, to change them.");
-  command->add_option("-o,--out", arguments->out, "Folder to write them to")->required()->type_name("DIR");
-  command->footer(
-      "Keep the files that you change and remove the rest: the installed ones serve then, also those of "
-      "later versions.");
-  command->callback([arguments, &result] { result = WritePrompts(*arguments); });
+void AddPrompts(const Commands& program) {
+  program.Add("prompts", "Write the prompts for language models, to change them.", WritePrompts,
+              "Keep the files that you change and remove the rest: the installed ones serve then, also those of "
+              "later versions.");
 }
 
 }  // namespace flair::cli

@@ -3,9 +3,7 @@
 #include "cli/protocol/protocol.h"
 
 #include <cstdio>
-#include <memory>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
@@ -13,9 +11,10 @@
 namespace flair::cli {
 namespace {
 
-struct ProtocolArguments {
-  std::string name;
-  bool markdown = false;
+struct ProtocolArguments : Options {
+  using Options::Options;
+  std::string& name = Text("NAME", "One of them in full: a service, call, message or enum");
+  bool& markdown = Flag("--markdown", "All of them in full, as docs/protocol.md", {"NAME"});
 };
 
 absl::Status Protocol(const ProtocolArguments& arguments) {
@@ -30,13 +29,8 @@ absl::Status Protocol(const ProtocolArguments& arguments) {
 
 }  // namespace
 
-void AddProtocol(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<ProtocolArguments>();
-  CLI::App* command = program.add_subcommand("protocol", "List the services and messages of the protocol.");
-  CLI::Option* const name =
-      command->add_option("NAME", arguments->name, "One of them in full: a service, call, message or enum");
-  command->add_flag("--markdown", arguments->markdown, "All of them in full, as docs/protocol.md")->excludes(name);
-  command->callback([arguments, &result] { result = Protocol(*arguments); });
+void AddProtocol(const Commands& program) {
+  program.Add("protocol", "List the services and messages of the protocol.", Protocol);
 }
 
 }  // namespace flair::cli

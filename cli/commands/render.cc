@@ -3,11 +3,10 @@
 #include <cstdio>
 #include <memory>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
-#include "cli/input/render_flags.h"
+#include "cli/input/job_options.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
 #include "cli/progress/progress.h"
@@ -18,13 +17,18 @@
 namespace flair::cli {
 namespace {
 
-struct RenderArguments {
-  std::string layout;
-  std::string out;
-  std::string annotations;
-  bool no_annotations = false;
-  RenderFlags flags;
-  RendererChoice renderer;
+struct RenderArguments : Options {
+  using Options::Options;
+  std::string& layout = Required("LAYOUT", "A layout: layout.pb or layout.json of a design");
+  std::string& out =
+      Required("-o,--out FILE",
+               "Where the picture goes; the ending says the format: png jpg tif, plans also svg pdf, views also exr");
+  RenderFlags flags{command()};
+  std::string& annotations =
+      Text("--annotations FILE",
+           "Views: write camera, ids, boxes and poses there as JSON; with .exr, FILE.json when left out");
+  bool& no_annotations = Flag("--no-annotations", "Write none beside an .exr", {"--annotations"});
+  RendererFlags renderer{command()};
 };
 
 // Where the JSON goes; empty: nowhere.
@@ -74,31 +78,13 @@ absl::Status Render(const RenderArguments& arguments) {
 
 }  // namespace
 
-void AddRender(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* command = program.add_subcommand("render", "Draw a layout: a plan to scale, or a ray-traced view.");
-  command->add_option("LAYOUT", arguments->layout, "A layout: layout.pb or layout.json of a design")->required();
-  command
-      ->add_option(
-          "-o,--out", arguments->out,
-          "Where the picture goes; the ending says the format: png jpg tif, plans also svg pdf, views also exr")
-      ->required()
-      ->type_name("FILE");
-  AddRenderFlags(*command, arguments->flags);
-  CLI::Option* annotations =
-      command
-          ->add_option("--annotations", arguments->annotations,
-                       "Views: write camera, ids, boxes and poses there as JSON; with .exr, FILE.json when left out")
-          ->type_name("FILE");
-  command->add_flag("--no-annotations", arguments->no_annotations, "Write none beside an .exr")->excludes(annotations);
-  AddRendererFlags(*command, arguments->renderer);
-  command->footer(
-      "Files are written whole or not at all, and the same layout and options give the same bytes. "
-      "Examples:\n"
-      "  flair render out/layout.pb --out plan.pdf --paper a4 --scale 1:50 --layers all\n"
-      "  flair render out/layout.pb --view birdseye --out room.png --samples 64\n"
-      "  flair render out/layout.pb --view perspective --out room.exr --size 512");
-  command->callback([arguments, &result] { result = Render(*arguments); });
+void AddRender(const Commands& program) {
+  program.Add("render", "Draw a layout: a plan to scale, or a ray-traced view.", Render,
+              "Files are written whole or not at all, and the same layout and options give the same bytes. "
+              "Examples:\n"
+              "  flair render out/layout.pb --out plan.pdf --paper a4 --scale 1:50 --layers all\n"
+              "  flair render out/layout.pb --view birdseye --out room.png --samples 64\n"
+              "  flair render out/layout.pb --view perspective --out room.exr --size 512");
 }
 
 }  // namespace flair::cli

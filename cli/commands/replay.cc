@@ -2,19 +2,16 @@
 // flair replay: a job once more, and whether it comes to the same.
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input/job_options.h"
 #include "cli/input/llm_flags.h"
-#include "cli/input/option_path.h"
 #include "cli/input/service_flags.h"
 #include "cli/output/report_text.h"
 #include "cli/output/text.h"
 #include "cli/progress/progress.h"
 #include "cli/replay/comparison.h"
-#include "cli/session/finished_job.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/stage.h"
@@ -24,17 +21,24 @@
 namespace flair::cli {
 namespace {
 
-struct ReplayArguments {
-  std::string job_id;
-  std::string from;
-  std::vector<std::string> options;
-  std::string out;
-  std::string orchestrator;
-  StageFlags stages;
-  LlmFlags llm;
-  ModelFlags model;
-  bool json = false;
-  bool quiet = false;
+struct ReplayArguments : Options {
+  using Options::Options;
+  std::string& job_id = Required("JOB", "Id of the job, as flair jobs prints it");
+  std::string& from =
+      Text("--from STAGE",
+           "Run from this stage on, take the rest from JOB: brief, room, zones, objects, style, constraints, "
+           "cleaning, translation, solve, render (all; with --set, the first that the options reach)");
+  std::vector<std::string>& options =
+      List("--set NAME=VALUE",
+           "Another option than JOB had, such as optimizer.restarts=500; \"NAME=\" for the default; again for "
+           "more");
+  std::string& out = Text("-o,--out DIR", "Also write what flair design writes to this folder");
+  std::string& orchestrator = Text("--orchestrator HOST:PORT", "A job of this one, not of the local store");
+  StageFlags stages{command()};
+  LlmFlags llm{command()};
+  ModelFlags model{command()};
+  bool& json = Flag("--json", "Events, then the comparison, as JSON lines on standard output");
+  bool& quiet = Flag("-q,--quiet", "One line only", {"--json"});
 };
 
 // Applies the options of --set and says from which stage on they matter; from the first when there are none.
@@ -44,16 +48,16 @@ absl::StatusOr<std::string_view> SetOptions(const std::vector<std::string>& opti
     ASSIGN_OR_RETURN(const std::string_view stage, SetOption(option, spec));
     first = std::min(first, orchestrator::StageIndex(stage));
   }
-  absl::Status status = Validate(spec.solve_options(), "--set optimizer");
-  if (status.ok()) status = Validate(spec.render_options(), "--set renderer");
-  if (status.ok()) status = Validate(spec, "--set");
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(Validate(spec.solve_options(), "--set optimizer"));
+  RETURN_IF_ERROR(Validate(spec.render_options(), "--set renderer"));
+  RETURN_IF_ERROR(Validate(spec, "--set"));
   return options.empty() ? "" : orchestrator::Stages()[static_cast<size_t>(first)].name;
 }
 
 absl::StatusOr<v1::JobSpec> MakeSpec(const ReplayArguments& arguments, const v1::Job& earlier) {
   v1::JobSpec spec = earlier.spec();
-  spec.mutable_model_options()->MergeFrom(MakeModelOptions(arguments.model));
+  spec.mutable_model_options();
+  RETURN_IF_ERROR(arguments.model.Set(spec));
   ASSIGN_OR_RETURN(const std::string_view reached, SetOptions(arguments.options, spec));
   const std::string from = arguments.from.empty() ? std::string(reached) : arguments.from;
   if (!reached.empty() && orchestrator::StageIndex(from) > orchestrator::StageIndex(reached)) {
@@ -149,14 +153,15 @@ absl::Status Run(Session& session, const ReplayArguments& arguments, const v1::J
 }
 
 absl::Status Replay(const ReplayArguments& arguments) {
-  if (absl::Status status = CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm); !status.ok()) {
-    return status;
-  }
+  RETURN_IF_ERROR(CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm));
   if (!arguments.from.empty() && orchestrator::StageIndex(arguments.from) < 0) {
     return absl::InvalidArgumentError(
         fmt::format("--from {}: there is no such stage; one of {}", arguments.from, orchestrator::StageNames()));
   }
-  ASSIGN_OR_RETURN(const OptionalLlm llm, ReadDesignModel(arguments.llm, arguments.model, arguments.orchestrator));
+  v1::JobSpec limits;
+  RETURN_IF_ERROR(arguments.model.Set(limits));
+  ASSIGN_OR_RETURN(const OptionalLlm llm,
+                   ReadDesignModel(arguments.llm, limits.model_options(), arguments.orchestrator));
   if (!arguments.out.empty()) {
     RETURN_IF_ERROR(CheckOutputFolder(arguments.out, DesignFileNames()));
   }
@@ -172,41 +177,17 @@ absl::Status Replay(const ReplayArguments& arguments) {
 
 }  // namespace
 
-void AddReplay(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* command = program.add_subcommand("replay", "Run a job again and say whether the result is the same.");
-  command->add_option("JOB", arguments->job_id, "Id of the job, as flair jobs prints it")->required();
-  command
-      ->add_option("--from", arguments->from,
-                   "Run from this stage on, take the rest from JOB: brief, room, zones, objects, style, constraints, "
-                   "cleaning, translation, solve, render (all; with --set, the first that the options reach)")
-      ->type_name("STAGE");
-  command
-      ->add_option("--set", arguments->options,
-                   "Another option than JOB had, such as optimizer.restarts=500; \"NAME=\" for the default; again for "
-                   "more")
-      ->type_name("NAME=VALUE");
-  command->add_option("-o,--out", arguments->out, "Also write what flair design writes to this folder")
-      ->type_name("DIR");
-  command->add_option("--orchestrator", arguments->orchestrator, "A job of this one, not of the local store")
-      ->type_name("HOST:PORT");
-  AddStageFlags(*command, arguments->stages);
-  AddLlmFlags(*command, arguments->llm);
-  AddModelFlags(*command, arguments->model);
-  CLI::Option* json =
-      command->add_flag("--json", arguments->json, "Events, then the comparison, as JSON lines on standard output");
-  command->add_flag("-q,--quiet", arguments->quiet, "One line only")->excludes(json);
+void AddReplay(const Commands& program) {
   std::string names;
   for (const OptionName& option : OptionNames()) {
     constexpr size_t kValues = 44, kLine = 80;
     const std::string margin(kValues, ' ');
     names += fmt::format("  {:<42}{}\n", option.name, Wrapped(option.values, kLine, margin, kValues));
   }
-  command->footer(
-      "Ends with 0 when all stages give the same content again, or another where --set asks for it; with 7 "
-      "when one differs that should not.\n\nNames for --set:\n" +
-      names);
-  command->callback([arguments, &result] { result = Replay(*arguments); });
+  program.Add("replay", "Run a job again and say whether the result is the same.", Replay,
+              "Exits with 0 when all stages give the same content again, or another where --set asks for it; with 7 "
+              "when one differs that should not.\n\nNames for --set:\n" +
+                  names);
 }
 
 }  // namespace flair::cli

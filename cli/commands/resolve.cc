@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair resolve: a layout after edits, with as little moved as they ask for.
 #include <cstdio>
-#include <memory>
-#include <optional>
 #include <vector>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_source.h"
-#include "cli/input/command_line.h"
 #include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
@@ -25,15 +21,17 @@
 namespace flair::cli {
 namespace {
 
-struct ResolveArguments {
-  std::string layout;
-  SourceFlags source;
-  std::string out;
-  std::vector<std::string> edits;
-  std::string edits_file;
-  std::string optimizer;
-  int64_t seed = 0;
-  bool leave_out = false;
+struct ResolveArguments : Options {
+  using Options::Options;
+  std::string& layout =
+      Required("LAYOUT", "A layout: layout.pb or layout.json of a design, digits of its id, or JOB/solve");
+  SourceFlags source{command()};
+  std::string& out = Required("-o,--out FILE", "Where the layout (.pb) goes");
+  std::vector<std::string>& edits = List("--edit TEXT", "A change, see below; may be given often");
+  std::string& edits_file = Text("--edits FILE", "Changes as protobuf text: edits { ... }, after all --edit");
+  int64_t& seed = SeedNumber("Seed; another seed, another layout (0)");
+  bool& leave_out = Flag("--leave-out", "Leave out what does not fit");
+  std::string& optimizer = Text("--optimizer HOST:PORT", "Use this server instead of one in this process");
 };
 
 constexpr char kEditsExample[] = "changes, such as: edits { pin_object_id: \"bed\" }";
@@ -96,25 +94,9 @@ absl::Status Resolve(const ResolveArguments& arguments) {
 
 }  // namespace
 
-void AddResolve(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<ResolveArguments>();
-  CLI::App* command = program.add_subcommand("resolve", "Change a layout and solve again what the change affects.");
-  command
-      ->add_option("LAYOUT", arguments->layout,
-                   "A layout: layout.pb or layout.json of a design, digits of its id, or JOB/solve")
-      ->required();
-  AddSourceFlags(*command, arguments->source);
-  command->add_option("-o,--out", arguments->out, "Where the layout (.pb) goes")->required()->type_name("FILE");
-  command->add_option("--edit", arguments->edits, "A change, see below; may be given often")->type_name("TEXT");
-  command->add_option("--edits", arguments->edits_file, "Changes as protobuf text: edits { ... }, after all --edit")
-      ->type_name("FILE");
-  command->add_option("--seed", arguments->seed, "Seed; another seed, another layout (0)")
-      ->type_name("N")
-      ->check(Seed());
-  command->add_flag("--leave-out", arguments->leave_out, "Leave out what does not fit");
-  command->add_option("--optimizer", arguments->optimizer, "Use this server instead of one in this process")
-      ->type_name("HOST:PORT");
-  command->footer(
+void AddResolve(const Commands& program) {
+  program.Add(
+      "resolve", "Change a layout and solve again what the change affects.", Resolve,
       "Changes:\n"
       "  move desk 0.3 1.5 270       pin bed        unpin bed       remove plant_1\n"
       "  resize wardrobe 1.5x0.6x2.1                add lamp 0.4x0.4x1.5 near sofa\n"
@@ -122,7 +104,6 @@ void AddResolve(CLI::App& program, absl::Status& result) {
       "  edge against_wall object=desk side=back\n"
       "Metres and degrees, counter-clockwise: 0 faces north, 90 west. What is moved is pinned. flair inspect LAYOUT "
       "lists the ids of objects and constraints. See docs/resolve.md.");
-  command->callback([arguments, &result] { result = Resolve(*arguments); });
 }
 
 }  // namespace flair::cli

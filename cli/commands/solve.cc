@@ -2,18 +2,17 @@
 // flair solve: a layout from a graph, for trying other seeds, options and edited graphs.
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <vector>
 
-#include "CLI/CLI.hpp"
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_source.h"
-#include "cli/input/solve_flags.h"
+#include "cli/input/job_options.h"
+#include "cli/inspect/content_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/solve_text.h"
 #include "cli/session/stage_calls.h"
-#include "cli/session/variants.h"
+#include "cli/session/pictures.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
@@ -23,13 +22,15 @@
 namespace flair::cli {
 namespace {
 
-struct SolveArguments {
-  std::string graph;
-  SourceFlags source;
-  std::string out;
-  std::string optimizer;
-  SolveFlags flags;
-  bool stats = false;
+struct SolveArguments : Options {
+  using Options::Options;
+  std::string& graph = Required(
+      "GRAPH", "A graph: graph.pb or graph.json of a design, digits of its id, or JOB/translation; may be edited");
+  SourceFlags source{command()};
+  std::string& out = Text("-o,--out FILE", "Where the layout (.pb) goes; variants beside it, as FILE-2, FILE-3");
+  bool& stats = Flag("--stats", "Print stages, terms, missed constraints and measures");
+  SolveFlags flags{command()};
+  std::string& optimizer = Text("--optimizer HOST:PORT", "Use this server instead of one in this process");
 };
 
 // What all layouts of one solve have in common.
@@ -77,7 +78,6 @@ absl::Status Solve(const SolveArguments& arguments) {
   if (arguments.stats) fmt::print("{}", SolveStats(response));
   if (request.options().variant_count() > 1) {
     fmt::print("{}{}", arguments.stats ? "\n" : "", VariantsTable(response.solved_layout(), files));
-    std::fflush(stdout);
   }
   if (static_cast<int>(layouts.size()) < request.options().variant_count()) {
     fmt::print(stderr, "{:<11}{}\n", "variants", FewerVariants(layouts.size(), request.options().variant_count()));
@@ -92,21 +92,6 @@ absl::Status Solve(const SolveArguments& arguments) {
 
 }  // namespace
 
-void AddSolve(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<SolveArguments>();
-  CLI::App* command = program.add_subcommand("solve", "Place the objects of a graph again.");
-  command
-      ->add_option("GRAPH", arguments->graph,
-                   "A graph: graph.pb or graph.json of a design, digits of its id, or JOB/translation; may be edited")
-      ->required();
-  AddSourceFlags(*command, arguments->source);
-  command->add_option("-o,--out", arguments->out, "Where the layout (.pb) goes; variants beside it, as FILE-2, FILE-3")
-      ->type_name("FILE");
-  command->add_flag("--stats", arguments->stats, "Print stages, terms, missed constraints and measures");
-  AddSolveFlags(*command, arguments->flags);
-  command->add_option("--optimizer", arguments->optimizer, "Use this server instead of one in this process")
-      ->type_name("HOST:PORT");
-  command->callback([arguments, &result] { result = Solve(*arguments); });
-}
+void AddSolve(const Commands& program) { program.Add("solve", "Place the objects of a graph again.", Solve); }
 
 }  // namespace flair::cli

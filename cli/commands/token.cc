@@ -6,12 +6,9 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
-#include "CLI/CLI.hpp"
 #include "absl/strings/escaping.h"
 #include "cli/commands/commands.h"
-#include "cli/input/command_line.h"
 #include "flair/config/v1/token_list.pb.h"
 #include "fmt/format.h"
 #include "google/protobuf/text_format.h"
@@ -24,12 +21,16 @@ namespace {
 
 constexpr size_t kTokenBytes = 32;
 
-struct TokenArguments {
-  std::string name;
-  std::string out;
-  int open_job_limit = 0;
-  int calls_per_minute_limit = 0;
-  bool is_operator = false;
+struct TokenArguments : Options {
+  using Options::Options;
+  std::string& name = Required("NAME", "Who it is for; jobs are kept under this name");
+  std::string& out =
+      Text("--token-out FILE", "Write the token to a new file that only you can read, instead of the screen");
+  int& open_job_limit =
+      Whole("--open-jobs N", 0, 1000000, 0, "Most jobs that may wait or run at once, 0 to 1000000 (0: no limit)");
+  int& calls_per_minute_limit =
+      Whole("--calls-per-minute N", 0, 1000000, 0, "Most calls a minute, 0 to 1000000 (0: no limit)");
+  bool& is_operator = Flag("--operator", "May see and do everything, whoever owns it");
 };
 
 absl::StatusOr<std::string> NewToken() {
@@ -76,33 +77,13 @@ absl::Status New(const TokenArguments& arguments) {
 
 }  // namespace
 
-void AddToken(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<TokenArguments>();
-  CLI::App* token = program.add_subcommand("token", "Manage tokens for callers of an orchestrator.");
-  token->require_subcommand(1);
-  CLI::App* command = token->add_subcommand("new", "Make a token, and its entry for the file in tokens_path.");
-  command->add_option("NAME", arguments->name, "Who it is for; jobs are kept under this name")->required();
-  command
-      ->add_option("--token-out", arguments->out,
-                   "Write the token to a new file that only you can read, instead of the screen")
-      ->type_name("FILE");
-  command
-      ->add_option("--open-jobs", arguments->open_job_limit,
-                   "Most jobs that may wait or run at once, 0 to 1000000 (0: no limit)")
-      ->type_name("N")
-      ->check(WholeNumber(0, 1000000));
-  command
-      ->add_option("--calls-per-minute", arguments->calls_per_minute_limit,
-                   "Most calls a minute, 0 to 1000000 (0: no limit)")
-      ->type_name("N")
-      ->check(WholeNumber(0, 1000000));
-  command->add_flag("--operator", arguments->is_operator, "May see and do everything, whoever owns it");
-  command->footer(
-      "The entry goes to standard output, the token to standard error:\n"
-      "  flair token new alice --token-out alice.token >> tokens.textproto\n"
-      "  flair jobs --orchestrator HOST:PORT --tls --token-file alice.token\n"
-      "A running orchestrator reads the file again within seconds (docs/security.md).");
-  command->callback([arguments, &result] { result = New(*arguments); });
+void AddToken(const Commands& program) {
+  program.Group("token", "Manage tokens for callers of an orchestrator.")
+      .Add("new", "Make a token, and its entry for the file in tokens_path.", New,
+           "The entry goes to standard output, the token to standard error:\n"
+           "  flair token new alice --token-out alice.token >> tokens.textproto\n"
+           "  flair jobs --orchestrator HOST:PORT --tls --token-file alice.token\n"
+           "A running orchestrator reads the file again within seconds (docs/security.md).");
 }
 
 }  // namespace flair::cli

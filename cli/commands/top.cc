@@ -7,11 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "CLI/CLI.hpp"
 #include "absl/time/clock.h"
 #include "cli/commands/commands.h"
 #include "cli/embedded/embedded_services.h"
-#include "cli/input/command_line.h"
 #include "cli/session/session.h"
 #include "cli/top/cluster_state.h"
 #include "cli/top/terminal.h"
@@ -22,11 +20,14 @@
 namespace flair::cli {
 namespace {
 
-struct TopArguments {
-  std::string orchestrator;
-  double interval_seconds = 2;
-  bool once = false;
-  bool json = false;
+struct TopArguments : Options {
+  using Options::Options;
+  std::string& orchestrator =
+      Text("--orchestrator HOST:PORT",
+           "Watch the cluster of this one, which knows all of its queue, instead of the local store");
+  double& interval_seconds = Decimal("--interval S", 0.05, 3600, 2, "Seconds between looks, 0.05 to 3600 (2)");
+  bool& once = Flag("--once", "Print once, after two looks");
+  bool& json = Flag("--json", "One JSON object per line and look");
 };
 
 // Another look may work: the orchestrator is away, busy or stopping, which cancels its calls.
@@ -126,30 +127,21 @@ class Top {
   ClusterState state_;
 };
 
+absl::Status WatchCluster(const TopArguments& arguments) {
+  config::v1::OrchestratorConfig looks_only;
+  looks_only.set_takes_no_jobs(true);
+  ASSIGN_OR_RETURN(const std::unique_ptr<Session> session,
+                   Session::Open(arguments.orchestrator, std::nullopt, {}, looks_only));
+  return Top(arguments, *session).Run();
+}
+
 }  // namespace
 
-void AddTop(CLI::App& program, absl::Status& result) {
-  auto arguments = std::make_shared<TopArguments>();
-  CLI::App* top = program.add_subcommand(
-      "top",
-      "Watch a cluster or the local store live: queue, batches, orchestrators, workers. Printed once when not on "
-      "a terminal.");
-  top->add_option("--orchestrator", arguments->orchestrator,
-                  "Watch the cluster of this one, which knows all of its queue, instead of the local store")
-      ->type_name("HOST:PORT");
-  top->add_option("--interval", arguments->interval_seconds, "Seconds between looks, 0.05 to 3600 (2)")
-      ->type_name("S")
-      ->check(Number(0.05, 3600.0));
-  top->add_flag("--once", arguments->once, "Print once, after two looks");
-  top->add_flag("--json", arguments->json, "One JSON object per line and look");
-  top->callback([arguments, &result] {
-    config::v1::OrchestratorConfig looks_only;
-    looks_only.set_takes_no_jobs(true);
-    absl::StatusOr<std::unique_ptr<Session>> session =
-        Session::Open(arguments->orchestrator, std::nullopt, {}, looks_only);
-    result = session.ok() ? Top(*arguments, **session).Run() : session.status();
-    std::fflush(stdout);
-  });
+void AddTop(const Commands& program) {
+  program.Add("top",
+              "Watch a cluster or the local store live: queue, batches, orchestrators, workers. Printed once when not "
+              "on a terminal.",
+              WatchCluster);
 }
 
 }  // namespace flair::cli

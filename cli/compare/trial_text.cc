@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "cli/compare/trial.h"
-#include "cli/diff/difference.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/message_view.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "worker_runtime/text/counted.h"
@@ -147,7 +147,7 @@ nlohmann::json ContestJson(const Contest& contest, const std::vector<std::string
     nlohmann::json verdicts = nlohmann::json::array();
     for (const Trial& trial : contest.trials) {
       const v1::EdgeOutcome& outcome = trial.verdicts[e].outcome;
-      verdicts.push_back({{"status", StatusName(outcome.status())},
+      verdicts.push_back({{"status", EnumInWords(outcome.status())},
                           {"weighted_cost", outcome.weighted_cost()},
                           {"reason", outcome.reason()},
                           {"is_its_own", trial.verdicts[e].is_its_own}});

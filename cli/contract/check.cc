@@ -2,31 +2,14 @@
 #include "cli/contract/check.h"
 
 #include <algorithm>
-#include <array>
 
+#include "absl/strings/ascii.h"
 #include "absl/time/clock.h"
-#include "cli/contract/stage_checks.h"
+#include "cli/contract/script.h"
 #include "cli/contract/target.h"
 #include "fmt/format.h"
 
 namespace flair::contract {
-namespace {
-
-constexpr std::array<Stage, 5> kStages = {{{"language", "flair.v1.LanguageService"},
-                                           {"translator", "flair.v1.TranslatorService"},
-                                           {"optimizer", "flair.v1.OptimizerService"},
-                                           {"renderer", "flair.v1.RendererService"},
-                                           {"orchestrator", "flair.v1.OrchestratorService"}}};
-
-// Callers that give up come last: a server that works on for them would be slow for all others.
-Checks Assemble(const Sample& sample, const std::vector<Checks>& parts) {
-  Checks all = ServerChecks(sample);
-  for (const Checks& part : parts) all.insert(all.end(), part.begin(), part.end());
-  for (Check& check : CallerChecks(sample)) all.push_back(std::move(check));
-  return all;
-}
-
-}  // namespace
 
 Finding::Finding(const absl::Status& status)
     : verdict(status.ok() ? Verdict::kKept : Verdict::kBroken), got(status.ok() ? "" : StatusText(status)) {}
@@ -56,28 +39,32 @@ std::string StatusText(const absl::Status& status) {
   return fmt::format("{}{}{}", absl::StatusCodeToString(status.code()), message.empty() ? "" : ": ", message);
 }
 
-const char* PromiseName(Promise promise) {
-  constexpr std::array<const char*, 8> kNames = {"protocol",  "messages",   "units",   "errors",
-                                                 "catalogue", "repetition", "callers", "size"};
-  return kNames[static_cast<size_t>(promise)];
+std::string PromiseName(Promise promise) {
+  return absl::AsciiStrToLower(data::Promise_Name(promise).substr(std::string_view("PROMISE_").size()));
 }
 
-std::span<const Stage> AllStages() { return kStages; }
+std::span<const Stage> AllStages() {
+  static const auto& stages = *[] {
+    auto* made = new std::vector<Stage>;
+    for (const data::Stage& stage : AllChecks().stages()) made->push_back({stage.name(), stage.service()});
+    return made;
+  }();
+  return stages;
+}
 
 const Stage* FindStage(std::string_view name) {
-  const auto found = std::ranges::find(kStages, name, &Stage::name);
-  return found == kStages.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(AllStages(), name, &Stage::name);
+  return found == AllStages().end() ? nullptr : &*found;
 }
 
 Checks ChecksOf(const Stage& stage) {
-  const std::string_view name = stage.name;
-  if (name == "language") return Assemble(LanguageSample(), {LanguageChecks(), LanguageRefusals()});
-  if (name == "translator") return Assemble(TranslateSample(), {TranslatorChecks(), TranslatorRefusals()});
-  if (name == "optimizer") {
-    return Assemble(SolveSample(), {SolveChecks(), OptimizerRefusals(), CatalogueChecks(), OptionalSolveChecks()});
-  }
-  if (name == "renderer") return Assemble(RenderSample(), {RendererChecks(), RendererRefusals()});
-  return Assemble(OrchestratorSample(), {JobChecks(), BatchChecks(), OrchestratorRefusals()});
+  const data::Stage& found = AllChecks().stages(
+      static_cast<int>(std::ranges::find(AllStages(), stage.name, &Stage::name) - AllStages().begin()));
+  const Sample sample = SampleOf(found);
+  Checks all = ServerChecks(sample);
+  // Callers that give up come last: a server that works on for them would be slow for all others.
+  for (const Checks& part : {StageChecks(found), CallerChecks(sample)}) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 std::string CapabilityName(v1::Capability capability) {

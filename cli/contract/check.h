@@ -11,26 +11,18 @@
 
 #include "absl/status/status.h"
 #include "absl/time/time.h"
+#include "flair/checks/v1/checks.pb.h"
 #include "flair/v1/worker_service.pb.h"
 
 namespace flair::contract {
 
 class Target;
 
-// What a check belongs to, in the order of reports.
-enum class Promise {
-  kProtocol,    // the server is there and speaks this protocol
-  kMessages,    // answers are valid and complete
-  kUnits,       // metres, radians counter-clockwise, north up
-  kErrors,      // bad input gets the right status, which names the field
-  kCatalogue,   // the catalogue is complete and true
-  kRepetition,  // repeats are harmless, and equal where that is claimed
-  kCallers,     // deadlines, cancels, many callers at once
-  kSize,        // messages up to a size, and no larger
-};
+// What a check belongs to.
+using checks::v1::Promise;
 
-// One word or two for reports, such as "callers".
-const char* PromiseName(Promise promise);
+// One word for reports, such as "callers".
+std::string PromiseName(Promise promise);
 
 enum class Verdict { kKept, kBroken, kSkipped };
 
@@ -63,7 +55,7 @@ struct Check {
   // What holds when it is kept, as a sentence without full stop: "A width that is no number is refused". Unique in its
   // stage.
   std::string name;
-  Promise promise = Promise::kMessages;
+  Promise promise = checks::v1::PROMISE_MESSAGES;
   // What is sent and what would be right, for reports.
   std::string sent = {};
   std::string right = {};
@@ -78,9 +70,9 @@ using Checks = std::vector<Check>;
 
 struct Stage {
   // As on the command line: "optimizer".
-  const char* name;
+  std::string name;
   // Full name: "flair.v1.OptimizerService".
-  const char* service;
+  std::string service;
 };
 
 // In the order of the pipeline.
@@ -93,7 +85,7 @@ Checks ChecksOf(const Stage& stage);
 
 struct Result {
   std::string name;
-  Promise promise = Promise::kMessages;
+  Promise promise = checks::v1::PROMISE_MESSAGES;
   Finding finding = {};
   absl::Duration duration = {};
 };

@@ -3,7 +3,7 @@
 // and callers who give up, come again or come many at once.
 #include <algorithm>
 
-#include "cli/contract/stage_checks.h"
+#include "cli/contract/script.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -173,38 +173,33 @@ std::function<Finding(Target&)> Of(const Sample& sample, Finding (*check)(const 
 
 }  // namespace
 
-std::string ProducerFault(const v1::Producer& producer) {
-  const bool named = !producer.program().empty() && !producer.method().empty();
-  return named ? "" : fmt::format("producer: {{ {} }}, without program or method", producer.ShortDebugString());
-}
-
 Checks ServerChecks(const Sample& sample) {
   return {
       {.name = "The server speaks flair.v1",
-       .promise = Promise::kProtocol,
+       .promise = data::PROMISE_PROTOCOL,
        .sent = "GetWorker",
        .right =
            fmt::format("protocols that are empty or hold \"{}\", and a server of that version", runtime::kProtocol),
        .run = SpeaksTheProtocol,
        .decisive = true},
       {.name = "The server is one of this stage",
-       .promise = Promise::kProtocol,
+       .promise = data::PROMISE_PROTOCOL,
        .sent = sample.what,
        .run = Of(sample, IsOfTheStage),
        .decisive = true},
-      {"Health says that the service is served", Promise::kProtocol, "grpc.health.v1.Health/Check", "SERVING",
+      {"Health says that the service is served", data::PROMISE_PROTOCOL, "grpc.health.v1.Health/Check", "SERVING",
        IsHealthy},
-      {"Health does not know other services", Promise::kProtocol,
+      {"Health does not know other services", data::PROMISE_PROTOCOL,
        "grpc.health.v1.Health/Check of \"flair.v1.NoSuchService\"", "NOT_FOUND", HealthOfOthersIsUnknown},
-      {"Reflection lists the service", Promise::kProtocol, "list_services of reflection", "its services",
+      {"Reflection lists the service", data::PROMISE_PROTOCOL, "list_services of reflection", "its services",
        ReflectsItsService},
-      {"A message of three MiB with an unknown field is answered", Promise::kSize,
+      {"A message of three MiB with an unknown field is answered", data::PROMISE_SIZE,
        fmt::format("{} with {} MiB in a field that nobody knows", sample.what, kSmallMib),
        "the answer as without it: servers take 4 MiB at least and pass over unknown fields",
        Of(sample, TakesLargeMessages)},
-      {"A message over the limit is refused", Promise::kSize, sample.what, "RESOURCE_EXHAUSTED",
+      {"A message over the limit is refused", data::PROMISE_SIZE, sample.what, "RESOURCE_EXHAUSTED",
        Of(sample, RefusesTooLargeMessages)},
-      {"Bytes that are no message are refused, and the server goes on", Promise::kErrors,
+      {"Bytes that are no message are refused, and the server goes on", data::PROMISE_ERRORS,
        fmt::format("{} with 11 bytes that are no message, then {}", RpcName(*sample.request), sample.what),
        "an error, and the server goes on serving", Of(sample, RefusesBytesThatAreNone)},
   };
@@ -216,23 +211,23 @@ Checks CallerChecks(const Sample& sample) {
   const std::string then = "; then " + sample.what;
   const std::string right = "an answer: a server stops working on what nobody waits for any more";
   const std::string at_once = fmt::format("{} times at once", kCallersAtOnce);
-  Checks checks = {{"Several callers at once are all answered", Promise::kCallers,
+  Checks checks = {{"Several callers at once are all answered", data::PROMISE_CALLERS,
                     fmt::format("{}, {}", sample.what, at_once), "the answer that one alone gets",
                     Of(sample, ManyAtOnceAreAnswered)}};
   if (sample.core) {
     const std::string same = "the same bytes, as the server claims DETERMINISTIC";
-    checks.push_back({"The same request gets the same answer again", Promise::kRepetition, sample.what + ", twice",
+    checks.push_back({"The same request gets the same answer again", data::PROMISE_REPETITION, sample.what + ", twice",
                       same, [sample](Target& target) { return AnswersAreEqual(sample, target, false); },
                       v1::CAPABILITY_DETERMINISTIC});
-    checks.push_back({"Several callers at once get the same answer", Promise::kCallers,
+    checks.push_back({"Several callers at once get the same answer", data::PROMISE_CALLERS,
                       fmt::format("{}, alone and {}", sample.what, at_once), same,
                       [sample](Target& target) { return AnswersAreEqual(sample, target, true); },
                       v1::CAPABILITY_DETERMINISTIC});
   }
-  checks.push_back({"Work whose deadline has passed ends, and the server goes on", Promise::kCallers,
+  checks.push_back({"Work whose deadline has passed ends, and the server goes on", data::PROMISE_CALLERS,
                     long_calls + ", each with a deadline of half a second" + then, right,
                     Of(sample, DeadlinesAreObeyed)});
-  checks.push_back({"Work that is cancelled ends, and the server goes on", Promise::kCallers,
+  checks.push_back({"Work that is cancelled ends, and the server goes on", data::PROMISE_CALLERS,
                     long_calls + ", cancelled on the way" + then, right, Of(sample, CancelsAreObeyed)});
   return checks;
 }

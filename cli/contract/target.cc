@@ -203,15 +203,19 @@ bool Target::IsReachable() const {
 }
 
 absl::StatusOr<std::string> Target::AskForBytes(const google::protobuf::Message& request) {
-  const std::string path = PathOf(request);
+  return AskOnce(PathOf(request), request.SerializeAsString());
+}
+
+absl::StatusOr<std::string> Target::AskOnce(const std::string& path, const std::string& request) {
   {
     std::lock_guard lock(mutex_);
     if (silent_.contains(path)) {
       return absl::DeadlineExceededError(fmt::format("{} was silent for {} before; it is not asked again",
-                                                     RpcName(request), absl::FormatDuration(options_.patience)));
+                                                     path.substr(path.rfind('/') + 1),
+                                                     absl::FormatDuration(options_.patience)));
     }
   }
-  absl::StatusOr<std::string> bytes = AskAgain(request);
+  absl::StatusOr<std::string> bytes = Call(channel_, path, request, options_.patience).Wait();
   if (absl::IsDeadlineExceeded(bytes.status())) {
     std::lock_guard lock(mutex_);
     silent_.insert(path);
@@ -219,16 +223,28 @@ absl::StatusOr<std::string> Target::AskForBytes(const google::protobuf::Message&
   return bytes;
 }
 
-absl::StatusOr<std::vector<std::string>> Target::StreamBytes(const std::string& path,
-                                                             const std::vector<std::string>& requests,
-                                                             size_t most) const {
+absl::StatusOr<std::vector<std::string>> Target::Exchange(const google::protobuf::MethodDescriptor& method,
+                                                          const std::vector<std::string>& requests,
+                                                          size_t leave_after) {
+  const std::string path = fmt::format("/{}/{}", options_.service, method.name());
+  if (method.client_streaming() || method.server_streaming()) return Stream(path, requests, leave_after);
+  ASSIGN_OR_RETURN(std::string answer, AskOnce(path, requests.front()));
+  return std::vector{std::move(answer)};
+}
+
+absl::StatusOr<std::vector<std::string>> Target::Stream(const std::string& path,
+                                                        const std::vector<std::string>& requests,
+                                                        size_t leave_after) const {
   SteppedCall call(channel_, path, options_.patience);
   bool open = true;
   for (const std::string& request : requests) open = open && call.Write(request);
   if (open) call.WritesDone();
   std::vector<std::string> answers;
-  for (std::string answer; answers.size() < most && call.Read(answer);) answers.push_back(std::move(answer));
-  const bool left = answers.size() == most;
+  bool left = false;
+  for (std::string answer; !left && call.Read(answer);) {
+    answers.push_back(std::move(answer));
+    left = answers.size() == leave_after;
+  }
   if (left) call.Cancel();
   const absl::Status status = call.Finish();
   if (!left && !status.ok()) return status;
@@ -281,7 +297,7 @@ absl::StatusOr<std::vector<std::string>> ReflectedServices(const Target& target)
   absl::StatusOr<std::vector<std::string>> answers = absl::UnimplementedError("no reflection");
   for (const char* version : {"v1alpha", "v1"}) {
     const std::string path = fmt::format("/grpc.reflection.{}.ServerReflection/ServerReflectionInfo", version);
-    answers = target.StreamBytes(path, {Encoded(kListServices, "*")}, 1);
+    answers = target.Stream(path, {Encoded(kListServices, "*")}, 1);
     if (!absl::IsUnimplemented(answers.status())) break;
   }
   if (!answers.ok()) return answers.status();

@@ -2,11 +2,11 @@
 // The server under test: a channel, what it claims, and calls that always end.
 #pragma once
 
+#include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 #include <grpcpp/channel.h>
 
 #include <future>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -75,31 +75,21 @@ class Target {
   // same RPC has been silent before; DATA_LOSS when the answer's bytes are no such message.
   template <typename Response>
   absl::StatusOr<Response> Ask(const google::protobuf::Message& request) {
-    absl::StatusOr<std::string> bytes = AskForBytes(request);
+    const absl::StatusOr<std::string> bytes = AskForBytes(request);
     if (!bytes.ok()) return bytes.status();
-    return Parsed<Response>(*bytes);
+    Response answer;
+    if (answer.ParseFromString(*bytes)) return answer;
+    return absl::DataLossError(
+        fmt::format("the answer's {} bytes are no {}", bytes->size(), Response::descriptor()->full_name()));
   }
   absl::StatusOr<std::string> AskForBytes(const google::protobuf::Message& request);
 
-  // Sends the messages of one type to the RPC that takes them, and returns what comes back until the stream or the
-  // patience ends; leaves the call after `most` of them.
-  template <typename Response, typename Request>
-  absl::StatusOr<std::vector<Response>> Stream(const std::vector<Request>& requests,
-                                               size_t most = std::numeric_limits<size_t>::max()) const {
-    std::vector<std::string> sent;
-    for (const Request& request : requests) sent.push_back(request.SerializeAsString());
-    absl::StatusOr<std::vector<std::string>> received = StreamBytes(PathOf(Request()), sent, most);
-    if (!received.ok()) return received.status();
-    std::vector<Response> answers;
-    for (const std::string& bytes : *received) {
-      absl::StatusOr<Response> answer = Parsed<Response>(bytes);
-      if (!answer.ok()) return answer.status();
-      answers.push_back(*std::move(answer));
-    }
-    return answers;
-  }
-  absl::StatusOr<std::vector<std::string>> StreamBytes(const std::string& path,
-                                                       const std::vector<std::string>& requests, size_t most) const;
+  // Sends messages to a method and returns what comes back: of one that takes and gives one, as AskForBytes; of streams
+  // all until the stream or the patience ends, or until `leave_after` (0: never) have come.
+  absl::StatusOr<std::vector<std::string>> Exchange(const google::protobuf::MethodDescriptor& method,
+                                                    const std::vector<std::string>& requests, size_t leave_after);
+  absl::StatusOr<std::vector<std::string>> Stream(const std::string& path, const std::vector<std::string>& requests,
+                                                  size_t leave_after) const;
 
   // A unary call without waiting.
   std::unique_ptr<Call> Start(const google::protobuf::Message& request, absl::Duration within) const;
@@ -115,13 +105,7 @@ class Target {
  private:
   explicit Target(TargetOptions options);
   absl::Duration ConnectWithin() const;
-  template <typename Response>
-  static absl::StatusOr<Response> Parsed(const std::string& bytes) {
-    Response answer;
-    if (answer.ParseFromString(bytes)) return answer;
-    return absl::DataLossError(
-        fmt::format("the answer's {} bytes are no {}", bytes.size(), Response::descriptor()->full_name()));
-  }
+  absl::StatusOr<std::string> AskOnce(const std::string& path, const std::string& request);
 
   const TargetOptions options_;
   std::shared_ptr<grpc::Channel> channel_;

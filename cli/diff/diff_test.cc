@@ -5,9 +5,6 @@
 #include <numbers>
 
 #include "cli/diff/difference.h"
-#include "cli/diff/field_words.h"
-#include "cli/diff/layout_difference.h"
-#include "cli/diff/pairing.h"
 #include "tests/fixtures/bedroom.h"
 
 namespace flair::cli {
@@ -162,8 +159,8 @@ TEST(Diff, VerdictsAndCostsGoUpAndDown) {
   layout.mutable_edge_outcomes(1)->set_reason("missed by 0.20 m");
   EXPECT_THAT(TextOf(Layout(), b),
               AllOf(HasSubstr("verdicts    3 of 3 hold -> 2 of 3, 2 the same, 1 worse\n"), HasSubstr("before: holds"),
-                    HasSubstr("  < total  2.000 -> 1.000\n"), HasSubstr("  > oob  0.00 -> 0.50 %\n")));
-  EXPECT_THAT(TextOf(b, Layout()), AllOf(HasSubstr("  > total"), HasSubstr("  < oob"), HasSubstr("1 better")));
+                    HasSubstr("  < total  2.000 -> 1.000\n"), HasSubstr("  > OOB  0.00 -> 0.50 %\n")));
+  EXPECT_THAT(TextOf(b, Layout()), AllOf(HasSubstr("  > total"), HasSubstr("  < OOB"), HasSubstr("1 better")));
 }
 
 TEST(Diff, RoomsOfAnotherKindCompareButNotTheirPlaces) {
@@ -211,6 +208,16 @@ TEST(Diff, ConstraintsBeforeAndAfterCleaningGoTogether) {
   EXPECT_THAT(TextOf(raw, clean), HasSubstr("cleaning steps  0 -> 1"));
 }
 
+TEST(Diff, AVariantThatSaysNothingOfItsStagesHasLostNone) {
+  v1::Artifact a = Layout();
+  a.mutable_solved_layout()->add_stage_outcomes()->set_stage("primary");
+  v1::Artifact b = Layout();
+  b.mutable_solved_layout()->set_total_cost(1);
+  EXPECT_THAT(TextOf(a, b), Not(HasSubstr("stages")));
+  b.mutable_solved_layout()->add_stage_outcomes()->set_stage("polish");
+  EXPECT_THAT(TextOf(a, b), HasSubstr("stages of the solve 1 added, 1 removed\n"));
+}
+
 TEST(NumberWords, HaveDigitsEnoughToTellThemApart) {
   EXPECT_EQ(NumberWords("width_m", 1.6, 1.8), "1.60 -> 1.80 m");
   EXPECT_EQ(NumberWords("width_m", 1.6, 1.60004), "1.60000 -> 1.60004 m");
@@ -218,12 +225,10 @@ TEST(NumberWords, HaveDigitsEnoughToTellThemApart) {
   EXPECT_EQ(NumberWords("reachable_floor_share", 1, 0.5), "100.0 -> 50.0 %");
 }
 
-TEST(MatchThings, PairsEqualKeysInOrderThenTriesTheNextKey) {
-  const std::vector<std::string> a = {"x1", "x2", "y1", "z9"}, b = {"y1", "x7", "x8", "x9"};
-  const auto pairs = MatchThings(
-      a, b, [](const std::string& text) { return text; }, [](const std::string& text) { return text.substr(0, 1); });
+TEST(MatchKeys, PairsEqualKeysInOrderThenTriesTheNextKey) {
+  const Keys a = {{"x1", "x2", "y1", "z9"}, {"x", "x", "y", "z"}}, b = {{"y1", "x7", "x8", "x9"}, {"y", "x", "x", "x"}};
   std::vector<std::pair<int, int>> found;
-  for (const Pair& pair : pairs) found.push_back({pair.a, pair.b});
+  for (const Pair& pair : MatchKeys(a, b)) found.push_back({pair.a, pair.b});
   EXPECT_EQ(found, (std::vector<std::pair<int, int>>{{0, 1}, {1, 2}, {2, 0}, {3, -1}, {-1, 3}}));
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/diff/field_words.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
@@ -19,55 +18,37 @@ namespace flair::cli {
 
 namespace {
 
-void CompareBriefs(const v1::Brief& a, const v1::Brief& b, std::vector<Section>& sections) {
-  AddSection(FieldsSection("brief", a, b, {"room", "zone_plan", "object_list", "constraint_list"}), sections);
-  CompareRooms(a.room(), b.room(), sections);
-  CompareZones(a.zone_plan(), b.zone_plan(), sections);
-  CompareObjects(a.object_list(), b.object_list(), sections);
-  CompareSentences(a.constraint_list(), b.constraint_list(), sections);
+bool IsListOfConstraints(const v1::Artifact& artifact) {
+  return artifact.has_raw_constraint_list() || artifact.has_constraint_list();
 }
 
-void CompareReports(const v1::Report& a, const v1::Report& b, std::vector<Section>& sections) {
-  AddSection(FieldsSection("report", a, b, {"stage_timings", "diagnostics", "model_usage"}), sections);
-  AddSection(FieldsSection("models", a.model_usage(), b.model_usage()), sections);
-  const auto stage = [](const v1::StageTiming& timing) { return timing.stage(); };
-  AddSection(CompareThings("times", a.stage_timings(), b.stage_timings(),
-                           MatchThings(a.stage_timings(), b.stage_timings(), stage), stage,
-                           [](const v1::StageTiming&) { return ""; }),
-             sections);
+const v1::ConstraintList& ListOf(const v1::Artifact& artifact) {
+  return artifact.has_constraint_list() ? artifact.constraint_list() : artifact.raw_constraint_list();
 }
 
 void CompareContents(const v1::Artifact& a, const v1::Artifact& b, Difference& difference) {
-  std::vector<Section>& sections = difference.sections;
-  switch (a.content_case()) {
-    case v1::Artifact::kBrief:
-      return CompareBriefs(a.brief(), b.brief(), sections);
-    case v1::Artifact::kRoom:
-      return CompareRooms(a.room(), b.room(), sections);
-    case v1::Artifact::kZonePlan:
-      return CompareZones(a.zone_plan(), b.zone_plan(), sections);
-    case v1::Artifact::kObjectList:
-      return CompareObjects(a.object_list(), b.object_list(), sections);
-    case v1::Artifact::kStyleSheet:
-      return CompareStyles(a.style_sheet(), b.style_sheet(), sections);
-    case v1::Artifact::kRawConstraintList:
-    case v1::Artifact::kConstraintList: {
-      const auto list = [](const v1::Artifact& artifact) -> const v1::ConstraintList& {
-        return artifact.has_constraint_list() ? artifact.constraint_list() : artifact.raw_constraint_list();
-      };
-      return CompareSentences(list(a), list(b), sections);
-    }
-    case v1::Artifact::kLayoutGraph:
-      return CompareGraphs(a.layout_graph(), b.layout_graph(), sections);
-    case v1::Artifact::kSolvedLayout:
-      return CompareLayouts(a.solved_layout(), b.solved_layout(), difference);
-    case v1::Artifact::kPreview:
-      return AddSection(FieldsSection("picture", a.preview(), b.preview()), sections);
-    case v1::Artifact::kReport:
-      return CompareReports(a.report(), b.report(), sections);
-    case v1::Artifact::CONTENT_NOT_SET:
-      return;
-  }
+  if (a.has_layout_graph()) return CompareGraphs(a.layout_graph(), b.layout_graph(), difference.sections);
+  if (a.has_solved_layout()) return CompareLayouts(a.solved_layout(), b.solved_layout(), difference);
+  if (IsListOfConstraints(a)) return CompareMessages(ListOf(a), ListOf(b), difference.sections);
+  const auto content = [](const v1::Artifact& artifact) -> const google::protobuf::Message& {
+    const auto& reflection = *artifact.GetReflection();
+    const auto* field =
+        reflection.GetOneofFieldDescriptor(artifact, artifact.GetDescriptor()->FindOneofByName("content"));
+    return field == nullptr ? v1::Brief::default_instance() : reflection.GetMessage(artifact, field);
+  };
+  CompareMessages(content(a), content(b), difference.sections);
+}
+
+// Without what says where it came from. Both kinds of constraint lists are one here.
+std::string ContentBytes(const v1::Artifact& artifact) {
+  v1::Artifact content = artifact;
+  if (artifact.has_raw_constraint_list()) *content.mutable_constraint_list() = artifact.raw_constraint_list();
+  content.clear_id();
+  content.clear_made_from_ids();
+  content.clear_producer();
+  content.clear_options_digest();
+  content.clear_model_calls();
+  return runtime::CanonicalBytes(content);
 }
 
 // Who made them, of what, and how.
@@ -90,22 +71,6 @@ Section OriginSection(const v1::Artifact& a, const v1::Artifact& b) {
                                {{"a", a.model_calls_size()}, {"b", b.model_calls_size()}}});
   }
   return section;
-}
-
-bool IsListOfConstraints(const v1::Artifact& artifact) {
-  return artifact.has_raw_constraint_list() || artifact.has_constraint_list();
-}
-
-// Without what says where it came from. Both kinds of constraint lists are one here.
-std::string ContentBytes(const v1::Artifact& artifact) {
-  v1::Artifact content = artifact;
-  if (artifact.has_raw_constraint_list()) *content.mutable_constraint_list() = artifact.raw_constraint_list();
-  content.clear_id();
-  content.clear_made_from_ids();
-  content.clear_producer();
-  content.clear_options_digest();
-  content.clear_model_calls();
-  return runtime::CanonicalBytes(content);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_split.h"
@@ -15,11 +16,10 @@
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "fmt/format.h"
-#include "language_worker/service/make_language_service.h"
 #include "optimizer_worker/service/make_optimizer_service.h"
 #include "renderer_worker/service/make_renderer_service.h"
-#include "translator_worker/service/make_translator_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -54,18 +54,16 @@ struct StagePlace {
 
 // Several servers, with commas between, are each asked once; jobs are then spread over them.
 absl::Status Connect(const StagePlace& place) {
-  const absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
-  if (!options.ok()) return options.status();
+  ASSIGN_OR_RETURN(const runtime::ChannelOptions options, StageConnection());
   std::shared_ptr<grpc::Channel> first;
   for (const auto address : absl::StrSplit(place.address, ',')) {
-    auto channel = ConnectToStage(place.name, std::string(absl::StripAsciiWhitespace(address)));
-    if (!channel.ok()) return channel.status();
-    if (first == nullptr) first = *std::move(channel);
+    ASSIGN_OR_RETURN(auto channel, ConnectToStage(place.name, std::string(absl::StripAsciiWhitespace(address))));
+    if (first == nullptr) first = std::move(channel);
   }
   place.channel = {.channel = first,
                    .address = place.address,
                    .setting = place.name.flag,
-                   .connect = orchestrator::ConnectorTo(place.name.service, *options)};
+                   .connect = orchestrator::ConnectorTo(place.name.service, options)};
   return absl::OkStatus();
 }
 
@@ -74,15 +72,18 @@ template <typename Config, typename Make>
 absl::Status StartWorker(const std::string& program, Config config, const Make& make, const StagePlace& place) {
   if (!place.address.empty()) return Connect(place);
   config.mutable_runtime()->MergeFrom(QuietRuntime());
-  auto started = runtime::InProcessServer::Start(program, config.runtime(), place.name.service,
-                                                 [&](runtime::WorkerContext& context) {
-                                                   context.build = runtime::BuildName();
-                                                   return make(config, context);
-                                                 });
-  if (!started.ok()) return started.status();
-  place.server = *std::move(started);
+  const auto build = [&](runtime::WorkerContext& context) {
+    context.build = runtime::BuildName();
+    return make(config, context);
+  };
+  ASSIGN_OR_RETURN(place.server, runtime::InProcessServer::Start(program, config.runtime(), place.name.service, build));
   place.channel.channel = place.server->channel();
   return absl::OkStatus();
+}
+
+ModelStages& Models() {
+  static ModelStages models;
+  return models;
 }
 
 std::string Variable(const char* name) {
@@ -92,21 +93,22 @@ std::string Variable(const char* name) {
 
 }  // namespace
 
+void UseModels(ModelStages stages) { Models() = std::move(stages); }
+
 absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::Start(const std::string& store_path,
                                                                           const OptionalLlm& llm,
-                                                                          const StageFlags& stages,
+                                                                          const StageChoice& stages,
                                                                           const config::v1::OrchestratorConfig& asked) {
   std::unique_ptr<EmbeddedServices> services(new EmbeddedServices());
-  absl::Status status = services->StartWorkers(llm, stages, asked.running_job_limit());
-  if (status.ok()) status = services->StartOrchestrator(store_path, asked);
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(services->StartWorkers(llm, stages, asked.running_job_limit()));
+  RETURN_IF_ERROR(services->StartOrchestrator(store_path, asked));
   return services;
 }
 
 absl::StatusOr<std::unique_ptr<EmbeddedServices>> EmbeddedServices::StartStages(const OptionalLlm& llm,
-                                                                                const StageFlags& stages) {
+                                                                                const StageChoice& stages) {
   std::unique_ptr<EmbeddedServices> services(new EmbeddedServices());
-  if (absl::Status status = services->StartWorkers(llm, stages, 1); !status.ok()) return status;
+  RETURN_IF_ERROR(services->StartWorkers(llm, stages, 1));
   return services;
 }
 
@@ -114,31 +116,28 @@ EmbeddedServices::~EmbeddedServices() {
   if (service_ != nullptr) service_->Stop();
 }
 
-absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const StageFlags& stages, int job_count) {
+absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const StageChoice& stages, int job_count) {
+  const config::v1::StageAddresses& addresses = stages.addresses;
   auto language = WithLlm<config::v1::LanguageWorkerConfig>(llm, job_count);
   language.mutable_handbook_overlay_paths()->Add(stages.handbooks.begin(), stages.handbooks.end());
-  absl::Status status =
-      StartWorker("flair-language", language,
-                  [](const auto& config, auto& context) { return language::MakeLanguageService(config, context); },
-                  {kLanguageStage, language_, stages_.language, stages.addresses.language()});
-  if (!status.ok()) return status;
-  status =
-      StartWorker("flair-optimizer", config::v1::OptimizerWorkerConfig(),
-                  [](const auto& config, auto& context) { return optimizer::MakeOptimizerService(config, context); },
-                  {kOptimizerStage, optimizer_, stages_.optimizer, stages.addresses.optimizer()});
-  if (!status.ok()) return status;
+  const auto make_language = [](const auto& config, runtime::WorkerContext& context) {
+    return language::MakeLanguageService(config, context, Models().language);
+  };
+  RETURN_IF_ERROR(StartWorker("flair-language", language, make_language,
+                              {kLanguageStage, language_, stages_.language, addresses.language()}));
+  RETURN_IF_ERROR(StartWorker("flair-optimizer", config::v1::OptimizerWorkerConfig(), optimizer::MakeOptimizerService,
+                              {kOptimizerStage, optimizer_, stages_.optimizer, addresses.optimizer()}));
   // Jobs bring the catalogue of their optimizer with each request; this, of the first one, is for requests that bring
   // none.
   auto translator = WithLlm<config::v1::TranslatorWorkerConfig>(llm, job_count);
-  translator.set_optimizer_address(stages.addresses.optimizer().substr(0, stages.addresses.optimizer().find(',')));
-  status =
-      StartWorker("flair-translator", translator,
-                  [](const auto& config, auto& context) { return translator::MakeTranslatorService(config, context); },
-                  {kTranslatorStage, translator_, stages_.translator, stages.addresses.translator()});
-  if (!status.ok()) return status;
-  return StartWorker("flair-renderer", config::v1::RendererWorkerConfig(),
-                     [](const auto& config, auto& context) { return renderer::MakeRendererService(config, context); },
-                     {kRendererStage, renderer_, stages_.renderer, stages.addresses.renderer()});
+  translator.set_optimizer_address(addresses.optimizer().substr(0, addresses.optimizer().find(',')));
+  const auto make_translator = [](const auto& config, runtime::WorkerContext& context) {
+    return translator::MakeTranslatorService(config, context, Models().translator);
+  };
+  RETURN_IF_ERROR(StartWorker("flair-translator", translator, make_translator,
+                              {kTranslatorStage, translator_, stages_.translator, addresses.translator()}));
+  return StartWorker("flair-renderer", config::v1::RendererWorkerConfig(), renderer::MakeRendererService,
+                     {kRendererStage, renderer_, stages_.renderer, addresses.renderer()});
 }
 
 absl::Status EmbeddedServices::StartOrchestrator(const std::string& default_path,
@@ -155,17 +154,14 @@ absl::Status EmbeddedServices::StartOrchestrator(const std::string& default_path
   config.set_store_path(store_path);
   config.set_requested_jobs_only(true);
   config.MergeFrom(asked);
-  auto started = runtime::InProcessServer::Start(
-      "flair-orchestrator", config.runtime(), v1::OrchestratorService::service_full_name(),
-      [&](runtime::WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
-        context.build = runtime::BuildName();
-        auto service = orchestrator::MakeOrchestratorService(config, context, stages_);
-        if (!service.ok()) return service.status();
-        service_ = service->get();
-        return *std::move(service);
-      });
-  if (!started.ok()) return started.status();
-  orchestrator_ = *std::move(started);
+  const auto make = [&](runtime::WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
+    context.build = runtime::BuildName();
+    ASSIGN_OR_RETURN(auto service, orchestrator::MakeOrchestratorService(config, context, stages_));
+    service_ = service.get();
+    return service;
+  };
+  ASSIGN_OR_RETURN(orchestrator_, runtime::InProcessServer::Start("flair-orchestrator", config.runtime(),
+                                                                  v1::OrchestratorService::service_full_name(), make));
   return absl::OkStatus();
 }
 

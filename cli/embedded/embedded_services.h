@@ -8,16 +8,27 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "cli/input/llm_flags.h"
 #include "cli/input/service_flags.h"
-#include "flair/config/v1/llm_config.pb.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
+#include "language_worker/service/make_language_service.h"
 #include "orchestrator/service/make_orchestrator_service.h"
+#include "translator_worker/service/make_translator_service.h"
 #include "worker_runtime/grpc/in_process_server.h"
 
 namespace flair::cli {
 
-// The model that designs and translates; none: the handbook and the grammar do.
-using OptionalLlm = std::optional<config::v1::LlmConfig>;
+// How the language stage and the translator here come to ask a model.
+struct ModelStages {
+  language::ModelHandlersMaker language;
+  translator::ModelTranslatorMaker translator;
+};
+
+// Called at a program's start. Without it a model is refused, and the program need not link what asks one:
+// flair-design, which is built first, does without.
+void UseModels(ModelStages stages);
+// The same with ours, in the library flair_cli_models.
+void UseOurModels();
 
 class EmbeddedServices {
  public:
@@ -26,11 +37,11 @@ class EmbeddedServices {
   // catalogue from the optimizer that is used. What `orchestrator` sets goes before what a command needs otherwise:
   // another store or queue, more jobs at once, none at all.
   static absl::StatusOr<std::unique_ptr<EmbeddedServices>> Start(
-      const std::string& store_path, const OptionalLlm& llm = std::nullopt, const StageFlags& stages = {},
+      const std::string& store_path, const OptionalLlm& llm = std::nullopt, const StageChoice& stages = {},
       const config::v1::OrchestratorConfig& orchestrator = {});
   // The four stages without an orchestrator and its store; orchestrator() must not be called.
   static absl::StatusOr<std::unique_ptr<EmbeddedServices>> StartStages(const OptionalLlm& llm = std::nullopt,
-                                                                       const StageFlags& stages = {});
+                                                                       const StageChoice& stages = {});
   // Interrupts running jobs, which go on when the store is opened again.
   ~EmbeddedServices();
 
@@ -40,7 +51,7 @@ class EmbeddedServices {
  private:
   EmbeddedServices() = default;
   // For so many jobs at once.
-  absl::Status StartWorkers(const OptionalLlm& llm, const StageFlags& stages, int job_count);
+  absl::Status StartWorkers(const OptionalLlm& llm, const StageChoice& stages, int job_count);
   absl::Status StartOrchestrator(const std::string& default_path, const config::v1::OrchestratorConfig& asked);
 
   // Made in this order, destroyed in reverse; null for a stage that is elsewhere.

@@ -11,6 +11,7 @@
 #include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -68,14 +69,13 @@ absl::Status InWords(const StageName& stage, const std::string& address, const a
 
 absl::StatusOr<std::shared_ptr<grpc::Channel>> ConnectToStage(const StageName& stage, const std::string& address,
                                                               int max_message_mib) {
-  absl::StatusOr<runtime::ChannelOptions> options = StageConnection();
-  if (!options.ok()) return options.status();
-  options->max_message_mib = max_message_mib;
-  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = runtime::MakeChannel(address, stage.service, *options);
+  ASSIGN_OR_RETURN(runtime::ChannelOptions options, StageConnection());
+  options.max_message_mib = max_message_mib;
+  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = runtime::MakeChannel(address, stage.service, options);
   if (!channel.ok()) {
     return absl::InvalidArgumentError(fmt::format("{}: {}", stage.flag, std::string(channel.status().message())));
   }
-  if (absl::Status status = CheckProtocols(stage, address, *channel); !status.ok()) return status;
+  RETURN_IF_ERROR(CheckProtocols(stage, address, *channel));
   const absl::Status answer = stage.ask_nothing(*channel);
   if (absl::IsUnimplemented(answer)) {
     return absl::InvalidArgumentError(fmt::format(

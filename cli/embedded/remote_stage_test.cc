@@ -109,7 +109,7 @@ TEST(RemoteStage, SilenceNamesFlagAddressAndService) {
 TEST(RemoteStage, TheOwnTranslatorTakesTheCatalogueOfTheOptimizerThatIsUsed) {
   OtherOptimizer optimizer;
   const TestServer server({&optimizer});
-  StageFlags remote;
+  StageChoice remote;
   remote.addresses.set_optimizer(server.address());
   const auto services = EmbeddedServices::StartStages(std::nullopt, remote);
   ASSERT_TRUE(services.ok()) << services.status();

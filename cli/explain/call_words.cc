@@ -63,9 +63,9 @@ std::string Filled(std::string_view slot, const ConstraintFacts& facts, const Ar
                    const Scene& scene) {
   const size_t bar = slot.find('|');
   const std::string_view name = slot.substr(0, bar);
-  const auto spec = std::find_if(facts.parameters.begin(), facts.parameters.end(),
+  const auto spec = std::find_if(facts.type.parameters().begin(), facts.type.parameters().end(),
                                  [&](const v1::ParameterSpec& parameter) { return parameter.name() == name; });
-  if (spec != facts.parameters.end() && arguments.Has(name)) return ValueInWords(*spec, arguments, scene);
+  if (spec != facts.type.parameters().end() && arguments.Has(name)) return ValueInWords(*spec, arguments, scene);
   return std::string(bar == std::string_view::npos ? name : slot.substr(bar + 1));
 }
 
@@ -104,7 +104,7 @@ std::string CallInWords(const v1::ConstraintEdge& edge, const Scene& scene) {
   const auto value = [&](std::string_view slot) { return Filled(slot, call->facts, call->arguments, scene); };
   if (!call->facts.phrase.empty()) return WithSlots(call->facts.phrase, '{', '}', value);
   // A type without words of its own: "Daylight falls on `object`." becomes "is so that daylight falls on the desk".
-  std::string words = WithSlots(call->facts.summary, '`', '`', value);
+  std::string words = WithSlots(call->facts.type.summary(), '`', '`', value);
   if (words.ends_with('.')) words.pop_back();
   if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
   return "is so that " + words;
@@ -113,10 +113,10 @@ std::string CallInWords(const v1::ConstraintEdge& edge, const Scene& scene) {
 std::vector<int> SubjectsOf(const v1::ConstraintEdge& edge, const Scene& scene) {
   const std::optional<ReadCall> call = Read(edge, scene);
   if (!call) return {};
-  for (const v1::ParameterSpec& spec : call->facts.parameters) {
+  for (const v1::ParameterSpec& spec : call->facts.type.parameters()) {
     if (spec.kind() == v1::PARAMETER_KIND_OBJECTS) return call->arguments.Objects(spec.name());
   }
-  for (const v1::ParameterSpec& spec : call->facts.parameters) {
+  for (const v1::ParameterSpec& spec : call->facts.type.parameters()) {
     if (spec.kind() == v1::PARAMETER_KIND_OBJECT) return {call->arguments.Object(spec.name())};
   }
   return {};

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words: calls, sentences, places.
+// The words: calls, places.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cli/explain/call_words.h"
-#include "cli/explain/sentence_words.h"
 #include "cli/explain/standing.h"
 #include "optimizer_worker/constraints/call_text.h"
 #include "optimizer_worker/constraints/facts.h"
@@ -27,16 +26,16 @@ std::string Placed(const std::string& text, const std::string& object) {
 
 TEST(CallInWords, EveryTypeOfCallHasWords) {
   for (const optimizer::ConstraintFacts& facts : optimizer::AllConstraints()) {
-    if (facts.built_in) continue;
+    if (facts.type.built_in()) continue;
     for (const optimizer::LayoutExample& example : facts.layouts) {
       const absl::StatusOr<SceneText> scene = ParseScene(example.scene);
       ASSERT_TRUE(scene.ok()) << scene.status();
-      const v1::ConstraintEdge edge = optimizer::EdgeFromText(facts.name, example.call);
+      const v1::ConstraintEdge edge = optimizer::EdgeFromText(facts.name(), example.call);
       const std::string words = CallInWords(edge, scene->scene);
-      EXPECT_THAT(words, Not(StartsWith("meets "))) << facts.name;
+      EXPECT_THAT(words, Not(StartsWith("meets "))) << facts.name();
       EXPECT_THAT(words, Not(HasSubstr("_m"))) << words;
       EXPECT_THAT(words, Not(HasSubstr("{"))) << words;
-      EXPECT_FALSE(SubjectsOf(edge, scene->scene).empty()) << facts.name;
+      EXPECT_FALSE(SubjectsOf(edge, scene->scene).empty()) << facts.name();
     }
   }
 }
@@ -52,28 +51,6 @@ TEST(CallInWords, FillsInValuesAndDefaults) {
   EXPECT_EQ(words("against_wall", "object=bed side=left wall=north"), "has its left flush on the north wall");
   EXPECT_EQ(words("against_wall", "object=nobody"), "meets against_wall");
   EXPECT_EQ(words("levitate", "object=bed"), "meets levitate");
-}
-
-TEST(AboutIt, CutsTheObjectOutOfTheBeginning) {
-  const std::vector<std::string> bed = {"double_bed_1", "double bed 1", "double bed"};
-  const std::vector<std::string> others = {"desk", "double bed frame"};
-  EXPECT_EQ(AboutIt("The double bed is at a wall.", bed, others), "It is at a wall");
-  EXPECT_EQ(AboutIt("The double bed's back is at a wall.", bed, others), "Its back is at a wall");
-  EXPECT_EQ(AboutIt("The front of the double bed has space.", bed, others), "Its front has space");
-  EXPECT_EQ(AboutIt("Both long sides of the double bed have space.", bed, others), "Both its long sides have space");
-  EXPECT_EQ(AboutIt("DOUBLE_BED_1 should face the desk", bed, others), "It should face the desk");
-  EXPECT_EQ(AboutIt("The wall hooks hang by the door.", {"wall hooks"}, {}), "They hang by the door");
-  EXPECT_EQ(AboutIt("The wall hooks", {"wall hooks"}, {}), "It");
-}
-
-TEST(AboutIt, LeavesOtherSentencesAlone) {
-  const std::vector<std::string> desk = {"desk"};
-  EXPECT_EQ(AboutIt("The desk lamp is bright.", desk, {}), "The desk lamp is bright");
-  EXPECT_EQ(AboutIt("The desk is old.", desk, {"desk is old"}), "The desk is old");
-  EXPECT_EQ(AboutIt("Keep the desk free.", desk, {}), "Keep the desk free");
-  EXPECT_EQ(AboutIt("The leg of the desk lamp is thin.", desk, {}), "The leg of the desk lamp is thin");
-  EXPECT_EQ(AboutIt("", desk, {}), "");
-  EXPECT_EQ(AboutIt("the", desk, {}), "the");
 }
 
 TEST(Standing, NamesWallsCornersAndNeighbours) {

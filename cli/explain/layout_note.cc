@@ -2,17 +2,19 @@
 #include "cli/explain/layout_note.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include "cli/explain/call_words.h"
-#include "cli/explain/demands.h"
-#include "cli/explain/sentence_words.h"
 #include "cli/explain/standing.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 #include "optimizer_worker/constraints/shortfall.h"
 #include "room/geometry/polygon.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
@@ -44,9 +46,34 @@ std::string RoomInWords(const v1::Room& message, const Room& room) {
   return text + (openings.empty() ? "." : fmt::format(", with {}.", openings));
 }
 
+void Append(const std::vector<int>& from, std::vector<int>& to) {
+  for (const int object : from) {
+    if (std::find(to.begin(), to.end(), object) == to.end()) to.push_back(object);
+  }
+}
+
+// Whether a call of that type ties its object's place to another object's.
+bool DrawsNear(const std::string& type) {
+  static constexpr std::array<std::string_view, 15> kTypes = {
+      "between",      "ceiling_above",    "in_front_of",       "near",          "next_to",
+      "on",           "on_top_center",    "on_top_corner",     "on_wall_above", "on_wall_facing",
+      "on_wall_near", "rug_under_center", "rug_under_forward", "surround",      "under_center"};
+  return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+}
+
 std::string RoleName(v1::ObjectRole role) {
   if (role == v1::OBJECT_ROLE_PRIMARY) return "primary";
   return role == v1::OBJECT_ROLE_TERTIARY ? "tertiary" : "secondary";
+}
+
+// Without fields that are empty or false; those in `kept` stay.
+Note Pruned(const Note& json, const std::set<std::string_view>& kept) {
+  Note pruned = Note::object();
+  for (const auto& [field, value] : json.items()) {
+    const bool is_empty = value.empty() || value == "" || value == false;
+    if (!is_empty || kept.contains(field)) pruned[field] = value;
+  }
+  return pruned;
 }
 
 class NoteMaker {
@@ -54,94 +81,180 @@ class NoteMaker {
   NoteMaker(const v1::SolvedLayout& layout, const Scene& scene, const PartialLayout& where)
       : layout_(layout), scene_(scene), where_(where) {}
 
-  LayoutNote Make() {
-    note_.room = RoomInWords(layout_.graph().room(), scene_.room);
+  Note Make() {
+    note_ = {{"room", RoomInWords(layout_.graph().room(), scene_.room)},
+             {"demand_count", {{"holds", 0}, {"missed", 0}, {"dropped", 0}, {"not_understood", 0}}},
+             {"zones", Note::array()},
+             {"demands_of_no_object", Note::array()},
+             {"left_out", Note::array()},
+             {"clashes", Note::array()},
+             {"remarks", Note::array()}};
     DescribeObjects();
     AddDemands();
     AddRemarks();
     SortIntoZones();
-    return std::move(note_);
+    return Pruned(note_, {"zones", "left_out", "clashes", "remarks"});
   }
 
  private:
   void DescribeObjects() {
+    const auto& pins = layout_.graph().pinned_placements();
     for (int i = 0; i < static_cast<int>(scene_.objects.size()); ++i) {
       const v1::Object& object = layout_.graph().object_list().objects(i);
-      ObjectNote& told = objects_.emplace_back();
-      told.id = object.id();
-      told.name = optimizer::NameForPeople(scene_, i);
-      told.zone_id = object.zone_id();
-      told.role = RoleName(object.role());
-      told.requested = object.requested();
-      told.placed = where_.placed[static_cast<size_t>(i)];
-      if (told.placed) told.standing = Standing(scene_, where_, i);
-    }
-    for (const v1::Placement& placement : layout_.placements()) Of(placement.object_id())->placement = placement;
-    for (const v1::Placement& pin : layout_.graph().pinned_placements()) {
-      if (ObjectNote* const told = Of(pin.object_id())) told->pinned = true;
-    }
-  }
-
-  void AddDemands() {
-    for (AssignedDemand& assigned : CollectDemands(layout_, scene_)) {
-      if (assigned.object < 0) {
-        note_.homeless.push_back(std::move(assigned.demand));
-        continue;
+      const bool placed = where_.placed[static_cast<size_t>(i)];
+      Note& told = objects_.emplace_back(Note{{"id", object.id()},
+                                              {"name", optimizer::NameForPeople(scene_, i)},
+                                              {"role", RoleName(object.role())},
+                                              {"placed", placed},
+                                              {"zone_id", object.zone_id()},
+                                              {"requested", object.requested()}});
+      told["pinned"] = std::ranges::find(pins, object.id(), &v1::Placement::object_id) != pins.end();
+      if (placed) {
+        told["stands"] = Standing(scene_, where_, i);
+        const auto place = std::ranges::find(layout_.placements(), object.id(), &v1::Placement::object_id);
+        told.update({{"x_m", place->x_m()}, {"y_m", place->y_m()}, {"z_m", place->z_m()}});
+        told["theta_rad"] = place->theta_rad();
       }
-      ObjectNote& told = objects_[static_cast<size_t>(assigned.object)];
-      AddFollower(told, assigned.demand);
-      told.demands.push_back(std::move(assigned.demand));
+      for (const char* list : {"demands", "followers", "remarks"}) told[list] = Note::array();
     }
   }
 
-  void AddFollower(const ObjectNote& follower, const Demand& demand) {
-    if (demand.fate != DemandFate::kHolds || demand.other_ids.empty()) return;
-    if (std::none_of(demand.types.begin(), demand.types.end(), DrawsNear)) return;
-    for (const std::string& id : demand.other_ids) {
-      ObjectNote* const leader = Of(id);
-      const bool alike = std::find(demand.types.begin(), demand.types.end(), "surround") != demand.types.end() &&
-                         id != demand.other_ids.front();
-      if (leader == nullptr || alike || leader->role == "tertiary") continue;
-      std::vector<std::string>& names = leader->followers;
-      if (std::find(names.begin(), names.end(), follower.name) == names.end()) names.push_back(follower.name);
+  // Every sentence and every call of no sentence, in their order, once for each object that it places.
+  void AddDemands() {
+    const v1::LayoutGraph& graph = layout_.graph();
+    std::map<std::string_view, std::vector<int>> edges_of;
+    for (int e = 0; e < graph.edges_size(); ++e) edges_of[graph.edges(e).sentence_id()].push_back(e);
+    for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
+      AddSentence(sentence, edges_of[sentence.id()]);
+      edges_of.erase(sentence.id());
+    }
+    for (int e = 0; e < graph.edges_size(); ++e) {
+      if (edges_of.contains(graph.edges(e).sentence_id())) AddCall(e);
+    }
+  }
+
+  static Note DemandOf(const v1::Sentence& sentence, const std::string& about_it) {
+    return {{"fate", "holds"},
+            {"about_it", about_it},
+            {"sentence_id", sentence.id()},
+            {"sentence", sentence.text()},
+            {"reason", sentence.reason()},
+            {"edge_ids", Note::array()},
+            {"types", Note::array()},
+            {"other_object_ids", Note::array()},
+            {"shortfall", ""}};
+  }
+
+  void AddSentence(const v1::Sentence& sentence, const std::vector<int>& edges) {
+    Note demand = DemandOf(sentence, WithoutStop(sentence.text()));
+    std::vector<int> subjects, named;
+    for (const int e : edges) {
+      AddOutcome(e, demand);
+      Append(SubjectsOf(layout_.graph().edges(e), scene_), subjects);
+      Append(AllNamedIn(layout_.graph().edges(e), scene_), named);
+    }
+    // Who the sentence says it is about knows better than a call that may be written either way round.
+    const int first = sentence.subject_ids_size() > 0 ? scene_.IndexOf(sentence.subject_ids(0)) : -1;
+    if (first >= 0 && subjects.size() <= 1) subjects = {first};
+    if (edges.empty()) {
+      demand["fate"] = "not understood";
+      const auto& remarks = layout_.graph().diagnostics();
+      const auto why = std::ranges::find(remarks, sentence.id(), &v1::Diagnostic::subject_id);
+      if (why != remarks.end()) demand["shortfall"] = why->message();
+    }
+    Assign(subjects, named, demand);
+  }
+
+  void AddCall(int e) {
+    const v1::ConstraintEdge& edge = layout_.graph().edges(e);
+    Note demand = DemandOf({}, fmt::format("It {}", CallInWords(edge, scene_)));
+    AddOutcome(e, demand);
+    Assign(SubjectsOf(edge, scene_), AllNamedIn(edge, scene_), demand);
+  }
+
+  // The worst of its calls decides; among equally bad ones the first has the word.
+  void AddOutcome(int e, Note& demand) const {
+    demand["edge_ids"].push_back(layout_.graph().edges(e).id());
+    demand["types"].push_back(layout_.graph().edges(e).type());
+    if (e >= layout_.edge_outcomes_size()) return;
+    const v1::EdgeOutcome& outcome = layout_.edge_outcomes(e);
+    const bool is_missed = outcome.status() == v1::OUTCOME_STATUS_VIOLATED;
+    const bool is_dropped = outcome.status() == v1::OUTCOME_STATUS_DROPPED;
+    const bool is_worse = is_missed ? demand["fate"] != "missed" : is_dropped && demand["fate"] == "holds";
+    if (!is_worse) return;
+    demand["fate"] = is_missed ? "missed" : "dropped";
+    demand["shortfall"] = outcome.reason();
+    demand.erase("missed_by");
+    demand.erase("unit");
+    if (outcome.has_missed_by()) demand.update({{"missed_by", outcome.missed_by()}, {"unit", outcome.unit()}});
+  }
+
+  void Assign(const std::vector<int>& subjects, const std::vector<int>& named, const Note& demand) {
+    Note& count = note_["demand_count"][demand["fate"] == "not understood" ? "not_understood" : demand["fate"]];
+    count = count.get<int>() + 1;
+    for (const int object : subjects.empty() ? std::vector<int>{-1} : subjects) {
+      Note own = demand;
+      for (const int other : named) {
+        if (other != object) own["other_object_ids"].push_back(scene_.objects[static_cast<size_t>(other)].id);
+      }
+      if (object >= 0) AddFollower(objects_[static_cast<size_t>(object)], own);
+      (object < 0 ? note_["demands_of_no_object"] : objects_[static_cast<size_t>(object)]["demands"])
+          .push_back(Pruned(own, {"edge_ids", "types"}));
+    }
+  }
+
+  // Notes at the objects that a demand names that its own object has its place because of where they are.
+  void AddFollower(const Note& follower, const Note& demand) {
+    if (demand["fate"] != "holds" || std::ranges::none_of(demand["types"], DrawsNear)) return;
+    const Note& others = demand["other_object_ids"];
+    const bool is_group = std::ranges::find(demand["types"], "surround") != demand["types"].end();
+    for (const Note& id : others) {
+      Note* const leader = Of(id);
+      if (leader == nullptr || (is_group && id != others.front()) || (*leader)["role"] == "tertiary") continue;
+      Note& names = (*leader)["followers"];
+      if (std::ranges::find(names, follower["name"]) == names.end()) names.push_back(follower["name"]);
     }
   }
 
   void AddRemarks() {
     const v1::LayoutGraph& graph = layout_.graph();
     for (const v1::Omission& omission : graph.object_list().omissions()) {
-      note_.left_out.push_back(fmt::format("{}{}: {}", Capital(omission.name()),
-                                           omission.requested() ? " (asked for)" : "", omission.reason()));
+      note_["left_out"].push_back(fmt::format("{}{}: {}", Capital(omission.name()),
+                                              omission.requested() ? " (asked for)" : "", omission.reason()));
     }
     for (const auto* list : {&graph.room().diagnostics(), &graph.zone_plan().diagnostics(),
                              &graph.object_list().diagnostics(), &layout_.diagnostics()}) {
       for (const v1::Diagnostic& remark : *list) {
-        ObjectNote* const told = Of(remark.subject_id());
-        (told != nullptr ? told->remarks : note_.remarks).push_back(remark.message());
+        Note* const told = Of(remark.subject_id());
+        (told != nullptr ? *told : note_)["remarks"].push_back(remark.message());
       }
     }
-    for (const ObjectNote& told : objects_) {
-      if (told.placed) continue;
-      note_.left_out.push_back(told.remarks.empty() ? fmt::format("{} is not placed.", Capital(told.name))
-                                                    : Joined(told.remarks));
+    for (const Note& told : objects_) {
+      if (told["placed"]) continue;
+      note_["left_out"].push_back(told["remarks"].empty() ? fmt::format("{} is not placed.", Capital(told["name"]))
+                                                          : Joined(told["remarks"]));
     }
-    for (const v1::Contradiction& clash : layout_.contradictions()) note_.clashes.push_back(clash.explanation());
+    for (const v1::Contradiction& clash : layout_.contradictions()) note_["clashes"].push_back(clash.explanation());
   }
 
   void SortIntoZones() {
+    std::vector<Note> zones;
     for (const v1::Zone& zone : layout_.graph().zone_plan().zones()) {
-      note_.zones.push_back({zone.id(), zone.name(), zone.purpose(), {}});
+      zones.push_back(
+          {{"id", zone.id()}, {"name", zone.name()}, {"purpose", zone.purpose()}, {"objects", Note::array()}});
     }
-    note_.zones.push_back({"", "the whole room", "", {}});
-    for (ObjectNote& told : objects_) {
-      const auto zone = std::find_if(note_.zones.begin(), note_.zones.end() - 1,
-                                     [&](const ZoneNote& candidate) { return candidate.id == told.zone_id; });
-      zone->objects.push_back(std::move(told));
+    zones.push_back({{"id", ""}, {"name", "the whole room"}, {"objects", Note::array()}});
+    for (const Note& told : objects_) {
+      const auto zone = std::find_if(zones.begin(), zones.end() - 1,
+                                     [&](const Note& candidate) { return candidate["id"] == told["zone_id"]; });
+      (*zone)["objects"].push_back(Pruned(told, {"placed", "demands"}));
     }
-    std::erase_if(note_.zones, [](const ZoneNote& zone) { return zone.objects.empty(); });
+    for (const Note& zone : zones) {
+      if (!zone["objects"].empty()) note_["zones"].push_back(Pruned(zone, {"id", "name"}));
+    }
   }
 
-  ObjectNote* Of(const std::string& id) {
+  Note* Of(const std::string& id) {
     const int index = scene_.IndexOf(id);
     return index < 0 ? nullptr : &objects_[static_cast<size_t>(index)];
   }
@@ -149,53 +262,37 @@ class NoteMaker {
   const v1::SolvedLayout& layout_;
   const Scene& scene_;
   const PartialLayout& where_;
-  std::vector<ObjectNote> objects_;
-  LayoutNote note_;
+  std::vector<Note> objects_;
+  Note note_;
 };
 
 }  // namespace
 
-absl::StatusOr<LayoutNote> MakeLayoutNote(const v1::SolvedLayout& layout) {
-  if (const absl::Status status = Validate(layout); !status.ok()) return status;
-  absl::StatusOr<Scene> scene = SceneFromProto(layout.graph());
-  if (!scene.ok()) return scene.status();
+absl::StatusOr<Note> MakeLayoutNote(const v1::SolvedLayout& layout) {
+  RETURN_IF_ERROR(Validate(layout));
+  ASSIGN_OR_RETURN(Scene scene, SceneFromProto(layout.graph()));
   // Names are read by people here: "towel_rack" is written "towel rack".
-  for (Object& object : scene->objects) std::replace(object.name.begin(), object.name.end(), '_', ' ');
-  const absl::StatusOr<PartialLayout> where = PosesFromPlacements(*scene, layout.placements());
-  if (!where.ok()) return where.status();
-  return NoteMaker(layout, *scene, *where).Make();
+  for (Object& object : scene.objects) std::replace(object.name.begin(), object.name.end(), '_', ' ');
+  ASSIGN_OR_RETURN(const PartialLayout where, PosesFromPlacements(scene, layout.placements()));
+  return NoteMaker(layout, scene, where).Make();
 }
 
-DemandCount CountDemands(const LayoutNote& note) {
-  DemandCount count;
-  std::set<std::string> seen;
-  const auto add = [&](const Demand& demand) {
-    const std::string& key = demand.sentence_id.empty() ? demand.edge_ids.front() : demand.sentence_id;
-    if (!seen.insert((demand.sentence_id.empty() ? "edge " : "sentence ") + key).second) return;
-    ++(demand.fate == DemandFate::kHolds     ? count.held
-       : demand.fate == DemandFate::kMissed  ? count.missed
-       : demand.fate == DemandFate::kDropped ? count.dropped
-                                             : count.not_understood);
-  };
-  for (const ZoneNote& zone : note.zones) {
-    for (const ObjectNote& object : zone.objects) std::for_each(object.demands.begin(), object.demands.end(), add);
+absl::StatusOr<Note> FindObject(const Note& note, const std::string& key) {
+  std::vector<std::string> ids;
+  const Note* by_name = nullptr;
+  for (const Note& zone : note["zones"]) {
+    for (const Note& object : zone["objects"]) {
+      if (object["id"] == key) return object;
+      if (object["name"] == key || object["name"] == "the " + key) by_name = &object;
+      ids.push_back(object["id"]);
+    }
   }
-  std::for_each(note.homeless.begin(), note.homeless.end(), add);
-  return count;
+  if (by_name != nullptr) return *by_name;
+  return absl::NotFoundError(
+      fmt::format("--object: \"{}\" is not in the layout; it has {}", key, fmt::join(ids, ", ")));
 }
 
-const char* FateName(DemandFate fate) {
-  switch (fate) {
-    case DemandFate::kHolds:
-      return "holds";
-    case DemandFate::kMissed:
-      return "missed";
-    case DemandFate::kDropped:
-      return "dropped";
-    case DemandFate::kNotUnderstood:
-      return "not understood";
-  }
-  return "";
-}
+// Texts may hold what is no UTF-8 when the layout is a stranger's.
+std::string NoteJson(const Note& note) { return note.dump(1, ' ', false, Note::error_handler_t::replace) + "\n"; }
 
 }  // namespace flair::cli

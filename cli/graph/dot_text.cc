@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,19 +6,17 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <vector>
 
+#include "absl/cleanup/cleanup.h"
 #include "absl/strings/str_replace.h"
-#include "absl/time/clock.h"
 #include "cli/exit_code.h"
 #include "cli/graph/layout_diagram.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "renderer_worker/drawing/colour.h"
-#include "worker_runtime/status/status_macros.h"
-
-extern char** environ;
 
 namespace flair::cli {
 
@@ -233,59 +228,17 @@ std::string DotText(const Diagram& diagram) {
 
 namespace {
 
-constexpr absl::Duration kWithin = absl::Minutes(2);
+constexpr int kWithin_s = 120;
 constexpr size_t kMostWords = 300;
 
-// A file without a name, in memory.
-class MemoryFile {
- public:
-  explicit MemoryFile(const char* name) : descriptor_(memfd_create(name, MFD_CLOEXEC)) {}
-  ~MemoryFile() {
-    if (descriptor_ >= 0) close(descriptor_);
+std::string ReadAll(int descriptor) {
+  std::string bytes;
+  char buffer[65536];
+  for (ssize_t count = read(descriptor, buffer, sizeof(buffer)); count > 0;
+       count = read(descriptor, buffer, sizeof(buffer))) {
+    bytes.append(buffer, static_cast<size_t>(count));
   }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  int descriptor() const { return descriptor_; }
-
-  bool Write(const std::string& text) const {
-    for (size_t done = 0; done < text.size();) {
-      const ssize_t count = write(descriptor_, text.data() + done, text.size() - done);
-      if (count <= 0) return false;
-      done += static_cast<size_t>(count);
-    }
-    return lseek(descriptor_, 0, SEEK_SET) == 0;
-  }
-
-  std::string Read() const {
-    std::string bytes;
-    lseek(descriptor_, 0, SEEK_SET);
-    char buffer[65536];
-    for (ssize_t count = read(descriptor_, buffer, sizeof(buffer)); count > 0;
-         count = read(descriptor_, buffer, sizeof(buffer))) {
-      bytes.append(buffer, static_cast<size_t>(count));
-    }
-    return bytes;
-  }
-
- private:
-  const int descriptor_;
-};
-
-// Its status as waitpid tells it.
-absl::StatusOr<int> WaitFor(pid_t process) {
-  const absl::Time end = absl::Now() + kWithin;
-  int status = 0;
-  while (waitpid(process, &status, WNOHANG) == 0) {
-    if (absl::Now() > end) {
-      kill(process, SIGKILL);
-      waitpid(process, &status, 0);
-      return absl::DeadlineExceededError(fmt::format(
-          "dot: not done within {}; --out FILE.dot writes what it would read", absl::FormatDuration(kWithin)));
-    }
-    absl::SleepFor(absl::Milliseconds(5));
-  }
-  return status;
+  return bytes;
 }
 
 // Cairo writes the time of drawing into a PDF; no two files would be equal.
@@ -302,28 +255,27 @@ std::string WithoutTime(std::string pdf) {
 }  // namespace
 
 absl::StatusOr<std::string> RunDot(const std::string& text, const std::string& format) {
-  const MemoryFile in("dot-in"), out("dot-out"), said("dot-said");
-  if (in.descriptor() < 0 || out.descriptor() < 0 || said.descriptor() < 0 || !in.Write(text)) {
-    return FileError(fmt::format("dot: no memory for its files: {}", std::strerror(errno)));
+  // Files in memory, which the shell opens by number.
+  const int in = memfd_create("dot-in", 0), said = memfd_create("dot-said", 0);
+  const absl::Cleanup close_files = [in, said] { close(in), close(said); };
+  const bool is_written = write(in, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  FILE* const dot =
+      is_written
+          ? popen(fmt::format("timeout {} dot -T{} </dev/fd/{} 2>/dev/fd/{}", kWithin_s, format, in, said).c_str(), "r")
+          : nullptr;
+  if (dot == nullptr) return FileError(fmt::format("dot: cannot be run: {}", std::strerror(errno)));
+  std::string bytes = ReadAll(fileno(dot));
+  const int status = pclose(dot);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (code == 127) {
+    return FileError("dot: no such program: Graphviz draws graphs; apt-get install graphviz, or write --out FILE.dot");
   }
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in.descriptor(), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, said.descriptor(), STDERR_FILENO);
-  std::string program = "dot", as = "-T" + format;
-  char* arguments[] = {program.data(), as.data(), nullptr};
-  pid_t process = 0;
-  const int error = posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    return FileError(fmt::format("dot: {}: Graphviz draws graphs; apt-get install graphviz, or write --out FILE.dot",
-                                 std::strerror(error)));
+  if (code == 124) {
+    return absl::DeadlineExceededError(
+        fmt::format("dot: not done within {} s; --out FILE.dot writes what it would read", kWithin_s));
   }
-  ASSIGN_OR_RETURN(const int status, WaitFor(process));
-  std::string bytes = out.Read();
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty()) {
-    return absl::InternalError(fmt::format("dot: it failed: {}", said.Read().substr(0, kMostWords)));
+  if (code != 0 || bytes.empty()) {
+    return absl::InternalError(fmt::format("dot: it failed: {}", ReadAll(said).substr(0, kMostWords)));
   }
   return format == "pdf" ? WithoutTime(std::move(bytes)) : bytes;
 }

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/ascii.h"
 #include "cli/embedded/embedded_services.h"
 #include "cli/input/message_text.h"
-#include "cli/input/message_words.h"
 #include "cli/output/artifact_text.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
@@ -101,17 +99,8 @@ absl::StatusOr<FoundSource> FindInJob(const std::string& source, ArtifactShelf& 
 
 }  // namespace
 
-void AddSourceFlags(CLI::App& command, SourceFlags& flags) {
-  CLI::Option* store =
-      command.add_option("--store", flags.store, "Look up ids and jobs in this store (that of flair jobs)")
-          ->type_name("DIR");
-  command.add_option("--orchestrator", flags.orchestrator, "Look them up at this orchestrator")
-      ->type_name("HOST:PORT")
-      ->excludes(store);
-}
-
 absl::StatusOr<std::unique_ptr<ArtifactShelf>> OpenShelf(const SourceFlags& flags) {
-  if (!flags.orchestrator.empty()) return OpenOrchestratorShelf(flags.orchestrator);
+  if (!flags.orchestrator.empty()) return Session::Open(flags.orchestrator);
   return MakeStoreShelf(flags.store.empty() ? DefaultStorePath() : flags.store);
 }
 
@@ -147,43 +136,6 @@ absl::StatusOr<v1::Artifact> OpenArtifact(const std::string& source, const Sourc
   if (!found.file.whole.ok()) return found.file.whole;
   if (!found.file.good.ok()) return found.file.good;
   return std::move(found.file.artifact);
-}
-
-namespace {
-
-constexpr int kSearchedJobs = 1000;
-
-class OrchestratorShelf final : public ArtifactShelf {
- public:
-  OrchestratorShelf(std::unique_ptr<Session> session, const std::string& address)
-      : session_(std::move(session)), name_("the orchestrator at " + address) {}
-
-  absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id) override { return session_->GetArtifact(id); }
-
-  absl::StatusOr<std::vector<std::string>> FindIds(const std::string& prefix) override {
-    ASSIGN_OR_RETURN(const std::vector<v1::Job> jobs, session_->ListJobs(kSearchedJobs));
-    std::set<std::string> ids;
-    for (const v1::Job& job : jobs) {
-      for (const v1::ArtifactRef& ref : job.artifacts()) {
-        if (ref.id().starts_with(prefix)) ids.insert(ref.id());
-      }
-    }
-    return std::vector<std::string>(ids.begin(), ids.end());
-  }
-
-  absl::StatusOr<v1::Job> GetJob(const std::string& id) override { return session_->GetJob(id); }
-  std::string name() const override { return name_; }
-
- private:
-  const std::unique_ptr<Session> session_;
-  const std::string name_;
-};
-
-}  // namespace
-
-absl::StatusOr<std::unique_ptr<ArtifactShelf>> OpenOrchestratorShelf(const std::string& address) {
-  ASSIGN_OR_RETURN(std::unique_ptr<Session> session, Session::Open(address));
-  return std::make_unique<OrchestratorShelf>(std::move(session), address);
 }
 
 }  // namespace flair::cli

@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Artifacts as people name them: FILE, DIGEST or JOB/STAGE. For every command that reads one.
-//   SourceFlags flags;
-//   AddSourceFlags(*command, flags);
-//   absl::StatusOr<v1::Artifact> layout = OpenArtifact(arguments.layout, flags);
 #pragma once
 
 #include <memory>
 #include <string>
 
-#include "CLI/CLI.hpp"
 #include "absl/status/statusor.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/artifact_shelf.h"
+#include "cli/input/options.h"
 
 namespace flair::cli {
 
 // Where what is no file is looked up.
-struct SourceFlags {
-  std::string store;         // the one of `flair jobs` when empty
-  std::string orchestrator;  // HOST:PORT, instead of a store
+struct SourceFlags : Options {
+  using Options::Options;
+  std::string& store = Text("--store DIR", "Look up ids and jobs in this store (that of flair jobs)");
+  std::string& orchestrator = Text("--orchestrator HOST:PORT", "Look them up at this orchestrator", {"--store"});
 };
-
-// Adds --store and --orchestrator.
-void AddSourceFlags(CLI::App& command, SourceFlags& flags);
 
 // For the help of an argument that names an artifact.
 inline constexpr char kSourceHelp[] = "a file (.pb, .json or .textproto), 6 or more digits of its id, or JOB/STAGE";
@@ -45,9 +40,5 @@ absl::StatusOr<FoundSource> FindSource(const std::string& source, ArtifactShelf&
 
 // The artifact, whole and good; INVALID_ARGUMENT for a job without stage.
 absl::StatusOr<v1::Artifact> OpenArtifact(const std::string& source, const SourceFlags& flags);
-
-// What an orchestrator keeps, asked for with its RPCs. Ids are looked for among its latest 1000 jobs. INVALID_ARGUMENT
-// for an address that is none; who does not answer is UNAVAILABLE at the first question.
-absl::StatusOr<std::unique_ptr<ArtifactShelf>> OpenOrchestratorShelf(const std::string& address);
 
 }  // namespace flair::cli

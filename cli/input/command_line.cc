@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "absl/strings/numbers.h"
-#include "cli/input/message_words.h"
+#include "cli/input/message_text.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
 

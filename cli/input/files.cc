@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "absl/cleanup/cleanup.h"
 #include "cli/exit_code.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
@@ -18,24 +19,6 @@ namespace flair::cli {
 namespace {
 
 constexpr size_t kLargestFile = 256u << 20;
-
-// Closes what it holds.
-class OpenFile {
- public:
-  // Not blocking: opening a pipe would wait for whoever writes into it.
-  explicit OpenFile(const std::filesystem::path& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  ~OpenFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-
-  int descriptor() const { return descriptor_; }
-
- private:
-  const int descriptor_;
-};
 
 absl::Status CannotRead(const std::filesystem::path& path) {
   return FileError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
@@ -71,13 +54,16 @@ absl::StatusOr<std::string> ReadFile(const std::filesystem::path& path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) return NotThere(path);
   RETURN_IF_ERROR(CheckKind(path, status));
-  const OpenFile file(path);
-  if (file.descriptor() < 0 || ::fstat(file.descriptor(), &status) != 0) return CannotRead(path);
-  if (absl::Status kind = CheckKind(path, status); !kind.ok()) return kind;  // another file may have its name by now
+  // Not blocking: opening a pipe would wait for whoever writes into it.
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return CannotRead(path);
+  const absl::Cleanup close = [file] { ::close(file); };
+  if (::fstat(file, &status) != 0) return CannotRead(path);
+  RETURN_IF_ERROR(CheckKind(path, status));  // another file may have its name by now
   // One byte more than it says: the last read, which finds the end, then needs no room of its own.
   std::string content(static_cast<size_t>(status.st_size) + 1, '\0');
   for (size_t used = 0;;) {
-    const ssize_t count = ::read(file.descriptor(), content.data() + used, content.size() - used);
+    const ssize_t count = ::read(file, content.data() + used, content.size() - used);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return CannotRead(path);
     used += static_cast<size_t>(count);

@@ -10,7 +10,7 @@
 
 #include <fstream>
 
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 
 namespace flair::cli {
 namespace {

@@ -20,7 +20,6 @@ namespace flair::cli {
 
 namespace {
 
-constexpr char kGroup[] = "Connection";
 constexpr size_t kTokenLength = 1000;
 
 struct ConnectionFlags {
@@ -76,32 +75,22 @@ absl::StatusOr<std::string> GivenToken() {
 
 void AddTo(CLI::App& command, bool calls_orchestrator) {
   ConnectionFlags& flags = Flags();
-  command.add_flag("--tls", flags.tls, "Use TLS; trusts the system's certificate authorities unless others are given")
-      ->group(kGroup);
-  command
-      .add_option("--tls-authority", flags.authority,
-                  "PEM file with the certificate authorities to trust; implies --tls")
-      ->type_name("FILE")
-      ->envname("FLAIR_TLS_AUTHORITY")
-      ->group(kGroup);
-  command
-      .add_option("--tls-certificate", flags.certificate,
-                  "PEM file with a client certificate, for servers that require one")
-      ->type_name("FILE")
-      ->envname("FLAIR_TLS_CERTIFICATE")
-      ->group(kGroup);
-  command.add_option("--tls-key", flags.key, "PEM file with its key")
-      ->type_name("FILE")
-      ->envname("FLAIR_TLS_KEY")
-      ->group(kGroup);
+  const auto flag = [&](const char* name, bool& value, const char* help) {
+    command.add_flag(name, value, help)->group("Connection");
+  };
+  const auto file = [&](const char* name, std::string& value, const char* help) {
+    return command.add_option(name, value, help)->type_name("FILE")->group("Connection");
+  };
+  flag("--tls", flags.tls, "Use TLS; trusts the system's certificate authorities unless others are given");
+  file("--tls-authority", flags.authority, "PEM file with the certificate authorities to trust; implies --tls")
+      ->envname("FLAIR_TLS_AUTHORITY");
+  file("--tls-certificate", flags.certificate, "PEM file with a client certificate, for servers that require one")
+      ->envname("FLAIR_TLS_CERTIFICATE");
+  file("--tls-key", flags.key, "PEM file with its key")->envname("FLAIR_TLS_KEY");
   if (!calls_orchestrator) return;
-  command
-      .add_option("--token-file", flags.token_file,
-                  "File with the token that the orchestrator asks for; otherwise FLAIR_TOKEN_FILE or FLAIR_TOKEN")
-      ->type_name("FILE")
-      ->group(kGroup);
-  command.add_flag("--allow-insecure", flags.allow_insecure, "Send the token in plain text, to other machines too")
-      ->group(kGroup);
+  file("--token-file", flags.token_file,
+       "File with the token that the orchestrator asks for; otherwise FLAIR_TOKEN_FILE or FLAIR_TOKEN");
+  flag("--allow-insecure", flags.allow_insecure, "Send the token in plain text, to other machines too");
 }
 
 bool Has(const CLI::App& command, std::initializer_list<const char*> options) {
@@ -147,27 +136,9 @@ absl::StatusOr<runtime::ChannelOptions> OrchestratorConnection() {
   return options;
 }
 
-void AddEngineFlags(CLI::App& command, EngineFlags& flags) {
-  constexpr char kGroup[] = "Queue on other machines";
-  command
-      .add_option(
-          "--engine", flags.address,
-          "Use the queue of these NATS servers, such as nats://127.0.0.1:4222, or tls://; commas between several")
-      ->type_name("ADDRESS")
-      ->group(kGroup);
-  command.add_option("--queue", flags.queue, "Name of the queue there, for several on the same servers (flair)")
-      ->type_name("NAME")
-      ->group(kGroup);
-  command
-      .add_option("--artifacts", flags.artifacts,
-                  "Where its orchestrators keep artifacts: jetstream: or folder:PATH (jetstream:)")
-      ->type_name("ADDRESS")
-      ->group(kGroup);
-  command
-      .add_option("--replicas", flags.replica_count, "Copies of everything when the queue is first made: 1, 3, 5 (1)")
-      ->type_name("N")
-      ->check(OneOf({"1", "3", "5"}))
-      ->group(kGroup);
+EngineFlags::EngineFlags(CLI::App& command) : Options(command, "Queue on other machines") {
+  Bind("--replicas N", replica_count, "Copies of everything when the queue is first made: 1, 3, 5 (1)")
+      ->check(OneOf({"1", "3", "5"}));
 }
 
 absl::Status CheckEngineFlags(const EngineFlags& flags, const std::string& orchestrator) {
@@ -177,10 +148,10 @@ absl::Status CheckEngineFlags(const EngineFlags& flags, const std::string& orche
         orchestrator));
   }
   if (!flags.address.empty()) return absl::OkStatus();
-  const char* flag = nullptr;
-  if (!flags.queue.empty()) flag = "--queue";
-  if (!flags.artifacts.empty()) flag = "--artifacts";
-  if (flags.replica_count > 0) flag = "--replicas";
+  const char* const flag = flags.replica_count > 0    ? "--replicas"
+                           : !flags.artifacts.empty() ? "--artifacts"
+                           : !flags.queue.empty()     ? "--queue"
+                                                      : nullptr;
   if (flag == nullptr) return absl::OkStatus();
   return absl::InvalidArgumentError(
       fmt::format("{}: belongs to a queue of --engine nats://HOST:PORT; give both", flag));
@@ -194,23 +165,22 @@ void SetEngine(const EngineFlags& flags, config::v1::OrchestratorConfig& config)
   config.set_artifact_store(flags.artifacts);
 }
 
-void AddStageFlags(CLI::App& command, StageFlags& flags) {
-  const auto add = [&command](const char* flag, std::string* address, const char* help) {
-    command.add_option(flag, *address, help)->type_name("HOST:PORT[,HOST:PORT...]")->group("Stages on other servers");
+StageFlags::StageFlags(CLI::App& command) : Options(command, "Stages on other servers") {
+  const auto add = [this](const std::string& stage, std::string* address, const std::string& more = "") {
+    Bind(fmt::format("--{} HOST:PORT[,HOST:PORT...]", stage), *address,
+         fmt::format("Server of the {} stage, instead of the built-in one{}", stage, more));
   };
-  add("--language", flags.addresses.mutable_language(), "Server of the language stage, instead of the built-in one");
-  add("--translator", flags.addresses.mutable_translator(),
-      "Server of the translator stage, instead of the built-in one");
-  add("--optimizer", flags.addresses.mutable_optimizer(),
-      "Server of the optimizer stage, instead of the built-in one; its catalogue is used");
-  add("--renderer", flags.addresses.mutable_renderer(), "Server of the renderer stage, instead of the built-in one");
-  command
-      .add_option("--handbook", flags.handbooks,
-                  "Furniture, kinds of room and styles of your own, laid over the handbook; again for more folders")
-      ->type_name("DIR");
+  add("language", addresses.mutable_language());
+  add("translator", addresses.mutable_translator());
+  add("optimizer", addresses.mutable_optimizer(), "; its catalogue is used");
+  add("renderer", addresses.mutable_renderer());
+  Bind("--handbook DIR", handbooks,
+       "Furniture, kinds of room and styles of your own, laid over the handbook; again for more folders")
+      ->allow_extra_args(false)
+      ->group("Options");
 }
 
-absl::Status CheckStageFlags(const StageFlags& flags, const std::string& orchestrator, const LlmFlags& llm) {
+absl::Status CheckStageFlags(const StageChoice& flags, const std::string& orchestrator, const LlmFlags& llm) {
   const struct {
     const char* stage;
     const std::string& address;

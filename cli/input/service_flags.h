@@ -7,16 +7,13 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "cli/input/options.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "worker_runtime/grpc/channel.h"
 
-namespace CLI {
-class App;
-}
-
 namespace flair::cli {
 
-struct LlmFlags;
+class LlmFlags;
 
 // Adds --tls, --tls-authority, --tls-certificate and --tls-key to every command that takes the address of a server, and
 // --token-file and --allow-insecure to those that take that of an orchestrator. After all commands, once: one process
@@ -29,15 +26,16 @@ absl::StatusOr<runtime::ChannelOptions> StageConnection();
 absl::StatusOr<runtime::ChannelOptions> OrchestratorConnection();
 
 // Where jobs wait: a queue in NATS JetStream; in the local store when `address` is empty.
-struct EngineFlags {
-  std::string address;
-  std::string queue;
-  std::string artifacts;
+struct EngineFlags : Options {
+  explicit EngineFlags(CLI::App& command);
+  std::string& address =
+      Text("--engine ADDRESS",
+           "Use the queue of these NATS servers, such as nats://127.0.0.1:4222, or tls://; commas between several");
+  std::string& queue = Text("--queue NAME", "Name of the queue there, for several on the same servers (flair)");
+  std::string& artifacts =
+      Text("--artifacts ADDRESS", "Where its orchestrators keep artifacts: jetstream: or folder:PATH (jetstream:)");
   int replica_count = 0;
 };
-
-// Adds --engine, --queue, --artifacts and --replicas; `flags` must outlive the command.
-void AddEngineFlags(CLI::App& command, EngineFlags& flags);
 
 // INVALID_ARGUMENT when the engine is given beside the orchestrator that would have to use it, or no engine beside what
 // belongs to one.
@@ -47,17 +45,17 @@ absl::Status CheckEngineFlags(const EngineFlags& flags, const std::string& orche
 void SetEngine(const EngineFlags& flags, config::v1::OrchestratorConfig& config);
 
 // Which stages run elsewhere, and what the language stage of this process reads.
-struct StageFlags {
+struct StageChoice {
   config::v1::StageAddresses addresses;  // an empty address: the stage runs in this process
   std::vector<std::string> handbooks;    // folders laid over the handbook of the own language stage, in this order
 };
-
-// Adds --language, --translator, --optimizer, --renderer and --handbook; `flags` must outlive the command.
-void AddStageFlags(CLI::App& command, StageFlags& flags);
+struct StageFlags : Options, StageChoice {
+  explicit StageFlags(CLI::App& command);
+};
 
 // INVALID_ARGUMENT when stages or handbooks are given that the orchestrator or the language stage would not use, or a
 // model that none of the own stages would ask.
-absl::Status CheckStageFlags(const StageFlags& flags, const std::string& orchestrator, const LlmFlags& llm);
+absl::Status CheckStageFlags(const StageChoice& flags, const std::string& orchestrator, const LlmFlags& llm);
 
 // What a command that got `status` from the orchestrator at `address` ends with: when nobody answered there or not in
 // time, UNAVAILABLE with the address, why, and what to do; `status` itself otherwise.

@@ -1,42 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every kind of content as a readable summary: headings, lines and tables.
+// Every kind of content as a readable summary: what cli/output/message_view.h makes of it, with what belongs together
+// side by side.
 #pragma once
 
 #include <string>
 
 #include "flair/v1/artifact.pb.h"
+#include "flair/v1/optimizer_service.pb.h"
 
 namespace flair::cli {
 
-struct ContentStyle {
-  // Rows of a table before it says how many more there are.
-  size_t most_rows = 100;
-};
+// Rows of a table before it says how many more there are.
+inline constexpr size_t kMostRows = 100;
 
-std::string BriefText(const v1::Brief& brief, const ContentStyle& style);
-std::string RoomText(const v1::Room& room, const ContentStyle& style);
-std::string ZonesText(const v1::ZonePlan& plan, const ContentStyle& style);
+std::string RoomText(const v1::Room& room, size_t most_rows = kMostRows);
 // Equal pieces share a row that counts them.
-std::string ObjectsText(const v1::ObjectList& list, const ContentStyle& style);
-std::string StyleText(const v1::StyleSheet& sheet, const ContentStyle& style);
-// The sentences of a list by their scope.
-std::string SentencesText(const v1::ConstraintList& list, const ContentStyle& style);
-// The same of a cleaned list, after what cleaning did to `raw`: with the words before and after where `raw` is known.
-std::string CleanedText(const v1::ConstraintList& list, const v1::ConstraintList* raw, const ContentStyle& style);
+std::string ObjectsText(const v1::ObjectList& list, size_t most_rows = kMostRows);
+// Sentences, after what cleaning did to `raw`: with the words before and after where `raw` is known.
+std::string CleanedText(const v1::ConstraintList& list, const v1::ConstraintList* raw, size_t most_rows = kMostRows);
 // Sentences with their calls.
-std::string GraphText(const v1::LayoutGraph& graph, const ContentStyle& style);
+std::string GraphText(const v1::LayoutGraph& graph, size_t most_rows = kMostRows);
 // Objects with their poses and verdicts, what costs most, what was dropped and why, and measures.
-std::string LayoutText(const v1::SolvedLayout& layout, const ContentStyle& style);
-std::string PreviewText(const v1::Preview& preview, const ContentStyle& style);
-std::string ReportText(const v1::Report& report, const ContentStyle& style);
+std::string LayoutText(const v1::SolvedLayout& layout, size_t most_rows = kMostRows);
 
-// Remarks, each with its severity, code and subject; empty when there are none.
-std::string RemarksText(const google::protobuf::RepeatedPtrField<v1::Diagnostic>& remarks, const ContentStyle& style);
+// What is in the artifact. `raw` is the list before cleaning of a cleaned one; null where it is not known.
+std::string ContentText(const v1::Artifact& artifact, const v1::ConstraintList* raw, size_t most_rows = kMostRows);
 
-// "\nOBJECTS, 18\n".
-std::string Heading(const std::string& title);
-
-// An enum's name without what all names of the enum begin with, in lower case: "primary" of OBJECT_ROLE_PRIMARY.
-std::string ShortName(const std::string& name, const std::string& prefix);
+// What a solve did and found: measures, terms, what does not hold and why, and each stage with its time.
+std::string SolveStats(const v1::SolveResponse& response);
 
 }  // namespace flair::cli

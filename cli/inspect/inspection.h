@@ -5,18 +5,13 @@
 
 #include "cli/input/artifact_file.h"
 #include "cli/input/artifact_shelf.h"
-#include "cli/inspect/content_text.h"
 #include "flair/v1/job.pb.h"
 
 namespace flair::cli {
 
 // An artifact for people: what it is, whether it is whole and good, who made it from what, and its content. `name` is
 // how the user called it.
-std::string InspectionText(const std::string& name, const ArtifactFile& file, ArtifactFinder& finder,
-                           const ContentStyle& style);
-
-// The content alone; the list before cleaning is looked for with `finder`.
-std::string ContentText(const v1::Artifact& artifact, ArtifactFinder& finder, const ContentStyle& style);
+std::string InspectionText(const std::string& name, const ArtifactFile& file, ArtifactFinder& finder, size_t most_rows);
 
 // A job: its state, and its artifacts, a line each.
 std::string JobText(const v1::Job& job, ArtifactShelf& shelf);

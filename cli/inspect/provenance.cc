@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "cli/input/artifact_file.h"
 #include "cli/output/artifact_text.h"
@@ -15,43 +16,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
-namespace {
-
-std::string NameOf(v1::ArtifactKind kind) {
-  const std::string stem = FileStem(kind);
-  return stem.empty() ? KindName(kind) : stem;
-}
-
-ProvenanceStep StepOf(const v1::Artifact& artifact, const std::string& place) {
-  const v1::ArtifactKind kind = orchestrator::KindOf(artifact);
-  ProvenanceStep step;
-  step.id = artifact.id();
-  step.name = NameOf(kind);
-  step.place = place;
-  step.stage = StageOf(kind);
-  step.made_from_ids.assign(artifact.made_from_ids().begin(), artifact.made_from_ids().end());
-  step.producer = artifact.producer();
-  step.options_digest = artifact.options_digest();
-  step.edited = IsEdited(artifact);
-  if (artifact.has_brief()) {
-    step.text = artifact.brief().text();
-    step.seeds.push_back(artifact.brief().seed());
-  }
-  for (const v1::StageOutcome& stage : artifact.solved_layout().stage_outcomes()) {
-    if (std::find(step.seeds.begin(), step.seeds.end(), stage.seed()) == step.seeds.end()) {
-      step.seeds.push_back(stage.seed());
-    }
-  }
-  for (const v1::ModelCall& call : artifact.model_calls()) {
-    step.models.insert(call.model());
-    step.prompt_versions.insert(call.prompt_version());
-  }
-  step.model_call_count = artifact.model_calls_size();
-  return step;
-}
-
-}  // namespace
 
 std::vector<ProvenanceStep> FindProvenance(const v1::Artifact& artifact, ArtifactFinder& finder, size_t most) {
   std::vector<ProvenanceStep> steps;
@@ -66,12 +30,10 @@ std::vector<ProvenanceStep> FindProvenance(const v1::Artifact& artifact, Artifac
         add(found->artifact, found->place);
       } else {
         seen.insert(id);
-        ProvenanceStep missing;
-        missing.id = id;
-        steps.push_back(std::move(missing));
+        steps.push_back({.id = id});
       }
     }
-    steps.push_back(StepOf(of, place));
+    steps.push_back({.id = of.id(), .place = place, .artifact = of});
   };
   add(artifact, "here");
   return steps;
@@ -79,69 +41,100 @@ std::vector<ProvenanceStep> FindProvenance(const v1::Artifact& artifact, Artifac
 
 namespace {
 
-constexpr size_t kShortDigits = 12;
+std::string Short(const std::string& digest) { return digest.substr(0, 12); }
 
-std::string Short(const std::string& digest) { return digest.substr(0, kShortDigits); }
+// What decided it beside its inputs.
+struct Choices {
+  std::vector<int64_t> seeds = {};             // of a brief, or of the solve of a layout
+  std::set<std::string> models = {};           // that were asked for it
+  std::set<std::string> prompt_versions = {};  // of the questions
+};
 
-// "graph", with digits of its id when several have the name; digits alone for what was not found.
-std::map<std::string, std::string> NamesOf(const std::vector<ProvenanceStep>& steps) {
-  std::map<std::string, int> count;
-  for (const ProvenanceStep& step : steps) ++count[step.name];
-  std::map<std::string, std::string> names;
-  for (const ProvenanceStep& step : steps) {
-    names[step.id] = step.name.empty()      ? Short(step.id) + " (missing)"
-                     : count[step.name] > 1 ? step.name + " " + Short(step.id)
-                                            : step.name;
+Choices ChoicesOf(const v1::Artifact& artifact) {
+  Choices choices;
+  if (artifact.has_brief()) choices.seeds.push_back(artifact.brief().seed());
+  for (const v1::StageOutcome& stage : artifact.solved_layout().stage_outcomes()) {
+    if (std::ranges::find(choices.seeds, stage.seed()) == choices.seeds.end()) choices.seeds.push_back(stage.seed());
   }
-  return names;
+  for (const v1::ModelCall& call : artifact.model_calls()) {
+    choices.models.insert(call.model());
+    choices.prompt_versions.insert(call.prompt_version());
+  }
+  return choices;
 }
 
-std::string MakerText(const ProvenanceStep& step) {
-  const v1::Producer& producer = step.producer;
-  std::string text = step.edited ? "edited by hand" : fmt::format("{}, {}", producer.program(), producer.method());
-  if (producer.program().empty()) text = "nobody says who made it";
-  if (!producer.version().empty()) text += fmt::format(", {}{}", step.edited ? "" : "version ", producer.version());
-  if (!producer.build().empty()) text += ", build " + producer.build();
-  if (!producer.configuration_digest().empty()) text += ", configuration " + Short(producer.configuration_digest());
-  return text;
-}
-
-// What decided it beside its inputs; empty when nothing did.
-std::string ChoicesText(const ProvenanceStep& step) {
+std::string ChoicesText(const v1::Artifact& artifact) {
+  const Choices choices = ChoicesOf(artifact);
   std::vector<std::string> parts;
-  if (!step.options_digest.empty()) parts.push_back("options " + Short(step.options_digest));
-  if (!step.seeds.empty()) {
-    parts.push_back(fmt::format("{} {}", step.seeds.size() == 1 ? "seed" : "seeds", fmt::join(step.seeds, ", ")));
+  if (!artifact.options_digest().empty()) parts.push_back("options " + Short(artifact.options_digest()));
+  if (!choices.seeds.empty()) {
+    parts.push_back(
+        fmt::format("{} {}", Form(std::ssize(choices.seeds), "seed", "seeds"), fmt::join(choices.seeds, ", ")));
   }
-  if (step.model_call_count > 0) {
-    parts.push_back(fmt::format("{} of {}, prompts {}", Counted(step.model_call_count, "call"),
-                                fmt::join(step.models, ", "), fmt::join(step.prompt_versions, ", ")));
+  if (!artifact.model_calls().empty()) {
+    parts.push_back(fmt::format("{} of {}, prompts {}", Counted(artifact.model_calls_size(), "call"),
+                                fmt::join(choices.models, ", "), fmt::join(choices.prompt_versions, ", ")));
   }
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+// "graph", with digits of its id when several have the name; digits alone for what was not found.
+std::map<std::string, std::string> NamesOf(const std::vector<ProvenanceStep>& steps) {
+  std::map<std::string, int> count;
+  for (const ProvenanceStep& step : steps) ++count[NameOf(step)];
+  std::map<std::string, std::string> names;
+  for (const ProvenanceStep& step : steps) {
+    const std::string name = NameOf(step);
+    names[step.id] = name.empty()      ? Short(step.id) + " (missing)"
+                     : count[name] > 1 ? name + " " + Short(step.id)
+                                       : name;
+  }
+  return names;
+}
+
 }  // namespace
+
+std::string NameOf(const ProvenanceStep& step) {
+  if (!step.artifact) return "";
+  const v1::ArtifactKind kind = orchestrator::KindOf(*step.artifact);
+  const std::string stem = FileStem(kind);
+  return stem.empty() ? KindName(kind) : stem;
+}
+
+std::string MakerText(const v1::Artifact& artifact) {
+  const v1::Producer& producer = artifact.producer();
+  std::string text =
+      IsEdited(artifact) ? "edited by hand" : fmt::format("{}, {}", producer.program(), producer.method());
+  if (producer.program().empty()) text = "nobody says who made it";
+  if (!producer.version().empty()) {
+    text += fmt::format(", {}{}", IsEdited(artifact) ? "" : "version ", producer.version());
+  }
+  if (!producer.build().empty()) text += ", build " + producer.build();
+  return text;
+}
 
 std::string ProvenanceText(const std::vector<ProvenanceStep>& steps, const std::string& places) {
   const std::map<std::string, std::string> names = NamesOf(steps);
   std::string text;
+  const auto line = [&text](const std::string& words) { text += fmt::format("{:<15} {}\n", "", words); };
   for (const ProvenanceStep& step : steps) {
-    if (step.name.empty()) {
+    if (!step.artifact) {
       text += fmt::format("{:<15} {}  MISSING: {}\n", "?", Short(step.id), places);
       continue;
     }
-    text += fmt::format("{:<15} {}  stage {}, {}\n", step.name, Short(step.id), step.stage, step.place);
-    if (!step.text.empty()) text += fmt::format("{:<15} \"{}\"\n", "", Shortened(step.text, 90));
-    text += fmt::format("{:<15} {}\n", "", MakerText(step));
-    if (const std::string choices = ChoicesText(step); !choices.empty())
-      text += fmt::format("{:<15} {}\n", "", choices);
-    if (step.made_from_ids.empty()) continue;
+    const v1::Artifact& artifact = *step.artifact;
+    text += fmt::format("{:<15} {}  stage {}, {}\n", NameOf(step), Short(step.id),
+                        StageOf(orchestrator::KindOf(artifact)), step.place);
+    if (artifact.has_brief()) line(fmt::format("\"{}\"", Shortened(artifact.brief().text(), 90)));
+    const std::string& configuration = artifact.producer().configuration_digest();
+    line(MakerText(artifact) + (configuration.empty() ? "" : ", configuration " + Short(configuration)));
+    if (const std::string choices = ChoicesText(artifact); !choices.empty()) line(choices);
     std::vector<std::string> parents;
-    for (const std::string& id : step.made_from_ids) {
+    for (const std::string& id : artifact.made_from_ids()) {
       const auto found = names.find(id);
       parents.push_back(found == names.end() ? Short(id) : found->second);
     }
-    text += fmt::format("{:<15} from {}\n", "", fmt::join(parents, ", "));
+    if (!parents.empty()) line(fmt::format("from {}", fmt::join(parents, ", ")));
   }
   return text;
 }
@@ -149,23 +142,26 @@ std::string ProvenanceText(const std::vector<ProvenanceStep>& steps, const std::
 std::string ProvenanceJson(const std::vector<ProvenanceStep>& steps) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const ProvenanceStep& step : steps) {
-    nlohmann::ordered_json entry = {{"id", step.id}, {"found", !step.name.empty()}};
-    if (!step.name.empty()) {
-      entry["kind"] = step.name;
-      entry["place"] = step.place;
-      entry["stage"] = step.stage;
-      entry["program"] = step.producer.program();
-      entry["method"] = step.producer.method();
-      entry["version"] = step.producer.version();
-      entry["build"] = step.producer.build();
-      entry["configuration_digest"] = step.producer.configuration_digest();
-      entry["options_digest"] = step.options_digest;
-      entry["edited"] = step.edited;
-      entry["made_from_ids"] = step.made_from_ids;
-      entry["seeds"] = step.seeds;
-      entry["models"] = step.models;
-      entry["prompt_versions"] = step.prompt_versions;
-      if (!step.text.empty()) entry["text"] = step.text;
+    nlohmann::ordered_json entry = {{"id", step.id}, {"found", step.artifact.has_value()}};
+    if (step.artifact) {
+      const v1::Artifact& artifact = *step.artifact;
+      const v1::Producer& producer = artifact.producer();
+      const Choices choices = ChoicesOf(artifact);
+      entry.update({{"kind", NameOf(step)},
+                    {"place", step.place},
+                    {"stage", StageOf(orchestrator::KindOf(artifact))},
+                    {"program", producer.program()},
+                    {"method", producer.method()},
+                    {"version", producer.version()},
+                    {"build", producer.build()},
+                    {"configuration_digest", producer.configuration_digest()},
+                    {"options_digest", artifact.options_digest()},
+                    {"edited", IsEdited(artifact)},
+                    {"made_from_ids", std::vector(artifact.made_from_ids().begin(), artifact.made_from_ids().end())},
+                    {"seeds", choices.seeds},
+                    {"models", choices.models},
+                    {"prompt_versions", choices.prompt_versions}});
+      if (artifact.has_brief()) entry["text"] = artifact.brief().text();
     }
     json.push_back(std::move(entry));
   }
@@ -174,13 +170,11 @@ std::string ProvenanceJson(const std::vector<ProvenanceStep>& steps) {
 
 std::string ProvenanceLine(const std::vector<ProvenanceStep>& steps) {
   std::vector<std::string> names;
-  size_t missing = 0;
   for (const ProvenanceStep& step : steps) {
-    missing += step.name.empty() ? 1 : 0;
-    if (!step.name.empty()) names.push_back(step.edited ? step.name + " (edited)" : step.name);
+    if (step.artifact) names.push_back(NameOf(step) + (IsEdited(*step.artifact) ? " (edited)" : ""));
   }
   std::string text = fmt::format("{}", fmt::join(names, " > "));
-  if (missing > 0) text += fmt::format("; {} missing", missing);
+  if (names.size() < steps.size()) text += fmt::format("; {} missing", steps.size() - names.size());
   return text;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <set>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,19 +13,8 @@ namespace flair::cli {
 // One artifact on the way from the brief.
 struct ProvenanceStep {
   std::string id;
-  std::string name;   // of its kind, as its file is called: "graph"; empty for one that was not found
-  std::string place;  // where it was found, "here" for the one that was asked about; empty for one that was not found
-  std::string stage;  // that makes such artifacts: "translation"
-  std::vector<std::string> made_from_ids;
-  v1::Producer producer;
-  std::string options_digest;
-  bool edited = false;
-  // Of a brief: what was asked and with which seed. Of a layout: the seeds of its solve.
-  std::string text;
-  std::vector<int64_t> seeds;
-  std::set<std::string> models;           // that were asked for it
-  std::set<std::string> prompt_versions;  // of the questions
-  int model_call_count = 0;
+  std::string place = {};                     // where it was found, "here" for the one that was asked about
+  std::optional<v1::Artifact> artifact = {};  // nothing when it was not found
 };
 
 // Everything that the artifact goes back to, before what was made from it; the artifact itself is the last. At most
@@ -38,5 +27,11 @@ std::string ProvenanceText(const std::vector<ProvenanceStep>& steps, const std::
 std::string ProvenanceJson(const std::vector<ProvenanceStep>& steps);
 // The way in one line: "brief > room > zones > ...", with what is missing.
 std::string ProvenanceLine(const std::vector<ProvenanceStep>& steps);
+
+// Of its kind, as its file is called: "graph"; empty for an artifact that was not found.
+std::string NameOf(const ProvenanceStep& step);
+
+// "flair-solver, slsqp, version 1, build 0123"; who edited it, when somebody did.
+std::string MakerText(const v1::Artifact& artifact);
 
 }  // namespace flair::cli

@@ -7,6 +7,7 @@
 #include <google/protobuf/util/json_util.h>
 
 #include "absl/time/time.h"
+#include "cli/output/message_view.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "orchestrator/pipeline/stage.h"
@@ -54,28 +55,9 @@ std::string ToText(const google::protobuf::Message& message) {
 }
 
 std::string FileStem(v1::ArtifactKind kind) {
-  switch (kind) {
-    case v1::ARTIFACT_KIND_BRIEF:
-      return "brief";
-    case v1::ARTIFACT_KIND_ROOM:
-      return "room";
-    case v1::ARTIFACT_KIND_ZONE_PLAN:
-      return "zones";
-    case v1::ARTIFACT_KIND_OBJECT_LIST:
-      return "objects";
-    case v1::ARTIFACT_KIND_STYLE_SHEET:
-      return "style";
-    case v1::ARTIFACT_KIND_RAW_CONSTRAINT_LIST:
-      return "constraints_raw";
-    case v1::ARTIFACT_KIND_CONSTRAINT_LIST:
-      return "constraints";
-    case v1::ARTIFACT_KIND_LAYOUT_GRAPH:
-      return "graph";
-    case v1::ARTIFACT_KIND_SOLVED_LAYOUT:
-      return "layout";
-    default:
-      return "";
-  }
+  constexpr const char* kStems[] = {"",      "brief",           "room",        "zones", "objects",
+                                    "style", "constraints_raw", "constraints", "graph", "layout"};  // by kind
+  return kind < std::ssize(kStems) ? kStems[kind] : "";
 }
 
 std::string StageOf(v1::ArtifactKind kind) {
@@ -85,12 +67,7 @@ std::string StageOf(v1::ArtifactKind kind) {
   return "";
 }
 
-std::string KindName(v1::ArtifactKind kind) {
-  constexpr const char* kPrefix = "ARTIFACT_KIND_";
-  std::string name = v1::ArtifactKind_Name(kind).substr(std::string(kPrefix).size());
-  for (char& c : name) c = c == '_' ? ' ' : static_cast<char>(c - 'A' + 'a');
-  return name;
-}
+std::string KindName(v1::ArtifactKind kind) { return EnumInWords(kind); }
 
 namespace {
 

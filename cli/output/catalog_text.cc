@@ -6,6 +6,8 @@
 
 #include "absl/strings/str_join.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/message_view.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -24,12 +26,6 @@ constexpr std::array<std::pair<const char*, const char*>, 10> kFamilies = {{
     {"room", "Whole-room terms, which the optimizer adds itself"},
 }};
 
-std::string KindText(v1::ParameterKind kind) {
-  std::string text = v1::ParameterKind_Name(kind).substr(std::string("PARAMETER_KIND_").size());
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 std::string RangeText(const v1::ParameterSpec& parameter) {
   if (!parameter.has_min_number() && !parameter.has_max_number()) return "";
   return fmt::format("[{}, {}]{}", parameter.has_min_number() ? fmt::format("{:g}", parameter.min_number()) : "-inf",
@@ -47,11 +43,12 @@ std::string TypeMarkdown(const v1::ConstraintType& type) {
   if (type.aliases_size() > 0) {
     text += fmt::format("\nAlso read as: `{}`.\n", absl::StrJoin(type.aliases(), "`, `"));
   }
-  text += "\n| parameter | kind | default | range | meaning |\n| --- | --- | --- | --- | --- |\n";
+  std::vector<std::vector<std::string>> rows;
   for (const v1::ParameterSpec& parameter : type.parameters()) {
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", parameter.name(), KindText(parameter.kind()),
-                        DefaultText(parameter), RangeText(parameter), parameter.doc());
+    rows.push_back({"`" + parameter.name() + "`", EnumInWords(parameter.kind()), DefaultText(parameter),
+                    RangeText(parameter), parameter.doc()});
   }
+  text += "\n" + MarkdownTable({"parameter", "kind", "default", "range", "meaning"}, rows);
   for (const v1::CallExample& example : type.examples()) {
     text += fmt::format("\n> {}  \n> `{}`\n", example.sentence(), CallText(type.name(), example.arguments()));
   }
@@ -79,7 +76,7 @@ std::string TypeText(const v1::ConstraintType& type) {
   std::string text = fmt::format("{}: {}\n\n{}\n\n", type.name(), type.summary(), type.doc());
   if (type.aliases_size() > 0) text += fmt::format("also read as {}\n\n", absl::StrJoin(type.aliases(), ", "));
   for (const v1::ParameterSpec& parameter : type.parameters()) {
-    text += fmt::format("  {:<18} {:<8} {:<10} {:<12} {}\n", parameter.name(), KindText(parameter.kind()),
+    text += fmt::format("  {:<18} {:<8} {:<10} {:<12} {}\n", parameter.name(), EnumInWords(parameter.kind()),
                         DefaultText(parameter), RangeText(parameter), parameter.doc());
   }
   for (const v1::CallExample& example : type.examples()) {

@@ -5,11 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "absl/strings/ascii.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/message_view.h"
 #include "cli/output/models_text.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 
 namespace flair::cli {
 
@@ -20,17 +21,9 @@ const v1::Artifact& Get(const ArtifactsByKind& artifacts, v1::ArtifactKind kind)
   return found == artifacts.end() ? v1::Artifact::default_instance() : found->second;
 }
 
-double Seconds(const google::protobuf::Duration& duration) {
-  return static_cast<double>(duration.seconds()) + 1e-9 * duration.nanos();
-}
-
 std::string Heading(const v1::Room& room, const v1::Brief& brief, const v1::Preview& preview) {
   const std::string title = room.title().empty() ? brief.text() : room.title();
-  double width = 0, depth = 0;
-  for (const v1::Point2& p : room.floor().vertices()) {
-    width = std::max(width, p.x_m());
-    depth = std::max(depth, p.y_m());
-  }
+  const auto [width, depth] = ExtentOf(room.floor());
   return fmt::format(
       "# {}\n\nAsked for: \"{}\" (seed {}).\n\nA {} of {:.4g} m x {:.4g} m, {:.4g} m high.\n\n![plan]({})\n", title,
       MarkdownCell(brief.text()), brief.seed(), room.room_type(), width, depth, room.height_m(), PictureName(preview));
@@ -39,20 +32,26 @@ std::string Heading(const v1::Room& room, const v1::Brief& brief, const v1::Prev
 std::string Verdict(const v1::Report& report, const v1::SolvedLayout& layout) {
   const v1::LayoutMetrics& m = report.metrics();
   const v1::ConstraintSummary& c = report.constraints();
-  return fmt::format(
-      "\n## Measures\n\n"
-      "| measure | value | meaning |\n| --- | --- | --- |\n"
-      "| OOB | {:.4f} % | furniture outside the room, of the room's area |\n"
-      "| OOR | {:.4f} % | furniture in furniture or in a door's swing, of the room's area |\n"
-      "| floor reached | {:.0f} % | of the free floor, by a person 0.6 m wide from the door |\n"
-      "| fronts reached | {:.0f} % | of the furniture can be stood at |\n"
-      "| deepest overlap | {:.1f} mm | how far the worst thing stands in another, in a door's swing or beyond a wall "
-      "|\n"
-      "| pathway cost | {:.4f} m3 | how much furniture narrows the ways to less than 0.6 m |\n"
-      "| constraints | {} hold, {} do not, {} dropped, {} not understood | {} calls |\n",
-      m.oob_percent(), m.oor_percent(), 100 * m.reachable_floor_share(), 100 * m.reachable_front_share(),
-      1e3 * m.deepest_overlap_m(), m.pathway_cost_m3(), c.satisfied_count(), c.violated_count(), c.dropped_count(),
-      c.untranslated_count(), layout.graph().edges_size());
+  const auto row = [](const char* measure, const char* format, double value, const char* meaning) {
+    return std::vector<std::string>{measure, fmt::format(fmt::runtime(format), value), meaning};
+  };
+  return "\n## Measures\n\n" +
+         MarkdownTable(
+             {"measure", "value", "meaning"},
+             {row("OOB", "{:.4f} %", m.oob_percent(), "furniture outside the room, of the room's area"),
+              row("OOR", "{:.4f} %", m.oor_percent(),
+                  "furniture in furniture or in a door's swing, of the room's area"),
+              row("floor reached", "{:.0f} %", 100 * m.reachable_floor_share(),
+                  "of the free floor, by a person 0.6 m wide from the door"),
+              row("fronts reached", "{:.0f} %", 100 * m.reachable_front_share(), "of the furniture can be stood at"),
+              row("deepest overlap", "{:.1f} mm", 1e3 * m.deepest_overlap_m(),
+                  "how far the worst thing stands in another, in a door's swing or beyond a wall"),
+              row("pathway cost", "{:.4f} m3", m.pathway_cost_m3(),
+                  "how much furniture narrows the ways to less than 0.6 m"),
+              {"constraints",
+               fmt::format("{} hold, {} do not, {} dropped, {} not understood", c.satisfied_count(), c.violated_count(),
+                           c.dropped_count(), c.untranslated_count()),
+               fmt::format("{} calls", layout.graph().edges_size())}});
 }
 
 std::string ZoneText(const v1::ZonePlan& plan) {
@@ -75,12 +74,10 @@ std::string ReasonFor(const std::string& id, const v1::ConstraintList& constrain
 
 std::string ObjectText(const v1::SolvedLayout& layout, const v1::StyleSheet& style,
                        const v1::ConstraintList& sentences) {
-  std::string text =
-      "\n## Objects\n\n| object | zone | width x depth x height (m) | look | why |\n| --- | --- | --- | --- | --- |\n";
+  std::vector<std::vector<std::string>> rows;
   for (const v1::Object& object : layout.graph().object_list().objects()) {
-    const auto look = std::find_if(style.objects().begin(), style.objects().end(),
-                                   [&](const v1::ObjectStyle& s) { return s.subject_id() == object.id(); });
     std::string finish;
+    const auto look = std::ranges::find(style.objects(), object.id(), &v1::ObjectStyle::subject_id);
     if (look != style.objects().end()) {
       finish = look->material();
       if (!look->colour().name().empty()) finish += (finish.empty() ? "" : ", ") + look->colour().name();
@@ -89,10 +86,11 @@ std::string ObjectText(const v1::SolvedLayout& layout, const v1::StyleSheet& sty
     std::string reason = ReasonFor(object.id(), sentences);
     if (reason.empty() && why.empty()) reason = object.description();
     if (!reason.empty()) why += (why.empty() ? "" : "; ") + reason;
-    text += fmt::format("| {} | {} | {:.2f} x {:.2f} x {:.2f} | {} | {} |\n", object.id(), object.zone_id(),
-                        object.width_m(), object.depth_m(), object.height_m(), MarkdownCell(finish), MarkdownCell(why));
+    rows.push_back({object.id(), object.zone_id(),
+                    fmt::format("{:.2f} x {:.2f} x {:.2f}", object.width_m(), object.depth_m(), object.height_m()),
+                    finish, why});
   }
-  return text;
+  return "\n## Objects\n\n" + MarkdownTable({"object", "zone", "width x depth x height (m)", "look", "why"}, rows);
 }
 
 // What became of one sentence: the worst of its calls.
@@ -114,63 +112,59 @@ std::string SentenceOutcome(const v1::Sentence& sentence, const v1::SolvedLayout
 }
 
 std::string SentenceText(const v1::SolvedLayout& layout, const v1::ConstraintList& constraints) {
-  std::string text = "\n## Reasons, sentence by sentence\n\n| | sentence | why |\n| --- | --- | --- |\n";
+  std::vector<std::vector<std::string>> rows;
   for (const v1::Sentence& sentence : constraints.sentences()) {
-    text += fmt::format("| {} | {} | {} |\n", MarkdownCell(SentenceOutcome(sentence, layout)),
-                        MarkdownCell(sentence.text()), MarkdownCell(sentence.reason()));
+    rows.push_back({SentenceOutcome(sentence, layout), sentence.text(), sentence.reason()});
   }
-  return text;
+  return "\n## Reasons, sentence by sentence\n\n" + MarkdownTable({"", "sentence", "why"}, rows);
+}
+
+// A section of bullets; nothing without any.
+std::string Bullets(const char* title, const std::vector<std::string>& items) {
+  return items.empty() ? "" : fmt::format("\n## {}\n\n- {}\n", title, fmt::join(items, "\n- "));
 }
 
 std::string ContradictionText(const v1::SolvedLayout& layout) {
-  std::string text;
-  for (const v1::Contradiction& contradiction : layout.contradictions()) {
-    text += fmt::format("- {}\n", contradiction.explanation());
-  }
-  return text.empty() ? "" : "\n## What cannot hold together\n\n" + text;
+  std::vector<std::string> items;
+  for (const v1::Contradiction& contradiction : layout.contradictions()) items.push_back(contradiction.explanation());
+  return Bullets("What cannot hold together", items);
 }
 
 std::string LeftOutText(const v1::ObjectList& objects) {
-  if (objects.omissions_size() == 0) return "";
-  std::string text = "\n## Left out\n\n";
+  std::vector<std::string> items;
   for (const v1::Omission& omission : objects.omissions()) {
-    text +=
-        fmt::format("- **{}**{}: {}\n", omission.name(), omission.requested() ? " (asked for)" : "", omission.reason());
+    items.push_back(
+        fmt::format("**{}**{}: {}", omission.name(), omission.requested() ? " (asked for)" : "", omission.reason()));
   }
-  return text;
-}
-
-std::string NotAsAskedText(const v1::SolvedLayout& layout) {
-  std::string text;
-  for (const std::string& line : NotAsAsked(layout)) text += fmt::format("- {}\n", line);
-  return text.empty() ? "" : "\n## Not as asked\n\n" + text;
+  return Bullets("Left out", items);
 }
 
 std::string RemarkText(const v1::Report& report) {
-  std::string text;
+  std::vector<std::string> items;
   for (const v1::Diagnostic& remark : report.diagnostics()) {
-    const char* mark = remark.severity() == v1::SEVERITY_NOTE ? "note" : "**warning**";
-    text += fmt::format("- {}: {}\n", remark.severity() == v1::SEVERITY_ERROR ? "**error**" : mark, remark.message());
+    const std::string severity = EnumInWords(remark.severity());
+    items.push_back(fmt::format("{}: {}", remark.severity() == v1::SEVERITY_NOTE ? severity : "**" + severity + "**",
+                                remark.message()));
   }
-  return text.empty() ? "" : "\n## Remarks\n\n" + text;
+  return Bullets("Remarks", items);
 }
 
 std::string MakerText(const ArtifactsByKind& artifacts, const v1::Report& report, const v1::Job& job) {
-  std::string text = "\n## Times\n\n| stage | seconds | |\n| --- | --- | --- |\n";
+  std::vector<std::vector<std::string>> times, makers;
   for (const v1::StageTiming& timing : report.stage_timings()) {
-    text += fmt::format("| {} | {:.3f} | {} |\n", timing.stage(), Seconds(timing.duration()),
-                        timing.reused() ? "as before" : "");
+    const double seconds = static_cast<double>(timing.duration().seconds()) + 1e-9 * timing.duration().nanos();
+    times.push_back({timing.stage(), fmt::format("{:.3f}", seconds), timing.reused() ? "as before" : ""});
   }
-  text += fmt::format("\n## Made by\n\nJob {}.\n\n| artifact | id | producer | build |\n| --- | --- | --- | --- |\n",
-                      job.id());
   for (const auto& [kind, artifact] : artifacts) {
     if (kind == v1::ARTIFACT_KIND_REPORT) continue;
     const v1::Producer& producer = artifact.producer();
-    text += fmt::format("| {} | `{}` | {} {} {} | {} |\n", v1::ArtifactKind_Name(kind).substr(14),
-                        artifact.id().substr(0, 16), producer.program(), producer.method(),
-                        producer.version().substr(0, 24), producer.build());
+    makers.push_back({v1::ArtifactKind_Name(kind).substr(14), fmt::format("`{}`", artifact.id().substr(0, 16)),
+                      fmt::format("{} {} {}", producer.program(), producer.method(), producer.version().substr(0, 24)),
+                      producer.build()});
   }
-  return text;
+  return "\n## Times\n\n" + MarkdownTable({"stage", "seconds", ""}, times) +
+         fmt::format("\n## Made by\n\nJob {}.\n\n", job.id()) +
+         MarkdownTable({"artifact", "id", "producer", "build"}, makers);
 }
 
 }  // namespace
@@ -205,7 +199,7 @@ std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   std::string text = Heading(layout.graph().room(), Get(artifacts, v1::ARTIFACT_KIND_BRIEF).brief(),
                              Get(artifacts, v1::ARTIFACT_KIND_PREVIEW).preview());
   if (!style.summary().empty()) text += fmt::format("\nStyle: {}. {}\n", style.name(), style.summary());
-  text += NotAsAskedText(layout);
+  text += Bullets("Not as asked", NotAsAsked(layout));
   text += LeftOutText(layout.graph().object_list());
   text += Verdict(report, layout);
   text += ZoneText(layout.graph().zone_plan());
@@ -222,10 +216,7 @@ namespace {
 
 // "plan.png", "birdseye.exr".
 std::string NameOf(v1::PreviewView view, v1::PreviewFormat format) {
-  constexpr std::string_view kView = "PREVIEW_VIEW_";
-  constexpr std::string_view kFormat = "PREVIEW_FORMAT_";
-  return absl::AsciiStrToLower(v1::PreviewView_Name(view).substr(kView.size()) + "." +
-                               v1::PreviewFormat_Name(format).substr(kFormat.size()));
+  return EnumInWords(view) + "." + EnumInWords(format);
 }
 
 }  // namespace

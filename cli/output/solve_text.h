@@ -5,14 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 
 namespace flair::cli {
-
-// Per stage restarts, evaluations, cost and time; the whole-room terms; the constraints that do not hold and why; the
-// measures.
-std::string SolveStats(const v1::SolveResponse& response);
 
 // A line for the layout and each of its runner-ups that is complete. `files` names where each went, in that order;
 // empty when they went nowhere.

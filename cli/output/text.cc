@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 
 namespace flair::cli {
 
@@ -50,6 +51,16 @@ std::string MarkdownCell(std::string text) {
     if (c == '|' || c == '\n') c = '/';
   }
   return text;
+}
+
+std::string MarkdownTable(const std::vector<std::string>& titles, const std::vector<std::vector<std::string>>& rows) {
+  std::string text = fmt::format("| {} |\n|", fmt::join(titles, " | "));
+  for (size_t i = 0; i < titles.size(); ++i) text += " --- |";
+  for (const std::vector<std::string>& row : rows) {
+    text += "\n|";
+    for (const std::string& cell : row) text += fmt::format(" {} |", MarkdownCell(cell));
+  }
+  return text + "\n";
 }
 
 TextTable::TextTable(std::vector<std::string> titles, size_t first_width, size_t least_width)

@@ -20,6 +20,9 @@ std::string Shortened(std::string_view text, size_t columns);
 // Safe in a cell of a Markdown table.
 std::string MarkdownCell(std::string text);
 
+// A table in Markdown; its cells are made safe.
+std::string MarkdownTable(const std::vector<std::string>& titles, const std::vector<std::vector<std::string>>& rows);
+
 // Rows of text in columns; lines can be printed while later ones are still being worked out.
 
 class TextTable {

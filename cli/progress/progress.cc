@@ -13,6 +13,7 @@
 
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 
 namespace flair::cli {
 
@@ -36,20 +37,11 @@ class JsonLines : public Progress {
   }
 };
 
+// A line per stage that has ended, on a terminal with a mark and what runs now.
 class Lines : public Progress {
  public:
-  void See(const v1::JobEvent& event) override {
-    if (event.kind() == v1::JOB_EVENT_KIND_STAGE_FINISHED) {
-      fmt::print(stderr, "{:<12} {}{}\n", event.stage(), event.message(), Seconds(event));
-    } else if (event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED) {
-      fmt::print(stderr, "{:<12} {}  (as before)\n", event.stage(), event.message());
-    }
-  }
-};
-
-class Terminal : public Progress {
- public:
-  ~Terminal() override { Erase(); }
+  explicit Lines(bool is_terminal) : is_terminal_(is_terminal) {}
+  ~Lines() override { Erase(); }
 
   void See(const v1::JobEvent& event) override {
     Erase();
@@ -59,12 +51,9 @@ class Terminal : public Progress {
         if (running == running_.end()) running_.push_back(event.stage());
         break;
       case v1::JOB_EVENT_KIND_STAGE_FINISHED:
-        if (running != running_.end()) running_.erase(running);
-        Done("\x1b[32m✓\x1b[0m", event, fmt::format("\x1b[2m{}\x1b[0m", Seconds(event)));
-        break;
       case v1::JOB_EVENT_KIND_STAGE_REUSED:
         if (running != running_.end()) running_.erase(running);
-        Done("\x1b[36m=\x1b[0m", event, "  \x1b[2mas before\x1b[0m");
+        ShowEnded(event, event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED);
         break;
       default:
         running_.clear();
@@ -73,14 +62,15 @@ class Terminal : public Progress {
   }
 
  private:
-  void Done(const char* mark, const v1::JobEvent& event, const std::string& tail) {
-    fmt::print(stderr, "{} {:<12} {}{}\n", mark, event.stage(), event.message(), tail);
+  void ShowEnded(const v1::JobEvent& event, bool is_reused) const {
+    const std::string tail = is_reused ? "  (as before)" : Seconds(event);
+    const char* const mark = is_reused ? "\x1b[36m=\x1b[0m " : "\x1b[32m✓\x1b[0m ";
+    fmt::print(stderr, "{}{:<12} {}{}\n", is_terminal_ ? mark : "", event.stage(), event.message(),
+               is_terminal_ ? fmt::format("\x1b[2m{}\x1b[0m", tail) : tail);
   }
   void ShowRunning() {
-    if (running_.empty()) return;
-    std::string names;
-    for (const std::string& stage : running_) names += (names.empty() ? "" : ", ") + stage;
-    fmt::print(stderr, "\x1b[2m… {}\x1b[0m", names);
+    if (running_.empty() || !is_terminal_) return;
+    fmt::print(stderr, "\x1b[2m… {}\x1b[0m", fmt::join(running_, ", "));
     std::fflush(stderr);
     shown_ = true;
   }
@@ -89,6 +79,7 @@ class Terminal : public Progress {
     shown_ = false;
   }
 
+  const bool is_terminal_;
   std::vector<std::string> running_;
   bool shown_ = false;
 };
@@ -106,9 +97,8 @@ ProgressForm ChooseProgressForm(bool json, bool quiet) {
 std::unique_ptr<Progress> MakeProgress(ProgressForm form) {
   switch (form) {
     case ProgressForm::kTerminal:
-      return std::make_unique<Terminal>();
     case ProgressForm::kLines:
-      return std::make_unique<Lines>();
+      return std::make_unique<Lines>(form == ProgressForm::kTerminal);
     case ProgressForm::kJsonLines:
       return std::make_unique<JsonLines>();
     case ProgressForm::kQuiet:

@@ -97,8 +97,6 @@ std::vector<ProtocolFile> ReadFiles() {
   return files;
 }
 
-bool IsName(const std::string& wanted, const std::string& name) { return absl::EqualsIgnoreCase(wanted, name); }
-
 }  // namespace
 
 std::span<const ProtocolFile> ProtocolFiles() {
@@ -133,24 +131,26 @@ FieldType TypeOf(const FieldDescriptor& field) {
 }
 
 ProtocolEntry FindInProtocol(std::string_view any_case) {
-  const std::string name(any_case);
-  ProtocolEntry found;
-  for (const auto& [title, file] : ProtocolFiles()) {
-    for (int i = 0; i < file->message_type_count(); ++i) {
-      if (IsName(name, file->message_type(i)->name())) found.message = file->message_type(i);
+  struct {
+    const absl::string_view name;
+    ProtocolEntry found;
+    void operator()(const Descriptor& message) {
+      if (absl::EqualsIgnoreCase(name, message.name())) found.message = &message;
     }
-    for (int i = 0; i < file->enum_type_count(); ++i) {
-      if (IsName(name, file->enum_type(i)->name())) found.enumeration = file->enum_type(i);
+    void operator()(const EnumDescriptor& enumeration) {
+      if (absl::EqualsIgnoreCase(name, enumeration.name())) found.enumeration = &enumeration;
     }
-    for (int i = 0; i < file->service_count(); ++i) {
-      const ServiceDescriptor& service = *file->service(i);
-      if (IsName(name, service.name())) found.service = &service;
-      for (int k = 0; k < service.method_count(); ++k) {
-        if (IsName(name, service.method(k)->name())) found.method = service.method(k);
+    void operator()(const ServiceDescriptor& service) {
+      if (absl::EqualsIgnoreCase(name, service.name())) found.service = &service;
+      for (int i = 0; i < service.method_count(); ++i) {
+        if (absl::EqualsIgnoreCase(name, service.method(i)->name())) found.method = service.method(i);
       }
     }
+  } search{{any_case.data(), any_case.size()}, {}};
+  for (const auto& [title, file] : ProtocolFiles()) {
+    ForEachDeclaration(*file, [&search](const auto& declaration) { search(declaration); });
   }
-  return found;
+  return search.found;
 }
 
 }  // namespace flair::cli

@@ -22,6 +22,14 @@ struct ProtocolFile {
 // that the order does not know come last. Read once, stays valid; safe to call from several threads.
 std::span<const ProtocolFile> ProtocolFiles();
 
+// Calls `visit` with every service, then every message, then every enum of a file.
+template <typename Visit>
+void ForEachDeclaration(const google::protobuf::FileDescriptor& file, const Visit& visit) {
+  for (int i = 0; i < file.service_count(); ++i) visit(*file.service(i));
+  for (int i = 0; i < file.message_type_count(); ++i) visit(*file.message_type(i));
+  for (int i = 0; i < file.enum_type_count(); ++i) visit(*file.enum_type(i));
+}
+
 // A comment as paragraphs, each on one line.
 std::vector<std::string> ParagraphsOf(const std::string& comment);
 

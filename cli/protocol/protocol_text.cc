@@ -20,6 +20,7 @@ using google::protobuf::Descriptor;
 using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::MethodDescriptor;
+using google::protobuf::OneofDescriptor;
 using google::protobuf::ServiceDescriptor;
 
 constexpr size_t kLineLength = 100;
@@ -85,13 +86,12 @@ std::string ProtocolOverview() {
   std::string text;
   for (const auto& [title, file] : ProtocolFiles()) {
     absl::StrAppend(&text, text.empty() ? "" : "\n", title, " (", file->name(), ")\n");
-    for (int i = 0; i < file->service_count(); ++i) {
-      const ServiceDescriptor& service = *file->service(i);
-      text += OverviewLine(service);
-      for (int k = 0; k < service.method_count(); ++k) text += OverviewLine(*service.method(k));
-    }
-    for (int i = 0; i < file->message_type_count(); ++i) text += OverviewLine(*file->message_type(i));
-    for (int i = 0; i < file->enum_type_count(); ++i) text += OverviewLine(*file->enum_type(i));
+    ForEachDeclaration(*file, [&text](const auto& declaration) {
+      text += OverviewLine(declaration);
+      if constexpr (std::is_same_v<decltype(declaration), const ServiceDescriptor&>) {
+        for (int i = 0; i < declaration.method_count(); ++i) text += OverviewLine(*declaration.method(i));
+      }
+    });
   }
   return text;
 }
@@ -110,14 +110,6 @@ absl::StatusOr<std::string> ProtocolEntryText(std::string_view name) {
 }
 
 namespace {
-
-using google::protobuf::Descriptor;
-using google::protobuf::EnumDescriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::FileDescriptor;
-using google::protobuf::MethodDescriptor;
-using google::protobuf::OneofDescriptor;
-using google::protobuf::ServiceDescriptor;
 
 constexpr std::string_view kIntroduction =
     "# Protocol\n\n"
@@ -208,7 +200,7 @@ std::string OneofText(const OneofDescriptor& oneof) {
   return fmt::format("\nAt most one of {} (`{}`): {}\n", absl::StrJoin(names, ", "), oneof.name(), OneLine(oneof));
 }
 
-std::string MessageSection(const Descriptor& message) {
+std::string Section(const Descriptor& message) {
   std::string text = fmt::format("### {}\n\n{}", message.name(), Paragraphs(message));
   if (message.field_count() == 0) return text + "Has no fields.\n\n";
   text += "| field | type | number | meaning |\n| --- | --- | --- | --- |\n";
@@ -221,7 +213,7 @@ std::string MessageSection(const Descriptor& message) {
   return text + "\n";
 }
 
-std::string EnumSection(const EnumDescriptor& enumeration) {
+std::string Section(const EnumDescriptor& enumeration) {
   std::string text = fmt::format("### {}\n\n{}| value | number | meaning |\n| --- | --- | --- |\n", enumeration.name(),
                                  Paragraphs(enumeration));
   for (int i = 0; i < enumeration.value_count(); ++i) {
@@ -231,7 +223,7 @@ std::string EnumSection(const EnumDescriptor& enumeration) {
   return text + "\n";
 }
 
-std::string ServiceSection(const ServiceDescriptor& service) {
+std::string Section(const ServiceDescriptor& service) {
   std::string text = fmt::format("### {}\n\n{}", service.name(), Paragraphs(service));
   for (int i = 0; i < service.method_count(); ++i) {
     const MethodDescriptor& method = *service.method(i);
@@ -244,15 +236,6 @@ std::string ServiceSection(const ServiceDescriptor& service) {
   return text + "\n";
 }
 
-// Names of what a file declares, in its order, kinds apart.
-std::vector<std::string> NamesIn(const FileDescriptor& file) {
-  std::vector<std::string> names;
-  for (int i = 0; i < file.service_count(); ++i) names.push_back(file.service(i)->name());
-  for (int i = 0; i < file.message_type_count(); ++i) names.push_back(file.message_type(i)->name());
-  for (int i = 0; i < file.enum_type_count(); ++i) names.push_back(file.enum_type(i)->name());
-  return names;
-}
-
 }  // namespace
 
 std::string ProtocolMarkdown() {
@@ -260,16 +243,15 @@ std::string ProtocolMarkdown() {
   text += "| chapter | what is in it |\n| --- | --- |\n";
   for (const auto& [title, file] : ProtocolFiles()) {
     std::vector<std::string> links;
-    for (const std::string& name : NamesIn(*file)) links.push_back(LinkTo(name, name));
+    ForEachDeclaration(
+        *file, [&links](const auto& declaration) { links.push_back(LinkTo(declaration.name(), declaration.name())); });
     absl::StrAppend(&text, fmt::format("| {} | {} |\n", LinkTo(title, title), absl::StrJoin(links, ", ")));
   }
   text += "\n";
   for (const auto& [title, file] : ProtocolFiles()) {
     const std::string name = file->name().substr(file->name().rfind('/') + 1);
     absl::StrAppend(&text, fmt::format("## {}\n\n[{}](../protos/{})\n\n", title, name, file->name()));
-    for (int i = 0; i < file->service_count(); ++i) text += ServiceSection(*file->service(i));
-    for (int i = 0; i < file->message_type_count(); ++i) text += MessageSection(*file->message_type(i));
-    for (int i = 0; i < file->enum_type_count(); ++i) text += EnumSection(*file->enum_type(i));
+    ForEachDeclaration(*file, [&text](const auto& declaration) { text += Section(declaration); });
   }
   text.pop_back();
   return text;

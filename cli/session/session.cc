@@ -4,13 +4,20 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <random>
+#include <set>
+#include <string_view>
 
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
+#include "cli/exit_code.h"
+#include "cli/input/artifact_file.h"
 #include "cli/input/service_flags.h"
+#include "cli/output/artifact_text.h"
 #include "fmt/format.h"
+#include "orchestrator/pipeline/stage.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/status/status_macros.h"
@@ -38,14 +45,13 @@ Session::Session(std::unique_ptr<EmbeddedServices> services, std::shared_ptr<grp
       address_(std::move(address)) {}
 
 absl::StatusOr<std::unique_ptr<Session>> Session::Open(const std::string& address, const OptionalLlm& llm,
-                                                       const StageFlags& stages,
+                                                       const StageChoice& stages,
                                                        const config::v1::OrchestratorConfig& orchestrator) {
   if (address.empty()) {
-    absl::StatusOr<std::unique_ptr<EmbeddedServices>> services =
-        EmbeddedServices::Start(DefaultStorePath(), llm, stages, orchestrator);
-    if (!services.ok()) return services.status();
-    std::shared_ptr<grpc::Channel> channel = (*services)->orchestrator();
-    return std::unique_ptr<Session>(new Session(*std::move(services), std::move(channel), "this process"));
+    ASSIGN_OR_RETURN(std::unique_ptr<EmbeddedServices> services,
+                     EmbeddedServices::Start(DefaultStorePath(), llm, stages, orchestrator));
+    std::shared_ptr<grpc::Channel> channel = services->orchestrator();
+    return std::unique_ptr<Session>(new Session(std::move(services), std::move(channel), "this process"));
   }
   ASSIGN_OR_RETURN(const runtime::ChannelOptions options, OrchestratorConnection());
   ASSIGN_OR_RETURN(auto channel, runtime::MakeChannel(address, v1::OrchestratorService::service_full_name(), options));
@@ -131,6 +137,18 @@ absl::StatusOr<v1::Artifact> Session::GetArtifact(const std::string& id) {
   return std::move(*response.mutable_artifact());
 }
 
+absl::StatusOr<std::vector<std::string>> Session::FindIds(const std::string& prefix) {
+  constexpr int kSearchedJobs = 1000;
+  ASSIGN_OR_RETURN(const std::vector<v1::Job> jobs, ListJobs(kSearchedJobs));
+  std::set<std::string> ids;
+  for (const v1::Job& job : jobs) {
+    for (const v1::ArtifactRef& ref : job.artifacts()) {
+      if (ref.id().starts_with(prefix)) ids.insert(ref.id());
+    }
+  }
+  return std::vector<std::string>(ids.begin(), ids.end());
+}
+
 absl::Status Session::Watch(const std::string& id, const std::function<void(const v1::JobEvent&)>& see) {
   v1::WatchJobRequest request;
   request.set_job_id(id);
@@ -155,6 +173,56 @@ absl::Status Session::Watch(const std::string& id, const std::function<void(cons
     if (status.code() != absl::StatusCode::kUnavailable) break;
   }
   return Explain(status);
+}
+
+absl::Status ErrorOf(const v1::Job& job) {
+  constexpr std::array<std::string_view, 7> kModelStages = {"room",        "zones",    "objects",    "style",
+                                                            "constraints", "cleaning", "translation"};
+  const auto code = static_cast<absl::StatusCode>(job.error_code());
+  // Artifacts that are taken from an earlier job are no model's answers.
+  const bool taken = job.spec().has_replay() &&
+                     orchestrator::StageIndex(job.stage()) < orchestrator::FirstStageOf(job.spec().replay());
+  const bool of_model = code == absl::StatusCode::kDataLoss || code == absl::StatusCode::kFailedPrecondition ||
+                        code == absl::StatusCode::kPermissionDenied;
+  if (of_model && !taken && std::ranges::find(kModelStages, job.stage()) != kModelStages.end())
+    return ModelError(job.error());
+  return absl::Status(code, job.error());
+}
+
+absl::Status WaitForJob(Session& session, const std::string& id, Progress& progress) {
+  RETURN_IF_ERROR(session.Watch(id, [&](const v1::JobEvent& event) { progress.See(event); }));
+  ASSIGN_OR_RETURN(const v1::Job job, session.GetJob(id));
+  switch (job.state()) {
+    case v1::JOB_STATE_SUCCEEDED:
+      return absl::OkStatus();
+    case v1::JOB_STATE_CANCELLED:
+      return absl::CancelledError(fmt::format("job {} was cancelled", id));
+    case v1::JOB_STATE_FAILED:
+      return ErrorOf(job);
+    default:
+      return absl::InternalError(fmt::format("job {} has not ended; see: flair jobs show {}", id, id));
+  }
+}
+
+absl::StatusOr<ArtifactsByKind> StoredArtifacts(Session& session, const v1::Job& job) {
+  ArtifactsByKind artifacts;
+  for (const v1::ArtifactRef& ref : job.artifacts()) {
+    ASSIGN_OR_RETURN(v1::Artifact artifact, session.GetArtifact(ref.id()));
+    RETURN_IF_ERROR(CheckArtifactId(artifact, "artifact " + ref.id()));
+    // The first of its kind: further views come after the preview.
+    artifacts.try_emplace(ref.kind(), std::move(artifact));
+  }
+  return artifacts;
+}
+
+absl::StatusOr<ArtifactsByKind> CollectArtifacts(Session& session, const v1::Job& job) {
+  ASSIGN_OR_RETURN(ArtifactsByKind artifacts, StoredArtifacts(session, job));
+  for (const v1::ArtifactKind kind : {v1::ARTIFACT_KIND_SOLVED_LAYOUT, v1::ARTIFACT_KIND_PREVIEW}) {
+    if (!artifacts.contains(kind)) {
+      return absl::InternalError(fmt::format("job {} succeeded without a {}", job.id(), KindName(kind)));
+    }
+  }
+  return artifacts;
 }
 
 }  // namespace flair::cli

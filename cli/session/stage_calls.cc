@@ -36,14 +36,10 @@ absl::StatusOr<std::unique_ptr<runtime::InProcessServer>> StartRenderer(const Re
 
 }  // namespace
 
-void AddRendererFlags(CLI::App& command, RendererChoice& choice) {
-  CLI::Option* renderer =
-      command.add_option("--renderer", choice.address, "Use this server instead of one in this process")
-          ->type_name("HOST:PORT");
-  command
-      .add_option("--assets", choice.asset_folder,
-                  "Folder of 3D models with a manifest (docs/assets.md), for furniture that one of them fits")
-      ->type_name("DIR")
+RendererFlags::RendererFlags(CLI::App& command) : Options(command) {
+  CLI::Option* renderer = Bind("--renderer HOST:PORT", address, "Use this server instead of one in this process");
+  Bind("--assets DIR", asset_folder,
+       "Folder of 3D models with a manifest (docs/assets.md), for furniture that one of them fits")
       ->excludes(renderer);
 }
 
@@ -64,20 +60,22 @@ absl::Status RendererClient::Explain(const absl::Status& status) const {
   return address_.empty() ? status : InWords(kRendererStage, address_, status);
 }
 
-absl::StatusOr<v1::RenderResponse> RendererClient::Render(const v1::RenderRequest& request) {
+template <typename Request, typename Response>
+absl::StatusOr<Response> RendererClient::Ask(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&,
+                                                                          Response*),
+                                             const Request& request) {
   runtime::CallContext call;
-  absl::StatusOr<v1::RenderResponse> response =
-      runtime::UnaryRequest(*stub_, &v1::RendererService::StubInterface::Render, request, call, absl::Now() + kWithin);
+  absl::StatusOr<Response> response = runtime::UnaryRequest(*stub_, method, request, call, absl::Now() + kWithin);
   if (!response.ok()) return Explain(response.status());
   return response;
 }
 
+absl::StatusOr<v1::RenderResponse> RendererClient::Render(const v1::RenderRequest& request) {
+  return Ask(&Stub::Render, request);
+}
+
 absl::StatusOr<v1::ExportSceneResponse> RendererClient::ExportScene(const v1::ExportSceneRequest& request) {
-  runtime::CallContext call;
-  absl::StatusOr<v1::ExportSceneResponse> response = runtime::UnaryRequest(
-      *stub_, &v1::RendererService::StubInterface::ExportScene, request, call, absl::Now() + kWithin);
-  if (!response.ok()) return Explain(response.status());
-  return response;
+  return Ask(&Stub::ExportScene, request);
 }
 
 std::unique_ptr<ContactSheetCall> RendererClient::ComposeContactSheet(const v1::ContactSheetOptions& options) {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "CLI/CLI.hpp"
 #include "absl/status/statusor.h"
+#include "cli/input/options.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "worker_runtime/grpc/in_process_server.h"
@@ -20,8 +20,9 @@ struct RendererChoice {
   int thread_count = 0;      // of the one in this process, for a ray-traced view; 0: all cores
 };
 
-// Adds --renderer and --assets; `choice` must outlive the command.
-void AddRendererFlags(CLI::App& command, RendererChoice& choice);
+struct RendererFlags : Options, RendererChoice {
+  explicit RendererFlags(CLI::App& command);
+};
 
 class ContactSheetCall;
 
@@ -39,6 +40,10 @@ class RendererClient {
   friend class ContactSheetCall;
   explicit RendererClient(std::string address) : address_(std::move(address)) {}
   absl::Status Explain(const absl::Status& status) const;
+  using Stub = v1::RendererService::StubInterface;
+  template <typename Request, typename Response>
+  absl::StatusOr<Response> Ask(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
+                               const Request& request);
 
   const std::string address_;
   std::unique_ptr<runtime::InProcessServer> server_;

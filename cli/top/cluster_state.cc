@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "absl/strings/ascii.h"
+#include "absl/strings/strip.h"
 #include "absl/time/clock.h"
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -15,12 +17,11 @@ namespace flair::cli {
 
 namespace {
 
-absl::Time ToTime(const google::protobuf::Timestamp& time) {
-  return absl::FromUnixSeconds(time.seconds()) + absl::Nanoseconds(time.nanos());
-}
+// A year: enough to tell a jam from a stop, and no more than people care for.
+constexpr double kLongestRemaining_s = 24 * 365 * 3600.0;
 
-double Seconds(const google::protobuf::Duration& duration) {
-  return static_cast<double>(duration.seconds()) + 1e-9 * duration.nanos();
+std::string Lower(const std::string& name, const char* prefix) {
+  return absl::AsciiStrToLower(absl::StripPrefix(name, prefix));
 }
 
 // Where a stage stands in the pipeline; others after it.
@@ -31,101 +32,126 @@ int StageOrder(const std::string& stage) {
 
 // From not known yet to the worst.
 int Trouble(v1::WorkerState state) {
-  switch (state) {
-    case v1::WORKER_STATE_READY:
-      return 1;
-    case v1::WORKER_STATE_GONE:
-      return 2;
-    case v1::WORKER_STATE_BROKEN:
-      return 3;
-    default:
-      return 0;
-  }
+  constexpr v1::WorkerState kStates[] = {v1::WORKER_STATE_READY, v1::WORKER_STATE_GONE, v1::WORKER_STATE_BROKEN};
+  const auto* found = std::find(std::begin(kStates), std::end(kStates), state);
+  return found == std::end(kStates) ? 0 : static_cast<int>(found - std::begin(kStates)) + 1;
 }
-
-// Enough to tell a jam from a stop, and no more than people care for.
-constexpr absl::Duration kLongestRemaining = absl::Hours(24 * 365);
 
 }  // namespace
 
 void ClusterState::See(const ClusterLook& look) {
   time_ = look.time;
-  totals_ = {};
-  totals_.queued_count = look.cluster.queued_count();
-  SeeOrchestrators(look.cluster);
-  SeeWorkers(look.cluster);
-  SeeBatches(look.batches);
-  if (orchestrators_.empty()) CountBatches();
+  json_ = {{"time", absl::FormatTime(absl::RFC3339_full, time_, absl::UTCTimeZone())},
+           {"totals", {{"queued_count", look.cluster.queued_count()}}},
+           {"batches", Batches(look.batches)},
+           {"orchestrators", Orchestrators(look.cluster)},
+           {"workers", Workers(look.cluster)}};
+  Json& totals = json_["totals"];
+  const Json& counted = json_[json_["orchestrators"].empty() ? "batches" : "orchestrators"];
+  for (const char* field : {"running_count", "running_limit", "succeeded_count", "failed_count", "retried_count"}) {
+    int64_t total = 0;
+    for (const Json& row : counted) total += row.value(field, int64_t{0});
+    totals[field] = total;
+  }
+  totals["jobs_per_second"] = nullptr;
+  for (const Json& row : counted) {
+    const Json &sum = totals["jobs_per_second"], &rate = row["jobs_per_second"];
+    if (!rate.is_null()) totals["jobs_per_second"] = (sum.is_null() ? 0.0 : sum.get<double>()) + rate.get<double>();
+  }
 }
 
-void ClusterState::CountBatches() {
-  for (const BatchRow& row : batches_) {
-    totals_.running_count += row.batch.running_count();
-    totals_.succeeded_count += row.batch.succeeded_count();
-    totals_.failed_count += row.batch.failed_count();
-    if (row.jobs_per_second.has_value()) {
-      totals_.jobs_per_second = totals_.jobs_per_second.value_or(0) + *row.jobs_per_second;
+ClusterState::Json ClusterState::Rate(const std::string& name, absl::Time time, int64_t count) {
+  rates_.Add(name, time, count);
+  const std::optional<double> rate = rates_.PerSecond(name);
+  return rate.has_value() ? Json(*rate) : Json(nullptr);
+}
+
+ClusterState::Json ClusterState::Orchestrators(const v1::GetClusterResponse& cluster) {
+  Json rows = Json::array();
+  for (const v1::OrchestratorStatus& status : cluster.orchestrators()) {
+    const absl::Time reported =
+        absl::FromUnixSeconds(status.report_time().seconds()) + absl::Nanoseconds(status.report_time().nanos());
+    const int64_t ended = status.succeeded_count() + status.failed_count();
+    rows.push_back({{"id", status.id()},
+                    {"host", status.host()},
+                    {"build", status.build()},
+                    {"running_count", status.running_count()},
+                    {"running_limit", status.running_limit()},
+                    {"succeeded_count", status.succeeded_count()},
+                    {"failed_count", status.failed_count()},
+                    {"retried_count", status.retried_count()},
+                    {"jobs_per_second", Rate("orchestrator " + status.id(), reported, ended)},
+                    {"seen_s", std::max(0.0, absl::ToDoubleSeconds(time_ - reported))}});
+  }
+  return rows;
+}
+
+ClusterState::Json ClusterState::Workers(const v1::GetClusterResponse& cluster) {
+  // A worker as all orchestrators see it: the worst that one says of it, the sum of their calls and of the time.
+  struct Seen {
+    v1::WorkerStatus worker;
+    double seconds = 0;
+  };
+  std::map<std::pair<std::string, std::string>, Seen> by_address;
+  for (const v1::OrchestratorStatus& status : cluster.orchestrators()) {
+    for (const v1::WorkerStatus& one : status.workers()) {
+      Seen& seen = by_address[{one.stage(), one.address()}];
+      if (Trouble(one.state()) >= Trouble(seen.worker.state())) seen.worker.set_state(one.state());
+      seen.worker.set_in_flight_count(seen.worker.in_flight_count() + one.in_flight_count());
+      seen.worker.set_call_count(seen.worker.call_count() + one.call_count());
+      seen.worker.set_failure_count(seen.worker.failure_count() + one.failure_count());
+      seen.seconds += static_cast<double>(one.call_count()) *
+                      (static_cast<double>(one.call_duration().seconds()) + 1e-9 * one.call_duration().nanos());
     }
   }
+  std::vector<std::pair<std::tuple<int, int>, Json>> rows;
+  for (const auto& [key, seen] : by_address) {
+    const auto& [stage, address] = key;
+    const int64_t calls = seen.worker.call_count();
+    rows.push_back({{StageOrder(stage), -Trouble(seen.worker.state())},
+                    {{"stage", stage},
+                     {"address", address},
+                     {"state", Lower(v1::WorkerState_Name(seen.worker.state()), "WORKER_STATE_")},
+                     {"in_flight_count", seen.worker.in_flight_count()},
+                     {"call_count", calls},
+                     {"failure_count", seen.worker.failure_count()},
+                     {"call_duration_s", calls > 0 ? seen.seconds / static_cast<double>(calls) : 0.0},
+                     {"calls_per_second", Rate("worker " + stage + " " + address, time_, calls)}}});
+  }
+  std::ranges::stable_sort(rows, {}, [](const auto& row) { return row.first; });
+  Json sorted = Json::array();
+  for (auto& [order, row] : rows) sorted.push_back(std::move(row));
+  return sorted;
 }
 
-void ClusterState::SeeOrchestrators(const v1::GetClusterResponse& cluster) {
-  orchestrators_.clear();
-  for (const v1::OrchestratorStatus& status : cluster.orchestrators()) {
-    const absl::Time reported = ToTime(status.report_time());
-    const std::string name = "orchestrator " + status.id();
-    rates_.Add(name, reported, status.succeeded_count() + status.failed_count());
-    const std::optional<double> rate = rates_.PerSecond(name);
-    totals_.running_count += status.running_count();
-    totals_.running_limit += status.running_limit();
-    totals_.succeeded_count += status.succeeded_count();
-    totals_.failed_count += status.failed_count();
-    totals_.retried_count += status.retried_count();
-    if (rate.has_value()) totals_.jobs_per_second = totals_.jobs_per_second.value_or(0) + *rate;
-    orchestrators_.push_back({status, rate, std::max(absl::ZeroDuration(), time_ - reported)});
-  }
-}
-
-void ClusterState::SeeWorkers(const v1::GetClusterResponse& cluster) {
-  std::map<std::pair<std::string, std::string>, WorkerRow> rows;
-  for (const v1::OrchestratorStatus& status : cluster.orchestrators()) {
-    for (const v1::WorkerStatus& worker : status.workers()) {
-      WorkerRow& row = rows[{worker.stage(), worker.address()}];
-      row.stage = worker.stage();
-      row.address = worker.address();
-      if (Trouble(worker.state()) >= Trouble(row.state)) row.state = worker.state();
-      row.in_flight_count += worker.in_flight_count();
-      row.call_count += worker.call_count();
-      row.failure_count += worker.failure_count();
-      row.call_seconds += static_cast<double>(worker.call_count()) * Seconds(worker.call_duration());
-    }
-  }
-  workers_.clear();
-  for (auto& [key, row] : rows) {
-    if (row.call_count > 0) row.call_seconds /= static_cast<double>(row.call_count);
-    const std::string name = "worker " + row.stage + " " + row.address;
-    rates_.Add(name, time_, row.call_count);
-    row.calls_per_second = rates_.PerSecond(name);
-    workers_.push_back(std::move(row));
-  }
-  std::stable_sort(workers_.begin(), workers_.end(), [](const WorkerRow& a, const WorkerRow& b) {
-    return std::make_tuple(StageOrder(a.stage), -Trouble(a.state)) <
-           std::make_tuple(StageOrder(b.stage), -Trouble(b.state));
-  });
-}
-
-void ClusterState::SeeBatches(const std::vector<v1::Batch>& batches) {
-  batches_.clear();
+ClusterState::Json ClusterState::Batches(const std::vector<v1::Batch>& batches) {
+  Json rows = Json::array();
   for (const v1::Batch& batch : batches) {
-    BatchRow row{batch, std::nullopt, std::nullopt};
-    const std::string name = "batch " + batch.id();
-    rates_.Add(name, time_, row.ended_count());
-    row.jobs_per_second = rates_.PerSecond(name);
-    if (!batch.open() && batch.state() == v1::BATCH_STATE_ACTIVE && row.jobs_per_second.value_or(0) > 0) {
-      row.remaining = std::min(absl::Seconds(batch.open_count() / *row.jobs_per_second), kLongestRemaining);
+    const Json rate = Rate("batch " + batch.id(), time_, int64_t{batch.job_count()} - batch.open_count());
+    // Until the last of its jobs has ended; unknown while none ends or more may follow.
+    Json remaining = nullptr;
+    if (!batch.open() && batch.state() == v1::BATCH_STATE_ACTIVE && !rate.is_null() && rate > 0.0) {
+      remaining = std::min(batch.open_count() / rate.get<double>(), kLongestRemaining_s);
     }
-    batches_.push_back(std::move(row));
+    Json failures = Json::object();
+    for (const v1::FailureCount& failure : batch.failures()) {
+      failures[Lower(v1::FailureKind_Name(failure.kind()), "FAILURE_KIND_")] = failure.job_count();
+    }
+    rows.push_back({{"id", batch.id()},
+                    {"label", batch.label()},
+                    {"state", Lower(v1::BatchState_Name(batch.state()), "BATCH_STATE_")},
+                    {"open", batch.open()},
+                    {"job_count", batch.job_count()},
+                    {"open_count", batch.open_count()},
+                    {"running_count", batch.running_count()},
+                    {"succeeded_count", batch.succeeded_count()},
+                    {"failed_count", batch.failed_count()},
+                    {"cancelled_count", batch.cancelled_count()},
+                    {"failures", failures},
+                    {"jobs_per_second", rate},
+                    {"remaining_s", remaining}});
   }
+  return rows;
 }
 
 namespace {

@@ -19,49 +19,36 @@ namespace flair::cli {
 
 namespace {
 
-bool Continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
 // The first so many characters.
 std::string_view First(std::string_view text, int count) {
   size_t end = 0;
-  while (end < text.size() && count > 0) {
-    ++end;
-    while (end < text.size() && Continues(text[end])) ++end;
-    --count;
+  for (; end < text.size(); ++end) {
+    const bool begins = (static_cast<unsigned char>(text[end]) & 0xC0) != 0x80;
+    if (begins && --count < 0) break;
   }
   return text.substr(0, end);
 }
 
 std::string_view Code(Style style) {
-  switch (style) {
-    case Style::kBold:
-      return "\x1b[1m";
-    case Style::kDim:
-      return "\x1b[2m";
-    case Style::kGood:
-      return "\x1b[32m";
-    case Style::kWarning:
-      return "\x1b[33m";
-    case Style::kBad:
-      return "\x1b[31m";
-    default:
-      return "";
-  }
+  constexpr std::string_view kCodes[] = {"", "\x1b[1m", "\x1b[2m", "\x1b[32m", "\x1b[33m", "\x1b[31m"};  // by Style
+  return kCodes[static_cast<size_t>(style)];
 }
 
 std::string Fitted(std::string_view text, int width) {
   return Shortened(PrintableLine(std::string(text)), static_cast<size_t>(std::max(0, width)));
 }
 
-}  // namespace
+std::string Padding(std::string_view text, int width) {
+  return std::string(static_cast<size_t>(std::max(0, width - static_cast<int>(ColumnsOf(text)))), ' ');
+}
 
-int CharacterCount(std::string_view text) { return static_cast<int>(ColumnsOf(text)); }
+}  // namespace
 
 StyledLine& StyledLine::Add(std::string_view text, Style style) {
   const std::string line = PrintableLine(std::string(text));
   const std::string_view fitting = First(line, width_ - used_);
   if (fitting.empty()) return *this;
-  used_ += CharacterCount(fitting);
+  used_ += static_cast<int>(ColumnsOf(fitting));
   const bool styled = color_ && style != Style::kPlain;
   if (styled) text_ += Code(style);
   text_ += fitting;
@@ -71,14 +58,12 @@ StyledLine& StyledLine::Add(std::string_view text, Style style) {
 
 StyledLine& StyledLine::Left(std::string_view text, int column_width, Style style) {
   const std::string fitted = Fitted(text, column_width);
-  Add(fitted, style);
-  return Add(std::string(static_cast<size_t>(std::max(0, column_width - CharacterCount(fitted))), ' '));
+  return Add(fitted, style).Add(Padding(fitted, column_width));
 }
 
 StyledLine& StyledLine::Right(std::string_view text, int column_width, Style style) {
   const std::string fitted = Fitted(text, column_width);
-  Add(std::string(static_cast<size_t>(std::max(0, column_width - CharacterCount(fitted))), ' '));
-  return Add(fitted, style);
+  return Add(Padding(fitted, column_width)).Add(fitted, style);
 }
 
 namespace {

@@ -32,9 +32,6 @@ class StyledLine {
   std::string text_;
 };
 
-// Characters of UTF-8.
-int CharacterCount(std::string_view text);
-
 // The whole terminal, until this object is destroyed: then it looks as before. One at a time; it takes SIGINT, SIGTERM,
 // SIGHUP and SIGWINCH.
 class TerminalScreen {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "absl/strings/str_join.h"
+#include "cli/output/text.h"
 #include "cli/top/cluster_state.h"
 #include "cli/top/terminal.h"
 #include "cli/top/top_text.h"
@@ -101,30 +102,30 @@ TEST(RateMeter, BeginsAnewWhenACountFalls) {
 }
 
 TEST(ClusterState, AddsUpOrchestratorsByWhenTheyReported) {
-  const ClusterState state = BusyCluster();
-  EXPECT_EQ(state.totals().queued_count, 1234);
-  EXPECT_EQ(state.totals().running_count, 6);
-  EXPECT_EQ(state.totals().running_limit, 8);
-  EXPECT_EQ(state.totals().succeeded_count, 5060 + 90);
-  EXPECT_DOUBLE_EQ(state.totals().jobs_per_second.value(), 10);
-  EXPECT_EQ(state.orchestrators()[1].age, absl::Seconds(3));
+  const nlohmann::ordered_json state = BusyCluster().json();
+  EXPECT_EQ(state["totals"]["queued_count"], 1234);
+  EXPECT_EQ(state["totals"]["running_count"], 6);
+  EXPECT_EQ(state["totals"]["running_limit"], 8);
+  EXPECT_EQ(state["totals"]["succeeded_count"], 5060 + 90);
+  EXPECT_DOUBLE_EQ(state["totals"]["jobs_per_second"], 10);
+  EXPECT_EQ(state["orchestrators"][1]["seen_s"], 3);
 }
 
 TEST(ClusterState, SeesAWorkerAsAllOrchestratorsTogetherDo) {
-  const ClusterState state = BusyCluster();
-  ASSERT_THAT(state.workers(), SizeIs(3));
-  EXPECT_EQ(state.workers()[0].address, "10.0.0.3:7000") << "the one in trouble is first of its stage";
-  const WorkerRow& shared = state.workers()[1];
-  EXPECT_EQ(shared.address, "10.0.0.2:7000");
-  EXPECT_EQ(shared.in_flight_count, 4);
-  EXPECT_EQ(shared.call_count, 430);
-  EXPECT_NEAR(shared.call_seconds, (130 * 0.1 + 300 * 0.2) / 430, 1e-12);
-  EXPECT_DOUBLE_EQ(shared.calls_per_second.value(), 3);
-  EXPECT_EQ(state.workers()[2].stage, "renderer");
+  const nlohmann::ordered_json workers = BusyCluster().json()["workers"];
+  ASSERT_THAT(workers, SizeIs(3));
+  EXPECT_EQ(workers[0]["address"], "10.0.0.3:7000") << "the one in trouble is first of its stage";
+  const nlohmann::ordered_json& shared = workers[1];
+  EXPECT_EQ(shared["address"], "10.0.0.2:7000");
+  EXPECT_EQ(shared["in_flight_count"], 4);
+  EXPECT_EQ(shared["call_count"], 430);
+  EXPECT_NEAR(shared["call_duration_s"], (130 * 0.1 + 300 * 0.2) / 430, 1e-12);
+  EXPECT_DOUBLE_EQ(shared["calls_per_second"], 3);
+  EXPECT_EQ(workers[2]["stage"], "renderer");
 }
 
 TEST(ClusterState, SaysWhenABatchWillHaveEnded) {
-  EXPECT_EQ(BusyCluster().batches().front().remaining, absl::Seconds(80));
+  EXPECT_EQ(BusyCluster().json()["batches"][0]["remaining_s"], 80);
   for (const bool open : {true, false}) {
     ClusterState state;
     for (const int seconds : {0, 10}) {
@@ -133,7 +134,7 @@ TEST(ClusterState, SaysWhenABatchWillHaveEnded) {
       if (!open) batch.set_state(v1::BATCH_STATE_PAUSED);
       state.See({kStart + absl::Seconds(seconds), {}, {batch}});
     }
-    EXPECT_EQ(state.batches().front().remaining, std::nullopt);
+    EXPECT_TRUE(state.json()["batches"][0]["remaining_s"].is_null());
   }
 }
 
@@ -146,10 +147,10 @@ TEST(TopText, FitsATerminalOf80By24) {
                           "ORCHESTRATOR                    RUNNING       DONE  FAILED RETRIED JOBS/S   SEEN",
                           "host-a-17-00ff                      3/4      5,060       0       0    6.0    now",
                           "host-b-18-00aa                      3/4         90       0       0    4.0    3 s", "",
-                          "WORKER      ADDRESS           STATE   BUSY      CALLS  FAILED  LATENCY  CALLS/S",
-                          "optimizer   10.0.0.3:7000     broken     2          7       0    1.5 s      0.0",
-                          "optimizer   10.0.0.2:7000     ready      4        430       0   170 ms      3.0",
-                          "renderer    10.0.0.4:7000     ready      2        100       0   250 ms      0.0"));
+                          "WORKER      ADDRESS           STATE    BUSY      CALLS  FAILED  LATENCY  CALLS/S",
+                          "optimizer   10.0.0.3:7000     broken      2          7       0    1.5 s      0.0",
+                          "optimizer   10.0.0.2:7000     ready       4        430       0   170 ms      3.0",
+                          "renderer    10.0.0.4:7000     ready       2        100       0   250 ms      0.0"));
 }
 
 TEST(TopText, SaysWhatIsHiddenWhereRoomIsScarce) {
@@ -164,7 +165,7 @@ TEST(TopText, SaysWhatIsHiddenWhereRoomIsScarce) {
   for (const int height : {1, 5, 10, 24}) {
     const std::vector<std::string> lines = TopText(state, "x", "", {.width = 60, .height = height});
     EXPECT_LE(lines.size(), static_cast<size_t>(std::max(height, 6)));
-    for (const std::string& line : lines) EXPECT_LE(CharacterCount(line), 60) << line;
+    for (const std::string& line : lines) EXPECT_LE(ColumnsOf(line), 60u) << line;
   }
   EXPECT_THAT(TopText(state, "x", "", {.width = 60, .height = 24}).back(), HasSubstr("… and 24 more"));
 }

@@ -3,17 +3,128 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <functional>
 
-#include "absl/strings/ascii.h"
-#include "absl/strings/strip.h"
+#include "cli/output/text.h"
 #include "cli/top/terminal.h"
 #include "fmt/format.h"
-#include "nlohmann/json.hpp"
 
 namespace flair::cli {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+using Cell = std::function<std::string(const Json& row)>;
+
+// A column of a table of the state's rows. One of no width takes what the others leave; one of a width below 0 is set
+// to the left.
+struct Column {
+  const char* title;
+  int width;
+  Cell cell;
+  std::function<Style(const Json& row)> style = [](const Json&) { return Style::kPlain; };
+};
+
+Cell Text(const char* field) {
+  return [field](const Json& row) { return row[field].get<std::string>(); };
+}
+
+Cell Count(const char* field) {
+  return [field](const Json& row) { return Grouped(row[field]); };
+}
+
+std::string RateText(const Json& per_second) {
+  if (per_second.is_null()) return "-";
+  const double rate = per_second;
+  return rate < 10 ? fmt::format("{:.1f}", rate) : fmt::format("{:.0f}", rate);
+}
+
+Cell Rate(const char* field) {
+  return [field](const Json& row) { return RateText(row[field]); };
+}
+
+Column Failures(const char* field) {
+  return {"FAILED", 8, Count(field),
+          [field](const Json& row) { return row[field] == 0 ? Style::kPlain : Style::kBad; }};
+}
+
+std::string Latency(const Json& row) {
+  const double seconds = row["call_duration_s"];
+  if (seconds <= 0) return "-";
+  if (seconds < 0.9995) return fmt::format("{:.0f} ms", std::max(1.0, 1e3 * seconds));
+  return seconds < 100 ? fmt::format("{:.1f} s", seconds) : ShortDuration(absl::Seconds(seconds));
+}
+
+Style StyleOfState(const Json& row) {
+  const std::string state = row["state"];
+  if (state == "ready") return Style::kGood;
+  if (state == "gone") return Style::kWarning;
+  return state == "broken" ? Style::kBad : Style::kDim;
+}
+
+int64_t EndedCount(const Json& batch) { return batch["job_count"].get<int64_t>() - batch["open_count"].get<int64_t>(); }
+
+double EndedShare(const Json& batch) {
+  return batch["job_count"] == 0 ? 0 : static_cast<double>(EndedCount(batch)) / batch["job_count"].get<double>();
+}
+
+std::string Bar(const Json& batch) {
+  constexpr int kWidth = 10;
+  const int full = static_cast<int>(std::floor(std::clamp(EndedShare(batch), 0.0, 1.0) * kWidth));
+  std::string bar;
+  for (int i = 0; i < kWidth; ++i) bar += i < full ? "█" : "░";
+  return bar;
+}
+
+std::string BatchEnding(const Json& batch) {
+  if (batch["state"] != "active" && batch["state"] != "unspecified") return batch["state"];
+  if (batch["open"]) return "more follow";
+  const Json& remaining = batch["remaining_s"];
+  return remaining.is_null() ? "ETA -" : "ETA " + ShortDuration(absl::Seconds(remaining.get<double>()));
+}
+
+const std::vector<Column>& BatchColumns() {
+  static const std::vector<Column> columns = {
+      {"BATCH", 0, [](const Json& row) { return row[row["label"] == "" ? "id" : "label"].get<std::string>(); }},
+      {"", 11, Bar, [](const Json&) { return Style::kGood; }},
+      {"", 5, [](const Json& row) { return fmt::format("{:.0f}%", std::floor(100 * EndedShare(row))); }},
+      {"ENDED", 15, [](const Json& row) { return Grouped(EndedCount(row)) + "/" + Grouped(row["job_count"]); }},
+      Failures("failed_count"),
+      {"JOBS/S", 8, Rate("jobs_per_second")},
+      {"", 14, BatchEnding}};
+  return columns;
+}
+
+const std::vector<Column>& OrchestratorColumns() {
+  static const std::vector<Column> columns = {
+      {"ORCHESTRATOR", 0, Text("id")},
+      {"RUNNING", 10, [](const Json& row) { return row["running_count"].dump() + "/" + row["running_limit"].dump(); }},
+      {"DONE", 11, Count("succeeded_count")},
+      Failures("failed_count"),
+      {"RETRIED", 8, Count("retried_count")},
+      {"JOBS/S", 7, Rate("jobs_per_second")},
+      {"SEEN", 7,
+       [](const Json& row) {
+         return row["seen_s"] < 1 ? "now" : ShortDuration(absl::Seconds(row["seen_s"].get<double>()));
+       },
+       [](const Json& row) { return row["seen_s"] > 10 ? Style::kWarning : Style::kPlain; }}};
+  return columns;
+}
+
+const std::vector<Column>& WorkerColumns() {
+  static const std::vector<Column> columns = {
+      {"WORKER", -12, Text("stage")},
+      {"ADDRESS", 0, Text("address")},
+      {"STATE", -7,
+       [](const Json& row) { return row["state"] == "unspecified" ? "idle" : row["state"].get<std::string>(); },
+       StyleOfState},
+      {"BUSY", 6, Count("in_flight_count")},
+      {"CALLS", 11, Count("call_count")},
+      Failures("failure_count"),
+      {"LATENCY", 9, Latency},
+      {"CALLS/S", 9, Rate("calls_per_second")}};
+  return columns;
+}
 
 // A heading and its rows.
 struct Section {
@@ -21,66 +132,28 @@ struct Section {
   std::vector<std::string> rows;
 };
 
-std::string RateText(const std::optional<double>& per_second) {
-  if (!per_second.has_value()) return "-";
-  return *per_second < 10 ? fmt::format("{:.1f}", *per_second) : fmt::format("{:.0f}", *per_second);
-}
-
-std::string LatencyText(double seconds) {
-  if (seconds <= 0) return "-";
-  if (seconds < 0.9995) return fmt::format("{:.0f} ms", std::max(1.0, 1e3 * seconds));
-  return seconds < 100 ? fmt::format("{:.1f} s", seconds) : ShortDuration(absl::Seconds(seconds));
-}
-
-std::string StateText(v1::WorkerState state) {
-  if (state == v1::WORKER_STATE_UNSPECIFIED) return "idle";
-  return absl::AsciiStrToLower(v1::WorkerState_Name(state).substr(std::string("WORKER_STATE_").size()));
-}
-
-Style StyleOf(v1::WorkerState state) {
-  if (state == v1::WORKER_STATE_READY) return Style::kGood;
-  if (state == v1::WORKER_STATE_GONE) return Style::kWarning;
-  return state == v1::WORKER_STATE_BROKEN ? Style::kBad : Style::kDim;
-}
-
-Style BadUnlessZero(int64_t count) { return count == 0 ? Style::kPlain : Style::kBad; }
-
-std::string Bar(double share, int width) {
-  const int full = static_cast<int>(std::floor(std::clamp(share, 0.0, 1.0) * width));
-  std::string bar;
-  for (int i = 0; i < width; ++i) bar += i < full ? "█" : "░";
-  return bar;
-}
-
-std::string BatchName(const v1::Batch& batch) { return batch.label().empty() ? batch.id() : batch.label(); }
-
-std::string BatchEnding(const BatchRow& row) {
-  if (row.batch.state() == v1::BATCH_STATE_PAUSED) return "paused";
-  if (row.batch.state() == v1::BATCH_STATE_CANCELLED) return "cancelled";
-  if (row.batch.open()) return "more follow";
-  return row.remaining.has_value() ? "ETA " + ShortDuration(*row.remaining) : "ETA -";
-}
-
-std::string RunningText(const ClusterTotals& totals) {
-  if (totals.running_limit == 0) return Grouped(totals.running_count);
-  return fmt::format("{}/{}", totals.running_count, totals.running_limit);
-}
-
 class TopPage {
  public:
-  TopPage(const ClusterState& state, const TopLayout& layout) : state_(state), layout_(layout) {}
+  explicit TopPage(const TopLayout& layout) : layout_(layout) {}
 
-  std::vector<std::string> Lines(const std::string& address, const std::string& trouble) const {
-    std::vector<std::string> lines = {Title(address), Totals()};
+  std::vector<std::string> Lines(const ClusterState& state, const std::string& address,
+                                 const std::string& trouble) const {
+    const Json& json = state.json();
+    const std::string time = absl::FormatTime("%Y-%m-%d %H:%M:%S", state.time(), absl::LocalTimeZone());
+    std::vector<std::string> lines = {Line()
+                                          .Left("flair top  " + address, std::max(8, layout_.width - 20), Style::kBold)
+                                          .Right(time, 20, Style::kDim)
+                                          .text(),
+                                      Totals(json["totals"])};
     if (!trouble.empty()) lines.push_back(Line().Add(trouble, Style::kBad).text());
     std::vector<Section> sections;
-    if (!state_.batches().empty()) sections.push_back(Batches());
-    sections.push_back(state_.orchestrators().empty() ? NoOrchestrators() : Orchestrators());
-    if (!state_.workers().empty()) sections.push_back(Workers());
+    if (!json["batches"].empty()) sections.push_back(Table(BatchColumns(), json["batches"]));
+    sections.push_back(json["orchestrators"].empty() ? NoOrchestrators(json["batches"].empty())
+                                                     : Table(OrchestratorColumns(), json["orchestrators"]));
+    if (!json["workers"].empty()) sections.push_back(Table(WorkerColumns(), json["workers"]));
     Fit(sections, static_cast<int>(lines.size()));
     for (const Section& section : sections) {
-      lines.emplace_back();
-      lines.push_back(section.heading);
+      lines.insert(lines.end(), {"", section.heading});
       lines.insert(lines.end(), section.rows.begin(), section.rows.end());
     }
     return lines;
@@ -88,110 +161,45 @@ class TopPage {
 
  private:
   StyledLine Line() const { return StyledLine(layout_.width, layout_.color); }
-  // What of the width a first column may take that shares its line with so much more.
-  int FirstColumn(int others) const { return std::max(8, layout_.width - others); }
 
-  std::string Title(const std::string& address) const {
-    const std::string time = absl::FormatTime("%Y-%m-%d %H:%M:%S", state_.time(), absl::LocalTimeZone());
-    return Line().Left("flair top  " + address, FirstColumn(20), Style::kBold).Right(time, 20, Style::kDim).text();
-  }
-
-  std::string Totals() const {
-    const ClusterTotals& totals = state_.totals();
+  std::string Totals(const Json& totals) const {
+    const int64_t limit = totals["running_limit"];
     StyledLine line = Line();
-    line.Add(Grouped(totals.queued_count), Style::kBold).Add(" waiting  ");
-    line.Add(RunningText(totals), Style::kBold).Add(" running  ");
-    line.Add(RateText(totals.jobs_per_second), Style::kBold).Add(" jobs/s  ");
-    line.Add(Grouped(totals.succeeded_count)).Add(" done  ");
-    line.Add(fmt::format("{} failed", Grouped(totals.failed_count)), BadUnlessZero(totals.failed_count));
-    return line.Add(fmt::format("  {} retried", Grouped(totals.retried_count))).text();
+    line.Add(Grouped(totals["queued_count"]), Style::kBold).Add(" waiting  ");
+    line.Add(Grouped(totals["running_count"]) + (limit == 0 ? "" : fmt::format("/{}", limit)), Style::kBold);
+    line.Add(" running  ").Add(RateText(totals["jobs_per_second"]), Style::kBold).Add(" jobs/s  ");
+    line.Add(Grouped(totals["succeeded_count"])).Add(" done  ");
+    line.Add(Grouped(totals["failed_count"]) + " failed", totals["failed_count"] == 0 ? Style::kPlain : Style::kBad);
+    return line.Add(fmt::format("  {} retried", Grouped(totals["retried_count"]))).text();
   }
 
-  Section Batches() const {
-    const int name_width = FirstColumn(60);
+  Section Table(const std::vector<Column>& columns, const Json& rows) const {
+    int rest = layout_.width;
+    for (const Column& column : columns) rest -= std::abs(column.width);
+    const auto put = [&](StyledLine& line, const Column& column, const std::string& text, Style style) {
+      if (column.width > 0) return void(line.Right(text, column.width, style));
+      const int width = column.width == 0 ? std::max(8, rest) : -column.width;
+      line.Left(column.width == 0 ? Shortened(PrintableLine(text), static_cast<size_t>(width - 1)) : text, width,
+                style);
+    };
     Section section;
-    section.heading = Line()
-                          .Left("BATCH", name_width, Style::kDim)
-                          .Right("ENDED", 30, Style::kDim)
-                          .Right("FAILED", 8, Style::kDim)
-                          .Right("JOBS/S", 8, Style::kDim)
-                          .text();
-    for (const BatchRow& row : state_.batches()) {
-      const double share = row.batch.job_count() == 0
-                               ? 0
-                               : static_cast<double>(row.ended_count()) / static_cast<double>(row.batch.job_count());
-      const std::string counts = fmt::format("{}/{}", Grouped(row.ended_count()), Grouped(row.batch.job_count()));
-      section.rows.push_back(Line()
-                                 .Left(BatchName(row.batch), name_width - 1)
-                                 .Add(" " + Bar(share, 10), Style::kGood)
-                                 .Right(fmt::format("{:.0f}%", std::floor(100 * share)), 5)
-                                 .Right(counts, 15)
-                                 .Right(Grouped(row.batch.failed_count()), 8, BadUnlessZero(row.batch.failed_count()))
-                                 .Right(RateText(row.jobs_per_second), 8)
-                                 .Right(BatchEnding(row), 14)
-                                 .text());
+    size_t titled = columns.size();
+    while (*columns[titled - 1].title == '\0') --titled;
+    StyledLine heading = Line();
+    for (size_t i = 0; i < titled; ++i) put(heading, columns[i], columns[i].title, Style::kDim);
+    section.heading = heading.text();
+    for (const Json& row : rows) {
+      StyledLine line = Line();
+      for (const Column& column : columns) put(line, column, column.cell(row), column.style(row));
+      section.rows.push_back(line.text());
     }
     return section;
   }
 
-  Section NoOrchestrators() const {
+  Section NoOrchestrators(bool is_idle) const {
     const std::string hint = "The store of this machine alone. A cluster: flair top --orchestrator HOST:PORT";
-    Section section;
-    section.heading = Line().Add(state_.batches().empty() ? "No batch is open." : hint).text();
-    if (state_.batches().empty()) section.rows.push_back(Line().Add(hint, Style::kDim).text());
-    return section;
-  }
-
-  Section Orchestrators() const {
-    const int name_width = FirstColumn(51);
-    Section section;
-    StyledLine heading = Line();
-    heading.Left("ORCHESTRATOR", name_width, Style::kDim);
-    for (const auto& [title, width] :
-         {std::pair("RUNNING", 10), {"DONE", 11}, {"FAILED", 8}, {"RETRIED", 8}, {"JOBS/S", 7}, {"SEEN", 7}}) {
-      heading.Right(title, width, Style::kDim);
-    }
-    section.heading = heading.text();
-    for (const OrchestratorRow& row : state_.orchestrators()) {
-      section.rows.push_back(
-          Line()
-              .Left(row.status.id(), name_width)
-              .Right(fmt::format("{}/{}", row.status.running_count(), row.status.running_limit()), 10)
-              .Right(Grouped(row.status.succeeded_count()), 11)
-              .Right(Grouped(row.status.failed_count()), 8, BadUnlessZero(row.status.failed_count()))
-              .Right(Grouped(row.status.retried_count()), 8)
-              .Right(RateText(row.jobs_per_second), 7)
-              .Right(row.age < absl::Seconds(1) ? "now" : ShortDuration(row.age), 7,
-                     row.age > absl::Seconds(10) ? Style::kWarning : Style::kPlain)
-              .text());
-    }
-    return section;
-  }
-
-  Section Workers() const {
-    const int address_width = FirstColumn(62);
-    Section section;
-    StyledLine heading = Line();
-    heading.Left("WORKER", 12, Style::kDim).Left("ADDRESS", address_width, Style::kDim).Left("STATE", 7, Style::kDim);
-    for (const auto& [title, width] :
-         {std::pair("BUSY", 5), {"CALLS", 11}, {"FAILED", 8}, {"LATENCY", 9}, {"CALLS/S", 9}}) {
-      heading.Right(title, width, Style::kDim);
-    }
-    section.heading = heading.text();
-    for (const WorkerRow& row : state_.workers()) {
-      section.rows.push_back(Line()
-                                 .Left(row.stage, 12)
-                                 .Left(row.address, address_width - 1)
-                                 .Add(" ")
-                                 .Left(StateText(row.state), 7, StyleOf(row.state))
-                                 .Right(fmt::format("{}", row.in_flight_count), 5)
-                                 .Right(Grouped(row.call_count), 11)
-                                 .Right(Grouped(row.failure_count), 8, BadUnlessZero(row.failure_count))
-                                 .Right(LatencyText(row.call_seconds), 9)
-                                 .Right(RateText(row.calls_per_second), 9)
-                                 .text());
-    }
-    return section;
+    if (!is_idle) return {Line().Add(hint).text(), {}};
+    return {Line().Add("No batch is open.").text(), {Line().Add(hint, Style::kDim).text()}};
   }
 
   // Takes rows from the longest section until all fits, and says how many were taken.
@@ -214,7 +222,6 @@ class TopPage {
     }
   }
 
-  const ClusterState& state_;
   const TopLayout layout_;
 };
 
@@ -237,93 +244,11 @@ std::string Grouped(int64_t number) {
 
 std::vector<std::string> TopText(const ClusterState& state, const std::string& address, const std::string& trouble,
                                  const TopLayout& layout) {
-  return TopPage(state, layout).Lines(address, trouble);
+  return TopPage(layout).Lines(state, address, trouble);
 }
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json OrNull(const std::optional<double>& value) { return value.has_value() ? Json(*value) : Json(nullptr); }
-
-std::string Lower(const std::string& name, const char* prefix) {
-  return absl::AsciiStrToLower(absl::StripPrefix(name, prefix));
-}
-
-Json TotalsJson(const ClusterTotals& totals) {
-  return {{"queued_count", totals.queued_count},
-          {"running_count", totals.running_count},
-          {"running_limit", totals.running_limit},
-          {"succeeded_count", totals.succeeded_count},
-          {"failed_count", totals.failed_count},
-          {"retried_count", totals.retried_count},
-          {"jobs_per_second", OrNull(totals.jobs_per_second)}};
-}
-
-Json BatchJson(const BatchRow& row) {
-  const v1::Batch& batch = row.batch;
-  Json remaining = nullptr;
-  if (row.remaining.has_value()) remaining = absl::ToDoubleSeconds(*row.remaining);
-  Json failures = Json::object();
-  for (const v1::FailureCount& failure : batch.failures()) {
-    failures[Lower(v1::FailureKind_Name(failure.kind()), "FAILURE_KIND_")] = failure.job_count();
-  }
-  return {{"id", batch.id()},
-          {"label", batch.label()},
-          {"state", Lower(v1::BatchState_Name(batch.state()), "BATCH_STATE_")},
-          {"open", batch.open()},
-          {"job_count", batch.job_count()},
-          {"open_count", batch.open_count()},
-          {"running_count", batch.running_count()},
-          {"succeeded_count", batch.succeeded_count()},
-          {"failed_count", batch.failed_count()},
-          {"cancelled_count", batch.cancelled_count()},
-          {"failures", failures},
-          {"jobs_per_second", OrNull(row.jobs_per_second)},
-          {"remaining_s", remaining}};
-}
-
-Json OrchestratorJson(const OrchestratorRow& row) {
-  const v1::OrchestratorStatus& status = row.status;
-  return {{"id", status.id()},
-          {"host", status.host()},
-          {"build", status.build()},
-          {"running_count", status.running_count()},
-          {"running_limit", status.running_limit()},
-          {"succeeded_count", status.succeeded_count()},
-          {"failed_count", status.failed_count()},
-          {"retried_count", status.retried_count()},
-          {"jobs_per_second", OrNull(row.jobs_per_second)},
-          {"seen_s", absl::ToDoubleSeconds(row.age)}};
-}
-
-Json WorkerJson(const WorkerRow& row) {
-  return {{"stage", row.stage},
-          {"address", row.address},
-          {"state", Lower(v1::WorkerState_Name(row.state), "WORKER_STATE_")},
-          {"in_flight_count", row.in_flight_count},
-          {"call_count", row.call_count},
-          {"failure_count", row.failure_count},
-          {"call_duration_s", row.call_seconds},
-          {"calls_per_second", OrNull(row.calls_per_second)}};
-}
-
-template <typename Rows, typename ToJson>
-Json Array(const Rows& rows, const ToJson& to_json) {
-  Json array = Json::array();
-  for (const auto& row : rows) array.push_back(to_json(row));
-  return array;
-}
-
-}  // namespace
 
 std::string TopJson(const ClusterState& state) {
-  const Json json = {{"time", absl::FormatTime(absl::RFC3339_full, state.time(), absl::UTCTimeZone())},
-                     {"totals", TotalsJson(state.totals())},
-                     {"batches", Array(state.batches(), BatchJson)},
-                     {"orchestrators", Array(state.orchestrators(), OrchestratorJson)},
-                     {"workers", Array(state.workers(), WorkerJson)}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return state.json().dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace flair::cli

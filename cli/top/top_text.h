@@ -28,8 +28,7 @@ std::string ShortDuration(absl::Duration duration);
 // "12,345".
 std::string Grouped(int64_t number);
 
-// The same as TopText as one JSON object on one line, without line break: time, totals, batches, orchestrators,
-// workers.
+// The state as one JSON object on one line, without line break.
 std::string TopJson(const ClusterState& state);
 
 }  // namespace flair::cli

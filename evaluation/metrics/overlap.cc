@@ -109,20 +109,6 @@ void AddCoveredOpenings(const LayoutView& view, std::vector<Overlap>& overlaps) 
   }
 }
 
-constexpr double kDoorMargin_m = 0.2;
-
-std::array<Vec2<double>, 4> DoorSquare(const Room& room, const Opening& door) {
-  const Wall& wall = room.walls[static_cast<size_t>(door.wall)];
-  const Vec2<double> low = wall.PointAt(door.offset_m - kDoorMargin_m);
-  const Vec2<double> high = wall.PointAt(door.offset_m + door.width_m + kDoorMargin_m);
-  const bool north = wall.inward_normal.y < -0.5;
-  const Vec2<double> behind = (north ? 0 : -kDoorMargin_m) * wall.inward_normal;
-  const Vec2<double> inside = (door.width_m + kDoorMargin_m) * wall.inward_normal;
-  return {low + behind, high + behind, high + inside, low + inside};
-}
-
-constexpr int kDoorArcPieces = 32;
-
 // Widest gap between two convex shapes along the outward normals of `a`; negative when none parts them.
 double WidestGap(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b) {
   double widest = -std::numeric_limits<double>::infinity();
@@ -175,22 +161,6 @@ double OorPercent(const LayoutView& view) {
   return 100 * area / Area(view.scene.room.floor);
 }
 
-double OorPaperPercent(const LayoutView& view) {
-  const Scene& scene = view.scene;
-  std::vector<std::array<Vec2<double>, 4>> placed;
-  double area = 0;
-  for (size_t i = 0; i < scene.objects.size(); ++i) {
-    if (!view.Has(i) || scene.objects[i].kind != ObjectKind::kFloor) continue;
-    const std::array<Vec2<double>, 4> corners = Corners(scene.objects[i].footprint, view.layout[i]);
-    for (const auto& other : placed) area += ConvexIntersectionArea(corners, other);
-    for (const Opening& door : scene.room.openings) {
-      if (door.kind == OpeningKind::kDoor) area += ConvexIntersectionArea(corners, DoorSquare(scene.room, door));
-    }
-    placed.push_back(corners);
-  }
-  return 100 * area / Area(scene.room.floor);
-}
-
 double DeepestOverlap_m(const LayoutView& view) {
   const Scene& scene = view.scene;
   double deepest = 0;
@@ -206,7 +176,7 @@ double DeepestOverlap_m(const LayoutView& view) {
     solids.push_back(corners);
   }
   for (const Opening& door : scene.room.openings) {
-    for (const Polygon& piece : ConvexSwingAreas(scene.room, door, kDoorArcPieces)) {
+    for (const Polygon& piece : ConvexSwingAreas(scene.room, door, kArcPieces)) {
       for (const auto& corners : solids) deepest = std::max(deepest, Penetration_m(corners, piece.vertices));
     }
   }

@@ -41,15 +41,6 @@ std::vector<Outside> FindOutside(const LayoutView& view);
 double OobPercent(const LayoutView& view);
 double OorPercent(const LayoutView& view);
 
-// [Paper] OOR as the released code has it, to compare with published figures. For floor objects it differs from
-// OorPercent in two places only:
-//   rugs   floor objects like others here: they overlap everything that stands on them
-//   doors  a square here, whatever way the door opens: the leaf's width and 0.2 m more at both ends, into the room, and
-//          behind the wall, except behind a wall that the room lies south of; the sector that the leaf sweeps there
-// Floor objects against each other and in door zones, percent of the room's area. Without tertiary objects, which the
-// released measure cannot take when their type was not recorded.
-double OorPaperPercent(const LayoutView& view);
-
 // How deep things stand in each other, in lengths instead of areas: an overlap of no depth is none.
 // The largest of: the shortest push that parts two solid floor objects, or one from the swing of a door; the distance
 // of a corner of any object beyond the floor. Metres, 0 when all is clear.

@@ -8,6 +8,7 @@
 #include "evaluation/metrics/pathway.h"
 #include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/furnished.h"
+#include "evaluation/metrics/testing/oor_paper.h"
 
 namespace flair::evaluation {
 namespace {

@@ -2,13 +2,15 @@
 #include "evaluation/metrics/routes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <queue>
 
-#include "evaluation/metrics/walk_floor.h"
+#include "evaluation/metrics/walk_grid.h"
+#include "room/geometry/footprint.h"
+#include "room/scene/room.h"
 
 namespace flair::evaluation {
 namespace {
@@ -19,14 +21,19 @@ constexpr int kNone = -1;
 // Lengths of the shortest ways from the doors to all reached cells.
 class Ways {
  public:
-  Ways(const LayoutView& view, const WalkFloor& floor)
-      : floor_(floor), length_m_(floor.raster.size(), kFar), before_(floor.raster.size(), kNone) {
+  Ways(const LayoutView& view, const WalkGrid& grid)
+      : grid_(grid),
+        length_m_(static_cast<size_t>(grid.columns()) * static_cast<size_t>(grid.rows()), kFar),
+        before_(length_m_.size(), kNone) {
     for (const Opening& door : view.scene.room.openings) {
       if (door.kind == OpeningKind::kDoor) Enter(view.scene.room, door);
     }
     Spread();
   }
 
+  size_t IndexOf(int column, int row) const {
+    return static_cast<size_t>(row) * static_cast<size_t>(grid_.columns()) + static_cast<size_t>(column);
+  }
   double LengthTo_m(size_t cell) const { return length_m_[cell]; }
 
   // The way to the cell, taut.
@@ -45,8 +52,7 @@ class Ways {
 
  private:
   Vec2<double> Center(size_t cell) const {
-    const int columns = floor_.raster.columns();
-    return floor_.raster.CenterOf(static_cast<int>(cell) % columns, static_cast<int>(cell) / columns);
+    return grid_.CenterOf(static_cast<int>(cell) % grid_.columns(), static_cast<int>(cell) / grid_.columns());
   }
 
   // A cell far along the way that is seen from the one at `at`: strides double while it is, then halve. Ways have
@@ -67,9 +73,11 @@ class Ways {
     const Vec2<double> middle = room.walls[static_cast<size_t>(door.wall)].PointAt(door.offset_m + door.width_m / 2);
     doors_.push_back(middle);
     const int mark = kNone - static_cast<int>(doors_.size());
-    ForLanding(floor_.raster, LandingOf(room, door), [&](size_t cell, const Vec2<double>& p) {
+    const Polygon landing = PassageArea(room, door, kLanding_m);
+    grid_.ForReached(landing.vertices, [&](int column, int row, const Vec2<double>& p) {
+      const size_t cell = IndexOf(column, row);
       const double length_m = Norm(p - middle);
-      if (!floor_.reached[cell] || length_m >= length_m_[cell]) return;
+      if (!Contains(landing, p) || length_m >= length_m_[cell]) return;
       length_m_[cell] = length_m;
       before_[cell] = mark;
       open_.push({length_m, cell});
@@ -77,8 +85,8 @@ class Ways {
   }
 
   void Spread() {
-    const int columns = floor_.raster.columns(), rows = floor_.raster.rows();
-    const double step_m = floor_.raster.cell_m();
+    const int columns = grid_.columns(), rows = grid_.rows();
+    const double step_m = grid_.cell_m();
     while (!open_.empty()) {
       const auto [length_m, cell] = open_.top();
       open_.pop();
@@ -88,9 +96,9 @@ class Ways {
         for (int dc = -1; dc <= 1; ++dc) {
           const int c = column + dc, r = row + dr;
           if ((dc == 0 && dr == 0) || c < 0 || r < 0 || c >= columns || r >= rows) continue;
-          const size_t next = floor_.raster.IndexOf(c, r);
+          const size_t next = IndexOf(c, r);
           const double there_m = length_m + step_m * (dc != 0 && dr != 0 ? std::numbers::sqrt2 : 1);
-          if (!floor_.reached[next] || there_m >= length_m_[next] - 1e-9) continue;
+          if (!grid_.IsReached(c, r) || there_m >= length_m_[next] - 1e-9) continue;
           length_m_[next] = there_m;
           before_[next] = static_cast<int>(cell);
           open_.push({there_m, next});
@@ -101,7 +109,7 @@ class Ways {
 
   // Whether the straight way between two cells stays on reached ones.
   bool Sees(size_t from, size_t to) const {
-    const int columns = floor_.raster.columns();
+    const int columns = grid_.columns();
     const int c0 = static_cast<int>(from) % columns, r0 = static_cast<int>(from) / columns;
     const int dc = static_cast<int>(to) % columns - c0, dr = static_cast<int>(to) / columns - r0;
     const int steps = 2 * std::max(std::abs(dc), std::abs(dr));
@@ -109,13 +117,13 @@ class Ways {
       // Rounded half up, in whole numbers.
       const int c = c0 + static_cast<int>(std::floor((2.0 * dc * i + steps) / (2.0 * steps)));
       const int r = r0 + static_cast<int>(std::floor((2.0 * dr * i + steps) / (2.0 * steps)));
-      if (!floor_.reached[floor_.raster.IndexOf(c, r)]) return false;
+      if (!grid_.IsReached(c, r)) return false;
     }
     return true;
   }
 
   using Entry = std::pair<double, size_t>;
-  const WalkFloor& floor_;
+  const WalkGrid& grid_;
   std::vector<double> length_m_;
   // The cell before on the way; below kNone: the door that the way starts at.
   std::vector<int> before_;
@@ -123,42 +131,59 @@ class Ways {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
 
-// Where one stands at the object: near the way and near the middle of its front; kNone when nobody can.
-int StandingPlace(const FrontStrip& strip, const WalkFloor& floor, const Ways& ways) {
+// Where one stands at the object: near the way and near the middle of its front, in the strip before it; kNone when
+// nobody can.
+int StandingPlace(const LayoutView& view, size_t object, const WalkGrid& grid, const Ways& ways) {
+  const Footprint& footprint = view.scene.objects[object].footprint;
+  const SideEdge<double> edge = EdgeOf(footprint, view.layout[object], Side::kFront);
+  const Vec2<double> middle = edge.Middle(), out = edge.outward_normal, along = Perpendicular(out);
+  const double half = std::max(SideLength(footprint, Side::kFront) / 2, kNarrowestFront_m);
+  const Vec2<double> ideal = middle + kPersonRadius_m * out;
+  const std::array<Vec2<double>, 4> corners = {middle + half * along, middle - half * along,
+                                               middle + half * along + kFrontStrip_m * out,
+                                               middle - half * along + kFrontStrip_m * out};
   int best = kNone;
   double best_cost = kFar;
-  const Vec2<double> ideal = strip.middle_of_front() + kPersonRadius_m * strip.outward();
-  strip.ForCells(floor.raster, [&](size_t cell, const Vec2<double>& p) {
-    if (!floor.reached[cell]) return;
+  grid.ForReached(corners, [&](int column, int row, const Vec2<double>& p) {
+    const double ahead = Dot(p - middle, out);
+    if (std::abs(Dot(p - middle, along)) > half || ahead < 0 || ahead > kFrontStrip_m) return;
     // The way may be infinite where there is no door: then any place will do.
-    const double length_m = ways.LengthTo_m(cell);
+    const double length_m = ways.LengthTo_m(ways.IndexOf(column, row));
     const double cost = (length_m == kFar ? 0 : length_m) + 3 * Norm(p - ideal);
     if (cost < best_cost) {
       best_cost = cost;
-      best = static_cast<int>(cell);
+      best = static_cast<int>(ways.IndexOf(column, row));
     }
   });
   return best;
 }
 
-bool FrontReached(const LayoutView& view, size_t i, const WalkFloor& floor) {
-  bool found = false;
-  FrontStrip(view, i).ForCells(floor.raster,
-                               [&](size_t cell, const Vec2<double>&) { found |= floor.reached[cell] != 0; });
-  return found;
+// Solid objects that stand, by their index.
+std::vector<size_t> SolidOf(const LayoutView& view) {
+  std::vector<size_t> solid;
+  for (size_t i = 0; i < view.scene.objects.size(); ++i) {
+    if (view.Has(i) && IsSolid(view.scene.objects[i])) solid.push_back(i);
+  }
+  return solid;
 }
 
-int Count(const CellSet& cells) { return std::accumulate(cells.begin(), cells.end(), 0); }
+// The floor as the person walks it among them.
+WalkResult Measure(const LayoutView& view, const std::vector<size_t>& solid, WalkGrid& grid) {
+  std::vector<Obstacle> obstacles;
+  for (size_t i : solid) obstacles.push_back({view.layout[i], view.scene.objects[i].footprint});
+  return grid.Measure(obstacles);
+}
 
 }  // namespace
 
 Routes FindRoutes(const LayoutView& view) {
-  const WalkFloor floor = MakeWalkFloor(view);
-  const Ways ways(view, floor);
+  const std::vector<size_t> solid = SolidOf(view);
+  WalkGrid grid(view.scene.room, 2 * kPersonRadius_m, kFineCell_m);
+  Measure(view, solid, grid);
+  const Ways ways(view, grid);
   Routes result;
-  for (size_t i = 0; i < view.scene.objects.size(); ++i) {
-    if (!view.Has(i) || !IsSolid(view.scene.objects[i])) continue;
-    const int place = StandingPlace(FrontStrip(view, i), floor, ways);
+  for (size_t i : solid) {
+    const int place = StandingPlace(view, i, grid, ways);
     if (place == kNone) {
       result.blocked.push_back(view.scene.objects[i].id);
     } else if (ways.LengthTo_m(static_cast<size_t>(place)) < kFar) {
@@ -169,20 +194,14 @@ Routes FindRoutes(const LayoutView& view) {
 }
 
 Reach MeasureReach(const LayoutView& view) {
-  const WalkFloor floor = MakeWalkFloor(view);
-  CellSet swept = floor.raster.Dilate(floor.reached, kPersonRadius_m);
-  for (size_t i = 0; i < swept.size(); ++i) swept[i] = swept[i] && floor.free[i];
-
+  const std::vector<size_t> solid = SolidOf(view);
+  WalkGrid grid(view.scene.room, 2 * kPersonRadius_m, kFineCell_m);
   Reach result;
-  const int free_count = Count(floor.free);
-  if (free_count > 0) result.floor_share = static_cast<double>(Count(swept)) / free_count;
-  int tested = 0;
-  for (size_t i = 0; i < view.scene.objects.size(); ++i) {
-    if (!view.Has(i) || !IsSolid(view.scene.objects[i])) continue;
-    ++tested;
-    if (!FrontReached(view, i, floor)) result.blocked.push_back(view.scene.objects[i].id);
+  result.floor_share = Measure(view, solid, grid).reachable_share;
+  for (size_t k = 0; k < solid.size(); ++k) {
+    if (!grid.front_reachable()[k]) result.blocked.push_back(view.scene.objects[solid[k]].id);
   }
-  if (tested > 0) result.front_share = 1 - static_cast<double>(result.blocked.size()) / tested;
+  if (!solid.empty()) result.front_share = 1 - static_cast<double>(result.blocked.size()) / solid.size();
   return result;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which way somebody takes from the door to the front of each solid object: the shortest on the floor as it is walked
-// (walk_floor.h), by steps to the eight neighbours of a cell, then pulled taut. Its middle line keeps 0.3 m from
+// (walk_grid.h), by steps to the eight neighbours of a cell, then pulled taut. Its middle line keeps 0.3 m from
 // everything solid, less half a cell.
 #pragma once
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "evaluation/metrics/testing/furnished.h"
-#include "evaluation/metrics/walk_floor.h"
+#include "evaluation/metrics/walk_grid.h"
 
 namespace flair::evaluation {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluation/readers/flairgpt_arguments.h"
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "evaluation/readers/flairgpt_calls.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -167,51 +166,53 @@ absl::StatusOr<std::optional<v1::Argument>> FlairGptArguments::Read(const FlairG
   }
   v1::Argument argument;
   argument.set_name(parameter.name);
-  absl::StatusOr<std::string> text;
-  absl::StatusOr<Words> texts;
+  v1::ArgumentValue& read = *argument.mutable_value();
+  std::string text;
   switch (parameter.kind) {
     case FlairGptKind::kNumber:
       if (!value.is_number()) {
         return absl::InvalidArgumentError(fmt::format("{} is {}, not a number", parameter.name, Quoted(value)));
       }
-      argument.mutable_value()->set_number(value.get<double>());
+      read.set_number(value.get<double>());
       return argument;
     case FlairGptKind::kFlag:
-      argument.mutable_value()->set_flag(value.is_boolean() && value.get<bool>());
+      read.set_flag(value.is_boolean() && value.get<bool>());
       return argument;
-    case FlairGptKind::kSide:
-    case FlairGptKind::kSides:
-      texts = Sides(value, object_id);
-      break;
-    case FlairGptKind::kFloorObjects:
-      texts = Objects(value);
-      break;
-    case FlairGptKind::kZone:
-      text = ZoneId(value);
-      break;
-    case FlairGptKind::kFeature:
-      text = Feature(value);
-      break;
-    case FlairGptKind::kCorner:
-      text = Corner(value);
-      break;
-    default:
-      text = ObjectId(value, parameter.kind == FlairGptKind::kItem);
-  }
-  const bool many = parameter.kind == FlairGptKind::kSides || parameter.kind == FlairGptKind::kFloorObjects;
-  if (many || parameter.kind == FlairGptKind::kSide) {
-    if (!texts.ok()) return texts.status();
-    // "At its sides" where one side is asked for leaves the side open.
-    if (texts->empty() || (!many && texts->size() != 1)) return std::nullopt;
-    if (!many) {
-      text = texts->front();
-    } else {
-      for (const std::string& item : *texts) argument.mutable_value()->mutable_texts()->add_items(item);
+    case FlairGptKind::kFloorObjects: {
+      ASSIGN_OR_RETURN(const Words ids, Objects(value));
+      read.mutable_texts()->mutable_items()->Add(ids.begin(), ids.end());
       return argument;
     }
+    case FlairGptKind::kSides: {
+      ASSIGN_OR_RETURN(const Words sides, Sides(value, object_id));
+      if (sides.empty()) return std::nullopt;
+      read.mutable_texts()->mutable_items()->Add(sides.begin(), sides.end());
+      return argument;
+    }
+    case FlairGptKind::kSide: {
+      ASSIGN_OR_RETURN(const Words sides, Sides(value, object_id));
+      // "At its sides" where one side is asked for leaves the side open.
+      if (sides.size() != 1) return std::nullopt;
+      text = sides.front();
+      break;
+    }
+    case FlairGptKind::kZone: {
+      ASSIGN_OR_RETURN(text, ZoneId(value));
+      break;
+    }
+    case FlairGptKind::kFeature: {
+      ASSIGN_OR_RETURN(text, Feature(value));
+      break;
+    }
+    case FlairGptKind::kCorner: {
+      ASSIGN_OR_RETURN(text, Corner(value));
+      break;
+    }
+    default: {
+      ASSIGN_OR_RETURN(text, ObjectId(value, parameter.kind == FlairGptKind::kItem));
+    }
   }
-  if (!text.ok()) return text.status();
-  argument.mutable_value()->set_text(*text);
+  read.set_text(text);
   return argument;
 }
 

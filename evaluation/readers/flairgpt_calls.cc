@@ -7,7 +7,6 @@
 #include <sstream>
 #include <string>
 
-#include "evaluation/readers/flairgpt_arguments.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -118,8 +117,8 @@ absl::StatusOr<std::vector<v1::ConstraintEdge>> Read(const json& record, const v
   return edges;
 }
 
-// "name:kind" in positional order; kinds: o floor object, i item, L list of floor objects, z zone, f feature, s side, S
-// sides, c corner, n number, b flag, _ ignored; capital O: an object that may be left out; * at the end: and others.
+// "name:kind" in positional order, by the letters of FlairGptKind; capital O: a floor object that may be left out; * at
+// the end: and others.
 struct Row {
   const char* type;
   const char* parameters;
@@ -166,34 +165,6 @@ const std::map<std::string, Row>& Rows() {
   return rows;
 }
 
-FlairGptKind KindOf(char letter) {
-  switch (letter) {
-    case 'o':
-    case 'O':
-      return FlairGptKind::kFloorObject;
-    case 'i':
-      return FlairGptKind::kItem;
-    case 'L':
-      return FlairGptKind::kFloorObjects;
-    case 'z':
-      return FlairGptKind::kZone;
-    case 'f':
-      return FlairGptKind::kFeature;
-    case 's':
-      return FlairGptKind::kSide;
-    case 'S':
-      return FlairGptKind::kSides;
-    case 'c':
-      return FlairGptKind::kCorner;
-    case 'n':
-      return FlairGptKind::kNumber;
-    case 'b':
-      return FlairGptKind::kFlag;
-    default:
-      return FlairGptKind::kIgnored;
-  }
-}
-
 FlairGptFunction FunctionOf(const Row& row) {
   FlairGptFunction function{row.type, {}, false};
   std::istringstream words(row.parameters);
@@ -204,7 +175,8 @@ FlairGptFunction FunctionOf(const Row& row) {
     }
     const char letter = word.back();
     const bool required = std::string_view("oizfL").find(letter) != std::string_view::npos;
-    function.parameters.push_back({word.substr(0, word.find(':')), KindOf(letter), required});
+    const auto kind = letter == 'O' ? FlairGptKind::kFloorObject : static_cast<FlairGptKind>(letter);
+    function.parameters.push_back({word.substr(0, word.find(':')), kind, required});
   }
   return function;
 }

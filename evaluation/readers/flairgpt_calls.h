@@ -2,6 +2,7 @@
 // The calls of a recorded problem as constraint edges.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,20 +21,19 @@ absl::StatusOr<std::vector<v1::ConstraintEdge>> ReadFlairGptCall(const nlohmann:
 
 // The functions of the reference implementation under the names of our constraint types.
 
-// What a recorded argument stands for.
-enum class FlairGptKind {
-  kFloorObject,
-  kItem,
-  kFloorObjects,
-  kZone,
-  kFeature,
-  kSide,
-  kSides,
-  kCorner,
-  kNumber,
-  kFlag,
-  // Has no part in what the call says.
-  kIgnored,
+// What a recorded argument stands for, by the letter that the table of functions has for it.
+enum class FlairGptKind : char {
+  kFloorObject = 'o',
+  kItem = 'i',
+  kFloorObjects = 'L',
+  kZone = 'z',
+  kFeature = 'f',
+  kSide = 's',
+  kSides = 'S',
+  kCorner = 'c',
+  kNumber = 'n',
+  kFlag = 'b',
+  kIgnored = '_',  // has no part in what the call says
 };
 
 struct FlairGptParameter {
@@ -59,5 +59,38 @@ const FlairGptFunction* FindFlairGptFunction(const std::string& canonical_name);
 
 // Position of the parameter that a recorded keyword names; -1 when it names none.
 int PositionOfKeyword(const std::string& keyword, const FlairGptFunction& function);
+
+// The arguments of recorded calls as ours.
+
+// No index of an object is larger.
+inline constexpr double kLargestIndex = 1e6;
+
+// Words of a name in lower case, one blank between them: "Dining_Area" is "dining area".
+std::string FlairGptWords(const std::string& name);
+
+// Id that ReadFlairGptRoom gives to an object.
+std::string FlairGptObjectId(bool tertiary, int index);
+
+// Reads against the room, zones and objects of a graph, which it borrows.
+class FlairGptArguments {
+ public:
+  explicit FlairGptArguments(const v1::LayoutGraph& graph) : graph_(graph) {}
+
+  // The argument for `parameter`; nothing when the value leaves it to its default. `object_id` is the call's first
+  // object, whose proportions say which sides are its long ones. NOT_FOUND and INVALID_ARGUMENT say what is wrong.
+  absl::StatusOr<std::optional<v1::Argument>> Read(const FlairGptParameter& parameter, const nlohmann::json& value,
+                                                   const std::string& object_id) const;
+
+  // By index or by name.
+  absl::StatusOr<std::string> ObjectId(const nlohmann::json& value, bool tertiary) const;
+
+ private:
+  absl::StatusOr<std::string> Feature(const nlohmann::json& value) const;
+  absl::StatusOr<std::string> ZoneId(const nlohmann::json& value) const;
+  absl::StatusOr<std::vector<std::string>> Sides(const nlohmann::json& value, const std::string& object_id) const;
+  absl::StatusOr<std::vector<std::string>> Objects(const nlohmann::json& value) const;
+
+  const v1::LayoutGraph& graph_;
+};
 
 }  // namespace flair::evaluation

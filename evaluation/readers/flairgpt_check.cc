@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluation/readers/flairgpt_check.h"
-
 #include <cmath>
+#include <functional>
 #include <set>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "evaluation/readers/flairgpt_arguments.h"
+#include "evaluation/readers/flairgpt_calls.h"
+#include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 
@@ -23,25 +25,73 @@ std::string Shown(const json& value) {
   return text.size() <= kLongestValue ? text : text.substr(0, kLongestValue) + "...";
 }
 
+// What a field should be: in words, and as a test.
+struct Rule {
+  std::string right;
+  std::function<bool(const json&)> holds;
+  bool required = true;
+};
+
+Rule Metres(double most, bool zero_too) {
+  return {fmt::format("a number in {}0, {:g}], metres", zero_too ? '[' : '(', most), [=](const json& value) {
+            const double size = value.is_number() ? value.get<double>() : -1;
+            return size <= most && (size > 0 || (zero_too && size == 0));
+          }};
+}
+
+Rule Text(std::string right, bool required) {
+  return {std::move(right), [](const json& value) { return value.is_string(); }, required};
+}
+
+Rule Optional(Rule rule) {
+  rule.required = false;
+  return rule;
+}
+
+using Rules = std::vector<std::pair<const char*, Rule>>;
+
 class Checker {
  public:
   absl::Status Check(const json& problem) {
     if (!problem.is_object()) return absl::InvalidArgumentError(Shown(problem) + " is not an object");
-    if (const json* room = Member(problem, "", "room", "an object with width and length"); room != nullptr) {
-      if (room->is_object()) {
-        Size(*room, "room", "width", kLargestRoom_m, /*zero_too=*/false);
-        Size(*room, "room", "length", kLargestRoom_m, /*zero_too=*/false);
-      } else {
-        Fault("room", room, "an object with width and length");
-      }
+    const auto is_object = [](const json& value) { return value.is_object(); };
+    const Rule room{"an object with width and length", is_object};
+    const Rule calls{"an object with the calls of primary, secondary and tertiary", is_object};
+    if (Holds(problem, "", "room", room)) {
+      CheckFields(problem["room"], "room.",
+                  {{"width", Metres(kLargestRoom_m, false)}, {"length", Metres(kLargestRoom_m, false)}});
     }
-    CheckFixedObjects(problem);
-    CheckZones(problem);
-    std::set<int> floor_indices, item_indices;
-    CheckObjects(problem, "primary", floor_indices);
-    CheckObjects(problem, "secondary", floor_indices);
-    CheckObjects(problem, "tertiary", item_indices);
-    CheckCalls(problem);
+    const Rule wall{"south, east, north or west",
+                    [](const json& value) {
+                      static const std::set<std::string> walls = {"south", "east", "north", "west"};
+                      return !value.is_string() || walls.contains(value.get<std::string>());
+                    },
+                    false};
+    CheckList(problem, "fixed_objects", "an object with kind, width, wall and position",
+              {{"kind", Text("text", false)}, {"width", Optional(Metres(kLargestRoom_m, true))}, {"wall", wall}});
+    ForEach(problem, "zones", [&](const std::string& path, const json& name) {
+      if (!name.is_string()) Fault(path, &name, "text, a name");
+    });
+    std::set<double> floor_indices, item_indices;
+    for (const char* stage : {"primary", "secondary", "tertiary"}) {
+      std::set<double>& indices = std::string_view(stage) == "tertiary" ? item_indices : floor_indices;
+      const Rule index{"a whole number that no other such object has", [&](const json& value) {
+                         const double number = value.is_number() ? value.get<double>() : -1;
+                         return number >= 0 && number <= kLargestIndex && number == std::floor(number) &&
+                                indices.insert(number).second;
+                       }};
+      CheckList(problem, stage, "an object with name, width, length and index",
+                {{"name", Text("text", true)},
+                 {"width", Metres(kLargestObject_m, true)},
+                 {"length", Metres(kLargestObject_m, true)},
+                 {"index", index},
+                 {"zone", Text("text, the name of a zone", false)}});
+    }
+    if (Holds(problem, "", "calls", calls)) {
+      const Rule list{"a list", [](const json& value) { return value.is_array(); }, false};
+      CheckFields(problem["calls"], "calls.",
+                  {{"primary", list}, {"secondary", list}, {"secondary_all", list}, {"tertiary", list}});
+    }
     if (faults_.empty()) return absl::OkStatus();
     return absl::InvalidArgumentError(fmt::format("{}", fmt::join(faults_, "; ")));
   }
@@ -54,94 +104,30 @@ class Checker {
                                        : fmt::format("{}: {} should be {}", field, Shown(*value), right));
   }
 
-  // The member of that name; null, and a fault, when there is none.
-  const json* Member(const json& object, const std::string& path, const char* name, const char* right) {
+  // Whether the member of that name is there and right; a fault when it is not.
+  bool Holds(const json& object, const std::string& path, const char* name, const Rule& rule) {
     const auto it = object.find(name);
-    if (it != object.end()) return &*it;
-    Fault(path + name, nullptr, right);
-    return nullptr;
+    const bool there = it != object.end();
+    const bool right = there && rule.holds(*it);
+    if (!right && (there || rule.required)) Fault(path + name, there ? &*it : nullptr, rule.right);
+    return right;
   }
 
-  void Size(const json& object, const std::string& path, const char* name, double most, bool zero_too) {
-    const std::string right = fmt::format("a number in {}0, {:g}], metres", zero_too ? '[' : '(', most);
-    const json* const value = Member(object, path + ".", name, right.c_str());
-    if (value == nullptr) return;
-    const bool good = value->is_number() && value->get<double>() <= most &&
-                      (value->get<double>() > 0 || (zero_too && value->get<double>() == 0));
-    if (!good) Fault(path + "." + name, value, right);
+  void CheckFields(const json& object, const std::string& path, const Rules& rules) {
+    for (const auto& [name, rule] : rules) Holds(object, path, name, rule);
   }
 
-  // The list of that name, with the paths of its members; none and a fault when it is no list.
-  std::vector<std::pair<std::string, const json*>> List(const json& object, const std::string& name) {
-    std::vector<std::pair<std::string, const json*>> members;
-    const auto it = object.find(name);
-    if (it == object.end()) return members;
-    if (!it->is_array()) {
-      Fault(name, &*it, "a list");
-      return members;
-    }
-    for (size_t i = 0; i < it->size(); ++i) members.emplace_back(fmt::format("{}[{}]", name, i), &(*it)[i]);
-    return members;
+  void ForEach(const json& problem, const char* name, const auto& check) {
+    const auto it = problem.find(name);
+    if (it == problem.end()) return;
+    if (!it->is_array()) return Fault(name, &*it, "a list");
+    for (size_t i = 0; i < it->size(); ++i) check(fmt::format("{}[{}]", name, i), (*it)[i]);
   }
 
-  void CheckFixedObjects(const json& problem) {
-    for (const auto& [path, feature] : List(problem, "fixed_objects")) {
-      if (!feature->is_object()) {
-        Fault(path, feature, "an object with kind, width, wall and position");
-        continue;
-      }
-      if (feature->contains("kind") && !(*feature)["kind"].is_string())
-        Fault(path + ".kind", &(*feature)["kind"], "text");
-      if (feature->contains("width")) Size(*feature, path, "width", kLargestRoom_m, /*zero_too=*/true);
-      const json wall = feature->value("wall", json());
-      static const std::set<std::string> walls = {"south", "east", "north", "west"};
-      if (wall.is_string() && walls.count(wall.get<std::string>()) == 0) {
-        Fault(path + ".wall", &wall, "south, east, north or west");
-      }
-    }
-  }
-
-  void CheckZones(const json& problem) {
-    for (const auto& [path, name] : List(problem, "zones")) {
-      if (!name->is_string()) Fault(path, name, "text, a name");
-    }
-  }
-
-  void CheckObjects(const json& problem, const char* stage, std::set<int>& indices) {
-    for (const auto& [path, object] : List(problem, stage)) {
-      if (!object->is_object()) {
-        Fault(path, object, "an object with name, width, length and index");
-        continue;
-      }
-      const json* const name = Member(*object, path + ".", "name", "text");
-      if (name != nullptr && !name->is_string()) Fault(path + ".name", name, "text");
-      Size(*object, path, "width", kLargestObject_m, /*zero_too=*/true);
-      Size(*object, path, "length", kLargestObject_m, /*zero_too=*/true);
-      CheckIndex(*object, path, indices);
-      const json zone = object->value("zone", json(""));
-      if (!zone.is_string()) Fault(path + ".zone", &zone, "text, the name of a zone");
-    }
-  }
-
-  void CheckIndex(const json& object, const std::string& path, std::set<int>& indices) {
-    constexpr char kRight[] = "a whole number that no other such object has";
-    const json* const index = Member(object, path + ".", "index", kRight);
-    if (index == nullptr) return;
-    const double value = index->is_number() ? index->get<double>() : -1;
-    const bool whole = value >= 0 && value <= kLargestIndex && value == std::floor(value);
-    if (!whole || !indices.insert(static_cast<int>(value)).second) Fault(path + ".index", index, kRight);
-  }
-
-  void CheckCalls(const json& problem) {
-    const json* const calls =
-        Member(problem, "", "calls", "an object with the calls of primary, secondary and tertiary");
-    if (calls == nullptr) return;
-    if (!calls->is_object())
-      return Fault("calls", calls, "an object with the calls of primary, secondary and tertiary");
-    for (const char* stage : {"primary", "secondary", "secondary_all", "tertiary"}) {
-      const auto it = calls->find(stage);
-      if (it != calls->end() && !it->is_array()) Fault(std::string("calls.") + stage, &*it, "a list");
-    }
+  void CheckList(const json& problem, const char* name, const char* right, const Rules& rules) {
+    ForEach(problem, name, [&](const std::string& path, const json& member) {
+      member.is_object() ? CheckFields(member, path + ".", rules) : Fault(path, &member, right);
+    });
   }
 
   std::vector<std::string> faults_;

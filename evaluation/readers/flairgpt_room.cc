@@ -7,9 +7,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "evaluation/readers/flairgpt_arguments.h"
 #include "evaluation/readers/flairgpt_calls.h"
-#include "evaluation/readers/flairgpt_check.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "room/geometry/pose.h"

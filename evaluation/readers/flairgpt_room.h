@@ -20,6 +20,16 @@ absl::StatusOr<v1::LayoutGraph> ReadFlairGptRoom(const std::string& json);
 // The same of a text that was parsed already.
 absl::StatusOr<v1::LayoutGraph> ReadFlairGptProblem(const nlohmann::json& problem);
 
+// What is wrong with a file that should be a recorded problem, field by field, before it is read.
+
+// The text as JSON. INVALID_ARGUMENT with line and column where it stops being that.
+absl::StatusOr<nlohmann::json> ParseFlairGptText(const std::string& text);
+
+// INVALID_ARGUMENT when the problem's room, fixed objects, zones or objects cannot be read: up to five faults, each as
+// field, value and what would be right. What its calls say is not looked at, only that they are lists: a model wrote
+// them. A size of 0 is fine, it stands for none; so are fixed objects without wall or position, which nobody placed.
+absl::Status CheckFlairGptProblem(const nlohmann::json& problem);
+
 // Layouts of the reference implementation's problems: the one that a recording holds, and ours as its judge reads them.
 
 // The layout that was recorded with a problem, by the released implementation; `graph` is what ReadFlairGptRoom made of

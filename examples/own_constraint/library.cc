@@ -2,14 +2,19 @@
 // What flair-optimizer-example understands: all that flair-optimizer does, and daylight from the side.
 #include "optimizer_worker/constraints/facts.h"
 
+namespace flair {
+// The text of daylight_from_side.textproto, see CMakeLists.txt.
+std::string_view OwnRecords();
+}  // namespace flair
+
 namespace flair::optimizer {
 
-ConstraintFacts DaylightFromSideFacts();
+ConstraintCode DaylightFromSideCode();
 
 ConstraintLibrary LibraryOfProgram() {
   ConstraintLibrary library = OurLibrary();
   library.program = "flair-optimizer-example";
-  library.types.push_back(DaylightFromSideFacts());
+  library.Add(OwnRecords(), {{DaylightFromSideCode()}});
   return library;
 }
 

@@ -11,7 +11,6 @@ Handbook::Handbook(hb::Handbook contents, std::string version)
     : contents_(std::move(contents)), version_(std::move(version)) {
   for (const auto& item : contents_.furniture()) furniture_.emplace(item.name(), &item);
   for (const auto& item : contents_.styles()) styles_.emplace(item.name(), &item);
-  for (const auto& item : contents_.themes()) themes_.emplace(item.name(), &item);
   for (const auto& item : contents_.colours()) {
     colours_.emplace(item.name(), &item);
     for (const auto& synonym : item.synonyms()) colours_.emplace(synonym, &item);

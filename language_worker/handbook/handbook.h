@@ -30,7 +30,6 @@ class Handbook {
   const hb::Furniture* FindFurniture(std::string_view name) const { return Find(furniture_, name); }
   const hb::Archetype* FindArchetype(std::string_view name) const { return Find(archetypes_, name); }
   const hb::Style* FindStyle(std::string_view name) const { return Find(styles_, name); }
-  const hb::Theme* FindTheme(std::string_view name) const { return Find(themes_, name); }
   const hb::NamedColour* FindColour(std::string_view name) const { return Find(colours_, name); }
 
   // The kind of room for briefs that name none that is known.
@@ -54,7 +53,6 @@ class Handbook {
   Index<hb::Furniture> furniture_;
   Index<hb::Archetype> archetypes_;
   Index<hb::Style> styles_;
-  Index<hb::Theme> themes_;
   Index<hb::NamedColour> colours_;
   const hb::Archetype* fallback_ = nullptr;
   std::shared_ptr<const Vocabulary> vocabulary_;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "language_worker/model/cleaning_step.h"
+#include "language_worker/model/steps.h"
 #include "llm/answers/read_answer.h"
 
 namespace flair::language {

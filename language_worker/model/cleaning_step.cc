@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/model/cleaning_step.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +12,8 @@
 
 #include "language_worker/handbook/cleaning/clean_constraints.h"
 #include "language_worker/model/prompt_text.h"
-#include "llm/answers/choices.h"
+#include "language_worker/model/steps.h"
+#include "llm/answers/field_facts.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
@@ -24,7 +23,9 @@ namespace flair::language {
 namespace {
 
 using llm::Fault;
+using model::v1::ChangeAnswer;
 using model::v1::CleaningAnswer;
+
 std::string SentencesText(const v1::ConstraintList& list) {
   std::string text, heading;
   for (const v1::Sentence& sentence : list.sentences()) {
@@ -135,8 +136,6 @@ class Changer {
   std::set<std::string> ids_;
 };
 
-using model::v1::ChangeAnswer;
-
 // "s1, s2 and s3" as words.
 std::vector<std::string> WordsOf(std::string_view text) {
   std::vector<std::string> words;
@@ -236,10 +235,15 @@ class Reader {
   std::map<std::string, size_t> changed_;
 };
 
-}  // namespace
+// Sentences that go without another in their place.
+size_t RemovedCount(const std::vector<Change>& changes) {
+  size_t count = 0;
+  for (const Change& change : changes) count += change.to.empty() ? change.from.size() : 0;
+  return count;
+}
 
-std::vector<Fault> CheckCleaning(const v1::ConstraintList& list, const CleaningAnswer& answer) {
-  const SentenceIndex sentences = IndexOf(list);
+// What is wrong with an answer that reads well: changes that do not do what they are called, sentences changed twice.
+std::vector<Fault> CheckCleaning(const SentenceIndex& sentences, const CleaningAnswer& answer) {
   std::vector<Fault> faults;
   const size_t removed = RemovedCount(ReadChanges(answer, sentences, &faults));
   if (2 * removed > sentences.size()) {
@@ -251,9 +255,9 @@ std::vector<Fault> CheckCleaning(const v1::ConstraintList& list, const CleaningA
   return faults;
 }
 
-v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const CleaningAnswer& answer,
-                                 const ObjectWords& words) {
-  const SentenceIndex sentences = IndexOf(list);
+// The list after the changes of an answer from which what was wrong has been left out.
+v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const SentenceIndex& sentences,
+                                 const CleaningAnswer& answer, const ObjectWords& words) {
   std::vector<Change> changes = ReadChanges(answer, sentences, nullptr);
   const size_t removed = RemovedCount(changes);
   // A model that stays with throwing most of the list away is not followed in that.
@@ -269,20 +273,23 @@ v1::ConstraintList ApplyCleaning(const v1::ConstraintList& list, const CleaningA
   return cleaned;
 }
 
+}  // namespace
+
 absl::StatusOr<v1::ConstraintList> AskCleaning(const v1::Room& room, const v1::ObjectList& objects,
                                                const v1::ConstraintList& raw, const ModelTools& tools,
                                                llm::Conversation& conversation) {
-  v1::ConstraintList list = CleanConstraints(raw);
+  const v1::ConstraintList list = CleanConstraints(raw);
   const SentenceIndex sentences = IndexOf(list);
   if (sentences.empty()) return list;
   llm::Question question = MakeQuestion(tools, "cleaning", "cleaning", {{"sentences", SentencesText(list)}},
                                         CleaningAnswer::default_instance());
-  question.check = llm::CheckOf<CleaningAnswer>([&](CleaningAnswer& answer) { return CheckCleaning(list, answer); });
-  ASSIGN_OR_RETURN(const llm::Reply reply, conversation.Ask(question));
-  v1::ConstraintList cleaned = ApplyCleaning(list, reply.As<CleaningAnswer>(), ObjectWords(objects, room));
-  AddFaults("cleaning", reply.faults, cleaned);
-  if (absl::Status status = Validate(cleaned, objects); !status.ok()) return UnusableResult("cleaning", status);
-  return cleaned;
+  question.check =
+      llm::CheckOf<CleaningAnswer>([&](CleaningAnswer& answer) { return CheckCleaning(sentences, answer); });
+  const auto make = [&](const CleaningAnswer& answer) -> absl::StatusOr<v1::ConstraintList> {
+    return ApplyCleaning(list, sentences, answer, ObjectWords(objects, room));
+  };
+  return AskFor<CleaningAnswer, v1::ConstraintList>(
+      question, conversation, make, [&](const v1::ConstraintList& cleaned) { return Validate(cleaned, objects); });
 }
 
 SentenceIndex IndexOf(const v1::ConstraintList& list) {
@@ -293,20 +300,14 @@ SentenceIndex IndexOf(const v1::ConstraintList& list) {
   return index;
 }
 
-std::vector<Change> ReadChanges(const model::v1::CleaningAnswer& answer, const SentenceIndex& sentences,
-                                std::vector<llm::Fault>* faults) {
+std::vector<Change> ReadChanges(const CleaningAnswer& answer, const SentenceIndex& sentences,
+                                std::vector<Fault>* faults) {
   Reader reader(sentences);
   for (int i = 0; i < answer.changes_size(); ++i) {
     std::string fault = reader.Add(answer.changes(i));
     if (!fault.empty() && faults != nullptr) faults->push_back({fmt::format("changes[{}]", i), std::move(fault)});
   }
   return reader.TakeChanges();
-}
-
-size_t RemovedCount(const std::vector<Change>& changes) {
-  size_t count = 0;
-  for (const Change& change : changes) count += change.to.empty() ? change.from.size() : 0;
-  return count;
 }
 
 }  // namespace flair::language

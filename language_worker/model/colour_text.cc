@@ -2,8 +2,8 @@
 #include "language_worker/model/colour_text.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
+#include <array>
+#include <regex>
 #include <string>
 
 #include "language_worker/handbook/styling/choose_style.h"
@@ -14,18 +14,35 @@ namespace flair::language {
 namespace {
 
 constexpr size_t kLongestName = 60;
-constexpr size_t kValueLength = 7;  // "#7A8B6F"
+// A value where it stands in a text: "#7A8B6F", "#fee", "B98B55" with a digit, since "facade" is a word, "rgb(238, 85,
+// 0)".
+struct FoundValue {
+  v1::Colour colour;
+  size_t begin = 0;
+  size_t end = 0;
+};
 
-// Where "#" and six hex digits stand in a text; npos for nowhere.
-size_t FindValue(std::string_view text) {
-  for (size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
-    const std::string_view digits = text.substr(at + 1, kValueLength - 1);
-    const auto is_digit = [](unsigned char c) { return std::isxdigit(c) != 0; };
-    const bool longer =
-        at + kValueLength < text.size() && is_digit(static_cast<unsigned char>(text[at + kValueLength]));
-    if (digits.size() == kValueLength - 1 && !longer && std::ranges::all_of(digits, is_digit)) return at;
+std::optional<FoundValue> FindValue(std::string_view text) {
+  static const auto* const kValue = new std::regex(
+      R"(#([0-9a-f]{6}|[0-9a-f]{3})(?![0-9a-f])|\b((?=[a-f]*[0-9])[0-9a-f]{6})\b|\brgb\(([0-9]{1,3}), *([0-9]{1,3}), *([0-9]{1,3})\))",
+      std::regex::icase);
+  std::cmatch match;
+  if (!std::regex_search(text.data(), text.data() + text.size(), match, *kValue)) return std::nullopt;
+  std::array<int, 3> parts = {};
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const std::string hex = match[1].matched ? match[1].str() : match[2].str();
+    const size_t digits = hex.size() / parts.size();
+    if (hex.empty()) parts[i] = std::stoi(match[3 + i].str());
+    if (!hex.empty()) parts[i] = std::stoi(hex.substr(i * digits, digits), nullptr, 16) * (digits == 1 ? 17 : 1);
+    if (parts[i] > 255) return std::nullopt;
   }
-  return std::string_view::npos;
+  FoundValue found;
+  found.begin = static_cast<size_t>(match.position());
+  found.end = found.begin + static_cast<size_t>(match.length());
+  found.colour.set_red(parts[0]);
+  found.colour.set_green(parts[1]);
+  found.colour.set_blue(parts[2]);
+  return found;
 }
 
 std::string NameIn(std::string_view text) {
@@ -49,23 +66,16 @@ const hb::NamedColour* FindNamed(std::string_view name, const Handbook& handbook
 }  // namespace
 
 std::optional<v1::Colour> ReadColour(std::string_view text, const Handbook& handbook) {
-  v1::Colour colour;
-  const size_t at = FindValue(text);
-  if (at == std::string_view::npos) {
-    const std::string name = NameIn(text.substr(0, text.find('#')));
-    const hb::NamedColour* named = FindNamed(name, handbook);
-    if (named == nullptr) return std::nullopt;
-    colour = ToColour(*named);
-    colour.set_name(name);
-    return colour;
+  if (std::optional<FoundValue> value = FindValue(text)) {
+    std::string name = NameIn(text.substr(0, value->begin));
+    if (name.empty()) name = NameIn(text.substr(value->end));
+    value->colour.set_name(name);
+    return value->colour;
   }
-  int value = 0;
-  std::from_chars(text.data() + at + 1, text.data() + at + kValueLength, value, 16);
-  colour.set_red(value >> 16);
-  colour.set_green((value >> 8) & 0xFF);
-  colour.set_blue(value & 0xFF);
-  std::string name = NameIn(text.substr(0, at));
-  if (name.empty()) name = NameIn(text.substr(at + kValueLength));
+  const std::string name = NameIn(text.substr(0, text.find('#')));
+  const hb::NamedColour* named = FindNamed(name, handbook);
+  if (named == nullptr) return std::nullopt;
+  v1::Colour colour = ToColour(*named);
   colour.set_name(name);
   return colour;
 }

@@ -29,6 +29,12 @@ TEST(ColourText, NameAndValueAreReadHoweverTheyStand) {
   EXPECT_EQ(Read("#102030"), " 16 32 48");
 }
 
+TEST(ColourText, ValuesAreReadInTheFormsOfTheWeb) {
+  EXPECT_EQ(Read("blush #fee"), "blush 255 238 238");
+  EXPECT_EQ(Read("oak B98B55"), "oak 185 139 85");
+  EXPECT_EQ(Read("burnt orange rgb(238, 85, 0)"), "burnt orange 238 85 0");
+}
+
 TEST(ColourText, WordsOfHexDigitsAreNoValues) {
   EXPECT_EQ(Read("a faded beige #C8B89A"), "a faded beige 200 184 154");
   EXPECT_EQ(Read("facade"), "none");

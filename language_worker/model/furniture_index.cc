@@ -4,23 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
+#include "english/words.h"
+
 namespace flair::language {
 namespace {
-
-// "shelves" and "desks" to "shelf" and "desk": the forms to try for the last word, best first.
-std::array<std::string, 4> Singulars(const std::string& name) {
-  std::array<std::string, 4> forms = {name, "", "", ""};
-  const auto ends = [&](std::string_view ending) { return name.size() > ending.size() + 2 && name.ends_with(ending); };
-  if (ends("ves")) forms[1] = name.substr(0, name.size() - 3) + "f";
-  if (ends("ies")) forms[1] = name.substr(0, name.size() - 3) + "y";
-  if (ends("es")) forms[2] = name.substr(0, name.size() - 2);
-  if (ends("s")) forms[3] = name.substr(0, name.size() - 1);
-  return forms;
-}
 
 // Whether a length is at most so many times as large as a class gets, and at least as small as that allows.
 bool IsWithin(double value_m, const hb::Extent& extent, double factor) {
@@ -49,8 +39,8 @@ FurnitureIndex::FurnitureIndex(const Handbook& handbook) {
 }
 
 const hb::Furniture* FurnitureIndex::FindExact(std::string_view name) const {
-  for (const std::string& form : Singulars(PlainName(name))) {
-    if (form.empty()) continue;
+  const std::string plain = PlainName(name);
+  for (const std::string& form : {plain, english::Singular(plain)}) {
     if (const auto found = by_word_.find(form); found != by_word_.end()) return found->second;
   }
   return nullptr;
@@ -78,27 +68,6 @@ bool IsRugName(std::string_view name) {
   return kRugs.contains(last);
 }
 
-std::string PlainName(std::string_view name) {
-  std::string plain;
-  for (const char c : name) {
-    const bool upper = c >= 'A' && c <= 'Z';
-    const bool word =
-        upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
-    if (word) {
-      plain += upper ? static_cast<char>(c - 'A' + 'a') : c;
-    } else if (!plain.empty() && plain.back() != ' ') {
-      plain += ' ';
-    }
-  }
-  if (!plain.empty() && plain.back() == ' ') plain.pop_back();
-  return plain;
-}
-
-bool FitsFloor(const ObjectSize& size, const FloorExtent& floor) {
-  return std::max(size.width_m, size.depth_m) <= std::max(floor.width_m, floor.depth_m) &&
-         std::min(size.width_m, size.depth_m) <= std::min(floor.width_m, floor.depth_m);
-}
-
 std::string OddSize(const ObjectSize& size, const hb::Furniture* furniture) {
   if (furniture == nullptr) return "";
   constexpr double kFactor = 2.5;
@@ -111,6 +80,19 @@ std::string OddSize(const ObjectSize& size, const hb::Furniture* furniture) {
   }
   return fmt::format("is {}; a {} usually measures {:g} m x {:g} m", FootprintText(size), furniture->name(),
                      furniture->width_m().typical(), furniture->depth_m().typical());
+}
+
+std::optional<llm::Fault> FootprintFault(const std::string& path, const ObjectSize& size, const FloorExtent& floor,
+                                         const hb::Furniture* furniture) {
+  const bool fits = std::max(size.width_m, size.depth_m) <= std::max(floor.width_m, floor.depth_m) &&
+                    std::min(size.width_m, size.depth_m) <= std::min(floor.width_m, floor.depth_m);
+  if (!fits) {
+    return llm::Fault{path + ".width_m", fmt::format("{} is larger than the room of {:g} m x {:g} m",
+                                                     FootprintText(size), floor.width_m, floor.depth_m)};
+  }
+  std::string odd = OddSize(size, furniture);
+  if (odd.empty()) return std::nullopt;
+  return llm::Fault{path + ".width_m", std::move(odd), llm::FaultKind::kDoubtful};
 }
 
 std::string FootprintText(const ObjectSize& size) { return fmt::format("{:g} m x {:g} m", size.width_m, size.depth_m); }

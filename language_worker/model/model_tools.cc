@@ -26,19 +26,16 @@ std::string BaseOf(std::string_view name, std::string_view fallback) {
 }  // namespace
 
 std::vector<llm::PromptSpec> LanguagePrompts() {
-  std::vector<llm::PromptSpec> prompts = llm::RepairPrompts();
-  const std::vector<llm::PromptSpec> steps = {
-      {"system", {}, {}},
-      {"room", {"brief"}, {"brief"}},
-      {"zones", {"brief", "room", "zone_count", "wanted_zones"}, {"brief", "room", "wanted_zones"}},
-      {"floor_objects", {"brief", "room", "zones", "area_m2"}, {"brief", "room", "zones"}},
-      {"tertiaries", {"brief", "room", "objects", "count"}, {"brief", "objects"}},
-      {"style", {"brief", "room", "objects"}, {"brief", "objects"}},
-      {"intra", {"brief", "room", "objects"}, {"room", "objects"}},
-      {"inter", {"brief", "room", "objects"}, {"objects"}},
-      {"cleaning", {"sentences"}, {"sentences"}}};
-  prompts.insert(prompts.end(), steps.begin(), steps.end());
-  return prompts;
+  return {llm::RepairPrompt(),
+          {"system", {}, {}},
+          {"room", {"brief"}, {"brief"}},
+          {"zones", {"brief", "room", "zone_count", "wanted_zones"}, {"brief", "room", "wanted_zones"}},
+          {"floor_objects", {"brief", "room", "zones", "area_m2"}, {"brief", "room", "zones"}},
+          {"tertiaries", {"brief", "room", "objects", "count"}, {"brief", "objects"}},
+          {"style", {"brief", "room", "objects"}, {"brief", "objects"}},
+          {"intra", {"brief", "room", "objects"}, {"room", "objects"}},
+          {"inter", {"brief", "room", "objects"}, {"objects"}},
+          {"cleaning", {"sentences"}, {"sentences"}}};
 }
 
 std::filesystem::path DefaultPromptsFolder() {
@@ -57,7 +54,8 @@ absl::Status BothFailed(const absl::Status& first, const absl::Status& second) {
   return absl::Status(first.code(), fmt::format("{}; {}", std::string(first.message()), std::string(second.message())));
 }
 
-absl::Status UnusableResult(std::string_view step, const absl::Status& status) {
+absl::Status CheckResult(std::string_view step, const absl::Status& status) {
+  if (status.ok()) return status;
   return absl::DataLossError(fmt::format("step \"{}\": what the model answered makes no good artifact: {}", step,
                                          std::string(status.message())));
 }

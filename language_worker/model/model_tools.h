@@ -9,9 +9,11 @@
 
 #include "flair/v1/provenance.pb.h"
 #include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/parts/brief_parts.h"
 #include "language_worker/model/furniture_index.h"
 #include "llm/answers/conversation.h"
 #include "llm/answers/prompt_library.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 
@@ -31,15 +33,6 @@ std::filesystem::path DefaultPromptsFolder();
 // A question of a step: the system prompt, the step's prompt filled in, and the type of the answer.
 llm::Question MakeQuestion(const ModelTools& tools, std::string step, std::string_view prompt,
                            const llm::PromptValues& values, const google::protobuf::Message& answer);
-
-// Adds a remark.
-template <typename WithDiagnostics>
-void AddDiagnostic(v1::Severity severity, std::string code, std::string message, WithDiagnostics& to) {
-  v1::Diagnostic& diagnostic = *to.add_diagnostics();
-  diagnostic.set_severity(severity);
-  diagnostic.set_code(std::move(code));
-  diagnostic.set_message(std::move(message));
-}
 
 // Adds a remark for every fault that an answer had to the end: "left_out" for elements that were, else "model_answer".
 template <typename WithDiagnostics>
@@ -72,8 +65,21 @@ void AddStandIn(const absl::Status& failure, WithDiagnostics& to) {
 // The failure of a stage of which two steps failed.
 absl::Status BothFailed(const absl::Status& first, const absl::Status& second);
 
-// An error for a result that the model's answer was turned into and that does not validate after all.
-absl::Status UnusableResult(std::string_view step, const absl::Status& status);
+// OK, or an error for a result that the model's answer was turned into and that does not validate after all.
+absl::Status CheckResult(std::string_view step, const absl::Status& status);
+
+// Asks a question and turns the answer into an artifact with `make(answer)`, which returns it or an error; adds remarks
+// on the faults that the answer has to the end, and validates the artifact with `validate(artifact)`.
+template <typename Answer, typename Artifact, typename Make, typename IsValid>
+absl::StatusOr<Artifact> AskFor(const llm::Question& question, llm::Conversation& conversation, const Make& make,
+                                const IsValid& validate) {
+  ASSIGN_OR_RETURN(const llm::Reply reply, conversation.Ask(question));
+  absl::StatusOr<Artifact> artifact = make(reply.As<Answer>());
+  if (!artifact.ok()) return artifact;
+  AddFaults(question.step, reply.faults, *artifact);
+  RETURN_IF_ERROR(CheckResult(question.step, validate(*artifact)));
+  return artifact;
+}
 
 // Makes ids of names that strangers gave: short, of a-z, 0-9 and "_", none twice.
 class IdMaker {

@@ -9,7 +9,7 @@
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
 #include "flair/v1/zone_plan.pb.h"
-#include "llm/answers/choices.h"
+#include "llm/answers/field_facts.h"
 
 namespace flair::language {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/model/room_step.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,10 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "flair/model/v1/room_answers.pb.h"
 #include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/rooms/openings.h"
+#include "language_worker/model/steps.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
@@ -177,15 +177,6 @@ void MakeSureOfADoor(const v1::Brief& brief, v1::Room& room) {
                 "The model named no door; door, windows and sockets are where they usually are.", room);
 }
 
-}  // namespace
-
-std::vector<Fault> CheckRoom(const SizeRequest& size, RoomAnswer& answer) {
-  std::vector<Fault> faults;
-  CheckSize(size, answer, faults);
-  CheckOpenings(answer, faults);
-  return faults;
-}
-
 v1::Room ToRoom(const v1::Brief& brief, const SizeRequest& size, const RoomAnswer& answer) {
   RoomAnswer sized = answer;
   sized.set_width_m(size.width_m.value_or(answer.width_m()));
@@ -204,17 +195,23 @@ v1::Room ToRoom(const v1::Brief& brief, const SizeRequest& size, const RoomAnswe
   return room;
 }
 
+}  // namespace
+
 absl::StatusOr<v1::Room> AskRoom(const v1::Brief& brief, const ModelTools& tools, llm::Conversation& conversation) {
   ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, tools.handbook));
   llm::Question question =
       MakeQuestion(tools, "room", "room", {{"brief", llm::QuoteData(brief.text())}}, RoomAnswer::default_instance());
-  question.repaired_whole = true;
-  question.check = llm::CheckOf<RoomAnswer>([&](RoomAnswer& answer) { return CheckRoom(facts.size, answer); });
-  ASSIGN_OR_RETURN(const llm::Reply reply, conversation.Ask(question));
-  v1::Room room = ToRoom(brief, facts.size, reply.As<RoomAnswer>());
-  AddFaults("room", reply.faults, room);
-  if (absl::Status status = Validate(room); !status.ok()) return UnusableResult("room", status);
-  return room;
+  question.check = llm::CheckOf<RoomAnswer>([&](RoomAnswer& answer) {
+    std::vector<Fault> faults;
+    CheckSize(facts.size, answer, faults);
+    CheckOpenings(answer, faults);
+    return faults;
+  });
+  const auto make = [&](const RoomAnswer& answer) -> absl::StatusOr<v1::Room> {
+    return ToRoom(brief, facts.size, answer);
+  };
+  return AskFor<RoomAnswer, v1::Room>(question, conversation, make,
+                                      [](const v1::Room& room) { return Validate(room); });
 }
 
 }  // namespace flair::language

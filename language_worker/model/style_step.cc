@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/model/style_step.h"
-
 #include <fmt/format.h>
 
 #include <set>
 #include <string>
 #include <utility>
 
+#include "flair/model/v1/style_answers.pb.h"
 #include "language_worker/handbook/styling/choose_style.h"
 #include "language_worker/model/colour_text.h"
 #include "language_worker/model/prompt_text.h"
+#include "language_worker/model/steps.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
@@ -22,6 +22,12 @@ using llm::Fault;
 using llm::FaultKind;
 using model::v1::LookAnswer;
 using model::v1::StyleAnswer;
+
+struct StyleRequest {
+  const v1::Brief& brief;
+  const v1::Room& room;
+  const v1::ObjectList& objects;
+};
 
 constexpr const char* kSubjectField = "flair.model.v1.LookAnswer.of";
 
@@ -124,8 +130,7 @@ void Complete(const v1::StyleSheet& other, v1::StyleSheet& sheet) {
   }
 }
 
-}  // namespace
-
+// What is wrong with an answer that reads well: colours that are none, hardly anything described.
 std::vector<Fault> CheckStyle(const StyleRequest& request, const ModelTools& tools, const StyleAnswer& answer) {
   std::vector<Fault> faults;
   for (int i = 0; i < answer.palette_size(); ++i) {
@@ -149,26 +154,25 @@ std::vector<Fault> CheckStyle(const StyleRequest& request, const ModelTools& too
   return faults;
 }
 
-absl::StatusOr<v1::StyleSheet> AskStyle(const StyleRequest& request, const ModelTools& tools,
-                                        llm::Conversation& conversation) {
-  llm::Question question = MakeQuestion(tools, "style", "style",
-                                        {{"brief", llm::QuoteData(request.brief.text())},
-                                         {"room", ShortRoomText(request.room)},
-                                         {"objects", SubjectsText(request)}},
-                                        StyleAnswer::default_instance());
+}  // namespace
+
+absl::StatusOr<v1::StyleSheet> AskStyle(const v1::Brief& brief, const v1::Room& room, const v1::ObjectList& objects,
+                                        const ModelTools& tools, llm::Conversation& conversation) {
+  const StyleRequest request{brief, room, objects};
+  llm::Question question = MakeQuestion(
+      tools, "style", "style",
+      {{"brief", llm::QuoteData(brief.text())}, {"room", ShortRoomText(room)}, {"objects", SubjectsText(request)}},
+      StyleAnswer::default_instance());
   question.choices[kSubjectField] = SubjectChoices(request);
   question.check = llm::CheckOf<StyleAnswer>([&](StyleAnswer& answer) { return CheckStyle(request, tools, answer); });
-  ASSIGN_OR_RETURN(const llm::Reply reply, conversation.Ask(question));
-  v1::StyleSheet sheet = ToStyleSheet(request, tools.handbook, reply.As<StyleAnswer>());
-  const absl::StatusOr<v1::StyleSheet> usual =
-      ChooseStyle(request.brief, request.room, request.objects, tools.handbook);
-  if (!usual.ok()) return usual.status();
-  Complete(*usual, sheet);
-  AddFaults("style", reply.faults, sheet);
-  if (absl::Status status = Validate(sheet, request.room, request.objects); !status.ok()) {
-    return UnusableResult("style", status);
-  }
-  return sheet;
+  const auto make = [&](const StyleAnswer& answer) -> absl::StatusOr<v1::StyleSheet> {
+    v1::StyleSheet sheet = ToStyleSheet(request, tools.handbook, answer);
+    ASSIGN_OR_RETURN(const v1::StyleSheet usual, ChooseStyle(brief, room, objects, tools.handbook));
+    Complete(usual, sheet);
+    return sheet;
+  };
+  return AskFor<StyleAnswer, v1::StyleSheet>(
+      question, conversation, make, [&](const v1::StyleSheet& sheet) { return Validate(sheet, room, objects); });
 }
 
 }  // namespace flair::language

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/model/zones_step.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 #include <string>
 
+#include "flair/model/v1/room_answers.pb.h"
+#include "language_worker/handbook/parts/brief_parts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
-#include "language_worker/model/model_tools.h"
 #include "language_worker/model/prompt_text.h"
+#include "language_worker/model/steps.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
-#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -33,24 +32,13 @@ std::string CountText(double area_m2) {
   return most == 2 ? "one or two" : fmt::format("{} to {}", most - 1, most);
 }
 
-// Ids of the zones that the brief's own objects are in, in the order of the objects.
-std::vector<std::string> WantedZones(const v1::Brief& brief) {
-  std::vector<std::string> wanted;
-  for (const v1::Object& object : brief.object_list().objects()) {
-    const std::string& zone = object.zone_id();
-    if (!zone.empty() && std::find(wanted.begin(), wanted.end(), zone) == wanted.end()) wanted.push_back(zone);
-  }
-  return wanted;
-}
-
 std::string WantedText(const v1::Brief& brief) {
   const std::vector<std::string> wanted = WantedZones(brief);
   return wanted.empty() ? ""
                         : fmt::format("These are among them, by exactly these names: {}.", fmt::join(wanted, ", "));
 }
 
-}  // namespace
-
+// What is wrong with an answer that reads well: names given twice, more zones than such a floor has uses for.
 std::vector<Fault> CheckZones(const v1::Room& room, const ZonesAnswer& answer) {
   std::vector<Fault> faults;
   std::set<std::string> seen;
@@ -83,25 +71,7 @@ v1::ZonePlan ToZonePlan(const ZonesAnswer& answer) {
   return plan;
 }
 
-void AddWantedZones(const v1::Brief& brief, v1::ZonePlan& plan) {
-  for (const std::string& id : WantedZones(brief)) {
-    const bool there =
-        std::any_of(plan.zones().begin(), plan.zones().end(), [&](const v1::Zone& zone) { return zone.id() == id; });
-    if (there) continue;
-    v1::Zone& zone = *plan.add_zones();
-    zone.set_id(id);
-    zone.set_name(id);
-    std::replace(zone.mutable_name()->begin(), zone.mutable_name()->end(), '_', ' ');
-    AddDiagnostic(v1::SEVERITY_NOTE, "zone_of_objects",
-                  fmt::format("The zone \"{}\" is here because the brief's own objects are in it.", id), plan);
-  }
-}
-
-absl::StatusOr<v1::ZonePlan> PlanWantedZones(const v1::Brief& brief, const v1::Room& room, const Handbook& handbook) {
-  absl::StatusOr<v1::ZonePlan> plan = PlanZones(brief, room, handbook);
-  if (plan.ok()) AddWantedZones(brief, *plan);
-  return plan;
-}
+}  // namespace
 
 absl::StatusOr<v1::ZonePlan> AskZones(const v1::Brief& brief, const v1::Room& room, const ModelTools& tools,
                                       llm::Conversation& conversation) {
@@ -111,17 +81,17 @@ absl::StatusOr<v1::ZonePlan> AskZones(const v1::Brief& brief, const v1::Room& ro
                                          {"zone_count", CountText(FloorArea(room))},
                                          {"wanted_zones", WantedText(brief)}},
                                         ZonesAnswer::default_instance());
-  question.repaired_whole = true;
   question.check = llm::CheckOf<ZonesAnswer>([&](ZonesAnswer& answer) { return CheckZones(room, answer); });
-  ASSIGN_OR_RETURN(const llm::Reply reply, conversation.Ask(question));
-  if (reply.As<ZonesAnswer>().zones().empty()) {
-    return absl::DataLossError("step \"zones\": the model's answer has no usable zone, also after a repair");
-  }
-  v1::ZonePlan plan = ToZonePlan(reply.As<ZonesAnswer>());
-  AddWantedZones(brief, plan);
-  AddFaults("zones", reply.faults, plan);
-  if (absl::Status status = Validate(plan); !status.ok()) return UnusableResult("zones", status);
-  return plan;
+  const auto make = [&](const ZonesAnswer& answer) -> absl::StatusOr<v1::ZonePlan> {
+    if (answer.zones().empty()) {
+      return absl::DataLossError("step \"zones\": the model's answer has no usable zone, also after a repair");
+    }
+    v1::ZonePlan plan = ToZonePlan(answer);
+    AddWantedZones(brief, plan);
+    return plan;
+  };
+  return AskFor<ZonesAnswer, v1::ZonePlan>(question, conversation, make,
+                                           [](const v1::ZonePlan& plan) { return Validate(plan); });
 }
 
 }  // namespace flair::language

@@ -7,33 +7,20 @@
 #include <string>
 #include <utility>
 
+#include "english/language.h"
 #include "language_worker/recorded/object_names.h"
 #include "language_worker/recorded/outline.h"
 
 namespace flair::language {
 namespace {
 
-using KeySet = std::set<std::string, std::less<>>;
-
-bool HasWordOf(const std::vector<Word>& words, const KeySet& set) {
-  return std::any_of(words.begin(), words.end(), [&](const Word& word) { return set.contains(word.key); });
-}
-
 // Words that a constraint has and a heading has not.
-bool Demands(std::string_view text) {
-  static const KeySet kWords = {"should", "must", "need", "avoid", "ensure", "cannot", "can", "keep", "maintain"};
-  return HasWordOf(ReadWords(text), kWords);
-}
+bool Demands(std::string_view text) { return HasWordOf("demands", text); }
 
-bool SaysMust(std::string_view text) {
-  static const KeySet kWords = {"must", "cannot", "need", "require", "required"};
-  return HasWordOf(ReadWords(text), kWords);
-}
+bool SaysMust(std::string_view text) { return HasWordOf("musts", text); }
 
 // "Constraint: Back side should be against a wall." without the first word, which says nothing.
 std::string WithoutEmptyLabel(const OutlineLine& line) {
-  static const KeySet kEmpty = {"constraint", "consideration", "note",
-                                "placement",  "requirement",   "placement consideration"};
   const std::string all = line.All();
   const size_t colon = all.find(": ");
   if (colon == std::string::npos || colon > 30) return all;
@@ -41,7 +28,7 @@ std::string WithoutEmptyLabel(const OutlineLine& line) {
   for (const Word& word : ReadWords(std::string_view(all).substr(0, colon))) {
     label += (label.empty() ? "" : " ") + word.key;
   }
-  return kEmpty.contains(label) ? all.substr(colon + 2) : all;
+  return english::Language::Get().IsIn("idle labels", label) ? all.substr(colon + 2) : all;
 }
 
 class Reader {
@@ -177,8 +164,8 @@ class Reader {
       if (own.empty()) {
         // "The bookshelf ... It should be away from the sofa."
         const std::vector<Word> words = ReadWords(sentence);
-        static const KeySet kPronouns = {"it", "its", "they", "their", "thi", "each", "both"};
-        if (!words.empty() && kPronouns.contains(words.front().key) && !sentences_.empty()) own = {objects.front()};
+        const bool pronoun = !words.empty() && english::Language::Get().IsIn("sentence pronouns", words.front().key);
+        if (pronoun && !sentences_.empty()) own = {objects.front()};
         AddObjects(MentionsOf(sentence, context), own);
       }
       sentences_.push_back({own.empty() ? objects : own, sentence, SaysMust(sentence)});
@@ -206,7 +193,9 @@ using model::v1::CleaningAnswer;
 
 // Less than that of the shorter sentence's words in common: another sentence.
 constexpr double kSame = 0.6, kSaidElsewhere = 0.75;
-constexpr int kMostParts = 8;
+// The same words in the same order.
+constexpr double kIdentical = 2;
+constexpr size_t kMostParts = 8;
 
 bool SameWords(std::string_view a, std::string_view b) {
   const std::vector<Word> first = ReadWords(a), second = ReadWords(b);
@@ -232,47 +221,30 @@ class CleaningMatcher {
   }
 
   CleaningAnswer Match() {
-    for (const double least : {1.01, kSame}) {
-      for (size_t c = 0; c < after_.size(); ++c) TakeBest(c, least);
+    for (const double least : {kIdentical, kSame}) {
+      for (size_t c = 0; c < after_.size(); ++c) Give(c, least, 1);
     }
     // What is left says a part of what another one says too.
-    for (size_t c = 0; c < after_.size(); ++c) {
-      if (!taken_[c]) AddPart(c);
-    }
+    for (size_t c = 0; c < after_.size(); ++c) Give(c, kSame, kMostParts);
     return Changes();
   }
 
  private:
-  // 2 for the same words in the same order.
   double Score(size_t r, size_t c) const {
     const auto common = [&](const std::string& key) { return before_keys_[r].contains(key); };
     if (!std::any_of(after_keys_[c].begin(), after_keys_[c].end(), common)) return 0;
-    if (SameWords(before_[r].text, after_[c].text)) return 2;
+    if (SameWords(before_[r].text, after_[c].text)) return kIdentical;
     return Likeness(before_[r].text, after_[c].text);
   }
 
-  // Gives the cleaned sentence to the best sentence that has none yet.
-  void TakeBest(size_t c, double least) {
+  // Gives the cleaned sentence, if nobody has it, to the best sentence that has fewer than `most`.
+  void Give(size_t c, double least, size_t most) {
     if (taken_[c]) return;
     size_t best = before_.size();
     double best_score = 0;
     for (size_t r = 0; r < before_.size(); ++r) {
-      const double score = parts_[r].empty() ? Score(r, c) : 0;
+      const double score = parts_[r].size() < most ? Score(r, c) : 0;
       if (score < least || score <= best_score) continue;
-      best = r;
-      best_score = score;
-    }
-    if (best == before_.size()) return;
-    parts_[best].push_back(c);
-    taken_[c] = true;
-  }
-
-  void AddPart(size_t c) {
-    size_t best = before_.size();
-    double best_score = kSame;
-    for (size_t r = 0; r < before_.size(); ++r) {
-      const double score = parts_[r].size() < kMostParts ? Score(r, c) : 0;
-      if (score < best_score || (best != before_.size() && score == best_score)) continue;
       best = r;
       best_score = score;
     }

@@ -9,8 +9,7 @@
 #include "language_worker/model/model_tools.h"
 #include "language_worker/recorded/constraint_text.h"
 #include "language_worker/recorded/import_answers.h"
-#include "language_worker/recorded/tertiary_text.h"
-#include "language_worker/recorded/test_room.h"
+#include "language_worker/recorded/testing/test_room.h"
 
 namespace flair::language {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "language_worker/recorded/recorded_calls.h"
-#include "language_worker/service/language_handlers.h"
+#include "language_worker/model/model_handlers.h"
+#include "language_worker/recorded/recorded_answers.h"
 #include "llm/wrappers/folder_llm_clients.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -124,10 +124,9 @@ absl::StatusOr<ImportedAnswers> ImportAnswers(const RecordedRoom& room, const Ha
                                               const llm::PromptLibrary& prompts, const std::string& folder) {
   auto recorded = std::make_unique<RecordedRoomClient>(room, handbook);
   const RecordedRoomClient& client = *recorded;
-  absl::StatusOr<std::unique_ptr<llm::LlmClient>> recording =
-      llm::RecordingLlmClient::Make(std::move(recorded), folder);
+  absl::StatusOr<std::unique_ptr<llm::LlmClient>> recording = llm::MakeRecordingClient(std::move(recorded), folder);
   if (!recording.ok()) return recording.status();
-  const LanguageHandlers handlers(handbook, *std::move(recording), prompts);
+  const ModelHandlers handlers(handbook, *std::move(recording), prompts);
   ImportedAnswers result;
   RETURN_IF_ERROR(Phase(room, handlers, result).Run());
   result.conversions = client.conversions();

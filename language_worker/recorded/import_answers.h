@@ -33,8 +33,8 @@ struct ImportedAnswers {
 };
 
 // Runs the language phase for the room's brief with a RecordedRoomClient, and writes every question and answer into
-// `folder`, from which ReplayingLlmClient gives them again: the same questions are asked wherever the brief is designed
-// with these prompts. Errors as those of the steps and of RecordingLlmClient.
+// `folder`, from which a replay gives them again: the same questions are asked wherever the brief is designed
+// with these prompts. Errors as those of the steps and of MakeRecordingClient.
 absl::StatusOr<ImportedAnswers> ImportAnswers(const RecordedRoom& room, const Handbook& handbook,
                                               const llm::PromptLibrary& prompts, const std::string& folder);
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "language_worker/model/model_tools.h"
-#include "language_worker/recorded/test_room.h"
+#include "language_worker/recorded/testing/test_room.h"
 #include "room/validation/validate.h"
 
 namespace flair::language {

@@ -2,13 +2,15 @@
 #include "language_worker/recorded/object_names.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "absl/strings/ascii.h"
+#include "english/language.h"
+#include "english/words.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::language {
@@ -22,62 +24,30 @@ bool IsWordByte(char c) {
          (static_cast<unsigned char>(c) & 0x80) != 0;
 }
 
-std::string Singular(std::string word) {
-  const auto ends = [&](std::string_view ending) { return word.size() > ending.size() + 1 && word.ends_with(ending); };
-  if (ends("ves")) return word.substr(0, word.size() - 3) + "f";
-  if (ends("ies")) return word.substr(0, word.size() - 3) + "y";
-  if (ends("shes") || ends("ches") || ends("sses") || ends("xes")) return word.substr(0, word.size() - 2);
-  if (ends("s") && !ends("ss") && !ends("us")) return word.substr(0, word.size() - 1);
-  return word;
-}
+// Whether the word is a figure: "2", "0.5m".
+bool IsFigure(const Word& word) { return absl::ascii_isdigit(word.key[0]); }
 
-// Reads a number at the beginning of `text` and takes it off.
-std::optional<double> TakeNumber(std::string_view& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-  text.remove_prefix(static_cast<size_t>(end - text.data()));
-  return value;
-}
-
-void Skip(std::string_view signs, std::string_view& text) {
-  const size_t begin = text.find_first_not_of(signs);
-  text.remove_prefix(begin == std::string_view::npos ? text.size() : begin);
-}
+bool IsIn(const char* list, const Word& word) { return english::Language::Get().IsIn(list, word.key); }
 
 // The two lengths of " (1.5m x 0.6m)", " - Width: 0.5m, Length: 0.4m" and the like, which must follow at once.
 std::optional<std::pair<double, double>> ReadSize(std::string_view behind) {
   constexpr size_t kNear = 60;
-  behind = behind.substr(0, std::min({behind.size(), kNear, behind.find('\n')}));
-  const auto number = [&]() -> std::optional<double> {
-    const size_t at = behind.find_first_of("0123456789");
-    if (at == std::string_view::npos) return std::nullopt;
-    // Only signs and the words of sizes may stand before it.
-    for (const Word& word : ReadWords(behind.substr(0, at))) {
-      static const std::set<std::string, std::less<>> kWords = {"width", "length", "x",    "m",   "by",
-                                                                "wide",  "long",   "each", "size"};
-      if (!kWords.contains(word.key)) return std::nullopt;
-    }
-    behind.remove_prefix(at);
-    return TakeNumber(behind);
-  };
-  const std::optional<double> first = number();
-  const std::optional<double> second = first ? number() : std::nullopt;
-  if (!second) return std::nullopt;
-  return std::pair(*first, *second);
+  std::vector<double> sizes;
+  for (const Word& word : ReadWords(behind.substr(0, std::min({behind.size(), kNear, behind.find('\n')})))) {
+    if (IsFigure(word)) sizes.push_back(std::strtod(word.key.c_str(), nullptr));
+    if (sizes.size() == 2) return std::pair(sizes[0], sizes[1]);
+    if (!IsFigure(word) && !IsIn("size words", word)) break;
+  }
+  return std::nullopt;
 }
 
 // The 2 of " 2 - ..." or " (2)"; 0 when no bare number follows at once.
 int ReadNumber(std::string_view behind) {
-  Skip(" (#", behind);
-  int value = 0;
-  size_t digits = 0;
-  while (digits < behind.size() && digits < 2 && absl::ascii_isdigit(behind[digits]))
-    value = 10 * value + (behind[digits++] - '0');
-  if (digits == 0) return 0;
-  const char next = digits < behind.size() ? behind[digits] : ' ';
-  if (IsWordByte(next) || next == '.') return 0;
-  return value;
+  constexpr size_t kNear = 20;
+  const std::vector<Word> words = ReadWords(behind.substr(0, kNear));
+  if (words.empty() || behind.find_first_not_of(" (#") != words.front().begin) return 0;
+  const std::string& key = words.front().key;
+  return key.size() < 3 && std::all_of(key.begin(), key.end(), absl::ascii_isdigit) ? std::atoi(key.c_str()) : 0;
 }
 
 constexpr size_t kLongest = 390;
@@ -105,11 +75,10 @@ std::vector<Word> ReadWords(std::string_view text) {
       const bool point = text[i] == '.' && i + 1 < text.size() && absl::ascii_isdigit(text[i + 1]) &&
                          !word.key.empty() && absl::ascii_isdigit(text[i - 1]);
       if (!IsWordByte(text[i]) && !point) break;
-      const char c = text[i];
-      word.key += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      word.key += absl::ascii_tolower(text[i]);
     }
     word.end = i;
-    word.key = Singular(std::move(word.key));
+    word.key = english::Singular(word.key);
     words.push_back(std::move(word));
   }
   return words;
@@ -200,15 +169,13 @@ std::vector<Mention> ObjectNames::FindLoosely(std::string_view text, std::string
 }
 
 std::string FindZone(std::string_view text, const std::vector<std::string>& zone_ids) {
-  std::vector<Word> words = ReadWords(text);
+  const std::vector<Word> words = ReadWords(text);
   for (const std::string& id : zone_ids) {
-    std::vector<Word> zone = ReadWords(id);
     // "living_area" is one word of an id but two of a text.
-    std::string key, zone_key;
-    for (const Word& word : zone) zone_key += word.key;
+    std::string key;
     for (size_t i = 0; i < std::min<size_t>(words.size(), 3); ++i) {
       key += words[i].key;
-      if (!key.empty() && key == zone_key) return id;
+      if (key == NameKey(id)) return id;
     }
   }
   return "";
@@ -236,29 +203,27 @@ std::vector<std::string> SplitSentences(std::string_view line) {
 }
 
 bool IsSize(std::string_view text) {
-  static const std::set<std::string, std::less<>> kWords = {"width",     "length",     "x",    "by",  "wide",
-                                                            "long",      "each",       "size", "m",   "approximately",
-                                                            "dimension", "lengthwise", "and",  "high"};
-  for (const Word& word : ReadWords(text)) {
-    const bool number = word.key[0] >= '0' && word.key[0] <= '9';
-    if (!number && !kWords.contains(word.key)) return false;
-  }
-  return true;
+  const std::vector<Word> words = ReadWords(text);
+  return std::all_of(words.begin(), words.end(),
+                     [](const Word& word) { return IsFigure(word) || IsIn("size words", word); });
 }
 
 bool HasSize(std::string_view text) {
   const std::vector<Word> words = ReadWords(text);
-  return std::any_of(words.begin(), words.end(), [](const Word& word) {
-    return word.key.size() > 1 && word.key[0] >= '0' && word.key[0] <= '9' && word.key.back() == 'm';
-  });
+  return std::any_of(words.begin(), words.end(),
+                     [](const Word& word) { return IsFigure(word) && word.key.back() == 'm'; });
+}
+
+bool HasWordOf(const char* list, std::string_view text) {
+  const std::vector<Word> words = ReadWords(text);
+  return std::any_of(words.begin(), words.end(), [&](const Word& word) { return IsIn(list, word); });
 }
 
 double Likeness(std::string_view a, std::string_view b) {
   const auto keys = [](std::string_view text) {
-    static const std::set<std::string, std::less<>> kEmpty = {"the", "a", "an", "be", "is", "to", "of", "for", "it"};
     std::set<std::string, std::less<>> set;
     for (Word& word : ReadWords(text)) {
-      if (!kEmpty.contains(word.key)) set.insert(std::move(word.key));
+      if (!IsIn("empty words", word)) set.insert(std::move(word.key));
     }
     return set;
   };

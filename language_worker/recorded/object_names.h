@@ -76,4 +76,7 @@ bool IsSize(std::string_view text);
 // Whether it has a length in metres: "0.4m".
 bool HasSize(std::string_view text);
 
+// Whether one of its words, singular, is in that list of english/data.
+bool HasWordOf(const char* list, std::string_view text);
+
 }  // namespace flair::language

@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "absl/strings/str_split.h"
 #include "language_worker/recorded/object_names.h"
 
 namespace flair::language {
@@ -35,6 +36,12 @@ std::optional<std::string_view> TakeUntil(std::string_view sign, std::string_vie
   const std::string_view before = text.substr(0, at);
   text.remove_prefix(at + sign.size());
   return before;
+}
+
+bool TakePrefix(std::string_view prefix, std::string_view& text) {
+  if (!text.starts_with(prefix)) return false;
+  text.remove_prefix(prefix.size());
+  return true;
 }
 
 int NumberOf(std::string_view id) {
@@ -64,74 +71,52 @@ bool ReadNames(std::string_view names, PromptObjects& objects) {
   return true;
 }
 
-std::optional<PromptObjects> ReadObjects(std::string_view line) {
-  if (!line.starts_with("- ")) return std::nullopt;
-  line.remove_prefix(2);
+std::vector<std::string> SplitIds(std::string_view list) {
+  return list.empty() ? std::vector<std::string>() : std::vector<std::string>(absl::StrSplit(std::string(list), ", "));
+}
+
+// "0.45 x 0.5", with what follows.
+bool TakeSize(std::string_view& line, PromptObjects& objects) {
+  const auto take = [&](double& number) {
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
+    line.remove_prefix(static_cast<size_t>(end - line.data()));
+    return error == std::errc();
+  };
+  return take(objects.width_m) && TakePrefix(" x ", line) && take(objects.depth_m);
+}
+
+std::optional<PromptObjects> ReadStepObjects(std::string_view line) {
   PromptObjects objects;
   const auto names = TakeUntil(" (", line);
-  if (!names || !ReadNames(*names, objects)) return std::nullopt;
-  const auto zone = TakeUntil("): ", line);
-  if (!zone) return std::nullopt;
+  const auto zone = names && ReadNames(*names, objects) ? TakeUntil("): ", line) : std::nullopt;
+  if (!zone || !TakeSize(line, objects) || !line.starts_with(" x ")) return std::nullopt;
   objects.zone_id = std::string(*zone);
-  const auto width = TakeUntil(" x ", line);
-  const auto depth = width ? TakeUntil(" x ", line) : std::nullopt;
-  if (!depth) return std::nullopt;
-  std::from_chars(width->data(), width->data() + width->size(), objects.width_m);
-  std::from_chars(depth->data(), depth->data() + depth->size(), objects.depth_m);
+  objects.name = objects.ids.front();
   return objects;
 }
 
-// "- chair_1, chair_2: "dining chair", 0.45 x 0.5, dining, on a wall"; without the name where the ids tell it.
-std::vector<PromptObject> ReadTranslationObjectLine(std::string_view line) {
-  if (!line.starts_with("- ")) return {};
-  line.remove_prefix(2);
-  PromptObject object;
-  auto ids = TakeUntil(": ", line);
-  if (!ids) return {};
-  const std::string_view first_id = ids->substr(0, ids->find(", "));
-  object.name = std::string(WithoutNumber(first_id));
-  if (line.starts_with('"')) {
-    const auto name = TakeUntil("\", ", line);
-    if (!name) return {};
-    object.name = std::string(name->substr(1));
-  }
-  const auto width = TakeUntil(" x ", line);
-  const auto depth = width ? TakeUntil(", ", line) : std::nullopt;
-  if (!depth) return {};
+std::optional<PromptObjects> ReadTranslationObjects(std::string_view line) {
+  PromptObjects objects;
+  const auto ids = TakeUntil(": ", line);
+  if (!ids) return std::nullopt;
+  objects.ids = SplitIds(*ids);
+  objects.name = std::string(WithoutNumber(ids->substr(0, ids->find(", "))));
+  if (TakePrefix("\"", line)) objects.name = std::string(TakeUntil("\", ", line).value_or(""));
+  if (objects.name.empty() || !TakeSize(line, objects) || !TakePrefix(", ", line)) return std::nullopt;
   const std::string_view zone = line.substr(0, line.find(','));
-  if (zone != "no zone") object.zone_id = std::string(zone);
-  const auto read = [](std::string_view text, double& number) {
-    const char* const end = text.data() + text.size();
-    return std::from_chars(text.data(), end, number).ptr == end;
-  };
-  if (!read(*width, object.width_m) || !read(*depth, object.depth_m)) return {};
-  std::vector<PromptObject> objects;
-  while (!ids->empty()) {
-    const size_t end = std::min(ids->find(", "), ids->size());
-    object.id = std::string(ids->substr(0, end));
-    objects.push_back(object);
-    ids->remove_prefix(std::min(end + 2, ids->size()));
-  }
+  if (zone != "no zone") objects.zone_id = std::string(zone);
   return objects;
 }
 
 // "[altar, workbench]"
 std::optional<std::vector<std::string>> ReadHeading(std::string_view line) {
   if (line.size() < 2 || line.front() != '[' || line.back() != ']') return std::nullopt;
-  line = line.substr(1, line.size() - 2);
-  std::vector<std::string> ids;
-  while (!line.empty()) {
-    const size_t end = std::min(line.find(", "), line.size());
-    ids.emplace_back(line.substr(0, end));
-    line.remove_prefix(std::min(end + 2, line.size()));
-  }
-  return ids;
+  return SplitIds(line.substr(1, line.size() - 2));
 }
 
 // "- s1 "The bed stands at a wall.""
 std::optional<PromptSentence> ReadSentence(std::string_view line) {
-  if (!line.starts_with("- ")) return std::nullopt;
-  line.remove_prefix(2);
+  if (!TakePrefix("- ", line)) return std::nullopt;
   PromptSentence sentence;
   const auto id = TakeUntil(" ", line);
   if (!id || id->empty() || !line.starts_with('"')) return std::nullopt;
@@ -142,41 +127,15 @@ std::optional<PromptSentence> ReadSentence(std::string_view line) {
   return sentence;
 }
 
-// "- near(object, target, max_distance_m? = 3): They are near."
-std::optional<PromptFunction> ReadFunction(std::string_view line) {
-  if (!line.starts_with("- ")) return std::nullopt;
-  line.remove_prefix(2);
-  PromptFunction function;
-  const auto name = TakeUntil("(", line);
-  auto parameters = name ? TakeUntil("): ", line) : std::nullopt;
-  if (!parameters || name->empty() || name->find(' ') != std::string_view::npos) return std::nullopt;
-  function.name = std::string(*name);
-  while (!parameters->empty()) {
-    const size_t end = std::min(parameters->find(", "), parameters->size());
-    const std::string_view parameter = parameters->substr(0, end);
-    parameters->remove_prefix(std::min(end + 2, parameters->size()));
-    const size_t name_end = std::min(parameter.find_first_of("?: ="), parameter.size());
-    if (name_end == parameter.size() || parameter[name_end] != '?') {
-      function.needed.emplace_back(parameter.substr(0, name_end));
-    }
-  }
-  return function;
-}
-
 }  // namespace
 
 std::vector<PromptObjects> ReadPromptObjects(std::string_view prompt) {
   std::vector<PromptObjects> list;
   ForEachLine(prompt, [&](std::string_view line) {
-    if (auto objects = ReadObjects(line)) list.push_back(*std::move(objects));
-  });
-  return list;
-}
-
-std::vector<PromptObject> ReadTranslationObjects(std::string_view prompt) {
-  std::vector<PromptObject> list;
-  ForEachLine(prompt, [&](std::string_view line) {
-    for (PromptObject& object : ReadTranslationObjectLine(line)) list.push_back(std::move(object));
+    if (!TakePrefix("- ", line)) return;
+    std::optional<PromptObjects> objects = ReadStepObjects(line);
+    if (!objects) objects = ReadTranslationObjects(line);
+    if (objects) list.push_back(*std::move(objects));
   });
   return list;
 }
@@ -194,36 +153,30 @@ std::vector<PromptSentence> ReadPromptSentences(std::string_view prompt) {
   return list;
 }
 
-std::vector<PromptFunction> ReadPromptFunctions(std::string_view prompt) {
-  std::vector<PromptFunction> list;
-  ForEachLine(prompt, [&](std::string_view line) {
-    if (auto function = ReadFunction(line)) list.push_back(*std::move(function));
-  });
-  return list;
-}
-
 std::string_view WithoutNumber(std::string_view id) {
   const size_t last = id.find_last_not_of("0123456789");
   if (last == std::string_view::npos || last + 1 == id.size() || last == 0 || id[last] != '_') return id;
   return id.substr(0, last);
 }
 
-PromptIds::PromptIds(const std::vector<const v1::Object*>& objects, std::vector<PromptObjects> listed)
+PromptIds::PromptIds(const std::vector<const v1::Object*>& objects, std::vector<PromptObjects> listed, bool loosely)
     : listed_(std::move(listed)), places_(objects.size()) {
   // Prompts round to centimetres.
   const auto near = [](double a, double b) { return std::abs(a - b) < 0.006; };
+  const auto equal = [&](const PromptObjects& group, const v1::Object& object) {
+    const bool zoned = object.role() != v1::OBJECT_ROLE_TERTIARY;
+    return (!zoned || group.zone_id == object.zone_id()) && near(group.width_m, object.width_m()) &&
+           near(group.depth_m, object.depth_m());
+  };
   std::vector<size_t> used(listed_.size(), 0);
-  for (size_t i = 0; i < objects.size(); ++i) {
-    const v1::Object& object = *objects[i];
-    for (size_t g = 0; g < listed_.size(); ++g) {
-      const PromptObjects& group = listed_[g];
-      if (used[g] == group.ids.size() || group.zone_id != object.zone_id() ||
-          NameKey(group.ids[0]) != NameKey(object.name()) || !near(group.width_m, object.width_m()) ||
-          !near(group.depth_m, object.depth_m())) {
-        continue;
+  for (const bool by_name : {false, true}) {
+    if (by_name && !loosely) break;
+    for (size_t i = 0; i < objects.size(); ++i) {
+      for (size_t g = 0; g < listed_.size() && places_[i].group < 0; ++g) {
+        const PromptObjects& group = listed_[g];
+        if (used[g] == group.ids.size() || NameKey(group.name) != NameKey(objects[i]->name())) continue;
+        if (by_name || equal(group, *objects[i])) places_[i] = {static_cast<int>(g), group.ids[used[g]++]};
       }
-      places_[i] = {static_cast<int>(g), group.ids[used[g]++]};
-      break;
     }
   }
 }

@@ -11,22 +11,15 @@
 
 namespace flair::language {
 
-// A line of GroupsText: equal objects.
+// A line of a prompt that lists objects: equal ones.
 struct PromptObjects {
   // One or more, in order.
   std::vector<std::string> ids;
-  // Name of all of them; the id of a single one.
+  // What all of them are called together; the id of a single one.
   std::string group;
-  std::string zone_id;
-  double width_m = 0;
-  double depth_m = 0;
-};
-
-// An object in a prompt of the translation.
-struct PromptObject {
-  std::string id;
+  // As the prompt or, where it does not tell it, the id has it.
   std::string name;
-  // Empty when it is in none.
+  // Empty when they are in none.
   std::string zone_id;
   double width_m = 0;
   double depth_m = 0;
@@ -39,18 +32,11 @@ struct PromptSentence {
   std::string text;
 };
 
-// A function in a prompt of the translation.
-struct PromptFunction {
-  std::string name;
-  // The parameters that it cannot do without, in order.
-  std::vector<std::string> needed;
-};
-
-// The lines of that form, in their order; others are passed over. Read any text.
+// The lines of that form, in their order; others are passed over. Read any text. Objects: of the language steps
+// ("- chair_1 to chair_4, together chair (dining): 0.45 x 0.5 x 0.9 m") and of the translation ("- chair_1, chair_2:
+// "dining chair", 0.45 x 0.5, dining, on a wall").
 std::vector<PromptObjects> ReadPromptObjects(std::string_view prompt);
-std::vector<PromptObject> ReadTranslationObjects(std::string_view prompt);
 std::vector<PromptSentence> ReadPromptSentences(std::string_view prompt);
-std::vector<PromptFunction> ReadPromptFunctions(std::string_view prompt);
 
 // "dining_chair_3" without its number.
 std::string_view WithoutNumber(std::string_view id);
@@ -58,8 +44,12 @@ std::string_view WithoutNumber(std::string_view id);
 // How a prompt calls the recorded objects.
 class PromptIds {
  public:
-  // Matches by name, zone and size, equal ones in their order.
-  PromptIds(const std::vector<const v1::Object*>& objects, std::vector<PromptObjects> listed);
+  // Matches by name, zone and size, equal ones in their order; then, if `loosely`, by name alone: sizes may have been
+  // mended.
+  PromptIds(const std::vector<const v1::Object*>& objects, std::vector<PromptObjects> listed, bool loosely = false);
+
+  // Empty when the prompt does not list the object.
+  const std::string& IdOf(size_t object) const { return places_[object].id; }
 
   // Names that together mean these objects: a group's when it is meant whole, else ids; in the order of the objects.
   // Objects that the prompt does not list have none.

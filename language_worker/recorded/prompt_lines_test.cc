@@ -59,28 +59,17 @@ TEST(PromptLines, ReadSentencesUnderTheirHeadings) {
 }
 
 TEST(PromptLines, ReadObjectsOfTheTranslation) {
-  const auto objects = ReadTranslationObjects(
+  const auto objects = ReadPromptObjects(
       "- bed_1: \"double bed\", 1.6 x 2, sleeping\n- stool_1, stool_2: 0.2 x 0.2, no zone, on another object\n"
       "- near(object, target): a function, 2 x 3, that\n");
-  ASSERT_THAT(objects, SizeIs(3));
-  EXPECT_EQ(objects[0].id, "bed_1");
+  ASSERT_THAT(objects, SizeIs(2));
+  EXPECT_THAT(objects[0].ids, ElementsAre("bed_1"));
   EXPECT_EQ(objects[0].name, "double bed");
   EXPECT_EQ(objects[0].depth_m, 2);
   EXPECT_EQ(objects[0].zone_id, "sleeping");
   EXPECT_EQ(objects[1].zone_id, "");
-  EXPECT_EQ(objects[2].id, "stool_2");
-  EXPECT_EQ(objects[2].name, "stool");
-}
-
-TEST(PromptLines, ReadFunctionsWithWhatTheyNeed) {
-  const auto functions = ReadPromptFunctions(
-      "- near(object, target, max_distance_m? = 3): Near.\n- row(objects): In a row (flush).\n- bed: 1 x 2, "
-      "sleeping\n- in "
-      "the (way): no\n");
-  ASSERT_THAT(functions, SizeIs(2));
-  EXPECT_EQ(functions[0].name, "near");
-  EXPECT_THAT(functions[0].needed, ElementsAre("object", "target"));
-  EXPECT_THAT(functions[1].needed, ElementsAre("objects"));
+  EXPECT_THAT(objects[1].ids, ElementsAre("stool_1", "stool_2"));
+  EXPECT_EQ(objects[1].name, "stool");
 }
 
 TEST(PromptLines, GroupsThatCannotBeAreNotReadFor) {

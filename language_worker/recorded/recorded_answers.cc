@@ -13,7 +13,6 @@
 #include "language_worker/handbook/styling/choose_style.h"
 #include "language_worker/recorded/constraint_text.h"
 #include "language_worker/recorded/prompt_lines.h"
-#include "language_worker/recorded/tertiary_text.h"
 
 namespace flair::language {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/recorded/recorded_calls.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,102 +6,38 @@
 #include <set>
 #include <utility>
 
+#include "english/language.h"
 #include "language_worker/model/furniture_index.h"
 #include "language_worker/recorded/object_names.h"
 #include "language_worker/recorded/prompt_lines.h"
+#include "language_worker/recorded/recorded_answers.h"
 
 namespace flair::language {
 namespace {
 
 using KeySet = std::set<std::string, std::less<>>;
 
-// Words, singular, by which a sentence says what a function does.
-const std::map<std::string, KeySet, std::less<>> kWordsOf = {
-    {"accessible",
-     {"access", "accessible", "accessibility", "reach", "clear", "clearance", "space", "free", "open", "room"}},
-    {"against_wall", {"wall", "against", "back"}},
-    {"away_from", {"away", "distance", "apart", "least", "minimum", "gap", "separate", "clearance", "not"}},
-    {"away_from_feature", {"away", "avoid", "near", "not", "distance"}},
-    {"between", {"between"}},
-    {"ceiling_above", {"ceiling", "above", "over", "hang", "hung"}},
-    {"ceiling_center", {"ceiling", "center", "centre", "central", "centrally", "middle"}},
-    {"central", {"center", "centre", "central", "centrally", "middle", "centered"}},
-    {"centered_on_wall", {"center", "centre", "centered", "wall"}},
-    {"clear_of_feature", {"block", "obstruct", "avoid", "clear", "interfere", "front", "not"}},
-    {"close_to_feature", {"near", "close", "access", "proximity", "next", "by", "under"}},
-    {"facing", {"face", "facing", "opposite", "view", "toward"}},
-    {"facing_into_room", {"face", "facing", "view", "room", "into", "center"}},
-    {"in_corner", {"corner"}},
-    {"in_front_of", {"front", "before"}},
-    {"in_zone", {"area", "zone", "region", "within"}},
-    {"near", {"near", "close", "within", "reach", "easy", "access", "proximity", "adjacent", "most", "beside"}},
-    {"near_wall", {"wall", "near", "along", "against", "back"}},
-    {"next_to", {"next", "beside", "side", "against", "adjacent", "left", "right", "flush", "foot"}},
-    {"not_against_wall", {"wall", "away", "not", "distance"}},
-    {"not_facing", {"face", "facing", "not"}},
-    {"on_top_center", {"on", "top", "center", "atop"}},
-    {"on_top_corner", {"corner", "edge", "side", "end"}},
-    {"on_wall_above", {"above", "over", "wall", "behind"}},
-    {"on_wall_in_zone", {"wall", "area"}},
-    {"on_wall_near", {"near", "wall", "next", "by"}},
-    {"parallel", {"parallel", "align", "aligned", "same", "direction"}},
-    {"perpendicular", {"perpendicular", "angle"}},
-    {"rug_under_center", {"under", "beneath", "center"}},
-    {"rug_under_forward", {"under", "front", "beneath", "partially"}},
-    {"surround", {"around", "surround", "surrounded", "each", "side"}},
-    {"under_window", {"under", "window", "below"}}};
-
 // A recorded call in today's words.
 struct RecordedCall {
   std::string function;
-  // As an answer writes it.
+  // As an answer writes it, "near(object=sofa, target=shelf, max_distance_m=1)".
   std::string text;
   std::vector<std::string> objects;
   // Doors, zones, distances: what else the sentence should name.
   std::vector<std::string> words;
 };
 
-// Today's ids of the recorded objects.
-class Ids {
- public:
-  Ids(const RecordedRoom& room, const std::vector<PromptObject>& listed) {
-    std::vector<bool> used(listed.size(), false);
-    // Of equal names first those of equal size: sizes may have been mended.
-    for (const bool exact : {true, false}) {
-      for (const v1::Object& object : room.graph.object_list().objects()) {
-        if (ids_.contains(object.id())) continue;
-        for (size_t i = 0; i < listed.size(); ++i) {
-          const PromptObject& other = listed[i];
-          if (used[i] || NameKey(other.name) != NameKey(object.name())) continue;
-          const auto near = [](double a, double b) { return a - b < 0.006 && b - a < 0.006; };
-          const bool tertiary = object.role() == v1::OBJECT_ROLE_TERTIARY;
-          if (exact && !(near(other.width_m, object.width_m()) && near(other.depth_m, object.depth_m()) &&
-                         (tertiary || other.zone_id == object.zone_id()))) {
-            continue;
-          }
-          ids_[object.id()] = other.id;
-          used[i] = true;
-          break;
-        }
-      }
-    }
-    for (const v1::Object& object : room.graph.object_list().objects()) recorded_.insert(object.id());
-  }
+// Today's ids of the recorded objects, by theirs; empty for those that are not there any more.
+using Ids = std::map<std::string, std::string>;
 
-  // False when the value is an object that is not there any more.
-  bool Translate(std::string& value, bool& is_object) const {
-    is_object = recorded_.contains(value);
-    if (!is_object) return true;
-    const auto found = ids_.find(value);
-    if (found == ids_.end()) return false;
-    value = found->second;
-    return true;
-  }
-
- private:
-  std::map<std::string, std::string> ids_;
-  KeySet recorded_;
-};
+Ids IdsOf(const RecordedRoom& room, const std::vector<PromptObjects>& listed) {
+  std::vector<const v1::Object*> objects;
+  for (const v1::Object& object : room.graph.object_list().objects()) objects.push_back(&object);
+  const PromptIds prompt_ids(objects, listed, /*loosely=*/true);
+  Ids ids;
+  for (size_t i = 0; i < objects.size(); ++i) ids[objects[i]->id()] = prompt_ids.IdOf(i);
+  return ids;
+}
 
 std::vector<std::string> ValuesOf(const v1::ArgumentValue& value) {
   switch (value.value_case()) {
@@ -118,53 +52,44 @@ std::vector<std::string> ValuesOf(const v1::ArgumentValue& value) {
   }
 }
 
-// "near(sofa, shelf, max_distance_m=1)": what the function needs by its place, the rest by name.
-std::string CallText(const std::string& function, const std::vector<std::string>& needed,
-                     const std::vector<std::pair<std::string, std::vector<std::string>>>& arguments) {
-  std::vector<std::string> by_place(needed.size()), written;
-  for (const auto& [name, values] : arguments) {
-    const std::string value = values.size() == 1 ? values.front() : fmt::format("[{}]", fmt::join(values, ", "));
-    const auto place = std::find(needed.begin(), needed.end(), name);
-    if (place != needed.end()) {
-      by_place[static_cast<size_t>(place - needed.begin())] = value;
-    } else {
-      written.push_back(fmt::format("{}={}", name, value));
-    }
-  }
-  // Without one of them the others are told by name.
-  const bool all = std::find(by_place.begin(), by_place.end(), "") == by_place.end();
-  for (size_t i = by_place.size(); i-- > 0;) {
-    if (by_place[i].empty()) continue;
-    written.insert(written.begin(), all ? by_place[i] : fmt::format("{}={}", needed[i], by_place[i]));
-  }
-  return fmt::format("{}({})", function, fmt::join(written, ", "));
-}
-
 // False when the call names an object that is not there any more.
-bool ReadCall(const v1::ConstraintEdge& edge, const std::vector<std::string>& needed, const Ids& ids,
-              RecordedCall& call) {
+bool ReadCall(const v1::ConstraintEdge& edge, const Ids& ids, RecordedCall& call) {
   call.function = edge.type();
   bool there = true;
-  std::vector<std::pair<std::string, std::vector<std::string>>> arguments;
+  std::vector<std::string> arguments;
   for (const v1::Argument& argument : edge.arguments()) {
     std::vector<std::string> values = ValuesOf(argument.value());
     for (std::string& value : values) {
-      bool is_object = false;
-      there = ids.Translate(value, is_object) && there;
-      (is_object ? call.objects : call.words).push_back(value);
+      const auto object = ids.find(value);
+      if (object != ids.end()) {
+        there = there && !object->second.empty();
+        if (!object->second.empty()) value = object->second;
+      }
+      (object != ids.end() ? call.objects : call.words).push_back(value);
     }
-    arguments.emplace_back(argument.name(), std::move(values));
+    const std::string list = fmt::format("{}", fmt::join(values, ", "));
+    arguments.push_back(argument.name() + "=" + (values.size() == 1 ? list : "[" + list + "]"));
   }
-  call.text = CallText(edge.type(), needed, arguments);
+  call.text = fmt::format("{}({})", edge.type(), fmt::join(arguments, ", "));
   return there;
+}
+
+// Whether a sentence of these words, lower case and singular, names the feature that a value is; other values need not
+// be named.
+bool NamesFeature(const std::string& value, const KeySet& words) {
+  if (value != "door" && value != "window" && value != "socket") return true;
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return english::Language::Get().IsIn(value + "s", word); });
 }
 
 class CallMatcher {
  public:
   // `items`: the sentences are about items, one each.
-  CallMatcher(const std::vector<PromptSentence>& sentences, const std::vector<PromptObject>& objects, bool items)
+  CallMatcher(const std::vector<PromptSentence>& sentences, const std::vector<PromptObjects>& objects, bool items)
       : sentences_(sentences), items_(items) {
-    for (const PromptObject& object : objects) names_[object.id] = NameKey(object.name);
+    for (const PromptObjects& equal : objects) {
+      for (const std::string& id : equal.ids) names_[id] = NameKey(equal.name);
+    }
     for (const PromptSentence& sentence : sentences) {
       KeySet words;
       for (Word& word : ReadWords(sentence.text)) words.insert(std::move(word.key));
@@ -218,10 +143,10 @@ class CallMatcher {
     for (const std::string& object : call.objects) {
       if (!Names(i, object)) return 0;
     }
-    const auto known = kWordsOf.find(call.function);
-    if (call.objects.empty() || known == kWordsOf.end()) return 0;
-    double score = 0;
-    for (const std::string& word : known->second) score += words_[i].contains(word) ? 1 : 0;
+    if (call.objects.empty()) return 0;
+    const std::string list = "says " + call.function;
+    const auto says = [&](const std::string& word) { return english::Language::Get().IsIn(list, word); };
+    double score = static_cast<double>(std::count_if(words_[i].begin(), words_[i].end(), says));
     // An item's sentence is the only one about it, in whatever words.
     const auto& subjects = sentences_[i].subject_ids;
     const bool first = !subjects.empty() && subjects.front() == call.objects.front();
@@ -233,13 +158,8 @@ class CallMatcher {
       }
     }
     // A feature that the sentence does not name is not what it is about.
-    static const KeySet kFeatures = {"door", "window", "socket"};
     for (const std::string& value : call.words) {
-      if (!kFeatures.contains(value)) continue;
-      const bool outlet = value == "socket" && (words_[i].contains("outlet") || words_[i].contains("power"));
-      const bool entry = value == "door" && (words_[i].contains("doorway") || words_[i].contains("entrance") ||
-                                             words_[i].contains("entry") || words_[i].contains("entryway"));
-      if (!words_[i].contains(value) && !outlet && !entry) return 0;
+      if (!NamesFeature(value, words_[i])) return 0;
     }
     return score + (first ? 0.5 : 0);
   }
@@ -277,20 +197,18 @@ CallKind KindOf(const v1::ConstraintEdge& edge, const RecordedRoom& room) {
 
 model::v1::CallsAnswer FindCalls(const RecordedRoom& room, std::string_view step, std::string_view prompt,
                                  Conversion& conversion) {
-  std::map<std::string, std::vector<std::string>> functions;  // with what they need
-  for (PromptFunction& function : ReadPromptFunctions(prompt)) functions[function.name] = std::move(function.needed);
-  const std::vector<PromptObject> objects = ReadTranslationObjects(prompt);
+  const std::vector<PromptObjects> objects = ReadPromptObjects(prompt);
   const std::vector<PromptSentence> sentences = ReadPromptSentences(prompt);
   const CallKind kind = step.ends_with("tertiary") ? CallKind::kTertiary
                         : step.ends_with("inter")  ? CallKind::kInter
                                                    : CallKind::kIntra;
-  const Ids ids(room, objects);
+  const Ids ids = IdsOf(room, objects);
   CallMatcher matcher(sentences, objects, kind == CallKind::kTertiary);
   for (const v1::ConstraintEdge& edge : room.graph.edges()) {
     const bool own = KindOf(edge, room) == kind;
-    const bool known = functions.contains(edge.type());
+    const bool known = prompt.find(fmt::format("\n- {}(", edge.type())) != std::string_view::npos;
     RecordedCall call;
-    const bool there = ReadCall(edge, known ? functions[edge.type()] : std::vector<std::string>(), ids, call);
+    const bool there = ReadCall(edge, ids, call);
     // A sentence about a pair may say of one of them where its wall is.
     const bool taken = known && there && (own || (kind == CallKind::kInter && IsOfAWall(edge.type())));
     if (taken && matcher.Give(call, own ? "" : "wall")) {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "absl/strings/ascii.h"
-#include "evaluation/readers/flairgpt_check.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "language_worker/recorded/test_room.h"
+#include "language_worker/recorded/testing/test_room.h"
 
 namespace flair::language {
 namespace {

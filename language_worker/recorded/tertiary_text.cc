@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/recorded/tertiary_text.h"
-
 #include <algorithm>
-#include <set>
 #include <utility>
 
+#include "english/language.h"
+#include "language_worker/recorded/constraint_text.h"
 #include "language_worker/recorded/object_names.h"
 #include "language_worker/recorded/outline.h"
 #include "llm/answers/utf8.h"
@@ -12,23 +11,12 @@
 namespace flair::language {
 namespace {
 
-using KeySet = std::set<std::string, std::less<>>;
-
 constexpr size_t kLongestPlacement = 300;
 
-bool HasWordOf(std::string_view text, const KeySet& set) {
-  const std::vector<Word> words = ReadWords(text);
-  return std::any_of(words.begin(), words.end(), [&](const Word& word) { return set.contains(word.key); });
-}
-
 // Whether a text says where something is.
-bool SaysWhere(std::string_view text) {
-  static const KeySet kWords = {"on",     "above",    "under",   "beside",  "near",    "over",     "behind",
-                                "next",   "hung",     "hang",    "hanging", "in",      "placed",   "place",
-                                "atop",   "below",    "by",      "at",      "against", "opposite", "between",
-                                "around", "centered", "mounted", "beneath", "along"};
-  return HasWordOf(text, kWords);
-}
+bool SaysWhere(std::string_view text) { return HasWordOf("where words", text); }
+
+bool IsLabel(const char* list, std::string_view label) { return english::Language::Get().IsIn(list, label); }
 
 // An item of the list: what it is called, and all that is said of it.
 struct Item {
@@ -58,11 +46,10 @@ std::string WithoutSizes(std::string_view text) {
 
 // "Placement: On the desk" without its first word.
 std::string WithoutLabel(const OutlineLine& line) {
-  static const KeySet kLabels = {"placement", "location", "position", "place", "where"};
-  if (!line.label.empty() && HasWordOf(line.label, kLabels)) return line.text;
+  if (!line.label.empty() && HasWordOf("place labels", line.label)) return line.text;
   const std::string all = line.All();
   const size_t colon = all.find(": ");
-  if (colon != std::string::npos && colon < 20 && HasWordOf(std::string_view(all).substr(0, colon), kLabels)) {
+  if (colon != std::string::npos && colon < 20 && HasWordOf("place labels", std::string_view(all).substr(0, colon))) {
     return all.substr(colon + 2);
   }
   return line.text.empty() ? line.label : line.text;
@@ -80,18 +67,10 @@ std::string LabelKey(const OutlineLine& line) {
 }
 
 // "Placement:", "Dimensions (width x length):" and the like are about the item above.
-bool IsProperty(const OutlineLine& line) {
-  static const KeySet kLabels = {"placement", "location",    "position", "dimension", "purpose",
-                                 "size",      "description", "reason",   "style",     "note",
-                                 "function",  "width",       "length",   "object",    "item"};
-  return kLabels.contains(LabelKey(line));
-}
+bool IsProperty(const OutlineLine& line) { return IsLabel("property labels", LabelKey(line)); }
 
 // Of them, those that do not say where.
-bool IsOtherProperty(const OutlineLine& line) {
-  static const KeySet kLabels = {"placement", "location", "position"};
-  return IsProperty(line) && !kLabels.contains(LabelKey(line));
-}
+bool IsOtherProperty(const OutlineLine& line) { return IsProperty(line) && !IsLabel("where labels", LabelKey(line)); }
 
 class PlacementMatcher {
  public:
@@ -127,8 +106,7 @@ class PlacementMatcher {
   void CollectItems() {
     for (size_t i = 0; i < lines_.size(); ++i) {
       const OutlineLine& line = lines_[i];
-      static const KeySet kSummary = {"summary", "recap", "overview"};
-      if (HasWordOf(line.All(), kSummary)) break;  // says all again
+      if (HasWordOf("summaries", line.All())) break;  // says all again
       if (IsProperty(line) || (line.kind == LineKind::kText && line.label.empty())) continue;
       Item item{line.number, line.label.empty() ? line.text : line.label, "", HeadingOf(line)};
       if (!line.label.empty()) item.place = WithoutSizes(line.text);
@@ -169,10 +147,8 @@ class PlacementMatcher {
     const double in_name = Likeness(tertiary.name(), item.name);
     if (in_name > 0) return in_name;
     // "tablelamp"
-    std::string key, name_key;
-    for (const Word& word : ReadWords(tertiary.name())) key += word.key;
-    for (const Word& word : ReadWords(item.name)) name_key += word.key;
-    if (!key.empty() && name_key.find(key) != std::string::npos) return 0.99;
+    const std::string key = NameKey(tertiary.name());
+    if (!key.empty() && NameKey(item.name).find(key) != std::string::npos) return 0.99;
     for (const Word& word : ReadWords(item.name)) {
       if (word.key.size() > 3 && key.find(word.key) != std::string::npos) return 0.5;
     }

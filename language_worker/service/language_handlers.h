@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
+#include <string>
 
 #include "absl/status/statusor.h"
 #include "flair/v1/language_service.pb.h"
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/model/furniture_index.h"
-#include "language_worker/model/model_tools.h"
-#include "llm/answers/prompt_library.h"
-#include "llm/client/llm_client.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::language {
 
-// Answers the six requests of the language phase. Each validates its request; returns what the brief itself brings, by
-// the method "brief" (INVALID_ARGUMENT when that does not go with what it belongs to); else asks the model, or, without
-// one, the handbook. A step that fails because of the model, and for no other reason, is answered by the handbook where
-// the request allows that, and a remark "stand_in" says so. Thread-safe; every call to a model blocks its thread until
-// the model has answered.
+// Answers the six requests of the language phase. Each validates its request, and returns what the brief itself brings,
+// by the method "brief" (INVALID_ARGUMENT when that does not go with what it belongs to); else the handbook answers, or
+// what overrides Answer (model/model_handlers.h). Thread-safe.
 class LanguageHandlers {
  public:
   // `handbook` must outlive it.
   explicit LanguageHandlers(const Handbook& handbook) : handbook_(handbook) {}
-  LanguageHandlers(const Handbook& handbook, std::unique_ptr<llm::LlmClient> client, llm::PromptLibrary prompts);
+  virtual ~LanguageHandlers() = default;
 
   absl::StatusOr<v1::DescribeRoomResponse> Handle(const v1::DescribeRoomRequest& request,
                                                   runtime::CallContext& call) const;
@@ -37,25 +31,35 @@ class LanguageHandlers {
   absl::StatusOr<v1::CleanConstraintsResponse> Handle(const v1::CleanConstraintsRequest& request,
                                                       runtime::CallContext& call) const;
 
+ protected:
+  // The answers to valid requests, of which the brief brings nothing. Here: the handbook's.
+  virtual absl::StatusOr<v1::DescribeRoomResponse> Answer(const v1::DescribeRoomRequest& request,
+                                                          runtime::CallContext& call) const;
+  virtual absl::StatusOr<v1::PlanZonesResponse> Answer(const v1::PlanZonesRequest& request,
+                                                       runtime::CallContext& call) const;
+  virtual absl::StatusOr<v1::ListObjectsResponse> Answer(const v1::ListObjectsRequest& request,
+                                                         runtime::CallContext& call) const;
+  virtual absl::StatusOr<v1::ChooseStyleResponse> Answer(const v1::ChooseStyleRequest& request,
+                                                         runtime::CallContext& call) const;
+  virtual absl::StatusOr<v1::ListConstraintsResponse> Answer(const v1::ListConstraintsRequest& request,
+                                                             runtime::CallContext& call) const;
+  virtual absl::StatusOr<v1::CleanConstraintsResponse> Answer(const v1::CleanConstraintsRequest& request,
+                                                              runtime::CallContext& call) const;
+
+  const Handbook& handbook() const { return handbook_; }
+
  private:
-  // What asking a model takes.
-  struct Model {
-    Model(const Handbook& handbook, std::unique_ptr<llm::LlmClient> client, llm::PromptLibrary prompts);
-
-    const std::unique_ptr<llm::LlmClient> client;
-    const llm::PromptLibrary prompts;
-    const FurnitureIndex furniture;
-    const ModelTools tools;
-  };
-
-  // Asks with `ask(Conversation&, ModelTools)`, else `stand_in()`, both of which return the artifact, and puts it where
-  // `part` of the response points to.
-  template <typename Response, typename Request, typename Ask, typename StandIn, typename Part>
-  absl::StatusOr<Response> Answer(const Request& request, runtime::CallContext& call, const Ask& ask,
-                                  const StandIn& stand_in, Part part) const;
-
   const Handbook& handbook_;
-  std::unique_ptr<const Model> model_;  // null: the handbook answers
 };
+
+// A response whose producer is this program, by `method` of `version`, such as a model with its prompts.
+template <typename Response>
+Response AnsweredBy(const std::string& method, const std::string& version = "") {
+  Response response;
+  response.mutable_producer()->set_program("flair-language");
+  response.mutable_producer()->set_method(method);
+  response.mutable_producer()->set_version(version);
+  return response;
+}
 
 }  // namespace flair::language

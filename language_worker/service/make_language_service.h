@@ -3,28 +3,26 @@
 
 #include <grpcpp/impl/service_type.h>
 
+#include <functional>
 #include <memory>
 
 #include "absl/status/statusor.h"
 #include "flair/config/v1/language_worker_config.pb.h"
-#include "llm/client/llm_client.h"
+#include "language_worker/service/language_handlers.h"
 #include "worker_runtime/bootstrap/worker_context.h"
-#include "worker_runtime/config/config_reader.h"
 
 namespace flair::language {
 
-// The LanguageService, for flair-language and for programs that host it themselves. With an llm the model answers, else
-// the handbook. Reads handbook and prompts once; errors as LoadHandbook, llm::MakeLlmClient and PromptLibrary::Load.
-// `worker` must outlive it.
-absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config::v1::LanguageWorkerConfig& config,
-                                                                   runtime::WorkerContext& worker);
+// Makes handlers that ask the config's language model, and adds to the worker's revision what decides their answers;
+// see model/model_handlers.h.
+using ModelHandlersMaker = std::function<absl::StatusOr<std::unique_ptr<LanguageHandlers>>(
+    const config::v1::LanguageWorkerConfig&, const Handbook&, runtime::WorkerContext&)>;
 
-// The same with a model of one's own, which takes the place of the configured one.
+// The LanguageService, for flair-language and for programs that host it themselves. The handbook answers; when the
+// config has an llm, the handlers that `with_model` makes, and INVALID_ARGUMENT when it is null. Reads the handbook
+// once; errors as LoadHandbook and `with_model`. `worker` must outlive it.
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config::v1::LanguageWorkerConfig& config,
-                                                                   std::unique_ptr<llm::LlmClient> model,
-                                                                   runtime::WorkerContext& worker);
-
-// Reports what is wrong with the config, but for its runtime.
-void CheckLanguageConfig(const config::v1::LanguageWorkerConfig& config, runtime::ConfigChecker& checker);
+                                                                   runtime::WorkerContext& worker,
+                                                                   const ModelHandlersMaker& with_model = nullptr);
 
 }  // namespace flair::language

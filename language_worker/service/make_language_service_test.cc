@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "flair/v1/language_service.grpc.pb.h"
+#include "language_worker/model/model_handlers.h"
 #include "language_worker/service/testing/model_session.h"
 #include "llm/client/fake_llm_client.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -22,11 +23,20 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+// A service that asks `model` in the place of the configured one.
+auto ServiceWith(std::unique_ptr<llm::LlmClient> model, config::v1::LanguageWorkerConfig config,
+                 runtime::WorkerContext& context) {
+  config.mutable_llm();
+  return MakeLanguageService(config, context,
+                             [&](const auto& made, const Handbook& handbook, runtime::WorkerContext& worker) {
+                               return MakeModelHandlers(std::move(model), made, handbook, worker);
+                             });
+}
+
 std::string RevisionOf(const config::v1::LanguageWorkerConfig& config, bool with_model) {
   runtime::WorkerResources resources("flair-language", {});
-  const auto service = with_model
-                           ? MakeLanguageService(config, std::make_unique<llm::FakeLlmClient>(), resources.context())
-                           : MakeLanguageService(config, resources.context());
+  const auto service = with_model ? ServiceWith(std::make_unique<llm::FakeLlmClient>(), config, resources.context())
+                                  : MakeLanguageService(config, resources.context());
   EXPECT_TRUE(service.ok()) << service.status();
   return resources.context().revision;
 }
@@ -46,7 +56,7 @@ TEST(MakeLanguageService, TheRevisionNamesHandbookModelAndPrompts) {
   EXPECT_NE(RevisionOf(other, /*with_model=*/true), model);
   std::ofstream(own / "room.txt") << "Describe {{breif}} in another way.";
   runtime::WorkerResources resources("flair-language", {});
-  const auto service = MakeLanguageService(other, std::make_unique<llm::FakeLlmClient>(), resources.context());
+  const auto service = ServiceWith(std::make_unique<llm::FakeLlmClient>(), other, resources.context());
   EXPECT_THAT(service.status().message(), HasSubstr("room.txt:1: {{breif}} is no placeholder of this prompt"));
   std::filesystem::remove_all(own);
 }
@@ -56,7 +66,7 @@ TEST(MakeLanguageService, AnswersWithTheModelOverTheWire) {
   model->Answer("room", GoodAnswers().at("room"));
   auto server = runtime::InProcessServer::Start(
       "flair-language", {}, v1::LanguageService::service_full_name(),
-      [&](runtime::WorkerContext& context) { return MakeLanguageService({}, std::move(model), context); });
+      [&](runtime::WorkerContext& context) { return ServiceWith(std::move(model), {}, context); });
   ASSERT_TRUE(server.ok()) << server.status();
   const auto stub = v1::LanguageService::NewStub((*server)->channel());
   v1::DescribeRoomRequest request;
@@ -75,7 +85,18 @@ TEST(MakeLanguageService, AConfigThatCannotWorkIsRefusedByItsFields) {
   config::v1::LanguageWorkerConfig config;
   config.mutable_llm()->set_base_url("ftp://nowhere");
   runtime::WorkerResources resources("flair-language", {});
-  EXPECT_FALSE(MakeLanguageService(config, resources.context()).ok());
+  const auto with_model = [](const auto& made, const Handbook& handbook, runtime::WorkerContext& worker) {
+    return MakeModelHandlers(made, handbook, worker);
+  };
+  EXPECT_FALSE(MakeLanguageService(config, resources.context(), with_model).ok());
+}
+
+TEST(MakeLanguageService, AProgramWithoutModelsRefusesAConfigThatHasOne) {
+  config::v1::LanguageWorkerConfig config;
+  config.mutable_llm()->set_model("gpt-4o");
+  runtime::WorkerResources resources("flair-language", {});
+  EXPECT_THAT(MakeLanguageService(config, resources.context()).status().message(),
+              HasSubstr("llm: this program asks no language model"));
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/answers/answer_schema.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +7,7 @@
 #include "flair/model/v1/object_answers.pb.h"
 #include "flair/model/v1/room_answers.pb.h"
 #include "flair/model/v1/style_answers.pb.h"
+#include "llm/answers/field_facts.h"
 
 namespace flair::llm {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "llm/answers/answer_schema.h"
+#include "llm/answers/field_facts.h"
 #include "llm/answers/read_answer.h"
 #include "llm/answers/utf8.h"
 #include "worker_runtime/text/counted.h"
@@ -52,8 +52,19 @@ void LeaveOutQuotations(std::vector<Fault>& faults) {
   for (Fault& fault : faults) fault.text = WithoutQuotations(fault.text);
 }
 
-// Drops the elements with faults; returns those that make the whole answer useless.
-std::vector<Fault> LeaveOutFaulty(Reply& reply) { return DropFaulty(reply.faults, *reply.answer); }
+// Whether an answer with these faults is worse than one with the others: of no use at all, or with more of them.
+bool IsWorse(const std::vector<Fault>& faults, const std::vector<Fault>& others) {
+  const auto weight = [](const std::vector<Fault>& all) {
+    constexpr std::ptrdiff_t kUseless = 1'000'000;
+    std::ptrdiff_t sum = 0;
+    for (const Fault& fault : all) {
+      const bool useless = fault.kind == FaultKind::kWrong && fault.path.find('[') == std::string::npos;
+      sum += useless ? kUseless : WorthAsking(fault) ? 1 : 0;
+    }
+    return sum;
+  };
+  return weight(faults) > weight(others);
+}
 
 // Faults of the caller's check are dropped where the reader found one already: a number that could not be read is also
 // 0.
@@ -67,10 +78,7 @@ void AddChecked(std::vector<Fault> checked, std::vector<Fault>& faults) {
 
 }  // namespace
 
-std::vector<PromptSpec> RepairPrompts() {
-  return {{.name = "repair", .placeholders = {"faults"}, .required = {"faults"}},
-          {.name = "repair_part", .placeholders = {"faults"}, .required = {"faults"}}};
-}
+PromptSpec RepairPrompt() { return {.name = "repair", .placeholders = {"faults"}, .required = {"faults"}}; }
 
 absl::StatusOr<Reply> Conversation::Ask(const Question& question) { return std::move(AskAll({&question, 1}).front()); }
 
@@ -112,13 +120,9 @@ std::vector<absl::StatusOr<Reply>> Conversation::AskAll(std::span<const Question
 }
 
 absl::Status Conversation::Finish(Turn& turn) {
-  const std::vector<Fault> useless = LeaveOutFaulty(turn.reply);
-  if (turn.repairing && turn.first_reply.answer != nullptr) {
-    if (!useless.empty() && LeaveOutFaulty(turn.first_reply).empty()) {
-      turn.reply = std::move(turn.first_reply);
-      return absl::OkStatus();
-    }
-  }
+  // A repair that broke more than it mended is not taken.
+  if (turn.repairing && IsWorse(turn.reply.faults, turn.first_reply.faults)) std::swap(turn.reply, turn.first_reply);
+  const std::vector<Fault> useless = DropFaulty(turn.reply.faults, *turn.reply.answer);
   if (useless.empty()) return absl::OkStatus();
   return absl::DataLossError(fmt::format("the model's answer is of no use, also after a repair: {}",
                                          fmt::join(SentencesOf(useless, /*worth_asking_only=*/true), "; ")));
@@ -213,63 +217,26 @@ void Conversation::Judge(const ChatAnswer& answer, Turn& turn) {
   if (answer.finish == FinishReason::kRefused && unread) {
     faults.front().text = fmt::format("is a refusal: {}", Quoted(answer.text));
   }
-  std::vector<Fault> of_answer;
-  if (turn.part) {
-    of_answer = TakePart(faults, turn);
-  } else {
-    turn.read_fault_count = faults.size();
-    // What could not be read at all need not be judged.
-    if (!unread && question.check) AddChecked(question.check(*turn.reply.answer), faults);
-    of_answer = faults;
-    turn.reply.faults = std::move(faults);
-  }
-  if (options_.texts_omitted()) LeaveOutQuotations(of_answer);
-  Record(turn, answer, of_answer);
+  // What could not be read at all need not be judged.
+  if (!unread && question.check) AddChecked(question.check(*turn.reply.answer), faults);
+  turn.reply.faults = faults;
+  if (options_.texts_omitted()) LeaveOutQuotations(faults);
+  Record(turn, answer, faults);
   turn.first_answer = answer.text;
-}
-
-std::vector<Fault> Conversation::TakePart(const std::vector<Fault>& read, Turn& turn) {
-  const std::unique_ptr<google::protobuf::Message> repair = std::move(turn.reply.answer);
-  Reply first = std::exchange(turn.first_reply, {});
-  Merged merged = MergeElements(*repair, read, *turn.part, *first.answer);
-  std::vector<Fault> faults = std::move(merged.faults);
-  for (size_t i = 0; i < first.faults.size(); ++i) {
-    const Fault& fault = first.faults[i];
-    const bool replaced = !NumberedInPart({&fault, 1}, merged.replaced).empty();
-    // What the caller's check said of the whole it says again.
-    const bool of_whole = i >= turn.read_fault_count && fault.path.find('[') == std::string::npos;
-    if (!replaced && !of_whole) faults.push_back(fault);
-  }
-  if (turn.question->check) AddChecked(turn.question->check(*first.answer), faults);
-  std::vector<Fault> of_repair = NumberedInPart(faults, *turn.part);
-  for (const Fault& fault : read) {
-    if (fault.path.empty()) of_repair.push_back(fault);
-  }
-  turn.reply = {std::move(first.answer), std::move(faults)};
-  return of_repair;
 }
 
 void Conversation::PrepareRepair(Turn& turn) const {
   turn.repairing = true;
   turn.first_reply = std::move(turn.reply);
   turn.request.step += "/repair";
-  std::vector<Fault> asked = turn.first_reply.faults;
-  if (!turn.question->repaired_whole) turn.part = FaultyElements(asked, *turn.first_reply.answer);
-  // No characters that a server, or what it keeps its messages in, might trip over.
-  std::string first_answer = WithoutControls(ToUtf8(turn.first_answer), "\n\t");
-  if (turn.part) {
-    const google::protobuf::Message& answer = *turn.first_reply.answer;
-    asked = NumberedInPart(asked, *turn.part);
-    first_answer = PartOf(ExtractAnswer(first_answer, *answer.GetDescriptor()).value, answer, *turn.part);
-    if (turn.question->text_of_part) turn.request.messages[1].text = turn.question->text_of_part(answer, *turn.part);
-  }
   std::string faults;
-  for (const std::string& sentence : SentencesOf(asked, /*worth_asking_only=*/true)) {
+  for (const std::string& sentence : SentencesOf(turn.first_reply.faults, /*worth_asking_only=*/true)) {
     faults += fmt::format("- {}\n", CutBytes(sentence, 500));
   }
+  // No characters that a server, or what it keeps its messages in, might trip over.
+  const std::string first_answer = WithoutControls(ToUtf8(turn.first_answer), "\n\t");
   turn.request.messages.push_back({Role::kAssistant, CutBytes(first_answer, kMostQuotedBytes)});
-  turn.request.messages.push_back(
-      {Role::kUser, prompts_.Fill(turn.part ? "repair_part" : "repair", {{"faults", faults}})});
+  turn.request.messages.push_back({Role::kUser, prompts_.Fill("repair", {{"faults", faults}})});
 }
 
 bool Conversation::MayStandIn(const absl::Status& failure) const {

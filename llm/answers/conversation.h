@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,17 +13,15 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/model_call.pb.h"
-#include "llm/answers/choices.h"
 #include "llm/answers/fault.h"
-#include "llm/answers/partial_repair.h"
+#include "llm/answers/field_facts.h"
 #include "llm/answers/prompt_library.h"
 #include "llm/client/llm_client.h"
 
 namespace flair::llm {
 
-// The prompts that ask for a better answer, the whole or some elements of it; a library that a Conversation uses has
-// them. Placeholder {{faults}}.
-std::vector<PromptSpec> RepairPrompts();
+// The prompt that asks for a better answer; a library that a Conversation uses has it. Placeholder {{faults}}.
+PromptSpec RepairPrompt();
 
 // What is asked, and how its answer is judged.
 struct Question {
@@ -39,12 +36,8 @@ struct Question {
   // The answer's type; its content is not looked at. Must outlive the call.
   const google::protobuf::Message* answer = nullptr;
   // What is wrong with an answer that reads well; may mend it (`kMended`) and append to its lists, but leaves the order
-  // of list elements. Called for the first answer and for the repaired one.
+  // of list elements. Called for the first answer and for the repair.
   std::function<std::vector<Fault>(google::protobuf::Message&)> check = {};
-  // An answer so short that it is repaired as a whole: its elements are read against each other.
-  bool repaired_whole = false;
-  // The task as far as it is about these elements of an answer, for a repair of nothing else; when not set, `text`.
-  std::function<std::string(const google::protobuf::Message&, const Elements&)> text_of_part = {};
 };
 
 // Makes a Question's `check` of a function of the answer's own type.
@@ -66,8 +59,7 @@ struct Reply {
 };
 
 // Asks a model for typed answers on behalf of one request: within its budget, with at most one repair a question, and
-// keeping account of every call. Where the faults are in single elements of lists, the repair is about these alone, and
-// the others stay as they were. Not thread-safe; blocks the thread that asks.
+// keeping account of every call. Not thread-safe; blocks the thread that asks.
 class Conversation {
  public:
   // All but the options must outlive it. `seed`: see ChatRequest.
@@ -101,10 +93,6 @@ class Conversation {
     std::string first_answer;
     Reply first_reply;
     Reply reply;
-    // How many of its faults are of reading it, before those of the caller's check.
-    size_t read_fault_count = 0;
-    // What a repair is about when it is not about the whole answer.
-    std::optional<Elements> part = {};
   };
 
   // Asks all turns at once and judges their answers.
@@ -112,11 +100,8 @@ class Conversation {
   absl::Status CheckBudget(std::span<Turn* const> turns) const;
   void Record(const Turn& turn, const ChatAnswer& answer, const std::vector<Fault>& faults);
   void Judge(const ChatAnswer& answer, Turn& turn);
-  // Puts what a repair of some elements has into the first answer, which becomes the turn's reply; gives what is wrong
-  // with the repair, as the model sees it. `read`: faults of reading it.
-  static std::vector<Fault> TakePart(const std::vector<Fault>& read, Turn& turn);
   void PrepareRepair(Turn& turn) const;
-  // Leaves out what stayed wrong; an error when nothing useful is left.
+  // Takes the better of answer and repair and leaves out what is wrong; an error when nothing useful is left.
   static absl::Status Finish(Turn& turn);
 
   LlmClient& client_;

@@ -33,8 +33,7 @@ class ConversationTest : public ::testing::Test {
     const fs::path folder = fs::path(::testing::TempDir()) / ("conversation_" + name);
     fs::create_directories(folder);
     std::ofstream(folder / "repair.txt") << "Wrong:\n{{faults}}\nAnswer again.";
-    std::ofstream(folder / "repair_part.txt") << "Wrong:\n{{faults}}\nAnswer these again.";
-    prompts_ = *PromptLibrary::Load(folder, {}, RepairPrompts());
+    prompts_ = *PromptLibrary::Load(folder, {}, {RepairPrompt()});
     fs::remove_all(folder);
   }
 
@@ -78,9 +77,10 @@ TEST_F(ConversationTest, AGoodAnswerTakesOneCall) {
   EXPECT_THAT(call.faults(), IsEmpty());
 }
 
-TEST_F(ConversationTest, ARepairQuotesTheFaultsAndTheElementsThatTheyAreIn) {
+TEST_F(ConversationTest, ARepairQuotesTheFaultsOfElements) {
   client_.Answer("zones", kOneBad);
-  client_.Answer("zones/repair", R"({"zones":[{"name":"dressing","purpose":"Dress."}]})");
+  client_.Answer("zones/repair",
+                 R"({"zones":[{"name":"sleeping","purpose":"Sleep."},{"name":"dressing","purpose":"Dress."}]})");
   Conversation talk = Talk();
   const auto reply = talk.Ask(Ask());
   ASSERT_TRUE(reply.ok()) << reply.status();
@@ -91,8 +91,8 @@ TEST_F(ConversationTest, ARepairQuotesTheFaultsAndTheElementsThatTheyAreIn) {
   ASSERT_EQ(messages.size(), 4U);
   EXPECT_EQ(messages[1].text, "Plan zones.");
   EXPECT_EQ(messages[2].role, Role::kAssistant);
-  EXPECT_EQ(messages[2].text, R"({"zones":[{"name":"dressing"}]})");
-  EXPECT_EQ(messages[3].text, "Wrong:\n- zones[0].purpose: is missing; a text would be right\n\nAnswer these again.");
+  EXPECT_EQ(messages[2].text, kOneBad);
+  EXPECT_EQ(messages[3].text, "Wrong:\n- zones[1].purpose: is missing; a text would be right\n\nAnswer again.");
   ASSERT_EQ(talk.calls().size(), 2U);
   EXPECT_THAT(talk.calls()[0].faults(), ElementsAre("zones[1].purpose: is missing; a text would be right"));
   EXPECT_THAT(talk.calls()[1].faults(), IsEmpty());
@@ -126,51 +126,6 @@ TEST_F(ConversationTest, ARepairOfTheWholeQuotesTheFaultsAndTheFirstAnswer) {
   EXPECT_EQ(messages[3].text, "Wrong:\n- zones: has 0 elements; at least 1\n\nAnswer again.");
 }
 
-TEST_F(ConversationTest, AShortAnswerIsRepairedAsAWholeWhereTheQuestionSaysSo) {
-  client_.Answer("zones", kOneBad);
-  client_.Answer("zones/repair", kGood);
-  Question question = Ask();
-  question.repaired_whole = true;
-  Conversation talk = Talk();
-  const auto reply = talk.Ask(question);
-  ASSERT_TRUE(reply.ok()) << reply.status();
-  EXPECT_THAT(Names(*reply), ElementsAre("sleeping"));
-  EXPECT_EQ(client_.requests().at(1).messages.at(2).text, kOneBad);
-}
-
-TEST_F(ConversationTest, TheTaskOfAPartMayBeToldShorter) {
-  client_.Answer("zones", kOneBad);
-  client_.Answer("zones/repair", R"({"zones":[{"name":"dressing","purpose":"Dress."}]})");
-  Question question = Ask();
-  question.text_of_part = [](const google::protobuf::Message& answer, const Elements& elements) {
-    EXPECT_EQ(static_cast<const ZonesAnswer&>(answer).zones_size(), 2);
-    return "Plan zone " + std::to_string(*elements.at("zones").begin());
-  };
-  Conversation talk = Talk();
-  ASSERT_TRUE(talk.Ask(question).ok());
-  EXPECT_EQ(client_.requests().at(1).messages.at(1).text, "Plan zone 1");
-}
-
-TEST_F(ConversationTest, TheCheckSeesTheWholeAfterARepairOfAPart) {
-  client_.Answer("zones", kOneBad);
-  client_.Answer("zones/repair", R"({"zones":[{"name":"dressing","purpose":"Dress."}]})");
-  std::vector<int> sizes;
-  Question question = Ask();
-  question.check = CheckOf<ZonesAnswer>([&](ZonesAnswer& answer) {
-    sizes.push_back(answer.zones_size());
-    const bool repaired = !answer.zones(1).purpose().empty();
-    return std::vector<Fault>{{"zones", repaired ? "are good" : "are few", FaultKind::kMended},
-                              {"zones[0].name", "shortened", FaultKind::kMended}};
-  });
-  Conversation talk = Talk();
-  const auto reply = talk.Ask(question);
-  ASSERT_TRUE(reply.ok()) << reply.status();
-  EXPECT_THAT(sizes, ElementsAre(2, 2));
-  std::vector<std::string> faults;
-  for (const Fault& fault : reply->faults) faults.push_back(fault.Sentence());
-  EXPECT_THAT(faults, ::testing::UnorderedElementsAre("zones[0].name: shortened", "zones: are good"));
-}
-
 TEST_F(ConversationTest, WhatStaysWrongIsLeftOut) {
   client_.Answer("zones", kOneBad);
   client_.Answer("zones/repair", kOneBad);
@@ -189,27 +144,6 @@ TEST_F(ConversationTest, ARepairThatMadeItWorseIsNotTaken) {
   const auto reply = talk.Ask(Ask());
   ASSERT_TRUE(reply.ok()) << reply.status();
   EXPECT_THAT(Names(*reply), ElementsAre("sleeping"));
-}
-
-TEST_F(ConversationTest, ARepairOfAPartLeavesTheOthersAsTheyWere) {
-  const std::string zone = R"({"name":"sleeping","purpose":"Sleep."})";
-  client_.Answer("zones", "{\"zones\":[" + zone + "," + zone + "," + zone + ",{\"name\":\"dressing\"}]}");
-  client_.Answer("zones/repair", R"({"zones":[{"name":"dressing","purpose":"Dress."}]})");
-  Conversation talk = Talk();
-  const auto reply = talk.Ask(Ask());
-  ASSERT_TRUE(reply.ok()) << reply.status();
-  EXPECT_THAT(Names(*reply), ElementsAre("sleeping", "sleeping", "sleeping", "dressing"));
-}
-
-TEST_F(ConversationTest, ARepairOfAPartThatSaysTheWholeAgainIsUnderstood) {
-  client_.Answer("zones", kOneBad);
-  client_.Answer("zones/repair",
-                 R"({"zones":[{"name":"sleeping","purpose":"Other."},{"name":"dressing","purpose":"Dress."}]})");
-  Conversation talk = Talk();
-  const auto reply = talk.Ask(Ask());
-  ASSERT_TRUE(reply.ok()) << reply.status();
-  EXPECT_THAT(Names(*reply), ElementsAre("sleeping", "dressing"));
-  EXPECT_EQ(reply->As<ZonesAnswer>().zones(0).purpose(), "Sleep.");
 }
 
 TEST_F(ConversationTest, ARepairThatWasAskedToBeShorterIsTaken) {

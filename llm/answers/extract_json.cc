@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "llm/answers/choices.h"
+#include "llm/answers/field_facts.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::llm {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/answers/quantity.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
+
+#include "llm/answers/field_facts.h"
 
 namespace flair::llm {
 namespace {

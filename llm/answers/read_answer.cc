@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "llm/answers/field_facts.h"
-#include "llm/answers/quantity.h"
 #include "llm/answers/utf8.h"
 #include "worker_runtime/text/counted.h"
 
@@ -130,17 +129,6 @@ json ObjectOfLine(std::string_view line, const Descriptor& type) {
   return object;
 }
 
-// The metres that a number beyond all metres is in centimetres, or beyond those in millimetres.
-std::optional<double> LengthMeant(double number, const NumberRange& range_m) {
-  constexpr double kMostCentimetres = 1000;
-  if (number < 0) return std::nullopt;
-  // A rug that is no more than flat.
-  constexpr double kThin_m = 0.005;
-  if (number < range_m.least) return range_m.least <= kThin_m ? std::optional(range_m.least) : std::nullopt;
-  const double length_m = number <= kMostCentimetres ? number / 100 : number / 1000;
-  return length_m >= range_m.least && length_m <= range_m.most ? std::optional(length_m) : std::nullopt;
-}
-
 class Reader {
  public:
   explicit Reader(const FieldChoices& choices) : choices_(choices) {}
@@ -232,38 +220,18 @@ class Reader {
 
   void ReadScalar(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const Reflection& reflection = *message.GetReflection();
-    switch (field.cpp_type()) {
-      case FieldDescriptor::CPPTYPE_STRING: {
-        std::string text = ReadText(value, field, path);
-        if (field.is_repeated()) {
-          reflection.AddString(&message, &field, text);
-        } else if (!text.empty()) {
-          reflection.SetString(&message, &field, text);
-        }
-        return;
+    if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
+      const std::string text = ReadText(value, field, path);
+      if (field.is_repeated()) {
+        reflection.AddString(&message, &field, text);
+      } else if (!text.empty()) {
+        reflection.SetString(&message, &field, text);
       }
-      case FieldDescriptor::CPPTYPE_ENUM: {
-        const int number = EnumNumber(*field.enum_type(), ReadText(value, field, path));
-        if (field.is_repeated()) {
-          reflection.AddEnumValue(&message, &field, number);
-        } else if (number != 0) {
-          reflection.SetEnumValue(&message, &field, number);
-        }
-        return;
-      }
-      case FieldDescriptor::CPPTYPE_BOOL: {
-        const bool flag = ReadBool(value, field, path);
-        if (field.is_repeated()) {
-          reflection.AddBool(&message, &field, flag);
-        } else {
-          reflection.SetBool(&message, &field, flag);
-        }
-        return;
-      }
-      default:
-        const std::optional<double> number = ReadNumber(value, field, path);
-        // In a list a bad number keeps its place as 0.
-        if (number || field.is_repeated()) SetNumberField(number.value_or(0), field, message);
+    } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) {
+      reflection.SetBool(&message, &field, ReadBool(value, field, path));
+    } else if (const std::optional<double> number = ReadNumber(value, field, path); number || field.is_repeated()) {
+      // In a list a bad number keeps its place as 0.
+      SetNumberField(number.value_or(0), field, message);
     }
   }
 
@@ -279,9 +247,8 @@ class Reader {
       if (!may_be_empty) WrongValue(path, value, field);
       return text;
     }
-    const FieldTexts texts(field, choices_);
-    if (texts.get() != nullptr) {
-      const std::optional<std::string> chosen = FindChoice(text, *texts.get());
+    if (const std::optional<Choices> texts = TextsOf(field, choices_)) {
+      const std::optional<std::string> chosen = FindChoice(text, *texts);
       if (chosen) return *chosen;
       if (field.has_optional_keyword() && FactsOf(field).choices_size() > 0) {
         Mended(path, fmt::format("is {}; {} would be right, taken as null", Shown(value), RightFor(field, choices_)));
@@ -310,14 +277,8 @@ class Reader {
     const NumberRange range = RangeOf(field);
     const bool whole = !IsWhole(field) || (number && *number == std::floor(*number));
     if (number && std::isfinite(*number) && whole && *number >= range.least && *number <= range.most) return number;
-    const std::optional<double> length_m = number && unit == "m" ? LengthMeant(*number, range) : std::nullopt;
-    if (length_m) {
-      Doubtful(path, fmt::format("is {}; {} would be right; taken as {}", Shown(value), RightFor(field, choices_),
-                                 *length_m));
-    } else {
-      WrongValue(path, value, field);
-    }
-    return length_m;
+    WrongValue(path, value, field);
+    return std::nullopt;
   }
 
   const FieldChoices& choices_;

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "llm/answers/choices.h"
 #include "llm/answers/extract_json.h"
 #include "llm/answers/fault.h"
+#include "llm/answers/field_facts.h"
 
 namespace flair::llm {
 
@@ -26,8 +26,9 @@ ExtractedJson ExtractAnswer(std::string_view answer, const google::protobuf::Des
 // ExtractAnswer, then ReadJson: all that is wrong with what a model wrote. Pure; any bytes are good input.
 std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, google::protobuf::Message& message);
 
-// The object that a value means for an answer of that type: itself when it has any of the type's fields; the only object
-// or list that it wraps, as {"answer": {...}} and [{...}] do; the elements of the type's only list. Else the value itself.
+// The object that a value means for an answer of that type: itself when it has any of the type's fields; the only
+// object or list that it wraps, as {"answer": {...}} and [{...}] do; the elements of the type's only list. Else the
+// value itself.
 nlohmann::json AnswerRoot(nlohmann::json value, const google::protobuf::Descriptor& type);
 
 }  // namespace flair::llm

@@ -78,7 +78,7 @@ class Transfer {
   Transfer(const HttpRequest& request, const HttpOptions& options, absl::Duration deadline)
       : request_(request),
         timeouts_(options.timeouts),
-        body_byte_limit_(request.on_piece ? options.stream_byte_limit : options.body_byte_limit),
+        body_byte_limit_(options.body_byte_limit),
         total_end_(Now() + options.timeouts.total),
         deadline_(deadline),
         handle_(curl_easy_init()) {
@@ -97,10 +97,27 @@ class Transfer {
   }
 
   // The error of a transfer that has run out of time at `now`; else OK.
-  absl::Status Expired(absl::Duration now) const;
+  absl::Status Expired(absl::Duration now) const {
+    if (now >= deadline_) return absl::DeadlineExceededError("the call's deadline has passed");
+    const std::string address = PublicAddress(request_.url);
+    if (now >= total_end_) {
+      return absl::UnavailableError(
+          fmt::format("{}: no complete answer within {}", address, absl::FormatDuration(timeouts_.total)));
+    }
+    if (now >= silent_since_ + timeouts_.first_byte) {
+      return absl::UnavailableError(
+          fmt::format("{}: silent for {}", address, absl::FormatDuration(timeouts_.first_byte)));
+    }
+    return absl::OkStatus();
+  }
 
   // What came of it, after libcurl said `code`.
-  absl::StatusOr<HttpResponse> Finish(CURLcode code);
+  absl::StatusOr<HttpResponse> Finish(CURLcode code) {
+    RETURN_IF_ERROR(failure_);
+    if (code != CURLE_OK && !enough_) return ErrorOf(code);
+    response_.status = HttpStatus();
+    return std::move(response_);
+  }
 
  private:
   struct CleanUp {
@@ -108,14 +125,139 @@ class Transfer {
     void operator()(curl_slist* list) const { curl_slist_free_all(list); }
   };
 
-  void SetOptions(const HttpOptions& options);
-  void SetCallbacks();
-  void AddHeaders();
-  size_t TakeHeader(std::string_view line);
-  size_t TakeBody(std::string_view piece);
+  void SetOptions(const HttpOptions& options) {
+    CURL* const handle = handle_.get();
+    const bool tls = absl::StartsWithIgnoreCase(request_.url, "https://");
+    curl_easy_setopt(handle, CURLOPT_URL, request_.url.c_str());
+    curl_easy_setopt(handle, CURLOPT_PROTOCOLS_STR, "http,https");
+    curl_easy_setopt(handle, CURLOPT_FOLLOWLOCATION, 0L);
+    curl_easy_setopt(handle, CURLOPT_NOSIGNAL, 1L);
+    // A name server that does not answer must not hold up the thread when its request is given up.
+    curl_easy_setopt(handle, CURLOPT_QUICK_EXIT, 1L);
+    curl_easy_setopt(handle, CURLOPT_POST, 1L);
+    curl_easy_setopt(handle, CURLOPT_POSTFIELDS, request_.body.c_str());
+    curl_easy_setopt(handle, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(request_.body.size()));
+    curl_easy_setopt(handle, CURLOPT_HTTPHEADER, header_list_.get());
+    curl_easy_setopt(handle, CURLOPT_ACCEPT_ENCODING, "gzip, deflate");
+    // Without TLS nothing is offered, and nobody waits for it.
+    curl_easy_setopt(handle, CURLOPT_HTTP_VERSION,
+                     static_cast<long>(tls ? CURL_HTTP_VERSION_2TLS : CURL_HTTP_VERSION_1_1));
+    curl_easy_setopt(handle, CURLOPT_TCP_KEEPALIVE, 1L);
+    curl_easy_setopt(handle, CURLOPT_CONNECTTIMEOUT_MS, Milliseconds(timeouts_.connect));
+    curl_easy_setopt(handle, CURLOPT_SSL_VERIFYPEER, 1L);
+    curl_easy_setopt(handle, CURLOPT_SSL_VERIFYHOST, 2L);
+    curl_easy_setopt(handle, CURLOPT_SSLVERSION, static_cast<long>(CURL_SSLVERSION_TLSv1_2));
+    SetTrust(handle, options.ca_path);
+    if (!options.proxy.empty()) curl_easy_setopt(handle, CURLOPT_PROXY, options.proxy.c_str());
+    curl_easy_setopt(handle, CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L);
+    curl_easy_setopt(handle, CURLOPT_ERRORBUFFER, error_text_);
+    SetCallbacks();
+  }
+
+  void SetCallbacks() {
+    CURL* const handle = handle_.get();
+    curl_easy_setopt(handle, CURLOPT_PREREQDATA, this);
+    curl_easy_setopt(
+        handle, CURLOPT_PREREQFUNCTION, +[](void* self, char*, char*, int, int) {
+          static_cast<Transfer*>(self)->silent_since_ = Now();
+          return CURL_PREREQFUNC_OK;
+        });
+    curl_easy_setopt(handle, CURLOPT_HEADERDATA, this);
+    curl_easy_setopt(
+        handle, CURLOPT_HEADERFUNCTION, +[](char* data, size_t size, size_t count, void* self) {
+          return static_cast<Transfer*>(self)->TakeHeader({data, size * count});
+        });
+    curl_easy_setopt(handle, CURLOPT_WRITEDATA, this);
+    curl_easy_setopt(
+        handle, CURLOPT_WRITEFUNCTION, +[](char* data, size_t size, size_t count, void* self) {
+          return static_cast<Transfer*>(self)->TakeBody({data, size * count});
+        });
+  }
+
+  void AddHeaders() {
+    curl_slist* list = curl_slist_append(nullptr, "Expect:");
+    for (const HttpHeader& header : request_.headers) {
+      // libcurl takes "Name;" for a header without a value.
+      const std::string line =
+          header.value.empty() ? header.name + ";" : fmt::format("{}: {}", header.name, header.value);
+      list = curl_slist_append(list, line.c_str());
+    }
+    header_list_.reset(list);
+  }
+
+  size_t TakeHeader(std::string_view line) {
+    silent_since_ = Now();
+    header_byte_count_ += static_cast<int64_t>(line.size());
+    if (header_byte_count_ > kHeaderByteLimit) {
+      failure_ = absl::DataLossError(
+          fmt::format("{}: headers of more than {} KiB", PublicAddress(request_.url), kHeaderByteLimit >> 10));
+      return 0;
+    }
+    const size_t colon = line.find(':');
+    if (line.starts_with("HTTP/")) {
+      // Each interim answer (1xx) begins anew.
+      response_.headers.clear();
+    } else if (colon != std::string_view::npos) {
+      const std::string name(line.substr(0, colon)), value(line.substr(colon + 1));
+      response_.headers.push_back({absl::AsciiStrToLower(name), std::string(absl::StripAsciiWhitespace(value))});
+    }
+    return line.size();
+  }
+
+  size_t TakeBody(std::string_view piece) {
+    silent_since_ = Now();
+    const bool success = HttpStatus() / 100 == 2;
+    body_byte_count_ += static_cast<int64_t>(piece.size());
+    if (success && body_byte_count_ > body_byte_limit_) {
+      failure_ = absl::DataLossError(
+          fmt::format("{}: an answer of more than {} bytes", PublicAddress(request_.url), body_byte_limit_));
+      return 0;
+    }
+    response_.body += piece;
+    if (!success && body_byte_count_ > kErrorBodyByteLimit) {
+      response_.body.resize(kErrorBodyByteLimit);
+      enough_ = true;
+      return 0;
+    }
+    return piece.size();
+  }
+
   // Of the answer, by HTTP; 0 when there is none yet.
-  int HttpStatus() const;
-  absl::Status ErrorOf(CURLcode code) const;
+  int HttpStatus() const {
+    long status = 0;
+    curl_easy_getinfo(handle_.get(), CURLINFO_RESPONSE_CODE, &status);
+    return static_cast<int>(status);
+  }
+
+  absl::Status ErrorOf(CURLcode code) const {
+    const std::string address = PublicAddress(request_.url);
+    // libcurl's own sentence for the code: the longer text may hold times and, of some servers, parts of the request.
+    const std::string message = fmt::format("{}: {}", address, curl_easy_strerror(code));
+    switch (code) {
+      case CURLE_OPERATION_TIMEDOUT:
+        // Of connecting, the only time that libcurl watches.
+        return absl::UnavailableError(
+            fmt::format("{}: no connection within {}", address, absl::FormatDuration(timeouts_.connect)));
+      case CURLE_URL_MALFORMAT:
+        return absl::InvalidArgumentError(message);
+      case CURLE_PEER_FAILED_VERIFICATION:
+        return absl::FailedPreconditionError(
+            fmt::format("{}: its certificate is not trusted ({})", address, error_text_));
+      case CURLE_SSL_CACERT_BADFILE:
+      case CURLE_SSL_ENGINE_NOTFOUND:
+      case CURLE_SSL_CERTPROBLEM:
+        return absl::FailedPreconditionError(message);
+      case CURLE_UNSUPPORTED_PROTOCOL:
+      case CURLE_WEIRD_SERVER_REPLY:
+      case CURLE_FILESIZE_EXCEEDED:
+        return absl::DataLossError(fmt::format("{}: not an HTTP answer ({})", address, curl_easy_strerror(code)));
+      case CURLE_BAD_CONTENT_ENCODING:
+      case CURLE_WRITE_ERROR:
+        return absl::DataLossError(fmt::format("{}: its answer cannot be decompressed", address));
+      default:
+        return absl::UnavailableError(message);
+    }
+  }
 
   const HttpRequest& request_;
   const HttpTimeouts timeouts_;
@@ -136,164 +278,6 @@ class Transfer {
   // The last member: closing a handle may still call back.
   std::unique_ptr<CURL, CleanUp> handle_;
 };
-
-void Transfer::AddHeaders() {
-  curl_slist* list = curl_slist_append(nullptr, "Expect:");
-  for (const HttpHeader& header : request_.headers) {
-    // libcurl takes "Name;" for a header without a value.
-    const std::string line =
-        header.value.empty() ? header.name + ";" : fmt::format("{}: {}", header.name, header.value);
-    list = curl_slist_append(list, line.c_str());
-  }
-  header_list_.reset(list);
-}
-
-void Transfer::SetOptions(const HttpOptions& options) {
-  CURL* const handle = handle_.get();
-  const bool tls = absl::StartsWithIgnoreCase(request_.url, "https://");
-  curl_easy_setopt(handle, CURLOPT_URL, request_.url.c_str());
-  curl_easy_setopt(handle, CURLOPT_PROTOCOLS_STR, "http,https");
-  curl_easy_setopt(handle, CURLOPT_FOLLOWLOCATION, 0L);
-  curl_easy_setopt(handle, CURLOPT_NOSIGNAL, 1L);
-  // A name server that does not answer must not hold up the thread when its request is given up.
-  curl_easy_setopt(handle, CURLOPT_QUICK_EXIT, 1L);
-  curl_easy_setopt(handle, CURLOPT_POST, 1L);
-  curl_easy_setopt(handle, CURLOPT_POSTFIELDS, request_.body.c_str());
-  curl_easy_setopt(handle, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(request_.body.size()));
-  curl_easy_setopt(handle, CURLOPT_HTTPHEADER, header_list_.get());
-  curl_easy_setopt(handle, CURLOPT_ACCEPT_ENCODING, "gzip, deflate");
-  // Without TLS nothing is offered, and nobody waits for it.
-  curl_easy_setopt(handle, CURLOPT_HTTP_VERSION,
-                   static_cast<long>(tls ? CURL_HTTP_VERSION_2TLS : CURL_HTTP_VERSION_1_1));
-  curl_easy_setopt(handle, CURLOPT_TCP_KEEPALIVE, 1L);
-  curl_easy_setopt(handle, CURLOPT_CONNECTTIMEOUT_MS, Milliseconds(timeouts_.connect));
-  curl_easy_setopt(handle, CURLOPT_SSL_VERIFYPEER, 1L);
-  curl_easy_setopt(handle, CURLOPT_SSL_VERIFYHOST, 2L);
-  curl_easy_setopt(handle, CURLOPT_SSLVERSION, static_cast<long>(CURL_SSLVERSION_TLSv1_2));
-  SetTrust(handle, options.ca_path);
-  if (!options.proxy.empty()) curl_easy_setopt(handle, CURLOPT_PROXY, options.proxy.c_str());
-  curl_easy_setopt(handle, CURLOPT_SUPPRESS_CONNECT_HEADERS, 1L);
-  curl_easy_setopt(handle, CURLOPT_ERRORBUFFER, error_text_);
-  SetCallbacks();
-}
-
-void Transfer::SetCallbacks() {
-  CURL* const handle = handle_.get();
-  curl_easy_setopt(handle, CURLOPT_PREREQDATA, this);
-  curl_easy_setopt(
-      handle, CURLOPT_PREREQFUNCTION, +[](void* self, char*, char*, int, int) {
-        static_cast<Transfer*>(self)->silent_since_ = Now();
-        return CURL_PREREQFUNC_OK;
-      });
-  curl_easy_setopt(handle, CURLOPT_HEADERDATA, this);
-  curl_easy_setopt(
-      handle, CURLOPT_HEADERFUNCTION, +[](char* data, size_t size, size_t count, void* self) {
-        return static_cast<Transfer*>(self)->TakeHeader({data, size * count});
-      });
-  curl_easy_setopt(handle, CURLOPT_WRITEDATA, this);
-  curl_easy_setopt(
-      handle, CURLOPT_WRITEFUNCTION, +[](char* data, size_t size, size_t count, void* self) {
-        return static_cast<Transfer*>(self)->TakeBody({data, size * count});
-      });
-}
-
-absl::Status Transfer::Expired(absl::Duration now) const {
-  if (now >= deadline_) return absl::DeadlineExceededError("the call's deadline has passed");
-  const std::string address = PublicAddress(request_.url);
-  if (now >= total_end_) {
-    return absl::UnavailableError(
-        fmt::format("{}: no complete answer within {}", address, absl::FormatDuration(timeouts_.total)));
-  }
-  if (now >= silent_since_ + timeouts_.first_byte) {
-    return absl::UnavailableError(
-        fmt::format("{}: silent for {}", address, absl::FormatDuration(timeouts_.first_byte)));
-  }
-  return absl::OkStatus();
-}
-
-size_t Transfer::TakeHeader(std::string_view line) {
-  silent_since_ = Now();
-  header_byte_count_ += static_cast<int64_t>(line.size());
-  if (header_byte_count_ > kHeaderByteLimit) {
-    failure_ = absl::DataLossError(
-        fmt::format("{}: headers of more than {} KiB", PublicAddress(request_.url), kHeaderByteLimit >> 10));
-    return 0;
-  }
-  const size_t colon = line.find(':');
-  if (line.starts_with("HTTP/")) {
-    // Each interim answer (1xx) begins anew.
-    response_.headers.clear();
-  } else if (colon != std::string_view::npos) {
-    const std::string name(line.substr(0, colon)), value(line.substr(colon + 1));
-    response_.headers.push_back({absl::AsciiStrToLower(name), std::string(absl::StripAsciiWhitespace(value))});
-  }
-  return line.size();
-}
-
-size_t Transfer::TakeBody(std::string_view piece) {
-  silent_since_ = Now();
-  const bool success = HttpStatus() / 100 == 2;
-  body_byte_count_ += static_cast<int64_t>(piece.size());
-  if (success && body_byte_count_ > body_byte_limit_) {
-    failure_ = absl::DataLossError(
-        fmt::format("{}: an answer of more than {} bytes", PublicAddress(request_.url), body_byte_limit_));
-    return 0;
-  }
-  if (success && request_.on_piece) {
-    failure_ = request_.on_piece(piece);
-    return failure_.ok() ? piece.size() : 0;
-  }
-  response_.body += piece;
-  if (!success && body_byte_count_ > kErrorBodyByteLimit) {
-    response_.body.resize(kErrorBodyByteLimit);
-    enough_ = true;
-    return 0;
-  }
-  return piece.size();
-}
-
-int Transfer::HttpStatus() const {
-  long status = 0;
-  curl_easy_getinfo(handle_.get(), CURLINFO_RESPONSE_CODE, &status);
-  return static_cast<int>(status);
-}
-
-absl::StatusOr<HttpResponse> Transfer::Finish(CURLcode code) {
-  RETURN_IF_ERROR(failure_);
-  if (code != CURLE_OK && !enough_) return ErrorOf(code);
-  response_.status = HttpStatus();
-  return std::move(response_);
-}
-
-absl::Status Transfer::ErrorOf(CURLcode code) const {
-  const std::string address = PublicAddress(request_.url);
-  // libcurl's own sentence for the code: the longer text may hold times and, of some servers, parts of the request.
-  const std::string message = fmt::format("{}: {}", address, curl_easy_strerror(code));
-  switch (code) {
-    case CURLE_OPERATION_TIMEDOUT:
-      // Of connecting, the only time that libcurl watches.
-      return absl::UnavailableError(
-          fmt::format("{}: no connection within {}", address, absl::FormatDuration(timeouts_.connect)));
-    case CURLE_URL_MALFORMAT:
-      return absl::InvalidArgumentError(message);
-    case CURLE_PEER_FAILED_VERIFICATION:
-      return absl::FailedPreconditionError(
-          fmt::format("{}: its certificate is not trusted ({})", address, error_text_));
-    case CURLE_SSL_CACERT_BADFILE:
-    case CURLE_SSL_ENGINE_NOTFOUND:
-    case CURLE_SSL_CERTPROBLEM:
-      return absl::FailedPreconditionError(message);
-    case CURLE_UNSUPPORTED_PROTOCOL:
-    case CURLE_WEIRD_SERVER_REPLY:
-    case CURLE_FILESIZE_EXCEEDED:
-      return absl::DataLossError(fmt::format("{}: not an HTTP answer ({})", address, curl_easy_strerror(code)));
-    case CURLE_BAD_CONTENT_ENCODING:
-    case CURLE_WRITE_ERROR:
-      return absl::DataLossError(fmt::format("{}: its answer cannot be decompressed", address));
-    default:
-      return absl::UnavailableError(message);
-  }
-}
 
 }  // namespace
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,9 +26,6 @@ struct HttpRequest {
   std::string url;
   std::vector<HttpHeader> headers = {};
   std::string body = {};
-  // When set, receives the body of a 2xx answer piece by piece, decompressed, in the sender's thread, and the response
-  // holds no body. An error ends the request with it.
-  std::function<absl::Status(std::string_view piece)> on_piece = {};
 };
 
 struct HttpResponse {
@@ -62,8 +58,6 @@ struct HttpOptions {
   std::string proxy = {};
   // Longest body of a 2xx answer after decompression, bytes.
   int64_t body_byte_limit = 16 << 20;
-  // Longest body that is taken piece by piece and kept by nobody.
-  int64_t stream_byte_limit = 256 << 20;
 };
 
 // The address without user, password, query and fragment: what errors and names may show.

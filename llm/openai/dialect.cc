@@ -67,8 +67,9 @@ bool NamesForm(const std::string& text) {
 }
 
 std::optional<Dialect> WithWeakerForm(Dialect dialect, bool with_schema, bool fall_back) {
-  if (!with_schema || !fall_back || dialect.form == AnswerForm::kText) return std::nullopt;
-  dialect.form = dialect.form == AnswerForm::kJsonSchema ? AnswerForm::kJsonObject : AnswerForm::kText;
+  if (!with_schema || !fall_back || dialect.form == config::v1::ANSWER_FORM_TEXT) return std::nullopt;
+  dialect.form = dialect.form == config::v1::ANSWER_FORM_JSON_SCHEMA ? config::v1::ANSWER_FORM_JSON_OBJECT
+                                                                     : config::v1::ANSWER_FORM_TEXT;
   return dialect;
 }
 
@@ -113,7 +114,7 @@ void SystemToUser(std::vector<Message>& messages) {
 
 ordered_json EncodeMessages(const Dialect& dialect, const ChatRequest& request) {
   std::vector<Message> messages = request.messages;
-  if (!request.schema.empty() && (dialect.form != AnswerForm::kJsonSchema || dialect.schema_in_prompt)) {
+  if (!request.schema.empty() && (dialect.form != config::v1::ANSWER_FORM_JSON_SCHEMA || dialect.schema_in_prompt)) {
     AddToSystem(messages,
                 "Answer with one JSON object and nothing else. It must follow this JSON schema:\n" + request.schema);
   }
@@ -135,7 +136,7 @@ void DropLimits(ordered_json& schema) {
 }
 
 absl::StatusOr<ordered_json> EncodeFormat(const Dialect& dialect, const ChatRequest& request) {
-  if (dialect.form == AnswerForm::kJsonObject) return ordered_json{{"type", "json_object"}};
+  if (dialect.form == config::v1::ANSWER_FORM_JSON_OBJECT) return ordered_json{{"type", "json_object"}};
   ordered_json schema = ordered_json::parse(request.schema, nullptr, false);
   if (!schema.is_object()) {
     return absl::InvalidArgumentError(fmt::format("the schema of step '{}' is no JSON object", request.step));
@@ -148,7 +149,7 @@ absl::StatusOr<ordered_json> EncodeFormat(const Dialect& dialect, const ChatRequ
 
 int TokenLimit(const OpenAiOptions& options, const Dialect& dialect, const ChatRequest& request) {
   if (request.max_output_token_count > 0) return request.max_output_token_count;
-  if (options.max_output_token_count > 0) return options.max_output_token_count;
+  if (options.config.max_output_token_count() > 0) return options.config.max_output_token_count();
   return dialect.thinks ? kThinkersOutputTokenCount : kUsualOutputTokenCount;
 }
 
@@ -162,14 +163,14 @@ std::optional<Dialect> WeakerDialect(const Dialect& dialect, const OpenAiOptions
   if (!rejected && !((http_status == 500 || http_status == 501) && NamesForm(text))) return std::nullopt;
 
   Dialect weaker = dialect;
-  const bool streamed = options.stream && dialect.stream;
+  const bool streamed = options.config.stream() && dialect.stream;
   if (RejectsField(text, "max_tokens") && !dialect.completion_token_limit) {
     weaker.completion_token_limit = true;
   } else if (RejectsTokenLimit(text) && dialect.token_limit) {
     weaker.token_limit = false;
   } else if (IsOfTheQuestion(text)) {
     return std::nullopt;
-  } else if (RejectsField(text, "temperature") && dialect.temperature && options.temperature.has_value()) {
+  } else if (RejectsField(text, "temperature") && dialect.temperature && options.config.has_temperature()) {
     weaker.temperature = false;
   } else if (RejectsField(text, "seed") && dialect.seed) {
     weaker.seed = false;
@@ -179,11 +180,12 @@ std::optional<Dialect> WeakerDialect(const Dialect& dialect, const OpenAiOptions
     weaker.stream = false;
   } else if (RejectsSystemRole(text) && dialect.system_role) {
     weaker.system_role = false;
-  } else if (RejectsLimits(text) && with_schema && dialect.form == AnswerForm::kJsonSchema && dialect.schema_limits) {
+  } else if (RejectsLimits(text) && with_schema && dialect.form == config::v1::ANSWER_FORM_JSON_SCHEMA &&
+             dialect.schema_limits) {
     weaker.schema_limits = false;
   } else {
     // It names the form, or does not say what is wrong: then the form is the likeliest.
-    return WithWeakerForm(dialect, with_schema, options.fall_back);
+    return WithWeakerForm(dialect, with_schema, options.falls_back());
   }
   return weaker;
 }
@@ -195,17 +197,17 @@ bool RejectsSchema(const ServerError& error) {
 
 absl::StatusOr<std::string> EncodeRequest(const OpenAiOptions& options, const Dialect& dialect,
                                           const ChatRequest& request) {
-  ordered_json body = {{"model", options.model}, {"messages", EncodeMessages(dialect, request)}};
-  if (!request.schema.empty() && dialect.form != AnswerForm::kText) {
+  ordered_json body = {{"model", options.config.model()}, {"messages", EncodeMessages(dialect, request)}};
+  if (!request.schema.empty() && dialect.form != config::v1::ANSWER_FORM_TEXT) {
     ASSIGN_OR_RETURN(body["response_format"], EncodeFormat(dialect, request));
   }
-  if (options.temperature.has_value() && dialect.temperature) body["temperature"] = *options.temperature;
-  if (dialect.seed) body["seed"] = options.seed.value_or(request.seed);
+  if (options.config.has_temperature() && dialect.temperature) body["temperature"] = options.config.temperature();
+  if (dialect.seed) body["seed"] = options.config.has_seed() ? options.config.seed() : request.seed;
   if (dialect.token_limit) {
     body[dialect.completion_token_limit ? "max_completion_tokens" : "max_tokens"] =
         TokenLimit(options, dialect, request);
   }
-  if (options.stream && dialect.stream) {
+  if (options.config.stream() && dialect.stream) {
     body["stream"] = true;
     if (dialect.stream_usage) body["stream_options"] = {{"include_usage", true}};
   }

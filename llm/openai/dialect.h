@@ -14,7 +14,7 @@ namespace flair::llm {
 // Which fields of a request one server takes. Begins as the options want it and only ever becomes weaker, so that
 // asking again ends.
 struct Dialect {
-  AnswerForm form = AnswerForm::kJsonSchema;
+  config::v1::AnswerForm form = config::v1::ANSWER_FORM_JSON_SCHEMA;
   // Limits of numbers and of the lengths of lists in schemas.
   bool schema_limits = true;
   // The schema in the prompt as well: the server takes response_format and does not keep to it.

@@ -14,9 +14,9 @@ namespace {
 // Everything that can be dropped is sent.
 OpenAiOptions AllOptions() {
   OpenAiOptions options;
-  options.temperature = 0.2;
-  options.seed = 7;
-  options.stream = true;
+  options.config.set_temperature(0.2);
+  options.config.set_seed(7);
+  options.config.set_stream(true);
   return options;
 }
 
@@ -54,12 +54,12 @@ TEST(WeakerDialect, UnderstandsWhatServersSay) {
       {"Unrecognized request argument supplied: stream_options", {.stream_usage = false}},
       {"Unsupported value: 'messages[0].role' does not support 'system' with this model.", {.system_role = false}},
       {"Invalid parameter: 'response_format' of type 'json_schema' is not supported with this model.",
-       {.form = AnswerForm::kJsonObject}},
+       {.form = config::v1::ANSWER_FORM_JSON_OBJECT}},
       {"Invalid schema for response_format 'zones': In context=(), 'required' is required",
-       {.form = AnswerForm::kJsonObject}},
+       {.form = config::v1::ANSWER_FORM_JSON_OBJECT}},
       {"response_format.type : value is not one of the allowed values ['text','json_object']",
-       {.form = AnswerForm::kJsonObject}},
-      {"", {.form = AnswerForm::kJsonObject}},
+       {.form = config::v1::ANSWER_FORM_JSON_OBJECT}},
+      {"", {.form = config::v1::ANSWER_FORM_JSON_OBJECT}},
   };
   for (const Case& row : cases) {
     const auto weaker = Weaker(row.message);
@@ -122,7 +122,7 @@ TEST(EncodeRequest, ABodyMayEndWithItsMessages) {
   bare.seed = bare.token_limit = false;
   const ChatRequest request{.step = "s", .messages = {{Role::kSystem, "p"}, {Role::kUser, "q"}}};
   OpenAiOptions options;
-  options.model = "m\"";
+  options.config.set_model("m\"");
   EXPECT_EQ(*EncodeRequest(options, bare, request),
             R"({"model":"m\"","messages":[{"role":"system","content":"p"},{"role":"user","content":"q"}]})");
 }
@@ -132,21 +132,21 @@ TEST(EncodeRequest, PutsTheSchemaIntoTheSystemsMessageWhereTheServerTakesNone) {
                             .messages = {{Role::kSystem, "You plan."}, {Role::kUser, "q"}, {Role::kAssistant, "a"}},
                             .schema = R"({"type":"object"})",
                             .schema_name = "n"};
-  for (const AnswerForm form : {AnswerForm::kJsonObject, AnswerForm::kText}) {
+  for (const config::v1::AnswerForm form : {config::v1::ANSWER_FORM_JSON_OBJECT, config::v1::ANSWER_FORM_TEXT}) {
     const json body = Encode(request, {.form = form});
     EXPECT_EQ(body["messages"].size(), 3u);
     EXPECT_EQ(body["messages"][0]["content"],
               "You plan.\n\nAnswer with one JSON object and nothing else. It must follow this JSON schema:\n"
               R"({"type":"object"})");
     EXPECT_EQ(body["messages"][2]["role"], "assistant");
-    EXPECT_EQ(body.contains("response_format"), form == AnswerForm::kJsonObject);
+    EXPECT_EQ(body.contains("response_format"), form == config::v1::ANSWER_FORM_JSON_OBJECT);
   }
 }
 
 TEST(EncodeRequest, MakesASystemsMessageForTheSchemaWhereThereIsNone) {
   const ChatRequest request{
       .step = "s", .messages = {{Role::kUser, "q"}}, .schema = R"({"type":"object"})", .schema_name = "n"};
-  const json body = Encode(request, {.form = AnswerForm::kText});
+  const json body = Encode(request, {.form = config::v1::ANSWER_FORM_TEXT});
   EXPECT_EQ(body["messages"][0]["role"], "system");
   EXPECT_EQ(body["messages"][1]["content"], "q");
 }

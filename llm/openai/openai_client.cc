@@ -25,14 +25,21 @@ bool KeepsTo(const std::string& schema_text, const std::string& answer_text) {
          });
 }
 
+// What wraps a token of a stream is fifty times as long as the token.
+HttpOptions ForStreams(HttpOptions http, bool stream) {
+  constexpr int64_t kStreamByteLimit = 64 << 20;
+  if (stream) http.body_byte_limit = kStreamByteLimit;
+  return http;
+}
+
 }  // namespace
 
 OpenAiClient::OpenAiClient(OpenAiOptions options, HttpOptions http, const runtime::Clock& clock)
     : options_(std::move(options)),
-      http_(std::move(http), clock),
+      http_(ForStreams(std::move(http), options_.config.stream()), clock),
       url_(CompletionsUrl(options_)),
       address_(PublicAddress(url_)),
-      dialect_{.form = options_.answer_form} {}
+      dialect_{.form = options_.first_form()} {}
 
 absl::StatusOr<ChatAnswer> OpenAiClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
   const Confidential confidential{SecretsOf(options_), request.messages};
@@ -41,15 +48,13 @@ absl::StatusOr<ChatAnswer> OpenAiClient::Ask(const ChatRequest& request, runtime
   while (true) {
     HttpRequest sent{.url = url_, .headers = RequestHeaders(options_)};
     ASSIGN_OR_RETURN(sent.body, EncodeRequest(options_, attempt.dialect, request));
-    ReplyReader reader(address_, request, confidential);
-    if (options_.stream) sent.on_piece = [&reader](std::string_view piece) { return reader.Take(piece); };
     ASSIGN_OR_RETURN(const HttpResponse response, http_.Send(sent, call));
     if (response.status / 100 == 2) {
-      absl::StatusOr<ChatAnswer> answer =
-          options_.stream ? reader.FinishStream(options_.model) : reader.Read(response.body, options_.model);
-      attempt.thought = reader.thought();
-      if (answer.ok()) Learn(request, attempt, *answer);
-      return answer;
+      ASSIGN_OR_RETURN(const ChatReply reply, ReadReply(response.body, options_.config.stream(),
+                                                        {address_, request, confidential, options_.config.model()}));
+      attempt.thought = reply.thought;
+      Learn(request, attempt, reply.answer);
+      return reply.answer;
     }
     const ServerError error = ReadServerError(response.body);
     const std::optional<Dialect> weaker =
@@ -64,7 +69,7 @@ absl::StatusOr<ChatAnswer> OpenAiClient::Ask(const ChatRequest& request, runtime
 absl::StatusOr<ChatAnswer> OpenAiClient::Failure(const HttpResponse& response, const ServerError& error,
                                                  const Confidential& confidential) const {
   if (response.status / 100 == 4 && IsRefusal(error)) {
-    return ChatAnswer{.text = "", .finish = FinishReason::kRefused, .usage = {}, .model = options_.model};
+    return ChatAnswer{.text = "", .finish = FinishReason::kRefused, .usage = {}, .model = options_.config.model()};
   }
   std::string where = fmt::format("{}: HTTP {}", address_, response.status);
   if (response.status == 404 && error.message.empty()) where += ", no such address; most base addresses end in /v1";
@@ -101,7 +106,7 @@ void OpenAiClient::Learn(const ChatRequest& request, const Attempt& attempt, con
 
 void OpenAiClient::LearnWhetherSchemasAreKept(const ChatRequest& request, const Dialect& dialect,
                                               const ChatAnswer& answer) {
-  const bool by_schema = !request.schema.empty() && dialect.form == AnswerForm::kJsonSchema;
+  const bool by_schema = !request.schema.empty() && dialect.form == config::v1::ANSWER_FORM_JSON_SCHEMA;
   if (!by_schema || dialect.schema_in_prompt || schemas_are_kept_ || answer.finish != FinishReason::kStop) return;
   schemas_are_kept_ = KeepsTo(request.schema, answer.text);
   dialect_.schema_in_prompt = !schemas_are_kept_;

@@ -59,7 +59,7 @@ class OpenAiClient final : public LlmClient {
   mutable std::mutex mutex_;
   Dialect dialect_;
   // Forms of those schemas that the server did not take in the dialect's.
-  std::map<std::string, AnswerForm> form_of_schema_;
+  std::map<std::string, config::v1::AnswerForm> form_of_schema_;
   // An answer kept to its schema, which no server does by chance.
   bool schemas_are_kept_ = false;
 };

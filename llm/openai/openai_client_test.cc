@@ -24,8 +24,8 @@ using ::testing::Not;
 using ::testing::SizeIs;
 
 TEST_F(OpenAiClientTest, SendsTheQuestionAsTheProtocolWantsIt) {
-  options_.temperature = 0.2;
-  options_.seed = 7;
+  options_.config.set_temperature(0.2);
+  options_.config.set_seed(7);
   Serve("answer");
   ASSERT_TRUE(Ask().ok());
   const json expected = {
@@ -65,7 +65,7 @@ TEST_F(OpenAiClientTest, AsksForFreeTextWithoutASchema) {
 }
 
 TEST_F(OpenAiClientTest, AsksForTheUsageOfAStream) {
-  options_.stream = true;
+  options_.config.set_stream(true);
   Serve("answer");
   const auto answer = Ask();
   ASSERT_TRUE(answer.ok()) << answer.status();
@@ -90,8 +90,9 @@ TEST_F(OpenAiClientTest, TellsUsageAndModelAsTheServerDoes) {
 
 TEST_F(OpenAiClientTest, KnowsAzuresPathAndHeader) {
   Serve("answer");
-  options_.base_url = server_->address() + "/";
-  options_.azure = AzureDeployment{.name = "rooms/1", .api_version = "2024-10-21"};
+  options_.config.set_base_url(server_->address() + "/");
+  options_.config.mutable_azure()->set_deployment("rooms/1");
+  options_.config.mutable_azure()->set_api_version("2024-10-21");
   ASSERT_TRUE(Ask().ok());
   const auto request = server_->requests().front();
   EXPECT_EQ(request.target, "/openai/deployments/rooms%2F1/chat/completions?api-version=2024-10-21");
@@ -131,7 +132,7 @@ TEST_F(OpenAiClientTest, SendsTheRequestsSeedUnlessItHasItsOwn) {
   ASSERT_TRUE(Ask(request).ok());
   EXPECT_EQ(Sent(0)["seed"], 0);
   EXPECT_EQ(Sent(1)["seed"], 9007199254740991);
-  options_.seed = 5;
+  options_.config.set_seed(5);
   Serve("answer");
   ASSERT_TRUE(Ask(request).ok());
   EXPECT_EQ(Sent(0)["seed"], 5);
@@ -139,7 +140,7 @@ TEST_F(OpenAiClientTest, SendsTheRequestsSeedUnlessItHasItsOwn) {
 
 TEST_F(OpenAiClientTest, TakesTheWholeAddressToo) {
   Serve("answer");
-  options_.base_url += "/chat/completions";
+  options_.config.mutable_base_url()->append("/chat/completions");
   ASSERT_TRUE(Ask().ok());
   EXPECT_EQ(server_->requests().front().target, "/v1/chat/completions");
 }
@@ -169,9 +170,9 @@ TEST_F(OpenAiClientTest, AnErrorThatQuotesASecretHeaderIsNotShown) {
 }
 
 TEST_F(OpenAiClientTest, ItsIdentityHoldsWhatDecidesTheAnswersAndNoSecret) {
-  options_.base_url = "https://user:password@gateway.example/v1?token=token-1";
+  options_.config.set_base_url("https://user:password@gateway.example/v1?token=token-1");
   options_.headers = {{"X-Gateway-Key", "gateway-secret"}};
-  options_.temperature = 0.25;
+  options_.config.set_temperature(0.25);
   const std::string identity = client().identity();
   EXPECT_THAT(identity, HasSubstr("https://gateway.example/v1"));
   EXPECT_THAT(identity, HasSubstr("some-model"));
@@ -183,8 +184,8 @@ TEST_F(OpenAiClientTest, ItsIdentityHoldsWhatDecidesTheAnswersAndNoSecret) {
 TEST_F(OpenAiClientTest, SpeaksTls) {
   const auto certificate = flair::testing::MakeTestCertificate();
   server_ = std::make_unique<flair::testing::ScriptedServer>(LoadScript("odd_pieces"), certificate);
-  options_.base_url = server_->base_url();
-  options_.stream = true;
+  options_.config.set_base_url(server_->base_url());
+  options_.config.set_stream(true);
   EXPECT_EQ(Ask().status().code(), StatusCode::kFailedPrecondition);
   EXPECT_THAT(server_->requests(), SizeIs(0));
 

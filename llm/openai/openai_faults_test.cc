@@ -19,7 +19,7 @@ using ::testing::Not;
 // Every fault both ways, streamed and not.
 class OpenAiFaultsTest : public OpenAiClientTest, public ::testing::WithParamInterface<bool> {
  protected:
-  OpenAiFaultsTest() { options_.stream = GetParam(); }
+  OpenAiFaultsTest() { options_.config.set_stream(GetParam()); }
 
   // The error of a server that plays this script.
   absl::Status Fault(const std::string& script) {
@@ -319,7 +319,7 @@ TEST_P(OpenAiStreamFaultsTest, AStreamOfTooMuchTextIsLeftWhereItIs) {
   flair::testing::Exchange exchange;
   const std::string event =
       R"(data: {"choices": [{"index": 0, "delta": {"reasoning": ")" + std::string(1 << 20, 'x') + "\"}}]}\n\n";
-  for (int i = 0; i < 18; ++i) exchange.body += event;
+  for (int i = 0; i < 66; ++i) exchange.body += event;
   exchange.end = flair::testing::ConnectionEnd::kHang;
   Serve(flair::testing::Script{.exchanges = {exchange}});
   EXPECT_EQ(Ask().status().code(), StatusCode::kDataLoss);

@@ -42,7 +42,7 @@ TEST_F(OpenAiLearningTest, FallsBackToTextEvenWhenTheServerDoesNotSayWhy) {
 }
 
 TEST_F(OpenAiLearningTest, DoesNotFallBackWhenToldNotTo) {
-  options_.fall_back = false;
+  options_.config.set_answer_form(config::v1::ANSWER_FORM_JSON_SCHEMA);
   Serve("json_mode_only");
   const auto answer = Ask();
   EXPECT_EQ(answer.status().code(), StatusCode::kInvalidArgument) << answer.status();
@@ -68,7 +68,7 @@ TEST_F(OpenAiLearningTest, ARejectedSchemaLeavesOtherSchemasAlone) {
 }
 
 TEST_F(OpenAiLearningTest, SendsReasoningModelsWhatTheyTake) {
-  options_.temperature = 0.2;
+  options_.config.set_temperature(0.2);
   Serve("reasoning_model");
   ASSERT_TRUE(Ask().ok());
   ASSERT_TRUE(Ask().ok());
@@ -136,8 +136,8 @@ TEST_F(OpenAiLearningTest, AModelThatThinksGetsRoomForIt) {
 }
 
 TEST_F(OpenAiLearningTest, LeavesOutWhatAStrictServerDoesNotKnow) {
-  options_.seed = 7;
-  options_.stream = true;
+  options_.config.set_seed(7);
+  options_.config.set_stream(true);
   Serve("strict_fields");
   const auto answer = Ask();
   ASSERT_TRUE(answer.ok()) << answer.status();

@@ -27,32 +27,27 @@ bool HasHeader(const OpenAiOptions& options, std::string_view name) {
   });
 }
 
-const char* NameOf(AnswerForm form) {
-  switch (form) {
-    case AnswerForm::kJsonSchema:
-      return "json_schema";
-    case AnswerForm::kJsonObject:
-      return "json_object";
-    case AnswerForm::kText:
-      return "text";
-  }
-  return "";
+const char* NameOf(config::v1::AnswerForm form) {
+  if (form == config::v1::ANSWER_FORM_TEXT) return "text";
+  return form == config::v1::ANSWER_FORM_JSON_OBJECT ? "json_object" : "json_schema";
 }
 
 }  // namespace
 
 std::string CompletionsUrl(const OpenAiOptions& options) {
   // Gateways and Azure have addresses with a query, which stays at the end.
-  const size_t query_begin = std::min(options.base_url.find('?'), options.base_url.size());
-  std::string path = options.base_url.substr(0, query_begin), query = options.base_url.substr(query_begin);
+  const size_t query_begin = std::min(options.config.base_url().find('?'), options.config.base_url().size());
+  std::string path = options.config.base_url().substr(0, query_begin);
+  std::string query = options.config.base_url().substr(query_begin);
   while (path.ends_with('/')) path.pop_back();
   // The whole address, as it is in many manuals.
   const bool whole = path.ends_with("/chat/completions");
-  if (options.azure.has_value()) {
+  if (options.config.has_azure()) {
     if (path.ends_with("/openai")) path.resize(path.size() - std::string_view("/openai").size());
-    if (!whole) path += "/openai/deployments/" + Escaped(options.azure->name);
+    if (!whole) path += "/openai/deployments/" + Escaped(options.config.azure().deployment());
     if (query.find("api-version=") == std::string::npos) {
-      query += fmt::format("{}api-version={}", query.empty() ? "?" : "&", Escaped(options.azure->api_version));
+      query +=
+          fmt::format("{}api-version={}", query.empty() ? "?" : "&", Escaped(options.config.azure().api_version()));
     }
   }
   return path + (whole ? "" : "/chat/completions") + query;
@@ -61,11 +56,11 @@ std::string CompletionsUrl(const OpenAiOptions& options) {
 std::vector<HttpHeader> RequestHeaders(const OpenAiOptions& options) {
   std::vector<HttpHeader> headers = {
       {"Content-Type", "application/json"},
-      {"Accept", options.stream ? "text/event-stream, application/json" : "application/json"},
+      {"Accept", options.config.stream() ? "text/event-stream, application/json" : "application/json"},
       {"User-Agent", "flair"}};
   if (!options.api_key.empty()) {
-    headers.push_back(options.azure.has_value() ? HttpHeader{"api-key", options.api_key}
-                                                : HttpHeader{"Authorization", "Bearer " + options.api_key});
+    headers.push_back(options.config.has_azure() ? HttpHeader{"api-key", options.api_key}
+                                                 : HttpHeader{"Authorization", "Bearer " + options.api_key});
   }
   // One of the user's own is sent instead: a server may take the first of two, or neither.
   std::erase_if(headers, [&](const HttpHeader& header) { return HasHeader(options, header.name); });
@@ -82,13 +77,13 @@ std::vector<std::string> SecretsOf(const OpenAiOptions& options) {
 }
 
 std::string IdentityOf(const OpenAiOptions& options) {
-  std::string identity =
-      fmt::format("openai {} model={} form={} fall_back={} max_output_tokens={}",
-                  PublicAddress(CompletionsUrl(options)), options.model, NameOf(options.answer_form), options.fall_back,
-                  options.max_output_token_count > 0 ? options.max_output_token_count : kUsualOutputTokenCount);
-  if (options.azure.has_value()) identity += " api_version=" + options.azure->api_version;
-  if (options.temperature.has_value()) identity += fmt::format(" temperature={}", *options.temperature);
-  if (options.seed.has_value()) identity += fmt::format(" seed={}", *options.seed);
+  std::string identity = fmt::format(
+      "openai {} model={} form={} fall_back={} max_output_tokens={}", PublicAddress(CompletionsUrl(options)),
+      options.config.model(), NameOf(options.first_form()), options.falls_back(),
+      options.config.max_output_token_count() > 0 ? options.config.max_output_token_count() : kUsualOutputTokenCount);
+  if (options.config.has_azure()) identity += " api_version=" + options.config.azure().api_version();
+  if (options.config.has_temperature()) identity += fmt::format(" temperature={}", options.config.temperature());
+  if (options.config.has_seed()) identity += fmt::format(" seed={}", options.config.seed());
   return identity;
 }
 

@@ -1,52 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "flair/config/v1/llm_config.pb.h"
 #include "llm/http/http_request.h"
 
 namespace flair::llm {
-
-// How answers are asked for; see AnswerForm in llm_config.proto.
-enum class AnswerForm { kJsonSchema, kJsonObject, kText };
 
 inline constexpr int kUsualOutputTokenCount = 4096;
 // Thoughts take several times as many tokens as an answer, and the limit is of both.
 inline constexpr int kThinkersOutputTokenCount = 16384;
 
-// Azure OpenAI: where the model is.
-struct AzureDeployment {
-  // Name of the deployment, such as "room-designer".
-  std::string name;
-  // Such as "2024-10-21".
-  std::string api_version;
-};
-
-// How one model is reached and asked; checked by whoever read it from a configuration.
+// How one model is reached and asked.
 struct OpenAiOptions {
-  // Up to and without "/chat/completions", such as "https://api.openai.com/v1"; with Azure without "/openai".
-  std::string base_url;
-  // As the server calls it; with Azure only a name.
-  std::string model;
-  // Secret. Empty when the server wants none.
-  std::string api_key;
-  std::optional<AzureDeployment> azure;
-  // Sent with every request; the values may be secrets.
-  std::vector<HttpHeader> headers;
-  // [0, 2]; the server's default when unset.
-  std::optional<double> temperature;
-  // Sent instead of those of the requests.
-  std::optional<int64_t> seed;
-  // For requests that set no limit of their own; 0 means kUsualOutputTokenCount, or kThinkersOutputTokenCount for a
-  // model that thinks before it answers.
-  int max_output_token_count = 0;
-  // The first form to try. With `fall_back`, weaker ones follow when the server rejects it.
-  AnswerForm answer_form = AnswerForm::kJsonSchema;
-  bool fall_back = true;
-  bool stream = false;
+  config::v1::LlmConfig config;     // as CheckLlmConfig wants it
+  std::string api_key;              // secret; empty when the server wants none
+  std::vector<HttpHeader> headers;  // the user's own, sent with every request; the values may be secrets
+
+  // The first form of answers to try, and whether weaker ones follow when the server rejects it.
+  config::v1::AnswerForm first_form() const {
+    return falls_back() ? config::v1::ANSWER_FORM_JSON_SCHEMA : config.answer_form();
+  }
+  bool falls_back() const { return config.answer_form() == config::v1::ANSWER_FORM_UNSPECIFIED; }
 };
 
 // Where requests go, OpenAI's address or Azure's.

@@ -13,14 +13,15 @@ namespace {
 
 std::string UrlOf(const std::string& base_url) {
   OpenAiOptions options;
-  options.base_url = base_url;
+  options.config.set_base_url(base_url);
   return CompletionsUrl(options);
 }
 
 std::string AzureUrlOf(const std::string& base_url) {
   OpenAiOptions options;
-  options.base_url = base_url;
-  options.azure = AzureDeployment{.name = "rooms", .api_version = "2024-10-21"};
+  options.config.set_base_url(base_url);
+  options.config.mutable_azure()->set_deployment("rooms");
+  options.config.mutable_azure()->set_api_version("2024-10-21");
   return CompletionsUrl(options);
 }
 

@@ -14,7 +14,6 @@ namespace flair::llm {
 namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
-constexpr size_t kKeptByteLimit = 16 << 20;
 
 using nlohmann::json;
 
@@ -78,189 +77,155 @@ const json* ErrorInside(const json& object) {
   return error != nullptr && SaysAnything(*error) ? error : nullptr;
 }
 
-}  // namespace
-
-absl::Status SseReader::Take(std::string_view piece, const OnEvent& on_event) {
-  while (!piece.empty()) {
-    if (std::exchange(after_cr_, false) && piece.front() == '\n') piece.remove_prefix(1);
-    const size_t end = piece.find_first_of("\r\n");
-    if (end == std::string_view::npos) {
-      line_ += piece;
-      return absl::OkStatus();
+// A completion as it is put together: at once from a "message", or bit by bit from "delta"s.
+class Completion {
+ public:
+  // Takes in one object of the protocol, a whole completion or a chunk of a stream; what it does not have is left as it
+  // was.
+  void Add(const json& object) {
+    const std::string model = TextField(object, "model");
+    if (!model.empty() && model.size() <= kModelByteLimit) model_ = model;
+    if (const json* const choices = Field(object, "choices"); choices != nullptr && choices->is_array()) {
+      for (const json& choice : *choices) {
+        // One answer was asked for.
+        if (CountField(choice, "index").value_or(0) == 0) AddChoice(choice);
+      }
     }
-    // Nearly every line lies within one piece and is read where it is.
-    std::string_view line = piece.substr(0, end);
-    if (!line_.empty()) line = line_ += line;
-    after_cr_ = piece[end] == '\r';
-    piece.remove_prefix(end + 1);
-    if (auto status = TakeLine(line, on_event); !status.ok()) return status;
-    line_.clear();
+    if (const json* const usage = Field(object, "usage")) AddUsage(*usage);
   }
-  return absl::OkStatus();
-}
 
-absl::Status SseReader::Finish(const OnEvent& on_event) {
-  const std::string line = std::exchange(line_, {});
-  if (auto status = TakeLine(line, on_event); !status.ok()) return status;
-  return TakeLine("", on_event);
-}
+  // Whether there was a choice.
+  bool answered() const { return has_choice_; }
+  // Whether a choice said why it ended.
+  bool finished() const { return !finish_.empty(); }
 
-absl::Status SseReader::TakeLine(std::string_view line, const OnEvent& on_event) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (std::exchange(first_line_, false) && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
-  if (line.empty()) {
-    if (!std::exchange(has_data_, false)) return absl::OkStatus();
-    const absl::Status status = on_event(data_);
-    data_.clear();
-    return status;
-  }
-  if (!line.starts_with("data") || (line.size() > 4 && line[4] != ':')) return absl::OkStatus();
-  line.remove_prefix(std::min<size_t>(line.size(), 5));
-  if (line.starts_with(' ')) line.remove_prefix(1);
-  if (std::exchange(has_data_, true)) data_ += '\n';
-  data_ += line;
-  return absl::OkStatus();
-}
-
-absl::Status Completion::Add(const json& object) {
-  if (!object.is_object()) return absl::DataLossError("not a JSON object");
-  const std::string model = TextField(object, "model");
-  if (!model.empty() && model.size() <= kModelByteLimit) model_ = model;
-  if (const json* const choices = Field(object, "choices"); choices != nullptr && choices->is_array()) {
-    for (const json& choice : *choices) {
-      // One answer was asked for.
-      if (CountField(choice, "index").value_or(0) == 0) AddChoice(choice);
+  // `model` and the lengths of the texts stand in for what the server did not say.
+  ChatReply ToReply(const ChatRequest& request, const std::string& model) const {
+    ChatAnswer answer;
+    answer.finish = ReadFinish(finish_);
+    answer.text = content_.empty() ? tool_arguments_ : content_;
+    // Servers that take all of an answer for thoughts, as its model was told not to think, say so by an end without
+    // text.
+    if (answer.text.empty() && answer.finish == FinishReason::kStop) answer.text = thoughts_;
+    if (!refusal_.empty()) {
+      answer.finish = FinishReason::kRefused;
+      if (answer.text.empty()) answer.text = refusal_;
     }
+    answer.model = model_.empty() ? model : model_;
+    answer.usage = usage_.has_value() ? *usage_ : Estimate(request, answer.text);
+    const bool aloud = std::string_view(content_).substr(0, 20).find("<think") != std::string_view::npos;
+    return {std::move(answer), thought_ || aloud || !thoughts_.empty()};
   }
-  if (const json* const usage = Field(object, "usage")) AddUsage(*usage);
-  return absl::OkStatus();
-}
 
-void Completion::AddChoice(const json& choice) {
-  const json* message = Field(choice, "message");
-  if (message == nullptr) message = Field(choice, "delta");
-  if (message != nullptr && message->is_object()) {
-    has_choice_ = true;
-    content_ += ContentText(*message);
-    refusal_ += TextField(*message, "refusal");
-    for (const char* name : {"reasoning_content", "reasoning"}) {
-      const std::string thoughts = TextField(*message, name);
-      thoughts_ += thoughts;
+ private:
+  void AddChoice(const json& choice) {
+    const json* message = Field(choice, "message");
+    if (message == nullptr) message = Field(choice, "delta");
+    if (message != nullptr && message->is_object()) {
+      has_choice_ = true;
+      content_ += ContentText(*message);
+      refusal_ += TextField(*message, "refusal");
       // Servers that know both names send the same under both.
-      if (!thoughts.empty()) break;
+      const std::string thoughts = TextField(*message, "reasoning_content");
+      thoughts_ += thoughts.empty() ? TextField(*message, "reasoning") : thoughts;
+      tool_arguments_ += ToolArguments(*message);
     }
-    tool_arguments_ += ToolArguments(*message);
+    if (const std::string finish = TextField(choice, "finish_reason"); !finish.empty()) {
+      // A choice may end before it says anything.
+      has_choice_ = true;
+      finish_ = finish;
+    }
   }
-  if (const std::string finish = TextField(choice, "finish_reason"); !finish.empty()) {
-    // A choice may end before it says anything.
-    has_choice_ = true;
-    finish_ = finish;
+
+  void AddUsage(const json& usage) {
+    const auto input = CountField(usage, "prompt_tokens"), output = CountField(usage, "completion_tokens");
+    if (!input.has_value() || !output.has_value()) return;
+    const auto detail = [&](const char* details, const char* name) {
+      const json* const found = Field(usage, details);
+      return found == nullptr ? 0 : CountField(*found, name).value_or(0);
+    };
+    // Some servers count thoughts in the sum alone.
+    thought_ = thought_ || detail("completion_tokens_details", "reasoning_tokens") > 0 ||
+               CountField(usage, "total_tokens").value_or(0) > *input + *output;
+    usage_ = Usage{.input_token_count = *input,
+                   .output_token_count = *output,
+                   .cached_input_token_count = std::min(detail("prompt_tokens_details", "cached_tokens"), *input),
+                   .estimated = false};
   }
+
+  bool has_choice_ = false;
+  std::string content_;
+  std::string refusal_;
+  std::string thoughts_;        // what the model thought, where the server tells that apart
+  bool thought_ = false;        // it spent tokens on that
+  std::string tool_arguments_;  // of the first tool called
+  std::string finish_;
+  std::string model_;
+  std::optional<Usage> usage_;
+};
+
+absl::Status NotOfTheProtocol(std::string_view what, const ReplyContext& context) {
+  return absl::DataLossError(fmt::format("{}: {}", context.address, what));
 }
 
-void Completion::AddUsage(const json& usage) {
-  const auto input = CountField(usage, "prompt_tokens"), output = CountField(usage, "completion_tokens");
-  if (!input.has_value() || !output.has_value()) return;
-  if (const json* const details = Field(usage, "completion_tokens_details")) {
-    thought_ = thought_ || CountField(*details, "reasoning_tokens").value_or(0) > 0;
-  }
-  // Some servers count thoughts in the sum alone.
-  thought_ = thought_ || CountField(usage, "total_tokens").value_or(0) > *input + *output;
-  int64_t cached = 0;
-  if (const json* const details = Field(usage, "prompt_tokens_details")) {
-    cached = CountField(*details, "cached_tokens").value_or(0);
-  }
-  usage_ = Usage{.input_token_count = *input,
-                 .output_token_count = *output,
-                 .cached_input_token_count = std::min(cached, *input),
-                 .estimated = false};
-}
-
-absl::StatusOr<ChatAnswer> Completion::ToAnswer(const ChatRequest& request, const std::string& model) const {
-  if (!has_choice_) return absl::DataLossError("a reply without an answer (choices)");
-  ChatAnswer answer;
-  answer.finish = ReadFinish(finish_);
-  answer.text = content_.empty() ? tool_arguments_ : content_;
-  // Servers that take all of an answer for thoughts, as its model was told not to think, say so by an end without text.
-  if (answer.text.empty() && answer.finish == FinishReason::kStop) answer.text = thoughts_;
-  if (!refusal_.empty()) {
-    answer.finish = FinishReason::kRefused;
-    if (answer.text.empty()) answer.text = refusal_;
-  }
-  answer.model = model_.empty() ? model : model_;
-  answer.usage = usage_.has_value() ? *usage_ : Estimate(request, answer.text);
-  return answer;
-}
-
-absl::Status ReplyReader::Take(std::string_view piece) {
-  if (absl::Status status = TakePiece(piece); !status.ok()) return status;
-  const size_t kept = whole_.size() + sse_.kept_byte_count() + completion_.text_byte_count();
-  return kept <= kKeptByteLimit ? absl::OkStatus() : NotOfTheProtocol("an answer of more than 16 MiB");
-}
-
-absl::Status ReplyReader::TakePiece(std::string_view piece) {
-  if (kind_ == Kind::kUnknown) {
-    const size_t begin = piece.find_first_not_of(kSpace);
-    if (begin == std::string_view::npos) return absl::OkStatus();
-    const bool whole = piece[begin] == '{' || piece[begin] == '[' || piece[begin] == '<';
-    kind_ = whole ? Kind::kWhole : Kind::kEvents;
-    // As if it had come in a piece of its own.
-    piece.remove_prefix(begin);
-  }
-  if (kind_ == Kind::kWhole) {
-    whole_ += piece;
-    return absl::OkStatus();
-  }
-  return sse_.Take(piece, [this](std::string_view data) { return TakeEvent(data); });
-}
-
-absl::StatusOr<ChatAnswer> ReplyReader::FinishStream(const std::string& model) {
-  if (kind_ != Kind::kEvents) return Read(whole_, model);
-  const absl::Status status = sse_.Finish([this](std::string_view data) { return TakeEvent(data); });
-  if (!status.ok()) return status;
-  if (!done_ && !completion_.finished()) {
-    return absl::UnavailableError(fmt::format("{}: the stream of the answer ended early", address_));
-  }
-  return ToAnswer(model);
-}
-
-absl::StatusOr<ChatAnswer> ReplyReader::Read(std::string_view body, const std::string& model) {
-  const size_t begin = body.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return NotOfTheProtocol("an empty body");
-  if (body[begin] == '<') return NotOfTheProtocol("HTML instead of an answer; is the base address right?");
-  if (auto status = Add(body); !status.ok()) return status;
-  return ToAnswer(model);
-}
-
-absl::Status ReplyReader::TakeEvent(std::string_view data) {
-  if (done_) return absl::OkStatus();
-  if (data.find_first_not_of(kSpace) == std::string_view::npos) return absl::OkStatus();
-  if (data == "[DONE]") {
-    done_ = true;
-    return absl::OkStatus();
-  }
-  return Add(data);
-}
-
-absl::Status ReplyReader::Add(std::string_view json_text) {
-  const nlohmann::json object = ParseJson(json_text);
-  if (object.is_discarded()) return NotOfTheProtocol("a reply that is not JSON");
+// Adds an object of the protocol.
+absl::Status Add(std::string_view json_text, const ReplyContext& context, Completion& completion) {
+  const json object = ParseJson(json_text);
+  if (object.is_discarded()) return NotOfTheProtocol("a reply that is not JSON", context);
   if (ErrorInside(object) != nullptr) {
     const ServerError error = ReadServerError(json_text);
-    return StatusOf(HttpStatusOf(error), error, fmt::format("{}: an error inside the reply", address_), confidential_);
+    return StatusOf(HttpStatusOf(error), error, fmt::format("{}: an error inside the reply", context.address),
+                    context.confidential);
   }
-  const absl::Status added = completion_.Add(object);
-  return added.ok() ? added : NotOfTheProtocol(std::string_view(added.message().data(), added.message().size()));
+  if (!object.is_object()) return NotOfTheProtocol("not a JSON object", context);
+  completion.Add(object);
+  return absl::OkStatus();
 }
 
-absl::StatusOr<ChatAnswer> ReplyReader::ToAnswer(const std::string& model) const {
-  auto answer = completion_.ToAnswer(request_, model);
-  if (answer.ok()) return answer;
-  return NotOfTheProtocol(std::string_view(answer.status().message().data(), answer.status().message().size()));
+absl::Status AddEvents(std::string_view stream, const ReplyContext& context, Completion& completion) {
+  bool done = false;
+  for (const std::string& data : EventsOf(stream)) {
+    done = data == "[DONE]";
+    if (done) break;
+    if (data.find_first_not_of(kSpace) != std::string::npos) RETURN_IF_ERROR(Add(data, context, completion));
+  }
+  if (done || completion.finished()) return absl::OkStatus();
+  return absl::UnavailableError(fmt::format("{}: the stream of the answer ended early", context.address));
 }
 
-absl::Status ReplyReader::NotOfTheProtocol(std::string_view what) const {
-  return absl::DataLossError(fmt::format("{}: {}", address_, what));
+}  // namespace
+
+std::vector<std::string> EventsOf(std::string_view stream) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf", kField = "data";
+  if (stream.starts_with(kByteOrderMark)) stream.remove_prefix(kByteOrderMark.size());
+  std::vector<std::string> events;
+  std::optional<std::string> event;
+  while (!stream.empty()) {
+    std::string_view line = stream.substr(0, stream.find_first_of("\r\n"));
+    stream.remove_prefix(line.size());
+    stream.remove_prefix(stream.starts_with("\r\n") ? 2 : stream.empty() ? 0 : 1);
+    if (line.empty() && event) events.push_back(*std::exchange(event, std::nullopt));
+    if (!line.starts_with(kField) || (line.size() > kField.size() && line[kField.size()] != ':')) continue;
+    line.remove_prefix(std::min(line.size(), kField.size() + 1));
+    if (line.starts_with(' ')) line.remove_prefix(1);
+    event = (event ? *event + "\n" : "") + std::string(line);
+  }
+  if (event) events.push_back(*event);
+  return events;
+}
+
+absl::StatusOr<ChatReply> ReadReply(std::string_view body, bool streamed, const ReplyContext& context) {
+  const size_t begin = body.find_first_not_of(kSpace);
+  if (begin == std::string_view::npos) return NotOfTheProtocol("an empty body", context);
+  if (body[begin] == '<') return NotOfTheProtocol("HTML instead of an answer; is the base address right?", context);
+  Completion completion;
+  if (streamed && body[begin] != '{' && body[begin] != '[') {
+    RETURN_IF_ERROR(AddEvents(body.substr(begin), context, completion));
+  } else {
+    RETURN_IF_ERROR(Add(body, context, completion));
+  }
+  if (!completion.answered()) return NotOfTheProtocol("a reply without an answer (choices)", context);
+  return completion.ToReply(context.request, context.model);
 }
 
 }  // namespace flair::llm

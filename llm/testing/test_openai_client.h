@@ -31,7 +31,7 @@ inline ChatRequest ZonesRequest() {
 class OpenAiClientTest : public ::testing::Test {
  protected:
   OpenAiClientTest() {
-    options_.model = "some-model";
+    options_.config.set_model("some-model");
     options_.api_key = "sk-0123456789abcdef";
   }
 
@@ -44,7 +44,7 @@ class OpenAiClientTest : public ::testing::Test {
 
   flair::testing::ScriptedServer& Serve(flair::testing::Script script) {
     server_ = std::make_unique<flair::testing::ScriptedServer>(std::move(script));
-    options_.base_url = server_->base_url();
+    options_.config.set_base_url(server_->base_url());
     client_.reset();
     return *server_;
   }

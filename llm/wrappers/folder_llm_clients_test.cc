@@ -108,11 +108,11 @@ TEST_F(AnswerFolderTest, ADamagedFileIsAnErrorThatNamesFileAndField) {
 
 TEST_F(AnswerFolderTest, ARecordingReplaysAndAMissingAnswerNamesItsRequest) {
   auto* model = new TestLlmClient();
-  auto recording = RecordingLlmClient::Make(std::unique_ptr<LlmClient>(model), path_);
+  auto recording = MakeRecordingClient(std::unique_ptr<LlmClient>(model), path_);
   ASSERT_TRUE(recording.ok()) << recording.status();
   const auto asked = Ask(**recording, AskFor("zones"), model, "yes");
   ASSERT_TRUE(asked.ok()) << asked.status();
-  auto replaying = ReplayingLlmClient::Make(path_);
+  auto replaying = MakeReplayingClient(path_);
   ASSERT_TRUE(replaying.ok()) << replaying.status();
   EXPECT_EQ((*replaying)->identity(), "held@test");
   ExpectSame(*Ask(**replaying, AskFor("zones"), nullptr, ""), *asked);
@@ -133,7 +133,7 @@ TEST_F(AnswerFolderTest, ARecordingOfOneSeedIsNoneOfAnotherButOneWithoutASeedIsO
   const AnswerFolder folder(path_);
   ASSERT_TRUE(folder.ClaimFor("held@test").ok());
   ASSERT_TRUE(folder.Put(seven, Answer("of seven")).ok());
-  auto replaying = ReplayingLlmClient::Make(path_);
+  auto replaying = MakeReplayingClient(path_);
   ASSERT_TRUE(replaying.ok()) << replaying.status();
   EXPECT_EQ(Ask(**replaying, seven, nullptr, "")->text, "of seven");
   const absl::Status missing = Ask(**replaying, eight, nullptr, "").status();
@@ -146,18 +146,18 @@ TEST_F(AnswerFolderTest, ARecordingOfOneSeedIsNoneOfAnotherButOneWithoutASeedIsO
 
 TEST_F(AnswerFolderTest, ACacheAsksAgainForAnotherSeed) {
   auto* model = new TestLlmClient();
-  CachingLlmClient cache(std::unique_ptr<LlmClient>(model), path_);
+  const auto cache = MakeCachingClient(std::unique_ptr<LlmClient>(model), path_);
   ChatRequest seven = AskFor("zones");
   seven.seed = 7;
-  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "of none")->text, "of none");
-  EXPECT_EQ(Ask(cache, seven, model, "of seven")->text, "of seven");
-  EXPECT_EQ(Ask(cache, seven, model, "again")->text, "of seven");
+  EXPECT_EQ(Ask(*cache, AskFor("zones"), model, "of none")->text, "of none");
+  EXPECT_EQ(Ask(*cache, seven, model, "of seven")->text, "of seven");
+  EXPECT_EQ(Ask(*cache, seven, model, "again")->text, "of seven");
   EXPECT_THAT(model->requests, SizeIs(2));
 }
 
 TEST_F(AnswerFolderTest, ARecordingIsNotAskedTwiceForTheSame) {
   auto* model = new TestLlmClient();
-  auto recording = RecordingLlmClient::Make(std::unique_ptr<LlmClient>(model), path_);
+  auto recording = MakeRecordingClient(std::unique_ptr<LlmClient>(model), path_);
   EXPECT_EQ(Ask(**recording, AskFor("zones"), model, "first")->text, "first");
   EXPECT_EQ(Ask(**recording, AskFor("zones"), model, "second")->text, "first");
   EXPECT_THAT(model->requests, SizeIs(1));
@@ -165,19 +165,19 @@ TEST_F(AnswerFolderTest, ARecordingIsNotAskedTwiceForTheSame) {
 
 TEST_F(AnswerFolderTest, ARecordingOfAnotherModelIsRefused) {
   ASSERT_TRUE(AnswerFolder(path_).ClaimFor("other@there").ok());
-  const auto recording = RecordingLlmClient::Make(std::make_unique<TestLlmClient>(), path_);
+  const auto recording = MakeRecordingClient(std::make_unique<TestLlmClient>(), path_);
   EXPECT_TRUE(absl::IsFailedPrecondition(recording.status()));
   EXPECT_THAT(std::string(recording.status().message()), HasSubstr("other@there"));
 }
 
 TEST_F(AnswerFolderTest, AFolderWithoutARecordingIsNotReplayed) {
-  EXPECT_TRUE(absl::IsNotFound(ReplayingLlmClient::Make(path_).status()));
-  EXPECT_TRUE(absl::IsNotFound(ReplayingLlmClient::Make(path_ + "/none").status()));
+  EXPECT_TRUE(absl::IsNotFound(MakeReplayingClient(path_).status()));
+  EXPECT_TRUE(absl::IsNotFound(MakeReplayingClient(path_ + "/none").status()));
 }
 
 TEST_F(AnswerFolderTest, ARecordingThatCannotBeWrittenFailsTheCall) {
   auto* model = new TestLlmClient();
-  auto recording = RecordingLlmClient::Make(std::unique_ptr<LlmClient>(model), path_ + "/r");
+  auto recording = MakeRecordingClient(std::unique_ptr<LlmClient>(model), path_ + "/r");
   ASSERT_TRUE(recording.ok());
   std::filesystem::remove_all(path_ + "/r");
   std::ofstream(path_ + "/r") << "a file where the folder was";
@@ -186,21 +186,21 @@ TEST_F(AnswerFolderTest, ARecordingThatCannotBeWrittenFailsTheCall) {
 
 TEST_F(AnswerFolderTest, ACacheAsksOnceAndForgetsNothingButErrors) {
   auto* model = new TestLlmClient();
-  CachingLlmClient cache(std::unique_ptr<LlmClient>(model), path_);
+  const auto cache = MakeCachingClient(std::unique_ptr<LlmClient>(model), path_);
   runtime::CallContext call;
   model->answer = [](size_t) { return absl::UnavailableError("down"); };
-  EXPECT_TRUE(absl::IsUnavailable(cache.Ask(AskFor("zones"), call).status()));
-  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "up")->text, "up");
-  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "again")->text, "up");
+  EXPECT_TRUE(absl::IsUnavailable(cache->Ask(AskFor("zones"), call).status()));
+  EXPECT_EQ(Ask(*cache, AskFor("zones"), model, "up")->text, "up");
+  EXPECT_EQ(Ask(*cache, AskFor("zones"), model, "again")->text, "up");
   EXPECT_THAT(model->requests, SizeIs(2));
 }
 
 TEST_F(AnswerFolderTest, ACacheThatCannotBeUsedIsAsIfEmpty) {
   std::ofstream(path_ + "/c") << "a file";
   auto* model = new TestLlmClient();
-  CachingLlmClient cache(std::unique_ptr<LlmClient>(model), path_ + "/c");
-  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "a")->text, "a");
-  EXPECT_EQ(Ask(cache, AskFor("zones"), model, "b")->text, "b");
+  const auto cache = MakeCachingClient(std::unique_ptr<LlmClient>(model), path_ + "/c");
+  EXPECT_EQ(Ask(*cache, AskFor("zones"), model, "a")->text, "a");
+  EXPECT_EQ(Ask(*cache, AskFor("zones"), model, "b")->text, "b");
 }
 
 }  // namespace

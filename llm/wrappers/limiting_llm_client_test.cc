@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/wrappers/limiting_llm_client.h"
-
 #include <condition_variable>
 #include <map>
 #include <string>
@@ -10,6 +8,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "llm/testing/test_llm_client.h"
+#include "llm/wrappers/call_llm_clients.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {

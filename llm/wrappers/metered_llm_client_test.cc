@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/wrappers/metered_llm_client.h"
-
 #include "gtest/gtest.h"
 #include "llm/testing/test_llm_client.h"
+#include "llm/wrappers/call_llm_clients.h"
 
 namespace flair::llm {
 namespace {

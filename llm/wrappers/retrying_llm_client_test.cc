@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/wrappers/retrying_llm_client.h"
-
 #include <thread>
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "llm/testing/test_llm_client.h"
+#include "llm/wrappers/call_llm_clients.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {

@@ -26,7 +26,7 @@ absl::StatusOr<int> ObjectIndex(const ParameterSpec& spec, const std::string& id
   return index;
 }
 
-absl::StatusOr<Side> SideOf(const ParameterSpec& spec, const std::string& text) {
+absl::StatusOr<Side> SideNamed(const ParameterSpec& spec, const std::string& text) {
   const std::optional<Side> side = SideFromName(text);
   if (side.has_value()) return *side;
   return absl::InvalidArgumentError(
@@ -83,7 +83,7 @@ absl::StatusOr<double> NumberOf(const ParameterSpec& spec, const ArgumentValue& 
 }
 
 const ParameterSpec* SpecOf(const ConstraintFacts& facts, const std::string& name) {
-  for (const ParameterSpec& spec : facts.parameters) {
+  for (const ParameterSpec& spec : facts.type.parameters()) {
     if (spec.name() == name) return &spec;
   }
   return nullptr;
@@ -95,8 +95,8 @@ absl::Status CheckNames(const ConstraintFacts& facts, const v1::ConstraintEdge& 
     const std::string& name = edge.arguments(i).name();
     if (SpecOf(facts, name) == nullptr) {
       std::string known;
-      for (const ParameterSpec& spec : facts.parameters) known += (known.empty() ? "" : ", ") + spec.name();
-      return absl::InvalidArgumentError(fmt::format("{} has no argument {}; it takes {}", facts.name, name, known));
+      for (const ParameterSpec& spec : facts.type.parameters()) known += (known.empty() ? "" : ", ") + spec.name();
+      return absl::InvalidArgumentError(fmt::format("{} has no argument {}; it takes {}", facts.name(), name, known));
     }
     for (int j = 0; j < i; ++j) {
       if (edge.arguments(j).name() == name) {
@@ -147,7 +147,7 @@ absl::StatusOr<Arguments::Value> Arguments::ResolveOne(const ParameterSpec& spec
       }
       for (const std::string& item : value.texts().items()) {
         if (spec.kind() == v1::PARAMETER_KIND_SIDES) {
-          ASSIGN_OR_RETURN(const Side side, SideOf(spec, item));
+          ASSIGN_OR_RETURN(const Side side, SideNamed(spec, item));
           if (std::find(resolved.sides.begin(), resolved.sides.end(), side) == resolved.sides.end()) {
             resolved.sides.push_back(side);
           }
@@ -171,7 +171,7 @@ absl::StatusOr<Arguments::Value> Arguments::ResolveOne(const ParameterSpec& spec
   }
   if (value.value_case() != ArgumentValue::kText) return WrongType(spec, "a text");
   if (spec.kind() == v1::PARAMETER_KIND_SIDE) {
-    ASSIGN_OR_RETURN(const Side side, SideOf(spec, value.text()));
+    ASSIGN_OR_RETURN(const Side side, SideNamed(spec, value.text()));
     resolved.sides.push_back(side);
     return resolved;
   }
@@ -184,14 +184,14 @@ absl::StatusOr<Arguments> Arguments::Resolve(const ConstraintFacts& facts, const
                                              const Scene& scene) {
   RETURN_IF_ERROR(CheckNames(facts, edge));
   Arguments arguments;
-  for (const ParameterSpec& spec : facts.parameters) {
+  for (const ParameterSpec& spec : facts.type.parameters()) {
     const ArgumentValue* value = spec.has_default_value() ? &spec.default_value() : nullptr;
     for (const v1::Argument& argument : edge.arguments()) {
       if (argument.name() == spec.name()) value = &argument.value();
     }
     if (value == nullptr) {
       if (!spec.required()) continue;
-      return absl::InvalidArgumentError(fmt::format("{} needs argument {}", facts.name, spec.name()));
+      return absl::InvalidArgumentError(fmt::format("{} needs argument {}", facts.name(), spec.name()));
     }
     ASSIGN_OR_RETURN(Value resolved, ResolveOne(spec, *value, scene));
     arguments.values_.push_back(std::move(resolved));

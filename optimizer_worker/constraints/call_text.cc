@@ -19,7 +19,7 @@ v1::ParameterKind KindByLooks(const std::string& text) {
 }
 
 v1::ParameterKind KindOf(const ConstraintFacts& facts, const std::string& name) {
-  for (const v1::ParameterSpec& spec : facts.parameters) {
+  for (const v1::ParameterSpec& spec : facts.type.parameters()) {
     if (spec.name() == name) return spec.kind();
   }
   return v1::PARAMETER_KIND_UNSPECIFIED;

@@ -24,17 +24,17 @@ struct Case {
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
-  *out << c.facts->name << ": " << c.example.scene << " | " << c.example.call;
+  *out << c.facts->name() << ": " << c.example.scene << " | " << c.example.call;
 }
 
 // Where a program adds types to ours, only these: ours are tried by themselves.
 std::vector<const ConstraintFacts*> TypesToTry() {
   std::set<std::string> ours;
-  for (const ConstraintFacts& facts : OurLibrary().types) ours.insert(facts.name);
+  for (const ConstraintFacts& facts : OurLibrary().types) ours.insert(facts.name());
   const bool adds_some = AllConstraints().size() > ours.size();
   std::vector<const ConstraintFacts*> types;
   for (const ConstraintFacts& facts : AllConstraints()) {
-    if (!adds_some || !ours.contains(facts.name)) types.push_back(&facts);
+    if (!adds_some || !ours.contains(facts.name())) types.push_back(&facts);
   }
   return types;
 }
@@ -61,7 +61,7 @@ class ConstraintBattery : public testing::TestWithParam<Case> {
 
   void Rebind() {
     absl::StatusOr<std::unique_ptr<Cost>> cost =
-        Bind(EdgeFromText(GetParam().facts->name, GetParam().example.call), {text_.scene, text_.zone_centers});
+        Bind(EdgeFromText(GetParam().facts->name(), GetParam().example.call), {text_.scene, text_.zone_centers});
     ASSERT_TRUE(cost.ok()) << cost.status();
     cost_ = *std::move(cost);
   }
@@ -216,7 +216,7 @@ TEST_P(ConstraintBattery, ARoomMayBeginAtAnyCorner) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, ConstraintBattery, testing::ValuesIn(AllCases()), [](const auto& info) {
-  return info.param.facts->name + (info.param.example.satisfied ? "_satisfied_" : "_violated_") +
+  return info.param.facts->name() + (info.param.example.satisfied ? "_satisfied_" : "_violated_") +
          std::to_string(info.param.number);
 });
 
@@ -224,18 +224,19 @@ TEST(ConstraintFacts, AreComplete) {
   for (const ConstraintFacts& facts : AllConstraints()) {
     int satisfied = 0;
     for (const LayoutExample& example : facts.layouts) satisfied += example.satisfied;
-    EXPECT_GT(satisfied, 0) << facts.name;
-    EXPECT_LT(satisfied, static_cast<int>(facts.layouts.size())) << facts.name;
-    EXPECT_FALSE(facts.summary.empty() || facts.doc.empty() || facts.family.empty()) << facts.name;
-    EXPECT_EQ(facts.built_in, facts.sentences.empty()) << facts.name;
+    EXPECT_GT(satisfied, 0) << facts.name();
+    EXPECT_LT(satisfied, static_cast<int>(facts.layouts.size())) << facts.name();
+    EXPECT_FALSE(facts.type.summary().empty() || facts.type.doc().empty() || facts.type.family().empty())
+        << facts.name();
+    EXPECT_EQ(facts.type.built_in(), facts.type.examples().empty()) << facts.name();
   }
 }
 
 TEST(ConstraintFacts, NamesAndAliasesAreUnique) {
   std::set<std::string> names;
   for (const ConstraintFacts& facts : AllConstraints()) {
-    EXPECT_TRUE(names.insert(facts.name).second) << facts.name;
-    for (const std::string& alias : facts.aliases) EXPECT_TRUE(names.insert(alias).second) << alias;
+    EXPECT_TRUE(names.insert(facts.name()).second) << facts.name();
+    for (const std::string& alias : facts.type.aliases()) EXPECT_TRUE(names.insert(alias).second) << alias;
   }
 }
 

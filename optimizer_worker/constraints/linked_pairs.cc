@@ -41,7 +41,7 @@ void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
   const absl::StatusOr<Arguments> resolved = Arguments::Resolve(*facts, edge, scene);
   if (!resolved.ok()) return;
   const Arguments& a = *resolved;
-  const std::string& type = facts->name;
+  const std::string& type = facts->name();
   if (type == "on_wall_above") ++above_[a.Object("target")];
   if (type == "next_to") {
     Place(a.Object("object"), a.Object("target"), BesideAt(a.MaybeSide("object_side")));

@@ -41,10 +41,10 @@ std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished
   const PlacedCall call(edge, *arguments, where);
   const double missed = call.CostRoot();
   if (missed == 0) return std::nullopt;
-  if (facts->shortfall != nullptr) {
-    if (std::optional<Shortfall> shortfall = facts->shortfall(call)) return shortfall;
+  if (facts->code.shortfall != nullptr) {
+    if (std::optional<Shortfall> shortfall = facts->code.shortfall(call)) return shortfall;
   }
-  if (facts->built_in) return std::nullopt;
+  if (facts->type.built_in()) return std::nullopt;
   // Several small misses may add up to what none of them is; and a new type may measure none.
   return Worst(
       {{fmt::format("what is asked of {} is missed by {:.2f} m", AllNamed(edge, where.scene), missed), missed, "m"}});

@@ -53,7 +53,7 @@ class Agreement : public testing::TestWithParam<const ConstraintFacts*> {
     for (const LayoutExample& example : GetParam()->layouts) {
       const absl::StatusOr<SceneText> text = ParseScene(example.scene);
       ASSERT_TRUE(text.ok()) << text.status();
-      const v1::ConstraintEdge edge = EdgeFromText(GetParam()->name, example.call);
+      const v1::ConstraintEdge edge = EdgeFromText(GetParam()->name(), example.call);
       for (int round = 0; round < 60; ++round) {
         const double reach = round == 0 ? 0 : round < 30 ? 0.3 : 2;
         const Layout layout = Disturbed(text->layout, reach, round % 3 == 0 ? 0 : reach, random);
@@ -89,13 +89,13 @@ TEST_P(Agreement, FiguresAreFinite) {
 std::vector<const ConstraintFacts*> TypesOfCalls() {
   std::vector<const ConstraintFacts*> types;
   for (const ConstraintFacts& facts : AllConstraints()) {
-    if (!facts.built_in) types.push_back(&facts);
+    if (!facts.type.built_in()) types.push_back(&facts);
   }
   return types;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Agreement, testing::ValuesIn(TypesOfCalls()),
-                         [](const auto& info) { return info.param->name; });
+                         [](const auto& info) { return info.param->name(); });
 
 }  // namespace
 }  // namespace flair::optimizer

@@ -30,11 +30,11 @@ std::string SentenceOf(const std::string& scene, const std::string& type, const 
 
 TEST(Explain, EveryTypeHasWordsWithAFigureForItsViolatedExamples) {
   for (const ConstraintFacts& facts : AllConstraints()) {
-    if (facts.built_in) continue;
+    if (facts.type.built_in()) continue;
     for (const LayoutExample& example : facts.layouts) {
       if (example.satisfied) continue;
-      const std::optional<Shortfall> shortfall = Explained(example.scene, facts.name, example.call);
-      ASSERT_TRUE(shortfall) << facts.name << ": " << example.scene << " / " << example.call;
+      const std::optional<Shortfall> shortfall = Explained(example.scene, facts.name(), example.call);
+      ASSERT_TRUE(shortfall) << facts.name() << ": " << example.scene << " / " << example.call;
       EXPECT_GT(shortfall->missed_by, 0) << shortfall->sentence;
       EXPECT_TRUE(shortfall->unit == "m" || shortfall->unit == "deg") << shortfall->unit;
       EXPECT_TRUE(std::any_of(shortfall->sentence.begin(), shortfall->sentence.end(), [](unsigned char c) {

@@ -16,24 +16,24 @@ namespace flair::optimizer {
 // Whether two objects can be in each other's way: same storey of the room, none to walk over, none carrying the other.
 bool CanCollide(const Scene& scene, int a, int b);
 
-// depth^2 [m2], see room/no_overlap.cc. Null when they cannot collide.
+// depth^2 [m2], see types/room.cc. Null when they cannot collide.
 std::unique_ptr<Cost> NoOverlapPair(const Scene& scene, int a, int b);
-// Sum of squared distances outside [m2], see room/in_bounds.cc.
+// Sum of squared distances outside [m2].
 std::unique_ptr<Cost> InBounds(const Scene& scene, int object);
-// Penetration^2 into swings and passages [m2], see room/door_clear.h. Null when there is no door or the object is
+// Penetration^2 into swings and passages [m2]. Null when there is no door or the object is
 // above or walked over.
 std::unique_ptr<Cost> DoorClear(const Scene& scene, int object);
-// sin^2(2 theta) / 5, see room/aligned.cc.
+// sin^2(2 theta) / 5.
 std::unique_ptr<Cost> Aligned(const Scene& scene, int object);
-// Squared distance from the nearest wall beyond half a diagonal and 0.5 m [m2], see room/wall_attraction.cc.
+// Squared distance from the nearest wall beyond half a diagonal and 0.5 m [m2].
 std::unique_ptr<Cost> WallAttraction(const Scene& scene, int object);
-// Squared distance of the centre of mass of the objects to the room's centre [m2], see room/balanced.cc. Null when
+// Squared distance of the centre of mass of the objects to the room's centre [m2]. Null when
 // `objects` is empty.
 std::unique_ptr<Cost> Balanced(const Scene& scene, std::span<const int> objects);
-// Squared differences of distances to zone centres [m2], see room/zone_affinity.h. Null for objects without a zone and
+// Squared differences of distances to zone centres [m2], see types/space.cc. Null for objects without a zone and
 // when there is one zone only.
 std::unique_ptr<Cost> ZoneAffinity(const Scene& scene, int object, std::span<const Vec2<double>> zone_centers);
-// Back on a wall and off the openings [m2], see room/on_wall.h. Null unless the object is of kind wall.
+// Back on a wall and off the openings [m2], see types/on_wall.cc. Null unless the object is of kind wall.
 std::unique_ptr<Cost> OnWall(const Scene& scene, int object);
 
 }  // namespace flair::optimizer

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/fanout/grpc_peer.h"
-
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "fmt/format.h"
+#include "optimizer_worker/fanout/fan_out.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 

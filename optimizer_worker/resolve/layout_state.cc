@@ -22,10 +22,6 @@ void AddOnce(std::vector<int>& list, int value) {
   if (place == list.end() || *place != value) list.insert(place, value);
 }
 
-SceneCosts CostsOf(const SolveInput& input, const PartialLayout& state) {
-  return BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout));
-}
-
 bool Satisfied(const Term& term, const PartialLayout& state) {
   std::vector<Pose<double>> poses;
   for (int object : term.cost->objects()) poses.push_back(state.layout[object]);
@@ -37,7 +33,7 @@ bool Satisfied(const Term& term, const PartialLayout& state) {
 Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, const Baseline& baseline) {
   Grievances grievances;
   const auto solid = [&](int object) { return object < 0 || IsSolid(input.scene.objects[object]); };
-  const SceneCosts costs = CostsOf(input, state);
+  const SceneCosts costs = BindCosts(input, state);
   for (const Misfit& misfit : FindMisfits(input, costs, state)) {
     if (baseline.tolerated.contains({misfit.object, misfit.other})) continue;
     // Where the user has put things into each other or through a wall, nobody can help.
@@ -62,7 +58,7 @@ Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, c
 
 std::set<std::pair<int, int>> PairsInTheWay(const SolveInput& input, const PartialLayout& state) {
   std::set<std::pair<int, int>> pairs;
-  for (const Misfit& misfit : FindMisfits(input, CostsOf(input, state), state)) {
+  for (const Misfit& misfit : FindMisfits(input, BindCosts(input, state), state)) {
     pairs.emplace(misfit.object, misfit.other);
   }
   return pairs;

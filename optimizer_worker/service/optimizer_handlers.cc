@@ -8,7 +8,7 @@
 #include "optimizer_worker/constraints/call_text.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/registry.h"
-#include "optimizer_worker/fanout/fan_out_runner.h"
+#include "optimizer_worker/fanout/fan_out.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "room/conversion/conversion.h"

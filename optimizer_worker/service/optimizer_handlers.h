@@ -6,7 +6,7 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/optimizer_service.pb.h"
-#include "optimizer_worker/fanout/peer_pool.h"
+#include "optimizer_worker/fanout/fan_out.h"
 #include "optimizer_worker/solver/solver.h"
 #include "worker_runtime/bootstrap/call_context.h"
 

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
 
-double CostOf(const std::vector<Obstacle>& obstacles) { return CrowdingCost_m3(RectangularRoom(6, 5), obstacles); }
+double CostOf(const std::vector<evaluation::Obstacle>& obstacles) {
+  return CrowdingCost_m3(RectangularRoom(6, 5), obstacles);
+}
 
 TEST(Crowding, AWayOfSixtyCentimetresCostsNothing) {
   EXPECT_EQ(CostOf({{{2, 2, 0}, {1, 1}}, {{3.6, 2, 0}, {1, 1}}}), 0);

@@ -59,7 +59,7 @@ double LayoutSearch::WalkPenalty() {
       obstacles_.push_back({layout_[i], input_.scene.objects[i].footprint});
     }
   }
-  const WalkResult walk = walk_grid_.front().Measure(obstacles_);
+  const evaluation::WalkResult walk = walk_grid_.front().Measure(obstacles_);
   const WalkWeights& weights = input_.walk_weights;
   walk_penalty_ = weights.unreachable_floor * (1 - walk.reachable_share) + weights.blocked_front * walk.blocked_fronts +
                   (walk.door_free ? 0.0 : weights.blocked_door) +
@@ -342,7 +342,7 @@ double WallCost(const Placed& a, const Wall& wall) {
 
 }  // namespace
 
-double CrowdingCost_m3(const Room& room, std::span<const Obstacle> obstacles) {
+double CrowdingCost_m3(const Room& room, std::span<const evaluation::Obstacle> obstacles) {
   double sum = 0;
   // Rooms hold tens of obstacles; more are cut off rather than allocated for.
   constexpr size_t kMost = 128;

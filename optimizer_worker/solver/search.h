@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "evaluation/metrics/walk_grid.h"
 #include "optimizer_worker/solver/candidates.h"
 #include "optimizer_worker/solver/hard_cost.h"
 #include "optimizer_worker/solver/problem.h"
 #include "optimizer_worker/solver/solver.h"
-#include "optimizer_worker/solver/walk_grid.h"
 #include "room/scene/room.h"
 
 namespace flair::optimizer {
@@ -34,7 +34,7 @@ struct SearchInput {
   const Solver& solver;
   const KeepOut& keep_out;
   // Null when walking does not matter (tertiaries).
-  const WalkGrid* walk_grid = nullptr;
+  const evaluation::WalkGrid* walk_grid = nullptr;
   WalkWeights walk_weights;
   // Ends improvements between two moves, with the best layout so far. Objects under construction still get a pose.
   StopCheck stop;
@@ -92,11 +92,11 @@ class LayoutSearch {
   HardCost hard_cost_;
   Layout walk_layout_;  // the layout that walk_penalty_ is of
   double walk_penalty_ = 0;
-  std::vector<WalkGrid> walk_grid_;  // none or one: a private copy
+  std::vector<evaluation::WalkGrid> walk_grid_;  // none or one: a private copy
   std::vector<int> placed_;
   std::vector<Pose<double>> candidates_;
   std::vector<Choice> choices_;
-  std::vector<Obstacle> obstacles_;
+  std::vector<evaluation::Obstacle> obstacles_;
 };
 
 // How narrow the gaps are that furniture leaves: what the pathway cost of a layout will be, without its medial axis.
@@ -107,6 +107,6 @@ class LayoutSearch {
 //   0)^2
 //           for each side that is furniture, w = 3 2 1
 // Pairs at other angles than multiples of 90 degrees do not count, and nothing that stands in between is seen.
-double CrowdingCost_m3(const Room& room, std::span<const Obstacle> obstacles);
+double CrowdingCost_m3(const Room& room, std::span<const evaluation::Obstacle> obstacles);
 
 }  // namespace flair::optimizer

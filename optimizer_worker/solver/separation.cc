@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/gap.h"
-#include "optimizer_worker/constraints/room/door_clear.h"
 #include "optimizer_worker/constraints/whole_room.h"
 
 namespace flair::optimizer {
@@ -41,8 +41,6 @@ Separation SeparateShapes(const A& a, const B& b) {
 KeepOut::KeepOut(const Room& room) : floor_(room.floor), door_areas_(DoorAreas(room)) {}
 
 Separation Separate(const Box<double>& a, const Box<double>& b) { return SeparateShapes(a, b); }
-
-bool IsSolid(const Object& object) { return object.kind == ObjectKind::kFloor && !object.walk_over; }
 
 std::vector<Violation> FindViolations(const Scene& scene, const KeepOut& keep_out, std::span<const int> objects,
                                       const Layout& layout, double tolerance_m) {

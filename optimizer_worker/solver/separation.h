@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "evaluation/metrics/layout_view.h"
 #include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/solver/solver.h"
@@ -62,7 +63,6 @@ std::vector<LinearInequality> SeparationRows(const Scene& scene, const KeepOut& 
 // the largest violation left.
 double ProjectOntoRows(std::span<const LinearInequality> rows, std::span<double> x, int max_rounds);
 
-// Whether two objects can collide: both stand on the floor and neither is walked over.
-bool IsSolid(const Object& object);
+using evaluation::IsSolid;
 
 }  // namespace flair::optimizer

@@ -53,7 +53,7 @@ class Finder {
   bool IsAboutZones(int edge) const {
     const ConstraintFacts* facts = FindConstraint(input_.graph.edges(edge).type());
     return facts == nullptr ||
-           std::any_of(facts->parameters.begin(), facts->parameters.end(),
+           std::any_of(facts->type.parameters().begin(), facts->type.parameters().end(),
                        [](const v1::ParameterSpec& spec) { return spec.kind() == v1::PARAMETER_KIND_ZONE; });
   }
 
@@ -99,19 +99,18 @@ class Finder {
     v1::SolveOptions options;
     options.set_max_restart_count(kHoldRestarts);
     options.set_path_width_m(0);
-    options.mutable_lambdas()->set_wall_attraction_divisor(0);
-    options.mutable_lambdas()->set_zone(0);
-    options.mutable_lambdas()->set_balanced(0);
     Trial trial;
     absl::StatusOr<SolveInput> alone = MakeSolveInput(graph, options, input_.solver, input_.cancelled);
     if (!alone.ok()) return Trial{true, {}};
+    LambdaValues& lambdas = alone->settings.lambdas;
+    lambdas.wall_attraction_divisor = lambdas.zone = lambdas.balanced = 0;
     alone->settings.seed = input_.settings.seed;
     alone->settings.threads = input_.settings.threads;
     const absl::StatusOr<std::vector<Branch>> branches = Driver(*alone, LocalRestartRunner()).Run();
     if (!branches.ok()) return Trial{true, {}};
     for (const Branch& branch : *branches) {
       if (!branch.complete) break;
-      const SceneCosts costs = BindCosts(*alone, ZoneCenters(alone->scene, branch.state.placed, branch.state.layout));
+      const SceneCosts costs = BindCosts(*alone, branch.state);
       const std::vector<v1::EdgeOutcome> outcomes = EdgeOutcomes(*alone, costs, branch.state);
       const auto missed = std::find_if(outcomes.begin(), outcomes.end(), [](const v1::EdgeOutcome& outcome) {
         return outcome.status() == v1::OUTCOME_STATUS_VIOLATED;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimizer_worker/solver/parallel.h"
 #include "optimizer_worker/stages/polish.h"
 #include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/stage.h"
+#include "worker_runtime/executor/parallel.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
@@ -131,8 +131,8 @@ absl::Status Driver::ForBranches(std::vector<Branch>& branches, size_t first, si
   SolveInput input = input_;
   input.settings.threads = std::max(1, input_.settings.threads / static_cast<int>(count));
   std::vector<absl::Status> statuses(count);
-  ForEachIndex(static_cast<int>(count), input_.settings.threads,
-               [&](int i) { statuses[i] = work(input, branches[first + i], first + i); });
+  RETURN_IF_ERROR(runtime::ForEach({input_.settings.threads, {}}, static_cast<int>(count),
+                                   [&](int i) { statuses[i] = work(input, branches[first + i], first + i); }));
   for (absl::Status& status : statuses) {
     if (!status.ok()) return std::move(status);
   }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimizer_worker/constraints/room/on_wall.h"
+#include "optimizer_worker/constraints/measure/hanging.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {
@@ -147,7 +147,7 @@ std::vector<Pose<double>> OnWalls(const PlaceContext& context, int object) {
   const Scene& scene = context.input.scene;
   const Footprint& footprint = scene.objects[object].footprint;
   std::vector<Pose<double>> places;
-  for (const HangingWall& place : HangingWalls(scene.room, scene.BottomOf(object), scene.TopOf(object))) {
+  for (const HangingWall& place : HangingWalls(scene, object)) {
     const Wall& wall = place.wall;
     if (footprint.width_m > wall.length_m + kRounding_m) continue;
     for (double offset : OffsetsOn(context, object, place)) {

@@ -20,7 +20,7 @@ namespace {
 constexpr int kMostSolves = 4;
 
 std::vector<Misfit> MisfitsOf(const SolveInput& input, const PartialLayout& state) {
-  return FindMisfits(input, BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout)), state);
+  return FindMisfits(input, BindCosts(input, state), state);
 }
 
 // Small for what is left out first.
@@ -161,7 +161,7 @@ void PutBackWhatFits(const SolveInput& input, Branch& branch) {
 
 void LeaveOutOf(const SolveInput& input, Branch& branch) {
   // What is in the way of what does not depend on the zones: the costs may be those of the first round.
-  const SceneCosts costs = BindCosts(input, ZoneCenters(input.scene, branch.state.placed, branch.state.layout));
+  const SceneCosts costs = BindCosts(input, branch.state);
   while (!input.Cancelled()) {
     const std::vector<Misfit> misfits = FindMisfits(input, costs, branch.state);
     const int object = Scapegoat(input, misfits);

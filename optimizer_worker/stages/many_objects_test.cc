@@ -75,7 +75,7 @@ TEST(ManyObjects, AreMadeExactWithoutAProgramThatTakesSeconds) {
   ASSERT_TRUE(input.ok()) << input.status();
   PartialLayout state = OnAGrid(input->scene, 6);
   const StageSpec stage = MakeStage(input->scene, StageKind::kPolish);
-  const SceneCosts costs = BindCosts(*input, ZoneCenters(input->scene, state.placed, state.layout));
+  const SceneCosts costs = BindCosts(*input, state);
   Problem problem = MakeProblem(*input, costs, stage, state);
   EXPECT_TRUE(MakeExact(*input, problem, stage.objects, state.layout).empty());
   EXPECT_LE(spy.largest_program, 150000u);

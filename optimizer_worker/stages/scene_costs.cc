@@ -119,6 +119,10 @@ SceneCosts BindCosts(const SolveInput& input, std::span<const Vec2<double>> zone
   return costs;
 }
 
+SceneCosts BindCosts(const SolveInput& input, const PartialLayout& state) {
+  return BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout));
+}
+
 bool CountsIn(const Term& term, StageKind stage) {
   if (term.name == "balanced") return stage == StageKind::kPrimary;
   if (term.name == "zone" || term.name == "in_zone") return stage != StageKind::kPrimary;

@@ -12,6 +12,8 @@
 namespace flair::optimizer {
 
 enum class StageKind : int;
+struct PartialLayout;
+struct PartialLayout;
 
 struct SceneCosts {
   std::vector<Term> terms;
@@ -21,6 +23,9 @@ struct SceneCosts {
 
 // Binds everything against the zones' present centres.
 SceneCosts BindCosts(const SolveInput& input, std::span<const Vec2<double>> zone_centers);
+
+// The same, where the zones are in a layout.
+SceneCosts BindCosts(const SolveInput& input, const PartialLayout& state);
 
 // Whether a stage counts a term at all: the balance of the room is the primaries' business, zones begin with the
 // secondaries.

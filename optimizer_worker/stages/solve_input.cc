@@ -49,8 +49,8 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
   if (!scene.ok()) return scene.status();
   std::vector<std::vector<int>> partners = PartnersOf(graph, *scene);
   KeepOut keep_out(scene->room);
-  WalkGrid walk_grid(scene->room, settings->path_width_m);
-  WalkGrid fine_walk_grid(scene->room, settings->path_width_m, kFineCell_m);
+  evaluation::WalkGrid walk_grid(scene->room, settings->path_width_m);
+  evaluation::WalkGrid fine_walk_grid(scene->room, settings->path_width_m, evaluation::kFineCell_m);
   LinkedPairs linked(*scene, graph.edges());
   std::vector<Pin> pins = PinsOf(graph, *scene);
   std::vector<char> pinned(scene->objects.size(), 0);

@@ -9,12 +9,12 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "evaluation/metrics/walk_grid.h"
 #include "flair/v1/layout_graph.pb.h"
 #include "optimizer_worker/constraints/linked_pairs.h"
 #include "optimizer_worker/solver/problem.h"
 #include "optimizer_worker/solver/separation.h"
 #include "optimizer_worker/solver/solver.h"
-#include "optimizer_worker/solver/walk_grid.h"
 #include "optimizer_worker/stages/solve_settings.h"
 #include "room/scene/scene.h"
 
@@ -41,9 +41,9 @@ struct SolveInput {
   // Pairs that belong together, for the costs.
   LinkedPairs linked;
   KeepOut keep_out;
-  WalkGrid walk_grid;
+  evaluation::WalkGrid walk_grid;
   // For layouts that are exact already: a search on the coarse grid finds the gaps of 0.55 m that it passes for ways.
-  WalkGrid fine_walk_grid;
+  evaluation::WalkGrid fine_walk_grid;
   const Solver& solver;
   CancelCheck cancelled;
   // True when the settings' time limit has passed since MakeSolveInput; then every stage ends as soon as it has one

@@ -37,7 +37,7 @@ absl::StatusOr<v1::EvaluateResponse> EvaluateLayout(const v1::EvaluateRequest& r
   ASSIGN_OR_RETURN(SolveInput input, MakeSolveInput(request.layout_graph(), request.options(), solver, nullptr));
   PartialLayout state(input.scene);
   RETURN_IF_ERROR(ReadPlacements(input, request.placements(), state));
-  const SceneCosts costs = BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout));
+  const SceneCosts costs = BindCosts(input, state);
   v1::EvaluateResponse response;
   for (v1::EdgeOutcome& outcome : EdgeOutcomes(input, costs, state)) *response.add_edge_outcomes() = std::move(outcome);
   for (v1::TermOutcome& outcome : TermOutcomes(input, costs, state)) *response.add_term_outcomes() = std::move(outcome);

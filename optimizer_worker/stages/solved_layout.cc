@@ -58,15 +58,11 @@ void Describe(const SolveInput& input, const SceneCosts& costs, const Branch& br
   *message.mutable_metrics() = evaluation::MeasureLayout({input.scene, state.layout, state.placed});
 }
 
-SceneCosts CostsOf(const SolveInput& input, const PartialLayout& state) {
-  return BindCosts(input, ZoneCenters(input.scene, state.placed, state.layout));
-}
-
 v1::RunnerUp MakeRunnerUp(const SolveInput& input, const Branch& branch) {
   v1::RunnerUp runner_up;
   runner_up.set_cost(branch.score);
   if (branch.complete) {
-    Describe(input, CostsOf(input, branch.state), branch, runner_up);
+    Describe(input, BindCosts(input, branch.state), branch, runner_up);
   } else {
     MoveInto(MakePlacements(input, branch.state), *runner_up.mutable_placements());
   }
@@ -108,7 +104,7 @@ v1::SolvedLayout MakeSolvedLayout(const SolveInput& input, const std::vector<Bra
   const Branch& best = branches.front();
   v1::SolvedLayout layout;
   *layout.mutable_graph() = input.graph;
-  const SceneCosts costs = CostsOf(input, best.state);
+  const SceneCosts costs = BindCosts(input, best.state);
   Describe(input, costs, best, layout);
   MoveInto(TermOutcomes(input, costs, best.state), *layout.mutable_term_outcomes());
   double total = 0;

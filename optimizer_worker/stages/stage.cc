@@ -3,11 +3,12 @@
 
 #include <algorithm>
 
-#include "optimizer_worker/solver/parallel.h"
 #include "optimizer_worker/stages/placements.h"
 #include "optimizer_worker/stages/polish.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
+#include "worker_runtime/executor/parallel.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 
@@ -117,11 +118,11 @@ uint64_t RestartSeed(const SolveSettings& settings, const StageSpec& stage, int 
 absl::StatusOr<std::vector<RestartResult>> RunRestarts(const SolveInput& input, const StageSpec& stage,
                                                        const PartialLayout& before, int first, int count) {
   std::vector<RestartResult> results(count, RestartResult{kNotRun, 0, 0, before});
-  ForEachIndex(count, input.settings.threads, [&](int i) {
+  RETURN_IF_ERROR(runtime::ForEach({input.settings.threads, {}}, count, [&](int i) {
     // The first one runs in any case: a stage that has begun has a result.
     if (input.Cancelled() || (i > 0 && input.OutOfTime())) return;
     results[i] = RunRestart(input, stage, before, first + i);
-  });
+  }));
   if (input.Cancelled()) {
     return absl::CancelledError(std::string("cancelled in stage ") + std::string(StageName(stage.kind)));
   }

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "optimizer_worker/constraints/measure/gap.h"
-#include "optimizer_worker/constraints/room/on_wall.h"
+#include "optimizer_worker/constraints/measure/hanging.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "optimizer_worker/solver/separation.h"
 #include "optimizer_worker/stages/tertiary_packing.h"
@@ -48,7 +48,7 @@ double FreeOffset(const HangingWall& place, double half, double offset) {
 // Back exactly on the nearest wall that it is nearly parallel to, off its doors and windows.
 void PutOnWall(const Scene& scene, int object, Pose<double>& pose) {
   const Footprint& footprint = scene.objects[object].footprint;
-  const std::vector<HangingWall> places = HangingWalls(scene.room, scene.BottomOf(object), scene.TopOf(object));
+  const std::vector<HangingWall> places = HangingWalls(scene, object);
   const HangingWall* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const HangingWall& place : places) {

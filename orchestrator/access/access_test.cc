@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "orchestrator/access/access_control.h"
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/testing/fakes.h"
 

@@ -7,7 +7,7 @@
 #include "orchestrator/batch/event_hub.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/store/store_monitor.h"
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "orchestrator/batch/failure.h"
+#include "orchestrator/pipeline/stage_clients.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/metrics/prometheus_metrics.h"
 #include "worker_runtime/testing/fakes.h"
 

@@ -6,7 +6,7 @@
 
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "spdlog/sinks/null_sink.h"
 #include "worker_runtime/testing/fakes.h"
 

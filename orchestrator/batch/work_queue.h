@@ -148,7 +148,8 @@ class WorkQueue {
   // ---- Doing it
 
   // The right to run the next job: those without a batch first, oldest first, then a job of each batch that is active
-  // in turn. Null when none waits. Its attempt_count says how often it has been taken.
+  // in turn, about in the order of their places. Null when none waits. Its attempt_count says how often it has been
+  // taken.
   virtual absl::StatusOr<std::unique_ptr<Lease>> Take(const TakeFilter& filter) = 0;
 
   // What a stage made before under a key of ResultKey(); nothing when nothing was made.

@@ -3,40 +3,35 @@
 
 #include <fmt/format.h>
 #include <nats/nats.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
-#include <map>
+#include <cstring>
+#include <limits>
 
-#include "orchestrator/jetstream/connect_options.h"
+#include "absl/strings/match.h"
+#include "orchestrator/batch/queue_config.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
 
-// Requests of RequestAll on their way at once: enough to hide the way, few enough for the buffers between.
-constexpr size_t kRequestsAtOnce = 500;
-// How long RequestAll goes without looking whether the connection still is.
-constexpr absl::Duration kGlance = absl::Milliseconds(250);
+constexpr int64_t kConnectMs = 2000;
+constexpr int64_t kReconnectWaitMs = 200;
+// A server that is gone without saying so is noticed after two of these.
+constexpr int64_t kPingMs = 4000;
+// Little is kept for a server that is away: calls say that it is.
+constexpr int kReconnectBufferBytes = 64 * 1024;
 
-struct MessageDeleter {
-  void operator()(natsMsg* message) const { natsMsg_Destroy(message); }
+struct OptionsDeleter {
+  void operator()(natsOptions* options) const { natsOptions_Destroy(options); }
 };
-using MessagePtr = std::unique_ptr<natsMsg, MessageDeleter>;
+using OptionsPtr = std::unique_ptr<natsOptions, OptionsDeleter>;
 
 int64_t Milliseconds(absl::Duration duration) {
   return std::max<int64_t>(1, absl::ToInt64Milliseconds(absl::Ceil(duration, absl::Milliseconds(1))));
-}
-
-MessagePtr MakeMessage(const NatsRequest& request, const std::string& reply) {
-  natsMsg* message = nullptr;
-  natsStatus status = natsMsg_Create(&message, request.subject.c_str(), reply.empty() ? nullptr : reply.c_str(),
-                                     request.content.data(), static_cast<int>(request.content.size()));
-  MessagePtr made(message);
-  for (const auto& [name, value] : request.headers) {
-    if (status == NATS_OK) status = natsMsgHeader_Set(message, name.c_str(), value.c_str());
-  }
-  return status == NATS_OK ? std::move(made) : nullptr;
 }
 
 NatsMessage Read(natsMsg* message) {
@@ -51,13 +46,6 @@ NatsMessage Read(natsMsg* message) {
   return read;
 }
 
-// The last token of "_INBOX.abc.17" as a number; -1 when it is none.
-int NumberOf(const std::string& subject) {
-  const size_t dot = subject.rfind('.');
-  if (dot == std::string::npos || dot + 1 == subject.size()) return -1;
-  return std::atoi(subject.c_str() + dot + 1);
-}
-
 absl::StatusOr<std::unique_ptr<NatsInbox>> MakeInbox(natsConnection* connection, const std::string& pattern,
                                                      const std::string& subject) {
   natsSubscription* subscription = nullptr;
@@ -68,14 +56,166 @@ absl::StatusOr<std::unique_ptr<NatsInbox>> MakeInbox(natsConnection* connection,
   return std::make_unique<NatsInbox>(subscription, subject);
 }
 
+absl::Status CheckFile(natsStatus status, const char* field, const std::string& path) {
+  if (status == NATS_OK) return absl::OkStatus();
+  const char* why = nats_GetLastError(nullptr);
+  return absl::InvalidArgumentError(
+      fmt::format("{}: cannot use {}: {}", field, path, why != nullptr ? why : natsStatus_GetText(status)));
+}
+
+absl::Status SetTls(natsOptions* options, const config::v1::TlsConfig& tls) {
+  natsOptions_SetSecure(options, true);
+  absl::Status status = CheckFile(natsOptions_LoadCATrustedCertificates(options, tls.authority_path().c_str()),
+                                  "runtime.tls.authority_path", tls.authority_path());
+  if (status.ok() && !tls.certificate_path().empty()) {
+    status =
+        CheckFile(natsOptions_LoadCertificatesChain(options, tls.certificate_path().c_str(), tls.key_path().c_str()),
+                  "runtime.tls.certificate_path", tls.certificate_path());
+  }
+  return status;
+}
+
+// INVALID_ARGUMENT when a file of the config cannot be used.
+absl::StatusOr<OptionsPtr> MakeOptions(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls) {
+  natsOptions* made = nullptr;
+  if (natsOptions_Create(&made) != NATS_OK) return absl::ResourceExhaustedError("no memory for a connection");
+  OptionsPtr options(made);
+  const std::vector<std::string> servers = QueueServers(config);
+  std::vector<const char*> urls;
+  for (const std::string& server : servers) urls.push_back(server.c_str());
+  if (natsOptions_SetServers(made, urls.data(), static_cast<int>(urls.size())) != NATS_OK) {
+    return absl::InvalidArgumentError(
+        fmt::format("queue.address: \"{}\" is no list of servers; expected nats://HOST:PORT, with commas between",
+                    ShownAddress(config).substr(0, 200)));
+  }
+  natsOptions_SetName(made, "flair");
+  natsOptions_SetTimeout(made, kConnectMs);
+  natsOptions_SetMaxReconnect(made, std::numeric_limits<int>::max());
+  natsOptions_SetReconnectWait(made, kReconnectWaitMs);
+  natsOptions_SetPingInterval(made, kPingMs);
+  natsOptions_SetMaxPingsOut(made, 1);
+  natsOptions_SetReconnectBufSize(made, kReconnectBufferBytes);
+  natsOptions_SetFailRequestsOnDisconnect(made, true);
+  const bool encrypted = std::ranges::any_of(servers, [](const std::string& s) { return s.starts_with("tls://"); });
+  if (encrypted && tls != nullptr) {
+    RETURN_IF_ERROR(SetTls(made, *tls));
+  }
+  if (!config.credentials_path().empty()) {
+    // cnats reads it when it connects, and then says no more than that it could not.
+    if (::access(config.credentials_path().c_str(), R_OK) != 0) {
+      return absl::InvalidArgumentError(
+          fmt::format("queue.credentials_path: cannot read {}: {}", config.credentials_path(), std::strerror(errno)));
+    }
+    if (absl::Status status =
+            CheckFile(natsOptions_SetUserCredentialsFromFiles(made, config.credentials_path().c_str(), nullptr),
+                      "queue.credentials_path", config.credentials_path());
+        !status.ok()) {
+      return status;
+    }
+  }
+  return options;
+}
+
+// ---- Why a connection failed
+
+// The servers refuse our credentials.
+std::string CredentialsFault(const config::v1::QueueConfig& config, const std::string& servers) {
+  if (!config.credentials_path().empty()) {
+    return fmt::format("queue.credentials_path: {} refuses the credentials in {}", servers, config.credentials_path());
+  }
+  if (absl::StrContains(config.address(), "@")) {
+    return fmt::format("queue.address: {} refuses the user, password or token that the address holds", servers);
+  }
+  return fmt::format(
+      "queue.credentials_path: {} asks for credentials; set it, or address nats://USER:PASSWORD@HOST:PORT or "
+      "nats://TOKEN@HOST:PORT",
+      servers);
+}
+
+// The servers do not take our certificate, or miss one.
+std::string CertificateFault(const config::v1::TlsConfig& tls, const std::string& servers) {
+  if (tls.certificate_path().empty()) {
+    return fmt::format(
+        "runtime.tls.certificate_path: {} refuses clients without a certificate; set it, and key_path, to one that its "
+        "authority has signed",
+        servers);
+  }
+  return fmt::format(
+      "runtime.tls.certificate_path: {} refuses {}; its authority must have signed it, and it must hold today", servers,
+      tls.certificate_path());
+}
+
+// We do not take theirs; `why` in the words of OpenSSL.
+std::string ServerFault(const config::v1::TlsConfig& tls, const std::string& servers, const std::string& why) {
+  if (absl::StrContains(why, "mismatch")) {
+    return fmt::format(
+        "queue.address: the certificate of {} is for another name; call the server as its certificate does "
+        "(subjectAltName), or give it one for this name",
+        servers);
+  }
+  if (absl::StrContains(why, "expired") || absl::StrContains(why, "not yet valid")) {
+    return fmt::format("queue.address: the certificate of {} does not hold today", servers);
+  }
+  return fmt::format("runtime.tls.authority_path: {} has not signed the certificate of {}", tls.authority_path(),
+                     servers);
+}
+
+// What is wrong when authentication failed, on either side; empty otherwise.
+std::string TrustFault(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls, natsStatus status,
+                       const std::string& why) {
+  const std::string servers = ShownAddress(config);
+  if (status == NATS_CONNECTION_AUTH_FAILED || status == NATS_NOT_PERMITTED) return CredentialsFault(config, servers);
+  if (status == NATS_SECURE_CONNECTION_WANTED) {
+    return fmt::format("queue.address: {} is without TLS; give the server a certificate, or say nats://", servers);
+  }
+  if (tls == nullptr || !absl::StrContains(servers, "tls://")) {
+    // cnats tries TLS by itself when a server insists, and knows no authority.
+    if (status != NATS_SSL_ERROR && status != NATS_SECURE_CONNECTION_REQUIRED) return "";
+    return fmt::format("queue.address: {} takes no plain text; say tls:// and set runtime.tls", servers);
+  }
+  if (status == NATS_SSL_ERROR) {
+    return absl::StrContains(why, "alert") ? CertificateFault(*tls, servers) : ServerFault(*tls, servers, why);
+  }
+  // With TLS 1.3 a server looks at our certificate when our side is content, and hangs up.
+  const bool unreachable = status == NATS_NO_SERVER || status == NATS_TIMEOUT;
+  return unreachable ? "" : CertificateFault(*tls, servers);
+}
+
+// Why a first connection failed, in a sentence that names the field to look at: UNAUTHENTICATED when one side does not
+// accept the other, else UNAVAILABLE. Holds no secret. On the thread that got `status`.
+absl::Status DescribeConnectError(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls,
+                                  natsStatus status) {
+  const char* last = nats_GetLastError(nullptr);
+  const std::string why = last != nullptr && *last != '\0' ? last : natsStatus_GetText(status);
+  const std::string fault = TrustFault(config, tls, status, why);
+  if (!fault.empty()) return absl::UnauthenticatedError(fmt::format("{} ({})", fault, why));
+  return absl::UnavailableError(
+      fmt::format("queue.address: no server answers at {} ({}); start one with JetStream (nats-server --jetstream "
+                  "--store_dir FOLDER) or correct the address",
+                  ShownAddress(config), why));
+}
+
 }  // namespace
+
+void NatsMessageDeleter::operator()(natsMsg* message) const { natsMsg_Destroy(message); }
+
+NatsMessagePtr MakeNatsMessage(const NatsRequest& request, const std::string& reply) {
+  natsMsg* message = nullptr;
+  natsStatus status = natsMsg_Create(&message, request.subject.c_str(), reply.empty() ? nullptr : reply.c_str(),
+                                     request.content.data(), static_cast<int>(request.content.size()));
+  NatsMessagePtr made(message);
+  for (const auto& [name, value] : request.headers) {
+    if (status == NATS_OK) status = natsMsgHeader_Set(message, name.c_str(), value.c_str());
+  }
+  return status == NATS_OK ? std::move(made) : nullptr;
+}
 
 NatsInbox::~NatsInbox() { natsSubscription_Destroy(subscription_); }
 
 absl::StatusOr<NatsMessage> NatsInbox::Next(absl::Duration limit) {
   natsMsg* message = nullptr;
   const natsStatus status = natsSubscription_NextMsg(&message, subscription_, Milliseconds(limit));
-  const MessagePtr owned(message);
+  const NatsMessagePtr owned(message);
   if (status == NATS_OK) return Read(message);
   // Messages that were dropped because nobody read them are like messages lost on the way.
   if (status == NATS_TIMEOUT || status == NATS_SLOW_CONSUMER) return absl::DeadlineExceededError("nothing came");
@@ -86,7 +226,7 @@ void NatsInbox::Close() { natsSubscription_Unsubscribe(subscription_); }
 
 absl::StatusOr<std::unique_ptr<NatsConnection>> NatsConnection::Open(const config::v1::QueueConfig& config,
                                                                      const config::v1::TlsConfig* tls) {
-  ASSIGN_OR_RETURN(NatsOptionsPtr options, MakeConnectOptions(config, tls));
+  ASSIGN_OR_RETURN(const OptionsPtr options, MakeOptions(config, tls));
   natsConnection* connection = nullptr;
   const natsStatus status = natsConnection_Connect(&connection, options.get());
   if (status != NATS_OK) return DescribeConnectError(config, tls, status);
@@ -114,11 +254,11 @@ absl::Status NatsConnection::CheckSize(const NatsRequest& request) const {
 absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, absl::Duration limit) {
   RETURN_IF_ERROR(CheckSize(request));
   if (!connected()) return Unreachable("no connection");
-  const MessagePtr message = MakeMessage(request, "");
+  const NatsMessagePtr message = MakeNatsMessage(request, "");
   if (message == nullptr) return absl::ResourceExhaustedError("no memory for a message");
   natsMsg* answer = nullptr;
   const natsStatus status = natsConnection_RequestMsg(&answer, connection_, message.get(), Milliseconds(limit));
-  const MessagePtr owned(answer);
+  const NatsMessagePtr owned(answer);
   if (status == NATS_OK) return Read(answer);
   if (status == NATS_NO_RESPONDERS) return Unreachable("JetStream is off there, or has no leader just now");
   return Unreachable(natsStatus_GetText(status));
@@ -127,43 +267,10 @@ absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, 
 absl::Status NatsConnection::Publish(const NatsRequest& request, const std::string& reply) {
   RETURN_IF_ERROR(CheckSize(request));
   if (!connected()) return Unreachable("no connection");
-  const MessagePtr message = MakeMessage(request, reply);
+  const NatsMessagePtr message = MakeNatsMessage(request, reply);
   if (message == nullptr) return absl::ResourceExhaustedError("no memory for a message");
   const natsStatus status = natsConnection_PublishMsg(connection_, message.get());
   return status == NATS_OK ? absl::OkStatus() : Unreachable(natsStatus_GetText(status));
-}
-
-std::vector<absl::StatusOr<NatsMessage>> NatsConnection::RequestAll(std::span<const NatsRequest> requests,
-                                                                    absl::Duration limit) {
-  std::vector<absl::StatusOr<NatsMessage>> answers(requests.size(), Unreachable("no answer in time"));
-  auto inbox = OpenInbox();
-  if (!inbox.ok()) return std::vector<absl::StatusOr<NatsMessage>>(requests.size(), inbox.status());
-  const absl::Time deadline = absl::Now() + limit;
-  size_t sent = 0;
-  size_t waiting = 0;
-  while (sent < requests.size() || waiting > 0) {
-    while (sent < requests.size() && waiting < kRequestsAtOnce) {
-      const absl::Status status = Publish(requests[sent], fmt::format("{}.{}", (*inbox)->subject(), sent));
-      if (status.ok()) ++waiting;
-      if (!status.ok()) answers[sent] = status;
-      ++sent;
-    }
-    if (waiting == 0) continue;
-    const absl::Duration left = deadline - absl::Now();
-    if (left <= absl::ZeroDuration() || !connected()) break;
-    absl::StatusOr<NatsMessage> answer = (*inbox)->Next(std::min(left, kGlance));
-    if (absl::IsDeadlineExceeded(answer.status())) continue;
-    if (!answer.ok()) break;
-    const int number = NumberOf(answer->subject);
-    if (number < 0 || static_cast<size_t>(number) >= requests.size()) continue;
-    --waiting;
-    if (answer->status == 503) {
-      answers[static_cast<size_t>(number)] = Unreachable("JetStream is off there, or has no leader just now");
-    } else {
-      answers[static_cast<size_t>(number)] = std::move(answer);
-    }
-  }
-  return answers;
 }
 
 absl::StatusOr<std::unique_ptr<NatsInbox>> NatsConnection::OpenInbox() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -16,6 +15,7 @@
 #include "flair/config/v1/runtime_config.pb.h"
 
 typedef struct __natsConnection natsConnection;
+typedef struct __natsMsg natsMsg;
 typedef struct __natsSubscription natsSubscription;
 
 namespace flair::orchestrator {
@@ -26,6 +26,13 @@ struct NatsRequest {
   std::string content;
   std::vector<std::pair<std::string, std::string>> headers;
 };
+
+struct NatsMessageDeleter {
+  void operator()(natsMsg* message) const;
+};
+using NatsMessagePtr = std::unique_ptr<natsMsg, NatsMessageDeleter>;
+// The message as cnats has it; null without memory.
+NatsMessagePtr MakeNatsMessage(const NatsRequest& request, const std::string& reply = "");
 
 // What comes from one.
 struct NatsMessage {
@@ -73,9 +80,6 @@ class NatsConnection {
   // there is no connection; INVALID_ARGUMENT when the servers take no message of that size.
   absl::StatusOr<NatsMessage> Request(const NatsRequest& request, absl::Duration limit);
 
-  // Sends all and waits for as many answers, in the requests' order.
-  std::vector<absl::StatusOr<NatsMessage>> RequestAll(std::span<const NatsRequest> requests, absl::Duration limit);
-
   // Sends without waiting. With `reply`, an answer goes there.
   absl::Status Publish(const NatsRequest& request, const std::string& reply = "");
 
@@ -89,15 +93,17 @@ class NatsConnection {
   int64_t reconnect_count() const;
   // Largest message that the servers take.
   int64_t max_payload_bytes() const;
-  // UNAVAILABLE, in words for who runs the servers.
+  // INVALID_ARGUMENT when the servers take no message of that size.
+  absl::Status CheckSize(const NatsRequest& request) const;
+  // UNAVAILABLE, in words for whoever runs the servers.
   absl::Status Unreachable(const std::string& why) const;
   // The addresses, for people: without what may be secret in them.
   const std::string& address() const { return address_; }
+  natsConnection* handle() const { return connection_; }
 
  private:
   NatsConnection(natsConnection* connection, std::string address)
       : connection_(connection), address_(std::move(address)) {}
-  absl::Status CheckSize(const NatsRequest& request) const;
 
   natsConnection* const connection_;
   const std::string address_;

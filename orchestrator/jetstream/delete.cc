@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
@@ -21,6 +20,8 @@ namespace {
 
 // Jobs whose records go at once. Never to be changed: the places of notes follow from it.
 constexpr int64_t kForgottenAtOnce = 200;
+
+constexpr int kNotesAtOnce = 1000;
 
 // What the note says of what it is about.
 constexpr char kJobNote[] = "job";
@@ -151,7 +152,7 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteBatch(const std::string& batch
     if (status.ok() && deleted.done) status = ForgetBatch(batch->value);
     if (!status.ok()) return status;
   }
-  parts_->NotifyBatch(batch_id);
+  parts_->Notify(Notice::Kind::kBatch, batch_id);
   return deleted;
 }
 
@@ -164,14 +165,11 @@ absl::StatusOr<int64_t> JetStreamWorkQueue::ForgetPlaces(const std::string& batc
   while (!ids.empty()) {
     std::vector<store::v1::JobRecord> records;
     std::vector<Bucket::Revision> revisions;
-    std::vector<std::pair<std::string, nlohmann::json>> ends;
     const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(ids);
     for (size_t i = 0; i < ids.size(); ++i) {
       absl::StatusOr<RevisedJob> job = parts_->ParseJob(ids[i], entries[i]);
       if (absl::IsNotFound(job.status())) continue;
       if (!job.ok()) return job.status();
-      ends.emplace_back("STREAM.PURGE." + parts_->names.ends_stream(),
-                        nlohmann::json{{"filter", ends_.SubjectOf(job->value.job())}});
       revisions.push_back({ids[i], job->revision});
       records.push_back(std::move(job->value));
     }
@@ -181,7 +179,9 @@ absl::StatusOr<int64_t> JetStreamWorkQueue::ForgetPlaces(const std::string& batc
         parts_->index.Update(TombstoneKey(batch_id, first), runtime::CanonicalBytes(tombstones), 0).status();
     // Who came so far before noted as much or more.
     if (!noted.ok() && !absl::IsAborted(noted)) return noted;
-    for (const absl::StatusOr<nlohmann::json>& purged : parts_->api.CallAll(ends)) RETURN_IF_ERROR(purged.status());
+    for (const store::v1::JobRecord& record : records) {
+      RETURN_IF_ERROR(parts_->streams.Purge(parts_->names.ends_stream(), ends_.SubjectOf(record.job())));
+    }
     ids.clear();
     const std::vector<absl::StatusOr<bool>> removed = parts_->jobs.RemoveAll(revisions);
     for (size_t i = 0; i < revisions.size(); ++i) {
@@ -223,9 +223,8 @@ absl::Status JetStreamWorkQueue::ForgetBatch(const store::v1::BatchRecord& recor
   const std::string& id = record.batch().id();
   const std::string& owner = record.batch().owner();
   RETURN_IF_ERROR(parts_->requests.Put(NoteKey(owner, id), kBatchNote).status());
-  const nlohmann::json ends = {{"filter", parts_->names.End(id, "*", "*", "*")}};
-  RETURN_IF_ERROR(parts_->api.Call("STREAM.PURGE." + parts_->names.ends_stream(), ends).status());
-  ASSIGN_OR_RETURN(const uint64_t last, parts_->reader.LastSequence(parts_->names.queue_stream()));
+  RETURN_IF_ERROR(parts_->streams.Purge(parts_->names.ends_stream(), parts_->names.End(id, "*", "*", "*")));
+  ASSIGN_OR_RETURN(const uint64_t last, parts_->streams.LastSequence(parts_->names.queue_stream()));
   const std::string subject = parts_->names.Batch(OwnerToken(owner), id);
   RETURN_IF_ERROR(consumers_.Remove(consumers_.ConsumerOf(subject), last));
   RETURN_IF_ERROR(RemoveRequest(RequestKey(owner, RequestKind::kBatch, record.request_id(), id), id));
@@ -237,10 +236,11 @@ absl::Status JetStreamWorkQueue::ForgetBatch(const store::v1::BatchRecord& recor
 
 absl::StatusOr<Deleted> JetStreamWorkQueue::FinishDeletions(ArtifactStore& artifacts) {
   Deleted all{.done = true};
-  ASSIGN_OR_RETURN(const auto notes,
-                   parts_->reader.Read(parts_->requests.stream(),
-                                       {.filter = parts_->requests.SubjectOf(std::string("*.") + kDeleting + ".*")}));
-  for (const StreamReader::Message& note : notes) {
+  ASSIGN_OR_RETURN(
+      const auto notes,
+      parts_->streams.Read(parts_->requests.stream(), parts_->requests.SubjectOf(std::string("*.") + kDeleting + ".*"),
+                           1, kNotesAtOnce));
+  for (const StoredMessage& note : notes) {
     const std::string key(parts_->requests.KeyOf(note.subject));
     const std::string id(TokenAt(key, 2));
     if (note.content == kJobNote) {

@@ -25,7 +25,7 @@
 namespace flair::orchestrator {
 
 // The queue on NATS servers; see docs/decisions/0017-jobs-wait-in-jetstream.md for how, and names.h for what is where.
-// Two threads of its own besides the keeper's: one hears news, one looks every second, since news may be lost.
+// Two threads of its own besides the keeper's: one reads notices, one looks every second, since notices may be lost.
 class JetStreamWorkQueue final : public WorkQueue {
  public:
   static absl::StatusOr<std::unique_ptr<WorkQueue>> Open(std::unique_ptr<QueueParts> parts);
@@ -110,8 +110,8 @@ class JetStreamWorkQueue final : public WorkQueue {
                              const std::function<absl::Status(const std::string& kind, const std::string& id)>& visit);
 
   // watch.cc
-  void HearNews();
-  void LookNowAndThen();
+  void ReadNotices();
+  void LookPeriodically();
   void LookOnce();
   void NotifyListenerOfWork();
   void NotifyListenerOfJob(const std::string& job_id);
@@ -126,7 +126,7 @@ class JetStreamWorkQueue final : public WorkQueue {
   Consumers consumers_;
   BatchRepair repair_;
   ArtifactUsers users_;
-  std::unique_ptr<LeaseKeeper> keeper_;
+  LeaseKeeper keeper_;
   std::atomic<int64_t> next_run_ = 1;
 
   std::mutex listener_mutex_;
@@ -137,8 +137,8 @@ class JetStreamWorkQueue final : public WorkQueue {
   bool stopping_ = false;
   // Batches to be looked at.
   std::set<std::string> to_repair_;
-  std::unique_ptr<NatsInbox> news_;
-  std::thread news_thread_;
+  std::unique_ptr<NatsInbox> notices_;
+  std::thread notice_thread_;
   std::thread look_thread_;
 };
 

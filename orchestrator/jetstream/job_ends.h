@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -11,43 +14,120 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "orchestrator/batch/work_queue.h"
+#include "orchestrator/jetstream/job_ends.h"
 #include "orchestrator/jetstream/queue_parts.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 
 // The ends of batches' jobs, in the order in which they came. The record of a job says that it has ended; what is here
 // follows from it, and may be published again. How a job ended is in its subject, so that servers count by it. Errors
-// as JetStreamApi. Thread-safe.
+// as Streams. Thread-safe.
 class JobEnds {
  public:
   explicit JobEnds(QueueParts& parts) : parts_(parts) {}
 
   // Jobs that have ended; those that stand alone, and those that are there already, are passed over.
-  absl::Status Publish(std::span<const v1::Job> jobs);
+  absl::Status Publish(std::span<const v1::Job> jobs) {
+    std::vector<NatsRequest> messages;
+    for (const v1::Job& job : jobs) {
+      if (job.batch_id().empty()) continue;
+      // Only where there is none yet, so that watchers are not told twice.
+      messages.push_back(WithExpected(SubjectOf(job), "", 0));
+    }
+    absl::Status failed;
+    for (const absl::StatusOr<uint64_t>& ack : parts_.streams.PublishAll(messages)) {
+      if (!absl::IsAborted(ack.status())) failed.Update(ack.status());
+    }
+    return failed;
+  }
 
   // Takes back the end of a failed job.
-  absl::Status Remove(const v1::Job& job);
+  absl::Status Remove(const v1::Job& job) {
+    if (job.batch_id().empty()) return absl::OkStatus();
+    const std::string stream = parts_.names.ends_stream();
+    const absl::StatusOr<StoredMessage> found = parts_.streams.Last(stream, SubjectOf(job));
+    if (absl::IsNotFound(found.status())) return absl::OkStatus();
+    if (!found.ok()) return found.status();
+    return parts_.streams.Remove(stream, std::span(&found->sequence, 1)).front().status();
+  }
 
   // Fills in the counts of a batch but running_count.
-  absl::Status Count(v1::Batch& batch);
-  absl::StatusOr<int64_t> CountAll(const v1::Batch& batch);
+  absl::Status Count(v1::Batch& batch) {
+    ASSIGN_OR_RETURN(const auto subjects,
+                     parts_.streams.Subjects(parts_.names.ends_stream(), parts_.names.End(batch.id(), "*", "*", "*")));
+    std::map<std::string, int, std::less<>> failures;
+    for (const auto& [subject, count] : subjects) {
+      const std::string_view state = TokenAt(subject, kStateToken);
+      if (state == Number(v1::JOB_STATE_SUCCEEDED)) batch.set_succeeded_count(batch.succeeded_count() + 1);
+      if (state == Number(v1::JOB_STATE_CANCELLED)) batch.set_cancelled_count(batch.cancelled_count() + 1);
+      if (state != Number(v1::JOB_STATE_FAILED)) continue;
+      batch.set_failed_count(batch.failed_count() + 1);
+      ++failures[std::string(TokenAt(subject, kStateToken + 1))];
+    }
+    for (const auto& [kind, count] : failures) {
+      v1::FailureCount& failure = *batch.add_failures();
+      failure.set_kind(static_cast<v1::FailureKind>(std::atoi(kind.c_str())));
+      failure.set_job_count(count);
+    }
+    std::ranges::stable_sort(*batch.mutable_failures(), std::greater(), &v1::FailureCount::job_count);
+    const int ended = batch.succeeded_count() + batch.failed_count() + batch.cancelled_count();
+    // Of an open batch, jobs may have ended that it does not count yet.
+    batch.set_open_count(std::max(0, batch.job_count() - ended));
+    return absl::OkStatus();
+  }
+
+  absl::StatusOr<int64_t> CountAll(const v1::Batch& batch) {
+    const std::string all = parts_.names.End(batch.id(), "*", "*", "*");
+    if (batch.job_count() > kListed) return parts_.streams.Count(parts_.names.ends_stream(), all);
+    ASSIGN_OR_RETURN(const auto subjects, parts_.streams.Subjects(parts_.names.ends_stream(), all));
+    return static_cast<int64_t>(subjects.size());
+  }
 
   // The job of the batch that ended last; empty when none has.
-  absl::StatusOr<std::string> LastOf(const std::string& batch_id);
+  absl::StatusOr<std::string> LastOf(const std::string& batch_id) {
+    const absl::StatusOr<StoredMessage> last =
+        parts_.streams.Last(parts_.names.ends_stream(), parts_.names.End(batch_id, "*", "*", "*"));
+    if (absl::IsNotFound(last.status())) return "";
+    if (!last.ok()) return last.status();
+    return std::string(TokenAt(last->subject, kJobToken));
+  }
 
   // Under which the end of the job is.
-  std::string SubjectOf(const v1::Job& job) const;
+  std::string SubjectOf(const v1::Job& job) const {
+    return parts_.names.End(job.batch_id(), Number(job.state()), Number(job.failure_kind()), job.id());
+  }
 
-  absl::StatusOr<std::vector<BatchEnd>> After(const std::string& batch_id, int64_t sequence, int limit);
+  absl::StatusOr<std::vector<BatchEnd>> After(const std::string& batch_id, int64_t sequence, int limit) {
+    std::vector<BatchEnd> ends;
+    if (!IsToken(batch_id)) return ends;
+    ASSIGN_OR_RETURN(const auto messages,
+                     parts_.streams.Read(parts_.names.ends_stream(), parts_.names.End(batch_id, "*", "*", "*"),
+                                         static_cast<uint64_t>(std::max<int64_t>(0, sequence)) + 1, limit));
+    for (const StoredMessage& message : messages) {
+      ends.push_back({static_cast<int64_t>(message.sequence), std::string(TokenAt(message.subject, kJobToken))});
+    }
+    return ends;
+  }
 
   // The jobs that ended so, by id, those with larger ids first.
-  absl::StatusOr<std::vector<std::string>> JobsIn(const std::string& batch_id, v1::JobState state);
+  absl::StatusOr<std::vector<std::string>> JobsIn(const std::string& batch_id, v1::JobState state) {
+    ASSIGN_OR_RETURN(const auto subjects, parts_.streams.Subjects(parts_.names.ends_stream(),
+                                                                  parts_.names.End(batch_id, Number(state), "*", "*")));
+    std::vector<std::string> ids;
+    for (const auto& [subject, count] : subjects) ids.emplace_back(TokenAt(subject, kJobToken));
+    std::ranges::sort(ids, std::greater());
+    return ids;
+  }
 
  private:
-  // The numbers of state and failure kind, as in subjects.
-  using Outcome = std::pair<std::string, std::string>;
-  absl::StatusOr<std::map<Outcome, int64_t>> CountOutcomes(const v1::Batch& batch);
-  absl::StatusOr<std::vector<BatchEnd>> Read(const std::string& filter, int64_t sequence, int limit);
+  // Places of the state, then the kind, and of the job's id in the subject of its end.
+  static constexpr int kStateToken = 3;
+  static constexpr int kJobToken = 5;
+  // Jobs of a batch whose ends are listed, not counted by the servers: an answer of some hundred KiB.
+  static constexpr int kListed = 4000;
+
+  static std::string Number(int value) { return std::to_string(value); }
 
   QueueParts& parts_;
 };

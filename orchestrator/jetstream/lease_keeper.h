@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <atomic>
-#include <cstdint>
-#include <map>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
-#include "absl/status/status.h"
+#include "orchestrator/jetstream/lease_keeper.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
@@ -36,43 +37,126 @@ struct Hold {
   }
 };
 
-// Keeps the holds of a process alive: tells the servers every third of a lease that each job makes progress, and looks
-// whether somebody else has it or wants its end. A hold that the servers did not confirm for the time of a lease is
+// Keeps the holds of a process alive: reports every third of a lease that each job makes progress, and looks whether
+// another process has it or wants its end. A hold whose progress the servers did not confirm for the time of a lease is
 // lost, since they may have given its job to another. One thread. Thread-safe.
 class LeaseKeeper {
  public:
   // `parts` outlives it.
-  static absl::StatusOr<std::unique_ptr<LeaseKeeper>> Start(QueueParts& parts);
-  ~LeaseKeeper();
+  explicit LeaseKeeper(QueueParts& parts) : parts_(parts), thread_([this] { Run(); }) {}
+
+  ~LeaseKeeper() {
+    {
+      std::lock_guard lock(mutex_);
+      stopping_ = true;
+      wake_.notify_all();
+    }
+    thread_.join();
+  }
 
   // Until Remove. The hold is shared with the keeper's thread, which may be looking at it.
-  void Add(std::shared_ptr<Hold> hold);
-  void Remove(const Hold& hold);
+  void Add(std::shared_ptr<Hold> hold) {
+    const absl::Duration now = parts_.clock.Elapsed();
+    std::lock_guard lock(mutex_);
+    kept_.push_back({std::move(hold), now, now + parts_.lease / 3});
+  }
 
-  // Looks at the job now.
-  void Look(const std::string& job_id);
-  // Looks at all, after the connection was gone.
-  void LookAtAll();
+  void Remove(const Hold& hold) {
+    std::lock_guard lock(mutex_);
+    std::erase_if(kept_, [&](const Kept& kept) { return kept.hold.get() == &hold; });
+  }
+
+  // Looks at the job now; at all, after the connection was gone, when the id is empty.
+  void Look(const std::string& job_id) {
+    std::lock_guard lock(mutex_);
+    for (Kept& kept : kept_) {
+      if (job_id.empty() || kept.hold->job_id == job_id) kept.due = absl::ZeroDuration();
+    }
+    wake_.notify_all();
+  }
 
  private:
+  // Progress that was not confirmed is reported again so soon.
+  static constexpr absl::Duration kAgain = absl::Milliseconds(500);
+  // How long one answer may take; at most a third of the lease.
+  static constexpr absl::Duration kAnswer = absl::Seconds(1);
+  // While a record cannot be read, others are not tried for so long: reports of progress must not wait for them.
+  static constexpr absl::Duration kNoLooks = absl::Seconds(2);
+
   struct Kept {
     std::shared_ptr<Hold> hold;
-    // When the last progress that was confirmed was sent, and when the next is due.
+    // When the last progress that was confirmed was reported, and when the next report is due.
     absl::Duration confirmed;
     absl::Duration due;
   };
-  LeaseKeeper(QueueParts& parts, std::unique_ptr<NatsInbox> inbox);
-  void Run();
-  absl::Duration SendDue();
-  absl::Status Send(int64_t key, const Kept& kept, absl::Duration now);
-  void Receive(const NatsMessage& message);
-  void ReceiveRecord(Hold& hold, const NatsMessage& message);
+  void Run() {
+    std::unique_lock lock(mutex_);
+    while (!stopping_) {
+      LoseExpired(lock);
+      const absl::Duration now = parts_.clock.Elapsed();
+      const auto next = std::ranges::min_element(kept_, {}, &Kept::due);
+      if (next == kept_.end() || next->due > now) {
+        // A hold that comes meanwhile is first due after a third of the lease.
+        const absl::Duration wait =
+            next == kept_.end() ? parts_.lease / 6 : std::min(parts_.lease / 6, next->due - now);
+        wake_.wait_for(lock, absl::ToChronoMilliseconds(wait + absl::Milliseconds(1)));
+        continue;
+      }
+      const std::shared_ptr<Hold> hold = next->hold;
+      next->due = now + std::min(parts_.lease / 3, kAgain);
+      lock.unlock();
+      const bool confirmed = ReportProgress(*hold);
+      LookAtRecord(*hold);
+      lock.lock();
+      const auto kept = std::ranges::find(kept_, hold, &Kept::hold);
+      if (kept == kept_.end() || !confirmed) continue;
+      kept->confirmed = now;
+      // Unless somebody asked for another look meanwhile.
+      if (kept->due != absl::ZeroDuration()) kept->due = now + parts_.lease / 3;
+    }
+  }
+
+  // Gives up holds that were not confirmed for too long: the servers may deliver their jobs to others.
+  void LoseExpired(std::unique_lock<std::mutex>& lock) {
+    const absl::Duration now = parts_.clock.Elapsed();
+    std::vector<std::shared_ptr<Hold>> lost;
+    std::erase_if(kept_, [&](const Kept& kept) {
+      if (!kept.hold->lost && now - kept.confirmed <= parts_.lease) return false;
+      lost.push_back(kept.hold);
+      return true;
+    });
+    lock.unlock();
+    for (const std::shared_ptr<Hold>& hold : lost) hold->Lose();
+    lock.lock();
+  }
+
+  bool ReportProgress(const Hold& hold) {
+    const absl::Duration limit = std::min(kAnswer, parts_.lease / 3);
+    return parts_.connection->Request({hold.acknowledge, "+WPI", {}}, limit).ok();
+  }
+
+  void LookAtRecord(Hold& hold) {
+    if (parts_.clock.Elapsed() < look_from_) return;
+    const absl::StatusOr<RevisedJob> record =
+        parts_.ParseJob(hold.job_id, parts_.jobs.GetOnce(hold.job_id, std::min(kAnswer, parts_.lease / 3)));
+    if (absl::IsUnavailable(record.status()))
+      look_from_ = parts_.clock.Elapsed() + std::min(kNoLooks, parts_.lease / 3);
+    if (!record.ok() || hold.closing) return;
+    if (record->value.holder() != hold.holder) {
+      hold.Lose();
+    } else if (record->value.cancel_requested() && !hold.cancel_requested) {
+      hold.cancel_requested = true;
+      hold.cancellation.Cancel();
+    }
+  }
 
   QueueParts& parts_;
-  const std::unique_ptr<NatsInbox> inbox_;
+  // When records may be read again after one could not be.
+  absl::Duration look_from_;
   std::mutex mutex_;
-  std::map<int64_t, Kept> kept_;
-  int64_t next_key_ = 1;
+  std::condition_variable wake_;
+  std::vector<Kept> kept_;
+  bool stopping_ = false;
   std::thread thread_;
 };
 

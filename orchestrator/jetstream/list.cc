@@ -129,18 +129,16 @@ absl::Status JetStreamWorkQueue::VisitRequests(
     const std::function<absl::Status(const std::string& kind, const std::string& id)>& visit) {
   const std::string& stream = parts_->requests.stream();
   const std::string owner = filter.owner.has_value() ? OwnerToken(*filter.owner) : "*";
-  ASSIGN_OR_RETURN(const uint64_t last, parts_->reader.LastSequence(stream));
+  ASSIGN_OR_RETURN(const uint64_t last, parts_->streams.LastSequence(stream));
   uint64_t end = last + 1;
   while (end > 1 && more()) {
     const uint64_t first = end > kRequestsAtOnce ? end - kRequestsAtOnce : 1;
-    ASSIGN_OR_RETURN(auto messages,
-                     parts_->reader.Read(stream, {.filter = parts_->requests.SubjectOf(owner + "." + kind + ".*"),
-                                                  .first_sequence = first,
-                                                  .limit = static_cast<int>(end - first)}));
-    std::erase_if(messages, [end](const StreamReader::Message& message) { return message.sequence >= end; });
+    ASSIGN_OR_RETURN(auto messages, parts_->streams.Read(stream, parts_->requests.SubjectOf(owner + "." + kind + ".*"),
+                                                         first, static_cast<int>(end - first)));
+    std::erase_if(messages, [end](const StoredMessage& message) { return message.sequence >= end; });
     // Made on several machines, some may be a little out of order.
-    std::ranges::sort(messages, std::greater(), &StreamReader::Message::content);
-    for (const StreamReader::Message& message : messages) {
+    std::ranges::sort(messages, std::greater(), &StoredMessage::content);
+    for (const StoredMessage& message : messages) {
       if (!more()) break;
       const std::string key(parts_->requests.KeyOf(message.subject));
       if (TokenAt(key, kKindToken) == kDeleting) continue;
@@ -163,7 +161,7 @@ absl::StatusOr<v1::Batch> JetStreamWorkQueue::GetBatch(const std::string& batch_
   v1::Batch batch = record.value.batch();
   RETURN_IF_ERROR(ends_.Count(batch));
   ASSIGN_OR_RETURN(const auto waiting, consumers_.Look(parts_->names.Batch(OwnerToken(batch.owner()), batch_id)));
-  ASSIGN_OR_RETURN(const Consumers::Depth depth, consumers_.DepthOf(waiting));
+  ASSIGN_OR_RETURN(const Streams::Depth depth, consumers_.DepthOf(waiting));
   batch.set_running_count(std::min(batch.open_count(), static_cast<int>(depth.delivered)));
   return batch;
 }
@@ -189,7 +187,7 @@ absl::StatusOr<std::vector<BatchEnd>> JetStreamWorkQueue::EndsAfter(const std::s
 
 absl::StatusOr<int64_t> JetStreamWorkQueue::CountQueued() {
   ASSIGN_OR_RETURN(const auto messages, consumers_.Look(">"));
-  ASSIGN_OR_RETURN(const Consumers::Depth depth, consumers_.DepthOf(messages));
+  ASSIGN_OR_RETURN(const Streams::Depth depth, consumers_.DepthOf(messages));
   return depth.waiting;
 }
 
@@ -222,12 +220,11 @@ absl::StatusOr<EndedPage> JetStreamWorkQueue::EndedBefore(absl::Time time, const
   uint64_t first = 0;
   if (!after.empty() && !absl::SimpleAtoi(after, &first)) return absl::InternalError("no page of a queue begins there");
   const auto requests =
-      parts_->reader.Read(parts_->requests.stream(),
-                          {.filter = parts_->requests.SubjectOf("*.*.*"), .first_sequence = first + 1, .limit = limit});
+      parts_->streams.Read(parts_->requests.stream(), parts_->requests.SubjectOf("*.*.*"), first + 1, limit);
   if (!requests.ok()) return requests.status();
   EndedPage page;
   std::vector<std::string> alone;
-  for (const StreamReader::Message& request : *requests) {
+  for (const StoredMessage& request : *requests) {
     const std::string key(parts_->requests.KeyOf(request.subject));
     if (TokenAt(key, 1) == "single") alone.push_back(request.content);
     if (TokenAt(key, 1) != "batch") continue;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/jetstream/names.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <vector>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/str_split.h"
 #include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
@@ -48,27 +52,14 @@ absl::Duration LeaseOf(const config::v1::QueueConfig& config) {
   return absl::Seconds(config.has_lease_seconds() ? config.lease_seconds() : 30);
 }
 
-namespace {
-
-// The first letter of what is sent, by NewsKind.
-constexpr std::string_view kLetters = "wjhb";
-static_assert(static_cast<size_t>(NewsKind::kUnknown) == kLetters.size());
-
-}  // namespace
-
-std::string WriteNews(const News& news) {
-  return std::string(1, kLetters.at(static_cast<size_t>(news.kind))) + ' ' + news.subject + ' ' + news.batch_id;
+std::string WriteNotice(const Notice& notice) {
+  return fmt::format("{} {} {}", static_cast<char>(notice.kind), notice.subject, notice.batch_id);
 }
 
-News ReadNews(std::string_view text) {
-  if (text.size() < 2 || text[1] != ' ') return {};
-  News news;
-  news.kind = static_cast<NewsKind>(std::min(kLetters.find(text[0]), kLetters.size()));
-  text.remove_prefix(2);
-  const size_t space = text.find(' ');
-  news.subject = text.substr(0, space);
-  if (space != std::string_view::npos) news.batch_id = text.substr(space + 1);
-  return news;
+Notice ReadNotice(std::string_view text) {
+  const std::vector<std::string> parts = absl::StrSplit(absl::string_view(text.data(), text.size()), ' ');
+  if (parts.size() != 3 || parts[0].size() != 1) return {Notice::Kind{}, "", ""};
+  return {static_cast<Notice::Kind>(parts[0][0]), parts[1], parts[2]};
 }
 
 }  // namespace flair::orchestrator

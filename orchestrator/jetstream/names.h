@@ -24,7 +24,7 @@ namespace flair::orchestrator {
 //   bucket NAME-index      result.KEY: ArtifactRef; users.ARTIFACT: ArtifactUsers; doomed.BATCH.PLACE: tombstones of
 //                          artifacts, see delete.cc
 //   bucket NAME-status     OrchestratorStatus, forgotten soon
-//   bucket NAME-artifacts  see jetstream_artifacts.h
+//   bucket NAME-artifacts  see open.cc
 //   subject NAME.news      notifications, which may be lost
 // A bucket is a stream KV_BUCKET with subjects $KV.BUCKET.KEY, as NATS's own tools know them.
 class QueueNames {
@@ -75,28 +75,26 @@ std::string RequestKey(const std::string& owner, RequestKind kind, const std::st
 
 absl::Duration LeaseOf(const config::v1::QueueConfig& config);
 
-// What the processes of a queue tell each other at once: hints on what to look at, never the thing itself. They may be
-// lost, so everybody also looks now and then.
-enum class NewsKind {
-  // There is something to take under a subject of the queue stream.
-  kWork,
-  // Something happened to a job (and, when it ended, to its batch, named second).
-  kJob,
-  // The same, and who runs it should look whether it still does.
-  kHold,
-  // A batch was paused, resumed, cancelled or got jobs.
-  kBatch,
-  // Not understood: look at everything.
-  kUnknown,
-};
-
-struct News {
-  NewsKind kind = NewsKind::kUnknown;
+// What the processes of a queue tell each other: hints on what to look at, never the data itself. They may be lost, so
+// every process also looks now and then. On the wire: the letter of the kind, subject and batch, with spaces between.
+struct Notice {
+  enum class Kind : char {
+    // `subject`, of the queue stream, may have a job to take.
+    kWork = 'w',
+    // Something happened to the job `subject`; it ended when `batch_id` is set.
+    kJob = 'j',
+    // The same, and the process that runs it should look whether it still does.
+    kHold = 'h',
+    // The batch `subject` was paused, resumed, cancelled or got jobs.
+    kBatch = 'b',
+  };
+  // Another letter is passed over.
+  Kind kind = Kind::kWork;
   std::string subject;
   std::string batch_id;
 };
 
-std::string WriteNews(const News& news);
-News ReadNews(std::string_view text);
+std::string WriteNotice(const Notice& notice);
+Notice ReadNotice(std::string_view text);
 
 }  // namespace flair::orchestrator

@@ -54,13 +54,12 @@ QueueParts::QueueParts(std::unique_ptr<NatsConnection> opened, const config::v1:
       names(config),
       lease(LeaseOf(config)),
       clock(the_clock),
-      api(*connection, kCallLimit),
-      jobs(api, names.Bucket("jobs")),
-      batches(api, names.Bucket("batches")),
-      requests(api, names.Bucket("requests")),
-      index(api, names.Bucket("index")),
-      statuses(api, names.Bucket("status")),
-      reader(api) {}
+      streams(*connection, kCallLimit),
+      jobs(streams, names.Bucket("jobs")),
+      batches(streams, names.Bucket("batches")),
+      requests(streams, names.Bucket("requests")),
+      index(streams, names.Bucket("index")),
+      statuses(streams, names.Bucket("status")) {}
 
 absl::StatusOr<RevisedJob> QueueParts::ParseJob(const std::string& job_id,
                                                 const absl::StatusOr<Bucket::Entry>& entry) const {
@@ -100,21 +99,17 @@ std::string QueueParts::SubjectOf(const v1::Job& job) const {
 }
 
 NatsRequest QueueParts::QueueMessage(const v1::Job& job, const std::string& message_id) const {
-  return {SubjectOf(job), job.id(), {{"Nats-Msg-Id", message_id}}};
+  return WithMessageId(SubjectOf(job), job.id(), message_id);
 }
 
-void QueueParts::Notify(const News& news) { (void)connection->Publish({names.news_subject(), WriteNews(news), {}}); }
-
-void QueueParts::NotifyWork(const std::string& consumer) { Notify({NewsKind::kWork, consumer, ""}); }
+void QueueParts::Notify(Notice::Kind kind, const std::string& subject, const std::string& batch_id) {
+  (void)connection->Publish({names.news_subject(), WriteNotice({kind, subject, batch_id}), {}});
+}
 
 void QueueParts::NotifyJob(const v1::Job& job) {
-  // Who watches the batch wants to know of ends only.
+  // Whoever watches the batch wants to know of ends only.
   const bool open = job.state() == v1::JOB_STATE_QUEUED || job.state() == v1::JOB_STATE_RUNNING;
-  Notify({NewsKind::kJob, job.id(), open ? "" : job.batch_id()});
+  Notify(Notice::Kind::kJob, job.id(), open ? "" : job.batch_id());
 }
-
-void QueueParts::NotifyHolder(const std::string& job_id) { Notify({NewsKind::kHold, job_id, ""}); }
-
-void QueueParts::NotifyBatch(const std::string& batch_id) { Notify({NewsKind::kBatch, batch_id, ""}); }
 
 }  // namespace flair::orchestrator

@@ -9,11 +9,10 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/store/v1/job_record.pb.h"
-#include "orchestrator/jetstream/api.h"
 #include "orchestrator/jetstream/bucket.h"
 #include "orchestrator/jetstream/connection.h"
 #include "orchestrator/jetstream/names.h"
-#include "orchestrator/jetstream/stream_reader.h"
+#include "orchestrator/jetstream/streams.h"
 #include "worker_runtime/clock/clock.h"
 
 namespace flair::orchestrator {
@@ -53,25 +52,21 @@ class QueueParts {
   // The subject under which the job waits.
   std::string SubjectOf(const v1::Job& job) const;
 
-  // Tells the other processes, which may miss it: see names.h.
-  void NotifyWork(const std::string& consumer);
+  // Tells the other processes, which may miss it: see Notice.
+  void Notify(Notice::Kind kind, const std::string& subject, const std::string& batch_id = "");
+  // Something happened to the job.
   void NotifyJob(const v1::Job& job);
-  void NotifyHolder(const std::string& job_id);
-  void NotifyBatch(const std::string& batch_id);
-
-  void Notify(const News& news);
 
   const std::unique_ptr<NatsConnection> connection;
   const QueueNames names;
   const absl::Duration lease;
   const runtime::Clock& clock;
-  JetStreamApi api;
+  Streams streams;
   Bucket jobs;
   Bucket batches;
   Bucket requests;
   Bucket index;
   Bucket statuses;
-  StreamReader reader;
 };
 
 }  // namespace flair::orchestrator

@@ -118,7 +118,7 @@ absl::StatusOr<v1::Batch> JetStreamWorkQueue::AddJobs(const std::string& batch_i
         return true;
       });
   if (!after.ok()) return after.status();
-  parts_->NotifyBatch(batch_id);
+  parts_->Notify(Notice::Kind::kBatch, batch_id);
   return after->value.batch();
 }
 
@@ -159,7 +159,7 @@ absl::Status JetStreamWorkQueue::CompareSpecs(std::span<const v1::Job> jobs) {
 absl::Status JetStreamWorkQueue::PutIntoQueue(std::span<const v1::Job> jobs) {
   std::vector<NatsRequest> messages;
   for (const v1::Job& job : jobs) messages.push_back(parts_->QueueMessage(job, job.id()));
-  RETURN_IF_ERROR(parts_->api.PublishEach(messages));
+  RETURN_IF_ERROR(parts_->streams.PublishEach(messages));
   if (!messages.empty()) Queued(messages.front().subject);
   return absl::OkStatus();
 }
@@ -184,7 +184,7 @@ absl::Status JetStreamWorkQueue::Cancel(const std::string& job_id, absl::Time no
     RETURN_IF_ERROR(ends_.Publish(std::span(&changed, 1)));
     parts_->NotifyJob(changed);
   } else {
-    parts_->NotifyHolder(job_id);
+    parts_->Notify(Notice::Kind::kHold, job_id);
   }
   return absl::OkStatus();
 }
@@ -216,7 +216,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::Retry(const std::string& job_id) {
     return false;
   }
   const NatsRequest message = parts_->QueueMessage(waiting, fmt::format("{}-retry-{}", job_id, now->revision));
-  RETURN_IF_ERROR(parts_->api.Publish(message).status());
+  RETURN_IF_ERROR(parts_->streams.Publish(message).status());
   Queued(message.subject);
   parts_->NotifyJob(waiting);
   return true;
@@ -235,7 +235,7 @@ absl::Status JetStreamWorkQueue::SetBatchState(const std::string& batch_id, v1::
         return true;
       });
   if (!changed.ok()) return changed.status();
-  parts_->NotifyBatch(batch_id);
+  parts_->Notify(Notice::Kind::kBatch, batch_id);
   return absl::OkStatus();
 }
 
@@ -252,7 +252,7 @@ absl::Status JetStreamWorkQueue::CancelBatch(const std::string& batch_id, absl::
   const absl::Status status = repair_.CancelJobs(batch_id, changed->value.batch().job_count(), now);
   // Its messages go when the last of its jobs has ended; see LookOnce.
   ScheduleRepair(batch_id);
-  parts_->NotifyBatch(batch_id);
+  parts_->Notify(Notice::Kind::kBatch, batch_id);
   return status;
 }
 

@@ -1,18 +1,215 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a job comes to a run: a consumer delivers its message, and the run claims the record.
+// How a job comes to a run: a consumer delivers its message, the run claims the record, and holds it by a lease.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "absl/strings/numbers.h"
-#include "orchestrator/jetstream/jetstream_lease.h"
+#include "orchestrator/batch/lease.h"
+#include "orchestrator/jetstream/artifact_users.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
+#include "orchestrator/jetstream/job_ends.h"
 #include "orchestrator/jetstream/job_record.h"
+#include "orchestrator/jetstream/lease_keeper.h"
+#include "orchestrator/jetstream/queue_parts.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
+
 namespace {
+
+// What a run that only goes away waits for the servers.
+constexpr absl::Duration kReturnLimit = absl::Seconds(2);
+
+// A run of a job of a queue in JetStream. Every write replaces the record as this run knows it, so that it fails when
+// another run has changed it. Writes go on through times without an answer for as long as the hold lasts.
+class JetStreamLease final : public Lease {
+ public:
+  // `record` says that `hold` has the job. `parts`, `ends` and `keeper` outlive it.
+  JetStreamLease(QueueParts& parts, JobEnds& ends, LeaseKeeper& keeper, std::shared_ptr<Hold> hold, RevisedJob record)
+      : parts_(parts),
+        ends_(ends),
+        keeper_(keeper),
+        hold_(std::move(hold)),
+        job_(record.value.job()),
+        history_(record.value.events().begin(), record.value.events().end()),
+        lost_run_count_(record.value.lost_run_count() - 1),
+        users_(parts),
+        record_(std::move(record)) {
+    hold_->cancel_requested = record_.value.cancel_requested();
+    keeper_.Add(hold_);
+  }
+
+  ~JetStreamLease() override {
+    if (!done_ && !hold_->lost) (void)Return(absl::ZeroDuration(), "");
+    keeper_.Remove(*hold_);
+  }
+
+  const v1::Job& job() const override { return job_; }
+  const std::vector<v1::JobEvent>& history() const override { return history_; }
+  int lost_run_count() const override { return lost_run_count_; }
+
+  absl::Status Announce(std::span<const StageRecord> records) override {
+    std::lock_guard lock(mutex_);
+    return hold_->lost || done_ ? Refused() : BecomeUser(records);
+  }
+
+  absl::Status RecordAll(std::span<const StageRecord> records) override {
+    if (records.empty()) return absl::OkStatus();
+    {
+      std::lock_guard lock(mutex_);
+      if (hold_->lost || done_) return Refused();
+      RETURN_IF_ERROR(Index(records));
+      RETURN_IF_ERROR(Write([&](store::v1::JobRecord& job) { AddStageRecords(job, records); },
+                            [this] { return !hold_->lost && !hold_->cancellation.cancelled(); }));
+    }
+    parts_.NotifyJob(job_);
+    return absl::OkStatus();
+  }
+
+  absl::Status End(const JobEnd& end) override {
+    v1::Job ended;
+    {
+      std::lock_guard lock(mutex_);
+      if (hold_->lost || done_) return Refused();
+      RETURN_IF_ERROR(Index(end.records));
+      RETURN_IF_ERROR(Close([&](store::v1::JobRecord& job) { EndJob(job, end); }, [this] { return !hold_->lost; }));
+      ended = record_.value.job();
+    }
+    keeper_.Remove(*hold_);
+    // It has ended. What follows from that is repeated by whoever is delivered the message again, if it fails here.
+    if (ends_.Publish(std::span(&ended, 1)).ok()) (void)parts_.connection->Publish({hold_->acknowledge, "+ACK", {}});
+    parts_.NotifyJob(ended);
+    return absl::OkStatus();
+  }
+
+  absl::Status Return(absl::Duration delay, const std::string& reason) override {
+    {
+      std::lock_guard lock(mutex_);
+      const bool later = delay > absl::ZeroDuration();
+      const absl::Time not_before = later ? parts_.clock.Now() + delay : absl::InfinitePast();
+      const absl::Duration limit = parts_.clock.Elapsed() + kReturnLimit;
+      RETURN_IF_ERROR(Close([&](store::v1::JobRecord& job) { ReturnJob(job, not_before, reason); },
+                            [&] { return !hold_->lost && parts_.clock.Elapsed() < limit; }));
+    }
+    keeper_.Remove(*hold_);
+    const std::string refusal =
+        delay > absl::ZeroDuration() ? fmt::format("-NAK {{\"delay\": {}}}", absl::ToInt64Nanoseconds(delay)) : "-NAK";
+    // Without it, the job waits until its lease would have ended.
+    (void)parts_.connection->Publish({hold_->acknowledge, refusal, {}});
+    parts_.NotifyJob(job_);
+    parts_.Notify(Notice::Kind::kWork, parts_.SubjectOf(job_));
+    return absl::OkStatus();
+  }
+
+  runtime::Cancellation& cancellation() override { return hold_->cancellation; }
+  bool cancel_requested() override { return hold_->cancel_requested; }
+  bool lost() override { return hold_->lost; }
+
+ private:
+  absl::Status Write(const std::function<void(store::v1::JobRecord&)>& change, const std::function<bool()>& more) {
+    while (true) {
+      if (hold_->lost || done_) return Refused();
+      store::v1::JobRecord changed = record_.value;
+      change(changed);
+      const absl::StatusOr<uint64_t> revision =
+          parts_.jobs.Update(job_.id(), runtime::CanonicalBytes(changed), record_.revision, more);
+      if (revision.ok()) {
+        record_ = {std::move(changed), *revision};
+        return absl::OkStatus();
+      }
+      if (!absl::IsAborted(revision.status())) return revision.status();
+      RETURN_IF_ERROR(ReadAgain());
+    }
+  }
+
+  // The last write of the run.
+  absl::Status Close(const std::function<void(store::v1::JobRecord&)>& change, const std::function<bool()>& more) {
+    hold_->closing = true;
+    const absl::Status status = Write(change, more);
+    hold_->closing = status.ok();
+    done_ = status.ok();
+    return status;
+  }
+
+  // Takes over what others wrote into the record, which is no more than that they want the end.
+  absl::Status ReadAgain() {
+    absl::StatusOr<RevisedJob> now = parts_.GetJob(job_.id());
+    // It was cancelled, and forgotten with its batch.
+    if (absl::IsNotFound(now.status())) return Refused();
+    if (!now.ok()) return now.status();
+    if (now->value.holder() != hold_->holder) return Refused();
+    record_ = *std::move(now);
+    if (!record_.value.cancel_requested()) return absl::OkStatus();
+    hold_->cancel_requested = true;
+    hold_->cancellation.Cancel();
+    return absl::OkStatus();
+  }
+
+  absl::Status Refused() {
+    hold_->Lose();
+    return absl::AbortedError(fmt::format("job {}: another run has it", job_.id()));
+  }
+
+  // Nobody deletes these artifacts from now on. What is to be used again and has no user is going just now.
+  absl::Status BecomeUser(std::span<const StageRecord> records) {
+    std::vector<ArtifactUsers::Use> uses;
+    for (const StageRecord& record : records) {
+      const std::string& id = record.event.artifact().id();
+      if (!id.empty() && !used_.contains(id)) uses.push_back({id, record.result_key});
+    }
+    if (uses.empty()) return absl::OkStatus();
+    ArtifactUsers::User user;
+    user.set_id(job_.batch_id().empty() ? job_.id() : job_.batch_id());
+    user.set_owner_token(OwnerToken(job_.owner()));
+    ASSIGN_OR_RETURN(const std::vector<std::string> unused, users_.Add(uses, user));
+    for (const StageRecord& record : records) {
+      const std::string& id = record.event.artifact().id();
+      const bool reused = record.event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED;
+      if (reused && std::ranges::find(unused, id) != unused.end()) return ArtifactIsGone(id);
+    }
+    for (const ArtifactUsers::Use& use : uses) used_.insert(use.artifact_id);
+    return absl::OkStatus();
+  }
+
+  // What others may find by the artifact: it is there, whoever holds the job now.
+  absl::Status Index(std::span<const StageRecord> records) {
+    RETURN_IF_ERROR(BecomeUser(records));
+    std::vector<NatsRequest> entries;
+    for (const StageRecord& record : records) {
+      if (record.result_key.empty() || !record.event.has_artifact()) continue;
+      entries.push_back({parts_.index.SubjectOf("result." + record.result_key),
+                         runtime::CanonicalBytes(record.event.artifact()),
+                         {}});
+    }
+    return parts_.streams.PublishEach(entries);
+  }
+
+  QueueParts& parts_;
+  JobEnds& ends_;
+  LeaseKeeper& keeper_;
+  // Shared with the keeper.
+  const std::shared_ptr<Hold> hold_;
+  const v1::Job job_;
+  const std::vector<v1::JobEvent> history_;
+  const int lost_run_count_;
+  ArtifactUsers users_;
+
+  std::mutex mutex_;
+  RevisedJob record_;
+  // Artifacts that this run uses.
+  std::set<std::string> used_;
+  bool done_ = false;
+};
 
 // Messages of jobs that need no run, passed over before others have a turn.
 constexpr int kPassedOverAtOnce = 100;
@@ -97,8 +294,8 @@ absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Begin(const Consumer&
     if (!revision.ok()) return revision.status();
     job->revision = *revision;
     consumers_.HadTurn(consumer);
-    if (taken_over) parts_->NotifyHolder(delivery.job_id);
-    return std::make_unique<JetStreamLease>(*parts_, ends_, *keeper_, std::move(hold), *std::move(job));
+    if (taken_over) parts_->Notify(Notice::Kind::kHold, delivery.job_id);
+    return std::make_unique<JetStreamLease>(*parts_, ends_, keeper_, std::move(hold), *std::move(job));
   }
 }
 
@@ -134,8 +331,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::OtherMessageRuns(const Delivery& delive
                                                           const store::v1::JobRecord& record) {
   const uint64_t sequence = SequenceOf(record.holder());
   if (record.job().state() != v1::JOB_STATE_RUNNING || sequence == 0 || sequence == delivery.sequence) return false;
-  const absl::Status found =
-      parts_->api.Call("STREAM.MSG.GET." + parts_->names.queue_stream(), nlohmann::json{{"seq", sequence}}).status();
+  const absl::Status found = parts_->streams.Get(parts_->names.queue_stream(), sequence).status();
   if (absl::IsNotFound(found)) return false;
   if (!found.ok()) return found;
   return true;
@@ -150,8 +346,8 @@ absl::Status JetStreamWorkQueue::WantNamed(const std::set<std::string>& job_ids)
     const v1::Job& wanted = job->value.job();
     if (wanted.state() != v1::JOB_STATE_QUEUED) continue;
     const std::string subject = parts_->names.Named(OwnerToken(wanted.owner()), id);
-    const NatsRequest message{subject, id, {{"Nats-Msg-Id", fmt::format("{}-named-{}", id, job->revision)}}};
-    RETURN_IF_ERROR(parts_->api.Publish(message).status());
+    RETURN_IF_ERROR(
+        parts_->streams.Publish(WithMessageId(subject, id, fmt::format("{}-named-{}", id, job->revision))).status());
     consumers_.Want(subject);
   }
   return absl::OkStatus();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the queue does by itself: it starts, hears news, looks now and then, and says so to who listens.
+// What the queue does by itself: it starts, reads notices, looks periodically, and says so to who listens.
 #include <fmt/format.h>
 
 #include <random>
@@ -11,10 +11,11 @@ namespace flair::orchestrator {
 namespace {
 
 constexpr absl::Duration kLook = absl::Seconds(1);
-// Watchers are told for nothing every so many looks, since news may be lost.
+// Watchers are told for nothing every so many looks, since notices may be lost.
 constexpr int kLooksPerTelling = 2;
 // Batches of earlier processes that are looked at once.
 constexpr int kEarlierBatches = 200;
+constexpr int kMostOrchestrators = 10000;
 // Batches that are cared for in one look.
 constexpr int kRepairedAtOnce = 20;
 
@@ -37,16 +38,16 @@ JetStreamWorkQueue::JetStreamWorkQueue(std::unique_ptr<QueueParts> parts)
       ends_(*parts_),
       consumers_(*parts_),
       repair_(*parts_, ends_, consumers_),
-      users_(*parts_) {}
+      users_(*parts_),
+      keeper_(*parts_) {}
 
 absl::Status JetStreamWorkQueue::Start() {
-  ASSIGN_OR_RETURN(news_, parts_->connection->Subscribe(parts_->names.news_subject()));
-  ASSIGN_OR_RETURN(keeper_, LeaseKeeper::Start(*parts_));
+  ASSIGN_OR_RETURN(notices_, parts_->connection->Subscribe(parts_->names.news_subject()));
   // Those that wait are known before the first Take.
   ASSIGN_OR_RETURN(const auto messages, consumers_.Look(">"));
   consumers_.See(messages);
-  news_thread_ = std::thread([this] { HearNews(); });
-  look_thread_ = std::thread([this] { LookNowAndThen(); });
+  notice_thread_ = std::thread([this] { ReadNotices(); });
+  look_thread_ = std::thread([this] { LookPeriodically(); });
   return absl::OkStatus();
 }
 
@@ -56,8 +57,8 @@ JetStreamWorkQueue::~JetStreamWorkQueue() {
     stopping_ = true;
     stop_.notify_all();
   }
-  if (news_ != nullptr) news_->Close();
-  if (news_thread_.joinable()) news_thread_.join();
+  if (notices_ != nullptr) notices_->Close();
+  if (notice_thread_.joinable()) notice_thread_.join();
   if (look_thread_.joinable()) look_thread_.join();
 }
 
@@ -81,10 +82,10 @@ void JetStreamWorkQueue::NotifyListenerOfBatch(const std::string& batch_id) {
   listener_.batch_changed(batch_id);
 }
 
-// There is a job in a consumer: this process need not wait for the news of it.
+// There is a job in a consumer: this process need not wait for the notice of it.
 void JetStreamWorkQueue::Queued(const std::string& consumer) {
   consumers_.Want(consumer);
-  parts_->NotifyWork(consumer);
+  parts_->Notify(Notice::Kind::kWork, consumer);
 }
 
 void JetStreamWorkQueue::ScheduleRepair(const std::string& batch_id) {
@@ -92,38 +93,36 @@ void JetStreamWorkQueue::ScheduleRepair(const std::string& batch_id) {
   to_repair_.insert(batch_id);
 }
 
-void JetStreamWorkQueue::HearNews() {
+void JetStreamWorkQueue::ReadNotices() {
   while (true) {
-    const absl::StatusOr<NatsMessage> message = news_->Next(absl::Minutes(1));
+    const absl::StatusOr<NatsMessage> message = notices_->Next(absl::Minutes(1));
     if (absl::IsDeadlineExceeded(message.status())) continue;
     if (!message.ok()) return;
-    const News news = ReadNews(message->content);
-    switch (news.kind) {
-      case NewsKind::kWork:
-        consumers_.Want(news.subject);
+    const Notice notice = ReadNotice(message->content);
+    switch (notice.kind) {
+      case Notice::Kind::kWork:
+        consumers_.Want(notice.subject);
         NotifyListenerOfWork();
         break;
-      case NewsKind::kHold:
-        keeper_->Look(news.subject);
-        NotifyListenerOfJob(news.subject);
+      case Notice::Kind::kHold:
+        keeper_.Look(notice.subject);
+        NotifyListenerOfJob(notice.subject);
         break;
-      case NewsKind::kJob:
-        NotifyListenerOfJob(news.subject);
-        if (!news.batch_id.empty()) NotifyListenerOfBatch(news.batch_id);
+      case Notice::Kind::kJob:
+        NotifyListenerOfJob(notice.subject);
+        if (!notice.batch_id.empty()) NotifyListenerOfBatch(notice.batch_id);
         break;
-      case NewsKind::kBatch:
-        consumers_.WantBatch(news.subject);
-        ScheduleRepair(news.subject);
+      case Notice::Kind::kBatch:
+        consumers_.WantBatch(notice.subject);
+        ScheduleRepair(notice.subject);
         NotifyListenerOfWork();
-        NotifyListenerOfBatch(news.subject);
-        break;
-      case NewsKind::kUnknown:
+        NotifyListenerOfBatch(notice.subject);
         break;
     }
   }
 }
 
-void JetStreamWorkQueue::LookNowAndThen() {
+void JetStreamWorkQueue::LookPeriodically() {
   ListFilter earlier;
   earlier.limit = kEarlierBatches;
   const absl::StatusOr<std::vector<v1::Batch>> batches = ListBatches(earlier);
@@ -137,7 +136,7 @@ void JetStreamWorkQueue::LookNowAndThen() {
       if (stop_.wait_for(lock, absl::ToChronoMilliseconds(kLook), [this] { return stopping_; })) return;
     }
     const int64_t reconnects_now = parts_->connection->reconnect_count();
-    if (reconnects_now != reconnects) keeper_->LookAtAll();
+    if (reconnects_now != reconnects) keeper_.Look("");
     if (reconnects_now != reconnects || look % kLooksPerTelling == 0) {
       NotifyListenerOfJob("");
       NotifyListenerOfBatch("");
@@ -180,10 +179,10 @@ absl::Status JetStreamWorkQueue::ReportStatus(const v1::OrchestratorStatus& stat
 
 absl::StatusOr<std::vector<v1::OrchestratorStatus>> JetStreamWorkQueue::Orchestrators() {
   const auto messages =
-      parts_->reader.Read(parts_->statuses.stream(), {.filter = parts_->statuses.SubjectOf(">"), .limit = 10000});
+      parts_->streams.Read(parts_->statuses.stream(), parts_->statuses.SubjectOf(">"), 1, kMostOrchestrators);
   if (!messages.ok()) return messages.status();
   std::vector<v1::OrchestratorStatus> statuses;
-  for (const StreamReader::Message& message : *messages) {
+  for (const StoredMessage& message : *messages) {
     if (!statuses.emplace_back().ParseFromString(message.content)) statuses.pop_back();
   }
   return statuses;

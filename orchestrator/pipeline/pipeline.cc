@@ -5,7 +5,7 @@
 #include <latch>
 #include <optional>
 
-#include "orchestrator/batch/failure.h"
+#include "orchestrator/pipeline/stage_clients.h"
 #include "orchestrator/pipeline/stage_runner.h"
 #include "orchestrator/pipeline/summary.h"
 

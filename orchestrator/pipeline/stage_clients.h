@@ -4,12 +4,14 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/artifact.pb.h"
+#include "flair/v1/job.pb.h"
 #include "flair/v1/language_service.pb.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/renderer_service.pb.h"
@@ -95,5 +97,21 @@ bool IsMessageTooLarge(const absl::Status& status);
 // Waits; returns early when the call is cancelled. A function so that tests need not wait.
 using Waiter = std::function<void(absl::Duration, runtime::CallContext&)>;
 void WaitUnlessCancelled(absl::Duration duration, runtime::CallContext& call);
+
+// What kind of failure ended a run, and whether another run may help.
+
+// The same error, known to come from the orchestrator's own store and not from a worker.
+absl::Status OfStore(absl::Status status);
+bool IsOfStore(const absl::Status& status);
+
+// The kind of a failure of a stage; see FailureKind. `stage` as in JobEvent.stage.
+v1::FailureKind KindOfFailure(const absl::Status& failure, std::string_view stage);
+
+// Whether the same run, made later, may succeed: a worker, a model or a store that was down or slow.
+bool MayPass(const absl::Status& failure, v1::FailureKind kind);
+
+// How long a job waits after its `failure_count`-th failed run: 1 s, 4 s, 16 s, at most a minute; spread by up to a
+// half of itself by `key`, so that jobs that failed together do not come back together.
+absl::Duration DelayAfterFailure(int failure_count, const std::string& key);
 
 }  // namespace flair::orchestrator

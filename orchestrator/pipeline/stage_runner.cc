@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "google/protobuf/util/time_util.h"
-#include "orchestrator/batch/failure.h"
 #include "orchestrator/pipeline/stage.h"
+#include "orchestrator/pipeline/stage_clients.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "room/validation/validate.h"

@@ -11,7 +11,7 @@
 
 #include "orchestrator/store/job_store.h"
 #include "orchestrator/store/local_artifacts.h"
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "orchestrator/service/job_admission.h"
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "orchestrator/store/temporary_folder.h"
 #include "orchestrator/testing/embedded_for_test.h"
 #include "orchestrator/testing/fake_stages.h"
 #include "orchestrator/testing/fake_workers.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/clock/clock.h"
 
 namespace flair::orchestrator {

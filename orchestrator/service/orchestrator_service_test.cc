@@ -5,10 +5,10 @@
 #include <future>
 
 #include "orchestrator/store/local_artifacts.h"
-#include "orchestrator/store/temporary_folder.h"
 #include "orchestrator/testing/embedded_for_test.h"
 #include "orchestrator/testing/fake_stages.h"
 #include "orchestrator/testing/fake_workers.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {

@@ -2,9 +2,9 @@
 // Jobs whose stages are servers of another version, or of something else, behind real sockets.
 #include <gmock/gmock.h>
 
-#include "orchestrator/store/temporary_folder.h"
 #include "orchestrator/testing/embedded_for_test.h"
 #include "orchestrator/testing/fake_workers.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "tests/fixtures/worker_speaker.h"
 
 namespace flair::orchestrator {

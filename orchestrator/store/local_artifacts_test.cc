@@ -8,7 +8,7 @@
 #include <fstream>
 #include <limits>
 
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 
 namespace flair::orchestrator {
 namespace {

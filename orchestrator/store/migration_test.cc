@@ -11,7 +11,7 @@
 #include "orchestrator/store/artifact_id.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {

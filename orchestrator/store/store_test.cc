@@ -11,7 +11,7 @@
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/artifact_id.h"
 #include "orchestrator/store/job_store.h"
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {

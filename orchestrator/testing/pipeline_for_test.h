@@ -10,7 +10,7 @@
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "orchestrator/store/temporary_folder.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {

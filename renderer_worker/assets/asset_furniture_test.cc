@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "renderer_worker/gltf/write_mesh_glb.h"
+#include "renderer_worker/gltf/write_glb.h"
 #include "tests/fixtures/programs.h"
 
 namespace flair::renderer {

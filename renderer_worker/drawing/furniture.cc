@@ -115,13 +115,12 @@ void DrawShadow(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
   canvas.LeaveFrame();
 }
 
-void DrawSymbol(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
+void DrawObject(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
   canvas.EnterFrame(sheet.ToSheet(object.centre_m), sheet.mm_per_m(), object.theta_rad, true);
   // Whatever its proportions, a piece covers its footprint and no more (half a millimetre for its outline).
-  SymbolPen pen(canvas, object.ink, object.width_m, object.depth_m);
-  canvas.Rectangle(pen.whole().Grown(0.5 / sheet.mm_per_m()));
+  canvas.Rectangle(BoxAround({0, 0}, {object.width_m, object.depth_m}).Grown(0.5 / sheet.mm_per_m()));
   canvas.Clip();
-  SymbolNamed(object.shown_as->symbol()).draw(pen);
+  DrawSymbol(canvas, object.ink, object.width_m, object.depth_m, object.shown_as->symbol()).IgnoreError();
   canvas.Unclip();
   canvas.LeaveFrame();
 }
@@ -142,7 +141,7 @@ void DrawOverhead(Canvas& canvas, const PlanObject& object, const Sheet& sheet) 
   if (object.shown_as->symbol_overhead()) {
     PlanObject overhead = object;
     overhead.ink.line = Hex(0x5A5148);
-    DrawSymbol(canvas, overhead, sheet);
+    DrawObject(canvas, overhead, sheet);
     return;
   }
   canvas.EnterFrame(sheet.ToSheet(object.centre_m), sheet.mm_per_m(), object.theta_rad, true);
@@ -162,7 +161,7 @@ bool OnPaper(const PlanObject& object, const Sheet& sheet) {
 
 void DrawRugs(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
-    if (object.walk_over && OnPaper(object, sheet)) DrawSymbol(canvas, object, sheet);
+    if (object.walk_over && OnPaper(object, sheet)) DrawObject(canvas, object, sheet);
   }
 }
 
@@ -172,14 +171,14 @@ void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
     if (!OnPaper(object, sheet)) continue;
     if (object.kind == v1::OBJECT_KIND_FLOOR && object.shown_as->outline() != FurnitureClass::OPEN)
       DrawShadow(canvas, object, sheet);
-    DrawSymbol(canvas, object, sheet);
+    DrawObject(canvas, object, sheet);
   }
 }
 
 void DrawMounted(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
     if (object.kind == v1::OBJECT_KIND_WALL && !object.walk_over && OnPaper(object, sheet))
-      DrawSymbol(canvas, AsBar(object, sheet), sheet);
+      DrawObject(canvas, AsBar(object, sheet), sheet);
   }
   for (const PlanObject& object : plan.objects) {
     if (object.kind == v1::OBJECT_KIND_CEILING && !object.walk_over && OnPaper(object, sheet))

@@ -8,7 +8,7 @@
 #include "flair/v1/renderer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "renderer_worker/drawing/box.h"
-#include "renderer_worker/drawing/symbols/symbol.h"
+#include "renderer_worker/drawing/symbol.h"
 #include "renderer_worker/furniture/furniture.pb.h"
 
 namespace flair::renderer {

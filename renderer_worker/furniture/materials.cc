@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "renderer_worker/furniture/classes.h"
@@ -19,7 +20,8 @@ BaseMaterial Read(const FurnitureMaterial& data) {
   look.colour = LinearHex(data.colour());
   look.roughness = data.roughness();
   look.metallic = data.metallic();
-  look.opacity = data.kind() == FurnitureMaterial::GLASS ? 0.25F : 1;
+  look.opacity = data.opacity() > 0 ? data.opacity() : data.kind() == FurnitureMaterial::GLASS ? 0.25F : 1;
+  if (data.emission_size() == 3) look.emission = {data.emission(0), data.emission(1), data.emission(2)};
   look.pattern = static_cast<Pattern>(data.pattern());
   if (data.pattern_size_m() > 0) look.pattern_size_m = data.pattern_size_m();
   look.second_colour = look.colour * (data.second_colour_factor() > 0 ? data.second_colour_factor() : 1);
@@ -119,14 +121,15 @@ Material Coloured(const BaseMaterial& material, Vec3 colour) {
   return look;
 }
 
-Material PlainMaterial(std::string_view name, unsigned srgb, float roughness, float metallic) {
-  Material look;
-  look.name = name;
-  look.colour = LinearHex(srgb);
-  look.roughness = roughness;
-  look.metallic = metallic;
-  look.second_colour = look.colour;
-  return look;
+const Material* FixedMaterial(std::string_view name) {
+  static const auto& fixtures = *[] {
+    auto* read = new std::map<std::string_view, Material>();
+    for (const FurnitureMaterial& data : Furniture().fixture()) read->emplace(data.name(), Read(data).look);
+    return read;
+  }();
+  if (const auto at = fixtures.find(name); at != fixtures.end()) return &at->second;
+  const BaseMaterial* base = Find(name);
+  return base != nullptr ? &base->look : nullptr;
 }
 
 Material Shaded(const Material& material, float factor, std::string_view suffix) {
@@ -239,64 +242,5 @@ Palette PaletteOf(const ClassMaterials& look, const v1::Object& object, const v1
   palette.accent = Shaded(palette.soft, 0.55F, "deep");
   return palette;
 }
-
-namespace stuff {
-namespace {
-
-Material See(std::string_view name, unsigned srgb, float opacity) {
-  Material material = PlainMaterial(name, srgb, 0.04F);
-  material.opacity = opacity;
-  return material;
-}
-
-Material Shining(std::string_view name, unsigned srgb, Vec3 emission) {
-  Material material = PlainMaterial(name, srgb, 0.8F);
-  material.emission = emission;
-  return material;
-}
-
-}  // namespace
-
-#define STUFF(function, ...)                       \
-  const Material& function() {                     \
-    static const Material kMaterial = __VA_ARGS__; \
-    return kMaterial;                              \
-  }
-STUFF(White, PlainMaterial("white glaze", 0xF1F1EE, 0.18F))
-STUFF(Black, PlainMaterial("black plastic", 0x232427, 0.4F))
-STUFF(Rubber, PlainMaterial("rubber", 0x2A2A2C, 0.85F))
-STUFF(Steel, PlainMaterial("brushed steel", 0xB6B9BB, 0.32F, 1))
-STUFF(Mirror, PlainMaterial("mirror", 0xE6EBEC, 0.03F, 1))
-STUFF(Glass, See("clear glass", 0xDCEBE9, 0.22F))
-STUFF(Screen, PlainMaterial("dark screen", 0x14161A, 0.08F))
-STUFF(Lit, Shining("lit screen", 0x8FB7D6, {0.32F, 0.46F, 0.58F}))
-STUFF(Shade, Shining("lamp shade", 0xF0E4CC, {0.95F, 0.72F, 0.44F}))
-STUFF(Bulb, Shining("bulb", 0xFFF4DC, {2.6F, 2.0F, 1.3F}))
-STUFF(FlameStuff, Shining("flame", 0xFFB04A, {3.2F, 1.5F, 0.4F}))
-STUFF(Embers, Shining("embers", 0xC8642A, {0.9F, 0.3F, 0.05F}))
-STUFF(Water, See("water", 0x7FB6C4, 0.75F))
-STUFF(Soil, PlainMaterial("soil", 0x3E2E22, 0.98F))
-STUFF(Paper, PlainMaterial("paper", 0xEFE8D6, 0.9F))
-STUFF(Ivory, PlainMaterial("ivory", 0xF3EDDC, 0.25F))
-STUFF(Cork, PlainMaterial("cork", 0xB98A5A, 0.95F))
-#undef STUFF
-
-const Material& Leaf(int tint) {
-  static const std::array<Material, 3> kLeaves{PlainMaterial("leaf", 0x4F7D3C, 0.55F),
-                                               PlainMaterial("light leaf", 0x76A350, 0.55F),
-                                               PlainMaterial("dark leaf", 0x2F5A35, 0.55F)};
-  return kLeaves[static_cast<size_t>(tint % 3)];
-}
-
-const Material& Book(int tint) {
-  static const std::array<Material, 7> kBooks{
-      PlainMaterial("book, red", 0x7F4038, 0.7F),   PlainMaterial("book, blue", 0x465A70, 0.7F),
-      PlainMaterial("book, green", 0x5A6A53, 0.7F), PlainMaterial("book, ochre", 0xB08F5A, 0.7F),
-      PlainMaterial("book, cream", 0xD8CFBC, 0.7F), PlainMaterial("book, brown", 0x5F4A3A, 0.7F),
-      PlainMaterial("book, slate", 0x4A4F57, 0.7F)};
-  return kBooks[static_cast<size_t>(tint % 7)];
-}
-
-}  // namespace stuff
 
 }  // namespace flair::renderer

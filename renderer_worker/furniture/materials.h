@@ -31,8 +31,9 @@ std::vector<const BaseMaterial*> MaterialsInWords(std::string_view text);
 // becomes painted wood.
 Material Coloured(const BaseMaterial& material, Vec3 colour);
 
-// A plain material that no style changes.
-Material PlainMaterial(std::string_view name, unsigned srgb, float roughness, float metallic = 0);
+// A material that no style changes, by its own name: a fixture of materials.textproto or a base material. Null for a
+// name that is none.
+const Material* FixedMaterial(std::string_view name);
 // Linear RGB of 0xRRGGBB.
 Vec3 LinearHex(unsigned srgb);
 // `from` at share 0, `to` at share 1.
@@ -53,28 +54,5 @@ struct Palette {
 
 // Reads the words and the colour of `style` (may be null) and the name of `object`.
 Palette PaletteOf(const ClassMaterials& look, const v1::Object& object, const v1::ObjectStyle* style);
-
-// Materials that no style changes.
-namespace stuff {
-const Material& White();  // glazed ceramic, enamel
-const Material& Black();  // plastic
-const Material& Rubber();
-const Material& Steel();
-const Material& Mirror();
-const Material& Glass();
-const Material& Screen();  // of something switched off
-const Material& Lit();     // of something switched on
-const Material& Shade();   // of a lamp, shining
-const Material& Bulb();
-const Material& FlameStuff();
-const Material& Embers();  // behind a stove's window
-const Material& Water();
-const Material& Leaf(int tint);
-const Material& Soil();
-const Material& Paper();
-const Material& Cork();
-const Material& Book(int tint);
-const Material& Ivory();
-}  // namespace stuff
 
 }  // namespace flair::renderer

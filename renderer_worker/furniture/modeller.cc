@@ -46,26 +46,16 @@ MeshPart Cleaned(const MeshPart& part) {
 
 }  // namespace
 
-Frame Frame::TurnedX(Vec3 origin, float angle_rad) {
-  const float c = std::cos(angle_rad), s = std::sin(angle_rad);
-  return {origin, {1, 0, 0}, {0, c, s}, {0, -s, c}};
-}
-
-Frame Frame::TurnedY(Vec3 origin, float angle_rad) {
-  const float c = std::cos(angle_rad), s = std::sin(angle_rad);
-  return {origin, {c, 0, -s}, {0, 1, 0}, {s, 0, c}};
-}
-
-Frame Frame::TurnedZ(Vec3 origin, float angle_rad) {
-  const float c = std::cos(angle_rad), s = std::sin(angle_rad);
-  return {origin, {c, s, 0}, {-s, c, 0}, {0, 0, 1}};
-}
-
 void Modeller::In(const Frame& frame, const std::function<void()>& body) {
   const Frame outer = frame_;
   frame_ = {Placed(frame.origin), Directed(frame.x), Directed(frame.y), Directed(frame.z)};
   body();
   frame_ = outer;
+}
+
+size_t Modeller::vertex_count() const {
+  return std::accumulate(parts_.begin(), parts_.end(), size_t{0},
+                         [](size_t sum, const MeshPart& part) { return sum + part.positions.size(); });
 }
 
 Vec3 Modeller::Directed(Vec3 direction) const {

@@ -17,10 +17,6 @@ struct Frame {
   Vec3 x{1, 0, 0};
   Vec3 y{0, 1, 0};
   Vec3 z{0, 0, 1};
-  // Turned by this angle, counter-clockwise as seen from the axis' tip.
-  static Frame TurnedX(Vec3 origin, float angle_rad);
-  static Frame TurnedY(Vec3 origin, float angle_rad);
-  static Frame TurnedZ(Vec3 origin, float angle_rad);
 };
 
 // Collects solid shapes into a mesh with one part per material. All lengths in metres. Shapes are closed, wound
@@ -30,6 +26,9 @@ class Modeller {
  public:
   // Everything that `body` adds is put into `frame`, within the frames around it.
   void In(const Frame& frame, const std::function<void()>& body);
+
+  // Of all shapes so far.
+  size_t vertex_count() const;
 
   // Where a point of the frame that is being filled lands.
   Vec3 Placed(Vec3 point) const;
@@ -56,7 +55,6 @@ class Modeller {
   void Ellipsoid(const Material& material, Vec3 centre, Vec3 radii, int sides = 16, int rings = 8);
   // A round bar through the points, with flat ends. `radii` has one entry for all, or one a point.
   void Tube(const Material& material, std::span<const Vec3> path, std::span<const float> radii, int sides = 8);
-  void Bar(const Material& material, Vec3 from, Vec3 to, float radius, int sides = 8);
   void Bar(const Material& material, Vec3 from, Vec3 to, float from_radius, float to_radius, int sides = 8);
   // A closed ring of wire about the z axis of the frame.
   void Hoop(const Material& material, Vec3 centre, float radius, float thickness, int sides = 24);
@@ -102,8 +100,5 @@ class Patch {
 
 // Points (radius, height) of a quarter turn or more, for profiles: around `centre` from one angle to another.
 std::vector<Vec2> ArcPoints(Vec2 centre, float radius_x, float radius_y, float from_rad, float to_rad, int steps);
-// Outlines, counter-clockwise.
-std::vector<Vec2> EllipseOutline(Vec2 centre, float radius_x, float radius_y, int sides);
-std::vector<Vec2> RoundedOutline(Vec2 low, Vec2 high, float radius, int steps = 3);
 
 }  // namespace flair::renderer

@@ -166,7 +166,7 @@ TEST(Modeller, TextureCoordinatesOfABoxAreMetresAlongItsLongestSide) {
 
 TEST(Modeller, FramesNest) {
   Modeller modeller;
-  modeller.In(Frame::TurnedZ({1, 0, 0}, kPiFloat / 2), [&] {
+  modeller.In(Frame{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, [&] {
     modeller.In(Frame{{2, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, [&] {
       const Vec3 at = modeller.Placed({0, 1, 3});
       EXPECT_NEAR(at.x, 0, 1e-5F);
@@ -197,7 +197,7 @@ TEST(Modeller, WhatHasNoVolumeIsLeftOut) {
   Modeller modeller;
   modeller.Box({}, {0, 0, 0}, {1, 1, 0});
   modeller.Cylinder({}, {}, 0, 1);
-  modeller.Bar({}, {1, 1, 1}, {1, 1, 1}, 0.1F);
+  modeller.Bar({}, {1, 1, 1}, {1, 1, 1}, 0.1F, 0.1F);
   modeller.Slab({}, std::array<Vec2, 2>{{{0, 0}, {1, 0}}}, 0, 1);
   modeller.Cushion({}, {0, 0, 0}, {1, 0, 1}, 0.1F);
   EXPECT_TRUE(modeller.Filling(1, 1, 1, {}).parts.empty());

@@ -1,39 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/furniture/procedural_furniture.h"
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <map>
-#include <span>
 #include <utility>
 
 #include "renderer_worker/furniture/classes.h"
-#include "renderer_worker/furniture/piece.h"
 
 namespace flair::renderer {
 namespace {
-
-float Extent(double metres) {
-  const auto value = static_cast<float>(metres);
-  return std::isfinite(value) ? std::clamp(value, kSmallestExtent_m, kLargestExtent_m) : kSmallestExtent_m;
-}
-
-std::string WordsOf(const v1::Object& object, const v1::ObjectStyle* style) {
-  std::string words = object.name() + " | " + object.description();
-  if (style != nullptr) words += " | " + style->material() + " | " + style->description();
-  for (char& c : words) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return words;
-}
-
-// FNV-1a: the same on every machine.
-uint32_t SeedOf(std::string_view class_name, std::string_view name) {
-  uint32_t hash = 2166136261U;
-  for (const std::string_view text : {class_name, name}) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-  }
-  return hash;
-}
 
 // Forgets what nobody holds any more once there is so much of it.
 constexpr size_t kTidyAbove = 512;
@@ -64,41 +37,8 @@ std::string KeyOf(std::string_view class_name, const v1::Object& object, const v
 
 }  // namespace
 
-const PieceMaker* MakerNamed(std::string_view name) {
-  static const auto& makers = *[] {
-    auto* all = new std::map<std::string_view, const PieceMaker*>();
-    for (const std::span<const PieceMaker> family :
-         {BathroomMakers(), BedMakers(), ChairMakers(), ContainerMakers(), CraftMakers(), DecorMakers(), FigureMakers(),
-          HearthMakers(), KitchenMakers(), LampMakers(), MountedMakers(), MusicMakers(), SeatingMakers(), SportMakers(),
-          StorageMakers(), TableMakers(), TextileMakers()}) {
-      for (const PieceMaker& maker : family) all->emplace(maker.name, &maker);
-    }
-    return all;
-  }();
-  const auto at = makers.find(name);
-  return at != makers.end() ? at->second : nullptr;
-}
-
-MadePiece MakePiece(std::string_view class_name, const v1::Object& object, const v1::ObjectStyle* style) {
-  const FurnitureClass& record = ClassNamed(class_name);
-  Piece piece{.w = Extent(object.width_m()),
-              .d = Extent(object.depth_m()),
-              .h = Extent(object.height_m()),
-              .is = PaletteOf(record.materials(), object, style),
-              .words = WordsOf(object, style),
-              .seed = SeedOf(record.name(), object.name()),
-              .make = {},
-              .lights = {}};
-  MakerNamed(record.mesh())->make(piece);
-  std::vector<Vec3> places;
-  for (const LampLight& light : piece.lights) places.push_back(light.position);
-  MadePiece made{piece.make.Filling(piece.w, piece.d, piece.h, places), std::move(piece.lights)};
-  for (size_t i = 0; i < places.size(); ++i) made.lights[i].position = places[i];
-  return made;
-}
-
 Furnishing ProceduralFurniture::FurnishingOf(const v1::Object& object, const v1::ObjectStyle* style,
-                                             std::vector<v1::Diagnostic>& /*diagnostics*/) const {
+                                             std::vector<v1::Diagnostic>& diagnostics) const {
   Furnishing furnishing;
   furnishing.class_name = ClassOf(object);
   const std::string key = KeyOf(furnishing.class_name, object, style);
@@ -109,9 +49,18 @@ Furnishing ProceduralFurniture::FurnishingOf(const v1::Object& object, const v1:
   Made& made = made_[key];
   furnishing.mesh = made.mesh.lock();
   if (furnishing.mesh == nullptr) {
-    MadePiece piece = MakePiece(furnishing.class_name, object, style);
-    furnishing.mesh = std::make_shared<const Mesh>(std::move(piece.mesh));
-    made = {furnishing.mesh, std::move(piece.lights)};
+    absl::StatusOr<MadePiece> piece = MakePiece(furnishing.class_name, object, style);
+    if (!piece.ok()) {
+      v1::Diagnostic& diagnostic = diagnostics.emplace_back();
+      diagnostic.set_severity(v1::SEVERITY_WARNING);
+      diagnostic.set_code("piece_failed");
+      diagnostic.set_message("Shown as a plain block: " + std::string(piece.status().message()));
+      diagnostic.set_subject_id(object.id());
+      furnishing.class_name = "box";
+      piece = MakePiece("box", object, style);
+    }
+    furnishing.mesh = std::make_shared<const Mesh>(piece.ok() ? std::move(piece->mesh) : Mesh());
+    made = {furnishing.mesh, piece.ok() ? std::move(piece->lights) : std::vector<LampLight>()};
   }
   furnishing.lights = made.lights;
   return furnishing;

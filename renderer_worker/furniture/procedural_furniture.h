@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/container/flat_hash_map.h"
+#include "absl/status/statusor.h"
 #include "renderer_worker/scene/furnishing.h"
 
 namespace flair::renderer {
@@ -22,8 +23,13 @@ struct MadePiece {
 };
 
 // The mesh of `object` as a piece of class `class_name` (a box when that is no class), in the look of `style`, which
-// may be null. Equal input gives equal bits.
-MadePiece MakePiece(std::string_view class_name, const v1::Object& object, const v1::ObjectStyle* style);
+// may be null: what the script of pieces/ that its record names makes. Equal input gives equal bits. INVALID_ARGUMENT
+// with file and line when the script fails. Thread-safe.
+absl::StatusOr<MadePiece> MakePiece(std::string_view class_name, const v1::Object& object,
+                                    const v1::ObjectStyle* style);
+
+// Whether pieces/ has a mesh of that name.
+bool HasMesh(std::string_view name);
 
 // Furniture of our own making: a parametric mesh for every class of furniture, in the size of its object and the
 // materials of its style. Equal objects share one mesh as long as somebody holds it.

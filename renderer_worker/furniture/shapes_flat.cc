@@ -262,25 +262,4 @@ std::vector<Vec2> ArcPoints(Vec2 centre, float radius_x, float radius_y, float f
   return points;
 }
 
-std::vector<Vec2> EllipseOutline(Vec2 centre, float radius_x, float radius_y, int sides) {
-  std::vector<Vec2> points = ArcPoints(centre, radius_x, radius_y, 0, 2 * std::numbers::pi_v<float>, sides);
-  points.pop_back();
-  return points;
-}
-
-std::vector<Vec2> RoundedOutline(Vec2 low, Vec2 high, float radius, int steps) {
-  constexpr float kQuarter = std::numbers::pi_v<float> / 2;
-  radius = std::min(radius, 0.499F * std::min(high.x - low.x, high.y - low.y));
-  std::vector<Vec2> points;
-  const std::array<Vec2, 4> centres{{{high.x - radius, low.y + radius},
-                                     {high.x - radius, high.y - radius},
-                                     {low.x + radius, high.y - radius},
-                                     {low.x + radius, low.y + radius}}};
-  for (size_t i = 0; i < 4; ++i) {
-    const float from = kQuarter * (static_cast<float>(i) - 1);
-    for (const Vec2& p : ArcPoints(centres[i], radius, radius, from, from + kQuarter, steps)) points.push_back(p);
-  }
-  return points;
-}
-
 }  // namespace flair::renderer

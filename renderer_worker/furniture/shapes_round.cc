@@ -112,7 +112,8 @@ void Modeller::Ellipsoid(const Material& material, Vec3 centre, Vec3 radii, int 
 }
 
 void Modeller::Hoop(const Material& material, Vec3 centre, float radius, float thickness, int sides) {
-  std::vector<Vec2> profile = EllipseOutline({radius, 0}, thickness / 2, thickness / 2, 6);
+  std::vector<Vec2> profile = ArcPoints({radius, 0}, thickness / 2, thickness / 2, 0, 2 * kPiFloat, 6);
+  profile.pop_back();
   Ring(material, centre, profile, sides);
 }
 
@@ -152,10 +153,6 @@ void Modeller::Tube(const Material& material, std::span<const Vec3> path, std::s
     if (i + 1 == count) cap(i, tangent, ring);
     last = now;
   }
-}
-
-void Modeller::Bar(const Material& material, Vec3 from, Vec3 to, float radius, int sides) {
-  Bar(material, from, to, radius, radius, sides);
 }
 
 void Modeller::Bar(const Material& material, Vec3 from, Vec3 to, float from_radius, float to_radius, int sides) {

@@ -11,7 +11,7 @@
 
 #include "renderer_worker/gltf/pattern_image.h"
 #include "renderer_worker/gltf/testing/make_glb.h"
-#include "renderer_worker/gltf/write_mesh_glb.h"
+#include "renderer_worker/gltf/write_glb.h"
 
 namespace flair::renderer {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
+#include "renderer_worker/scene/mesh.h"
 #include "renderer_worker/scene/scene.h"
 
 namespace flair::renderer {
@@ -29,5 +30,10 @@ inline constexpr double kLightScale = 0.01;
 // the same bytes. Thread-safe. INVALID_ARGUMENT: a placement that is not finite; INTERNAL: a mesh that is not sound;
 // RESOURCE_EXHAUSTED: more than the 4 GiB that the format can hold.
 absl::StatusOr<std::string> WriteGlb(const Scene& scene, const GlbMetadata& metadata);
+
+// Writes one piece of furniture (object frame O) as binary glTF 2.0 as assets are: a single node without a transform,
+// metres, y up, its front along +z. The same mesh gives the same bytes. Thread-safe.
+// INTERNAL: a mesh that is not sound or has no triangles, a name that is no UTF-8.
+absl::StatusOr<std::string> WriteMeshGlb(const Mesh& mesh, const std::string& name);
 
 }  // namespace flair::renderer

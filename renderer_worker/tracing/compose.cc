@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "renderer_worker/tracing/lighting.h"
-#include "renderer_worker/tracing/parallel.h"
 #include "renderer_worker/tracing/plane.h"
 #include "renderer_worker/tracing/sampling.h"
 #include "renderer_worker/tracing/trace_view.h"
+#include "worker_runtime/executor/parallel.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
@@ -74,7 +74,7 @@ class Composer {
         view_(view),
         bare_ground_(setting.surroundings.open ? BareGroundLight(setting.lights) : 1) {}
 
-  absl::Status Expose(const Workers& workers);
+  absl::Status Expose(const runtime::Workers& workers);
   void Row(int y, std::span<Vec3> colour) const;
 
  private:
@@ -99,13 +99,13 @@ class Composer {
 };
 
 // Means by row, then over rows, so that the order of the sum is always the same.
-absl::Status Composer::Expose(const Workers& workers) {
+absl::Status Composer::Expose(const runtime::Workers& workers) {
   struct Sums {
     double red = 0, green = 0, blue = 0, albedo = 0, count = 0;
   };
   const LightGrid& grid = frame_.indirect;
   std::vector<Sums> rows(grid.height);
-  absl::Status status = ForEach(workers, grid.height, [&](int y) {
+  absl::Status status = runtime::ForEach(workers, grid.height, [&](int y) {
     for (int x = 0; x < grid.width; ++x) {
       const size_t at = static_cast<size_t>(y) * grid.width + x;
       if (grid.guides[kInstance][at] < 0) continue;
@@ -259,13 +259,13 @@ void Composer::Row(int y, std::span<Vec3> colour) const {
 
 }  // namespace
 
-absl::Status ComposeColour(const Setting& setting, const SampleSeeds& seeds, const Frame& frame, const Workers& workers,
-                           TracedView& view) {
+absl::Status ComposeColour(const Setting& setting, const SampleSeeds& seeds, const Frame& frame,
+                           const runtime::Workers& workers, TracedView& view) {
   Composer composer(setting, seeds, frame, view);
   RETURN_IF_ERROR(composer.Expose(workers));
   view.colour.resize(frame.direct.size());
   const size_t width = static_cast<size_t>(view.width_px);
-  return ForEach(workers, view.height_px, [&](int y) {
+  return runtime::ForEach(workers, view.height_px, [&](int y) {
     composer.Row(y, std::span(view.colour).subspan(static_cast<size_t>(y) * width, width));
   });
 }
@@ -312,7 +312,7 @@ Pixels ToneMapped(const TracedView& view, int thread_count) {
   Pixels pixels{view.width_px, view.height_px, {}};
   pixels.rgb.resize(3 * view.colour.size());
   const auto& table = SrgbTable();
-  const absl::Status status = ForEach({thread_count, {}}, view.height_px, [&](int y) {
+  const absl::Status status = runtime::ForEach({thread_count, {}}, view.height_px, [&](int y) {
     const size_t row = static_cast<size_t>(y) * view.width_px;
     for (size_t i = row; i < row + view.width_px; ++i) {
       const Vec3 c = Filmic(view.colour[i]);

@@ -225,29 +225,30 @@ void SmoothGlossRow(const LightGrid& grid, const Planes& from, int y, int step, 
 
 }  // namespace
 
-absl::Status SpreadSparks(const Workers& workers, LightGrid& grid, Planes& scratch) {
+absl::Status SpreadSparks(const runtime::Workers& workers, LightGrid& grid, Planes& scratch) {
   Plane<float> share(grid.size());
-  absl::Status status = ForEach(workers, grid.height, [&](int y) { FindSparks(grid, y, share.data()); });
+  absl::Status status = runtime::ForEach(workers, grid.height, [&](int y) { FindSparks(grid, y, share.data()); });
   if (!status.ok()) return status;
-  status = ForEach(workers, grid.height, [&](int y) { SpreadRow(grid, share.data(), y, scratch); });
+  status = runtime::ForEach(workers, grid.height, [&](int y) { SpreadRow(grid, share.data(), y, scratch); });
   std::swap(grid.light, scratch);
   return status;
 }
 
-absl::Status SmoothLight(const Workers& workers, int round_count, LightGrid& grid, Planes& scratch) {
+absl::Status SmoothLight(const runtime::Workers& workers, int round_count, LightGrid& grid, Planes& scratch) {
   absl::Status status;
   for (int round = 0; round < round_count && status.ok(); ++round) {
-    status = ForEach(workers, grid.height, [&](int y) { SmoothLightRow(grid, grid.light, y, 1 << round, scratch); });
+    status = runtime::ForEach(workers, grid.height,
+                              [&](int y) { SmoothLightRow(grid, grid.light, y, 1 << round, scratch); });
     std::swap(grid.light, scratch);
   }
   return status;
 }
 
-absl::Status SmoothGloss(const Workers& workers, int round_count, const LightGrid& grid, Planes& gloss) {
+absl::Status SmoothGloss(const runtime::Workers& workers, int round_count, const LightGrid& grid, Planes& gloss) {
   Planes to(3, grid.size());
   absl::Status status;
   for (int round = 0; round < round_count && status.ok(); ++round) {
-    status = ForEach(workers, grid.height, [&](int y) { SmoothGlossRow(grid, gloss, y, 1 << round, to); });
+    status = runtime::ForEach(workers, grid.height, [&](int y) { SmoothGlossRow(grid, gloss, y, 1 << round, to); });
     std::swap(gloss, to);
   }
   return status;

@@ -3,7 +3,7 @@
 
 #include "absl/status/status.h"
 #include "renderer_worker/tracing/frame.h"
-#include "renderer_worker/tracing/parallel.h"
+#include "worker_runtime/executor/parallel.h"
 
 namespace flair::renderer {
 
@@ -11,14 +11,14 @@ namespace flair::renderer {
 
 // Points that are much brighter than all their neighbours of one instance, but for one, share their light with them:
 // few samples found what all others missed, and smoothing would take it for something real. No light is lost.
-absl::Status SpreadSparks(const Workers& workers, LightGrid& grid, Planes& scratch);
+absl::Status SpreadSparks(const runtime::Workers& workers, LightGrid& grid, Planes& scratch);
 
 // Smooths the light of a grid, not its surfaces: an edge-stopping a-trous wavelet (Dammertz et al. 2010) in
 // `round_count` rounds, steered by instance, normal, plane and, as in SVGF (Schied et al. 2017), by how much of a
 // difference noise accounts for.
-absl::Status SmoothLight(const Workers& workers, int round_count, LightGrid& grid, Planes& scratch);
+absl::Status SmoothLight(const runtime::Workers& workers, int round_count, LightGrid& grid, Planes& scratch);
 
 // Smooths what the surfaces at the points of `grid` mirror; only their edges stop it.
-absl::Status SmoothGloss(const Workers& workers, int round_count, const LightGrid& grid, Planes& gloss);
+absl::Status SmoothGloss(const runtime::Workers& workers, int round_count, const LightGrid& grid, Planes& gloss);
 
 }  // namespace flair::renderer

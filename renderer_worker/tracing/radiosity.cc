@@ -207,7 +207,7 @@ void Radiosity::Average(const std::vector<SurfacePoint>& points, const std::vect
 
 absl::StatusOr<std::unique_ptr<Radiosity>> Radiosity::Solve(const World& world, const Lights& lights,
                                                             const std::vector<SurfacePoint>& points,
-                                                            const Workers& workers) {
+                                                            const runtime::Workers& workers) {
   auto result = std::make_unique<Radiosity>();
   const std::vector<int> cell_of = result->AssignCells(points, world.instances().size());
   std::vector<Vec3> direct(points.size());
@@ -236,7 +236,7 @@ absl::StatusOr<std::unique_ptr<Radiosity>> Radiosity::Solve(const World& world, 
     direct[i] = direct[i] + sky * (1.0F / kRaysPerPoint);
   };
   const int tasks = static_cast<int>((points.size() + kPointsPerTask - 1) / kPointsPerTask);
-  RETURN_IF_ERROR(ForEach(workers, tasks, [&](int task) {
+  RETURN_IF_ERROR(runtime::ForEach(workers, tasks, [&](int task) {
     const size_t end = std::min(points.size(), static_cast<size_t>(task + 1) * kPointsPerTask);
     for (size_t i = static_cast<size_t>(task) * kPointsPerTask; i < end; ++i) gather(i);
   }));

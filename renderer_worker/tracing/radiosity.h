@@ -9,8 +9,8 @@
 #include "absl/status/statusor.h"
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/tracing/lights.h"
-#include "renderer_worker/tracing/parallel.h"
 #include "renderer_worker/tracing/world.h"
+#include "worker_runtime/executor/parallel.h"
 
 namespace flair::renderer {
 
@@ -49,7 +49,7 @@ class Radiosity {
   // What the workers' check_alive says when it is not well.
   static absl::StatusOr<std::unique_ptr<Radiosity>> Solve(const World& world, const Lights& lights,
                                                           const std::vector<SurfacePoint>& points,
-                                                          const Workers& workers);
+                                                          const runtime::Workers& workers);
 
   // What falls on the surface of `instance` about `position` on the side of `normal`.
   Vec3 IrradianceAt(int instance, Vec3 position, Vec3 normal) const;

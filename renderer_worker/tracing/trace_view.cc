@@ -260,7 +260,7 @@ void Resize(const TraceOptions& options, TracedView& view) {
   view.object_class.resize(count);
 }
 
-absl::Status Smooth(const Workers& workers, Frame& frame) {
+absl::Status Smooth(const runtime::Workers& workers, Frame& frame) {
   absl::Status status;
   {
     Planes scratch(kLightCount, frame.direct.size());
@@ -278,7 +278,7 @@ absl::Status Smooth(const Workers& workers, Frame& frame) {
 absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_camera, const TraceOptions& options) {
   ASSIGN_OR_RETURN(RoomShape shape, ShapeOf(scene.layout->graph().room()));
   ASSIGN_OR_RETURN(PinholeCamera camera, PinholeCamera::Make(scene_camera, options.width_px, options.height_px));
-  const Workers workers{options.thread_count, options.check_alive};
+  const runtime::Workers workers{options.thread_count, options.check_alive};
   if (workers.check_alive) {
     RETURN_IF_ERROR(workers.check_alive());
   }
@@ -300,8 +300,9 @@ absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_ca
   Frame frame(options.width_px, options.height_px);
   const int rounds = (options.sample_count + 3) / 4;
   const SampleSeeds seeds(Mix(static_cast<uint32_t>(options.seed) ^ Mix(static_cast<uint32_t>(options.seed >> 32))));
-  absl::Status status = ForEach(workers, (options.height_px + kTileHeight - 1) / kTileHeight,
-                                [&](int i) { TraceRows(setting, seeds, rounds, i * kTileHeight, frame, view); });
+  absl::Status status = runtime::ForEach(workers, (options.height_px + kTileHeight - 1) / kTileHeight, [&](int i) {
+    TraceRows(setting, seeds, rounds, i * kTileHeight, frame, view);
+  });
   if (status.ok()) status = Smooth(workers, frame);
   if (status.ok()) status = ComposeColour(setting, seeds, frame, workers, view);
   if (!status.ok()) return status;

@@ -5,12 +5,16 @@
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 
+#include "flair/rules/v1/rules.pb.h"
 #include "flair/v1/language_service.pb.h"
 #include "flair/v1/orchestrator_service.pb.h"
+#include "flair/v1/translator_service.pb.h"
 #include "tests/fixtures/bedroom.h"
 
 namespace flair {
@@ -223,6 +227,22 @@ TEST(ValidateOptions, UnsetFieldsAreDefaultsAndSetOnesAreInRange) {
   v1::RenderOptions render;
   render.set_size_px(100);
   EXPECT_EQ(Text(Validate(render)), "options.size_px: 100 is outside [256, 8192]");
+}
+
+TEST(Rules, AreAboutFieldsThatExist) {
+  std::ifstream file(std::string(FLAIR_SOURCE_DIR) + "/room/validation/rules.textproto");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  rules::v1::Rules rules;
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &rules));
+  // The linker takes the descriptors of what is used only.
+  EXPECT_FALSE(v1::TranslateRequest::descriptor() == nullptr || v1::DescribeRoomRequest::descriptor() == nullptr);
+  EXPECT_GT(rules.rules_size(), 80);
+  for (const rules::v1::Rule& rule : rules.rules()) {
+    for (const std::string& field : rule.fields()) {
+      const auto* pool = google::protobuf::DescriptorPool::generated_pool();
+      EXPECT_NE(pool->FindFieldByName("flair.v1." + field), nullptr) << field;
+    }
+  }
 }
 
 TEST(ValidateRequests, PathsBeginWithTheField) {

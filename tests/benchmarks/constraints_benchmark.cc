@@ -22,7 +22,7 @@ struct Bound {
 Bound BindExample(const ConstraintFacts& facts, const LayoutExample& example) {
   const absl::StatusOr<SceneText> text = ParseScene(example.scene);
   absl::StatusOr<std::unique_ptr<Cost>> cost =
-      Bind(EdgeFromText(facts.name, example.call), {text->scene, text->zone_centers});
+      Bind(EdgeFromText(facts.name(), example.call), {text->scene, text->zone_centers});
   Bound bound{std::shared_ptr<Cost>(*std::move(cost)), {}};
   for (int i : bound.cost->objects()) bound.poses.push_back(text->layout[static_cast<size_t>(i)]);
   return bound;
@@ -45,8 +45,8 @@ const bool kRegistered = [] {
     for (const LayoutExample& example : facts.layouts) {
       if (example.satisfied) continue;
       const Bound bound = BindExample(facts, example);
-      benchmark::RegisterBenchmark((facts.name + "/value").c_str(), RunValue, bound);
-      benchmark::RegisterBenchmark((facts.name + "/gradient").c_str(), RunGradient, bound);
+      benchmark::RegisterBenchmark((facts.name() + "/value").c_str(), RunValue, bound);
+      benchmark::RegisterBenchmark((facts.name() + "/gradient").c_str(), RunGradient, bound);
       break;
     }
   }

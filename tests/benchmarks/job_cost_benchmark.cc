@@ -7,6 +7,7 @@
 #include <google/protobuf/text_format.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -16,8 +17,9 @@
 #include <string>
 
 #include "flair/v1/orchestrator_service.grpc.pb.h"
+#include "optimizer_worker/constraints/registry.h"
+#include "orchestrator/pipeline/stage_clients.h"
 #include "orchestrator/testing/fake_workers.h"
-#include "tests/benchmarks/recorded_stages.h"
 #include "tests/fixtures/nats_server.h"
 #include "tests/fixtures/programs.h"
 #include "worker_runtime/grpc/channel.h"
@@ -30,6 +32,93 @@ enum class Setting { kMemory, kDisk, kJetStream };
 
 constexpr int kWarmUpJobs = 50;
 constexpr int kJobs = 500;
+
+std::string ReadRecorded(const char* name) {
+  const char* folder = std::getenv("FLAIR_BENCH_DESIGN");
+  const std::string path = std::string(folder == nullptr ? "out" : folder) + "/" + name;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    std::fprintf(stderr, "%s: cannot be read; FLAIR_BENCH_DESIGN is to be a folder that `flair design` wrote\n",
+                 path.c_str());
+    std::exit(2);
+  }
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Answers at once, as the workers of the room in $FLAIR_BENCH_DESIGN, else in "out": layout.pb and plan.png, as
+// `flair design` writes them.
+class RecordedStages final : public StageClients {
+ public:
+  RecordedStages() {
+    v1::Artifact artifact;
+    artifact.ParseFromString(ReadRecorded("layout.pb"));
+    layout_ = artifact.solved_layout();
+    graph_ = layout_.graph();
+    preview_.set_view(v1::PREVIEW_VIEW_PLAN);
+    preview_.set_format(v1::PREVIEW_FORMAT_PNG);
+    preview_.set_width_px(1600);
+    preview_.set_height_px(1200);
+    preview_.set_image(ReadRecorded("plan.png"));
+  }
+
+  absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest&, Call&) override {
+    return With(&v1::DescribeRoomResponse::mutable_room, graph_.room());
+  }
+  absl::StatusOr<v1::PlanZonesResponse> PlanZones(const v1::PlanZonesRequest&, Call&) override {
+    return With(&v1::PlanZonesResponse::mutable_zone_plan, graph_.zone_plan());
+  }
+  absl::StatusOr<v1::ListObjectsResponse> ListObjects(const v1::ListObjectsRequest&, Call&) override {
+    return With(&v1::ListObjectsResponse::mutable_object_list, graph_.object_list());
+  }
+  absl::StatusOr<v1::ChooseStyleResponse> ChooseStyle(const v1::ChooseStyleRequest&, Call&) override {
+    return With(&v1::ChooseStyleResponse::mutable_style_sheet, graph_.style_sheet());
+  }
+  absl::StatusOr<v1::ListConstraintsResponse> ListConstraints(const v1::ListConstraintsRequest&, Call&) override {
+    return With(&v1::ListConstraintsResponse::mutable_constraint_list, graph_.constraint_list());
+  }
+  absl::StatusOr<v1::CleanConstraintsResponse> CleanConstraints(const v1::CleanConstraintsRequest&, Call&) override {
+    return With(&v1::CleanConstraintsResponse::mutable_constraint_list, graph_.constraint_list());
+  }
+  absl::StatusOr<v1::TranslateResponse> Translate(const v1::TranslateRequest&, Call&) override {
+    return With(&v1::TranslateResponse::mutable_layout_graph, graph_);
+  }
+  absl::StatusOr<v1::ListConstraintTypesResponse> ListConstraintTypes(const v1::ListConstraintTypesRequest&,
+                                                                      Call&) override {
+    return With(&v1::ListConstraintTypesResponse::mutable_catalog, catalog_);
+  }
+  absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest&, Call&) override {
+    return With(&v1::SolveResponse::mutable_solved_layout, layout_);
+  }
+  absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest&, Call&) override {
+    v1::EvaluateResponse response = With(&v1::EvaluateResponse::mutable_metrics, layout_.metrics());
+    *response.mutable_edge_outcomes() = layout_.edge_outcomes();
+    return response;
+  }
+  absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest&, Call&) override {
+    return With(&v1::RenderResponse::mutable_preview, preview_);
+  }
+  absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind, Call&) override { return "1"; }
+
+ private:
+  template <typename Response, typename Part>
+  static Response With(Part* (Response::*part)(), const Part& value) {
+    Response response;
+    *(response.*part)() = value;
+    return response;
+  }
+
+  v1::SolvedLayout layout_;
+  v1::LayoutGraph graph_;
+  v1::Preview preview_;
+  const v1::ConstraintCatalog catalog_ = optimizer::MakeCatalog();
+};
+
+// The brief of a room that no other number has.
+v1::JobSpec SpecOf(int64_t number) {
+  v1::JobSpec spec;
+  spec.mutable_brief()->set_text("Room " + std::to_string(number));
+  return spec;
+}
 
 struct CpuTime {
   double user_s = 0;

@@ -65,7 +65,7 @@ TEST_F(RenderCommand, ADesignMayHaveViewsBesideItsPlan) {
   EXPECT_FALSE(fs::exists(folder_ / "design" / "perspective.png"));
   const Finished bad = Flair({"design", "A bedroom.", "--view", "below", "--out", folder_ / "bad"});
   EXPECT_EQ(bad.exit_code, cli::kExitBadInput);
-  EXPECT_THAT(bad.err, HasSubstr("--view: below: is no view"));
+  EXPECT_THAT(bad.err, HasSubstr("--view: below: should be plan, birdseye or perspective"));
 }
 
 TEST_F(RenderCommand, MeshesOfASceneStateLieWhereItsReadersLook) {
@@ -247,9 +247,15 @@ const Bad kBad[] = {
     {"UnknownEnding", {"render", "LAYOUT", "--out", "OUT.webp"}, 2, "its ending says the format"},
     {"PlanAsExr", {"render", "LAYOUT", "--out", "OUT.exr"}, 2, "EXR is for the ray-traced views"},
     {"ViewAsSvg", {"render", "LAYOUT", "--view", "birdseye", "--out", "OUT.svg"}, 2, "SVG is for plans"},
-    {"UnknownView", {"render", "LAYOUT", "--view", "top", "--out", "OUT.png"}, 2, "--view: top: is no view"},
+    {"UnknownView",
+     {"render", "LAYOUT", "--view", "top", "--out", "OUT.png"},
+     2,
+     "--view: top: should be plan, birdseye or perspective"},
     {"SizeOfWords", {"render", "LAYOUT", "--size", "big", "--out", "OUT.png"}, 2, "--size"},
-    {"SizeTooSmall", {"render", "LAYOUT", "--size", "10", "--out", "OUT.png"}, 2, "--size: 10 is outside [256, 8192]"},
+    {"SizeTooSmall",
+     {"render", "LAYOUT", "--size", "10", "--out", "OUT.png"},
+     2,
+     "--size: 10: expected a whole number, 256 to 8192"},
     {"DpiAndSize", {"render", "LAYOUT", "--size", "800", "--dpi", "90", "--out", "OUT.png"}, 2, "one of them"},
     {"ScaleThatDoesNotFit", {"render", "LAYOUT", "--scale", "1:5", "--paper", "a4", "--out", "OUT.pdf"}, 2, "scale"},
     {"CameraAlone",
@@ -259,7 +265,7 @@ const Bad kBad[] = {
     {"CameraOfNan",
      {"render", "LAYOUT", "--view", "birdseye", "--camera", "nan,1,4", "--look-at", "1,2,0", "--out", "OUT.png"},
      2,
-     "--camera[0]: nan is no number"},
+     "--camera: nan,1,4: should be several, with commas between, of: a number"},
     {"SamplesOfZero",
      {"render", "LAYOUT", "--view", "birdseye", "--samples", "0", "--out", "OUT.png"},
      2,

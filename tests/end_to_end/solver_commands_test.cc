@@ -68,7 +68,7 @@ TEST_F(SolverCommands, SolveWritesTheLayoutsItLists) {
       Good({"solve", Path("graph.pb"), "--out", Path("layout.pb"), "--stats", "--variants", "3", "--seed", "1"});
   EXPECT_THAT(run.err, StartsWith(Path("layout.pb") + ": 9 objects placed; "));
   EXPECT_THAT(run.err, HasSubstr("next       flair render " + Path("layout.pb")));
-  for (const char* title : {"stage ", "term of the room ", "out of bounds (OOB)", "pathway cost", "layout "}) {
+  for (const char* title : {"stage ", "TERMS OF THE WHOLE ROOM", "measures   OOB ", "pathway cost", "layout "}) {
     EXPECT_THAT(run.out, HasSubstr(title));
   }
   std::set<std::string> different;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A step of the language or translation phase whose model answers with the bytes.
-#include <array>
+#include <google/protobuf/text_format.h>
+
 #include <string>
 
 #include "flair/v1/translator_service.pb.h"
@@ -28,10 +29,10 @@ Answers Split(std::string_view bytes) {
   return {std::string(bytes.substr(0, at)), std::string(bytes.substr(at + kBetween.size()))};
 }
 
-// Nothing but a model's failure may come of a model's answer.
-template <typename Response>
-void CheckEnd(const absl::StatusOr<Response>& response) {
-  if (response.ok()) return;
+// A failure of the model, or a valid part: nothing else may come of a model's answer.
+template <typename Response, typename Part>
+void CheckEnd(const absl::StatusOr<Response>& response, const Part& (Response::*part)() const) {
+  if (response.ok()) return Require(Validate(((*response).*part)()).ok(), "what an answer was made into is valid");
   Require(absl::IsDataLoss(response.status()), "a useless answer is DATA_LOSS, not " + response.status().ToString());
   Require(!response.status().message().empty(), "a failure says why");
 }
@@ -60,62 +61,27 @@ class Session {
   language::ModelSession session_;
 };
 
-void Room(const Answers& answers) {
-  const auto response = Session("room", answers, Known::kNothing)->DescribeRoom();
-  CheckEnd(response);
-  if (response.ok()) Require(Validate(response->room()).ok(), "the room is valid");
-}
-
-void Zones(const Answers& answers) {
-  const auto response = Session("zones", answers, Known::kRoom)->PlanZones();
-  CheckEnd(response);
-  if (response.ok()) Require(Validate(response->zone_plan()).ok(), "the zones are valid");
-}
-
 void Objects(const std::string& step, const Answers& answers) {
-  const auto response = Session(step, answers, Known::kZones)->ListObjects();
-  CheckEnd(response);
-  if (response.ok()) Require(Validate(response->object_list()).ok(), "the objects are valid");
-}
-
-void Style(const Answers& answers) {
-  const auto response = Session("style", answers, Known::kObjects)->ChooseStyle();
-  CheckEnd(response);
-  if (response.ok()) Require(Validate(response->style_sheet()).ok(), "the style is valid");
+  CheckEnd(Session(step, answers, Known::kZones)->ListObjects(), &v1::ListObjectsResponse::object_list);
 }
 
 void Constraints(const std::string& step, const Answers& answers) {
-  const auto response = Session(step, answers, Known::kObjects)->ListConstraints();
-  CheckEnd(response);
-  if (response.ok()) Require(Validate(response->constraint_list()).ok(), "the sentences are valid");
+  CheckEnd(Session(step, answers, Known::kObjects)->ListConstraints(), &v1::ListConstraintsResponse::constraint_list);
 }
 
-void Cleaning(const Answers& answers) {
-  const auto response = Session("cleaning", answers, Known::kConstraints)->CleanConstraints();
-  CheckEnd(response);
-  if (response.ok()) Require(Validate(response->constraint_list()).ok(), "the cleaned sentences are valid");
-}
-
-v1::ConstraintCatalog SmallCatalog() {
-  v1::ConstraintCatalog catalog;
-  catalog.set_library("fuzz 1");
-  v1::ConstraintType& wall = *catalog.add_types();
-  wall.set_name("against_wall");
-  wall.set_family("wall");
-  const std::pair<const char*, v1::ParameterKind> parameters[] = {
-      {"object", v1::PARAMETER_KIND_OBJECT}, {"others", v1::PARAMETER_KIND_OBJECTS},
-      {"side", v1::PARAMETER_KIND_SIDE},     {"sides", v1::PARAMETER_KIND_SIDES},
-      {"wall", v1::PARAMETER_KIND_WALL},     {"gap_m", v1::PARAMETER_KIND_NUMBER},
-      {"strict", v1::PARAMETER_KIND_BOOLEAN}};
-  for (const auto& [name, kind] : parameters) {
-    v1::ParameterSpec& parameter = *wall.add_parameters();
-    parameter.set_name(name);
-    parameter.set_kind(kind);
-    parameter.set_required(parameter.name() == "object");
-    if (kind == v1::PARAMETER_KIND_NUMBER) parameter.set_unit("m");
-  }
-  return catalog;
-}
+constexpr char kSmallCatalog[] = R"pb(
+  library: "fuzz 1"
+  types {
+    name: "against_wall"
+    family: "wall"
+    parameters { name: "object" kind: PARAMETER_KIND_OBJECT required: true }
+    parameters { name: "others" kind: PARAMETER_KIND_OBJECTS }
+    parameters { name: "side" kind: PARAMETER_KIND_SIDE }
+    parameters { name: "sides" kind: PARAMETER_KIND_SIDES }
+    parameters { name: "wall" kind: PARAMETER_KIND_WALL }
+    parameters { name: "gap_m" kind: PARAMETER_KIND_NUMBER unit: "m" }
+    parameters { name: "strict" kind: PARAMETER_KIND_BOOLEAN }
+  })pb";
 
 void Translation(const Answers& answers) {
   static const v1::TranslateRequest request = [] {
@@ -124,7 +90,8 @@ void Translation(const Answers& answers) {
     *made.mutable_zone_plan() = testing::BedroomZones();
     for (const char* id : {"bed", "bed_2"}) *made.mutable_object_list()->add_objects() = testing::BedroomBed(id);
     *made.mutable_constraint_list()->add_sentences() = testing::BedroomSentence();
-    *made.mutable_catalog() = SmallCatalog();
+    Require(google::protobuf::TextFormat::ParseFromString(kSmallCatalog, made.mutable_catalog()),
+            "the catalogue parses");
     return made;
   }();
   auto* model = new llm::FakeLlmClient();
@@ -135,8 +102,7 @@ void Translation(const Answers& answers) {
   Require(translator.ok(), "the installed prompts are good");
   runtime::CallContext call;
   const auto response = (*translator)->Translate(request, call);
-  CheckEnd(response);
-  if (response.ok()) Require(Validate(response->layout_graph()).ok(), "the graph is valid");
+  CheckEnd(response, &v1::TranslateResponse::layout_graph);
 }
 
 }  // namespace
@@ -146,21 +112,22 @@ void ModelStep(std::string_view bytes) {
   const Answers answers = Split(bytes.substr(1));
   switch (static_cast<unsigned char>(bytes.front()) % 9) {
     case 0:
-      return Room(answers);
+      return CheckEnd(Session("room", answers, Known::kNothing)->DescribeRoom(), &v1::DescribeRoomResponse::room);
     case 1:
-      return Zones(answers);
+      return CheckEnd(Session("zones", answers, Known::kRoom)->PlanZones(), &v1::PlanZonesResponse::zone_plan);
     case 2:
       return Objects("objects.floor", answers);
     case 3:
       return Objects("objects.tertiary", answers);
     case 4:
-      return Style(answers);
+      return CheckEnd(Session("style", answers, Known::kObjects)->ChooseStyle(), &v1::ChooseStyleResponse::style_sheet);
     case 5:
       return Constraints("constraints.intra", answers);
     case 6:
       return Constraints("constraints.inter", answers);
     case 7:
-      return Cleaning(answers);
+      return CheckEnd(Session("cleaning", answers, Known::kConstraints)->CleanConstraints(),
+                      &v1::CleanConstraintsResponse::constraint_list);
     default:
       return Translation(answers);
   }

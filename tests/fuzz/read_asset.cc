@@ -8,7 +8,7 @@
 #include "renderer_worker/assets/asset_furniture.h"
 #include "renderer_worker/assets/asset_index.h"
 #include "renderer_worker/assets/manifest.h"
-#include "renderer_worker/gltf/write_mesh_glb.h"
+#include "renderer_worker/gltf/write_glb.h"
 #include "tests/fuzz/targets.h"
 
 namespace flair::fuzz {

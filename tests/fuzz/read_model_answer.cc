@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a language model, or whoever passes for one, may answer: every type of answer, in metres or another unit; and
-// records of answers. answer_promises.h has what must hold.
+// records of answers. What must hold comes first.
+#include <google/protobuf/util/json_util.h>
+#include <google/protobuf/util/message_differencer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,15 +16,154 @@
 #include "flair/model/v1/object_answers.pb.h"
 #include "flair/model/v1/room_answers.pb.h"
 #include "flair/model/v1/style_answers.pb.h"
+#include "llm/answers/field_facts.h"
 #include "llm/answers/read_answer.h"
-#include "llm/wrappers/answer_folder.h"
-#include "tests/fuzz/answer_promises.h"
+#include "llm/answers/utf8.h"
+#include "llm/wrappers/folder_llm_clients.h"
 #include "tests/fuzz/targets.h"
 
 namespace flair::fuzz {
 namespace {
 
+using google::protobuf::Descriptor;
+using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
+
+constexpr int kMostItems = 1000;
+constexpr int kMostCharacters = 400;
+constexpr size_t kLongestFault = 3000;
+
+// Without control characters, and UTF-8.
+bool IsPlainLine(std::string_view text) {
+  return std::ranges::none_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }) && llm::ToUtf8(text) == text;
+}
+
+int Characters(std::string_view text) {
+  return static_cast<int>(std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// The field that a path leads to, such as "objects[3].width_m"; null for none.
+const FieldDescriptor* FieldAt(std::string_view path, const Descriptor& type) {
+  const Descriptor* message = &type;
+  const FieldDescriptor* field = nullptr;
+  while (!path.empty()) {
+    const std::string_view step = path.substr(0, path.find('.'));
+    path.remove_prefix(std::min(step.size() + 1, path.size()));
+    if (message == nullptr) return nullptr;
+    field = message->FindFieldByName(std::string(step.substr(0, step.find('['))));
+    if (field == nullptr || (step.find('[') != std::string_view::npos && !field->is_repeated())) return nullptr;
+    message = field->message_type();
+  }
+  return field;
+}
+
+bool IsPath(std::string_view path, const Descriptor& type) { return path.empty() || FieldAt(path, type) != nullptr; }
+
+// Calls `see` with the message and all messages in it.
+void ForAll(const Message& message, const std::function<void(const Message&)>& see) {
+  see(message);
+  const google::protobuf::Reflection& reflection = *message.GetReflection();
+  for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
+    const FieldDescriptor* const field = message.GetDescriptor()->field(i);
+    if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE || !field->is_repeated()) continue;
+    for (int item = 0; item < reflection.FieldSize(message, field); ++item) {
+      ForAll(reflection.GetRepeatedMessage(message, field, item), see);
+    }
+  }
+}
+
+void CheckNumber(double number, const FieldDescriptor& field) {
+  const llm::NumberRange range = llm::RangeOf(field);
+  Require(std::isfinite(number) && number >= range.least && number <= range.most,
+          field.full_name() + " is finite and in its range");
+}
+
+void CheckText(const std::string& text, const FieldDescriptor& field, const llm::FieldChoices& choices) {
+  const model::v1::FieldFacts& facts = llm::FactsOf(field);
+  Require(IsPlainLine(text), field.full_name() + " is one line of text");
+  if (!facts.notation()) Require(!text.empty(), field.full_name() + " says something");
+  if (const auto texts = llm::TextsOf(field, choices)) {
+    Require(std::ranges::count(texts->names, text) > 0, field.full_name() + " is a choice");
+  } else {
+    const int most = facts.max_length() > 0 ? facts.max_length() : kMostCharacters;
+    Require(Characters(text) <= most, field.full_name() + " is no longer than it may be");
+  }
+}
+
+void CheckField(const Message& message, const FieldDescriptor& field, const llm::FieldChoices& choices) {
+  const google::protobuf::Reflection& reflection = *message.GetReflection();
+  if (!field.is_repeated() && field.has_presence() && !reflection.HasField(message, &field)) return;
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return CheckNumber(reflection.GetDouble(message, &field), field);
+    case FieldDescriptor::CPPTYPE_INT32:
+      return CheckNumber(reflection.GetInt32(message, &field), field);
+    case FieldDescriptor::CPPTYPE_STRING:
+      if (!field.is_repeated()) return CheckText(reflection.GetString(message, &field), field, choices);
+      for (int i = 0; i < reflection.FieldSize(message, &field); ++i) {
+        CheckText(reflection.GetRepeatedString(message, &field, i), field, choices);
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+// Of a list that has lost the last of its elements.
+bool IsEmptyList(const llm::Fault& fault, const Descriptor& type) {
+  const FieldDescriptor* const field = FieldAt(fault.path, type);
+  return field != nullptr && llm::FactsOf(*field).min_items() > 0 && fault.text.starts_with("has 0 elements");
+}
+
+// Every fault says where it is, in fields that there are, and what is wrong, in text that may go into a log or a
+// prompt.
+void CheckFaults(std::span<const llm::Fault> faults, const Descriptor& type) {
+  for (const llm::Fault& fault : faults) {
+    Require(!fault.text.empty() && fault.text.size() < kLongestFault, "a fault says shortly what is wrong");
+    Require(IsPlainLine(fault.text), "a fault is one line of text: " + fault.text);
+    Require(IsPath(fault.path, type), "a fault names a field: " + fault.path);
+  }
+}
+
+// No list is longer than it may be.
+void CheckLists(const Message& answer) {
+  ForAll(answer, [](const Message& message) {
+    for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
+      const FieldDescriptor* const field = message.GetDescriptor()->field(i);
+      if (!field->is_repeated()) continue;
+      const int most = llm::FactsOf(*field).max_items() > 0 ? llm::FactsOf(*field).max_items() : kMostItems;
+      Require(message.GetReflection()->FieldSize(message, field) <= most, field->full_name() + " is short enough");
+    }
+  });
+}
+
+// An answer that nothing wrong is left in: numbers finite and in their range, texts on one line, no longer than they
+// may be, and among the choices where there are some.
+void CheckUseful(const Message& answer, const llm::FieldChoices& choices) {
+  ForAll(answer, [&](const Message& message) {
+    for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
+      CheckField(message, *message.GetDescriptor()->field(i), choices);
+    }
+  });
+}
+
+// The same, written as JSON and read again, is the same answer.
+void CheckReadsTheSame(const Message& answer, const llm::FieldChoices& choices) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;
+  options.always_print_primitive_fields = true;
+  std::string json;
+  Require(google::protobuf::util::MessageToJsonString(answer, &json, options).ok(), "what was read can be written");
+  const std::unique_ptr<Message> again(answer.New());
+  for (const llm::Fault& fault : llm::ReadAnswer(json, choices, *again)) {
+    Require(fault.kind != llm::FaultKind::kWrong || IsEmptyList(fault, *answer.GetDescriptor()),
+            "nothing is wrong with what was read, but " + fault.Sentence());
+  }
+  std::string difference;
+  google::protobuf::util::MessageDifferencer differencer;
+  differencer.ReportDifferencesToString(&difference);
+  Require(differencer.Compare(answer, *again), "what was read is read the same again, but for " + difference);
+}
 
 const std::vector<const Message*>& AnswerTypes() {
   using namespace model::v1;  // All answers in one list.
@@ -45,7 +190,6 @@ void ReadTyped(std::string_view text, const Message& type) {
   const std::vector<llm::Fault> faults = llm::ReadAnswer(text, SomeChoices(), *answer);
   CheckFaults(faults, *type.GetDescriptor());
   CheckLists(*answer);
-  CheckPartialRepair(text, faults, *answer, SomeChoices());
   const std::vector<llm::Fault> left = llm::DropFaulty(faults, *answer);
   Require(left.size() <= faults.size(), "dropping elements finds no faults");
   std::string bytes;

@@ -9,7 +9,6 @@
 #include "renderer_worker/drawing/testing/read_layout.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/gltf/write_glb.h"
-#include "renderer_worker/gltf/write_mesh_glb.h"
 #include "tests/scene/validator.h"
 
 namespace flair::testing {

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include "orchestrator/jetstream/open.h"
-#include "tests/fixtures/nats_operator.h"
 #include "tests/fixtures/nats_server.h"
 #include "tests/security/orchestrator_caller.h"
 #include "tests/security/secure_programs.h"
@@ -160,12 +159,17 @@ TEST(NatsCredentials, ATokenMayBeInTheAddress) {
 
 TEST(NatsCredentials, AFileOfCredentialsLetsIn) {
   const TestFolder folder;
-  const NatsOperator trusted;
-  const NatsOperator other;
-  const std::string seed = trusted.WriteCredentials(folder / "good.creds");
-  const std::string other_seed = other.WriteCredentials(folder / "other.creds");
-  WriteAll(folder / "damaged.creds", "-----BEGIN NATS USER JWT-----\n" + seed + "\n");
-  const NatsServers servers(1, {.config = trusted.Config()});
+  const std::filesystem::path known = FLAIR_SOURCE_DIR "/tests/security/testdata/nats";
+  std::vector<std::string> seeds;
+  for (const char* file : {"good.creds", "other.creds"}) {
+    std::filesystem::copy_file(known / file, folder / file);
+    const std::string text = ReadAll(folder / file);
+    const size_t seed = text.find("\nSU");
+    ASSERT_NE(seed, std::string::npos);
+    seeds.push_back(text.substr(seed + 1, text.find('\n', seed + 1) - seed - 1));
+  }
+  WriteAll(folder / "damaged.creds", "-----BEGIN NATS USER JWT-----\n" + seeds[0] + "\n");
+  const NatsServers servers(1, {.config = ReadAll(known / "operator.conf")});
   ASSERT_TRUE(servers.ok()) << servers.Log();
   const absl::Status good = OpenQueue(servers.address(), nullptr, folder / "good.creds");
   EXPECT_TRUE(good.ok()) << good;
@@ -173,7 +177,7 @@ TEST(NatsCredentials, AFileOfCredentialsLetsIn) {
     const absl::Status status = OpenQueue(servers.address(), nullptr, folder / file);
     EXPECT_FALSE(status.ok()) << file;
     EXPECT_THAT(Message(status), AllOf(HasSubstr("queue.credentials_path"), HasSubstr(folder / file),
-                                       Not(HasSubstr(seed)), Not(HasSubstr(other_seed))));
+                                       Not(HasSubstr(seeds[0])), Not(HasSubstr(seeds[1]))));
   }
 }
 

@@ -7,7 +7,6 @@
 #include "english/lexicon.h"
 #include "english/quantities.h"
 #include "translator_worker/grammar/noun_phrases.h"
-#include "translator_worker/grammar/rewrite_terms.h"
 #include "translator_worker/grammar/term.h"
 #include "translator_worker/grammar/token_context.h"
 
@@ -92,8 +91,6 @@ class Reader {
     } else if (token.text.rfind("length:", 0) == 0 || token.text.rfind("lengths:", 0) == 0) {
       raw.role = RawTerm::Role::kSide;
       raw.term.lemma = token.text;
-    } else if (token.text.size() > 4 && token.text.ends_with("room")) {
-      BecomeReference(RefKind::kRoom, "", raw);  // "courtroom"
     } else if (token.IsWord("'s")) {
       raw.role = RawTerm::Role::kPossessive;
     } else if (token.IsWord("with") || token.IsWord("but") || token.IsWord("while") || token.IsWord("so")) {

@@ -38,7 +38,7 @@ class BracketReader {
     if (said && (Is(at_ + 1, "ideally") || Is(at_ + 1, "preferably")) && closed) {
       return {Bracket::Kind::kSkipped, end_ + 1, 0};
     }
-    if (TakeLength() || TakeNames() || TakeSide() || (adds && closed && TakeFigure()) || Explains()) {
+    if (IsLength() || TakeNames() || TakeSide() || (adds && closed && TakeFigure()) || Explains()) {
       return {Bracket::Kind::kSkipped, std::min(end_ + 1, tokens_.size()), 0};
     }
     return {};
@@ -71,11 +71,6 @@ class BracketReader {
 
   // Whether this sentence has said that something is kept free, so that a bare figure is how much.
   bool SpaceSpokenOf() const {
-    // "One can stand in front of it (0.5 m)".
-    const size_t count = terms_.size();
-    if (count > 1 && terms_[count - 2].term.IsWord("in_front_of") && IsMention(terms_[count - 1]) &&
-        terms_[count - 1].term.mention.references.front().kind == RefKind::kPronoun)
-      return true;
     for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
       const Term& term = terms_[i - 1].term;
       const bool way = term.kind == Term::Kind::kMention && term.mention.references.front().name == "paths";
@@ -112,14 +107,14 @@ class BracketReader {
 
   // The side word of this sentence that leaves open which one is meant; null when there is none. Only the last word
   // counts, unless the bracket says what is usual: "one side is accessible for seating (typically the front)".
-  std::string* OpenSide(bool of_sentence = false) {
+  std::string* OpenSide() {
     const auto leaves_open = [](const RawTerm& raw) {
       const std::string& side = raw.term.lemma;
       return raw.role == RawTerm::Role::kSide && (side == "side" || side == "long_one" || side == "short_one" ||
                                                   side == "two_any" || side == "opposite_two");
     };
-    const bool anywhere = of_sentence || Is(at_ + 1, "typically") || Is(at_ + 1, "usually") ||
-                          Is(at_ + 1, "preferably") || Is(at_ + 1, "ideally");
+    const bool anywhere =
+        Is(at_ + 1, "typically") || Is(at_ + 1, "usually") || Is(at_ + 1, "preferably") || Is(at_ + 1, "ideally");
     for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
       if (leaves_open(terms_[i - 1])) return &terms_[i - 1].term.lemma;
       if (!anywhere) break;
@@ -127,15 +122,13 @@ class BracketReader {
     return nullptr;
   }
 
-  // "The front (1 m side)", "one side (the 2 m side)": how long the side is, or which.
-  bool TakeLength() {
+  // "The front (1 m side)": how long the side is.
+  bool IsLength() const {
     const size_t side = at_ + (Is(at_ + 1, "the") ? 2 : 1);
-    if (side + 1 != end_ || !tokens_[side].text.starts_with("length")) return false;
-    if (std::string* const open = OpenSide(true); open != nullptr) *open = tokens_[side].text;
-    return true;
+    return side + 1 == end_ && tokens_[side].text.starts_with("length");
   }
 
-  // "One side (preferably the front)", "two opposite sides (e.g., front and back)".
+  // "One side (preferably the front)".
   bool TakeSide() {
     std::string* const open = OpenSide();
     if (open == nullptr) return false;
@@ -145,15 +138,7 @@ class BracketReader {
       if (phrase.word_class == english::v1::WORD_CLASS_SIDE && phrase.length > 0) named.push_back(phrase.lemma);
       if (phrase.length > 1) i += phrase.length - 1;
     }
-    // "Two sides (preferably the length and one width)": one of them has no name here.
-    const auto says = [&](std::string_view word) {
-      return std::any_of(tokens_.begin() + static_cast<long>(at_), tokens_.begin() + static_cast<long>(end_),
-                         [&](const Token& token) { return token.IsWord(word); });
-    };
-    const bool more = says("length") && says("width");
-    if (named.size() == 1 && !more) *open = named[0];
-    if (named.size() == 2 && named[0] == "front" && named[1] == "back") *open = "axial";
-    if (named.size() == 2 && named[0] == "left" && named[1] == "right") *open = "sides";
+    if (named.size() == 1) *open = named[0];
     return !named.empty();
   }
 

@@ -3,31 +3,12 @@
 
 #include <algorithm>
 
+#include "absl/strings/ascii.h"
+#include "english/language.h"
 #include "english/words.h"
-#include "fmt/format.h"
 #include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {
-namespace {
-
-// Whether the last word is, or for chairs ends with, one of the words: "desk chair", "armchairs", but not "workbench".
-bool EndsWithOneOf(const std::string& name, std::initializer_list<const char*> ends) {
-  const size_t space = name.find_last_of(" _");
-  const std::string last = english::Singular(space == std::string::npos ? name : name.substr(space + 1));
-  return std::any_of(ends.begin(), ends.end(), [&](const std::string& end) {
-    return last == end || (end == "chair" && last.size() > 5 && last.substr(last.size() - 5) == end);
-  });
-}
-
-// "bed 1", "bed1".
-std::string WithoutNumber(std::string name) {
-  while (!name.empty() && (name.back() == ' ' || name.back() == '_' || (name.back() >= '0' && name.back() <= '9')))
-    name.pop_back();
-  return name;
-}
-
-}  // namespace
-
 Composer::Composer(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
                    const v1::Sentence& sentence)
     : request_(request), names_(names), catalog_(catalog), sentence_(sentence) {
@@ -58,45 +39,20 @@ Composer::Composer(const v1::TranslateRequest& request, const SceneNames& names,
   }
 }
 
-bool Composer::IsChair(const Placed& placed) const {
-  return EndsWithOneOf(object(placed.object).name(), {"chair", "stool", "bench", "throne", "seat"});
+bool Composer::IsAmong(const char* list, const Placed& placed) const {
+  // "Bed 1", "bed1".
+  std::string name = object(placed.object).name();
+  while (!name.empty() && (name.back() == ' ' || name.back() == '_' || absl::ascii_isdigit(name.back())))
+    name.pop_back();
+  const std::string last = english::Singular(name.substr(name.find_last_of(" _") + 1));
+  const english::Language& language = english::Language::Get();
+  // "Armchair", but not "workbench".
+  return language.IsIn(list, last) || (last.size() > 5 && last.ends_with("chair") && language.IsIn(list, "chair"));
 }
 
 bool Composer::StandsAtSubject(const Placed& chair) const {
   return scope() == v1::SENTENCE_SCOPE_INTRA && subjects_.size() == 1 && IsChair(chair) &&
          !IsChair(subjects_.front()) && chair.object != subjects_.front().object;
-}
-
-bool Composer::IsSeat(const Placed& placed) const {
-  return EndsWithOneOf(object(placed.object).name(),
-                       {"chair", "sofa", "couch", "stool", "bench", "loveseat", "recliner", "sectional", "settee",
-                        "banquette", "pew", "throne", "seat"});
-}
-
-bool Composer::IsTable(const Placed& placed) const {
-  return EndsWithOneOf(WithoutNumber(object(placed.object).name()),
-                       {"table", "desk", "counter", "island", "workbench"});
-}
-
-bool Composer::IsHot(const Placed& placed) const {
-  return EndsWithOneOf(object(placed.object).name(), {"stove", "oven", "cooker", "fireplace", "hearth", "range"});
-}
-
-bool Composer::IsBed(const Placed& placed) const {
-  return EndsWithOneOf(WithoutNumber(object(placed.object).name()),
-                       {"bed", "daybed", "cot", "crib", "coffin", "bathtub", "hammock", "bunk", "futon", "mattress"});
-}
-
-bool Composer::IsWalkIn(const Placed& placed) const {
-  return EndsWithOneOf(object(placed.object).name(), {"shower", "cubicle", "enclosure", "cabin", "tent", "sauna"});
-}
-
-bool Composer::HasDoors(const Placed& placed) const {
-  return IsWalkIn(placed) ||
-         EndsWithOneOf(object(placed.object).name(),
-                       {"wardrobe", "cabinet", "cupboard", "closet",  "armoire", "locker", "sideboard",  "refrigerator",
-                        "fridge",   "oven",    "pantry",   "hutch",   "dresser", "drawer", "nightstand", "dishwasher",
-                        "washer",   "dryer",   "cooler",   "freezer", "kiln",    "safe",   "case",       "booth"});
 }
 
 bool Composer::HasFeature(const std::string& kind) const {
@@ -116,17 +72,8 @@ void Composer::SetTopic(std::vector<Placed> topic) {
   topic_ = std::move(topic);
 }
 
-v1::Diagnostic Composer::Remark(v1::Severity severity, std::string_view code, const std::string& message) const {
-  v1::Diagnostic remark;
-  remark.set_severity(severity);
-  remark.set_code(std::string(code));
-  remark.set_message(fmt::format("\"{}\": {}", Quote(sentence_.text()), message));
-  remark.set_subject_id(sentence_.id());
-  return remark;
-}
-
 void Composer::Refuse(std::string_view code, const std::string& message) {
-  v1::Diagnostic remark = Remark(v1::SEVERITY_WARNING, code, message);
+  v1::Diagnostic remark = RemarkOn(sentence_, v1::SEVERITY_WARNING, code, message);
   const bool known = std::any_of(refusals_.begin(), refusals_.end(),
                                  [&](const v1::Diagnostic& other) { return other.message() == remark.message(); });
   if (!known) refusals_.push_back(std::move(remark));
@@ -138,7 +85,7 @@ bool Composer::OnlyUnknown() const {
 }
 
 void Composer::Note(std::string_view code, const std::string& message) {
-  notes_.push_back(Remark(v1::SEVERITY_NOTE, code, message));
+  notes_.push_back(RemarkOn(sentence_, v1::SEVERITY_NOTE, code, message));
 }
 
 }  // namespace flair::translator

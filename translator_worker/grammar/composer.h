@@ -65,21 +65,16 @@ class Composer {
   bool IsWall(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_WALL; }
   bool IsCeiling(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_CEILING; }
   bool IsSurface(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_SURFACE; }
-  bool IsChair(const Placed& placed) const;
+  bool IsChair(const Placed& placed) const { return IsAmong("chairs", placed); }
   // A chair that a sentence about one other piece alone brings in: "behind the chair" of a desk.
   bool StandsAtSubject(const Placed& chair) const;
-  // What people sit on.
-  bool IsSeat(const Placed& placed) const;
-  // What people sit or stand at.
-  bool IsTable(const Placed& placed) const;
-  // What other things are kept away from for its heat.
-  bool IsHot(const Placed& placed) const;
-  // What people lie in: a bed, cot, coffin, bathtub.
-  bool IsBed(const Placed& placed) const;
-  // One that people walk into, with an entrance of its own: a shower, a tent.
-  bool IsWalkIn(const Placed& placed) const;
-  // A wardrobe, cabinet, fridge...
-  bool HasDoors(const Placed& placed) const;
+  // Whether its name ends in a word of that list of english/data: "seats" (what people sit on), "tables" (sit or stand
+  // at), "beds" (lie in), "walk-ins" (with an entrance of their own), "hot things".
+  bool IsAmong(const char* list, const Placed& placed) const;
+  bool IsSeat(const Placed& placed) const { return IsAmong("seats", placed); }
+  bool IsBed(const Placed& placed) const { return IsAmong("beds", placed); }
+  // A wardrobe, cabinet, fridge, shower...
+  bool HasDoors(const Placed& placed) const { return IsAmong("with doors", placed) || IsAmong("walk-ins", placed); }
   bool HasFeature(const std::string& kind) const;
 
   // Adds the call if the catalogue has its type; false when it has not.
@@ -100,8 +95,6 @@ class Composer {
   bool CompleteClearance(double least_m);
   // "... and behind": more sides of the free space that was spoken of last; false when that was something else.
   bool AddSides(const std::vector<std::string>& sides);
-  // Whether the sentence has asked for so much free space at the object, with a figure.
-  bool KeepsSpace(const Placed& placed) const;
   // Whether the sentence has put the piece into a corner.
   bool IsInCorner(const Placed& placed) const;
   // Whether the sentence has put the small thing onto something.
@@ -128,8 +121,6 @@ class Composer {
   v1::SentenceScope scope() const { return sentence_.scope(); }
   // The feature that a fact of this sentence related to last: "near a socket without blocking it".
   std::string last_feature;
-  // Whether a fact of this sentence related to a wall: "near a wall, not against it".
-  bool wall_named = false;
   // Whether a rug has been placed by this sentence; it lies in one place only.
   bool rug_placed = false;
 
@@ -153,8 +144,6 @@ class Composer {
   Placed PieceFor(const Placed& placed) const;
   // Chosen only after the sentences about floor objects are written: nothing there can be placed by it.
   bool ChosenLater(int object) const;
-  // Whether a type is for what stands on the floor: lamps on tables face nothing and clocks lean on no wall.
-  bool IsForFloorOnly(const std::string& type) const;
   // Whether a type would place furniture, or the rug as if it were furniture, in a sentence about a rug.
   bool IsBesideTheRug(const std::string& type) const;
   // Whether the call tells of a small thing only in what part of the room it is, or on what other small thing.
@@ -162,7 +151,6 @@ class Composer {
   // Whether the call tells little of a thing that another call has placed.
   bool IsPlacedCloser(const Call& call) const;
   std::vector<int> Group(const std::string& name, const std::vector<Placed>& movers) const;
-  v1::Diagnostic Remark(v1::Severity severity, std::string_view code, const std::string& message) const;
 
   const v1::TranslateRequest& request_;
   const SceneNames& names_;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of Composer that keeps the calls of a sentence: which are let in, and which replace others.
 #include <algorithm>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include "absl/strings/str_join.h"
+#include "english/language.h"
 #include "fmt/format.h"
 #include "google/protobuf/util/message_differencer.h"
 #include "translator_worker/grammar/composer.h"
@@ -102,18 +102,8 @@ bool Contradicts(const Call& call, const Call& plain) {
 
 }  // namespace
 
-bool Composer::IsForFloorOnly(const std::string& type) const {
-  static const std::set<std::string> types = {
-      "against_wall", "near_wall",   "in_corner",         "not_against_wall", "accessible",   "next_to",
-      "near",         "away_from",   "clear_of_feature",  "central",          "in_zone",      "parallel",
-      "facing",       "in_front_of", "away_from_feature", "perpendicular",    "under_window", "facing_into_room",
-      "between",      "not_facing",  "centered_on_wall",  "close_to_feature"};
-  return types.count(type) != 0;
-}
-
 bool Composer::IsBesideTheRug(const std::string& type) const {
-  static const std::set<std::string> types = {"accessible", "away_from", "near", "next_to", "against_wall", "facing"};
-  return scope() == v1::SENTENCE_SCOPE_TERTIARY && types.count(type) != 0 &&
+  return scope() == v1::SENTENCE_SCOPE_TERTIARY && english::Language::Get().IsIn("calls beside rugs", type) &&
          std::any_of(topic_.begin(), topic_.end(), [&](const Placed& placed) { return IsRug(placed); });
 }
 
@@ -125,9 +115,6 @@ void Composer::CompleteSide(const std::string& side) {
     return;
   }
   if (calls_.empty() || (calls_.back().type != "against_wall" && calls_.back().type != "near_wall")) return;
-  for (const v1::Argument& argument : calls_.back().arguments) {
-    if (argument.name() == "side") return;
-  }
   calls_.back().Text("side", side);
 }
 
@@ -148,13 +135,6 @@ bool Composer::AddSides(const std::vector<std::string>& sides) {
     if (std::find(named.begin(), named.end(), side) == named.end()) *named.Add() = side;
   }
   return true;
-}
-
-bool Composer::KeepsSpace(const Placed& placed) const {
-  return std::any_of(calls_.begin(), calls_.end(), [&](const Call& call) {
-    return call.type == "accessible" && Find(call, "min_clearance_m") != nullptr &&
-           TextOf(call, "object") == id(placed);
-  });
 }
 
 bool Composer::IsInCorner(const Placed& placed) const {
@@ -201,7 +181,7 @@ bool Composer::Emit(Call call) {
     Refuse("unknown_sentence", "nothing can be related to itself; name two objects");
     return true;
   }
-  if (IsForFloorOnly(type->name()) && !call.arguments.empty()) {
+  if (english::Language::Get().IsIn("calls of the floor", type->name()) && !call.arguments.empty()) {
     const std::string& mover = call.arguments.front().value().text();
     for (const v1::Object& candidate : request_.object_list().objects()) {
       if (candidate.id() != mover || candidate.kind() == v1::OBJECT_KIND_FLOOR) continue;

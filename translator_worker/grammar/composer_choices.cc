@@ -10,7 +10,7 @@
 namespace flair::translator {
 namespace {
 
-bool IsAmong(const std::vector<Placed>& list, int object) {
+bool Has(const std::vector<Placed>& list, int object) {
   return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
 }
 
@@ -34,7 +34,7 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
            fmt::format("there is no {}. {}; there are {}", reference.ordinal, reference.name, candidates.size()));
     return {};
   }
-  const auto weak_subject = [&](int index) { return IsAmong(subjects_, index); };
+  const auto weak_subject = [&](int index) { return Has(subjects_, index); };
   if ((!reference.full || (scope() == v1::SENTENCE_SCOPE_INTRA && movers.empty())) &&
       std::none_of(candidates.begin(), candidates.end(), weak_subject)) {
     for (const int index : reference.weak_candidates) {
@@ -49,8 +49,8 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
     std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept), wanted);
     if (!kept.empty()) candidates = kept;
   };
-  keep([&](int index) { return !IsAmong(movers, index); });
-  keep([&](int index) { return IsAmong(subjects_, index); });
+  keep([&](int index) { return !Has(movers, index); });
+  keep([&](int index) { return Has(subjects_, index); });
   const auto one_name = [&] {
     return std::all_of(candidates.begin(), candidates.end(),
                        [&](int i) { return object(i).name() == object(candidates[0]).name(); });
@@ -83,8 +83,8 @@ std::vector<int> Composer::Group(const std::string& name, const std::vector<Plac
         candidate.walk_over())
       continue;
     const bool seat = IsSeat({i, ""});
-    const bool hot = IsHot({i, ""});
-    if (name == "others" && (IsAmong(movers, i) || IsAmong(topic_, i))) continue;
+    const bool hot = IsAmong("hot things", {i, ""});
+    if (name == "others" && (Has(movers, i) || Has(topic_, i))) continue;
     if (name == "primary" && candidate.role() != v1::OBJECT_ROLE_PRIMARY) continue;
     if (name == "seating" && !seat) continue;
     if (name == "heat" && !hot) continue;
@@ -107,7 +107,7 @@ std::vector<Placed> Composer::Primaries() const {
 void Composer::KeepSubjects(std::vector<int>& objects) const {
   std::vector<int> kept;
   for (const int index : objects) {
-    if (IsAmong(subjects_, index)) kept.push_back(index);
+    if (Has(subjects_, index)) kept.push_back(index);
   }
   if (!kept.empty()) objects = kept;
 }
@@ -115,7 +115,7 @@ void Composer::KeepSubjects(std::vector<int>& objects) const {
 void Composer::KeepThoseSpokenOf(const Reference& reference, std::vector<int>& objects) const {
   std::vector<int> kept = objects;
   KeepSubjects(kept);
-  const bool named = std::any_of(objects.begin(), objects.end(), [&](int index) { return IsAmong(subjects_, index); });
+  const bool named = std::any_of(objects.begin(), objects.end(), [&](int index) { return Has(subjects_, index); });
   if (named) {
     // "Each chair" under a heading that names one of them: the kind, not this one.
     if (kept.size() > 1 || !reference.each) objects = kept;

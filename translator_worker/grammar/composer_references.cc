@@ -47,8 +47,6 @@ std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<
     target.name = reference.name;
     switch (reference.kind) {
       case RefKind::kWall:
-        wall_named = true;
-        break;
       case RefKind::kCeiling:
       case RefKind::kRoom:
       case RefKind::kFloor:
@@ -122,10 +120,6 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
         } else if (Contains(topic_, movers.front().object) && movers.size() > 1 && reference.name == "it") {
           meant = named_;
         }
-      }
-      if (reference.name == "both" && !target && !pair_targets_.empty()) {
-        meant = pair_movers_;
-        meant.insert(meant.end(), pair_targets_.begin(), pair_targets_.end());
       }
       // "Beside the chair, 0.2 m from the side": from the chair's.
       if (target && bare_side && !movers.empty() && !pair_targets_.empty() &&

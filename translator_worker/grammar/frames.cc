@@ -104,9 +104,8 @@ const FrameBook& FrameBook::Get() {
 
 FrameBook::FrameBook() {
   std::map<std::string_view, Builder> builders;
-  for (const auto family :
-       {&AccessMeanings, &DirectionMeanings, &DistanceMeanings, &FeatureMeanings, &GroupMeanings, &InFrontMeanings,
-        &NearMeanings, &RoomMeanings, &SpaceMeanings, &SurfaceMeanings, &WallMeanings}) {
+  for (const auto family : {&DirectionMeanings, &DistanceMeanings, &FeatureMeanings, &GroupMeanings, &NearMeanings,
+                            &RoomMeanings, &SpaceMeanings}) {
     for (const Meaning& meaning : family()) builders[meaning.name] = meaning.build;
   }
   for (const english::v1::Frame& frame : english::Language::Get().data().frames()) {

@@ -68,17 +68,13 @@ struct Meaning {
 };
 
 // The builders of each family, each in the file of its name.
-std::vector<Meaning> AccessMeanings();
 std::vector<Meaning> DirectionMeanings();
 std::vector<Meaning> DistanceMeanings();
 std::vector<Meaning> FeatureMeanings();
 std::vector<Meaning> GroupMeanings();
-std::vector<Meaning> InFrontMeanings();
 std::vector<Meaning> NearMeanings();
 std::vector<Meaning> RoomMeanings();
 std::vector<Meaning> SpaceMeanings();
-std::vector<Meaning> SurfaceMeanings();
-std::vector<Meaning> WallMeanings();
 
 // All frames, ready to match. Immutable and thread-safe.
 class FrameBook {

@@ -49,7 +49,7 @@ uint64_t Next(uint64_t& state) {
   return z ^ (z >> 31);
 }
 
-// Five times what the service lets through (room/validation/description_checks.cc).
+// Five times what the service lets through (room/validation/room_checks.cc).
 constexpr size_t kLongText = 20000;
 
 TEST(HostileText, AlwaysEndsInACallOrADiagnostic) {

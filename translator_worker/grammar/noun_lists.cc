@@ -199,14 +199,9 @@ class ListJoiner {
     if (which && begins && things) out.resize(count - 2);
   }
 
-  // Things are listed with things and parts of the room with parts of the room; walls also stand beside features
-  // where all of them are kept away from: "away from walls, windows and doors".
-  bool SameSort(const Term& a, const Term& b) const {
-    const RefKind first = a.mention.references.back().kind;
-    const RefKind second = b.mention.references.back().kind;
-    if (after_away_ && IsShell(first) && second == RefKind::kFeature) return true;
-    if (after_away_ && first == RefKind::kFeature && IsShell(second)) return true;
-    return IsShell(first) == IsShell(second);
+  // Things are listed with things and parts of the room with parts of the room.
+  static bool SameSort(const Term& a, const Term& b) {
+    return IsShell(a.mention.references.back().kind) == IsShell(b.mention.references.back().kind);
   }
 
   static bool IsShell(RefKind kind) {

@@ -41,6 +41,10 @@ std::vector<Term> JoinLists(std::vector<RawTerm> raw);
 // to it, and denied things ("no chair") are followed by "not".
 std::vector<RawTerm> AttachQuantities(std::vector<RawTerm> raws);
 
+// Makes several wordings of one meaning one: labels before a colon go, what two relations share is said to both, "not"
+// stands behind what it denies.
+void RewriteTerms(std::vector<Term>& terms);
+
 inline void BecomeWord(std::string lemma, RawTerm& raw) {
   raw.term.kind = Term::Kind::kWord;
   raw.term.lemma = std::move(lemma);

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
+#include "english/language.h"
 #include "english/lexicon.h"
 #include "translator_worker/grammar/token_context.h"
 
 namespace flair::translator {
 namespace {
 
+bool IsIn(const char* list, const Token& token) {
+  return token.kind == Token::Kind::kWord && english::Language::Get().IsIn(list, token.text);
+}
+
 // "Backed directly onto": adverbs that say nothing of places do not come between the words of a phrase.
 void DropAdverbs(std::vector<Token>& tokens) {
-  static constexpr std::array<std::string_view, 9> kAdverbs = {
-      "always", "generally", "directly", "immediately", "firmly", "securely", "properly", "safely", "neatly"};
-  std::erase_if(tokens, [](const Token& token) {
-    return token.kind == Token::Kind::kWord &&
-           std::find(kAdverbs.begin(), kAdverbs.end(), token.text) != kAdverbs.end();
-  });
+  std::erase_if(tokens, [](const Token& token) { return IsIn("idle adverbs", token); });
 }
 
 Token WordLike(const Token& token, std::string_view text) {
@@ -57,23 +56,17 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
 }
 
 bool SpaceBefore(const std::vector<Token>& tokens, size_t end) {
-  static constexpr std::array<std::string_view, 6> kSpaces = {"space", "room", "clearance", "gap", "distance", "area"};
   constexpr size_t kFar = 12;
   const auto last = tokens.begin() + static_cast<long>(end);
-  return std::any_of(last - static_cast<long>(std::min(end, kFar)), last, [](const Token& token) {
-    return std::find(kSpaces.begin(), kSpaces.end(), token.text) != kSpaces.end();
-  });
+  return std::any_of(last - static_cast<long>(std::min(end, kFar)), last,
+                     [](const Token& token) { return IsIn("spaces", token); });
 }
 
 // "At least one accessible side" is at least one side accessible.
 void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
-  static constexpr std::array<std::string_view, 4> kAdjectives = {"accessible", "unobstructed", "unblocked",
-                                                                  "reachable"};
-  static constexpr std::array<std::string_view, 3> kOpen = {"clear", "free", "open"};
   for (size_t i = 0; i + 1 < tokens.size(); ++i) {
-    const bool open = std::find(kOpen.begin(), kOpen.end(), tokens[i].text) != kOpen.end();
-    const bool adjective =
-        open || std::find(kAdjectives.begin(), kAdjectives.end(), tokens[i].text) != kAdjectives.end();
+    const bool open = IsIn("open adjectives", tokens[i]);
+    const bool adjective = open || IsIn("access adjectives", tokens[i]);
     size_t side = i + 1;
     while (side < tokens.size() && (tokens[side].IsWord("long") || tokens[side].IsWord("short"))) ++side;
     if (!adjective || side >= tokens.size() || (side + 1 < tokens.size() && tokens[side + 1].IsMark(':'))) continue;
@@ -122,18 +115,10 @@ void JoinBounds(std::vector<Token>& tokens) {
 
 // "There should be room to stand", "leave room behind it": space, not the room.
 void TakeRoomAsSpace(std::vector<Token>& tokens) {
-  static constexpr std::array<std::string_view, 17> kBefore = {
-      "with", "be",     "is",   "have",     "has",   "leave",    "leaves",  "leaving", "allow",
-      "some", "enough", "need", "requires", "needs", "provides", "provide", "of"};
-  static constexpr std::array<std::string_view, 9> kAfter = {"for",    "to", "in", "behind", "around",
-                                                             "beside", "on", "at", "between"};
-  const auto is_one_of = [](const auto& words, const Token& token) {
-    return std::find(words.begin(), words.end(), token.text) != words.end();
-  };
   for (size_t i = 0; i + 1 < tokens.size(); ++i) {
     const bool begins = i == 0 && (tokens[1].IsWord("for") || tokens[1].IsWord("to"));
-    if (tokens[i].IsWord("room") && (begins || (i > 0 && is_one_of(kBefore, tokens[i - 1]))) &&
-        is_one_of(kAfter, tokens[i + 1]))
+    if (tokens[i].IsWord("room") && (begins || (i > 0 && IsIn("before space", tokens[i - 1]))) &&
+        IsIn("after space", tokens[i + 1]))
       tokens[i].text = "space";
   }
 }
@@ -141,11 +126,7 @@ void TakeRoomAsSpace(std::vector<Token>& tokens) {
 }  // namespace
 
 bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
-  static constexpr std::array<std::string_view, 20> kVerbs = {
-      "allow", "ensure", "provide", "maintain", "give",   "leave", "create", "enable", "facilitate",  "help",
-      "let",   "make",   "keep",    "permit",   "reduce", "ease",  "offer",  "have",   "accommodate", "minimize"};
-  if (!tokens[at].IsWord("to") || at + 1 >= tokens.size()) return false;
-  return std::any_of(kVerbs.begin(), kVerbs.end(), [&](std::string_view verb) { return tokens[at + 1].IsWord(verb); });
+  return tokens[at].IsWord("to") && at + 1 < tokens.size() && IsIn("reason verbs", tokens[at + 1]);
 }
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {

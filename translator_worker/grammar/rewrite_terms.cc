@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/rewrite_terms.h"
+#include "translator_worker/grammar/noun_phrases.h"
 
 #include <algorithm>
 #include <utility>

@@ -46,17 +46,12 @@ std::string HeadOfCompound(const std::string& word) {
 
 // "Toy storage" of a toy storage unit, "vanity" of a vanity with sink: enough of a name.
 bool NamesByItself(const std::vector<std::string>& words, size_t length) {
-  static constexpr std::array<std::string_view, 4> kJoints = {"with", "and", "for", "of"};
-  const auto joint = [&](size_t i) { return std::find(kJoints.begin(), kJoints.end(), words[i]) != kJoints.end(); };
+  const auto joint = [&](size_t i) { return english::Language::Get().IsIn("name joints", words[i]); };
   return joint(length) || (length > 1 && !joint(length - 1));
 }
 
 // What is named for where it is used, not for what it carries: "counter stool", "desk lamp".
-bool IsSeatOrLamp(const std::string& word) {
-  static constexpr std::array<std::string_view, 9> kWords = {"chair", "stool", "bench", "seat",  "lamp",
-                                                             "light", "rug",   "mat",   "pillow"};
-  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
-}
+bool IsSeatOrLamp(const std::string& word) { return english::Language::Get().IsIn("things named for a place", word); }
 
 // "nightstand 2" is a nightstand.
 std::vector<std::string> WithoutNumber(std::vector<std::string> words) {
@@ -143,9 +138,8 @@ SceneNames::Found SceneNames::Find(const std::vector<Token>& tokens, size_t at) 
 
 // "Locker doors", "kiln door": a part of what its name begins with that word.
 SceneNames::Found SceneNames::FindOwnerOfPart(const std::vector<Token>& tokens, size_t at) const {
-  static constexpr std::array<std::string_view, 4> kParts = {"door", "doors", "drawer", "drawers"};
   Found found;
-  if (at + 1 >= tokens.size() || std::find(kParts.begin(), kParts.end(), tokens[at + 1].text) == kParts.end())
+  if (at + 1 >= tokens.size() || !english::Language::Get().IsIn("parts of furniture", tokens[at + 1].text))
     return found;
   for (int i = 0; i < objects_.objects_size(); ++i) {
     const std::vector<std::string> words = SingularWords(objects_.objects(i).name());

@@ -32,11 +32,6 @@ bool SideFollows(const TokenContext& context, size_t at) {
 
 Phrase FindPhrase(const TokenContext& context) {
   const Phrase phrase = Lexicon::Get().Find(context.tokens, context.at);
-  // "A socket behind it is required": it, not "it is important that".
-  const bool placed = context.at > 0 && context.tokens[context.at].IsWord("it") && phrase.length > 1 &&
-                      IsOneOf(context.tokens[context.at - 1],
-                              {"behind", "beside", "near", "around", "under", "above", "before", "by", "of", "to"});
-  if (placed) return Lexicon::Get().Find(context.tokens, context.at, 1);
   // "It is to the right of ..." says where it is, not what is to be done.
   const bool to_place = phrase.word_class == english::v1::WORD_CLASS_MODAL && phrase.length == 2 &&
                         IsOneOf(context.tokens[context.at], {"is", "are"}) && context.at + 2 < context.tokens.size() &&
@@ -163,11 +158,6 @@ size_t NextStop(const std::vector<Token>& tokens, size_t at) {
 std::optional<size_t> LeaveOutCondition(const std::vector<Token>& tokens, size_t at, size_t length,
                                         std::vector<RawTerm>& terms) {
   if (!terms.empty() && IsAside(tokens, at, length)) return NextStop(tokens, at);
-  // "Close to the kiln so that pots do not have to be carried far": a reason holds no condition.
-  const bool in_reason =
-      std::any_of(terms.rbegin(), std::find_if(terms.rbegin(), terms.rend(), IsStop),
-                  [](const RawTerm& raw) { return raw.term.kind == Term::Kind::kPurpose && raw.term.lemma == "so"; });
-  if (in_reason && IsOneOf(tokens[at], {"do", "does", "not"})) return NextStop(tokens, at);
   const auto after = [&](auto&& ends) {
     size_t begin = terms.size();
     while (begin > 0 && !ends(terms[begin - 1])) --begin;

@@ -2,6 +2,7 @@
 #include "translator_worker/grammar/translate.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,13 +11,224 @@
 #include "fmt/format.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/composer.h"
+#include "translator_worker/grammar/frames.h"
 #include "translator_worker/grammar/scene_names.h"
 #include "translator_worker/grammar/term.h"
-#include "translator_worker/grammar/walk.h"
 
 namespace flair::translator {
 
 namespace {
+
+// No pattern is longer than this many terms.
+constexpr size_t kLongestFact = 14;
+
+// Reads a sentence from left to right: at each term the rule that covers most is taken; what none covers is left over.
+// Borrows its arguments. Linear in the number of terms.
+class Walk {
+ public:
+  // `reads_reasons`: what follows "to" and "for" is read like the rest.
+  Walk(const Analysis& analysis, Composer& composer, std::string_view text, bool reads_reasons)
+      : terms_(analysis.terms), composer_(composer), text_(text), reads_reasons_(reads_reasons) {}
+
+  void Run() {
+    while (at_ < terms_.size()) {
+      const Term& term = terms_[at_];
+      if (term.kind == Term::Kind::kStop) {
+        in_reason_ = false;
+        denied_ = false;
+        clause_begins_ = true;
+        ++at_;
+        continue;
+      }
+      // "To allow talks without crowding the sofa": what is ruled out holds whatever the reason.
+      if (term.IsWord("not") && text_.substr(term.begin, term.end - term.begin) == "without") in_reason_ = false;
+      if ((!in_reason_ || term.kind == Term::Kind::kDistance) && TakeFact()) {
+        in_reason_ = false;
+        clause_begins_ = false;
+      } else {
+        LeaveOver(term);
+        ++at_;
+      }
+    }
+  }
+
+  // Content words that no fact covered.
+  const std::vector<std::string>& left_over() const { return left_over_; }
+  // Whether something was skipped as a reason.
+  bool reasons() const { return reasons_; }
+  // Whether it names something no call is about.
+  bool vague() const {
+    return std::any_of(unused_.begin(), unused_.end(), [](const Mention* mention) {
+      return std::any_of(mention->references.begin(), mention->references.end(),
+                         [](const Reference& reference) { return reference.kind == RefKind::kVague; });
+    });
+  }
+
+  // Left-over noun phrases that name something no call is about.
+  void RefuseVague() {
+    for (const Mention* mention : unused_) {
+      for (const Reference& reference : mention->references) {
+        if (reference.kind == RefKind::kVague) {
+          composer_.Refuse(
+              "not_about_layout",
+              fmt::format("{} cannot be said by a layout call; name the objects and distances that serve it",
+                          reference.name));
+        } else if (reference.kind == RefKind::kAbsent) {
+          composer_.Refuse("names_absent_object", fmt::format("the room has no \"{}\"", reference.name));
+        }
+      }
+    }
+  }
+
+ private:
+  bool TakeFact() {
+    const std::span<const Term> rest(terms_.data() + at_, std::min(kLongestFact, terms_.size() - at_));
+    FrameBook::Hit hit = FrameBook::Get().Find(rest);
+    if (hit.build != nullptr && EndsInNextFact(hit.match.length))
+      hit = FrameBook::Get().Find(rest.first(hit.match.length - 2));
+    if (hit.build != nullptr && EndsInNextSubject(hit.match.length))
+      hit = FrameBook::Get().Find(rest.first(hit.match.length - 1));
+    if (hit.build == nullptr || Passive()) return false;
+    // "against a wall or beside the bed": the first is taken, the choice is free.
+    const size_t before = composer_.calls().size();
+    const bool alternative = after_or_ && before > calls_at_or_;
+    if (denied_) {
+      composer_.Refuse("unknown_sentence", "this relation cannot be denied; say what shall hold instead");
+    } else if (!alternative) {
+      if (hit.match.a != nullptr) TakeTopic(*hit.match.a);
+      hit.build(hit.match, hit.detail, composer_);
+    }
+    at_ += hit.match.length;
+    PassRepeatedPartner();
+    after_or_ = at_ < terms_.size() && terms_[at_].IsWord("or");
+    if (after_or_) {
+      calls_at_or_ = before;
+      ++at_;
+    }
+    return true;
+  }
+
+  // "To the left of the table, at most 0.5 m from it": the partner of the figure is named once more.
+  void PassRepeatedPartner() {
+    if (at_ == 0 || at_ + 1 >= terms_.size() || terms_[at_ - 1].kind != Term::Kind::kDistance) return;
+    if (!terms_[at_].IsWord("away_from") || terms_[at_ + 1].kind != Term::Kind::kMention) return;
+    const Reference& first = terms_[at_ + 1].mention.references.front();
+    if (first.kind == RefKind::kPronoun && first.side.empty() && !composer_.pair_targets().empty()) at_ += 2;
+  }
+
+  // "Away from the shelf and at least 1 m from the stool": the figure is for the stool.
+  bool EndsInNextFact(size_t length) const {
+    const size_t next = at_ + length;
+    if (length < 4 || next + 1 >= terms_.size() || terms_[next - 1].kind != Term::Kind::kDistance) return false;
+    const Term& joint = terms_[next - 2];
+    const bool joined = joint.kind == Term::Kind::kSoft && joint.lemma != "(" && joint.lemma != ")";
+    const Term& relation = terms_[next];
+    const bool relates = relation.IsWord("away_from") || relation.IsWord("in_front_of") || relation.IsWord("behind") ||
+                         relation.IsWord("left_of") || relation.IsWord("right_of") || relation.IsWord("to_side");
+    return joined && relates && terms_[next + 1].kind == Term::Kind::kMention &&
+           terms_[next + 1].mention.references.front().kind != RefKind::kPronoun;
+  }
+
+  // "Against a wall and its front needs 0.8 m", "against the wall with the front facing the room": of the side comes
+  // more.
+  bool EndsInNextSubject(size_t length) const {
+    const size_t next = at_ + length;
+    if (length < 3 || next >= terms_.size() || terms_[next - 2].kind != Term::Kind::kSoft) return false;
+    const Term& side = terms_[next - 1];
+    const bool own = side.kind == Term::Kind::kMention && side.mention.references.front().kind == RefKind::kPronoun &&
+                     !side.mention.references.front().side.empty();
+    const Term& verb = terms_[next];
+    // "Along a wall with the long side against it": of that wall.
+    const bool of_it = next + 1 < terms_.size() && verb.IsAnyWord({"against", "facing", "along"}) &&
+                       terms_[next + 1].kind == Term::Kind::kMention &&
+                       terms_[next + 1].mention.references.front().kind == RefKind::kPronoun;
+    if (of_it) return false;
+    const bool goes_on = verb.kind == Term::Kind::kDistance ||
+                         (verb.kind == Term::Kind::kWord && !verb.IsWord("or") && !verb.IsWord("of"));
+    return own && goes_on;
+  }
+
+  // "overshadowed by the bed": what happens to it, not where it is.
+  bool Passive() const {
+    if (at_ == 0 || !terms_[at_].IsWord("next_to") || terms_[at_].end - terms_[at_].begin != 2) return false;
+    const Term& before = terms_[at_ - 1];
+    return before.kind == Term::Kind::kUnknown && before.lemma.size() > 3 && before.lemma.ends_with("ed");
+  }
+
+  // "So that its left side touches the stand": what touches what, no reason.
+  bool TellsOwnSide() const {
+    if (at_ + 2 >= terms_.size() || terms_[at_].lemma != "so") return false;
+    const Term& side = terms_[at_ + 1];
+    const bool own = side.kind == Term::Kind::kMention && side.mention.references.front().kind == RefKind::kPronoun &&
+                     !side.mention.references.front().side.empty();
+    return own && (terms_[at_ + 2].IsWord("against") || terms_[at_ + 2].IsWord("next_to"));
+  }
+
+  // Objects that are named as movers are spoken of from then on.
+  void TakeTopic(const Mention& mention) {
+    if (mention.references.front().kind != RefKind::kObjects) return;
+    // What a thing on a table or wall is about is its heading: "Desk organizer: on the shelf".
+    if (composer_.scope() == v1::SENTENCE_SCOPE_TERTIARY && !composer_.subjects().empty()) return;
+    std::vector<Placed> movers = composer_.Movers(&mention);
+    for (Placed& placed : movers) placed.side.clear();
+    if (!movers.empty()) composer_.SetTopic(std::move(movers));
+  }
+
+  void LeaveOver(const Term& term) {
+    switch (term.kind) {
+      case Term::Kind::kPurpose:
+        // "that" after a thing tells which one; "ensure that" tells nothing.
+        if (reads_reasons_ && (term.lemma == "to" || term.lemma == "for" || term.lemma == "so")) break;
+        if (TellsOwnSide()) break;
+        if (term.lemma != "that" || (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kMention)) in_reason_ = true;
+        reasons_ = reasons_ || term.lemma == "to" || term.lemma == "for" || term.lemma == "so";
+        break;
+      case Term::Kind::kWord:
+        if (!in_reason_ && term.lemma == "not") denied_ = true;
+        break;
+      case Term::Kind::kSoft:
+        denied_ = false;
+        if (term.lemma == "," || term.lemma == "but" || term.lemma == "while" || term.lemma == "with" ||
+            term.lemma == "(" || term.lemma == ")" || term.lemma == ":")
+          in_reason_ = false;
+        break;
+      case Term::Kind::kMention:
+        if (in_reason_) break;
+        if (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kSoft && terms_[at_ - 1].lemma == "(" &&
+            term.mention.references.front().kind == RefKind::kPronoun &&
+            !term.mention.references.front().side.empty()) {
+          composer_.CompleteSide(term.mention.references.front().side);
+        }
+        if (clause_begins_) TakeTopic(term.mention);
+        if (term.mention.references.front().kind == RefKind::kObjects && composer_.topic().empty())
+          TakeTopic(term.mention);
+        unused_.push_back(&term.mention);
+        clause_begins_ = false;
+        break;
+      case Term::Kind::kUnknown:
+      case Term::Kind::kDistance:
+        if (!in_reason_) left_over_.push_back(Quote(text_.substr(term.begin, term.end - term.begin)));
+        break;
+      default:
+        break;
+    }
+  }
+
+  const std::vector<Term>& terms_;
+  Composer& composer_;
+  const std::string_view text_;
+  const bool reads_reasons_;
+  bool reasons_ = false;
+  size_t at_ = 0;
+  bool in_reason_ = false;
+  bool clause_begins_ = true;
+  // A "not" that no rule took: what follows must not be read as wanted.
+  bool denied_ = false;
+  bool after_or_ = false;
+  size_t calls_at_or_ = 0;
+  std::vector<std::string> left_over_;
+  std::vector<const Mention*> unused_;
+};
 
 // What happens to an object stays, "overshadowed by", and so does what is denied: "minimize distractions from".
 Analysis WithoutUnknown(const Analysis& analysis) {
@@ -35,14 +247,6 @@ Analysis WithoutUnknown(const Analysis& analysis) {
     }
   }
   return known;
-}
-
-// "These constraints ensure that all pieces are accessible": about the list, not about a piece.
-bool SpeaksOfArrangement(const Analysis& analysis) {
-  const auto first = std::find_if(analysis.terms.begin(), analysis.terms.end(),
-                                  [](const Term& term) { return term.kind != Term::Kind::kUnknown; });
-  return first != analysis.terms.end() && first->kind == Term::Kind::kMention &&
-         first->mention.references.front().name == "arrangement";
 }
 
 // "When not in use, it can be pushed under the desk": a place of certain times. A wall that it stands at then is one
@@ -67,9 +271,7 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
   }
   Translation result;
   result.weight_factor = analysis.wish ? 0.5 : 1;
-  if (SpeaksOfArrangement(analysis)) {
-    composer.Refuse("not_about_layout", "what is said of all constraints together places nothing");
-  } else if (analysis.conditional || IsStowedAtTimes(analysis)) {
+  if (analysis.conditional || IsStowedAtTimes(analysis)) {
     composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");
   } else {
     Walk walk(analysis, composer, sentence.text(), false);
@@ -113,7 +315,17 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
   return result;
 }
 
-v1::LayoutGraph Translate(const v1::TranslateRequest& request) {
+v1::Diagnostic RemarkOn(const v1::Sentence& sentence, v1::Severity severity, std::string_view code,
+                        const std::string& message) {
+  v1::Diagnostic remark;
+  remark.set_severity(severity);
+  remark.set_code(std::string(code));
+  remark.set_message(fmt::format("\"{}\": {}", Quote(sentence.text()), message));
+  remark.set_subject_id(sentence.id());
+  return remark;
+}
+
+v1::LayoutGraph GraphOf(const v1::TranslateRequest& request, std::map<std::string, Translation> translations) {
   v1::LayoutGraph graph;
   *graph.mutable_room() = request.room();
   *graph.mutable_zone_plan() = request.zone_plan();
@@ -121,15 +333,11 @@ v1::LayoutGraph Translate(const v1::TranslateRequest& request) {
   if (request.has_style_sheet()) *graph.mutable_style_sheet() = request.style_sheet();
   *graph.mutable_constraint_list() = request.constraint_list();
   graph.set_catalog_library(request.catalog().library());
-  const SceneNames all_names(request.room(), request.zone_plan(), request.object_list());
-  const SceneNames floor_names(request.room(), request.zone_plan(), request.object_list(), NamedObjects::kFloorFirst);
-  const CatalogIndex catalog(request.catalog());
   for (const v1::Sentence& sentence : request.constraint_list().sentences()) {
-    const SceneNames& names = sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY ? all_names : floor_names;
-    Translation translation = TranslateSentence(request, names, catalog, sentence);
+    Translation& translation = translations[sentence.id()];
     for (Call& call : translation.calls) {
       v1::ConstraintEdge& edge = *graph.add_edges();
-      edge.set_id("e" + std::to_string(graph.edges_size()));
+      edge.set_id(fmt::format("e{}", graph.edges_size()));
       edge.set_type(call.type);
       for (v1::Argument& argument : call.arguments) *edge.add_arguments() = std::move(argument);
       edge.set_weight((sentence.weight() > 0 ? sentence.weight() : 1) * translation.weight_factor);
@@ -138,6 +346,18 @@ v1::LayoutGraph Translate(const v1::TranslateRequest& request) {
     for (v1::Diagnostic& diagnostic : translation.diagnostics) *graph.add_diagnostics() = std::move(diagnostic);
   }
   return graph;
+}
+
+v1::LayoutGraph Translate(const v1::TranslateRequest& request) {
+  const SceneNames all_names(request.room(), request.zone_plan(), request.object_list());
+  const SceneNames floor_names(request.room(), request.zone_plan(), request.object_list(), NamedObjects::kFloorFirst);
+  const CatalogIndex catalog(request.catalog());
+  std::map<std::string, Translation> translations;
+  for (const v1::Sentence& sentence : request.constraint_list().sentences()) {
+    const SceneNames& names = sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY ? all_names : floor_names;
+    translations[sentence.id()] = TranslateSentence(request, names, catalog, sentence);
+  }
+  return GraphOf(request, std::move(translations));
 }
 
 }  // namespace flair::translator

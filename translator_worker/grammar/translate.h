@@ -2,6 +2,7 @@
 // Sentences to calls, without a model.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,13 @@ struct Translation {
 // covers is left over. Linear in the length of the sentence. Never without calls and without diagnostics.
 Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
                               const v1::Sentence& sentence);
+
+// A remark on a sentence, which it quotes.
+v1::Diagnostic RemarkOn(const v1::Sentence& sentence, v1::Severity severity, std::string_view code,
+                        const std::string& message);
+
+// The graph of a request whose sentences became that, by their ids; takes the calls out of `translations`.
+v1::LayoutGraph GraphOf(const v1::TranslateRequest& request, std::map<std::string, Translation> translations);
 
 // Translates every sentence of a request whose catalogue is set. The request must have been validated.
 v1::LayoutGraph Translate(const v1::TranslateRequest& request);

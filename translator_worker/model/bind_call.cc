@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "fmt/format.h"
-#include "llm/answers/choices.h"
 #include "llm/answers/fault.h"
-#include "llm/answers/quantity.h"
+#include "llm/answers/field_facts.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -9,7 +9,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/translator_service.pb.h"
-#include "llm/answers/choices.h"
+#include "llm/answers/field_facts.h"
 #include "translator_worker/grammar/call.h"
 #include "translator_worker/model/call_text.h"
 

@@ -4,7 +4,7 @@
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "translator_worker/model/test_translation.h"
+#include "translator_worker/model/testing/test_translation.h"
 
 namespace flair::translator {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "fmt/format.h"
-#include "llm/answers/choices.h"
 #include "llm/answers/fault.h"
+#include "llm/answers/field_facts.h"
 
 namespace flair::translator {
 namespace {

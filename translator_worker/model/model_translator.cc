@@ -9,11 +9,14 @@
 #include <utility>
 
 #include "flair/model/v1/calls_answers.pb.h"
+#include "flair/v1/worker_service.pb.h"
 #include "fmt/format.h"
 #include "llm/answers/conversation.h"
+#include "llm/config/check_llm_config.h"
+#include "llm/make_llm_client.h"
 #include "translator_worker/catalog/catalog_index.h"
-#include "translator_worker/grammar/translate.h"
 #include "translator_worker/grammar/scene_names.h"
+#include "translator_worker/grammar/translate.h"
 #include "translator_worker/model/bind_call.h"
 #include "translator_worker/model/prompt_texts.h"
 #include "translator_worker/model/read_calls.h"
@@ -52,16 +55,6 @@ std::vector<Portion> Divide(const v1::ConstraintList& list) {
   return portions;
 }
 
-v1::Diagnostic Remark(const v1::Sentence& sentence, v1::Severity severity, const char* code,
-                      const std::string& message) {
-  v1::Diagnostic remark;
-  remark.set_severity(severity);
-  remark.set_code(code);
-  remark.set_message(fmt::format("\"{}\": {}", Quote(sentence.text()), message));
-  remark.set_subject_id(sentence.id());
-  return remark;
-}
-
 // Translates the sentences of one request and collects the graph.
 class Run {
  public:
@@ -77,7 +70,7 @@ class Run {
     question.step = std::string(portion.pass->step);
     if (number > 0) question.step += fmt::format(".{}", number + 1);
     question.system = prompts_.Fill("translator", {});
-    question.text = Text(portion, TypesFor(*portion.pass, request_));
+    question.text = Text(portion);
     llm::Choices& ids = question.choices["flair.model.v1.SentenceCallsAnswer.id"];
     for (const v1::Sentence* sentence : portion.sentences) {
       ids.names.push_back(sentence->id());
@@ -93,9 +86,6 @@ class Run {
       AddMissing(portion.sentences, answer, faults);
       return faults;
     });
-    question.text_of_part = [this, &portion](const google::protobuf::Message& answer, const llm::Elements& elements) {
-      return TextOfPart(portion, static_cast<const CallsAnswer&>(answer), elements.begin()->second);
-    };
     return question;
   }
 
@@ -115,11 +105,7 @@ class Run {
   // Without a model.
   void StandIn(const Portion& portion, const absl::Status& failure) {
     for (const v1::Sentence* sentence : portion.sentences) {
-      Translation translation = TranslateSentence(request_, names_, catalog_, *sentence);
-      Kept& kept = kept_[sentence->id()];
-      kept.calls = std::move(translation.calls);
-      kept.remarks = std::move(translation.diagnostics);
-      kept.weight_factor = translation.weight_factor;
+      kept_[sentence->id()] = TranslateSentence(request_, names_, catalog_, *sentence);
     }
     v1::Diagnostic& remark = remarks_.emplace_back();
     remark.set_severity(v1::SEVERITY_WARNING);
@@ -130,36 +116,12 @@ class Run {
   }
 
   v1::LayoutGraph Graph() {
-    v1::LayoutGraph graph;
-    *graph.mutable_room() = request_.room();
-    *graph.mutable_zone_plan() = request_.zone_plan();
-    *graph.mutable_object_list() = request_.object_list();
-    if (request_.has_style_sheet()) *graph.mutable_style_sheet() = request_.style_sheet();
-    *graph.mutable_constraint_list() = request_.constraint_list();
-    graph.set_catalog_library(request_.catalog().library());
-    for (const v1::Sentence& sentence : request_.constraint_list().sentences()) {
-      Kept& kept = kept_[sentence.id()];
-      for (Call& call : kept.calls) {
-        v1::ConstraintEdge& edge = *graph.add_edges();
-        edge.set_id(fmt::format("e{}", graph.edges_size()));
-        edge.set_type(call.type);
-        for (v1::Argument& argument : call.arguments) *edge.add_arguments() = std::move(argument);
-        edge.set_weight((sentence.weight() > 0 ? sentence.weight() : 1) * kept.weight_factor);
-        edge.set_sentence_id(sentence.id());
-      }
-      for (v1::Diagnostic& remark : kept.remarks) *graph.add_diagnostics() = std::move(remark);
-    }
+    v1::LayoutGraph graph = GraphOf(request_, std::move(kept_));
     for (v1::Diagnostic& remark : remarks_) *graph.add_diagnostics() = std::move(remark);
     return graph;
   }
 
  private:
-  struct Kept {
-    std::vector<Call> calls;
-    std::vector<v1::Diagnostic> remarks;
-    double weight_factor = 1;
-  };
-
   // The names by which the functions of a pass may be called.
   llm::Choices FunctionsOf(const Portion& portion) const {
     llm::Choices functions;
@@ -170,43 +132,20 @@ class Run {
     return functions;
   }
 
-  std::string Text(const Portion& portion, const std::vector<const v1::ConstraintType*>& types) const {
+  std::string Text(const Portion& portion) const {
     return prompts_.Fill("translation", {{"pass", std::string(portion.pass->task)},
-                                         {"functions", FunctionsText(types)},
+                                         {"functions", FunctionsText(TypesFor(*portion.pass, request_))},
                                          {"room", RoomText(request_.room())},
                                          {"zones", ZonesText(request_.zone_plan())},
                                          {"objects", ObjectsText(request_.object_list(), portion.sentences)},
                                          {"sentences", SentencesText(portion.sentences)}});
   }
 
-  // The question for some sentences of an answer: the functions that it called for them, or all where that tells
-  // nothing.
-  std::string TextOfPart(const Portion& portion, const CallsAnswer& answer, const std::set<int>& numbers) const {
-    Portion part{portion.pass, {}};
-    const std::vector<const v1::ConstraintType*> all = TypesFor(*portion.pass, request_);
-    std::set<const v1::ConstraintType*> called;
-    bool clear = true;
-    for (const int number : numbers) {
-      const model::v1::SentenceCallsAnswer& said = answer.sentences(number);
-      for (const v1::Sentence* sentence : portion.sentences) {
-        if (sentence->id() == said.id()) part.sentences.push_back(sentence);
-      }
-      const std::optional<std::set<std::string>> names = FunctionsIn(said, FunctionsOf(portion));
-      clear = clear && names.has_value();
-      for (const std::string& name : names.value_or(std::set<std::string>())) called.insert(catalog_.Find(name));
-    }
-    std::vector<const v1::ConstraintType*> types;
-    for (const v1::ConstraintType* type : all) {
-      if (!clear || called.contains(type)) types.push_back(type);
-    }
-    return Text(part, types);
-  }
-
   void Keep(const v1::Sentence& sentence, const SentenceCalls& read) {
-    Kept& kept = kept_[sentence.id()];
+    Translation& kept = kept_[sentence.id()];
     kept.calls = read.calls;
     const auto remark = [&](v1::Severity severity, const char* code, const std::string& message) {
-      kept.remarks.push_back(Remark(sentence, severity, code, message));
+      kept.diagnostics.push_back(RemarkOn(sentence, severity, code, message));
     };
     for (const std::string& problem : read.rejected) {
       remark(v1::SEVERITY_WARNING, "call_rejected", "a call was left out: " + problem);
@@ -224,7 +163,7 @@ class Run {
   const CatalogIndex catalog_;
   const ArgumentReader reader_;
   const SceneNames names_;
-  std::map<std::string, Kept> kept_;
+  std::map<std::string, Translation> kept_;
   std::vector<v1::Diagnostic> remarks_;
 };
 
@@ -233,11 +172,12 @@ class Run {
 absl::StatusOr<std::unique_ptr<ModelTranslator>> ModelTranslator::Make(std::unique_ptr<llm::LlmClient> client,
                                                                        const std::filesystem::path& prompts,
                                                                        const std::filesystem::path& overrides) {
-  std::vector<llm::PromptSpec> specs = llm::RepairPrompts();
-  specs.push_back({.name = "translator", .placeholders = {}, .required = {}});
-  specs.push_back({.name = "translation",
-                   .placeholders = {"pass", "functions", "room", "zones", "objects", "sentences"},
-                   .required = {"functions", "objects", "sentences"}});
+  const std::vector<llm::PromptSpec> specs = {
+      llm::RepairPrompt(),
+      {.name = "translator", .placeholders = {}, .required = {}},
+      {.name = "translation",
+       .placeholders = {"pass", "functions", "room", "zones", "objects", "sentences"},
+       .required = {"functions", "objects", "sentences"}}};
   ASSIGN_OR_RETURN(llm::PromptLibrary library, llm::PromptLibrary::Load(prompts, overrides, specs));
   return std::unique_ptr<ModelTranslator>(new ModelTranslator(std::move(client), std::move(library)));
 }
@@ -268,6 +208,21 @@ absl::StatusOr<v1::TranslateResponse> ModelTranslator::Translate(const v1::Trans
 
 std::filesystem::path DefaultPromptFolder() {
   return runtime::InstalledFolder("prompts/translator", FLAIR_TRANSLATOR_PROMPTS);
+}
+
+absl::StatusOr<std::unique_ptr<const Translator>> MakeModelTranslator(const config::v1::TranslatorWorkerConfig& config,
+                                                                      runtime::WorkerContext& worker) {
+  // A recording answers the same every time.
+  if (!config.llm().replay_path().empty()) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
+  ASSIGN_OR_RETURN(std::unique_ptr<llm::LlmClient> client, llm::MakeLlmClient(config.llm(), worker));
+  return ModelTranslator::Make(std::move(client), DefaultPromptFolder(), config.llm().prompts_path());
+}
+
+void CheckTranslatorConfig(const config::v1::TranslatorWorkerConfig& config, runtime::ConfigChecker& checker) {
+  if (!config.has_llm()) return;
+  llm::CheckLlmConfig(config.llm(), [&checker](std::string_view field, std::string_view problem) {
+    checker.Report(fmt::format("llm.{}", field), problem);
+  });
 }
 
 }  // namespace flair::translator

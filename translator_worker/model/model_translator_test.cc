@@ -5,7 +5,7 @@
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "translator_worker/model/test_translation.h"
+#include "translator_worker/model/testing/test_translation.h"
 
 namespace flair::translator {
 namespace {
@@ -102,19 +102,20 @@ TEST_P(BadCallTest, IsTakenWhenItIsRepaired) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadCallTest,
-    ::testing::Values(
-        BadCall{"unknown function", "os.system()", "\"os.system\" is no function"},
-        BadCall{"a function of another pass", "surround(table, [vase])", "\"surround\" is no function"},
-        BadCall{"unknown object", "against_wall(piano)", "\"piano\" is no object"},
-        BadCall{"several objects where one goes", "against_wall(dining chair)", "means 2 objects"},
-        BadCall{"two values where one goes", "against_wall([table, vase])", "has 2 values"},
-        BadCall{"one argument twice", "against_wall(table, object=vase)", "given object twice"},
-        BadCall{"a side that is none", "against_wall(table, side=top)", "\"top\" is no side"},
-        BadCall{"an argument too many", "against_wall(table, back, north, far)", "takes no further argument \"far\""},
-        BadCall{"an unknown parameter", "against_wall(table, colour=red)", "has no parameter \"colour\""},
-        BadCall{"a required parameter that is missing", "against_wall()", "against_wall needs object"},
-        BadCall{"prose", "The table is there.", "is no call"}, BadCall{"a name alone", "against_wall", "is no call"},
-        BadCall{"JSON without a function", R"({"object": "table", "side": "back"})", "is no call"}),
+    ::testing::Values(BadCall{"unknown function", "os.system()", "\"os.system\" is no function"},
+                      BadCall{"a function of another pass", "surround(table, [vase])", "\"surround\" is no function"},
+                      BadCall{"unknown object", "against_wall(piano)", "\"piano\" is no object"},
+                      BadCall{"several objects where one goes", "against_wall(dining chair)", "means 2 objects"},
+                      BadCall{"two values where one goes", "against_wall([table, vase])", "has 2 values"},
+                      BadCall{"one argument twice", "against_wall(table, object=vase)", "given object twice"},
+                      BadCall{"a side that is none", "against_wall(table, side=top)", "\"top\" is no side"},
+                      BadCall{"an argument too many", "against_wall(table, back, north, far)",
+                              "takes no further argument \"far\""},
+                      BadCall{"an unknown parameter", "against_wall(table, colour=red)", "has no parameter \"colour\""},
+                      BadCall{"a required parameter that is missing", "against_wall()", "against_wall needs object"},
+                      BadCall{"prose", "The table is there.", "is no call"},
+                      BadCall{"a name alone", "against_wall", "is no call"},
+                      BadCall{"JSON without a function", R"({"object": "table", "side": "back"})", "is no call"}),
     [](const auto& info) {
       std::string name;
       for (const char c : std::string(info.param.name)) name += c == ' ' ? '_' : c;
@@ -150,28 +151,6 @@ TEST_F(ModelTranslatorTest, ASentenceThatTheModelForgetsIsAskedForAndThenSaidToB
   const v1::LayoutGraph graph = TranslateIntra(Answer(""), Answer(""));
   EXPECT_THAT(Codes(graph), ElementsAre("unknown_sentence"));
   EXPECT_THAT(model_->requests()[3].messages.back().text, HasSubstr("sentences[0]: s1 is missing"));
-}
-
-TEST_F(ModelTranslatorTest, ARepairIsAboutTheSentencesWithFaultsAndTheirFunctionsAlone) {
-  v1::ConstraintList& list = *request_.mutable_constraint_list();
-  for (const char* id : {"s4", "s5"}) {
-    *list.add_sentences() = list.sentences(1);
-    list.mutable_sentences(list.sentences_size() - 1)->set_id(id);
-  }
-  model_->Answer("translation.intra", Answer(Entry("s1", {kWallCall})));
-  model_->Answer("translation.inter", Answer(Entry("s2", {kSurroundCall}) + "," + Entry("s4", {"near(vase, vase)"}) +
-                                             "," + Entry("s5", {kSurroundCall})));
-  model_->Answer("translation.inter/repair", Answer(Entry("s4", {"near(vase, table)"})));
-  model_->Answer("translation.tertiary", Answer(Entry("s3", {kOnCall})));
-  const auto response = translator_->Translate(request_, call_);
-  ASSERT_TRUE(response.ok()) << response.status();
-  EXPECT_THAT(Types(response->layout_graph()), ElementsAre("against_wall", "surround", "on", "near", "surround"));
-  EXPECT_THAT(response->layout_graph().diagnostics(), IsEmpty());
-  const llm::ChatRequest repair = model_->requests().back();
-  EXPECT_THAT(repair.messages[1].text, AllOf(HasSubstr("- s4 "), Not(HasSubstr("- s5 ")), HasSubstr("- near("),
-                                             Not(HasSubstr("- surround(")), HasSubstr("- table: ")));
-  EXPECT_EQ(repair.messages[2].text, R"x({"sentences":[{"calls":["near(vase, vase)"],"id":"s4"}]})x");
-  EXPECT_THAT(repair.messages[3].text, HasSubstr("- sentences[0].calls[0]: near relates \"vase\" to itself"));
 }
 
 TEST_F(ModelTranslatorTest, ARepairOfAFunctionThatThereIsNotIsToldOfAll) {

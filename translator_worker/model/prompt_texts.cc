@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fmt/format.h"
-#include "llm/answers/choices.h"
+#include "llm/answers/field_facts.h"
 #include "llm/answers/prompt_library.h"
 
 namespace flair::translator {

@@ -56,22 +56,6 @@ std::map<std::string, SentenceCalls> ReadCalls(const model::v1::CallsAnswer& ans
   return result;
 }
 
-std::optional<std::set<std::string>> FunctionsIn(const model::v1::SentenceCallsAnswer& said,
-                                                 const llm::Choices& functions) {
-  std::set<std::string> names;
-  for (const std::string& text : said.calls()) {
-    const absl::StatusOr<WrittenCalls> written = ReadCallText(text);
-    if (!written.ok()) return std::nullopt;
-    for (const WrittenCall& one : written->calls) {
-      const std::optional<std::string> name = llm::FindChoice(one.function, functions);
-      if (!name) return std::nullopt;
-      names.insert(*name);
-    }
-  }
-  if (names.empty()) return std::nullopt;
-  return names;
-}
-
 void AddMissing(const std::vector<const v1::Sentence*>& sentences, model::v1::CallsAnswer& answer,
                 std::vector<llm::Fault>& faults) {
   std::set<std::string> there;

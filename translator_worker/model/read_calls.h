@@ -10,8 +10,8 @@
 #include "absl/status/statusor.h"
 #include "flair/model/v1/calls_answers.pb.h"
 #include "flair/v1/constraint_list.pb.h"
-#include "llm/answers/choices.h"
 #include "llm/answers/fault.h"
+#include "llm/answers/field_facts.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/call.h"
 #include "translator_worker/model/bind_call.h"
@@ -34,10 +34,6 @@ std::map<std::string, SentenceCalls> ReadCalls(const model::v1::CallsAnswer& ans
                                                const std::vector<const v1::Sentence*>& sentences,
                                                const llm::Choices& functions, const CatalogIndex& catalog,
                                                const ArgumentReader& reader, std::vector<llm::Fault>* faults);
-
-// The functions that an entry calls, by name; nothing when it calls one that there is not, or none.
-std::optional<std::set<std::string>> FunctionsIn(const model::v1::SentenceCallsAnswer& said,
-                                                 const llm::Choices& functions);
 
 // Appends an entry without calls for every sentence that has none, with a fault to ask about.
 void AddMissing(const std::vector<const v1::Sentence*>& sentences, model::v1::CallsAnswer& answer,

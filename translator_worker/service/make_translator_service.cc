@@ -8,11 +8,8 @@
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "flair/v1/worker_service.pb.h"
 #include "fmt/format.h"
-#include "llm/config/check_llm_config.h"
-#include "llm/make_llm_client.h"
 #include "room/validation/validate.h"
 #include "translator_worker/grammar/translate.h"
-#include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/server_call.h"
 #include "worker_runtime/status/status_macros.h"
@@ -27,7 +24,7 @@ inline constexpr char kGrammarVersion[] = "4";
 class TranslateHandler {
  public:
   // `source` gives the catalogue to requests without one; `model` may be null. Both must outlive the handler.
-  TranslateHandler(CatalogSource& source, const ModelTranslator* model) : source_(source), model_(model) {}
+  TranslateHandler(CatalogSource& source, const Translator* model) : source_(source), model_(model) {}
 
   absl::StatusOr<v1::TranslateResponse> Handle(const v1::TranslateRequest& request, runtime::CallContext& call) const;
 
@@ -35,7 +32,7 @@ class TranslateHandler {
   absl::StatusOr<v1::TranslateResponse> Answer(const v1::TranslateRequest& complete, runtime::CallContext& call) const;
 
   CatalogSource& source_;
-  const ModelTranslator* const model_;
+  const Translator* const model_;
 };
 
 absl::StatusOr<v1::TranslateResponse> TranslateHandler::Handle(const v1::TranslateRequest& request,
@@ -68,7 +65,7 @@ absl::StatusOr<v1::TranslateResponse> TranslateHandler::Answer(const v1::Transla
 
 class Service final : public v1::TranslatorService::CallbackService {
  public:
-  Service(std::unique_ptr<CatalogSource> source, std::unique_ptr<const ModelTranslator> model,
+  Service(std::unique_ptr<CatalogSource> source, std::unique_ptr<const Translator> model,
           runtime::WorkerContext& worker)
       : worker_(worker), source_(std::move(source)), model_(std::move(model)), translate_(*source_, model_.get()) {}
 
@@ -80,7 +77,7 @@ class Service final : public v1::TranslatorService::CallbackService {
  private:
   runtime::WorkerContext& worker_;
   const std::unique_ptr<CatalogSource> source_;
-  const std::unique_ptr<const ModelTranslator> model_;
+  const std::unique_ptr<const Translator> model_;
   TranslateHandler translate_;
 };
 
@@ -95,40 +92,30 @@ absl::StatusOr<std::unique_ptr<CatalogSource>> MakeSource(const config::v1::Tran
   return MakeRemoteCatalogSource(*channel);
 }
 
-// Null when none is configured.
-absl::StatusOr<std::unique_ptr<ModelTranslator>> MakeModel(const config::v1::TranslatorWorkerConfig& config,
-                                                           runtime::WorkerContext& worker) {
-  if (!config.has_llm()) return nullptr;
-  ASSIGN_OR_RETURN(std::unique_ptr<llm::LlmClient> client, llm::MakeLlmClient(config.llm(), worker));
-  return ModelTranslator::Make(std::move(client), DefaultPromptFolder(), config.llm().prompts_path());
-}
-
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeTranslatorService(const config::v1::TranslatorWorkerConfig& config,
-                                                                     runtime::WorkerContext& worker) {
+                                                                     runtime::WorkerContext& worker,
+                                                                     const ModelTranslatorMaker& with_model) {
   RETURN_IF_ERROR(english::Language::CheckInstalled());
   ASSIGN_OR_RETURN(std::unique_ptr<CatalogSource> source, MakeSource(config));
-  ASSIGN_OR_RETURN(std::unique_ptr<ModelTranslator> model, MakeModel(config, worker));
-  // A recording answers the same every time.
-  if (model != nullptr && !config.llm().replay_path().empty()) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
+  std::unique_ptr<const Translator> model;
+  if (config.has_llm()) {
+    if (with_model == nullptr) {
+      return absl::InvalidArgumentError("llm: this program asks no language model; flair and flair-translator do");
+    }
+    ASSIGN_OR_RETURN(model, with_model(config, worker));
+  }
   return MakeTranslatorService(std::move(source), std::move(model), worker);
 }
 
 std::unique_ptr<grpc::Service> MakeTranslatorService(std::unique_ptr<CatalogSource> source,
-                                                     std::unique_ptr<const ModelTranslator> model,
+                                                     std::unique_ptr<const Translator> model,
                                                      runtime::WorkerContext& worker) {
   worker.revision = fmt::format("grammar {}", kGrammarVersion);
   if (model == nullptr) worker.capabilities = {v1::CAPABILITY_DETERMINISTIC};
   if (model != nullptr) worker.revision = fmt::format("{}, {} {}", worker.revision, model->model(), model->version());
   return std::make_unique<Service>(std::move(source), std::move(model), worker);
-}
-
-void CheckTranslatorConfig(const config::v1::TranslatorWorkerConfig& config, runtime::ConfigChecker& checker) {
-  if (!config.has_llm()) return;
-  llm::CheckLlmConfig(config.llm(), [&checker](std::string_view field, std::string_view problem) {
-    checker.Report(fmt::format("llm.{}", field), problem);
-  });
 }
 
 }  // namespace flair::translator

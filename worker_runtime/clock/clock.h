@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-#include <functional>
+#include <chrono>
 
-#include "absl/status/status.h"
+#include "absl/time/clock.h"
 #include "absl/time/time.h"
 
 namespace flair::runtime {
@@ -22,26 +21,15 @@ class Clock {
 };
 
 // The clock of the machine. Lives for the whole process.
-Clock& SystemClock();
-
-// OK when it is time (or was hastened); CANCELLED when the timer ends before.
-using TimerCallback = std::function<void(const absl::Status&)>;
-
-// Runs functions later. An argument everywhere, so that tests need not sleep. Thread-safe.
-class Timer {
- public:
-  // Names one function that waits; never 0.
-  using Id = int64_t;
-
-  virtual ~Timer() = default;
-
-  // Calls `callback` exactly once, not before `delay` has passed, in the timer's thread; it must not block. When the
-  // timer has ended, calls it from within this call.
-  virtual Id RunAfter(absl::Duration delay, TimerCallback callback) = 0;
-
-  // Calls the callback as soon as possible instead of at its time, still in the timer's thread, never from within this
-  // call: for callers that must not wait any longer, such as a call that was cancelled. Does nothing when it has run.
-  virtual void Hasten(Id id) = 0;
-};
+inline Clock& SystemClock() {
+  class MachineClock final : public Clock {
+    absl::Time Now() const override { return absl::Now(); }
+    absl::Duration Elapsed() const override {
+      return absl::FromChrono(std::chrono::steady_clock::now().time_since_epoch());
+    }
+  };
+  static MachineClock clock;
+  return clock;
+}
 
 }  // namespace flair::runtime

@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "flair/config/v1/runtime_config.pb.h"
-#include "worker_runtime/metrics/metrics_endpoint.h"
 #include "worker_runtime/security/security.h"
 
 namespace flair::runtime {

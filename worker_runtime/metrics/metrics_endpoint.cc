@@ -9,11 +9,12 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
-#include <charconv>
 #include <chrono>
 #include <optional>
 #include <thread>
 #include <utility>
+
+#include "worker_runtime/security/security.h"
 
 namespace flair::runtime {
 namespace {
@@ -94,15 +95,6 @@ class Connection final : public std::enable_shared_from_this<Connection> {
   std::optional<Response> response_;
 };
 
-bool IsHost(std::string_view host) {
-  if (host.starts_with("[") && host.ends_with("]") && host.size() > 2) {
-    host = host.substr(1, host.size() - 2);
-    return host.find_first_not_of("0123456789abcdefABCDEF:.") == std::string_view::npos;
-  }
-  return !host.empty() && host.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._") ==
-                              std::string_view::npos;
-}
-
 }  // namespace
 
 // All but Listen, Start and the destructor runs on its thread.
@@ -173,18 +165,6 @@ class MetricsEndpoint::Server {
   asio::steady_timer pause_{context_};
   std::thread thread_;
 };
-
-absl::Status CheckMetricsAddress(const std::string& address) {
-  const size_t colon = address.rfind(':');
-  int port = -1;
-  if (colon != std::string::npos && IsHost(std::string_view(address).substr(0, colon))) {
-    const char* end = address.data() + address.size();
-    const auto [rest, error] = std::from_chars(address.data() + colon + 1, end, port);
-    if (error == std::errc() && rest == end && port >= 0 && port <= 65535) return absl::OkStatus();
-  }
-  return absl::InvalidArgumentError(
-      fmt::format("\"{}\": expected HOST:PORT with a port in [0, 65535], such as 127.0.0.1:9090", address));
-}
 
 MetricsEndpoint::MetricsEndpoint(std::unique_ptr<Server> server, std::string address)
     : server_(std::move(server)), address_(std::move(address)) {}

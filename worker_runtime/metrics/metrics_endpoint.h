@@ -34,8 +34,4 @@ class MetricsEndpoint {
   const std::string address_;
 };
 
-// INVALID_ARGUMENT unless `address` is HOST:PORT with a port in [0, 65535]. HOST is a name, an IPv4 address, or an IPv6
-// one in brackets.
-absl::Status CheckMetricsAddress(const std::string& address);
-
 }  // namespace flair::runtime

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "worker_runtime/metrics/prometheus_metrics.h"
+#include "worker_runtime/security/security.h"
 
 namespace flair::runtime {
 namespace {

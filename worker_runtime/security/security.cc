@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -19,6 +20,15 @@
 
 namespace flair::runtime {
 namespace {
+
+bool IsHost(std::string_view host) {
+  if (host.starts_with("[") && host.ends_with("]") && host.size() > 2) {
+    host = host.substr(1, host.size() - 2);
+    return host.find_first_not_of("0123456789abcdefABCDEF:.") == std::string_view::npos;
+  }
+  return !host.empty() && host.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._") ==
+                              std::string_view::npos;
+}
 
 // What comes before the last colon, out of its brackets.
 std::string HostOf(std::string_view address) {
@@ -183,6 +193,18 @@ absl::Status CheckTlsFiles(const config::v1::TlsConfig& tls, absl::Time now, con
   const absl::Status status = CheckFiles(tls, now, names);
   ERR_clear_error();
   return status;
+}
+
+absl::Status CheckMetricsAddress(const std::string& address) {
+  const size_t colon = address.rfind(':');
+  int port = -1;
+  if (colon != std::string::npos && IsHost(std::string_view(address).substr(0, colon))) {
+    const char* end = address.data() + address.size();
+    const auto [rest, error] = std::from_chars(address.data() + colon + 1, end, port);
+    if (error == std::errc() && rest == end && port >= 0 && port <= 65535) return absl::OkStatus();
+  }
+  return absl::InvalidArgumentError(
+      fmt::format("\"{}\": expected HOST:PORT with a port in [0, 65535], such as 127.0.0.1:9090", address));
 }
 
 }  // namespace flair::runtime

@@ -24,6 +24,10 @@ std::string ExposureFault(const config::v1::RuntimeConfig& runtime, std::optiona
 // The same of its figures, which are always served in plain text to whoever asks.
 std::string MetricsExposureFault(const config::v1::RuntimeConfig& runtime);
 
+// INVALID_ARGUMENT unless `address` is HOST:PORT with a port in [0, 65535]. HOST is a name, an IPv4 address, or an IPv6
+// one in brackets.
+absl::Status CheckMetricsAddress(const std::string& address);
+
 // What the fields are called, in messages.
 struct TlsFieldNames {
   std::string certificate = "runtime.tls.certificate_path";

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/handbook/cleaning/statements.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "language_worker/handbook/cleaning/clean_constraints.h"
 
 namespace flair::language {
 

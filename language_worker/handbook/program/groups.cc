@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "language_worker/handbook/program/room_program.h"
-#include "language_worker/handbook/reading/furniture_reader.h"
+#include "language_worker/handbook/reading/piece_words.h"
 
 namespace flair::language {
 namespace {

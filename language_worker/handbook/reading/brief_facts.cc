@@ -32,17 +32,16 @@ class BriefReader {
     const std::vector<bool> size_words = std::exchange(used_, std::vector<bool>(tokens_.size()));
     ReadArchetype();
     const std::vector<bool> room_words = used_;
-    FurnitureReader furniture(handbook_, tokens_, used_, facts_);
-    furniture.Read();
+    const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
     ReadOtherRooms();
     ReadOpenings(tokens_, room_words, used_, facts_.openings);
-    furniture.ReadPlaces();
+    ReadPlaces(handbook_, tokens_, pieces.mentions, used_, facts_);
     ReadThemesAndStyles();
     ReadNeeds();
     facts_.reads_as_english = !IsForeign(tokens_) && (facts_.archetype_named || ReadsAsEnglish(tokens_));
     if (facts_.reads_as_english) {
       for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
-      furniture.MarkCounts();
+      for (const std::size_t i : pieces.counts) used_[i] = true;
       for (const std::size_t i : facts_.told) used_[i] = true;
       for (std::size_t i = 0; i < used_.size(); ++i) used_[i] = used_[i] || size_words[i];
       facts_.unheard = UnheardWords(tokens_, used_);

@@ -2,13 +2,16 @@
 #include "language_worker/handbook/reading/furniture_reader.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "language_worker/handbook/reading/piece_words.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
-
 namespace {
 
 // Adjectives may stand between a modifier and its noun: "two-seat green velvet sofa".
@@ -33,342 +36,365 @@ bool SaysLooks(const Token& token) {
          IsIn("looks", token.text);
 }
 
-}  // namespace
-
-NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
-    : vocabulary_(handbook.vocabulary()), room_(*facts.archetype) {
-  const hb::Archetype& room = room_;
-  const auto raise = [&](std::string_view name, int rank) { ranks_[name] = std::max(ranks_[name], rank); };
-  for (const hb::Furniture& furniture : handbook.contents().furniture()) {
-    const auto& hints = furniture.zone_hints();
-    for (const hb::ZoneSpec& zone : room.zones()) {
-      if (std::ranges::find(hints, zone.name()) != hints.end()) raise(furniture.name(), kOfAZone);
+// What words for several classes mean in one kind of room: the "chair" of an office is none of a dining room. The
+// handbook must outlive it.
+class NounBook {
+ public:
+  // `facts` must know the kind of room, and its size if the brief says it.
+  NounBook(const Handbook& handbook, const BriefFacts& facts)
+      : vocabulary_(handbook.vocabulary()), room_(*facts.archetype) {
+    const auto raise = [&](std::string_view name, int rank) { ranks_[name] = std::max(ranks_[name], rank); };
+    for (const hb::Furniture& furniture : handbook.contents().furniture()) {
+      for (const hb::ZoneSpec& zone : room_.zones()) {
+        if (Includes(furniture.zone_hints(), zone.name())) raise(furniture.name(), kOfAZone);
+      }
     }
-  }
-  const hb::Band& usual = BandFor(room, AreaOf(facts));
-  for (const hb::Band& band : room.bands()) {
-    for (const hb::ObjectEntry& entry : band.objects()) raise(entry.furniture(), &band == &usual ? kListed : kOfAZone);
-  }
-  for (const hb::ObjectEntry& entry : room.tertiaries()) raise(entry.furniture(), kListed);
-  raise(room.per_person(), kOnePerPerson);
-}
-
-int NounBook::RankOf(const hb::Furniture& furniture) const {
-  const auto rank = ranks_.find(furniture.name());
-  return rank == ranks_.end() ? kNotOfTheRoom : rank->second;
-}
-
-int NounBook::RankAt(const std::vector<Token>& tokens, std::size_t i, const hb::Furniture& furniture) const {
-  const int rank = RankOf(furniture);
-  const auto here = [&](const hb::NounOption& option) {
-    return option.furniture() == furniture.name() &&
-           std::ranges::find(option.rooms(), room_.name()) != option.rooms().end();
-  };
-  std::size_t longest = 0;
-  bool meant = false;
-  for (const Vocabulary::Head& head : vocabulary_.heads) {
-    for (const Phrase& word : head.words) {
-      const std::size_t length = word.MatchAt(tokens, i);
-      if (length <= longest) continue;
-      longest = length;
-      meant = std::ranges::any_of(head.noun->options(), here);
+    const hb::Band& usual = BandFor(room_, AreaOf(facts));
+    for (const hb::Band& band : room_.bands()) {
+      for (const hb::ObjectEntry& entry : band.objects())
+        raise(entry.furniture(), &band == &usual ? kListed : kOfAZone);
     }
+    for (const hb::ObjectEntry& entry : room_.tertiaries()) raise(entry.furniture(), kListed);
+    raise(room_.per_person(), kOnePerPerson);
   }
-  return meant ? std::max<int>(rank, kOfTheRoom) : rank;
-}
 
-const Vocabulary::Head* NounBook::HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {
-  for (const Vocabulary::Head& head : vocabulary_.heads) {
-    for (const Phrase& word : head.words) {
-      if (length > 0 && word.MatchAt(tokens, i) == length) return &head;
-    }
+  // Every word that names a class, words for several of them before the others.
+  const std::vector<Saying<hb::Furniture>>& names() const { return vocabulary_.names; }
+
+  // How much a class belongs to the room; 0 when not at all. Of two that a word may mean the higher is meant.
+  int RankOf(const hb::Furniture& furniture) const {
+    const auto rank = ranks_.find(furniture.name());
+    return rank == ranks_.end() ? kNotOfTheRoom : rank->second;
   }
-  return nullptr;
-}
 
-const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::size_t noun, std::size_t length,
-                                        const hb::Furniture* named) const {
-  const Vocabulary::Head* head = HeadAt(tokens, noun, length);
-  if (head == nullptr) return named;
-  for (std::size_t at = noun; at > 0 && at + kMostAdjectives + 2 > noun;) {
-    --at;
-    if (EndsNounPhrase(tokens[at])) break;
-    for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
-      const std::size_t said = modifier.words.MatchAt(tokens, at, /*plural=*/false);
-      if (said > 0 && at + said <= noun) return modifier.furniture;
-    }
-  }
-  return head->noun->strict() && noun > 0 && !SaysLooks(tokens[noun - 1]) ? nullptr : named;
-}
-
-std::size_t NounBook::LengthWithHead(const std::vector<Token>& tokens, std::size_t start, std::size_t length,
-                                     const hb::Furniture& furniture) const {
-  const std::size_t end = start + length;
-  if (length == 0 || end >= tokens.size() || HeadAt(tokens, start, length) != nullptr) return length;
-  for (const Vocabulary::Head& head : vocabulary_.heads) {
-    if (std::ranges::find(head.options, &furniture) == head.options.end()) continue;
-    for (const Phrase& word : head.words) {
-      if (const std::size_t more = word.MatchAt(tokens, end); more > 0) return length + more;
-    }
-  }
-  return length;
-}
-
-std::size_t NounBook::OtherThingAt(const std::vector<Token>& tokens, std::size_t start) const {
-  std::size_t longest = 0;
-  for (const Phrase& thing : vocabulary_.other_things) longest = std::max(longest, thing.MatchAt(tokens, start));
-  return longest;
-}
-
-namespace {
-
-constexpr double kSmallM = 0.6;
-
-}  // namespace
-
-bool IsSeat(const hb::Furniture& furniture) {
-  return furniture.category() == "chair" || furniture.category() == "stool";
-}
-
-const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& handbook) {
-  for (const hb::ObjectEntry& companion : furniture.companions()) {
-    const hb::Furniture* seat = handbook.FindFurniture(companion.furniture());
-    if (seat != nullptr && (IsSeat(*seat) || seat->category() == "bench")) return seat;
-  }
-  return nullptr;
-}
-
-bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner) {
-  const auto names = [&](const auto& list) { return std::ranges::find(list, partner.name()) != list.end(); };
-  return names(furniture.hosts()) ||
-         std::ranges::any_of(furniture.relations(), [&](const hb::Relation& one) { return names(one.targets()); });
-}
-
-FurnitureReader::FurnitureReader(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
-                                 BriefFacts& facts)
-    : handbook_(handbook),
-      tokens_(tokens),
-      used_(used),
-      facts_(facts),
-      nouns_(handbook, facts),
-      names_(nouns_.names()),
-      colours_(handbook.vocabulary().colours) {}
-
-void FurnitureReader::Use(std::size_t start, std::size_t length) {
-  std::fill_n(used_.begin() + static_cast<std::ptrdiff_t>(start), length, true);
-}
-
-void FurnitureReader::Read() {
-  for (std::size_t i = 0; i < tokens_.size(); ++i) {
-    if (used_[i] || IsMeasure(tokens_, i)) continue;
-    const hb::Furniture* partner = LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
-    const bool seats = SeatsFollow(tokens_, i + 1);
-    const bool between = i + 1 < tokens_.size() && (tokens_[i + 1].text == "between" || tokens_[i + 1].text == "in");
-    const auto rank = [&](const hb::Furniture& furniture) {
-      const bool beside = partner != nullptr && StandsWith(furniture, *partner);
-      const bool table = seats && SeatOf(furniture, handbook_) != nullptr;
-      // Between two seats stands something small.
-      const bool small = beside && between && furniture.width_m().typical() <= kSmallM;
-      return nouns_.RankAt(tokens_, i, furniture) + (beside ? 64 : 0) + (small ? 32 : 0) + (table ? 128 : 0);
+  // The same for a class that is named at a token, by a noun that may mean another one in this kind of room.
+  int RankAt(const std::vector<Token>& tokens, std::size_t i, const hb::Furniture& furniture) const {
+    const int rank = RankOf(furniture);
+    const auto here = [&](const hb::NounOption& option) {
+      return option.furniture() == furniture.name() && Includes(option.rooms(), room_.name());
     };
-    const auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
-    if (const std::size_t other = TakeOtherThing(i, name_length); other > 0) {
-      i += other - 1;
-      continue;
+    std::size_t longest = 0;
+    bool meant = false;
+    for (const Vocabulary::Head& head : vocabulary_.heads) {
+      for (const Phrase& word : head.words) {
+        const std::size_t length = word.MatchAt(tokens, i);
+        if (length <= longest) continue;
+        longest = length;
+        meant = std::ranges::any_of(head.noun->options(), here);
+      }
     }
-    for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i && IsRefused(tokens_, i); ++k) {
-      if (IsIn("refusing", tokens_[k].text)) counts_.push_back(k);
-    }
-    const hb::Furniture* furniture = nouns_.Modified(tokens_, i, name_length, named);
-    const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
-    if (length == 0) {
-      if (tokens_[i].kind == Token::Kind::kWord && IsRefused(tokens_, i))
-        used_[i] = RefuseKind(handbook_, tokens_, i, facts_);
-      continue;
-    }
-    if (IsRefused(tokens_, i)) {
-      AddOnce(facts_.refusals, furniture);
-      if (length == 1) RefuseKind(handbook_, tokens_, i, facts_);
-      last_.reset();
-    } else if (const Wish* meant = MeantBefore(i, length)) {
-      mentions_.push_back({meant->furniture, i, i + length, meant->count});
-    } else {
-      Wishing(*furniture, i, length);
-    }
-    Use(i, length);
-    i += length - 1;
+    return meant ? std::max<int>(rank, kOfTheRoom) : rank;
   }
-  // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
-  std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
-    return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == refusal; });
-  });
-  if (!facts_.wishes.empty() && AsksForNothingElse(handbook_, tokens_)) facts_.nothing_else = true;
-}
 
-void FurnitureReader::ReadPlaces() {
-  const auto rank = [this](const hb::Furniture& furniture) {
-    const bool wished =
-        std::ranges::any_of(facts_.wishes, [&](const Wish& one) { return one.furniture == &furniture; });
-    return RankOf(furniture) + (wished ? 1024 : 0);
+  // The class that the words before a noun make of it: of "a comfy leather chair" an armchair, of "a two-seat sofa" a
+  // loveseat. The noun is `length` tokens at `noun`; `named` where nothing is said, null where it is a thing that
+  // nobody knows: "a proofing cabinet".
+  const hb::Furniture* Modified(const std::vector<Token>& tokens, std::size_t noun, std::size_t length,
+                                const hb::Furniture* named) const {
+    const Vocabulary::Head* head = HeadAt(tokens, noun, length);
+    if (head == nullptr) return named;
+    for (std::size_t at = noun; at > 0 && at + kMostAdjectives + 2 > noun;) {
+      --at;
+      if (EndsNounPhrase(tokens[at])) break;
+      for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
+        const std::size_t said = modifier.words.MatchAt(tokens, at, /*plural=*/false);
+        if (said > 0 && at + said <= noun) return modifier.furniture;
+      }
+    }
+    return head->noun->strict() && noun > 0 && !SaysLooks(tokens[noun - 1]) ? nullptr : named;
+  }
+
+  // Number of tokens of a name with the nouns that only repeat it: "sectional" is followed by "sofa", "wingback" by
+  // "chair". `length` where there are none.
+  std::size_t LengthWithHead(const std::vector<Token>& tokens, std::size_t start, std::size_t length,
+                             const hb::Furniture& furniture) const {
+    const std::size_t end = start + length;
+    if (length == 0 || end >= tokens.size() || HeadAt(tokens, start, length) != nullptr) return length;
+    for (const Vocabulary::Head& head : vocabulary_.heads) {
+      if (!Includes(head.options, &furniture)) continue;
+      for (const Phrase& word : head.words) {
+        if (const std::size_t more = word.MatchAt(tokens, end); more > 0) return length + more;
+      }
+    }
+    return length;
+  }
+
+  // Number of tokens of a thing that only sounds like a class: "luggage rack"; 0 when there is none.
+  std::size_t OtherThingAt(const std::vector<Token>& tokens, std::size_t start) const {
+    std::size_t longest = 0;
+    for (const Phrase& thing : vocabulary_.other_things) longest = std::max(longest, thing.MatchAt(tokens, start));
+    return longest;
+  }
+
+ private:
+  const Vocabulary::Head* HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {
+    for (const Vocabulary::Head& head : vocabulary_.heads) {
+      for (const Phrase& word : head.words) {
+        if (length > 0 && word.MatchAt(tokens, i) == length) return &head;
+      }
+    }
+    return nullptr;
+  }
+
+  const Vocabulary& vocabulary_;
+  const hb::Archetype& room_;
+  std::map<std::string_view, int> ranks_;  // of a class by its name
+};
+
+class FurnitureReader {
+ public:
+  FurnitureReader(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
+                  BriefFacts& facts)
+      : handbook_(handbook),
+        tokens_(tokens),
+        used_(used),
+        facts_(facts),
+        nouns_(handbook, facts),
+        names_(nouns_.names()),
+        colours_(handbook.vocabulary().colours) {}
+
+  NamedPieces Read() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (used_[i] || IsMeasure(tokens_, i)) continue;
+      const hb::Furniture* partner =
+          LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
+      const bool seats = SeatsFollow(tokens_, i + 1);
+      const bool between = i + 1 < tokens_.size() && (tokens_[i + 1].text == "between" || tokens_[i + 1].text == "in");
+      const auto rank = [&](const hb::Furniture& furniture) {
+        const bool beside = partner != nullptr && StandsWith(furniture, *partner);
+        const bool table = seats && SeatOf(furniture, handbook_) != nullptr;
+        // Between two seats stands something small.
+        constexpr double kSmallM = 0.6;
+        const bool small = beside && between && furniture.width_m().typical() <= kSmallM;
+        return nouns_.RankAt(tokens_, i, furniture) + (beside ? 64 : 0) + (small ? 32 : 0) + (table ? 128 : 0);
+      };
+      const auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
+      if (const std::size_t other = TakeOtherThing(i, name_length); other > 0) {
+        i += other - 1;
+        continue;
+      }
+      for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i && IsRefused(tokens_, i); ++k) {
+        if (IsIn("refusing", tokens_[k].text)) counts_.push_back(k);
+      }
+      const hb::Furniture* furniture = nouns_.Modified(tokens_, i, name_length, named);
+      const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
+      if (length == 0) {
+        if (tokens_[i].kind == Token::Kind::kWord && IsRefused(tokens_, i))
+          used_[i] = RefuseKind(handbook_, tokens_, i, facts_);
+        continue;
+      }
+      if (IsRefused(tokens_, i)) {
+        AddOnce(facts_.refusals, furniture);
+        if (length == 1) RefuseKind(handbook_, tokens_, i, facts_);
+        last_.reset();
+      } else if (const Wish* meant = MeantBefore(i, length)) {
+        mentions_.push_back({meant->furniture, i, i + length, meant->count});
+      } else {
+        Wishing(*furniture, i, length);
+      }
+      Use(i, length);
+      i += length - 1;
+    }
+    // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
+    std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
+      return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == refusal; });
+    });
+    if (!facts_.wishes.empty() && AsksForNothingElse(handbook_, tokens_)) facts_.nothing_else = true;
+    return {std::move(mentions_), std::move(counts_)};
+  }
+
+ private:
+  // A wish that what follows may belong to: its table, or the chairs that a table follows.
+  struct Last {
+    std::size_t wish = 0;
+    std::size_t end = 0;
+    bool seat = false;
   };
-  PlaceReader(handbook_, tokens_, names_, mentions_, rank, used_, facts_).Read();
-}
 
-const hb::Furniture* FurnitureReader::AnyAt(std::size_t i) {
-  const auto [found, fresh] = any_at_.try_emplace(i, nullptr);
-  if (fresh) found->second = LongestAt(names_, tokens_, i, /*plural=*/true).first;
-  return found->second;
-}
-
-// The piece that a word for several kinds is said together with: "a table in front of the sofa", "a desk and a chair".
-const hb::Furniture* FurnitureReader::PartnerOf(std::size_t i) {
-  constexpr std::size_t kMostWords = 8;
-  bool together = false;
-  for (std::size_t k = i + 1; k < tokens_.size() && k < i + kMostWords; ++k) {
-    const Token& token = tokens_[k];
-    if (token.kind == Token::Kind::kSign || token.text == "with" || (token.text == "and" && !together)) break;
-    if (token.text == "them") break;
-    together = together || IsIn("together", token.text);
-    if (const hb::Furniture* piece = AnyAt(k); together && piece != nullptr) return piece;
+  // "a luggage rack": its last word is a class, but the thing is none.
+  std::size_t TakeOtherThing(std::size_t i, std::size_t piece_length) {
+    const std::size_t length = nouns_.OtherThingAt(tokens_, i);
+    if (length == 0 || length < piece_length) return 0;
+    const std::string text = BriefText(tokens_).Quote(i, i + length);
+    if (!IsRefused(tokens_, i) && !Includes(facts_.not_known, text)) facts_.not_known.push_back(text);
+    Use(i, length);
+    return length;
   }
-  if (mentions_.empty() || i - mentions_.back().end > kMostWords) return nullptr;
-  for (std::size_t k = mentions_.back().end; k < i; ++k) {
-    if (tokens_[k].kind == Token::Kind::kSign && tokens_[k].text != ",") return nullptr;
-    if (IsIn("joined", tokens_[k].text)) return mentions_.back().furniture;
+
+  // The piece that a word for several kinds is said together with: "a table in front of the sofa", "a desk and a
+  // chair".
+  const hb::Furniture* PartnerOf(std::size_t i) {
+    constexpr std::size_t kMostWords = 8;
+    bool together = false;
+    for (std::size_t k = i + 1; k < tokens_.size() && k < i + kMostWords; ++k) {
+      const Token& token = tokens_[k];
+      if (token.kind == Token::Kind::kSign || token.text == "with" || (token.text == "and" && !together)) break;
+      if (token.text == "them") break;
+      together = together || IsIn("together", token.text);
+      if (const hb::Furniture* piece = AnyAt(k); together && piece != nullptr) return piece;
+    }
+    if (mentions_.empty() || i - mentions_.back().end > kMostWords) return nullptr;
+    for (std::size_t k = mentions_.back().end; k < i; ++k) {
+      if (tokens_[k].kind == Token::Kind::kSign && tokens_[k].text != ",") return nullptr;
+      if (IsIn("joined", tokens_[k].text)) return mentions_.back().furniture;
+    }
+    return nullptr;
   }
-  return nullptr;
-}
 
-// "... a coffee table. The table should be round": the piece of that name that was asked for before. Null where the
-// words ask for another one.
-const Wish* FurnitureReader::MeantBefore(std::size_t i, std::size_t length) const {
-  if (length != 1 || i == 0 || !IsIn("known_before", tokens_[i - 1].text)) return nullptr;
-  for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) {
-    const std::string& name = wish->furniture->name();
-    const std::string last = LastWord(name);
-    const bool compound = last.ends_with("chair") && MatchesWord(tokens_[i].text, "chair");
-    if (MatchesWord(tokens_[i].text, last) || compound) return &*wish;
+  const hb::Furniture* AnyAt(std::size_t i) {
+    const auto [found, fresh] = any_at_.try_emplace(i, nullptr);
+    if (fresh) found->second = LongestAt(names_, tokens_, i, /*plural=*/true).first;
+    return found->second;
   }
-  return nullptr;
-}
 
-int FurnitureReader::RankOf(const hb::Furniture& furniture) const { return nouns_.RankOf(furniture); }
-
-// "a luggage rack": its last word is a class, but the thing is none.
-std::size_t FurnitureReader::TakeOtherThing(std::size_t i, std::size_t piece_length) {
-  const std::size_t length = nouns_.OtherThingAt(tokens_, i);
-  if (length == 0 || length < piece_length) return 0;
-  std::string text;
-  for (std::size_t k = i; k < i + length; ++k) text += (k > i && !tokens_[k].glued ? " " : "") + tokens_[k].text;
-  if (!IsRefused(tokens_, i) && std::ranges::find(facts_.not_known, text) == facts_.not_known.end())
-    facts_.not_known.push_back(text);
-  Use(i, length);
-  return length;
-}
-
-void FurnitureReader::Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
-  PieceCount count = CountBefore(handbook_, tokens_, furniture, i, length);
-  for (std::size_t k = i - std::min<std::size_t>(i, 3); k < i; ++k) {
-    if (tokens_[k].kind == Token::Kind::kNumber || NumberWord(tokens_[k].text)) counts_.push_back(k);
+  // "... a coffee table. The table should be round": the piece of that name that was asked for before. Null where the
+  // words ask for another one.
+  const Wish* MeantBefore(std::size_t i, std::size_t length) const {
+    if (length != 1 || i == 0 || !IsIn("known_before", tokens_[i - 1].text)) return nullptr;
+    for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) {
+      const std::string& name = wish->furniture->name();
+      const std::string last = LastWord(name);
+      const bool compound = last.ends_with("chair") && MatchesWord(tokens_[i].text, "chair");
+      if (MatchesWord(tokens_[i].text, last) || compound) return &*wish;
+    }
+    return nullptr;
   }
-  if (const Rows rows = RowsAround(tokens_, i, length); rows.number > 0) {
-    count = {rows.number};
-    Use(rows.begin, rows.end - rows.begin);
-  }
-  if (SeatsTheLast(furniture, count, i, length)) return;
-  Wish wish{&furniture, count.number, 0, count.said, IsOptional(tokens_, used_, i, i + length)};
-  if (!furniture.companions().empty()) wish.seats = SeatsAfter(tokens_, i + length);
-  if (wish.seats > 0) Use(i + length, 2);  // these are the table's, not the room's
-  if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
-  const bool further = IsFurther(tokens_, i);
-  Mentioned(furniture, i, length, count);
-  last_ = Last{AddWish(wish, further), i + length, IsSeat(furniture) && length == 1};
-  TakeColourBefore(i, furniture);
-}
 
-void FurnitureReader::Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length,
-                                const PieceCount& count) {
-  Mention mention{&furniture, i, i + length, count.number};
-  for (const Wish& there : facts_.wishes) {
-    if (there.furniture != &furniture || !IsFurther(tokens_, i) || count.number != 1) continue;
-    // "One desk by the door and another one ...": each has its own place from now on.
-    mention.which = there.count;
-    for (Mention& earlier : mentions_) {
-      if (earlier.furniture == &furniture && there.count == 1) earlier.which = 0;
+  void Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const PieceCount& count) {
+    Mention mention{&furniture, i, i + length, count.number};
+    for (const Wish& there : facts_.wishes) {
+      if (there.furniture != &furniture || !IsFurther(tokens_, i) || count.number != 1) continue;
+      // "One desk by the door and another one ...": each has its own place from now on.
+      mention.which = there.count;
+      for (Mention& earlier : mentions_) {
+        if (earlier.furniture == &furniture && there.count == 1) earlier.which = 0;
+      }
+    }
+    mentions_.push_back(mention);
+  }
+
+  void Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
+    PieceCount count = CountBefore(handbook_, tokens_, furniture, i, length);
+    for (std::size_t k = i - std::min<std::size_t>(i, 3); k < i; ++k) {
+      if (tokens_[k].kind == Token::Kind::kNumber || NumberWord(tokens_[k].text)) counts_.push_back(k);
+    }
+    if (const Rows rows = RowsAround(tokens_, i, length); rows.number > 0) {
+      count = {rows.number};
+      Use(rows.begin, rows.end - rows.begin);
+    }
+    if (SeatsTheLast(furniture, count, i, length)) return;
+    Wish wish{&furniture, count.number, 0, count.said, IsOptional(tokens_, used_, i, i + length)};
+    if (!furniture.companions().empty()) wish.seats = SeatsAfter(tokens_, i + length);
+    if (wish.seats > 0) Use(i + length, 2);  // these are the table's, not the room's
+    if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
+    const bool further = IsFurther(tokens_, i);
+    Mentioned(furniture, i, length, count);
+    last_ = Last{AddWish(wish, further), i + length, IsSeat(furniture) && length == 1};
+    TakeColourBefore(i, furniture);
+  }
+
+  // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".
+  bool SeatsTheLast(const hb::Furniture& seat, const PieceCount& count, std::size_t i, std::size_t length) {
+    if (!last_ || last_->seat || !OnlyWordsBetween(last_->end, i, /*around=*/false)) return false;
+    Wish& host = facts_.wishes[last_->wish];
+    const hb::Furniture* usual = SeatOf(*host.furniture, handbook_);
+    if (usual == nullptr || host.seats > 0) return false;
+    const bool any = length == 1 && (seat.category() == usual->category() || IsSeat(seat));
+    if (usual != &seat && !any) return false;
+    const bool each = i + length < tokens_.size() && tokens_[i + length].text == "each";
+    Mentioned(*host.furniture, i, length, {host.count});
+    if (count.said) {
+      const bool shared = !each && count.number >= host.count && count.number % host.count == 0;
+      host.seats = std::min(shared ? count.number / host.count : count.number, kMostSeats);
+    }
+    last_.reset();
+    return true;
+  }
+
+  // "six chairs round a table".
+  bool TakesTheLastAsSeats(std::size_t i, Wish& host) {
+    if (!last_ || !last_->seat || SeatOf(*host.furniture, handbook_) == nullptr) return false;
+    if (!OnlyWordsBetween(last_->end, i, /*around=*/true)) return false;
+    const Wish seats = facts_.wishes[last_->wish];
+    facts_.wishes.erase(facts_.wishes.begin() + static_cast<std::ptrdiff_t>(last_->wish));
+    if (seats.counted) host.seats = std::min(std::max(1, seats.count / std::max(1, host.count)), kMostSeats);
+    return true;
+  }
+
+  std::size_t AddWish(const Wish& wish, bool further) {
+    const int count = std::min(wish.count, kMostOfAKind);
+    if (wish.count > kMostOfAKind) AddOnce(facts_.too_many, wish.furniture);
+    for (std::size_t i = 0; i < facts_.wishes.size(); ++i) {
+      Wish& there = facts_.wishes[i];
+      if (there.furniture != wish.furniture) continue;
+      there.count = further ? std::min(there.count + count, kMostOfAKind) : std::max(there.count, count);
+      there.optional = there.optional && wish.optional;
+      there.seats = std::max(there.seats, wish.seats);
+      return i;
+    }
+    facts_.wishes.push_back({wish.furniture, count, wish.seats, wish.counted, wish.optional});
+    return facts_.wishes.size() - 1;
+  }
+
+  // Whether tokens [from, to) only say that what follows belongs to what came before.
+  bool OnlyWordsBetween(std::size_t from, std::size_t to, bool around) const {
+    constexpr std::size_t kMostWords = 5;
+    bool joined = false;
+    if (to < from || to - from > kMostWords) return false;
+    for (std::size_t i = from; i < to; ++i) {
+      if (used_[i] || tokens_[i].kind == Token::Kind::kSign) return false;
+      joined = joined || (around ? IsIn("around_a_table", tokens_[i].text) : IsIn("with_seats", tokens_[i].text));
+    }
+    return joined;
+  }
+
+  // "a green armchair", "two sage green velvet armchairs": the colour is the piece's, not the room's.
+  void TakeColourBefore(std::size_t i, const hb::Furniture& furniture) {
+    for (std::size_t back = 3; back >= 1; --back) {
+      if (back > i || used_[i - back]) continue;
+      const auto [colour, length] = LongestAt(colours_, tokens_, i - back, /*plural=*/false);
+      if (length == 0 || length > back) continue;
+      for (std::size_t k = i - back + length; k < i; ++k) {
+        if (tokens_[k].kind != Token::Kind::kWord || tokens_[k].text == "and" || tokens_[k].text == "with") return;
+      }
+      facts_.object_colours.emplace_back(&furniture, colour);
+      Use(i - back, length);
+      return;
     }
   }
-  mentions_.push_back(mention);
-}
 
-// "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".
-bool FurnitureReader::SeatsTheLast(const hb::Furniture& seat, const PieceCount& count, std::size_t i,
-                                   std::size_t length) {
-  if (!last_ || last_->seat || !OnlyWordsBetween(last_->end, i, /*around=*/false)) return false;
-  Wish& host = facts_.wishes[last_->wish];
-  const hb::Furniture* usual = SeatOf(*host.furniture, handbook_);
-  if (usual == nullptr || host.seats > 0) return false;
-  const bool any = length == 1 && (seat.category() == usual->category() || IsSeat(seat));
-  if (usual != &seat && !any) return false;
-  const bool each = i + length < tokens_.size() && tokens_[i + length].text == "each";
-  Mentioned(*host.furniture, i, length, {host.count});
-  if (count.said) {
-    const bool shared = !each && count.number >= host.count && count.number % host.count == 0;
-    host.seats = std::min(shared ? count.number / host.count : count.number, kMostSeats);
+  void Use(std::size_t start, std::size_t length) {
+    std::fill_n(used_.begin() + static_cast<std::ptrdiff_t>(start), length, true);
   }
-  last_.reset();
-  return true;
+
+  const Handbook& handbook_;
+  const std::vector<Token>& tokens_;
+  std::vector<bool>& used_;
+  BriefFacts& facts_;
+  const NounBook nouns_;
+  const std::vector<Saying<hb::Furniture>>& names_;
+  const std::vector<Saying<hb::NamedColour>>& colours_;
+  std::optional<Last> last_;
+  std::vector<Mention> mentions_;
+  std::vector<std::size_t> counts_;                     // tokens
+  std::map<std::size_t, const hb::Furniture*> any_at_;  // of a token: what it names, whatever the room
+};
+
+}  // namespace
+
+NamedPieces ReadFurniture(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
+                          BriefFacts& facts) {
+  return FurnitureReader(handbook, tokens, used, facts).Read();
 }
 
-// "six chairs round a table".
-bool FurnitureReader::TakesTheLastAsSeats(std::size_t i, Wish& host) {
-  if (!last_ || !last_->seat || SeatOf(*host.furniture, handbook_) == nullptr) return false;
-  if (!OnlyWordsBetween(last_->end, i, /*around=*/true)) return false;
-  const Wish seats = facts_.wishes[last_->wish];
-  facts_.wishes.erase(facts_.wishes.begin() + static_cast<std::ptrdiff_t>(last_->wish));
-  if (seats.counted) host.seats = std::min(std::max(1, seats.count / std::max(1, host.count)), kMostSeats);
-  return true;
-}
-
-// Whether tokens [from, to) only say that what follows belongs to what came before.
-bool FurnitureReader::OnlyWordsBetween(std::size_t from, std::size_t to, bool around) const {
-  constexpr std::size_t kMostWords = 5;
-  bool joined = false;
-  if (to < from || to - from > kMostWords) return false;
-  for (std::size_t i = from; i < to; ++i) {
-    if (used_[i] || tokens_[i].kind == Token::Kind::kSign) return false;
-    joined = joined || (around ? IsIn("around_a_table", tokens_[i].text) : IsIn("with_seats", tokens_[i].text));
-  }
-  return joined;
-}
-
-std::size_t FurnitureReader::AddWish(const Wish& wish, bool further) {
-  const int count = std::min(wish.count, kMostOfAKind);
-  if (wish.count > kMostOfAKind) AddOnce(facts_.too_many, wish.furniture);
-  for (std::size_t i = 0; i < facts_.wishes.size(); ++i) {
-    Wish& there = facts_.wishes[i];
-    if (there.furniture != wish.furniture) continue;
-    there.count = further ? std::min(there.count + count, kMostOfAKind) : std::max(there.count, count);
-    there.optional = there.optional && wish.optional;
-    there.seats = std::max(there.seats, wish.seats);
-    return i;
-  }
-  facts_.wishes.push_back({wish.furniture, count, wish.seats, wish.counted, wish.optional});
-  return facts_.wishes.size() - 1;
-}
-
-// "a green armchair", "two sage green velvet armchairs": the colour is the piece's, not the room's.
-void FurnitureReader::TakeColourBefore(std::size_t i, const hb::Furniture& furniture) {
-  for (std::size_t back = 3; back >= 1; --back) {
-    if (back > i || used_[i - back]) continue;
-    const auto [colour, length] = LongestAt(colours_, tokens_, i - back, /*plural=*/false);
-    if (length == 0 || length > back) continue;
-    for (std::size_t k = i - back + length; k < i; ++k) {
-      if (tokens_[k].kind != Token::Kind::kWord || tokens_[k].text == "and" || tokens_[k].text == "with") return;
-    }
-    facts_.object_colours.emplace_back(&furniture, colour);
-    Use(i - back, length);
-    return;
-  }
+void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, const std::vector<Mention>& mentions,
+                std::vector<bool>& used, BriefFacts& facts) {
+  const NounBook nouns(handbook, facts);
+  const auto rank = [&](const hb::Furniture& furniture) {
+    const bool wished = std::ranges::any_of(facts.wishes, [&](const Wish& one) { return one.furniture == &furniture; });
+    return nouns.RankOf(furniture) + (wished ? 1024 : 0);
+  };
+  ReadPlaces(handbook, tokens, nouns.names(), mentions, rank, used, facts);
 }
 
 }  // namespace flair::language

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "language_worker/handbook/program/room_program.h"
+#include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {

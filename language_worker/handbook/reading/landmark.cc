@@ -16,7 +16,7 @@ bool IsOfTheRoom(Landmark::Kind kind) { return kind == Landmark::Kind::kWall || 
 
 LandmarkReader::LandmarkReader(const std::vector<Token>& tokens, const std::vector<Saying<hb::Furniture>>& names,
                                std::function<int(const hb::Furniture&)> rank)
-    : tokens_(tokens), names_(names), rank_(std::move(rank)), pieces_(tokens.size()) {}
+    : tokens_(tokens), text_(tokens), names_(names), rank_(std::move(rank)), pieces_(tokens.size()) {}
 
 Landmark LandmarkReader::Read(std::size_t start) const {
   Landmark landmark = Pronoun(start);
@@ -24,15 +24,11 @@ Landmark LandmarkReader::Read(std::size_t start) const {
   const std::size_t at = BehindDeterminers(start);
   landmark = Noun(at);
   for (std::size_t i = start; i < at; ++i) {
-    landmark.plural = landmark.plural || Word(i) == "two" || Word(i) == "2" || Word(i) == "both";
+    landmark.plural = landmark.plural || text_.At(i) == "two" || text_.At(i) == "2" || text_.At(i) == "both";
   }
   if (landmark.kind == Landmark::Kind::kPiece) TakeSecond(landmark);
   if (IsOfTheRoom(landmark.kind)) TakeWhichOne(landmark);
   return landmark;
-}
-
-std::string_view LandmarkReader::Word(std::size_t i) const {
-  return i < tokens_.size() ? std::string_view(tokens_[i].text) : std::string_view();
 }
 
 const LandmarkReader::Found& LandmarkReader::PieceAt(std::size_t i) const {
@@ -42,23 +38,26 @@ const LandmarkReader::Found& LandmarkReader::PieceAt(std::size_t i) const {
 
 std::size_t LandmarkReader::BehindDeterminers(std::size_t i) const {
   const std::size_t start = i;
-  while (i < start + kMostDeterminers && IsIn("determiners", Word(i))) ++i;
+  while (i < start + kMostDeterminers && IsIn("determiners", text_.At(i))) ++i;
   return i;
 }
 
 // "them", "both of them", "the two", "each other".
 Landmark LandmarkReader::Pronoun(std::size_t start) const {
   std::size_t at = start;
-  while (at < start + kMostDeterminers && IsIn("before_pronouns", Word(at))) ++at;
-  bool pronoun = IsIn("pronouns_for_things", Word(at)) || (Word(at) == "other" && at > start && Word(at - 1) == "each");
+  while (at < start + kMostDeterminers && IsIn("before_pronouns", text_.At(at))) ++at;
+  bool pronoun = IsIn("pronouns_for_things", text_.At(at)) ||
+                 (text_.At(at) == "other" && at > start && text_.At(at - 1) == "each");
   // "those chairs".
-  if (Word(at).starts_with("th") && Word(at) != "them" && Noun(at + 1).kind != Landmark::Kind::kNone) pronoun = false;
-  const bool counts = !pronoun && at > start && (Word(at - 1) == "two" || Word(at - 1) == "both") &&
-                      (at == tokens_.size() || tokens_[at].kind == Token::Kind::kSign || IsIn("noun_ends", Word(at)));
+  if (text_.At(at).starts_with("th") && text_.At(at) != "them" && Noun(at + 1).kind != Landmark::Kind::kNone)
+    pronoun = false;
+  const bool counts =
+      !pronoun && at > start && (text_.At(at - 1) == "two" || text_.At(at - 1) == "both") &&
+      (at == tokens_.size() || tokens_[at].kind == Token::Kind::kSign || IsIn("noun_ends", text_.At(at)));
   Landmark landmark;
   if (!pronoun && !counts) return landmark;
   landmark.kind = Landmark::Kind::kPronoun;
-  landmark.plural = Word(at) != "it";
+  landmark.plural = text_.At(at) != "it";
   landmark.end = counts ? at : at + 1;
   return landmark;
 }
@@ -103,15 +102,15 @@ bool LandmarkReader::Describes(std::size_t i) const {
 }
 
 Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
-  if (IsIn("doors_of_the_room", Word(i))) return Landmark::Kind::kDoor;
-  if (IsIn("windows_of_the_room", Word(i))) return Landmark::Kind::kWindow;
-  if (Word(i) == "wall" || Word(i) == "walls") return Landmark::Kind::kWall;
-  if (Word(i) == "corner" || Word(i) == "corners") return Landmark::Kind::kCorner;
+  if (IsIn("doors_of_the_room", text_.At(i))) return Landmark::Kind::kDoor;
+  if (IsIn("windows_of_the_room", text_.At(i))) return Landmark::Kind::kWindow;
+  if (text_.At(i) == "wall" || text_.At(i) == "walls") return Landmark::Kind::kWall;
+  if (text_.At(i) == "corner" || text_.At(i) == "corners") return Landmark::Kind::kCorner;
   return Landmark::Kind::kNone;
 }
 
 void LandmarkReader::TakeSecond(Landmark& landmark) const {
-  if (Word(landmark.end) != "and") return;
+  if (text_.At(landmark.end) != "and") return;
   const Landmark next = Noun(BehindDeterminers(landmark.end + 1));
   if (next.kind != Landmark::Kind::kPiece) return;
   landmark.second = next.piece;
@@ -126,8 +125,8 @@ void LandmarkReader::TakeWhichOne(Landmark& landmark) const {
   for (const Token& word : TokensOf(landmark.side)) {
     if (IsIn("told_sides", word.text)) add(word.text);
   }
-  const std::string_view how = Word(landmark.end);
-  const bool two_words = Word(landmark.end + 1) == "from";
+  const std::string_view how = text_.At(landmark.end);
+  const bool two_words = text_.At(landmark.end + 1) == "from";
   const bool opposite = how == "opposite" || how == "facing" || (how == "across" && two_words);
   const bool farthest = (how == "farthest" || how == "furthest" || how == "away") && two_words;
   if (opposite || farthest || how == "with" || how == "without") {

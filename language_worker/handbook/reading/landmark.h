@@ -44,7 +44,6 @@ class LandmarkReader {
  private:
   using Found = std::pair<const hb::Furniture*, std::size_t>;
 
-  std::string_view Word(std::size_t i) const;
   const Found& PieceAt(std::size_t i) const;
   std::size_t BehindDeterminers(std::size_t i) const;
   Landmark Pronoun(std::size_t start) const;
@@ -54,6 +53,7 @@ class LandmarkReader {
   void TakeWhichOne(Landmark& landmark) const;
 
   const std::vector<Token>& tokens_;
+  const BriefText text_;
   const std::vector<Saying<hb::Furniture>>& names_;
   const std::function<int(const hb::Furniture&)> rank_;
   mutable std::vector<std::optional<Found>> pieces_;  // of a token

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "language_worker/handbook/reading/opening_wish.h"
+#include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {

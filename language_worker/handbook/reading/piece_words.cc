@@ -197,4 +197,22 @@ bool AsksForNothingElse(const Handbook& handbook, const std::vector<Token>& toke
   return false;
 }
 
+bool IsSeat(const hb::Furniture& furniture) {
+  return furniture.category() == "chair" || furniture.category() == "stool";
+}
+
+const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& handbook) {
+  for (const hb::ObjectEntry& companion : furniture.companions()) {
+    const hb::Furniture* seat = handbook.FindFurniture(companion.furniture());
+    if (seat != nullptr && (IsSeat(*seat) || seat->category() == "bench")) return seat;
+  }
+  return nullptr;
+}
+
+bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner) {
+  const auto names = [&](const auto& list) { return std::ranges::find(list, partner.name()) != list.end(); };
+  return names(furniture.hosts()) ||
+         std::ranges::any_of(furniture.relations(), [&](const hb::Relation& one) { return names(one.targets()); });
+}
+
 }  // namespace flair::language

@@ -67,4 +67,13 @@ bool AsksForNothingElse(const Handbook& handbook, const std::vector<Token>& toke
 // "chair" of "dining chair".
 std::string LastWord(const std::string& name);
 
+// The class of the seats that come with a piece; null when none do.
+const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& handbook);
+
+// Whether a class usually stands at, on or beside the other.
+bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner);
+
+// Whether one sits on it, at something: chairs and stools, not armchairs.
+bool IsSeat(const hb::Furniture& furniture);
+
 }  // namespace flair::language

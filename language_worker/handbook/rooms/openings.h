@@ -9,7 +9,7 @@
 #include "flair/v1/room.pb.h"
 #include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/handbook/reading/opening_wish.h"
+#include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/rooms/walls.h"
 
 namespace flair::language {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flair/v1/room.pb.h"
-#include "language_worker/handbook/reading/opening_wish.h"
+#include "language_worker/handbook/reading/opening_reader.h"
 
 namespace flair::language {
 

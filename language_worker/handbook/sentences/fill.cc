@@ -5,12 +5,19 @@
 #include <sstream>
 #include <vector>
 
+#include "language_worker/handbook/reading/words.h"
+
 namespace flair::language {
 namespace {
 
 using Words = std::vector<std::string>;
 
-bool IsVowel(char c) { return std::string_view("aeiouAEIOU").find(c) != std::string_view::npos; }
+// Whether "an" stands before a word: by its first letter, unless it sounds otherwise ("an honest clock", "a unique
+// one").
+bool TakesAn(const std::string& word) {
+  if (IsIn("with_an", word) || IsIn("with_a", word)) return IsIn("with_an", word);
+  return std::string_view("aeiouAEIOU").find(word[0]) != std::string_view::npos;
+}
 
 // Whether the `length` words from `first` on are those from `second` on, the latter perhaps with a sign behind.
 bool Same(const Words& words, std::size_t first, std::size_t second, std::size_t length) {
@@ -50,7 +57,7 @@ std::string Polish(std::string_view text) {
   bool begins = true;
   for (std::size_t i = 0; i < words.size(); ++i) {
     std::string& word = words[i];
-    if ((word == "a" || word == "A") && i + 1 < words.size() && IsVowel(words[i + 1][0])) word += "n";
+    if ((word == "a" || word == "A") && i + 1 < words.size() && TakesAn(words[i + 1])) word += "n";
     if (begins) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
     begins = word.back() == '.';
     polished += (i > 0 ? " " : "") + word;

@@ -18,6 +18,7 @@ TEST(Polish, SaysNothingTwice) {
 
 TEST(Polish, FindsArticlesAndCapitals) {
   EXPECT_EQ(Polish("a airy desk.  it is a old one."), "An airy desk. It is an old one.");
+  EXPECT_EQ(Polish("a honest clock and a unique lamp."), "An honest clock and a unique lamp.");
   EXPECT_EQ(Polish(""), "");
 }
 

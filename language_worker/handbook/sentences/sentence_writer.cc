@@ -8,6 +8,7 @@
 #include <array>
 #include <string_view>
 
+#include "english/words.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/sentences/fill.h"
 
@@ -275,13 +276,7 @@ std::string SentenceWriter::NameOf(const Group& group) const {
 std::string PluralOf(const std::string& name, const Handbook& handbook) {
   const hb::Furniture* furniture = handbook.FindFurniture(name);
   if (furniture != nullptr && !furniture->plural().empty()) return furniture->plural();
-  const auto ends = [&](std::string_view ending) {
-    return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-  };
-  if (ends("shelf")) return name.substr(0, name.size() - 1) + "ves";
-  if (ends("s") || ends("x") || ends("ch") || ends("sh")) return name + "es";
-  if (ends("y") && !ends("ay") && !ends("ey") && !ends("oy")) return name.substr(0, name.size() - 1) + "ies";
-  return name + "s";
+  return english::Plural(name);
 }
 
 bool SentenceWriter::IsPlural(const std::string& name) const {

@@ -8,7 +8,7 @@
 
 #include "flair/v1/language_service.pb.h"
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/service/language_handlers.h"
+#include "language_worker/model/model_handlers.h"
 #include "llm/client/fake_llm_client.h"
 
 namespace flair::language {
@@ -49,7 +49,7 @@ class ModelSession {
   Request Ask() const;
 
   llm::FakeLlmClient* model_;
-  LanguageHandlers handlers_;
+  ModelHandlers handlers_;
   v1::Brief brief_;
   v1::ModelOptions options_;
   v1::Room room_;

@@ -154,4 +154,23 @@ ConvexPiece StripAtWall(const Wall& wall, double start_m, double end_m, double d
   return AreaAtWall({{a, b, b + inward, a + inward}}, wall);
 }
 
+std::vector<ConvexPiece> SwingPieces(const Room& room) {
+  std::vector<ConvexPiece> swings;
+  for (const Opening& opening : room.openings) {
+    for (const Polygon& swing : ConvexSwingAreas(room, opening)) {
+      swings.push_back(AreaAtWall(swing, room.walls[static_cast<size_t>(opening.wall)]));
+    }
+  }
+  return swings;
+}
+
+std::vector<ConvexPiece> DoorAreas(const Room& room, double passage_m) {
+  std::vector<ConvexPiece> areas = SwingPieces(room);
+  for (const Opening& opening : room.openings) {
+    if (opening.kind != OpeningKind::kDoor) continue;
+    areas.push_back(AreaAtWall(PassageArea(room, opening, passage_m), room.walls[static_cast<size_t>(opening.wall)]));
+  }
+  return areas;
+}
+
 }  // namespace flair::optimizer

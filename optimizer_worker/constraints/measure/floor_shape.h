@@ -75,4 +75,13 @@ ConvexPiece AreaAtWall(const Polygon& area, const Wall& wall);
 // The rectangle over [start_m, end_m] of a wall, `depth_m` into the room.
 ConvexPiece StripAtWall(const Wall& wall, double start_m, double end_m, double depth_m);
 
+// How far in front of a door the floor stays free for stepping through.
+inline constexpr double kPassage_m = 0.6;
+
+// What the leaves sweep, as convex areas that reach behind the wall.
+std::vector<ConvexPiece> SwingPieces(const Room& room);
+
+// Swings and passages of all doors, as convex areas that reach behind the wall.
+std::vector<ConvexPiece> DoorAreas(const Room& room, double passage_m = kPassage_m);
+
 }  // namespace flair::optimizer

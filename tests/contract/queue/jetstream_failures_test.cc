@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "orchestrator/jetstream/api.h"
 #include "orchestrator/jetstream/names.h"
 #include "orchestrator/jetstream/open.h"
+#include "orchestrator/jetstream/streams.h"
 #include "tests/contract/queue/watched_queue.h"
 #include "tests/fixtures/nats_server.h"
 #include "worker_runtime/clock/clock.h"
@@ -44,10 +44,12 @@ class JetStreamFailures : public ::testing::Test {
   json Ask(const std::string& verb, const json& request) {
     auto connection = orchestrator::NatsConnection::Open(config_, nullptr);
     EXPECT_TRUE(connection.ok()) << connection.status();
-    orchestrator::JetStreamApi api(**connection, absl::Seconds(10));
-    const auto answer = api.Call(verb, request);
+    const auto answer =
+        (*connection)->Request({"$JS.API." + verb, request.is_null() ? "" : request.dump(), {}}, absl::Seconds(10));
     EXPECT_TRUE(answer.ok()) << verb << ": " << answer.status();
-    return answer.ok() ? *answer : json();
+    const json parsed = answer.ok() ? json::parse(answer->content) : json();
+    EXPECT_FALSE(parsed.contains("error")) << verb << ": " << parsed.dump();
+    return parsed;
   }
 
   std::unique_ptr<NatsServers> servers_;
@@ -138,8 +140,8 @@ TEST_F(JetStreamFailures, AMessageWithoutRecordHoldsNobodyUp) {
   const auto queue = Open();
   auto connection = orchestrator::NatsConnection::Open(config_, nullptr);
   ASSERT_TRUE(connection.ok());
-  orchestrator::JetStreamApi api(**connection, absl::Seconds(10));
-  ASSERT_TRUE(api.Publish({orchestrator::QueueNames(config_).Single("-"), "never-made", {}}).ok());
+  orchestrator::Streams streams(**connection, absl::Seconds(10));
+  ASSERT_TRUE(streams.Publish({orchestrator::QueueNames(config_).Single("-"), "never-made", {}}).ok());
   ASSERT_TRUE((*queue)->CreateJob(NewJob("job-1"), "r1").ok());
   const auto lease = queue->Take();
   ASSERT_NE(lease, nullptr);
@@ -188,8 +190,8 @@ TEST_F(JetStreamFailures, AJobWithTwoMessagesRunsOnce) {
   Make(*queue, "b1", 1);
   auto connection = orchestrator::NatsConnection::Open(config_, nullptr);
   ASSERT_TRUE(connection.ok());
-  orchestrator::JetStreamApi api(**connection, absl::Seconds(10));
-  ASSERT_TRUE(api.Publish({orchestrator::QueueNames(config_).Batch("-", "b1"), BatchJobId("b1", 0), {}}).ok());
+  orchestrator::Streams streams(**connection, absl::Seconds(10));
+  ASSERT_TRUE(streams.Publish({orchestrator::QueueNames(config_).Batch("-", "b1"), BatchJobId("b1", 0), {}}).ok());
   const auto lease = queue->Take();
   ASSERT_NE(lease, nullptr);
   EXPECT_EQ(queue->TakeNow(), nullptr);

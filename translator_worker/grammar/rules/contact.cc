@@ -22,7 +22,6 @@ std::string SideSpokenOf(const Composer& composer, const std::string& id) {
     if (call.arguments.size() < 2 || call.arguments[0].value().text() != id) continue;
     const v1::Argument& second = call.arguments[1];
     if (second.name() == "side") return second.value().text();
-    if (second.name() == "sides" && second.value().texts().items_size() == 1) return second.value().texts().items(0);
   }
   return "";
 }
@@ -91,12 +90,16 @@ std::string OppositeSide(const std::string& side) {
   return side == "back" ? "front" : "";
 }
 
-bool LaidBeside(const Placed& mover, const Placed& other, Composer& composer) {
-  if (!composer.IsTertiaryRug(mover) || !composer.IsFloor(other)) return false;
+void LayRug(const char* type, const Placed& rug, const Placed& object, Composer& composer) {
   if (!composer.rug_placed) {
-    composer.EmitFirst({Call("rug_under_forward").Text("rug", composer.id(mover)).Text("object", composer.id(other))});
+    composer.EmitFirst({Call(type).Text("rug", composer.id(rug)).Text("object", composer.id(object))});
   }
   composer.rug_placed = true;
+}
+
+bool LaidBeside(const Placed& mover, const Placed& other, Composer& composer) {
+  if (!composer.IsTertiaryRug(mover) || !composer.IsFloor(other)) return false;
+  LayRug("rug_under_forward", mover, other, composer);
   return true;
 }
 
@@ -156,26 +159,7 @@ std::vector<Placed> OneAtEach(const Mention* mention, Composer& composer) {
 }
 
 void Flank(const std::vector<Placed>& movers, const std::vector<Placed>& targets, Composer& composer) {
-  if (movers.empty()) composer.Refuse("unknown_sentence", "nothing says what stands there; name the objects");
-  const auto moves = [&](const Placed& target) {
-    return std::any_of(movers.begin(), movers.end(),
-                       [&](const Placed& mover) { return mover.object == target.object; });
-  };
-  // "Each table has two chairs, one on either side": the first two at the first.
-  if (targets.size() > 1 && movers.size() > targets.size() && movers.size() % targets.size() == 0) {
-    const auto each = static_cast<long>(movers.size() / targets.size());
-    for (size_t i = 0; i < targets.size(); ++i) {
-      const auto first = movers.begin() + static_cast<long>(i) * each;
-      Flank({first, first + each}, {targets[i]}, composer);
-    }
-    return;
-  }
   for (const Placed& target : targets) {
-    // "Two on each long side", of chairs: of what, nothing says.
-    if (moves(target)) {
-      composer.Refuse("unknown_sentence", "nothing stands at its own sides; name what it stands at");
-      continue;
-    }
     if (movers.size() > 2 && composer.IsFloor(movers.front())) {
       std::vector<std::string> ids;
       for (const Placed& mover : movers) ids.push_back(composer.id(mover));
@@ -209,11 +193,6 @@ void KeepDistance(const Placed& mover, const Placed& other, const Distance* dist
   const std::string& target = composer.id(other);
   if (distance == nullptr) {
     composer.EmitFirst({Call("away_from").Text("object", id).Text("target", target)});
-    return;
-  }
-  if (distance->Nominal() == 0 && distance->max_m.value_or(0) > 0) {
-    composer.EmitFirst(
-        {Call("near").Text("object", id).Text("target", target).Number("max_distance_m", *distance->max_m)});
     return;
   }
   if (distance->Nominal() == 0) {

@@ -17,12 +17,7 @@ Call Two(const char* type, const Placed& mover, const Placed& other, Composer& c
 }
 
 void EmitFacing(const Placed& mover, const Placed& other, bool both, Composer& composer) {
-  if (composer.IsCeiling(mover)) {
-    // "Above the table, pointing at the screen": where it hangs has been said.
-    const auto placed = [](const Call& call) { return call.type == "ceiling_above"; };
-    if (std::any_of(composer.calls().begin(), composer.calls().end(), placed)) return;
-    composer.Relate("ceiling_above", mover, other);
-  } else if (composer.IsWall(mover)) {
+  if (composer.IsWall(mover)) {
     composer.Relate("on_wall_facing", mover, other);
   } else if (both) {
     composer.EmitFirst({Two("facing", mover, other, composer).Flag("both", true)});
@@ -32,7 +27,6 @@ void EmitFacing(const Placed& mover, const Placed& other, bool both, Composer& c
 }
 
 void Facing(const Match& match, std::string_view detail, Composer& composer) {
-  if (composer.RefuseUnnamed(*match.b)) return;
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers, detail != "not")) {
     for (const Placed& mover : movers) {
@@ -40,8 +34,6 @@ void Facing(const Match& match, std::string_view detail, Composer& composer) {
       if (target.kind == RefKind::kFeature) {
         if (mover.side == "back") {
           composer.Refuse("not_expressible", "no call turns a back to a door or window; say what the front faces");
-        } else if (detail == "not") {
-          composer.EmitFirst({Call("clear_of_feature").Text("object", id).Text("feature", target.name)});
         } else if (target.name == "door") {
           composer.EmitFirst({Call("faces_feature").Text("object", id).Text("feature", target.name)});
         } else {
@@ -50,8 +42,6 @@ void Facing(const Match& match, std::string_view detail, Composer& composer) {
         }
       } else if (target.kind == RefKind::kRoom) {
         composer.EmitFirst({Call("facing_into_room").Text("object", id)});
-      } else if (target.kind == RefKind::kWall && mover.side == "back") {
-        composer.EmitFirst({Call("against_wall").Text("object", id).Text("side", "back")});
       } else if (target.objects.empty()) {
         composer.Refuse("unknown_sentence", "it can face an object, a door, a window or the room");
       }
@@ -72,16 +62,6 @@ void Facing(const Match& match, std::string_view detail, Composer& composer) {
 // "On the other side of the desk from the chair": it faces the chair.
 void Across(const Match& match, std::string_view detail, Composer& composer) {
   Facing({match.a, match.c, nullptr, nullptr, match.length}, detail, composer);
-}
-
-// "Its back to the shelf", "its front to the shelf".
-void SideTo(const Match& match, std::string_view detail, Composer& composer) {
-  const std::string& side = match.a->references.front().side;
-  if (side == "left" || side == "right" || side == "sides" || side == "side") {
-    composer.Refuse("not_expressible", "only where fronts face can be asked for");
-    return;
-  }
-  Facing(match, detail, composer);
 }
 
 // Two groups of which each member is meant with each of the other: two objects, or "the racks and the desk".
@@ -146,25 +126,16 @@ void Direction(const Match& match, std::string_view detail, Composer& composer) 
   }
 }
 
-// detail is the type.
+// detail is the type. "Behind the bench and parallel": to the bench, else all of them to one of them.
 void ParallelPairs(const Match& match, std::string_view detail, Composer& composer) {
   std::vector<Placed> movers = composer.Movers(match.a);
+  if (movers.size() == 1 && !composer.pair_targets().empty()) {
+    for (const Placed& other : composer.pair_targets()) composer.Relate(std::string(detail), movers.front(), other);
+    return;
+  }
   if (movers.size() < 2) movers = composer.subjects();
   for (size_t i = 1; i < movers.size(); ++i) {
     composer.Relate(std::string(detail), movers[i], movers[0]);
-  }
-  if (movers.size() < 2) composer.Refuse("unknown_sentence", "a direction needs two objects; name them");
-}
-
-// "Behind the bench and facing the same direction": as the bench, else all of them as one of them.
-void SameDirection(const Match& match, std::string_view, Composer& composer) {
-  const std::vector<Placed> movers = composer.Movers(match.a);
-  if (movers.size() != 1 || composer.pair_targets().empty()) {
-    ParallelPairs(match, "parallel", composer);
-    return;
-  }
-  for (const Placed& other : composer.pair_targets()) {
-    composer.Relate("parallel", movers.front(), other);
   }
 }
 
@@ -202,12 +173,11 @@ std::vector<Meaning> DirectionMeanings() {
       {"angle", Angle},
       {"facing", Facing},
       {"across", Across},
-      {"side_to", SideTo},
+      {"side_to", Facing},
       {"each_other", EachOther},
       {"on_wall_opposite", OnWallOpposite},
       {"direction", Direction},
       {"parallel_pairs", ParallelPairs},
-      {"same_direction", SameDirection},
       {"not_facing_pair", NotFacingPair},
       {"into_room", IntoRoom},
   };

@@ -21,10 +21,6 @@ bool Names(const Reference& reference, int object) {
   return has(reference.candidates) || has(reference.weak_candidates);
 }
 
-bool IsPlainSide(const std::string& side) {
-  return side == "front" || side == "back" || side == "left" || side == "right";
-}
-
 }  // namespace
 
 void KeepAway(const Placed& mover, const Target& target, const Distance* distance, Composer& composer) {
@@ -57,11 +53,8 @@ void KeepAway(const Placed& mover, const Target& target, const Distance* distanc
 }
 
 void KeepFreeBeside(const Placed& placed, const Distance* distance, Composer& composer) {
-  std::vector<std::string> sides = SidesOf(composer, placed);
-  if (sides.empty()) sides = {"front", "left", "right"};
-  Call call = Call("accessible").Text("object", composer.id(placed)).Texts("sides", sides);
-  if (distance != nullptr) call.Number("min_clearance_m", distance->Nominal());
-  composer.EmitFirst({std::move(call)});
+  const std::vector<std::string> sides = SidesOf(composer, placed);
+  KeepSpaceAt(placed, !sides.empty() ? sides : std::vector<std::string>{"front", "left", "right"}, distance, composer);
 }
 
 // Every pair of the list; "them" is the last pair spoken of, or the objects that the sentence is about.
@@ -101,15 +94,7 @@ void Between(const Match& match, std::string_view detail, Composer& composer) {
       all = composer.topic().size() > 1 ? composer.topic() : composer.subjects();
       if (all.size() < 2) all = composer.TargetObjects(mention, {}, false);
     }
-  } else if (last.kind == RefKind::kWall && mention.references.size() == 2 && IsPlainSide(side)) {
-    // "Between the wardrobe's front and the opposite wall": free space there.
-    BetweenOrAnything(match, detail, composer);
-    return;
   } else if (last.kind == RefKind::kWall || last.kind == RefKind::kFeature) {
-    if (last.kind == RefKind::kFeature && !composer.HasFeature(last.name)) {
-      composer.Refuse("names_absent_feature", fmt::format("the room has no {}", last.name));
-      return;
-    }
     for (size_t i = 0; i + 1 < mention.references.size(); ++i) {
       Mention one;
       one.references = {mention.references[i]};
@@ -126,11 +111,6 @@ void Between(const Match& match, std::string_view detail, Composer& composer) {
     return;
   }
   if (all.size() == 2) composer.SetPair({all[0]}, {all[1]});
-  // "Between each nightstand and its bed": the first with the first, the second with the second.
-  if (mention.references.size() == 2 && last.own && all.size() % 2 == 0) {
-    for (size_t i = 0; i < all.size() / 2; ++i) KeepDistance(all[i], all[i + all.size() / 2], distance, composer);
-    return;
-  }
   // "Between the table and each chair": the chairs among themselves are not meant.
   const bool among_groups = mention.references.size() > 1;
   // "Between the shelf and both the desk and the table": from the shelf to each of the others.
@@ -156,10 +136,6 @@ void Between(const Match& match, std::string_view detail, Composer& composer) {
 // "Between the backs of the chairs and any wall or furniture": free space there.
 void BetweenOrAnything(const Match& match, std::string_view detail, Composer& composer) {
   const Reference& first = match.b->references.front();
-  if (first.side.empty() || first.kind == RefKind::kGroup) {
-    Between(match, detail, composer);
-    return;
-  }
   Mention owner;
   owner.references = {first};
   for (const Placed& placed : composer.Movers(&owner)) KeepFreeBeside(placed, match.distance, composer);
@@ -168,10 +144,6 @@ void BetweenOrAnything(const Match& match, std::string_view detail, Composer& co
 // "between the lamp and the walls".
 void BetweenAndWall(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.b)) {
-    if (IsPlainSide(mover.side) && match.distance != nullptr && match.distance->min_m) {
-      KeepFreeBeside(mover, match.distance, composer);
-      continue;
-    }
     KeepAway(mover, {RefKind::kWall, {}, match.c->references.front().name}, match.distance, composer);
   }
 }
@@ -208,17 +180,8 @@ void BareDistance(const Match& match, std::string_view, Composer& composer) {
     }
     return;
   }
-  if (!composer.topic().empty() && !composer.calls().empty() && !composer.IsFloor(composer.topic().front())) {
-    composer.Note("partial", "heights and overhangs cannot be asked for");
-    return;
-  }
   if (match.distance->min_m && !match.distance->exact && !composer.topic().empty() && !composer.calls().empty()) {
-    for (const Placed& mover : composer.topic()) {
-      composer.EmitFirst({Call("accessible")
-                              .Text("object", composer.id(mover))
-                              .Texts("sides", {"front"})
-                              .Number("min_clearance_m", *match.distance->min_m)});
-    }
+    for (const Placed& mover : composer.topic()) KeepSpaceAt(mover, {"front"}, match.distance, composer);
     return;
   }
   composer.Refuse("unknown_sentence", "a distance needs two objects that it is kept between");
@@ -253,12 +216,7 @@ void AwayFrom(const Match& match, std::string_view detail, Composer& composer) {
     for (const Placed& mover : movers) KeepFreeBeside(mover, match.distance, composer);
     return;
   }
-  // "0.5 m of clearance from the back": free space there.
   const bool own_side = what.kind == RefKind::kPronoun && what.name.empty() && !what.side.empty();
-  if (own_side && distance != nullptr && composer.calls().empty()) {
-    for (const Placed& mover : movers) KeepFreeBeside({mover.object, what.side}, distance, composer);
-    return;
-  }
   // "Used from both long sides": they are to be got at.
   const bool several =
       what.side == "sides" || what.side == "all" || what.side == "three" || what.side.ends_with("both");
@@ -277,11 +235,9 @@ void AwayFrom(const Match& match, std::string_view detail, Composer& composer) {
   }
 }
 
-// "0.5 m from the wall on its left": free space at that side; detail is a side word, else C names it.
-void FromWallAtSide(const Match& match, std::string_view detail, Composer& composer) {
+// "0.5 m from the wall on its left": free space at that side.
+void FromWallAtSide(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
-    if (match.c == nullptr) KeepFreeBeside({mover.object, std::string(detail)}, match.distance, composer);
-    if (match.c == nullptr) continue;
     for (const Reference& reference : match.c->references) {
       KeepFreeBeside({mover.object, reference.side}, match.distance, composer);
     }
@@ -304,16 +260,10 @@ void FromTo(const Match& match, std::string_view, Composer& composer) {
 }
 
 // "To the right of the desk, no gap": what stands beside it touches it.
-void NoGap(const Match&, std::string_view, Composer& composer) {
-  if (composer.pair_targets().empty()) composer.Refuse("unknown_sentence", "say between what there is no gap");
-}
+void NoGap(const Match&, std::string_view, Composer&) {}
 
 // "Across from the sofa, at least 1.5 m away": from what was related to last.
-void AwayFromPartner(const Match& match, std::string_view detail, Composer& composer) {
-  if (composer.pair_targets().empty()) {
-    ApartFromEachOther(match, detail, composer);
-    return;
-  }
+void AwayFromPartner(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.pair_movers()) {
     for (const Placed& other : composer.pair_targets()) KeepDistance(mover, other, match.distance, composer);
   }
@@ -328,10 +278,6 @@ void NotBetween(const Match& match, std::string_view detail, Composer& composer)
 
 // "A clear walkway between the sofa and the table" keeps them apart; between pieces that are not named it is a path.
 void DistanceOrPathBetween(const Match& match, std::string_view detail, Composer& composer) {
-  if (match.a != nullptr && match.c->references.front().name == "paths") {
-    ApartFromEachOther(match, detail, composer);
-    return;
-  }
   const Reference& first = match.b->references.front();
   const bool several = first.kind == RefKind::kObjects && (first.plural || first.each) && first.candidates.size() > 1;
   const bool named = several || (match.b->references.size() > 1 && first.kind != RefKind::kGroup);

@@ -10,16 +10,6 @@
 #include "translator_worker/grammar/rules/shared.h"
 
 namespace flair::translator {
-namespace {
-
-Call AccessibleFront(const Placed& placed, Composer& composer) {
-  std::vector<std::string> sides = SidesOf(composer, placed);
-  if (sides.empty()) sides = {"front"};
-  return Call("accessible").Text("object", composer.id(placed)).Texts("sides", sides);
-}
-
-}  // namespace
-
 // "X does not block T": features stay free, objects stay accessible.
 void NotBlock(const Match& match, std::string_view detail, Composer& composer) {
   const std::vector<Placed> movers = composer.Movers(match.a);
@@ -37,15 +27,10 @@ void NotBlock(const Match& match, std::string_view detail, Composer& composer) {
         composer.RelateToFeature("clear_of_feature", mover, composer.last_feature);
       }
       continue;
-    } else if (target.kind == RefKind::kZone) {
-      composer.Refuse("not_about_layout", "a whole area cannot be kept clear; name the objects that are reached");
-      continue;
     } else if (target.name == "others" || target.name == "all") {
       composer.Refuse("not_about_layout",
                       "\"access to other furniture\" names none; say which object's front stays accessible");
       continue;
-    } else if (target.objects.empty()) {
-      composer.Refuse("not_about_layout", "only doors, windows, sockets and objects can be kept clear");
     }
     if (!target.objects.empty()) composer.SetPair(movers, target.objects);
     for (const Placed& other : target.objects) {
@@ -54,7 +39,7 @@ void NotBlock(const Match& match, std::string_view detail, Composer& composer) {
           composer.Relate("away_from", mover, other);
         }
       } else {
-        composer.EmitFirst({AccessibleFront(other, composer)});
+        KeepFront(other, composer);
       }
     }
   }
@@ -73,25 +58,17 @@ void AllowAccess(const Match& match, std::string_view detail, Composer& composer
     }
     return;
   }
-  if (first.kind == RefKind::kZone) {
-    composer.Refuse("not_about_layout", "access to an area cannot be asked for; name the objects that are reached");
-    return;
-  }
   NotBlock(match, detail, composer);
 }
 
-// "The door is kept clear": of every floor object of the topic, or of all when nobody is named.
+// "The door is kept clear": of every floor object of the topic.
 void KeepClear(const Match& match, std::string_view, Composer& composer) {
   for (const Target& target : composer.Targets(*match.b, {})) {
     if (target.kind != RefKind::kFeature) {
-      for (const Placed& other : target.objects) composer.EmitFirst({AccessibleFront(other, composer)});
+      for (const Placed& other : target.objects) KeepFront(other, composer);
       continue;
     }
-    std::vector<Placed> movers = composer.topic();
-    Mention all;
-    all.references = {{.kind = RefKind::kGroup, .name = "all"}};
-    if (movers.empty()) movers = composer.Movers(&all);
-    for (const Placed& mover : movers) {
+    for (const Placed& mover : composer.topic()) {
       composer.RelateToFeature("clear_of_feature", mover, target.name);
     }
   }
@@ -99,11 +76,9 @@ void KeepClear(const Match& match, std::string_view, Composer& composer) {
 
 // "Doors can open freely": the room's, unless a piece with doors of its own is spoken of.
 void DoorsOpen(const Match& match, std::string_view detail, Composer& composer) {
-  // "0.6 m from wardrobe to bed, so that doors open": the figure serves it.
-  if (composer.topic().empty() && !composer.calls().empty()) return;
   const std::vector<Placed>& topic = composer.topic();
   if (!topic.empty() && composer.HasDoors(topic.front())) {
-    for (const Placed& placed : topic) composer.EmitFirst({AccessibleFront(placed, composer)});
+    for (const Placed& placed : topic) KeepFront(placed, composer);
   } else {
     KeepClear(match, detail, composer);
   }
@@ -119,7 +94,7 @@ void NotBlocked(const Match& match, std::string_view detail, Composer& composer)
 // "With socket access": sockets are reached from near them, doors and windows are kept free.
 void FeatureAccessible(const Match& match, std::string_view detail, Composer& composer) {
   const std::string& name = match.b->references.front().name;
-  if (name == "door" && !composer.topic().empty() && composer.IsWalkIn(composer.topic().front())) {
+  if (name == "door" && !composer.topic().empty() && composer.IsAmong("walk-ins", composer.topic().front())) {
     DoorsOpen(match, detail, composer);
     return;
   }
@@ -133,10 +108,6 @@ void FeatureAccessible(const Match& match, std::string_view detail, Composer& co
 }
 
 void PowerAccess(const Match& match, std::string_view, Composer& composer) {
-  if (!composer.HasFeature("socket")) {
-    composer.Refuse("names_absent_feature", "the room has no socket");
-    return;
-  }
   for (const Placed& mover : composer.Movers(match.a)) {
     composer.RelateToFeature("close_to_feature", mover, "socket");
   }
@@ -145,12 +116,9 @@ void PowerAccess(const Match& match, std::string_view, Composer& composer) {
 void UnderWindow(const Match& match, std::string_view, Composer& composer) {
   for (const Placed& mover : composer.Movers(match.a)) {
     for (const Target& target : composer.Targets(*match.b, {})) {
-      if (target.name == "window") {
-        composer.EmitFirst({Call("under_window").Text("object", composer.id(mover)),
-                            Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", "window")});
-      } else {
-        composer.RelateToFeature("close_to_feature", mover, target.name);
-      }
+      if (target.name != "window") continue;
+      composer.EmitFirst({Call("under_window").Text("object", composer.id(mover)),
+                          Call("close_to_feature").Text("object", composer.id(mover)).Text("feature", "window")});
     }
   }
 }
@@ -175,7 +143,6 @@ void FeatureWithin(const Match& match, std::string_view, Composer& composer) {
                             : KeepAway(mover, target, match.distance, composer);
     }
   }
-  if (composer.topic().empty()) composer.Refuse("unknown_sentence", "nothing says of what it is so far");
 }
 
 // "Access to sockets" wants them near, "access to the door" wants it free.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nearness and contact by position: near, next to, left of, behind, on each side of.
+// Nearness and contact by position: near, next to, left of, behind, in front of, on each side of.
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "fmt/format.h"
 #include "translator_worker/grammar/frames.h"
 #include "translator_worker/grammar/rules/shared.h"
 
@@ -26,16 +26,12 @@ void NearOne(const Placed& mover, const Target& target, const Distance* distance
                             .Text("object", id)
                             .MaybeText("side", OneSide(composer, mover))
                             .MaybeNumber("max_distance_m", most)});
-  } else if (target.objects.empty()) {
-    composer.Refuse("unknown_sentence", "it can be near objects, walls, doors, windows or sockets");
   }
   for (const Placed& other : target.objects) {
-    if (LaidBeside(mover, other, composer)) {
-      continue;
-    } else if (composer.IsWall(mover)) {
-      composer.EmitFirst({Call("on_wall_near").Text("object", id).Text("target", composer.id(other))});
+    if (composer.IsWall(mover)) {
+      composer.Relate("on_wall_near", mover, other);
     } else if (composer.IsCeiling(mover)) {
-      composer.EmitFirst({Call("ceiling_above").Text("object", id).Text("target", composer.id(other))});
+      composer.Relate("ceiling_above", mover, other);
     } else {
       composer.EmitFirst(
           {Call("near").Text("object", id).Text("target", composer.id(other)).MaybeNumber("max_distance_m", most)});
@@ -61,17 +57,10 @@ bool IsOwnPart(const Mention& mention, const Composer& composer) {
 }
 
 void Near(const Match& match, std::string_view detail, Composer& composer) {
-  if (detail == "access" && match.a == nullptr && IsOwnPart(*match.b, composer)) {
-    composer.EmitFirst(
-        {Call("accessible").Text("object", composer.id(composer.topic().front())).Texts("sides", {"front"})});
-    return;
-  }
   // "Maintain clear access to the table", when nobody else is spoken of.
   if (detail == "access" && match.a == nullptr && composer.topic().empty()) {
     for (const Placed& other : composer.TargetObjects(*match.b, {})) {
-      std::vector<std::string> sides = SidesOf(composer, other);
-      if (sides.empty()) sides = {"front"};
-      composer.EmitFirst({Call("accessible").Text("object", composer.id(other)).Texts("sides", sides)});
+      KeepFront(other, composer);
     }
     return;
   }
@@ -81,11 +70,6 @@ void Near(const Match& match, std::string_view detail, Composer& composer) {
                     "access to an area cannot be asked for; name the objects and sides that serve it");
     return;
   }
-  if (match.a != nullptr && match.a->references.front().kind == RefKind::kGroup &&
-      match.a->references.front().name != "seating") {
-    composer.Refuse("not_about_layout", "say which object is near it");
-    return;
-  }
   const std::vector<Placed> movers = composer.Movers(match.a);
   for (const Target& target : composer.Targets(*match.b, movers)) {
     if (target.name == "all" || target.name == "others") {
@@ -93,9 +77,6 @@ void Near(const Match& match, std::string_view detail, Composer& composer) {
       continue;
     }
     for (const Placed& mover : movers) NearOne(mover, target, match.distance, composer);
-  }
-  if (movers.size() == 2 && match.b->references.front().kind == RefKind::kPronoun) {
-    NearOne(movers[0], {RefKind::kObjects, {movers[1]}, ""}, match.distance, composer);
   }
 }
 
@@ -115,10 +96,6 @@ void NextToAtSide(const Match& match, std::string_view, Composer& composer) {
   std::vector<Placed> targets = composer.TargetObjects(*match.b, movers);
   const std::string& side = match.c->references.front().side;
   for (Placed& target : targets) target.side = side;
-  if (side == "sides" || side.ends_with("both")) {
-    Flank(movers, targets, composer);
-    return;
-  }
   for (const Placed& mover : movers) {
     if (composer.IsFloor(mover)) {
       Contact(mover, {RefKind::kObjects, targets, ""}, composer);
@@ -182,22 +159,18 @@ void AtSide(const Match& match, std::string_view detail, Composer& composer) {
     for (const Placed& other : targets) {
       // "Behind the chair" of a desk is in front of the desk.
       const bool at_subject = detail == "back" && composer.StandsAtSubject(other);
-      composer.EmitFirst({Call("accessible")
-                              .Text("object", composer.id(at_subject ? composer.subjects().front() : other))
-                              .Texts("sides", {at_subject         ? "front"
-                                               : detail == "side" ? "left"
-                                                                  : std::string(detail)})
-                              .Number("min_clearance_m", match.distance->Nominal())});
+      const Placed& owner = at_subject ? composer.subjects().front() : other;
+      KeepSpaceAt(owner,
+                  {at_subject         ? "front"
+                   : detail == "side" ? "left"
+                                      : std::string(detail)},
+                  match.distance, composer);
     }
     return;
   }
   for (const Placed& mover : movers) {
     if (composer.IsTertiaryRug(mover) && detail == "front" && !targets.empty()) {
-      if (!composer.rug_placed) {
-        composer.EmitFirst(
-            {Call("rug_under_forward").Text("rug", composer.id(mover)).Text("object", composer.id(targets.front()))});
-      }
-      composer.rug_placed = true;
+      LayRug("rug_under_forward", mover, targets.front(), composer);
     } else if (composer.IsSurface(mover)) {
       // "On the nightstand to the left of the bed": which nightstand.
       if (composer.IsOnTop(mover)) continue;
@@ -224,25 +197,66 @@ void AtSide(const Match& match, std::string_view detail, Composer& composer) {
   }
 }
 
-// "At the end of the bed" is at its foot, of a counter at its left or right.
-void AtFoot(const Match& match, std::string_view, Composer& composer) {
-  const std::vector<Placed> targets = composer.TargetObjects(*match.b, composer.Movers(match.a));
-  const bool has_foot = targets.empty() || composer.IsBed(targets.front()) || composer.IsSeat(targets.front());
-  AtSide(match, has_foot ? "front" : "side", composer);
-}
-
 void OnEachSide(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> movers = OneAtEach(match.a, composer);
   Flank(movers, composer.TargetObjects(*match.b, movers), composer);
 }
 
+// detail "after": the figure stands after the place, so it is how far away the mover stands.
+void InFrontOf(const Match& match, std::string_view detail, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  // "Keep 0.6 m in front of the wardrobe": free space, when nobody else is spoken of. "Parallel to the oven and 1.5 m
+  // in front of it": of the oven.
+  const bool of_partner = match.distance != nullptr && match.distance->exact &&
+                          composer.scope() == v1::SENTENCE_SCOPE_INTER && !composer.pair_targets().empty() &&
+                          !composer.calls().empty() && match.b->references.front().name == "it";
+  // "One can stand in front of the wardrobe" that is spoken of.
+  const bool of_topic =
+      match.a == nullptr && composer.scope() == v1::SENTENCE_SCOPE_INTRA && IsOwnPart(*match.b, composer);
+  const bool may_be_own = of_topic || (match.a == nullptr && match.distance != nullptr && !of_partner);
+  for (const Target& target : composer.Targets(*match.b, may_be_own ? std::vector<Placed>{} : movers)) {
+    if (target.kind == RefKind::kFeature) {
+      for (const Placed& mover : movers) {
+        composer.RelateToFeature("close_to_feature", mover, target.name);
+      }
+      continue;
+    }
+    for (const Placed& other : target.objects) {
+      // "1 m in front of every rack", of the racks that are spoken of.
+      const bool several_own =
+          match.a == nullptr && composer.scope() == v1::SENTENCE_SCOPE_INTRA &&
+          std::any_of(movers.begin(), movers.end(), [&](const Placed& mover) { return mover.object == other.object; });
+      const bool own = movers.empty() || several_own || (movers.size() == 1 && movers.front().object == other.object);
+      const bool at_least = match.distance != nullptr && !match.distance->max_m;
+      if ((own && match.distance != nullptr) || (match.a == nullptr && (own || (at_least && detail != "after")))) {
+        KeepSpaceAt(other, {"front"}, match.distance, composer);
+        continue;
+      }
+      for (const Placed& mover : movers) {
+        if (composer.IsTertiaryRug(mover)) {
+          LayRug("rug_under_forward", mover, other, composer);
+          continue;
+        }
+        if (composer.IsWall(mover)) {
+          composer.Relate("on_wall_near", mover, other);
+          continue;
+        }
+        Call call = Call("in_front_of").Text("object", composer.id(mover)).Text("target", composer.id(other));
+        const bool exact = match.distance != nullptr && match.distance->exact;
+        if (exact) call.Number("distance_m", match.distance->Nominal());
+        composer.EmitFirst({std::move(call)});
+        if (match.distance != nullptr && !exact) KeepDistance(mover, other, match.distance, composer);
+      }
+    }
+    composer.SetPair(movers, target.objects);
+  }
+}
+
 }  // namespace
 
 std::vector<Meaning> NearMeanings() {
-  return {
-      {"near", Near},      {"not_further", NotFurther}, {"next_to_at_side", NextToAtSide}, {"next_to", NextTo},
-      {"at_side", AtSide}, {"at_foot", AtFoot},         {"on_each_side", OnEachSide},
-  };
+  return {{"near", Near},      {"not_further", NotFurther},  {"next_to_at_side", NextToAtSide}, {"next_to", NextTo},
+          {"at_side", AtSide}, {"on_each_side", OnEachSide}, {"in_front_of", InFrontOf}};
 }
 
 }  // namespace flair::translator

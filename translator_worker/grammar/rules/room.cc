@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places in the room, in a zone, on walls and on the ceiling. What "central" means depends on what carries the object.
-#include <algorithm>
-#include <optional>
+// Places in the room, in a zone, on walls, in corners and on the ceiling. What "central" means depends on what
+// carries the object.
 #include <string>
-#include <utility>
+#include <vector>
 
-#include "fmt/format.h"
 #include "translator_worker/grammar/frames.h"
 #include "translator_worker/grammar/rules/shared.h"
 
 namespace flair::translator {
+
 namespace {
 
 void InMiddleOfRoom(const Placed& mover, Composer& composer) {
@@ -39,15 +38,10 @@ void CentralIn(const Match& match, std::string_view, Composer& composer) {
         composer.EmitFirst({Call("in_zone").Text("object", id).Text("zone", target.name)});
         continue;
       }
-      if (target.kind == RefKind::kRoom || target.kind == RefKind::kCeiling || target.kind == RefKind::kFloor) {
-        InMiddleOfRoom(mover, composer);
-        continue;
-      }
       for (const Placed& other : target.objects) {
         const std::string& host = composer.id(other);
         if (composer.IsRug(mover)) {
-          if (!composer.rug_placed) composer.EmitFirst({Call("rug_under_center").Text("rug", id).Text("object", host)});
-          composer.rug_placed = true;
+          LayRug("rug_under_center", mover, other, composer);
         } else if (composer.IsCeiling(mover)) {
           composer.EmitFirst({Call("ceiling_above").Text("object", id).Text("target", host)});
         } else if (composer.IsWall(mover)) {
@@ -74,8 +68,6 @@ void InZone(const Match& match, std::string_view, Composer& composer) {
       composer.EmitFirst({Call("on_wall_in_zone").Text("object", composer.id(mover)).Text("zone", zone)});
     } else if (composer.IsFloor(mover)) {
       composer.EmitFirst({Call("in_zone").Text("object", composer.id(mover)).Text("zone", zone)});
-    } else if (composer.calls().empty()) {
-      composer.Refuse("unknown_sentence", "only floor and wall objects can be put into a zone");
     }
   }
 }
@@ -93,12 +85,8 @@ void Above(const Match& match, std::string_view, Composer& composer) {
   for (const Target& target : composer.Targets(*match.b, movers)) {
     for (const Placed& mover : movers) {
       const std::string& id = composer.id(mover);
-      if (target.objects.empty()) {
-        composer.Refuse("unknown_sentence", "it can hang above an object");
-        continue;
-      }
       // "above the headboard" after "above the bed": of the painting's own side nothing is said.
-      if (target.objects.front().object == mover.object) continue;
+      if (target.objects.empty() || target.objects.front().object == mover.object) continue;
       const std::string& below = composer.id(target.objects.front());
       if (composer.IsCeiling(mover)) {
         composer.EmitFirst({Call("ceiling_above").Text("object", id).Text("target", below)});
@@ -118,9 +106,6 @@ void OnWallNear(const Match& match, std::string_view, Composer& composer) {
   for (const Target& target : composer.Targets(*match.b, movers)) {
     for (const Placed& mover : movers) {
       const std::string& id = composer.id(mover);
-      if (target.kind == RefKind::kFeature) {
-        composer.EmitFirst({Call("close_to_feature").Text("object", id).Text("feature", target.name)});
-      }
       for (const Placed& other : target.objects) {
         composer.EmitFirst({Call(composer.IsWall(mover) ? "on_wall_near" : "near")
                                 .Text("object", id)
@@ -131,26 +116,159 @@ void OnWallNear(const Match& match, std::string_view, Composer& composer) {
 }
 
 // "Needs a wall behind it", "a wall at its back".
-void WallBehind(const Match& match, std::string_view detail, Composer& composer) {
-  const std::vector<Placed> movers = composer.Movers(match.b);
-  if (composer.scope() == v1::SENTENCE_SCOPE_TERTIARY || (!movers.empty() && !composer.IsFloor(movers.front()))) {
-    Above(match, detail, composer);
-    return;
-  }
-  for (const Placed& mover : movers) {
+void WallBehind(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.b)) {
     const std::string side = OneSide(composer, mover);
     composer.EmitFirst(
         {Call("against_wall").Text("object", composer.id(mover)).Text("side", side.empty() ? "back" : side)});
   }
 }
 
+bool IsPlainSide(const Mention& mention) {
+  const std::string& side = mention.references.front().side;
+  return side == "front" || side == "back" || side == "left" || side == "right";
+}
+
+// "[X] against a wall (back side)": the side stands before or after.
+void Against(const Match& match, std::string_view, Composer& composer) {
+  if (composer.RefuseUnnamed(*match.b)) return;
+  std::vector<Placed> movers = composer.Movers(match.a);
+  const Reference& what = match.b->references.front();
+  for (Target target : composer.Targets(*match.b, movers)) {
+    // "Each chair is against the side of the table": not all of them against the same.
+    if (what.side == "side" && movers.size() > 2) {
+      for (Placed& other : target.objects) other.side.clear();
+    }
+    for (Placed mover : movers) {
+      // "In a corner with two sides against walls": the corner says it.
+      const bool two = mover.side == "sides" || mover.side == "two_any" || mover.side == "opposite_two";
+      if (target.kind == RefKind::kWall && two && composer.IsInCorner(mover)) continue;
+      if (match.c != nullptr && IsPlainSide(*match.c)) mover.side = match.c->references.front().side;
+      if (target.kind == RefKind::kWall) {
+        if (composer.IsWall(mover)) {
+          composer.Refuse("not_about_layout", "a wall object hangs on a wall anyway; say near, above or opposite what");
+          continue;
+        }
+        composer.EmitFirst({Call("against_wall")
+                                .Text("object", composer.id(mover))
+                                .MaybeText("side", OneSide(composer, mover))
+                                .MaybeText("wall", target.name)});
+      } else {
+        Contact(mover, target, composer);
+      }
+    }
+  }
+}
+
+// "Against a wall with both sides accessible".
+void AgainstAndAccessible(const Match& match, std::string_view detail, Composer& composer) {
+  Match wall = match;
+  wall.c = nullptr;
+  Against(wall, detail, composer);
+  for (const Placed& mover : composer.Movers(match.a)) {
+    std::vector<std::string> sides;
+    for (const Reference& reference : match.c->references) {
+      for (const std::string& side : SidesOf(composer, {mover.object, reference.side})) sides.push_back(side);
+    }
+    KeepSpaceAt(mover, sides, nullptr, composer);
+  }
+}
+
+// "X's right side aligns with Y's left": adjoining for opposite sides, the same direction for equal ones.
+void Aligned(const Match& match, std::string_view detail, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    if (target.objects.empty()) {
+      Against(match, detail, composer);
+      return;
+    }
+    for (const Placed& mover : movers) {
+      for (const Placed& other : target.objects) {
+        if (mover.side == "front" && other.side == "front" && composer.IsChair(mover)) {
+          composer.Relate("facing", mover, other);
+        } else if (!mover.side.empty() && mover.side == OppositeSide(other.side)) {
+          Contact(mover, {RefKind::kObjects, {other}, ""}, composer);
+        } else {
+          composer.Relate("parallel", mover, other);
+        }
+      }
+    }
+  }
+}
+
+// "With their backs aligned": of the two last spoken of.
+void AlignedPair(const Match&, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.pair_movers()) {
+    for (const Placed& other : composer.pair_targets()) {
+      composer.Relate("parallel", mover, other);
+    }
+  }
+}
+
+void SameWall(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_expressible", "no call compares the walls of two objects; name the wall");
+}
+
+void NotAgainst(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers, false)) {
+    for (const Placed& mover : movers) {
+      if (target.kind != RefKind::kWall) continue;
+      composer.EmitFirst(
+          {Call("not_against_wall").Text("object", composer.id(mover)).MaybeText("side", OneSide(composer, mover))});
+    }
+  }
+}
+
+void InCorner(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst(
+        {Call("in_corner").Text("object", composer.id(mover)).MaybeText("side", OneSide(composer, mover))});
+  }
+}
+
+void TowardsWall(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst(
+        {Call("against_wall").Text("object", composer.id(mover)).MaybeText("side", OneSide(composer, mover))});
+  }
+}
+
+void Freestanding(const Match& match, std::string_view, Composer& composer) {
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.Place("not_against_wall", mover);
+  }
+}
+
+void CenteredOnWall(const Match& match, std::string_view, Composer& composer) {
+  const std::string wall = match.b != nullptr ? match.b->references.front().name : "";
+  for (const Placed& mover : composer.Movers(match.a)) {
+    composer.EmitFirst({Call("centered_on_wall").Text("object", composer.id(mover)).MaybeText("wall", wall),
+                        Call("against_wall").Text("object", composer.id(mover)).MaybeText("wall", wall)});
+  }
+}
+
 }  // namespace
 
 std::vector<Meaning> RoomMeanings() {
-  return {
-      {"central", Central},  {"central_in", CentralIn}, {"in_zone", InZone},          {"ignore", Ignore},
-      {"on_floor", OnFloor}, {"above", Above},          {"on_wall_near", OnWallNear}, {"wall_behind", WallBehind},
-  };
+  return {{"central", Central},
+          {"central_in", CentralIn},
+          {"in_zone", InZone},
+          {"ignore", Ignore},
+          {"on_floor", OnFloor},
+          {"above", Above},
+          {"on_wall_near", OnWallNear},
+          {"wall_behind", WallBehind},
+          {"against", Against},
+          {"against_and_accessible", AgainstAndAccessible},
+          {"aligned", Aligned},
+          {"aligned_pair", AlignedPair},
+          {"same_wall", SameWall},
+          {"not_against", NotAgainst},
+          {"in_corner", InCorner},
+          {"towards_wall", TowardsWall},
+          {"freestanding", Freestanding},
+          {"centered_on_wall", CenteredOnWall}};
 }
 
 }  // namespace flair::translator

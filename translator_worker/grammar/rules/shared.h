@@ -24,6 +24,8 @@ std::string OneSide(Composer& composer, const Placed& placed);
 // "left" for "right" and so on; empty for empty.
 std::string OppositeSide(const std::string& side);
 
+// A call that lays the rug under or before the object, unless the sentence has laid it already.
+void LayRug(const char* type, const Placed& rug, const Placed& object, Composer& composer);
 // A small rug is laid before a piece, once, instead of standing beside it; false for everything else.
 bool LaidBeside(const Placed& mover, const Placed& other, Composer& composer);
 // `mover` stands against a target: an object, at the sides that are named, or a door, window or socket.
@@ -67,12 +69,12 @@ void Near(const Match& match, std::string_view detail, Composer& composer);
 // Free space at those sides of the object.
 void KeepSpaceAt(const Placed& placed, const std::vector<std::string>& sides, const Distance* distance,
                  Composer& composer);
+// Access at the named sides of the object, in front where none is named.
+void KeepFront(const Placed& placed, Composer& composer);
 // Free space at the named sides of the objects, in front where none is named.
 void KeepSpace(std::vector<Placed> placed, const Distance* distance, Composer& composer);
 // "On both sides", said of what is spoken of: free space there, or more of it. False when something else is meant.
 bool KeepsOwnSides(const Mention* mover, const Mention& place, Composer& composer);
-// "So that they remain accessible", of sockets that the fact before keeps free.
-bool IsOfFeature(const Mention* mention, const Composer& composer);
 // Space at a place relative to B, or to the topic: detail is "front", "back", "sides", "around", "all" or "named".
 void SpaceAt(const Match& match, std::string_view detail, Composer& composer);
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Free space: in front, behind, at the sides, around, to pull chairs out, with or without a figure.
+// Free space and what is to be got at: in front, behind, at the sides, around, from where, with or without a figure.
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "fmt/format.h"
 #include "translator_worker/grammar/frames.h"
 #include "translator_worker/grammar/rules/shared.h"
 
 namespace flair::translator {
+
 namespace {
 
 // People get at what is longer than wide from a long side, at everything else from the front.
@@ -26,7 +26,6 @@ void ChooseOpenSides(std::vector<Placed>& placed, Composer& composer) {
       return &other != &one && other.object == one.object && !other.side.empty();
     });
     if (one.side == "side" && alone) one.side = UsualSide(one, composer);
-    if (one.side == "two_any" && alone && UsualSide(one, composer) == "side") one.side = "sides";
   }
 }
 
@@ -37,6 +36,11 @@ void KeepSpaceAt(const Placed& placed, const std::vector<std::string>& sides, co
   Call call = Call("accessible").Text("object", composer.id(placed)).Texts("sides", sides);
   if (distance != nullptr) call.Number("min_clearance_m", distance->Nominal());
   composer.EmitFirst({std::move(call)});
+}
+
+void KeepFront(const Placed& placed, Composer& composer) {
+  const std::vector<std::string> sides = SidesOf(composer, placed);
+  KeepSpaceAt(placed, !sides.empty() ? sides : std::vector<std::string>{"front"}, nullptr, composer);
 }
 
 void KeepSpace(std::vector<Placed> placed, const Distance* distance, Composer& composer) {
@@ -73,25 +77,6 @@ bool KeepsOwnSides(const Mention* mover, const Mention& place, Composer& compose
   return true;
 }
 
-namespace {
-
-// "The bookshelf and the bed have a gap of 0.5 m": between them.
-bool IsPairWithoutSides(const Mention& mention, const Composer& composer) {
-  return composer.scope() == v1::SENTENCE_SCOPE_INTER && mention.references.size() == 2 &&
-         std::all_of(mention.references.begin(), mention.references.end(), [](const Reference& reference) {
-           return reference.kind == RefKind::kObjects && reference.side.empty();
-         });
-}
-
-}  // namespace
-
-// "Not in front of sockets, so that they remain accessible": of the sockets that is said already.
-bool IsOfFeature(const Mention* mention, const Composer& composer) {
-  return mention != nullptr && mention->references.front().kind == RefKind::kPronoun &&
-         mention->references.front().name == "them" && !composer.last_feature.empty() && composer.topic().size() == 1 &&
-         !composer.calls().empty();
-}
-
 // Space at a place relative to B, or to the topic: detail is "front", "back", "sides" or "around".
 void SpaceAt(const Match& match, std::string_view detail, Composer& composer) {
   const Mention* const of = match.b != nullptr ? match.b : match.a;
@@ -99,7 +84,6 @@ void SpaceAt(const Match& match, std::string_view detail, Composer& composer) {
     composer.Refuse("not_about_layout", "space around pieces that are not named cannot be asked for; name them");
     return;
   }
-  if (detail == "named" && match.b == nullptr && IsOfFeature(match.a, composer)) return;
   // "No more than 0.3 m behind the chair": there it stands.
   if (detail == "back" && match.a != nullptr && match.b != nullptr && match.distance != nullptr &&
       !match.distance->min_m) {
@@ -111,32 +95,8 @@ void SpaceAt(const Match& match, std::string_view detail, Composer& composer) {
     }
     return;
   }
-  // "..., so they should have a separation of 0.5 m": from each other.
-  const bool them = match.a != nullptr && match.a->references.front().kind == RefKind::kPronoun &&
-                    match.a->references.front().name == "them" && match.a->references.front().side.empty();
-  if (detail == "named" && match.b == nullptr && them && composer.scope() == v1::SENTENCE_SCOPE_INTER &&
-      !composer.pair_targets().empty() && match.distance != nullptr) {
-    ApartFromEachOther({nullptr, nullptr, nullptr, match.distance, match.length}, "", composer);
-    return;
-  }
-  if (detail == "named" && match.b == nullptr && match.a != nullptr && IsPairWithoutSides(*match.a, composer)) {
-    const std::vector<Placed> pair = composer.Movers(match.a);
-    if (pair.size() == 2) {
-      KeepDistance(pair[0], pair[1], match.distance, composer);
-      return;
-    }
-  }
-  // "Parallel to the locker, 1 m in front": of the locker.
-  if (detail == "front" && of == nullptr && match.distance != nullptr && composer.scope() == v1::SENTENCE_SCOPE_INTER &&
-      !composer.calls().empty() && composer.pair_movers().size() == 1 && composer.pair_targets().size() == 1) {
-    composer.EmitFirst({Call("in_front_of")
-                            .Text("object", composer.id(composer.pair_movers().front()))
-                            .Text("target", composer.id(composer.pair_targets().front()))
-                            .Number("distance_m", match.distance->Nominal())});
-    return;
-  }
   const std::vector<Placed> owners =
-      match.b != nullptr && detail != "free_sides" ? composer.TargetObjects(*match.b, {}) : composer.Movers(match.a);
+      match.b != nullptr ? composer.TargetObjects(*match.b, {}) : composer.Movers(match.a);
   std::vector<Placed> placed;
   for (Placed owner : owners) {
     if (detail == "back" && composer.StandsAtSubject(owner)) {
@@ -149,8 +109,6 @@ void SpaceAt(const Match& match, std::string_view detail, Composer& composer) {
         // Most pieces have their back at a wall; chairs are got at from there.
         owner.side = composer.IsChair(owner) ? "all" : "three";
       }
-    } else if (detail == "free_sides") {
-      owner.side = "three";  // the back is at the wall
     } else if (detail != "named" || owner.side.empty()) {
       owner.side = detail == "named" ? "front" : std::string(detail);
     }
@@ -173,9 +131,7 @@ namespace {
 // "0.1 m on each side and behind": as much as at the sides.
 void MoreSpace(const Match&, std::string_view detail, Composer& composer) {
   const bool sides = detail == "sides";
-  if (!composer.AddSides(sides ? std::vector<std::string>{"left", "right"}
-                               : std::vector<std::string>{std::string(detail)}))
-    composer.Refuse("unknown_sentence", "nothing says what is there");
+  composer.AddSides(sides ? std::vector<std::string>{"left", "right"} : std::vector<std::string>{std::string(detail)});
 }
 
 // "No furniture in front".
@@ -200,14 +156,6 @@ void PullOut(const Match& match, std::string_view, Composer& composer) {
   std::vector<Placed> movers = composer.Movers(chairs);
   const std::vector<Placed>& subjects = composer.subjects();
   if (!subjects.empty() && !composer.IsChair(subjects.front())) {
-    // Several chairs stand all round a table, one in front of a desk.
-    const bool all_round = chairs != nullptr && chairs->references.front().plural;
-    for (const Placed& subject : subjects) {
-      // "0.8 m around the table, so that chairs can be pulled out": the figure serves it.
-      if (all_round && composer.KeepsSpace(subject)) return;
-      if (all_round) KeepSpaceAt(subject, {"front", "back", "left", "right"}, match.distance, composer);
-    }
-    if (all_round) return;
     movers = subjects;
   }
   for (const Placed& mover : movers) {
@@ -215,14 +163,120 @@ void PullOut(const Match& match, std::string_view, Composer& composer) {
   }
 }
 
+// "Used from both sides, so both must be free by 1 m": of the sides that were spoken of.
+bool IsSaidOfSides(const Mention* mention, const Composer& composer) {
+  const bool they = mention == nullptr || (mention->references.front().kind == RefKind::kPronoun &&
+                                           mention->references.front().name == "both");
+  if (!they || composer.calls().empty() || composer.topic().empty()) return false;
+  const Call& last = composer.calls().back();
+  return last.type == "accessible" &&
+         std::any_of(composer.topic().begin(), composer.topic().end(),
+                     [&](const Placed& one) { return last.arguments.front().value().text() == composer.id(one); });
+}
+
+void Accessible(const Match& match, std::string_view, Composer& composer) {
+  if (match.a != nullptr && match.a->references.front().name == "all") {
+    composer.Refuse("not_about_layout", "access to pieces that are not named cannot be asked for; name them");
+    return;
+  }
+  if (match.b == nullptr && IsSaidOfSides(match.a, composer)) return;
+  std::vector<Placed> movers = composer.Movers(match.a);
+  if (match.b != nullptr) {
+    // "accessible from the front": the sides are those named after the verb.
+    std::vector<Placed> sided;
+    for (const Placed& mover : movers) {
+      for (const Reference& reference : match.b->references) {
+        sided.push_back({mover.object, reference.side});
+        if (match.b->either) break;
+      }
+    }
+    movers = sided;
+  }
+  KeepSpace(movers, match.distance, composer);
+}
+
+// "Easy access from the front".
+void AccessToSide(const Match& match, std::string_view, Composer& composer) {
+  KeepSpace(composer.TargetObjects(*match.b, {}), match.distance, composer);
+}
+
+// "Access to the bed from both sides".
+void AccessFromSide(const Match& match, std::string_view, Composer& composer) {
+  std::vector<Placed> sided;
+  for (const Placed& other : composer.TargetObjects(*match.b, {})) {
+    for (const Reference& reference : match.c->references) sided.push_back({other.object, reference.side});
+  }
+  KeepSpace(sided, match.distance, composer);
+}
+
+// "Must open fully", of the piece that the sentence is about, when nothing else was said.
+void OpensFully(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed>& topic = composer.topic();
+  if (!composer.calls().empty() || topic.empty() || composer.scope() != v1::SENTENCE_SCOPE_INTRA) return;
+  KeepSpace(topic, match.distance, composer);
+}
+
+// "All sides where chairs stand are accessible", "the front is clear of obstacles".
+void OfMovers(const Match& match, std::string_view, Composer& composer) {
+  KeepSpace(composer.Movers(match.a), match.distance, composer);
+}
+
+// "X is accessible from Y": from one of Y's sides that is Y's own matter, else X is near Y.
+void AccessibleFrom(const Match& match, std::string_view, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  for (const Target& target : composer.Targets(*match.b, movers)) {
+    for (const Placed& other : target.objects) {
+      for (const Placed& mover : movers) {
+        composer.Relate("near", mover, other);
+      }
+    }
+    if (!target.objects.empty()) composer.SetPair(movers, target.objects);
+  }
+}
+
+// "Its top and front are accessible": the front is.
+void Unreachable(const Match& match, std::string_view, Composer& composer) {
+  Mention sides;
+  for (const Reference& reference : match.a->references) {
+    if (reference.kind != RefKind::kVague && !reference.side.empty()) sides.references.push_back(reference);
+  }
+  if (!sides.references.empty()) {
+    KeepSpace(composer.Movers(&sides), match.distance, composer);
+    return;
+  }
+  composer.Refuse("not_about_layout", "access is kept at the front, back, left and right, not from above");
+}
+
+void MovementAround(const Match&, std::string_view, Composer& composer) {
+  composer.Refuse("not_about_layout", "ways cannot be asked for; say which sides are kept free");
+}
+
+// "The cabinet's doors must not bump into the bench": its own front is kept free; of others that of what is blocked.
+void NotHitting(const Match& match, std::string_view detail, Composer& composer) {
+  const std::vector<Placed> movers = composer.Movers(match.a);
+  const bool doors = !movers.empty() && movers.front().side == "front" && composer.HasDoors(movers.front());
+  doors ? KeepSpace(movers, match.distance, composer) : NotBlock(match, detail, composer);
+}
+
 }  // namespace
 
 std::vector<Meaning> SpaceMeanings() {
-  return {
-      {"space_at", SpaceAt},         {"path_around", PathAround},       {"more_space", MoreSpace},
-      {"space_before", SpaceBefore}, {"nothing_within", NothingWithin}, {"nothing_in_front", NothingInFront},
-      {"pull_out", PullOut},
-  };
+  return {{"space_at", SpaceAt},
+          {"path_around", PathAround},
+          {"more_space", MoreSpace},
+          {"space_before", SpaceBefore},
+          {"nothing_within", NothingWithin},
+          {"nothing_in_front", NothingInFront},
+          {"pull_out", PullOut},
+          {"accessible", Accessible},
+          {"access_to_side", AccessToSide},
+          {"access_from_side", AccessFromSide},
+          {"opens_fully", OpensFully},
+          {"of_movers", OfMovers},
+          {"accessible_from", AccessibleFrom},
+          {"unreachable", Unreachable},
+          {"movement_around", MovementAround},
+          {"not_hitting", NotHitting}};
 }
 
 }  // namespace flair::translator

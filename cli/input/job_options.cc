@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/input/job_options.h"
+
+#include <google/protobuf/descriptor.h>
+
+#include <filesystem>
+#include <numbers>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_join.h"
+#include "absl/strings/str_replace.h"
+#include "cli/input/command_line.h"
+#include "cli/input/field_value.h"
+#include "cli/input/message_text.h"
+#include "fmt/format.h"
+#include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::cli {
+namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+// Options of one kind: what they are called, where they are in a JobSpec, and the first stage that takes them.
+struct OptionGroup {
+  std::string_view name;
+  const char* field;
+  std::string_view stage;
+  // The only field that may be set; all when empty.
+  std::string_view only;
+};
+
+constexpr OptionGroup kGroups[] = {{"optimizer", "solve_options", "solve", ""},
+                                   {"renderer", "render_options", "render", ""},
+                                   {"models", "model_options", "room", ""},
+                                   {"brief", "brief", "brief", "seed"}};
+
+// An option that is a flag of some commands, and may have a shorter name than its field.
+struct FlagOption {
+  std::string_view name;
+  std::string_view path;
+  const char* flag;
+  // Where a flag's value is checked as it is read.
+  double least, most;
+  const char* help;
+};
+
+constexpr FlagOption kFlagOptions[] = {
+    {"brief.seed", "brief.seed", "--seed N", 0, kLargestSeed,
+     "Another seed, another design; the same seed, the same bytes (0)"},
+    {"optimizer.seed", "optimizer.seed", "--seed N", 0, kLargestSeed, "Seed; another seed, another layout (0)"},
+    {"optimizer.restarts", "optimizer.max_restart_count", "--restarts N", 1, 10000,
+     "Most restarts per stage of the solver, 1 to 10000 (by the stage's size)"},
+    {"optimizer.threads", "optimizer.thread_count", "--threads N", 1, 256,
+     "Threads of the solver, 1 to 256 (all cores); changes no result"},
+    {"optimizer.variants", "optimizer.variant_count", "--variants K", 1, 32,
+     "Layouts that differ visibly, 1 to 32 (1), best first"},
+    {"optimizer.path_width", "optimizer.path_width_m", "--path-width M", 0, 2,
+     "Width in metres of the paths from the door that are kept free, 0 to 2 (0.6)"},
+    {"optimizer.misfits", "optimizer.misfit_policy", "--misfits HOW", 0, 0,
+     "What to do with objects that do not fit: keep them where they do least harm, or leave-out (keep)"},
+    {"optimizer.time_limit", "optimizer.time_limit", "--time-limit S", 1e-3, 1e6,
+     "Stop after so many seconds with the best layout so far, 0.001 to 1000000; results then vary"},
+    {"optimizer.contradictions", "optimizer.find_contradictions", "--contradictions", 0, 0,
+     "Find the constraints that contradict each other"},
+    {"renderer.view", "renderer.view", "--view VIEW", 0, 0, "What is drawn: plan, birdseye or perspective (plan)"},
+    {"renderer.size", "renderer.size_px", "--size PX", 256, 8192,
+     "Longer side in pixels, 256 to 8192 (plan 1600, views 1024)"},
+    {"renderer.dpi", "renderer.dpi", "--dpi N", 36, 1200,
+     "Plans: dots per inch of paper, 36 to 1200, instead of --size"},
+    {"renderer.paper", "renderer.paper", "--paper SIZE", 0, 0, "Plans: a4 or a3 (a3); the room decides which way up"},
+    {"renderer.scale", "renderer.scale_denominator", "--scale 1:N", 0, 0,
+     "Plans: 1:N, N 5 to 1000 (the largest common one that fits the paper)"},
+    {"renderer.layers", "renderer.layers", "--layers A,B", 0, 0,
+     "Plans: some of floor_pieces, tertiary, zones, dimensions, constraints, circulation, with commas; or all (without "
+     "the flag: the first four)"},
+    {"renderer.samples", "renderer.sample_count", "--samples N", 1, 4096,
+     "Views: paths of light per pixel, 1 to 4096 (16)"},
+    {"renderer.seed", "renderer.seed", "--seed N", 0, kLargestSeed, "Views: another grain (0)"},
+    {"renderer.camera.eye_m", "renderer.camera.eye_m", "--camera X,Y,Z", 0, 0,
+     "Views: where the camera is, metres in the room"},
+    {"renderer.camera.target_m", "renderer.camera.target_m", "--look-at X,Y,Z", 0, 0, "Views: what it looks at"},
+    {"models.max_calls", "models.budget.call_count", "--max-calls N", 0, 100000,
+     "Most calls of the model, 0 to 100000; beyond that the design fails"},
+    {"models.max_tokens", "models.budget.token_count", "--max-tokens N", 0, 1e9,
+     "Most tokens of questions and answers, 0 to 10^9"},
+    {"models.max_usd", "models.budget.cost_usd", "--max-usd USD", 0, 1e6,
+     "Most US dollars, 0 to 1000000, by the prices of the --llm file"},
+    {"models.stand_in", "models.stand_in_allowed", "--stand-in", 0, 0,
+     "Where the model fails, the handbook or the grammar answers, and the report says so"},
+    {"models.omit_texts", "models.texts_omitted", "--omit-texts", 0, 0,
+     "Keep questions and answers out of what is stored"},
+};
+
+const FlagOption* FindFlag(std::string_view text, std::string_view FlagOption::*member) {
+  for (const FlagOption& known : kFlagOptions) {
+    if (known.*member == text) return &known;
+  }
+  return nullptr;
+}
+
+void AddNames(const std::string& path, const FieldDescriptor& field, std::string_view only,
+              std::vector<OptionName>& names) {
+  if (HoldsOptions(field)) {
+    for (int i = 0; i < field.message_type()->field_count(); ++i) {
+      const FieldDescriptor& part = *field.message_type()->field(i);
+      if (only.empty() || part.name() == only) AddNames(fmt::format("{}.{}", path, part.name()), part, "", names);
+    }
+  } else if (IsValue(field)) {
+    const FlagOption* const known = FindFlag(path, &FlagOption::path);
+    names.push_back({known == nullptr ? path : std::string(known->name), ValuesInWords(field)});
+  }
+}
+
+std::vector<OptionName> NamesOf(const OptionGroup& group) {
+  std::vector<OptionName> names;
+  AddNames(std::string(group.name), *v1::JobSpec::descriptor()->FindFieldByName(group.field), group.only, names);
+  return names;
+}
+
+const OptionGroup* GroupOf(std::string_view path) {
+  for (const OptionGroup& group : kGroups) {
+    if (path.substr(0, path.find('.')) == group.name) return &group;
+  }
+  return nullptr;
+}
+
+// A field at the end of a path, and the message that it is in, which is made on the way; null when there is none.
+struct Place {
+  Message* message = nullptr;
+  const FieldDescriptor* field = nullptr;
+};
+Place Find(std::string_view path, Message& message) {
+  const size_t dot = path.find('.');
+  const FieldDescriptor* field = message.GetDescriptor()->FindFieldByName(std::string(path.substr(0, dot)));
+  if (field == nullptr) return {};
+  if (dot == std::string_view::npos) return IsValue(*field) ? Place{&message, field} : Place{};
+  if (!HoldsOptions(*field)) return {};
+  return Find(path.substr(dot + 1), *message.GetReflection()->MutableMessage(&message, field));
+}
+
+Place FindOption(std::string_view name, v1::JobSpec& spec) {
+  const FlagOption* const known = FindFlag(name, &FlagOption::name);
+  const std::string_view path = known == nullptr ? name : known->path;
+  const OptionGroup* const group = GroupOf(path);
+  if (group == nullptr || path.size() <= group->name.size()) return {};
+  const std::string_view rest = path.substr(group->name.size() + 1);
+  if (!group->only.empty() && rest != group->only) return {};
+  return Find(fmt::format("{}.{}", group->field, rest), spec);
+}
+
+absl::Status NoSuchOption(const std::string& name) {
+  const OptionGroup* const group = GroupOf(name);
+  const auto text = [](std::string* out, const OptionName& option) { *out += option.name; };
+  return absl::InvalidArgumentError(
+      fmt::format("--set {}: there is no such option; one of {}", name,
+                  absl::StrJoin(group == nullptr ? OptionNames() : NamesOf(*group), ", ", text)));
+}
+
+// "NAME=VALUE" of --lambda and --tolerance, which are options below `group`.
+absl::Status SetMember(const char* flag, const std::string& group, const std::string& text, v1::JobSpec& spec) {
+  if (!text.ends_with('=') && SetOption(group + text, spec).ok()) return absl::OkStatus();
+  std::vector<std::string> names;
+  for (const OptionName& option : OptionNames()) {
+    if (option.name.starts_with(group)) names.push_back(option.name.substr(group.size()));
+  }
+  return absl::InvalidArgumentError(
+      fmt::format("{}: {}: should be NAME=VALUE, a number for one of {}", flag, text, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+std::vector<OptionName> OptionNames() {
+  std::vector<OptionName> names;
+  for (const OptionGroup& group : kGroups) {
+    for (OptionName& name : NamesOf(group)) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+absl::StatusOr<std::string_view> SetOption(const std::string& assignment, v1::JobSpec& spec) {
+  const size_t equals = assignment.find('=');
+  const std::string name(absl::StripAsciiWhitespace(assignment.substr(0, equals)));
+  if (equals == std::string::npos) {
+    return absl::InvalidArgumentError(
+        fmt::format("--set {}: should be NAME=VALUE, such as optimizer.restarts=500", assignment));
+  }
+  // On a copy: what fails must not leave a message that was made on the way.
+  v1::JobSpec changed = spec;
+  const Place place = FindOption(name, changed);
+  if (place.message == nullptr) return NoSuchOption(name);
+  const std::string value(absl::StripAsciiWhitespace(assignment.substr(equals + 1)));
+  if (!SetValue(value, *place.field, *place.message)) {
+    return absl::InvalidArgumentError(
+        fmt::format("--set {}: {}: should be {}", name, value, ValuesInWords(*place.field)));
+  }
+  spec = std::move(changed);
+  return GroupOf(name)->stage;
+}
+
+JobFlags::JobFlags(CLI::App& command, const std::vector<Choice>& choices, const std::string& group)
+    : Options(command, group) {
+  for (const auto& [name, help] : choices) {
+    const FlagOption& option = *FindFlag(name, &FlagOption::name);
+    Given& given = given_.emplace_back(name);
+    const std::string text = help.empty() ? option.help : help;
+    v1::JobSpec spec;
+    const FieldDescriptor& field = *FindOption(name, spec).field;
+    if (field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) {
+      given.flag = command
+                       .add_flag_callback(
+                           option.flag, [&given] { given.text = "true"; }, text)
+                       ->group(group);
+      continue;
+    }
+    given.flag = Bind(option.flag, given.text, text);
+    if (option.most == 0) continue;
+    const bool is_whole = field.message_type() == nullptr && field.cpp_type() != FieldDescriptor::CPPTYPE_DOUBLE;
+    given.flag->check(is_whole ? WholeNumber(static_cast<int64_t>(option.least), static_cast<int64_t>(option.most))
+                               : Number(option.least, option.most));
+  }
+}
+
+absl::Status JobFlags::Set(v1::JobSpec& spec) const {
+  for (const Given& given : given_) {
+    if (given.flag->count() == 0) continue;
+    const Place place = FindOption(given.option, spec);
+    const bool is_ratio = given.option == "renderer.scale" && given.text.starts_with("1:");
+    if (SetValue(is_ratio ? given.text.substr(2) : given.text, *place.field, *place.message)) continue;
+    return absl::InvalidArgumentError(
+        fmt::format("{}: {}: should be {}", given.flag->get_name(), given.text, ValuesInWords(*place.field)));
+  }
+  return absl::OkStatus();
+}
+
+std::string JobFlags::InFlags(const std::string& message) const {
+  std::vector<std::pair<std::string, std::string>> words;
+  for (const Given& given : given_) {
+    const std::string_view path = FindFlag(given.option, &FlagOption::name)->path;
+    words.emplace_back(fmt::format("options{}", path.substr(path.find('.'))), given.flag->get_name());
+  }
+  return absl::StrReplaceAll(message, words);
+}
+
+SolveFlags::SolveFlags(CLI::App& command)
+    : JobFlags(command, {{"optimizer.seed"},
+                         {"optimizer.restarts"},
+                         {"optimizer.threads"},
+                         {"optimizer.variants"},
+                         {"optimizer.path_width"},
+                         {"optimizer.misfits"},
+                         {"optimizer.time_limit"},
+                         {"optimizer.contradictions"}}) {}
+
+absl::StatusOr<v1::SolveOptions> ReadSolveFlags(const SolveFlags& flags) {
+  v1::JobSpec spec;
+  v1::SolveOptions& options = *spec.mutable_solve_options();
+  if (!flags.file.empty()) {
+    RETURN_IF_ERROR(ReadTextMessage("--options", flags.file,
+                                    "fields of SolveOptions, such as: max_restart_count: 8 lambdas { balanced: 0 }",
+                                    options));
+  }
+  RETURN_IF_ERROR(flags.Set(spec));
+  for (const std::string& text : flags.lambdas) {
+    RETURN_IF_ERROR(SetMember("--lambda", "optimizer.lambdas.", text, spec));
+  }
+  for (const std::string& text : flags.tolerances) {
+    RETURN_IF_ERROR(SetMember("--tolerance", "optimizer.tolerances.", text, spec));
+  }
+  if (!spec.solve_options().has_seed()) spec.mutable_solve_options()->set_seed(0);
+  return spec.solve_options();
+}
+
+RenderFlags::RenderFlags(CLI::App& command)
+    : JobFlags(command, {{"renderer.view"},
+                         {"renderer.size"},
+                         {"renderer.dpi"},
+                         {"renderer.paper"},
+                         {"renderer.scale"},
+                         {"renderer.layers"},
+                         {"renderer.samples"},
+                         {"renderer.seed"},
+                         {"renderer.camera.eye_m"},
+                         {"renderer.camera.target_m"}}) {}
+
+absl::StatusOr<v1::PreviewView> ViewOfName(const std::string& name) {
+  const auto* const view = FindWord(*v1::PreviewView_descriptor(), name);
+  if (view != nullptr) return static_cast<v1::PreviewView>(view->number());
+  const auto& field = *v1::RenderOptions::descriptor()->FindFieldByName("view");
+  return absl::InvalidArgumentError(fmt::format("--view: {}: should be {}", name, ValuesInWords(field)));
+}
+
+absl::StatusOr<v1::PreviewFormat> FormatOfFile(const std::string& path) {
+  constexpr std::pair<const char*, v1::PreviewFormat> kEndings[] = {
+      {".png", v1::PREVIEW_FORMAT_PNG},  {".jpg", v1::PREVIEW_FORMAT_JPEG},  {".jpeg", v1::PREVIEW_FORMAT_JPEG},
+      {".tif", v1::PREVIEW_FORMAT_TIFF}, {".tiff", v1::PREVIEW_FORMAT_TIFF}, {".exr", v1::PREVIEW_FORMAT_EXR},
+      {".svg", v1::PREVIEW_FORMAT_SVG},  {".pdf", v1::PREVIEW_FORMAT_PDF}};
+  const std::string ending = absl::AsciiStrToLower(std::filesystem::path(path).extension().string());
+  for (const auto& [known, format] : kEndings) {
+    if (ending == known) return format;
+  }
+  return absl::InvalidArgumentError(
+      fmt::format("--out: {}: its ending says the format: png, jpg, jpeg, tif, tiff, exr, svg, pdf{}", path,
+                  ending == ".glb" ? "; for a 3D scene: flair export scene LAYOUT --format glb --out FILE" : ""));
+}
+
+absl::StatusOr<v1::RenderOptions> ReadRenderFlags(const RenderFlags& flags, const std::string& out) {
+  v1::JobSpec spec;
+  v1::RenderOptions& options = *spec.mutable_render_options();
+  options.set_view(v1::PREVIEW_VIEW_PLAN);
+  RETURN_IF_ERROR(flags.Set(spec));
+  ASSIGN_OR_RETURN(const v1::PreviewFormat format, FormatOfFile(out));
+  options.set_format(format);
+  if (flags.field_of_view_deg > 0) {
+    options.mutable_camera()->set_field_of_view_rad(flags.field_of_view_deg * std::numbers::pi / 180);
+  }
+  const absl::Status good = Validate(options);
+  if (good.ok()) return options;
+  return absl::InvalidArgumentError(absl::StrReplaceAll(flags.InFlags(std::string(good.message())),
+                                                        {{"options.camera.field_of_view_rad", "--fov (in radians)"},
+                                                         {"options.camera", "--camera"},
+                                                         {"options.format", "--out"},
+                                                         {"size_px", "--size"}}));
+}
+
+}  // namespace flair::cli

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "llm/wrappers/call_llm_clients.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+#include "fmt/format.h"
+#include "worker_runtime/bootstrap/call_context.h"
+#include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::llm {
+
+namespace {
+
+// Deadlines and tokens are looked at so often; the end of a call and a cancellation wake at once.
+constexpr std::chrono::milliseconds kLookAgain(50);
+
+}  // namespace
+
+LimitingLlmClient::LimitingLlmClient(std::unique_ptr<LlmClient> inner, CallLimits limits, const runtime::Clock& clock)
+    : LlmClientWrapper(std::move(inner)),
+      limits_(limits),
+      clock_(clock),
+      tokens_(static_cast<double>(limits.tokens_per_minute)),
+      filled_at_(clock.Elapsed()) {}
+
+absl::StatusOr<ChatAnswer> LimitingLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
+  const int64_t estimate = EstimateTokens(request);
+  RETURN_IF_ERROR(WaitForTurn(estimate, call));
+  absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, call);
+  const std::lock_guard lock(mutex_);
+  --in_flight_;
+  if (answer.ok()) {
+    const int64_t consumed = answer->usage.input_token_count + answer->usage.output_token_count;
+    tokens_ -= static_cast<double>(consumed - estimate);
+  }
+  changed_.notify_all();
+  return answer;
+}
+
+absl::Status LimitingLlmClient::WaitForTurn(int64_t estimate, runtime::CallContext& call) {
+  const runtime::OnCancel wake_up(call.cancellation(), [this] {
+    const std::lock_guard lock(mutex_);
+    changed_.notify_all();
+  });
+  std::unique_lock lock(mutex_);
+  const int64_t number = next_number_++;
+  queue_.push_back(number);
+  absl::Status status;
+  while (true) {
+    status = call.CheckAlive();
+    Refill();
+    const bool may_begin = queue_.front() == number && in_flight_ < limits_.in_flight && HasTokens();
+    if (!status.ok() || may_begin) break;
+    changed_.wait_for(lock, kLookAgain);
+  }
+  std::erase(queue_, number);
+  // The next may have its turn too.
+  changed_.notify_all();
+  RETURN_IF_ERROR(status);
+  ++in_flight_;
+  tokens_ -= static_cast<double>(estimate);
+  return absl::OkStatus();
+}
+
+int LimitingLlmClient::waiting() const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<int>(queue_.size());
+}
+
+void LimitingLlmClient::Refill() {
+  const absl::Duration now = clock_.Elapsed();
+  const auto rate = static_cast<double>(limits_.tokens_per_minute);
+  tokens_ = std::min(rate, tokens_ + rate * absl::ToDoubleSeconds(now - filled_at_) / 60);
+  filled_at_ = now;
+}
+
+namespace {
+
+using runtime::MetricFamily;
+using runtime::MetricKind;
+
+constexpr MetricFamily kCalls{.kind = MetricKind::kCounter,
+                              .name = "flair_llm_calls_total",
+                              .help = "Questions to the language model, by the status code of the outcome.",
+                              .labels = {"code"}};
+constexpr MetricFamily kTokens{.kind = MetricKind::kCounter,
+                               .name = "flair_llm_tokens_total",
+                               .help = "Tokens of answered questions: input, cached_input (a part of it), output.",
+                               .labels = {"direction"}};
+constexpr MetricFamily kCost{.kind = MetricKind::kCounter,
+                             .name = "flair_llm_cost_dollars_total",
+                             .help = "US dollars for answered questions, by the configured prices."};
+constexpr MetricFamily kDuration{.kind = MetricKind::kHistogram,
+                                 .name = "flair_llm_call_duration_seconds",
+                                 .help = "Time from a question to its answer, with waiting and repeats.",
+                                 .buckets = runtime::kSecondsBuckets};
+
+}  // namespace
+
+MeteredLlmClient::MeteredLlmClient(std::unique_ptr<LlmClient> inner, runtime::Metrics& metrics,
+                                   const runtime::Clock& clock)
+    : LlmClientWrapper(std::move(inner)),
+      metrics_(metrics),
+      input_tokens_(metrics.GetCounter(kTokens, {"input"})),
+      cached_input_tokens_(metrics.GetCounter(kTokens, {"cached_input"})),
+      output_tokens_(metrics.GetCounter(kTokens, {"output"})),
+      cost_dollars_(metrics.GetCounter(kCost)),
+      duration_(metrics.GetHistogram(kDuration)),
+      clock_(clock) {
+  metrics.Declare(kCalls);
+}
+
+absl::StatusOr<ChatAnswer> MeteredLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
+  const absl::Duration start = clock_.Elapsed();
+  absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, call);
+  metrics_.GetCounter(kCalls, {absl::StatusCodeToString(answer.status().code())}).Add();
+  duration_.Observe(absl::ToDoubleSeconds(clock_.Elapsed() - start));
+  if (answer.ok()) {
+    input_tokens_.Add(static_cast<double>(answer->usage.input_token_count));
+    cached_input_tokens_.Add(static_cast<double>(answer->usage.cached_input_token_count));
+    output_tokens_.Add(static_cast<double>(answer->usage.output_token_count));
+    cost_dollars_.Add(answer->cost_usd);
+  }
+  return answer;
+}
+
+PricedLlmClient::PricedLlmClient(std::unique_ptr<LlmClient> inner, std::vector<config::v1::LlmPrice> prices,
+                                 std::string model)
+    : LlmClientWrapper(std::move(inner)), prices_(std::move(prices)), model_(std::move(model)) {}
+
+absl::StatusOr<ChatAnswer> PricedLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
+  absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, call);
+  if (answer.ok()) {
+    const std::string& name = FindPrice(prices_, answer->model) != nullptr ? answer->model : model_;
+    answer->cost_usd = CostUsd(prices_, name, answer->usage);
+  }
+  return answer;
+}
+
+namespace {
+
+// In [0, 1), decided by the text alone.
+double Spread(const std::string& text) {
+  const std::string digest = runtime::Sha256Hex(text);
+  return static_cast<double>(std::stoull(digest.substr(0, 12), nullptr, 16)) / static_cast<double>(1ULL << 48);
+}
+
+absl::Status AfterAttempts(const absl::Status& failure, int attempts) {
+  if (attempts == 1) return failure;
+  return absl::Status(failure.code(), fmt::format("{} (after {} attempts)", std::string(failure.message()), attempts));
+}
+
+}  // namespace
+
+std::optional<absl::Duration> RetryPolicy::DelayAfter(const absl::Status& failure, int attempt,
+                                                      const std::string& key) const {
+  if (!absl::IsUnavailable(failure) || attempt >= attempt_limit) return std::nullopt;
+  const std::optional<absl::Duration> asked = RetryAfter(failure);
+  if (asked.has_value() && *asked > longest_delay) return std::nullopt;
+  absl::Duration own = first_delay;
+  for (int i = 1; i < attempt && own < longest_delay; ++i) own *= 2;
+  const double spread = 1 + 0.5 * Spread(fmt::format("{}#{}", key, attempt));
+  return std::max(asked.value_or(absl::ZeroDuration()), std::min(own, longest_delay)) * spread;
+}
+
+void WaitOrCancelled(absl::Duration delay, runtime::CallContext& call) {
+  std::mutex mutex;
+  std::condition_variable wake;
+  const runtime::OnCancel on_cancel(call.cancellation(), [&] {
+    const std::lock_guard lock(mutex);
+    wake.notify_all();
+  });
+  std::unique_lock lock(mutex);
+  wake.wait_for(lock, absl::ToChronoMilliseconds(delay), [&] { return call.cancellation().cancelled(); });
+}
+
+RetryingLlmClient::RetryingLlmClient(std::unique_ptr<LlmClient> inner, RetryPolicy policy, const runtime::Clock& clock,
+                                     Wait wait)
+    : LlmClientWrapper(std::move(inner)), policy_(policy), clock_(clock), wait_(std::move(wait)) {}
+
+absl::StatusOr<ChatAnswer> RetryingLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
+  for (int attempt = 1;; ++attempt) {
+    absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, call);
+    if (answer.ok()) return answer;
+    const std::optional<absl::Duration> delay =
+        policy_.DelayAfter(answer.status(), attempt, call.request_id() + "/" + request.step);
+    if (!delay.has_value() || clock_.Now() + *delay >= call.deadline()) {
+      return AfterAttempts(answer.status(), attempt);
+    }
+    wait_(*delay, call);
+    RETURN_IF_ERROR(call.CheckAlive());
+  }
+}
+
+}  // namespace flair::llm

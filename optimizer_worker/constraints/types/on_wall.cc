@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/formula_cost.h"
+#include "optimizer_worker/constraints/measure/choose.h"
+#include "optimizer_worker/constraints/measure/hanging.h"
+#include "optimizer_worker/constraints/measure/outside.h"
+#include "optimizer_worker/constraints/measure/walls.h"
+#include "optimizer_worker/constraints/shortfall.h"
+#include "optimizer_worker/constraints/whole_room.h"
+#include "room/geometry/footprint.h"
+#include "room/geometry/pose.h"
+#include "room/geometry/vec2.h"
+#include "room/scene/scene.h"
+
+namespace flair::optimizer {
+
+namespace {
+
+// Hangs a wall object on a wall, off the openings.
+//   cost = min over walls of ( gap^2 + (1 - cos a) + overhang^2 + sum over openings of overlap^2 )   [m2]
+//   gap, a, overhang  as in against_wall, for the back
+//   overlap           shortest slide along the wall that takes the object off a door or window, when their heights meet
+// Zero exactly when the back is flush on one wall and off its openings. The paper's Eq. on_wall is a product over all
+// walls with headings that are not reduced, so that a painting flush on the south wall at 2 pi costs millions
+// (SEMANTICS.md section 5): here the least wall counts.
+struct OnWallFormula {
+  static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
+  Footprint footprint;
+  std::vector<HangingWall> places;
+
+  template <typename T>
+  T operator()(const Frames<T, 1>& frames) const {
+    return LeastOf<T>(places, frames,
+                      [this](const HangingWall& place, const auto& f) { return HangsOn(footprint, f[0], place); });
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Cost> OnWall(const Scene& scene, int object) {
+  const Object& o = scene.objects[static_cast<size_t>(object)];
+  if (o.kind != ObjectKind::kWall) return nullptr;
+  return MakeCost(OnWallFormula{o.footprint, HangingWalls(scene, object)}, {object});
+}
+
+namespace {
+
+// How an object misses hanging on any wall.
+Shortfall NotHanging(const PlacedCall& call, int object) {
+  const Scene& scene = call.scene();
+  double least = std::numeric_limits<double>::infinity();
+  for (const HangingWall& place : HangingWalls(scene, object)) {
+    least = std::min(least, HangsOn(call.FootprintOf(object), call.FrameOf(object), place));
+  }
+  return OffBy(call.Name(object), "a place flat on one wall, clear of its doors and windows",
+               std::isfinite(least) ? std::sqrt(least) : 0);
+}
+
+// How `object` misses hanging beside `target`: metres along the wall from its middle to the interval that the target
+// covers (to the middle of it when most_along_m is 0), and how far the target stands from that wall.
+std::vector<Shortfall> OffBeside(const PlacedCall& call, double most_along_m, double most_away_m, const char* place) {
+  const int object = call.object(), target = call.target();
+  const Wall& wall = call.BestWall(
+      [&](const Wall& w) { return SideOnWall(call.FootprintOf(object), call.FrameOf(object), Side::kBack, w); });
+  const WallView<double> view(call.FootprintOf(target), call.FrameOf(target), wall);
+  const double offset = wall.Offset(call.FrameOf(object).center);
+  const bool above = most_along_m == 0;
+  const double along =
+      above ? std::abs(offset - view.Middle()) : std::max({0.0, view.low - offset, offset - view.high});
+  return {
+      {fmt::format("{} hangs {:.2f} m along the wall from {} {}", call.Name(object), along, place, call.Name(target)),
+       along - most_along_m, "m"},
+      TooFar(call.Name(target), fmt::format("{}, where {} hangs", WallName(wall), call.Name(object)), view.distance,
+             most_away_m),
+      NotHanging(call, object)};
+}
+
+BoundCost BindOnWall(const Arguments& a, const BindContext& context) {
+  std::unique_ptr<Cost> cost = OnWall(context.scene, a.Object("object"));
+  if (cost != nullptr) return cost;
+  return absl::FailedPreconditionError("the object does not hang on walls");
+}
+
+// Hangs a wall object above a floor object.
+//   cost = min over walls of  (on_wall) + max(|m_1 - m_2| - play, 0)^2 + max(p - max(p_min, 0.15), 0)^2            [m2]
+//   on_wall   cost of hanging on that wall, off its openings
+//   m_1, m_2  middles of the two along the wall;  p, p_min  as in on_wall_near
+//   play      0 for the only thing above the target, else what it can move above it: several share the place
+// Zero exactly when it hangs on the wall that the target stands at, above its middle.
+struct OnWallAbove {
+  static constexpr int kObjects = 2;
+  static constexpr bool kSeesZero = true;
+  Footprint object;
+  Footprint target;
+  std::vector<HangingWall> places;
+  bool shares_place;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    const NearestWall nearest = NearestWallTo(target, ValueOf(frames[1]), places);
+    return LeastOf<T>(places, frames, [this, &nearest](const HangingWall& place, const auto& f) {
+      using S = std::decay_t<decltype(f[0].center.x)>;
+      constexpr double kAtWall_m = 0.15;
+      const WallView<S> view(target, f[1], place.wall);
+      const S beside = Magnitude(place.wall.Offset(f[0].center) - view.Middle());
+      const S play = shares_place ? Positive(0.5 * (view.Length() - object.width_m)) : S(0.0);
+      return HangsOn(object, f[0], place) + SquaredHinge(beside - play) +
+             SquaredNotItsWall(target, f[1], view.distance, nearest, kAtWall_m);
+    });
+  }
+};
+
+std::optional<Shortfall> OnWallAboveShortfall(const PlacedCall& call) {
+  return Worst(OffBeside(call, 0, 0.15, "the middle of"));
+}
+
+BoundCost BindOnWallAbove(const Arguments& a, const BindContext& context) {
+  const int object = a.Object("object"), target = a.Object("target");
+  const bool shares = context.linked != nullptr && context.linked->CountAbove(target) > 1;
+  return MakeCost(OnWallAbove{FootprintOf(context, object), FootprintOf(context, target),
+                              HangingWalls(context.scene, object), shares},
+                  {object, target});
+}
+
+// Hangs a wall object where a floor object looks: a television before the sofa, a mirror before the chair.
+//   cost = (on_wall) + max(|u| - w / 4, 0)^2 + max(-v, 0)^2 + (1 + f1 . f2)                                       [m2]
+//   on_wall  cost of hanging on the best wall
+//   u, v     how far right and ahead of the target the object's centre is;  w  the target's width;  f1, f2  front
+//   directions
+// Zero exactly when it hangs on a wall straight ahead of the target's middle half, looking back at it.
+struct OnWallFacing {
+  static constexpr int kObjects = 2;
+  Footprint object;
+  Footprint target;
+  std::vector<HangingWall> places;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    const Vec2<T> p = frames[1].ToObject(frames[0].center);
+    return LeastOf<T>(places, frames,
+                      [this](const HangingWall& place, const auto& f) { return HangsOn(object, f[0], place); }) +
+           SquaredOutside(p.x, -target.width_m / 4, target.width_m / 4) + SquaredHinge(-p.y) +
+           (Dot(frames[0].front, frames[1].front) + 1.0);
+  }
+};
+
+std::optional<Shortfall> OnWallFacingShortfall(const PlacedCall& call) {
+  const int object = call.object(), target = call.target();
+  const Frame<double> frame = call.FrameOf(target);
+  const Vec2<double> p = frame.ToObject(call.FrameOf(object).center);
+  const double aside = std::abs(p.x) - call.FootprintOf(target).width_m / 4;
+  return Worst({{fmt::format("{} hangs {:.2f} m to the side of where {} looks", call.Name(object), std::max(0.0, aside),
+                             call.Name(target)),
+                 aside, "m"},
+                {fmt::format("{} hangs {:.2f} m behind {}", call.Name(object), -p.y, call.Name(target)), -p.y, "m"},
+                Turned(SideOf(call.Name(target), Side::kFront), call.Name(object),
+                       kPi - AngleOf(frame.front, call.FrameOf(object).front)),
+                NotHanging(call, object)});
+}
+
+BoundCost BindOnWallFacing(const Arguments& a, const BindContext& context) {
+  const int object = a.Object("object"), target = a.Object("target");
+  return MakeCost(
+      OnWallFacing{FootprintOf(context, object), FootprintOf(context, target), HangingWalls(context.scene, object)},
+      {object, target});
+}
+
+// Hangs a wall object in a zone.
+//   cost = (zone cost of measure/outside.h) + (cost of on_wall) [m2]
+// Zero exactly when it hangs on a wall, its centre in the zone's Voronoi cell. The released on_wall_in_region is the
+// first part; the second is there so that the call alone says all of its sentence.
+struct OnWallInZone {
+  static constexpr int kObjects = 1;
+  Footprint footprint;
+  std::vector<HangingWall> places;
+  std::vector<Vec2<double>> centers;
+  int zone;
+
+  template <typename T>
+  T operator()(const Frames<T, 1>& frames) const {
+    return SquaredBeyondBorders<T>(frames[0].center, centers, zone) +
+           LeastOf<T>(places, frames,
+                      [this](const HangingWall& place, const auto& f) { return HangsOn(footprint, f[0], place); });
+  }
+};
+
+std::optional<Shortfall> OnWallInZoneShortfall(const PlacedCall& call) {
+  const Zone& zone = call.scene().zones[static_cast<size_t>(call.arguments().Zone("zone"))];
+  return Worst({OffBy(call.NameOf("object"), fmt::format("the {} zone", zone.name), call.CostRoot() / 2)});
+}
+
+BoundCost BindOnWallInZone(const Arguments& a, const BindContext& context) {
+  const int object = a.Object("object");
+  const int zone = a.Zone("zone");
+  if (static_cast<size_t>(zone) >= context.zone_centers.size()) {
+    return absl::FailedPreconditionError("the zones have no places yet");
+  }
+  if (!HasPlace(context.zone_centers[static_cast<size_t>(zone)])) {
+    return absl::FailedPreconditionError(fmt::format("nothing stands in zone \"{}\", so it has no place",
+                                                     context.scene.zones[static_cast<size_t>(zone)].name));
+  }
+  return MakeCost(OnWallInZone{FootprintOf(context, object),
+                               HangingWalls(context.scene, object),
+                               {context.zone_centers.begin(), context.zone_centers.end()},
+                               zone},
+                  {object});
+}
+
+// Hangs a wall object near a floor object.
+//   cost = min over walls of  (on_wall) + max(s - 0.5, 0)^2 + max(p - max(p_min, 0.5), 0)^2                      [m2]
+//   on_wall  cost of hanging on that wall, off its openings
+//   s        gap between the two along the wall;  p  distance of the target's nearest corner to that wall, p_min to any
+//   wall
+// Zero exactly when it hangs on the target's nearest wall (or one within half a metre of it), at most half a metre
+// beside it. The released on_wall_near adds the squared distance of the centres and is never zero (SEMANTICS.md section
+// 6).
+struct OnWallNear {
+  static constexpr int kObjects = 2;
+  static constexpr bool kSeesZero = true;
+  Footprint object;
+  Footprint target;
+  std::vector<HangingWall> places;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    const NearestWall nearest = NearestWallTo(target, ValueOf(frames[1]), places);
+    return LeastOf<T>(places, frames, [this, &nearest](const HangingWall& place, const auto& f) {
+      using S = std::decay_t<decltype(f[0].center.x)>;
+      constexpr double kBeside_m = 0.5;
+      const WallView<S> view(target, f[1], place.wall);
+      const S offset = place.wall.Offset(f[0].center);
+      const double reach = object.width_m / 2 + kBeside_m;
+      return HangsOn(object, f[0], place) + SquaredHinge(view.low - offset - reach) +
+             SquaredHinge(offset - view.high - reach) +
+             SquaredNotItsWall(target, f[1], view.distance, nearest, kBeside_m);
+    });
+  }
+};
+
+std::optional<Shortfall> OnWallNearShortfall(const PlacedCall& call) {
+  const double reach = call.FootprintOf(call.object()).width_m / 2 + 0.5;
+  return Worst(OffBeside(call, reach, 0.5, "beside"));
+}
+
+BoundCost BindOnWallNear(const Arguments& a, const BindContext& context) {
+  const int object = a.Object("object"), target = a.Object("target");
+  return MakeCost(
+      OnWallNear{FootprintOf(context, object), FootprintOf(context, target), HangingWalls(context.scene, object)},
+      {object, target});
+}
+
+constexpr ConstraintCode kOnWallCode[] = {
+    {"on_wall", BindOnWall},
+    {"on_wall_above", BindOnWallAbove, OnWallAboveShortfall},
+    {"on_wall_facing", BindOnWallFacing, OnWallFacingShortfall},
+    {"on_wall_in_zone", BindOnWallInZone, OnWallInZoneShortfall},
+    {"on_wall_near", BindOnWallNear, OnWallNearShortfall},
+};
+
+}  // namespace
+
+std::span<const ConstraintCode> OnWallCode() { return kOnWallCode; }
+
+}  // namespace flair::optimizer

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "optimizer_worker/autodiff/smooth.h"
+#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/formula_cost.h"
+#include "optimizer_worker/constraints/measure/outside.h"
+#include "optimizer_worker/constraints/measure/walls.h"
+#include "room/geometry/footprint.h"
+#include "room/geometry/pose.h"
+#include "room/geometry/vec2.h"
+
+namespace flair::optimizer {
+
+namespace {
+
+// Hangs an object above another: cost = |c1 - c2|^2 [m2], as the released ceiling_above. Zero exactly when the centres
+// meet.
+struct CeilingAbove {
+  static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    return SquaredNorm(frames[0].center - frames[1].center);
+  }
+};
+
+std::optional<Shortfall> CeilingAboveShortfall(const PlacedCall& call) {
+  return OffMiddle(call, call.object(), call.target());
+}
+
+BoundCost BindCeilingAbove(const Arguments& a, const BindContext& context) {
+  return MakeCost(CeilingAbove{}, {a.Object("object"), a.Object("target")});
+}
+
+// Hangs an object from the middle of the ceiling: cost = |c - c_room|^2 [m2], as the released center_ceiling. The
+// room's centre is its centre of mass. Zero exactly there.
+struct CeilingCenter {
+  static constexpr int kObjects = 1;
+  Vec2<double> room_center;
+
+  template <typename T>
+  T operator()(const Frames<T, 1>& frames) const {
+    return SquaredNorm(frames[0].center - Cast<T>(room_center));
+  }
+};
+
+std::optional<Shortfall> CeilingCenterShortfall(const PlacedCall& call) {
+  return Worst({OffBy(call.NameOf("object"), "the middle of the ceiling", call.CostRoot())});
+}
+
+BoundCost BindCeilingCenter(const Arguments& a, const BindContext& context) {
+  return MakeCost(CeilingCenter{Centroid(context.scene.room.floor)}, {a.Object("object")});
+}
+
+// Keeps an object wholly on another, seen from above.
+//   cost = sum over corners of max(|u| - w / 2, 0)^2 + max(|v| - d / 2, 0)^2                                   [m2]
+//   u, v  the object's corners in the target's frame;  w, d  the target's width and depth
+// Zero exactly when no corner sticks out. The released io_on sums edges of the intersection, so that less contact costs
+// less (SEMANTICS.md section 4).
+struct On {
+  static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  static constexpr bool kSeesZero = true;
+  Footprint object;
+  Footprint target;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    return SquaredSticksOut(object, frames[0], target, frames[1]);
+  }
+};
+
+std::optional<Shortfall> OnShortfall(const PlacedCall& call) {
+  const double out = call.CostRoot();
+  return Worst(
+      {{fmt::format("{} sticks {:.2f} m out over {}", call.NameOf("object"), out, call.NameOf("target")), out, "m"}});
+}
+
+BoundCost BindOn(const Arguments& a, const BindContext& context) {
+  const int object = a.Object("object"), target = a.Object("target");
+  return MakeCost(On{FootprintOf(context, object), FootprintOf(context, target)}, {object, target});
+}
+
+// Sets a thing on the middle of another: cost = |c1 - c2|^2 + (1 - cos(theta_1 - theta_2)) [m2]. Zero exactly when the
+// centres meet and both face the same way. The released on_top_central compares headings that wrap.
+struct OnTopCenter {
+  static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    return SquaredNorm(frames[0].center - frames[1].center) + Turn(frames[0].front, frames[1].front);
+  }
+};
+
+std::optional<Shortfall> OnTopCenterShortfall(const PlacedCall& call) {
+  const int object = call.object(), host = call.arguments().Object("host");
+  if (const std::optional<Shortfall> off = OffMiddle(call, object, host)) return off;
+  return Worst({Turned(call.Name(object), "the direction of " + call.Name(host),
+                       AngleOf(call.FrameOf(object).front, call.FrameOf(host).front))});
+}
+
+BoundCost BindOnTopCenter(const Arguments& a, const BindContext& context) {
+  return MakeCost(OnTopCenter{}, {a.Object("object"), a.Object("host")});
+}
+
+// Sets a thing on one corner of another.
+//   cost = overhang^2 + max(-s_u u, 0)^2 + max(-s_v v, 0)^2 + (1 - cos(theta_1 - theta_2))                      [m2]
+//   u, v      its centre in the host's frame;  s_u, s_v  signs of the corner
+//   overhang  of its corners over the host's edges (measure/outside.h); of its centre when it is too large to fit
+// Zero exactly when it stands wholly on the host, its centre in that quarter, facing the same way. The released
+// on_top_corner pulls to the point half way to the corner and forgets things that do not touch the host.
+struct OnTopCorner {
+  static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  Footprint object;
+  Footprint host;
+  Vec2<double> signs;
+  bool fits;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    const Vec2<T> p = frames[1].ToObject(frames[0].center);
+    const T overhang = fits ? SquaredSticksOut(object, frames[0], host, frames[1])
+                            : SquaredSticksOut(Footprint{}, frames[0], host, frames[1]);
+    return overhang + SquaredHinge(-signs.x * p.x) + SquaredHinge(-signs.y * p.y) +
+           Turn(frames[0].front, frames[1].front);
+  }
+};
+
+Vec2<double> SignsOf(Corner corner) {
+  const bool right = corner == Corner::kBackRight || corner == Corner::kFrontRight;
+  const bool front = corner == Corner::kFrontLeft || corner == Corner::kFrontRight;
+  return {right ? 1.0 : -1.0, front ? 1.0 : -1.0};
+}
+
+std::optional<Shortfall> OnTopCornerShortfall(const PlacedCall& call) {
+  std::string corner(CornerName(call.arguments().OneCorner("corner")));
+  for (char& c : corner) c = c == '_' ? ' ' : c;
+  return Worst(
+      {OffBy(call.NameOf("object"), fmt::format("the {} corner of {}", corner, call.NameOf("host")), call.CostRoot())});
+}
+
+BoundCost BindOnTopCorner(const Arguments& a, const BindContext& context) {
+  const int object = a.Object("object"), host = a.Object("host");
+  const Footprint& small = FootprintOf(context, object);
+  const Footprint& large = FootprintOf(context, host);
+  const bool fits = small.width_m <= large.width_m && small.depth_m <= large.depth_m;
+  return MakeCost(OnTopCorner{small, large, SignsOf(a.OneCorner("corner")), fits}, {object, host});
+}
+
+// Centres a rug under an object: cost = |c_rug - c_object|^2 [m2], as the released rug_under_central. Zero exactly when
+// the centres meet.
+struct RugUnderCenter {
+  static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    return SquaredNorm(frames[0].center - frames[1].center);
+  }
+};
+
+std::optional<Shortfall> RugUnderCenterShortfall(const PlacedCall& call) {
+  return OffMiddle(call, call.arguments().Object("rug"), call.object());
+}
+
+BoundCost BindRugUnderCenter(const Arguments& a, const BindContext& context) {
+  return MakeCost(RugUnderCenter{}, {a.Object("rug"), a.Object("object")});
+}
+
+// Lays a rug half under an object and half before it.
+//   cost = |c_rug - m|^2 + (1 - cos^2 a)                                                                       [m2]
+//   m  middle of the object's front;  a  angle between the rug's longer side and the object's back edge
+// Zero exactly when the rug is centred on the front edge, its longer side along it; a half turn is the same. The
+// released rug_under_central_forward compares directed edges by arccos without clipping (SEMANTICS.md section 6).
+struct RugUnderForward {
+  static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+  Footprint rug;
+  Footprint object;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    const Vec2<T>& along = rug.width_m >= rug.depth_m ? frames[0].right : frames[0].front;
+    return SquaredNorm(frames[0].center - MiddleOf(object, frames[1], Side::kFront)) +
+           Square(Cross(along, frames[1].right));
+  }
+};
+
+std::optional<Shortfall> RugUnderForwardShortfall(const PlacedCall& call) {
+  const int rug = call.arguments().Object("rug"), object = call.object();
+  const Vec2<double> front = MiddleOf(call.FootprintOf(object), call.FrameOf(object), Side::kFront);
+  if (const std::optional<Shortfall> off = Worst(
+          {OffBy(call.Name(rug), SideOf(call.Name(object), Side::kFront), Norm(call.FrameOf(rug).center - front))})) {
+    return off;
+  }
+  return Worst({OffBy(call.Name(rug), "lying along " + call.Name(object), call.CostRoot())});
+}
+
+BoundCost BindRugUnderForward(const Arguments& a, const BindContext& context) {
+  const int rug = a.Object("rug"), object = a.Object("object");
+  return MakeCost(RugUnderForward{FootprintOf(context, rug), FootprintOf(context, object)}, {rug, object});
+}
+
+// Lays an object under the middle of another: cost = |c1 - c2|^2 + sin^2(theta_1 - theta_2) [m2]. Zero exactly when the
+// centres meet and the sides are parallel; a half turn is the same. The released io_under_central compares headings
+// that wrap.
+struct UnderCenter {
+  static constexpr int kObjects = 2;
+  static constexpr bool kOnlyRelative = true;
+
+  template <typename T>
+  T operator()(const Frames<T, 2>& frames) const {
+    return SquaredNorm(frames[0].center - frames[1].center) + Square(Cross(frames[0].front, frames[1].front));
+  }
+};
+
+std::optional<Shortfall> UnderCenterShortfall(const PlacedCall& call) {
+  const Frame<double> object = call.FrameOf(call.object()), target = call.FrameOf(call.target());
+  const double angle = AngleOf(object.front, target.front);
+  return Worst(
+      {OffBy(call.NameOf("object"), "the middle of " + call.NameOf("target"), Norm(object.center - target.center)),
+       Turned(call.NameOf("object"), "the sides of " + call.NameOf("target"), std::min(angle, kPi - angle))});
+}
+
+BoundCost BindUnderCenter(const Arguments& a, const BindContext& context) {
+  return MakeCost(UnderCenter{}, {a.Object("object"), a.Object("target")});
+}
+
+constexpr ConstraintCode kStackedCode[] = {
+    {"ceiling_above", BindCeilingAbove, CeilingAboveShortfall},
+    {"ceiling_center", BindCeilingCenter, CeilingCenterShortfall},
+    {"on", BindOn, OnShortfall},
+    {"on_top_center", BindOnTopCenter, OnTopCenterShortfall},
+    {"on_top_corner", BindOnTopCorner, OnTopCornerShortfall},
+    {"rug_under_center", BindRugUnderCenter, RugUnderCenterShortfall},
+    {"rug_under_forward", BindRugUnderForward, RugUnderForwardShortfall},
+    {"under_center", BindUnderCenter, UnderCenterShortfall},
+};
+
+}  // namespace
+
+std::span<const ConstraintCode> StackedCode() { return kStackedCode; }
+
+}  // namespace flair::optimizer
