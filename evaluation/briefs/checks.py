@@ -89,6 +89,11 @@ def _room_area(plan: Plan, wish: Wish) -> bool:
     return abs(plan.area_m2() - wish["area_m2"]) <= wish["within_m2"]
 
 
+def _piece_size(_: Plan, piece: Piece, wish: Wish) -> bool:
+    return all(abs(is_m - wanted_m) <= wish["within_m"]
+               for is_m, wanted_m in zip(sorted((piece.width_m, piece.depth_m)), sorted(wish["sides_m"]), strict=True))
+
+
 def _room_type(plan: Plan, wish: Wish) -> bool:
     return wish["contains"] in plan.room_type
 
@@ -107,6 +112,7 @@ def _same_direction(plan: Plan, wish: Wish) -> bool:
 
 CHECKS = {
     "count": Check(_count, {"of": "things"}),
+    "piece_size": Check(_of_pieces(_piece_size), {"of": "things", "sides_m": "sides"}, {"within_m": 0.02}),
     "seats": Check(_seats, {}),
     "room_type": Check(_room_type, {"contains": "text"}, counts=False),
     "room_size": Check(_room_size, {"sides_m": "sides"}, {"within_m": 0.02}, counts=False),

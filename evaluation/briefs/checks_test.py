@@ -35,6 +35,9 @@ def piece(name: str, x_m: float, y_m: float, looks_deg: float = NORTH, width_m: 
 CASES = {
     "count": ({"of": "@bed", "exactly": 2}, room(piece("single bed", 1, 1), piece("bunk bed", 4, 1)),
               [room(piece("single bed", 1, 1)), room(*(piece("bed", x, 1) for x in (1, 3, 5)))]),
+    "piece_size": ({"of": "@desk", "sides_m": [0.7, 1.4], "exactly": 1},
+                   room(piece("desk", 1, 1, width_m=1.4, depth_m=0.7), piece("desk", 4, 1)),
+                   [room(piece("desk", 4, 1))]),
     "seats": ({"at_least": 5},
               room(piece("sofa", 3, 1, width_m=1.8), piece("armchair", 1, 1), piece("bar stool", 2, 1)),
               [room(piece("sofa", 3, 1, width_m=1.8), piece("workbench", 1, 1, width_m=3))]),
