@@ -29,42 +29,41 @@ std::vector<ResultColumn> MakeColumns() {
       {"job_id", kText, "id of the job, for `flair jobs show` and `flair inspect JOB/STAGE`"},
       {"state", kText, "waiting, succeeded, failed or cancelled"},
       {"failure_kind", kText, "input, language, translation, infeasible, worker, timeout or store"},
-      {"stage", kText, "the stage that ended it"},
+      {"stage", kText, "the stage that failed"},
       {"error", kText, "what happened, in one sentence"},
       {"error_code", kInteger, "the gRPC status code of the error"},
-      {"attempts", kInteger, "runs that were begun"},
+      {"attempts", kInteger, "runs started"},
       {"seed", kInteger, "the brief's seed"},
       {"text", kText, "the brief's text"},
       {"create_time", kText, "when it was queued, UTC"},
       {"end_time", kText, "when it ended, UTC"},
-      {"oob_percent", kReal, "[Paper] OOB: area outside the room"},
-      {"oor_percent", kReal, "[Paper] OOR: area of overlaps"},
+      {"oob_percent", kReal, "[Paper] OOB: area outside the room, percent"},
+      {"oor_percent", kReal, "[Paper] OOR: area of overlaps, percent"},
       {"reachable_floor_share", kReal, "share of the free floor that can be reached"},
       {"reachable_front_share", kReal, "share of the objects whose front can be reached"},
       {"pathway_cost_m3", kReal, "[Paper] pathway cost"},
       {"deepest_overlap_m", kReal, "deepest overlap, metres"},
       {"satisfied_count", kInteger, "constraints that hold"},
       {"violated_count", kInteger, "constraints that do not"},
-      {"dropped_count", kInteger, "constraints not taken into the problem"},
-      {"untranslated_count", kInteger, "sentences that became no constraint"},
-      {"time_s", kReal, "all stages together, seconds; what was used again counts nothing"},
+      {"dropped_count", kInteger, "constraints left out of the problem"},
+      {"untranslated_count", kInteger, "sentences that did not become constraints"},
+      {"time_s", kReal, "time of all stages, seconds; reused artifacts count 0"},
   };
   for (const char* stage : kStages) {
-    columns.push_back({fmt::format("{}_s", stage), kReal, fmt::format("stage {}, seconds", stage)});
+    columns.push_back({fmt::format("{}_s", stage), kReal, "time of this stage, seconds"});
   }
   columns.insert(columns.end(), {{"model_calls", kInteger, "calls of language models"},
-                                 {"input_tokens", kInteger, "tokens of the questions"},
+                                 {"input_tokens", kInteger, "tokens of the prompts"},
                                  {"output_tokens", kInteger, "tokens of the answers"},
                                  {"cost_usd", kReal, "US dollars"}});
   for (const char* artifact : {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "graph",
                                "layout", "picture", "picture_2", "picture_3", "picture_4", "picture_5", "report"}) {
-    columns.push_back({fmt::format("{}_sha256", artifact), kText, fmt::format("digest and id of the {}", artifact)});
+    columns.push_back({fmt::format("{}_sha256", artifact), kText, "digest, which is the id, of this artifact"});
   }
-  columns.insert(columns.end(),
-                 {{"path", kText, "folder of the job's files, or tar file in which they are; relative to DIR"},
-                  {"size_bytes", kInteger, "size of the files that were kept"},
-                  {"fetch_error", kText, "why its results could not be fetched"},
-                  {"end_sequence", kInteger, "number of its end in the batch; for the collector"}});
+  columns.insert(columns.end(), {{"path", kText, "folder or tar file with the job's files, relative to DIR"},
+                                 {"size_bytes", kInteger, "size of the kept files"},
+                                 {"fetch_error", kText, "why its results could not be fetched"},
+                                 {"end_sequence", kInteger, "order in which jobs ended; used by the collector"}});
   return columns;
 }
 

@@ -30,7 +30,8 @@ class Files(unittest.TestCase):
         return read_exam(self.file)
 
     def test_the_sets_of_this_folder_can_be_read(self) -> None:
-        development, second, third = sets = [read_exam(HERE / f"{name}.jsonl") for name in ("development", "second", "third")]
+        names = ("development", "second", "third")
+        development, second, third = sets = [read_exam(HERE / f"{name}.jsonl") for name in names]
         self.assertFalse(development.misses_hidden)
         self.assertTrue(second.misses_hidden and third.misses_hidden)
         self.assertGreaterEqual(sum(len(exam.briefs) for exam in sets), 100)

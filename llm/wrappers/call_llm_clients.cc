@@ -86,18 +86,18 @@ using runtime::MetricKind;
 
 constexpr MetricFamily kCalls{.kind = MetricKind::kCounter,
                               .name = "flair_llm_calls_total",
-                              .help = "Questions to the language model, by the status code of the outcome.",
+                              .help = "Questions to the language model, by status code.",
                               .labels = {"code"}};
 constexpr MetricFamily kTokens{.kind = MetricKind::kCounter,
                                .name = "flair_llm_tokens_total",
-                               .help = "Tokens of answered questions: input, cached_input (a part of it), output.",
+                               .help = "Tokens of answered questions: input, cached_input (part of input), output.",
                                .labels = {"direction"}};
 constexpr MetricFamily kCost{.kind = MetricKind::kCounter,
                              .name = "flair_llm_cost_dollars_total",
                              .help = "US dollars for answered questions, by the configured prices."};
 constexpr MetricFamily kDuration{.kind = MetricKind::kHistogram,
                                  .name = "flair_llm_call_duration_seconds",
-                                 .help = "Time from a question to its answer, with waiting and repeats.",
+                                 .help = "Time from a question to its answer, with waiting and retries.",
                                  .buckets = runtime::kSecondsBuckets};
 
 }  // namespace

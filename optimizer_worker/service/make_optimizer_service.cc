@@ -20,19 +20,18 @@ namespace {
 using runtime::MetricFamily;
 using runtime::MetricKind;
 
-constexpr MetricFamily kRestarts{.kind = MetricKind::kCounter,
-                                 .name = "flair_optimizer_restarts_total",
-                                 .help =
-                                     "Restarts of the solver: of solves that this program drives (own), wherever "
-                                     "they were done, and for other optimizers (peer).",
-                                 .labels = {"requester"}};
+constexpr MetricFamily kRestarts{
+    .kind = MetricKind::kCounter,
+    .name = "flair_optimizer_restarts_total",
+    .help = "Restarts of the solver: of this program's own solves, wherever they ran, or for a peer.",
+    .labels = {"requester"}};
 constexpr MetricFamily kEvaluations{.kind = MetricKind::kCounter,
                                     .name = "flair_optimizer_evaluations_total",
                                     .help = "Evaluations of the cost in these restarts.",
                                     .labels = {"requester"}};
 constexpr MetricFamily kConstraints{.kind = MetricKind::kCounter,
                                     .name = "flair_optimizer_constraints_total",
-                                    .help = "Constraints of solved layouts, by how they came out.",
+                                    .help = "Constraints of solved layouts, by outcome.",
                                     .labels = {"outcome"}};
 constexpr MetricFamily kStageDuration{.kind = MetricKind::kHistogram,
                                       .name = "flair_optimizer_stage_duration_seconds",

@@ -18,31 +18,25 @@ constexpr double kJobBuckets[] = {0.1, 0.25, 0.5, 1, 2.5, 5, 10, 30, 60, 180, 60
 
 constexpr MetricFamily kCreated{.kind = MetricKind::kCounter,
                                 .name = "flair_jobs_created_total",
-                                .help =
-                                    "Jobs taken in, alone (single) or of a batch; a part of a batch that is sent "
-                                    "again counts again.",
+                                .help = "Jobs accepted, single or of a batch; repeated submissions count again.",
                                 .labels = {"form"}};
 constexpr MetricFamily kEnded{.kind = MetricKind::kCounter,
                               .name = "flair_jobs_ended_total",
-                              .help = "Jobs that a run of this orchestrator ended; failure is the kind of failure.",
+                              .help = "Jobs that ended in a run of this orchestrator.",
                               .labels = {"state", "failure"}};
-constexpr MetricFamily kDeletedJobs{.kind = MetricKind::kCounter,
-                                    .name = "flair_jobs_deleted_total",
-                                    .help = "Jobs that this orchestrator deleted, asked to or after a time."};
+constexpr MetricFamily kDeletedJobs{
+    .kind = MetricKind::kCounter, .name = "flair_jobs_deleted_total", .help = "Jobs that this orchestrator deleted."};
 constexpr MetricFamily kDeletedArtifacts{.kind = MetricKind::kCounter,
                                          .name = "flair_artifacts_deleted_total",
-                                         .help = "Artifacts that it deleted with them, since no other job had them."};
-constexpr MetricFamily kRuns{.kind = MetricKind::kCounter,
-                             .name = "flair_job_runs_total",
-                             .help =
-                                 "Runs of jobs, by outcome: ended; retried (failed in a way that may pass, the job "
-                                 "waits); interrupted; lost to another orchestrator.",
-                             .labels = {"outcome"}};
+                                         .help = "Artifacts that it deleted with their last job."};
+constexpr MetricFamily kRuns{
+    .kind = MetricKind::kCounter,
+    .name = "flair_job_runs_total",
+    .help = "Runs of jobs: ended, retried after a temporary failure, interrupted, or lost to another orchestrator.",
+    .labels = {"outcome"}};
 constexpr MetricFamily kStages{.kind = MetricKind::kCounter,
                                .name = "flair_stages_total",
-                               .help =
-                                   "Stages of jobs, by outcome: made; reused (a stored artifact was taken); "
-                                   "failed (it ended the job).",
+                               .help = "Stages of jobs: made, reused (from the store) or failed.",
                                .labels = {"stage", "outcome"}};
 constexpr MetricFamily kStageDuration{.kind = MetricKind::kHistogram,
                                       .name = "flair_stage_duration_seconds",
@@ -51,29 +45,28 @@ constexpr MetricFamily kStageDuration{.kind = MetricKind::kHistogram,
                                       .buckets = runtime::kSecondsBuckets};
 constexpr MetricFamily kWait{.kind = MetricKind::kHistogram,
                              .name = "flair_job_wait_seconds",
-                             .help = "Time from a job's making to its first run.",
+                             .help = "Time from a job's creation to its first run.",
                              .buckets = kJobBuckets};
 constexpr MetricFamily kRunDuration{.kind = MetricKind::kHistogram,
                                     .name = "flair_job_run_duration_seconds",
-                                    .help = "Time of one run of a job, however it ended.",
+                                    .help = "Time of one run of a job.",
                                     .buckets = runtime::kSecondsBuckets};
 constexpr MetricFamily kJobDuration{.kind = MetricKind::kHistogram,
                                     .name = "flair_job_duration_seconds",
-                                    .help = "Time from a job's making to its end, with waiting and repeats.",
+                                    .help = "Time from a job's creation to its end.",
                                     .buckets = kJobBuckets};
 constexpr MetricFamily kRunning{
-    .kind = MetricKind::kGauge, .name = "flair_jobs_running", .help = "Jobs that this orchestrator runs."};
+    .kind = MetricKind::kGauge, .name = "flair_jobs_running", .help = "Jobs that this orchestrator is running."};
 constexpr MetricFamily kRunningLimit{.kind = MetricKind::kGauge,
                                      .name = "flair_jobs_running_limit",
                                      .help = "Jobs that it may run at once (running_job_limit)."};
 constexpr MetricFamily kQueued{.kind = MetricKind::kGauge,
                                .name = "flair_jobs_queued",
-                               .help = "Jobs that wait in the queue, which all its orchestrators share."};
-constexpr MetricFamily kWorkers{
-    .kind = MetricKind::kGauge,
-    .name = "flair_workers",
-    .help = "Workers as this orchestrator sees them: ready, broken (failed too often) or gone.",
-    .labels = {"stage", "state"}};
+                               .help = "Jobs waiting in the queue that its orchestrators share."};
+constexpr MetricFamily kWorkers{.kind = MetricKind::kGauge,
+                                .name = "flair_workers",
+                                .help = "Workers as this orchestrator sees them: ready, broken or gone.",
+                                .labels = {"stage", "state"}};
 
 // "FAILURE_KIND_WORKER" as "worker"; the unspecified one is "none".
 std::string Short(const std::string& name, std::string_view prefix) {

@@ -178,21 +178,19 @@ namespace {
 constexpr MetricFamily kCpu{
     .kind = MetricKind::kCounter, .name = "process_cpu_seconds_total", .help = "CPU time of the process."};
 constexpr MetricFamily kResident{
-    .kind = MetricKind::kGauge, .name = "process_resident_memory_bytes", .help = "Memory that the process occupies."};
-constexpr MetricFamily kVirtual{.kind = MetricKind::kGauge,
-                                .name = "process_virtual_memory_bytes",
-                                .help = "Address space that the process has reserved."};
+    .kind = MetricKind::kGauge, .name = "process_resident_memory_bytes", .help = "Memory in use."};
+constexpr MetricFamily kVirtual{
+    .kind = MetricKind::kGauge, .name = "process_virtual_memory_bytes", .help = "Address space in use."};
 constexpr MetricFamily kOpenFiles{
     .kind = MetricKind::kGauge, .name = "process_open_fds", .help = "Open files and connections."};
 constexpr MetricFamily kMaxFiles{
-    .kind = MetricKind::kGauge, .name = "process_max_fds", .help = "Files and connections that it may have open."};
+    .kind = MetricKind::kGauge, .name = "process_max_fds", .help = "Most open files and connections."};
 constexpr MetricFamily kThreads{.kind = MetricKind::kGauge, .name = "process_threads", .help = "Threads."};
-constexpr MetricFamily kStart{.kind = MetricKind::kGauge,
-                              .name = "process_start_time_seconds",
-                              .help = "When the process started, in seconds since 1970."};
+constexpr MetricFamily kStart{
+    .kind = MetricKind::kGauge, .name = "process_start_time_seconds", .help = "Start time, in seconds since 1970."};
 constexpr MetricFamily kBuild{.kind = MetricKind::kGauge,
                               .name = "flair_build_info",
-                              .help = "1; the program and what it was built from are the labels.",
+                              .help = "Always 1; the labels name program and build.",
                               .labels = {"program", "build"}};
 
 // The fields of /proc/self/stat after the program's name, which may hold anything; the first is field 3 of proc(5).

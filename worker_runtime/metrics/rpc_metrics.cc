@@ -6,11 +6,11 @@ namespace {
 
 constexpr MetricFamily kEnded{.kind = MetricKind::kCounter,
                               .name = "flair_rpcs_total",
-                              .help = "Calls answered, by the gRPC status code of the answer.",
+                              .help = "Calls answered, by gRPC status code.",
                               .labels = {"rpc", "code"}};
 constexpr MetricFamily kInFlight{.kind = MetricKind::kGauge,
                                  .name = "flair_rpcs_in_flight",
-                                 .help = "Calls that wait or are worked on; of streams, those that are open.",
+                                 .help = "Calls waiting or being handled, open streams included.",
                                  .labels = {"rpc"}};
 constexpr MetricFamily kDuration{.kind = MetricKind::kHistogram,
                                  .name = "flair_rpc_duration_seconds",
@@ -19,23 +19,22 @@ constexpr MetricFamily kDuration{.kind = MetricKind::kHistogram,
                                  .buckets = kSecondsBuckets};
 constexpr MetricFamily kWait{.kind = MetricKind::kHistogram,
                              .name = "flair_rpc_wait_seconds",
-                             .help = "Time from a call's arrival until a thread works on it.",
+                             .help = "Time from a call's arrival until a thread handles it.",
                              .labels = {"rpc"},
                              .buckets = kSecondsBuckets};
 constexpr MetricFamily kRefused{.kind = MetricKind::kCounter,
                                 .name = "flair_rpcs_refused_total",
-                                .help = "Calls turned away because too many wait (RESOURCE_EXHAUSTED).",
+                                .help = "Calls refused because too many are waiting (RESOURCE_EXHAUSTED).",
                                 .labels = {"rpc"}};
 constexpr MetricFamily kQueued{
-    .kind = MetricKind::kGauge, .name = "flair_rpc_queue_length", .help = "Calls that wait for a thread."};
-constexpr MetricFamily kQueueLimit{.kind = MetricKind::kGauge,
-                                   .name = "flair_rpc_queue_limit",
-                                   .help = "Calls that may wait before more are refused (queue_limit)."};
+    .kind = MetricKind::kGauge, .name = "flair_rpc_queue_length", .help = "Calls waiting for a thread."};
+constexpr MetricFamily kQueueLimit{
+    .kind = MetricKind::kGauge, .name = "flair_rpc_queue_limit", .help = "Most calls that may wait (queue_limit)."};
 constexpr MetricFamily kBusy{
-    .kind = MetricKind::kGauge, .name = "flair_rpc_threads_busy", .help = "Threads that work on a call."};
+    .kind = MetricKind::kGauge, .name = "flair_rpc_threads_busy", .help = "Threads handling a call."};
 constexpr MetricFamily kThreadLimit{.kind = MetricKind::kGauge,
                                     .name = "flair_rpc_thread_limit",
-                                    .help = "Threads that may work on calls at once (worker_thread_count)."};
+                                    .help = "Most threads that handle calls (worker_thread_count)."};
 
 }  // namespace
 
