@@ -39,20 +39,35 @@ Composer::Composer(const v1::TranslateRequest& request, const SceneNames& names,
   }
 }
 
-bool Composer::IsAmong(const char* list, const Placed& placed) const {
+bool Composer::PlacedIs(std::string_view kind, const Placed& placed) const {
+  const v1::Object& it = object(placed.object);
+  if (kind == "floor") return it.kind() == v1::OBJECT_KIND_FLOOR;
+  if (kind == "wall") return it.kind() == v1::OBJECT_KIND_WALL;
+  if (kind == "ceiling") return it.kind() == v1::OBJECT_KIND_CEILING;
+  if (kind == "surface") return it.kind() == v1::OBJECT_KIND_SURFACE;
+  if (kind == "primary") return it.role() == v1::OBJECT_ROLE_PRIMARY;
+  if (kind == "tertiary") return it.role() == v1::OBJECT_ROLE_TERTIARY;
+  if (kind == "rug") return it.walk_over();
+  if (kind == "small-rug") return it.walk_over() && it.role() == v1::OBJECT_ROLE_TERTIARY;
+  const auto is_placed = [&](const Call& call) {
+    const bool so = kind == "on-top" ? call.arguments.size() > 1 && call.arguments[1].name() == "host"
+                                     : call.type == (kind == "in-corner" ? "in_corner" : "accessible");
+    return so && call.arguments.front().value().text() == it.id();
+  };
+  if (kind == "in-corner" || kind == "on-top") return std::any_of(calls_.begin(), calls_.end(), is_placed);
+  if (kind == "last-space") return !calls_.empty() && is_placed(calls_.back());
+  if (kind == "own-chair") {
+    return scope() == v1::SENTENCE_SCOPE_INTRA && subjects_.size() == 1 && subjects_.front().object != placed.object &&
+           IsChair(placed) && !IsChair(subjects_.front());
+  }
   // "Bed 1", "bed1".
-  std::string name = object(placed.object).name();
+  std::string name = it.name();
   while (!name.empty() && (name.back() == ' ' || name.back() == '_' || absl::ascii_isdigit(name.back())))
     name.pop_back();
   const std::string last = english::Singular(name.substr(name.find_last_of(" _") + 1));
   const english::Language& language = english::Language::Get();
   // "Armchair", but not "workbench".
-  return language.IsIn(list, last) || (last.size() > 5 && last.ends_with("chair") && language.IsIn(list, "chair"));
-}
-
-bool Composer::StandsAtSubject(const Placed& chair) const {
-  return scope() == v1::SENTENCE_SCOPE_INTRA && subjects_.size() == 1 && IsChair(chair) &&
-         !IsChair(subjects_.front()) && chair.object != subjects_.front().object;
+  return language.IsIn(kind, last) || (last.size() > 5 && last.ends_with("chair") && language.IsIn(kind, "chair"));
 }
 
 bool Composer::HasFeature(const std::string& kind) const {

@@ -44,61 +44,33 @@ class Composer {
   // targets.
   std::vector<Target> Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either = true);
 
-  // Whether the noun phrase means pieces that are not named ("other furniture"); a remark says so.
-  bool RefuseUnnamed(const Mention& mention);
-
   // Targets that are objects, in one list.
   std::vector<Placed> TargetObjects(const Mention& mention, const std::vector<Placed>& movers,
                                     bool first_of_either = true);
 
   const v1::Object& object(int index) const { return request_.object_list().objects(index); }
   const std::string& id(const Placed& placed) const { return object(placed.object).id(); }
-  bool IsFloor(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_FLOOR; }
+  // Whether it is of that kind: "floor", "wall", "ceiling", "surface" (what carries it), "rug", "small-rug" (a mat,
+  // which stands before and beside things like furniture), "primary", "tertiary", "in-corner" and "on-top" (where the
+  // sentence has put it), "last-space" (whose free space was spoken of last), "own-chair" (a chair that a sentence
+  // about one other piece alone brings in: "behind the chair" of a desk), or its name ends in a word of the list of
+  // english/data that is so called: "chairs", "seats" (what people sit on), "beds" (lie in), "with-doors", "walk-ins"
+  // (with an entrance of their own), "hot-things".
+  bool PlacedIs(std::string_view kind, const Placed& placed) const;
   bool IsRug(const Placed& placed) const { return object(placed.object).walk_over(); }
-  // A mat among the secondary objects stands before and beside things like furniture.
-  bool IsTertiaryRug(const Placed& placed) const {
-    return IsRug(placed) && object(placed.object).role() == v1::OBJECT_ROLE_TERTIARY;
-  }
-  bool IsPrimaryFloor(const Placed& placed) const {
-    return IsFloor(placed) && object(placed.object).role() == v1::OBJECT_ROLE_PRIMARY;
-  }
-  bool IsWall(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_WALL; }
-  bool IsCeiling(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_CEILING; }
-  bool IsSurface(const Placed& placed) const { return object(placed.object).kind() == v1::OBJECT_KIND_SURFACE; }
-  bool IsChair(const Placed& placed) const { return IsAmong("chairs", placed); }
-  // A chair that a sentence about one other piece alone brings in: "behind the chair" of a desk.
-  bool StandsAtSubject(const Placed& chair) const;
-  // Whether its name ends in a word of that list of english/data: "seats" (what people sit on), "tables" (sit or stand
-  // at), "beds" (lie in), "walk-ins" (with an entrance of their own), "hot things".
-  bool IsAmong(const char* list, const Placed& placed) const;
-  bool IsSeat(const Placed& placed) const { return IsAmong("seats", placed); }
-  bool IsBed(const Placed& placed) const { return IsAmong("beds", placed); }
-  // A wardrobe, cabinet, fridge, shower...
-  bool HasDoors(const Placed& placed) const { return IsAmong("with doors", placed) || IsAmong("walk-ins", placed); }
+  bool IsChair(const Placed& placed) const { return PlacedIs("chairs", placed); }
   bool HasFeature(const std::string& kind) const;
 
   // Adds the call if the catalogue has its type; false when it has not.
   bool Emit(Call call);
   // Adds the first of the calls whose type the catalogue has; a remark when it has none of them.
   void EmitFirst(std::vector<Call> calls);
-  // Adds a call of that type about `mover`, about it and another object, or about it and a kind of feature.
-  void Place(const std::string& type, const Placed& mover) { EmitFirst({Call(type).Text("object", id(mover))}); }
-  void Relate(const std::string& type, const Placed& mover, const Placed& target) {
-    EmitFirst({Call(type).Text("object", id(mover)).Text("target", id(target))});
-  }
-  void RelateToFeature(const std::string& type, const Placed& mover, const std::string& feature) {
-    EmitFirst({Call(type).Text("object", id(mover)).Text("feature", feature)});
-  }
   // "Against the wall for stability (back)": the side of the fact before, when it named none.
   void CompleteSide(const std::string& side);
   // "Space around the bed, at least 0.6 m": the figure of the fact before; false when that is none about free space.
   bool CompleteClearance(double least_m);
   // "... and behind": more sides of the free space that was spoken of last; false when that was something else.
   bool AddSides(const std::vector<std::string>& sides);
-  // Whether the sentence has put the piece into a corner.
-  bool IsInCorner(const Placed& placed) const;
-  // Whether the sentence has put the small thing onto something.
-  bool IsOnTop(const Placed& placed) const;
   // Says why a part of the sentence gives no call.
   void Refuse(std::string_view code, const std::string& message);
   // Whether nothing worse was said against the sentence than that it was not understood, and taking that back.
@@ -114,6 +86,10 @@ class Composer {
   const std::vector<Placed>& pair_movers() const { return pair_movers_; }
   const std::vector<Placed>& pair_targets() const { return pair_targets_; }
   const std::vector<Placed>& subjects() const { return subjects_; }
+
+  // Begins another fact of the sentence, and how many calls those before it made.
+  void BeginFact() { calls_before_ = calls_.size(); }
+  size_t calls_before() const { return calls_before_; }
 
   const std::vector<Call>& calls() const { return calls_; }
   const std::vector<v1::Diagnostic>& refusals() const { return refusals_; }
@@ -167,6 +143,7 @@ class Composer {
   std::vector<Placed> pair_movers_;
   std::vector<Placed> pair_targets_;
   std::vector<Call> calls_;
+  size_t calls_before_ = 0;
   std::vector<v1::Diagnostic> refusals_;
   std::vector<v1::Diagnostic> notes_;
 };

@@ -47,10 +47,12 @@ bool IsSameSpace(const Call& vague, const Call& precise) {
   });
 }
 
-// "In front of it and at its sides": one space, when neither has a figure. Adds the sides of `more` to `call`.
-bool JoinSides(Call& call, const Call& more) {
-  if (call.type != "accessible" || more.type != "accessible" || call.arguments.size() != 2 ||
-      more.arguments.size() != 2 || call.arguments[0].value().text() != more.arguments[0].value().text()) {
+// "In front of it and at its sides": one space, when neither has a figure or one fact says both. Adds the sides of
+// `more` to `call`.
+bool JoinSides(Call& call, const Call& more, bool one_fact) {
+  if (call.type != "accessible" || more.type != "accessible" || call.arguments.size() != more.arguments.size() ||
+      call.arguments[0].value().text() != more.arguments[0].value().text() ||
+      (call.arguments.size() > 2 && !one_fact)) {
     return false;
   }
   auto& sides = *call.arguments[1].mutable_value()->mutable_texts()->mutable_items();
@@ -137,18 +139,6 @@ bool Composer::AddSides(const std::vector<std::string>& sides) {
   return true;
 }
 
-bool Composer::IsInCorner(const Placed& placed) const {
-  return std::any_of(calls_.begin(), calls_.end(), [&](const Call& call) {
-    return call.type == "in_corner" && TextOf(call, "object") == id(placed);
-  });
-}
-
-bool Composer::IsOnTop(const Placed& placed) const {
-  return std::any_of(calls_.begin(), calls_.end(), [&](const Call& call) {
-    return !TextOf(call, "host").empty() && TextOf(call, "object") == id(placed);
-  });
-}
-
 bool Composer::TellsLittle(const Call& call) const {
   if (TellsOnlyWhereabouts(call)) return true;
   // "On the runner, on the table": the table is what stands there.
@@ -190,6 +180,9 @@ bool Composer::Emit(Call call) {
       return true;
     }
   }
+  if (!call.arguments.empty() && call.arguments.front().name() == "rug") {
+    if (std::exchange(rug_placed, true)) return true;
+  }
   std::vector<std::string> remarks;
   if (!CatalogIndex::Fit(*type, call.arguments, remarks).ok()) return false;
   for (const std::string& remark : remarks) Note("out_of_range", remark);
@@ -213,7 +206,11 @@ bool Composer::Emit(Call call) {
       return TellsLittle(other) && TextOf(other, "object") == TextOf(call, "object");
     });
   }
-  if (!calls_.empty() && (JoinSides(calls_.back(), call) || JoinContacts(calls_.back(), call))) return true;
+  if (!calls_.empty() && (JoinSides(calls_.back(), call, false) || JoinContacts(calls_.back(), call))) return true;
+  const size_t of_fact = calls_.size() - std::min(calls_.size(), calls_before_);
+  if (std::any_of(calls_.end() - static_cast<long>(of_fact), calls_.end(),
+                  [&](Call& other) { return JoinSides(other, call, true); }))
+    return true;
   // "On the left of the bed, flush with its headboard": one piece touches one side.
   if (std::any_of(calls_.begin(), calls_.end(), [&](const Call& other) { return TouchOtherSides(other, call); }))
     return true;

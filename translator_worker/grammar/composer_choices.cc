@@ -82,8 +82,8 @@ std::vector<int> Composer::Group(const std::string& name, const std::vector<Plac
     if (candidate.kind() != v1::OBJECT_KIND_FLOOR || candidate.role() == v1::OBJECT_ROLE_TERTIARY ||
         candidate.walk_over())
       continue;
-    const bool seat = IsSeat({i, ""});
-    const bool hot = IsAmong("hot things", {i, ""});
+    const bool seat = PlacedIs("seats", {i, ""});
+    const bool hot = PlacedIs("hot-things", {i, ""});
     if (name == "others" && (Has(movers, i) || Has(topic_, i))) continue;
     if (name == "primary" && candidate.role() != v1::OBJECT_ROLE_PRIMARY) continue;
     if (name == "seating" && !seat) continue;

@@ -80,13 +80,6 @@ void Composer::PairUp(const std::vector<Placed>& movers, const std::vector<Place
   for (size_t i = 0; i < movers.size(); ++i) partners_[id(movers[i])] = id(targets[i / each]);
 }
 
-bool Composer::RefuseUnnamed(const Mention& mention) {
-  const Reference& first = mention.references.front();
-  if (first.kind != RefKind::kGroup || (first.name != "all" && first.name != "others")) return false;
-  Refuse("not_about_layout", "pieces that are not named cannot be asked for; name them");
-  return true;
-}
-
 std::vector<Placed> Composer::TargetObjects(const Mention& mention, const std::vector<Placed>& movers,
                                             bool first_of_either) {
   std::vector<Placed> result;
@@ -160,7 +153,7 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
           if (objects.size() > seats.size()) break;
           objects.clear();
         }
-        if (!seats.empty() && IsSeat(seats.front())) return seats;
+        if (!seats.empty() && PlacedIs("seats", seats.front())) return seats;
       }
       Refuse("names_absent_object",
              fmt::format("the room has no \"{}\"; its objects are those of the object list", reference.name));

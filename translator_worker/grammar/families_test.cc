@@ -6,6 +6,7 @@
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_replace.h"
 #include "gtest/gtest.h"
+#include "translator_worker/grammar/meanings.h"
 #include "translator_worker/grammar/testing/labelled_rooms.h"
 #include "translator_worker/grammar/testing/scorer.h"
 #include "translator_worker/grammar/translate.h"
@@ -67,6 +68,8 @@ void ExpectAll(const std::string& subject, const std::string& calls, const std::
         << wording;
   }
 }
+
+TEST(Families, EveryMeaningThatFramesAndTablesNameIsKnown) { EXPECT_EQ(absl::StrJoin(UnknownMeanings(), ", "), ""); }
 
 TEST(Families, SpaceInFrontOfAPieceInManyWords) {
   ExpectAll("wardrobe", "accessible(object=wardrobe, sides=[front])",

@@ -8,24 +8,25 @@
 #include "english/language.h"
 
 namespace flair::translator {
-namespace {
 
-bool OfSort(const Mention& mention, const std::string& sort) {
+bool IsOfKind(RefKind kind, std::string_view name) {
   static const std::map<std::string_view, RefKind> kKinds = {
       {"wall", RefKind::kWall},   {"feature", RefKind::kFeature}, {"ceiling", RefKind::kCeiling},
       {"room", RefKind::kRoom},   {"floor", RefKind::kFloor},     {"zone", RefKind::kZone},
       {"vague", RefKind::kVague}, {"pronoun", RefKind::kPronoun}, {"group", RefKind::kGroup}};
-  if (sort.empty()) return true;
-  const RefKind kind = mention.references.front().kind;
-  if (const auto wanted = kKinds.find(sort); wanted != kKinds.end()) return kind == wanted->second;
-  if (sort == "side") return !mention.references.front().side.empty();
-  if (sort == "list") return mention.references.size() > 1 && kind == RefKind::kObjects;
-  if (sort == "thing" && kind == RefKind::kZone) return false;
-  return kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kGroup || kind == RefKind::kZone ||
-         kind == RefKind::kAbsent;
+  const auto wanted = kKinds.find(name);
+  return wanted != kKinds.end() && wanted->second == kind;
 }
 
-}  // namespace
+bool OfSort(const Mention& mention, std::string_view sort) {
+  const RefKind kind = mention.references.front().kind;
+  if (sort.empty() || IsOfKind(kind, sort)) return true;
+  if (sort == "side") return !mention.references.front().side.empty();
+  if (sort == "list") return mention.references.size() > 1 && kind == RefKind::kObjects;
+  const bool thing =
+      kind == RefKind::kObjects || kind == RefKind::kPronoun || kind == RefKind::kGroup || kind == RefKind::kAbsent;
+  return sort == "thing" ? thing : sort == "object" && (thing || kind == RefKind::kZone);
+}
 
 Form::Form(std::string_view text) {
   for (std::string part : std::vector<std::string>(absl::StrSplit(std::string(text), ' ', absl::SkipEmpty()))) {
@@ -103,19 +104,9 @@ const FrameBook& FrameBook::Get() {
 }
 
 FrameBook::FrameBook() {
-  std::map<std::string_view, Builder> builders;
-  for (const auto family : {&DirectionMeanings, &DistanceMeanings, &FeatureMeanings, &GroupMeanings, &NearMeanings,
-                            &RoomMeanings, &SpaceMeanings}) {
-    for (const Meaning& meaning : family()) builders[meaning.name] = meaning.build;
-  }
   for (const english::v1::Frame& frame : english::Language::Get().data().frames()) {
-    const auto builder = builders.find(frame.meaning());
-    if (builder == builders.end()) {
-      unknown_meanings_.push_back(frame.meaning());
-      continue;
-    }
     for (const std::string& text : frame.forms()) {
-      Entry& entry = forms_.emplace_back(Entry{Form(text), builder->second, frame.detail(), {}});
+      Entry& entry = forms_.emplace_back(Entry{Form(text), frame.meaning(), frame.detail(), {}});
       for (const std::vector<std::string>& choice : entry.form.RequiredWords()) {
         Lemmas bits;
         for (const std::string& lemma : choice) bits.set(bits_.try_emplace(lemma, bits_.size()).first->second);
@@ -142,7 +133,7 @@ FrameBook::Hit FrameBook::Find(std::span<const Term> terms) const {
                                       [&](const Lemmas& choice) { return (choice & present).any(); });
     if (!possible) continue;
     const Match match = entry.form.At(terms);
-    if (match.length > best.match.length) best = {entry.build, entry.detail, match};
+    if (match.length > best.match.length) best = {entry.meaning, entry.detail, match};
   }
   return best;
 }

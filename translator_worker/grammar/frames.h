@@ -58,23 +58,12 @@ class Form {
   std::vector<Element> elements_;
 };
 
-// Makes the calls of one fact. `detail` is the frame's own, for builders that serve several.
+// Makes the calls of one fact. `detail` is the frame's own, for meanings that serve several.
 using Builder = void (*)(const Match& match, std::string_view detail, Composer& composer);
 
-// A builder under the name that frames have for it.
-struct Meaning {
-  std::string_view name;
-  Builder build;
-};
-
-// The builders of each family, each in the file of its name.
-std::vector<Meaning> DirectionMeanings();
-std::vector<Meaning> DistanceMeanings();
-std::vector<Meaning> FeatureMeanings();
-std::vector<Meaning> GroupMeanings();
-std::vector<Meaning> NearMeanings();
-std::vector<Meaning> RoomMeanings();
-std::vector<Meaning> SpaceMeanings();
+// Whether a noun phrase refers to that: a sort of forms. And whether that is the name of the kind.
+bool OfSort(const Mention& mention, std::string_view sort);
+bool IsOfKind(RefKind kind, std::string_view name);
 
 // All frames, ready to match. Immutable and thread-safe.
 class FrameBook {
@@ -83,18 +72,14 @@ class FrameBook {
   static const FrameBook& Get();
 
   struct Hit {
-    Builder build = nullptr;
+    std::string_view meaning;
     std::string_view detail;
     Match match;
   };
 
-  // The frame that covers the most terms from the first one on; of equals the earlier in the data. Without a builder
+  // The frame that covers the most terms from the first one on; of equals the earlier in the data. Without a meaning
   // when none does.
   Hit Find(std::span<const Term> terms) const;
-
-  size_t size() const { return forms_.size(); }
-  // Names that frames have and no family.
-  const std::vector<std::string>& unknown_meanings() const { return unknown_meanings_; }
 
  private:
   FrameBook();
@@ -103,7 +88,7 @@ class FrameBook {
   using Lemmas = std::bitset<256>;
   struct Entry {
     Form form;
-    Builder build;
+    std::string_view meaning;
     std::string_view detail;
     // Choices of lemmas: without one of each it cannot match.
     std::vector<Lemmas> required;
@@ -112,7 +97,6 @@ class FrameBook {
 
   std::vector<Entry> forms_;
   std::unordered_map<std::string, size_t> bits_;
-  std::vector<std::string> unknown_meanings_;
 };
 
 }  // namespace flair::translator

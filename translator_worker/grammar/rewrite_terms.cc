@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/noun_phrases.h"
-
 #include <algorithm>
 #include <utility>
+
+#include "translator_worker/grammar/noun_phrases.h"
 
 namespace flair::translator {
 namespace {

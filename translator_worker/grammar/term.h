@@ -62,6 +62,14 @@ struct Reference {
   bool area = false;
   // "first" is 1, "last" is kLast; 0 when not numbered.
   int ordinal = 0;
+
+  // Whether the object bears the name.
+  bool Names(int object) const {
+    const auto has = [&](const std::vector<int>& list) {
+      return std::find(list.begin(), list.end(), object) != list.end();
+    };
+    return has(candidates) || has(weak_candidates);
+  }
 };
 
 // A noun phrase: one reference or a list of them.

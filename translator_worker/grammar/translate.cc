@@ -12,6 +12,7 @@
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/composer.h"
 #include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/meanings.h"
 #include "translator_worker/grammar/scene_names.h"
 #include "translator_worker/grammar/term.h"
 
@@ -84,11 +85,11 @@ class Walk {
   bool TakeFact() {
     const std::span<const Term> rest(terms_.data() + at_, std::min(kLongestFact, terms_.size() - at_));
     FrameBook::Hit hit = FrameBook::Get().Find(rest);
-    if (hit.build != nullptr && EndsInNextFact(hit.match.length))
+    if (!hit.meaning.empty() && EndsInNextFact(hit.match.length))
       hit = FrameBook::Get().Find(rest.first(hit.match.length - 2));
-    if (hit.build != nullptr && EndsInNextSubject(hit.match.length))
+    if (!hit.meaning.empty() && EndsInNextSubject(hit.match.length))
       hit = FrameBook::Get().Find(rest.first(hit.match.length - 1));
-    if (hit.build == nullptr || Passive()) return false;
+    if (hit.meaning.empty() || Passive()) return false;
     // "against a wall or beside the bed": the first is taken, the choice is free.
     const size_t before = composer_.calls().size();
     const bool alternative = after_or_ && before > calls_at_or_;
@@ -96,7 +97,8 @@ class Walk {
       composer_.Refuse("unknown_sentence", "this relation cannot be denied; say what shall hold instead");
     } else if (!alternative) {
       if (hit.match.a != nullptr) TakeTopic(*hit.match.a);
-      hit.build(hit.match, hit.detail, composer_);
+      composer_.BeginFact();
+      MakeCalls(hit.meaning, hit.match, hit.detail, composer_);
     }
     at_ += hit.match.length;
     PassRepeatedPartner();
