@@ -3,10 +3,12 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/time/time.h"
+#include "flair/store/v1/job_record.pb.h"
 #include "flair/v1/job.pb.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
@@ -42,16 +44,20 @@ struct JobEnd {
 // with ABORTED was not written: another run has the job.
 class Lease {
  public:
+  explicit Lease(store::v1::JobRecord taken) : taken_(std::move(taken)) {}
   virtual ~Lease() = default;
 
-  // As it was when taken: with the artifacts of earlier runs, attempt_count counting this one.
-  virtual const v1::Job& job() const = 0;
+  // The job's record as it was when taken.
+  const store::v1::JobRecord& taken() const { return taken_; }
+
+  // With the artifacts of earlier runs, attempt_count counting this one.
+  const v1::Job& job() const { return taken_.job(); }
 
   // What happened in earlier runs.
-  virtual const std::vector<v1::JobEvent>& history() const = 0;
+  const google::protobuf::RepeatedPtrField<v1::JobEvent>& history() const { return taken_.events(); }
 
   // Runs just before this one that ended without End or Return, each with its process, and stored no artifact.
-  virtual int lost_run_count() const = 0;
+  int lost_run_count() const { return taken_.lost_run_count() - 1; }
 
   // To be called before artifacts of these events are stored: from now on nobody deletes them. Errors as RecordAll,
   // which does the same for those that were left out.
@@ -77,6 +83,9 @@ class Lease {
 
   // Another run may have the job.
   virtual bool lost() = 0;
+
+ private:
+  const store::v1::JobRecord taken_;
 };
 
 }  // namespace flair::orchestrator

@@ -21,7 +21,7 @@ struct Meters {
 class MeteredLease final : public Lease {
  public:
   MeteredLease(std::unique_ptr<Lease> inner, const Meters& meters)
-      : inner_(std::move(inner)), meters_(meters), start_(meters.clock.Elapsed()) {
+      : Lease(inner->taken()), inner_(std::move(inner)), meters_(meters), start_(meters.clock.Elapsed()) {
     meters_.metrics.BeginRun(job(), meters_.clock.Now());
     Log(meters_.logger, spdlog::level::info, "job taken",
         {{"job_id", job().id()}, {"batch_id", job().batch_id()}, {"attempt", int64_t{job().attempt_count()}}});
@@ -35,9 +35,6 @@ class MeteredLease final : public Lease {
     }
   }
 
-  const v1::Job& job() const override { return inner_->job(); }
-  const std::vector<v1::JobEvent>& history() const override { return inner_->history(); }
-  int lost_run_count() const override { return inner_->lost_run_count(); }
   runtime::Cancellation& cancellation() override { return inner_->cancellation(); }
   bool cancel_requested() override { return inner_->cancel_requested(); }
   bool lost() override { return inner_->lost(); }

@@ -10,26 +10,6 @@ namespace {
 constexpr char kArtifactIsGone[] = "flair/artifact-is-gone";
 }  // namespace
 
-absl::Status CheckDeletable(const v1::Job& job) {
-  if (!job.batch_id().empty()) {
-    return absl::FailedPreconditionError(
-        fmt::format("job_id: {} is a job of batch {}; delete the batch", job.id(), job.batch_id()));
-  }
-  if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return absl::OkStatus();
-  return absl::FailedPreconditionError(fmt::format("job_id: {} {}; cancel it, or wait for its end", job.id(),
-                                                   job.state() == v1::JOB_STATE_QUEUED ? "waits" : "runs"));
-}
-
-absl::Status CheckDeletable(const v1::Batch& batch, bool ended) {
-  if (batch.open()) {
-    return absl::FailedPreconditionError(
-        fmt::format("batch_id: {} is open: jobs may still be added; close or cancel it", batch.id()));
-  }
-  if (ended) return absl::OkStatus();
-  return absl::FailedPreconditionError(
-      fmt::format("batch_id: jobs of {} wait or run; cancel it, or wait for its end", batch.id()));
-}
-
 absl::Status ArtifactIsGone(const std::string& artifact_id) {
   absl::Status gone =
       absl::NotFoundError(fmt::format("artifact {}: deleted with the last job that had it", artifact_id));

@@ -68,11 +68,6 @@ struct EndedPage {
   std::string next;
 };
 
-// FAILED_PRECONDITION when the job waits or runs, or goes only with its batch; when the batch is open or, as `ended`
-// says, a job of it waits or runs.
-absl::Status CheckDeletable(const v1::Job& job);
-absl::Status CheckDeletable(const v1::Batch& batch, bool ended);
-
 // NOT_FOUND: what a run is told that found or stored an artifact which was then deleted with the last job that had it.
 absl::Status ArtifactIsGone(const std::string& artifact_id);
 bool IsArtifactGone(const absl::Status& status);
@@ -131,7 +126,7 @@ class WorkQueue {
   // that is killed in between leaves nothing half deleted in sight; called again, or by FinishDeletions, it goes on.
 
   // Forgets a job without a batch that has ended; its request may make another one. NOT_FOUND when unknown,
-  // FAILED_PRECONDITION as CheckDeletable.
+  // FAILED_PRECONDITION as CheckDeletable (job_rules.h).
   virtual absl::StatusOr<Deleted> DeleteJob(const std::string& job_id, ArtifactStore& artifacts) = 0;
 
   // Forgets at most about `job_limit` jobs of a batch that has ended, those at the last places first, and with the last

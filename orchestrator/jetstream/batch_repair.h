@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,11 +14,10 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/work_queue.h"
-#include "orchestrator/jetstream/batch_repair.h"
 #include "orchestrator/jetstream/consumers.h"
 #include "orchestrator/jetstream/job_ends.h"
-#include "orchestrator/jetstream/job_record.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
@@ -32,20 +32,28 @@ class BatchRepair {
   BatchRepair(QueueParts& parts, JobEnds& ends, Consumers& consumers)
       : parts_(parts), ends_(ends), consumers_(consumers) {}
 
-  // Ends the jobs of a cancelled batch that wait, asks for the end of those that run.
+  // Ends a job that waits, asks for the end of one that runs.
+  absl::Status CancelJob(const std::string& job_id, absl::Time now) {
+    bool changed = false;
+    const auto cancel = [&](store::v1::JobRecord& record) { return changed = orchestrator::CancelJob(record, now); };
+    ASSIGN_OR_RETURN(const RevisedJob job, parts_.ChangeJob(job_id, cancel));
+    // Somebody may take back an end that was there before, to run the job again.
+    if (!changed && HasEnded(job.value)) return absl::OkStatus();
+    return Announce(std::span(&job, 1));
+  }
+
+  // The same for all jobs of a cancelled batch.
   absl::Status CancelJobs(const std::string& batch_id, int64_t job_count, absl::Time now) {
-    const absl::Status status =
-        VisitJobs(batch_id, job_count, [&](std::vector<RevisedJob> jobs) { return CancelThese(std::move(jobs), now); });
-    return status;
+    return VisitJobs(batch_id, job_count,
+                     [&](std::vector<RevisedJob> jobs) { return CancelThese(std::move(jobs), now); });
   }
 
   // Removes the consumer of a batch that has come to its end. When it has not, although it is closed and nothing of it
   // is in the queue stream (`waits`: something is), repairs what is missing. Returns whether to look again without
   // being asked to: at a cancelled one, whose running jobs have yet to end.
   absl::StatusOr<bool> Close(const std::string& batch_id, bool waits) {
-    const absl::StatusOr<RevisedBatch> record = parts_.GetBatch(batch_id);
-    if (absl::IsNotFound(record.status())) return false;
-    if (!record.ok()) return record.status();
+    ASSIGN_OR_RETURN(const std::optional<RevisedBatch> record, IfFound(parts_.GetBatch(batch_id)));
+    if (!record.has_value()) return false;
     const v1::Batch& batch = record->value.batch();
     const bool cancelled = batch.state() == v1::BATCH_STATE_CANCELLED;
     // Who adds to an open one repeats what was not answered.
@@ -91,37 +99,38 @@ class BatchRepair {
   }
 
   absl::Status CancelThese(std::vector<RevisedJob> jobs, absl::Time now) {
-    // Again for those that somebody else changed meanwhile.
-    while (!jobs.empty()) {
-      std::erase_if(jobs, [](const RevisedJob& job) { return HasEnded(job.value) || job.value.cancel_requested(); });
-      std::vector<Bucket::Change> changes;
-      for (RevisedJob& job : jobs) {
-        const bool waits = job.value.job().state() == v1::JOB_STATE_QUEUED;
-        job.value.set_cancel_requested(true);
-        if (waits) EndJob(job.value, CancelledEnd(now));
-        changes.push_back({job.value.job().id(), runtime::CanonicalBytes(job.value), job.revision});
-      }
-      const std::vector<absl::StatusOr<uint64_t>> revisions = parts_.jobs.UpdateAll(changes);
-      std::vector<v1::Job> ended;
-      std::vector<RevisedJob> again;
-      for (size_t i = 0; i < jobs.size(); ++i) {
-        if (absl::IsAborted(revisions[i].status())) {
-          ASSIGN_OR_RETURN(RevisedJob job, parts_.GetJob(jobs[i].value.job().id()));
-          again.push_back(std::move(job));
-          continue;
-        }
-        if (!revisions[i].ok()) return revisions[i].status();
-        if (HasEnded(jobs[i].value)) {
-          ended.push_back(jobs[i].value.job());
-        } else {
-          parts_.Notify(Notice::Kind::kHold, jobs[i].value.job().id());
-        }
-      }
-      RETURN_IF_ERROR(ends_.Publish(ended));
-      for (const v1::Job& job : ended) parts_.NotifyJob(job);
-      jobs = std::move(again);
+    std::erase_if(jobs, [now](RevisedJob& job) { return !orchestrator::CancelJob(job.value, now); });
+    std::vector<Bucket::Change> changes;
+    for (const RevisedJob& job : jobs) {
+      changes.push_back({job.value.job().id(), runtime::CanonicalBytes(job.value), job.revision});
     }
-    return absl::OkStatus();
+    const std::vector<absl::StatusOr<uint64_t>> revisions = parts_.jobs.UpdateAll(changes);
+    std::vector<RevisedJob> changed;
+    for (size_t i = 0; i < jobs.size(); ++i) {
+      if (absl::IsAborted(revisions[i].status())) {
+        // Somebody else changed it meanwhile.
+        RETURN_IF_ERROR(CancelJob(changes[i].key, now));
+        continue;
+      }
+      RETURN_IF_ERROR(revisions[i].status());
+      changed.push_back(std::move(jobs[i]));
+    }
+    return Announce(changed);
+  }
+
+  // Tells the others of jobs that were cancelled. The messages of those that waited stay until they are delivered to
+  // somebody.
+  absl::Status Announce(std::span<const RevisedJob> cancelled) {
+    std::vector<v1::Job> ended;
+    for (const RevisedJob& job : cancelled) {
+      if (HasEnded(job.value)) ended.push_back(job.value.job());
+    }
+    const absl::Status published = ends_.Publish(ended);
+    for (const v1::Job& job : ended) parts_.NotifyJob(job);
+    for (const RevisedJob& job : cancelled) {
+      if (!HasEnded(job.value)) parts_.Notify(Notice::Kind::kHold, job.value.job().id());
+    }
+    return published;
   }
 
   absl::Status RepairThese(const std::vector<RevisedJob>& jobs) {

@@ -11,7 +11,6 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "orchestrator/jetstream/bucket.h"
 #include "orchestrator/jetstream/streams.h"
 #include "worker_runtime/status/status_macros.h"
 

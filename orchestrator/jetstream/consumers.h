@@ -15,7 +15,6 @@
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_split.h"
 #include "orchestrator/batch/work_queue.h"
-#include "orchestrator/jetstream/consumers.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What has ended is forgotten, in steps that may be repeated by anybody. Of an job without a batch: it is noted that it
+// What has ended is forgotten, in steps that may be repeated by anybody. Of a job without a batch: it is noted that it
 // is to go (kDeleting in the bucket of requests), nobody sees it any more, its artifacts go, its request, its record,
 // the note. Of a batch: it is cancelled, so that nothing of it runs again; its jobs go from the last place on, some at
 // a time, and what they had is noted (doomed.BATCH.PLACE in the index); when no job is left, those artifacts go; then
@@ -10,8 +10,8 @@
 #include <set>
 #include <utility>
 
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
-#include "orchestrator/jetstream/job_record.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -52,9 +52,8 @@ std::string JetStreamWorkQueue::NoteKey(const std::string& owner, const std::str
 
 // Removes a key of the bucket of requests if it has that value; whatever it has when `id` is empty.
 absl::Status JetStreamWorkQueue::RemoveRequest(const std::string& key, const std::string& id) {
-  const absl::StatusOr<Bucket::Entry> entry = parts_->requests.Get(key);
-  if (absl::IsNotFound(entry.status())) return absl::OkStatus();
-  if (!entry.ok() || (!id.empty() && entry->value != id)) return entry.status();
+  ASSIGN_OR_RETURN(const std::optional<Bucket::Entry> entry, IfFound(parts_->requests.Get(key)));
+  if (!entry.has_value() || (!id.empty() && entry->value != id)) return absl::OkStatus();
   return parts_->requests.Remove({key, entry->revision}).status();
 }
 
@@ -83,23 +82,20 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteJob(const std::string& job_id,
 absl::StatusOr<Deleted> JetStreamWorkQueue::ForgetJob(const std::string& job_id, const std::string& owner,
                                                       ArtifactStore& artifacts) {
   Deleted deleted{.done = true};
-  const absl::Status hidden = parts_
-                                  ->ChangeJob(job_id,
-                                              [](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
-                                                RETURN_IF_ERROR(CheckDeletable(record.job()));
-                                                record.set_deleting(true);
-                                                return true;
-                                              })
-                                  .status();
+  const auto hide = [](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
+    RETURN_IF_ERROR(CheckDeletable(record.job()));
+    record.set_deleting(true);
+    return true;
+  };
+  const absl::Status hidden = parts_->ChangeJob(job_id, hide).status();
   // Retried just now.
   if (absl::IsFailedPrecondition(hidden)) {
-    absl::Status status = RemoveNote(owner, job_id);
-    return status.ok() ? hidden : status;
+    RETURN_IF_ERROR(RemoveNote(owner, job_id));
+    return hidden;
   }
   if (!hidden.ok() && !absl::IsNotFound(hidden)) return hidden;
-  const absl::StatusOr<RevisedJob> job = parts_->GetAnyJob(job_id);
-  if (!job.ok() && !absl::IsNotFound(job.status())) return job.status();
-  if (job.ok()) {
+  ASSIGN_OR_RETURN(const std::optional<RevisedJob> job, IfFound(parts_->GetAnyJob(job_id)));
+  if (job.has_value()) {
     const store::v1::JobRecord& record = job->value;
     ASSIGN_OR_RETURN(deleted.artifact_count, DeleteArtifacts(ArtifactsOf(std::span(&record, 1)), job_id, artifacts));
     RETURN_IF_ERROR(RemoveRequest(RequestKey(owner, RequestKind::kJob, record.request_id(), job_id), job_id));
@@ -119,7 +115,7 @@ absl::StatusOr<RevisedBatch> JetStreamWorkQueue::BeginToDelete(const std::string
     v1::Batch& now = *record.mutable_batch();
     RETURN_IF_ERROR(CheckDeletable(now, ended));
     if (record.has_deleted_job_count()) return false;
-    now.set_state(v1::BATCH_STATE_CANCELLED);
+    orchestrator::CancelBatch(now);
     record.set_deleted_job_count(now.job_count());
     return true;
   });
@@ -127,30 +123,29 @@ absl::StatusOr<RevisedBatch> JetStreamWorkQueue::BeginToDelete(const std::string
 
 absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteBatch(const std::string& batch_id, int job_limit,
                                                         ArtifactStore& artifacts) {
-  absl::StatusOr<RevisedBatch> batch = BeginToDelete(batch_id);
-  if (!batch.ok()) return batch.status();
-  const int64_t all = batch->value.deleted_job_count();
+  ASSIGN_OR_RETURN(RevisedBatch batch, BeginToDelete(batch_id));
+  const int64_t all = batch.value.deleted_job_count();
   Deleted deleted;
   // Those that whoever came so far may not have ended with.
-  int64_t left = batch->value.batch().job_count();
-  absl::StatusOr<int64_t> count = left < all ? ForgetPlaces(batch_id, left, std::min(all, left + kForgottenAtOnce)) : 0;
-  while (count.ok()) {
-    deleted.job_count += *count;
-    if (left == 0 || deleted.job_count >= job_limit) break;
+  int64_t left = batch.value.batch().job_count();
+  if (left < all) {
+    ASSIGN_OR_RETURN(deleted.job_count, ForgetPlaces(batch_id, left, std::min(all, left + kForgottenAtOnce)));
+  }
+  while (left > 0 && deleted.job_count < job_limit) {
     const int64_t end = left;
     left = std::max<int64_t>(0, end - kForgottenAtOnce);
-    batch = parts_->ChangeBatch(batch_id, [&](store::v1::BatchRecord& record) -> absl::StatusOr<bool> {
+    const auto shrink = [left](store::v1::BatchRecord& record) {
       if (record.batch().job_count() <= left) return false;
       record.mutable_batch()->set_job_count(static_cast<int>(left));
       return true;
-    });
-    count = batch.ok() ? ForgetPlaces(batch_id, left, end) : batch.status();
+    };
+    ASSIGN_OR_RETURN(batch, parts_->ChangeBatch(batch_id, shrink));
+    ASSIGN_OR_RETURN(const int64_t count, ForgetPlaces(batch_id, left, end));
+    deleted.job_count += count;
   }
-  if (!count.ok()) return count.status();
   if (left == 0 && deleted.job_count < job_limit) {
-    absl::Status status = DeleteTombstoned(batch_id, all, job_limit - deleted.job_count, artifacts, deleted);
-    if (status.ok() && deleted.done) status = ForgetBatch(batch->value);
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(DeleteTombstoned(batch_id, all, job_limit - deleted.job_count, artifacts, deleted));
+    if (deleted.done) RETURN_IF_ERROR(ForgetBatch(batch.value));
   }
   parts_->Notify(Notice::Kind::kBatch, batch_id);
   return deleted;
@@ -167,9 +162,8 @@ absl::StatusOr<int64_t> JetStreamWorkQueue::ForgetPlaces(const std::string& batc
     std::vector<Bucket::Revision> revisions;
     const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(ids);
     for (size_t i = 0; i < ids.size(); ++i) {
-      absl::StatusOr<RevisedJob> job = parts_->ParseJob(ids[i], entries[i]);
-      if (absl::IsNotFound(job.status())) continue;
-      if (!job.ok()) return job.status();
+      ASSIGN_OR_RETURN(std::optional<RevisedJob> job, IfFound(parts_->ParseJob(ids[i], entries[i])));
+      if (!job.has_value()) continue;
       revisions.push_back({ids[i], job->revision});
       records.push_back(std::move(job->value));
     }
@@ -201,14 +195,14 @@ absl::Status JetStreamWorkQueue::DeleteTombstoned(const std::string& batch_id, i
     keys.push_back(TombstoneKey(batch_id, std::max<int64_t>(0, end - kForgottenAtOnce)));
   }
   for (const std::string& key : keys) {
-    const absl::StatusOr<Bucket::Entry> entry = parts_->index.Get(key);
-    if (absl::IsNotFound(entry.status())) continue;
-    if (!entry.ok()) return entry.status();
+    ASSIGN_OR_RETURN(const std::optional<Bucket::Entry> entry, IfFound(parts_->index.Get(key)));
+    if (!entry.has_value()) continue;
     if (job_limit <= 0) return absl::OkStatus();
     job_limit -= kForgottenAtOnce;
     store::v1::ArtifactIds tombstones;
-    if (!tombstones.ParseFromString(entry->value))
+    if (!tombstones.ParseFromString(entry->value)) {
       return absl::DataLossError("the queue's note of artifacts is damaged");
+    }
     const std::vector<std::string> ids(tombstones.ids().begin(), tombstones.ids().end());
     ASSIGN_OR_RETURN(const int64_t count, DeleteArtifacts(ids, batch_id, artifacts));
     deleted.artifact_count += count;
@@ -228,9 +222,8 @@ absl::Status JetStreamWorkQueue::ForgetBatch(const store::v1::BatchRecord& recor
   const std::string subject = parts_->names.Batch(OwnerToken(owner), id);
   RETURN_IF_ERROR(consumers_.Remove(consumers_.ConsumerOf(subject), last));
   RETURN_IF_ERROR(RemoveRequest(RequestKey(owner, RequestKind::kBatch, record.request_id(), id), id));
-  const absl::StatusOr<RevisedBatch> now = parts_->GetBatch(id);
-  if (now.ok()) RETURN_IF_ERROR(parts_->batches.Remove({id, now->revision}).status());
-  if (!now.ok() && !absl::IsNotFound(now.status())) return now.status();
+  ASSIGN_OR_RETURN(const std::optional<RevisedBatch> now, IfFound(parts_->GetBatch(id)));
+  if (now.has_value()) RETURN_IF_ERROR(parts_->batches.Remove({id, now->revision}).status());
   return RemoveNote(owner, id);
 }
 
@@ -244,16 +237,14 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::FinishDeletions(ArtifactStore& artif
     const std::string key(parts_->requests.KeyOf(note.subject));
     const std::string id(TokenAt(key, 2));
     if (note.content == kJobNote) {
-      const absl::StatusOr<RevisedJob> job = parts_->GetAnyJob(id);
-      if (!job.ok() && !absl::IsNotFound(job.status())) return job.status();
-      const absl::StatusOr<Deleted> deleted = ForgetJob(id, job.ok() ? job->value.job().owner() : "", artifacts);
+      ASSIGN_OR_RETURN(const std::optional<RevisedJob> job, IfFound(parts_->GetAnyJob(id)));
+      const absl::StatusOr<Deleted> deleted = ForgetJob(id, job.has_value() ? job->value.job().owner() : "", artifacts);
       if (!deleted.ok() && !absl::IsFailedPrecondition(deleted.status())) return deleted;
       if (deleted.ok()) all.artifact_count += deleted->artifact_count;
       if (deleted.ok()) all.job_count += deleted->job_count;
     } else {
-      const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(id);
-      if (!batch.ok() && !absl::IsNotFound(batch.status())) return batch.status();
-      RETURN_IF_ERROR(batch.ok() ? ForgetBatch(batch->value) : absl::OkStatus());
+      ASSIGN_OR_RETURN(const std::optional<RevisedBatch> batch, IfFound(parts_->GetBatch(id)));
+      RETURN_IF_ERROR(batch.has_value() ? ForgetBatch(batch->value) : absl::OkStatus());
     }
     // Also where nothing else is left that would say whose it was.
     RETURN_IF_ERROR(RemoveRequest(key, note.content));

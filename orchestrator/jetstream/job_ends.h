@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -13,8 +12,8 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/work_queue.h"
-#include "orchestrator/jetstream/job_ends.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -46,9 +45,8 @@ class JobEnds {
   absl::Status Remove(const v1::Job& job) {
     if (job.batch_id().empty()) return absl::OkStatus();
     const std::string stream = parts_.names.ends_stream();
-    const absl::StatusOr<StoredMessage> found = parts_.streams.Last(stream, SubjectOf(job));
-    if (absl::IsNotFound(found.status())) return absl::OkStatus();
-    if (!found.ok()) return found.status();
+    ASSIGN_OR_RETURN(const std::optional<StoredMessage> found, IfFound(parts_.streams.Last(stream, SubjectOf(job))));
+    if (!found.has_value()) return absl::OkStatus();
     return parts_.streams.Remove(stream, std::span(&found->sequence, 1)).front().status();
   }
 
@@ -56,24 +54,12 @@ class JobEnds {
   absl::Status Count(v1::Batch& batch) {
     ASSIGN_OR_RETURN(const auto subjects,
                      parts_.streams.Subjects(parts_.names.ends_stream(), parts_.names.End(batch.id(), "*", "*", "*")));
-    std::map<std::string, int, std::less<>> failures;
+    EndCounts ends;
     for (const auto& [subject, count] : subjects) {
-      const std::string_view state = TokenAt(subject, kStateToken);
-      if (state == Number(v1::JOB_STATE_SUCCEEDED)) batch.set_succeeded_count(batch.succeeded_count() + 1);
-      if (state == Number(v1::JOB_STATE_CANCELLED)) batch.set_cancelled_count(batch.cancelled_count() + 1);
-      if (state != Number(v1::JOB_STATE_FAILED)) continue;
-      batch.set_failed_count(batch.failed_count() + 1);
-      ++failures[std::string(TokenAt(subject, kStateToken + 1))];
+      ++ends[{static_cast<v1::JobState>(NumberAt(subject, kStateToken)),
+              static_cast<v1::FailureKind>(NumberAt(subject, kStateToken + 1))}];
     }
-    for (const auto& [kind, count] : failures) {
-      v1::FailureCount& failure = *batch.add_failures();
-      failure.set_kind(static_cast<v1::FailureKind>(std::atoi(kind.c_str())));
-      failure.set_job_count(count);
-    }
-    std::ranges::stable_sort(*batch.mutable_failures(), std::greater(), &v1::FailureCount::job_count);
-    const int ended = batch.succeeded_count() + batch.failed_count() + batch.cancelled_count();
-    // Of an open batch, jobs may have ended that it does not count yet.
-    batch.set_open_count(std::max(0, batch.job_count() - ended));
+    SetCounts(ends, batch);
     return absl::OkStatus();
   }
 
@@ -86,10 +72,10 @@ class JobEnds {
 
   // The job of the batch that ended last; empty when none has.
   absl::StatusOr<std::string> LastOf(const std::string& batch_id) {
-    const absl::StatusOr<StoredMessage> last =
-        parts_.streams.Last(parts_.names.ends_stream(), parts_.names.End(batch_id, "*", "*", "*"));
-    if (absl::IsNotFound(last.status())) return "";
-    if (!last.ok()) return last.status();
+    ASSIGN_OR_RETURN(
+        const std::optional<StoredMessage> last,
+        IfFound(parts_.streams.Last(parts_.names.ends_stream(), parts_.names.End(batch_id, "*", "*", "*"))));
+    if (!last.has_value()) return "";
     return std::string(TokenAt(last->subject, kJobToken));
   }
 
@@ -128,6 +114,9 @@ class JobEnds {
   static constexpr int kListed = 4000;
 
   static std::string Number(int value) { return std::to_string(value); }
+  static int NumberAt(const std::string& subject, int place) {
+    return std::atoi(std::string(TokenAt(subject, place)).c_str());
+  }
 
   QueueParts& parts_;
 };

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "orchestrator/jetstream/lease_keeper.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "worker_runtime/bootstrap/call_context.h"
 

@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "absl/strings/numbers.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
-#include "orchestrator/jetstream/job_record.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -45,9 +45,8 @@ absl::StatusOr<v1::Job> JetStreamWorkQueue::GetJob(const std::string& job_id) {
 absl::StatusOr<std::vector<v1::JobEvent>> JetStreamWorkQueue::EventsAfter(const std::string& job_id, int64_t sequence,
                                                                           int limit) {
   std::vector<v1::JobEvent> events;
-  const absl::StatusOr<RevisedJob> job = parts_->GetJob(job_id);
-  if (absl::IsNotFound(job.status())) return events;
-  if (!job.ok()) return job.status();
+  ASSIGN_OR_RETURN(const std::optional<RevisedJob> job, IfFound(parts_->GetJob(job_id)));
+  if (!job.has_value()) return events;
   for (const v1::JobEvent& event : job->value.events()) {
     if (event.sequence() > sequence && static_cast<int>(events.size()) < limit) events.push_back(event);
   }
@@ -63,10 +62,9 @@ absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::GetJobs(std::span<const
     ids = ids.subspan(some.size());
     const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(some);
     for (size_t i = 0; i < some.size(); ++i) {
-      absl::StatusOr<RevisedJob> job = parts_->ParseJob(some[i], entries[i]);
+      ASSIGN_OR_RETURN(std::optional<RevisedJob> job, IfFound(parts_->ParseJob(some[i], entries[i])));
       // Asked for, and its making was interrupted.
-      if (absl::IsNotFound(job.status())) continue;
-      if (!job.ok()) return job.status();
+      if (!job.has_value()) continue;
       if (Fits(job->value.job(), filter) && static_cast<int>(jobs.size()) < filter.limit) {
         jobs.push_back(std::move(*job->value.mutable_job()));
       }
@@ -76,9 +74,8 @@ absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::GetJobs(std::span<const
 }
 
 absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::ListOfBatch(const ListFilter& filter) {
-  const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(filter.batch_id);
-  if (absl::IsNotFound(batch.status())) return std::vector<v1::Job>();
-  if (!batch.ok()) return batch.status();
+  ASSIGN_OR_RETURN(const std::optional<RevisedBatch> batch, IfFound(parts_->GetBatch(filter.batch_id)));
+  if (!batch.has_value()) return std::vector<v1::Job>();
   std::vector<std::string> ids;
   if (filter.state == v1::JOB_STATE_SUCCEEDED || filter.state == v1::JOB_STATE_FAILED ||
       filter.state == v1::JOB_STATE_CANCELLED) {
@@ -97,10 +94,9 @@ absl::StatusOr<std::vector<v1::Job>> JetStreamWorkQueue::ListJobs(const ListFilt
     ListFilter rest = filter;
     rest.limit = filter.limit - static_cast<int>(jobs.size());
     rest.batch_id = kind == "batch" ? id : "";
-    const absl::StatusOr<std::vector<v1::Job>> found =
-        kind == "batch" ? ListOfBatch(rest) : GetJobs(std::span(&id, IsBefore(id, filter) ? 1 : 0), rest);
-    if (!found.ok()) return found.status();
-    jobs.insert(jobs.end(), found->begin(), found->end());
+    ASSIGN_OR_RETURN(const std::vector<v1::Job> found,
+                     kind == "batch" ? ListOfBatch(rest) : GetJobs(std::span(&id, IsBefore(id, filter) ? 1 : 0), rest));
+    jobs.insert(jobs.end(), found.begin(), found.end());
     return absl::OkStatus();
   };
   RETURN_IF_ERROR(VisitRequests(
@@ -112,9 +108,8 @@ absl::StatusOr<std::vector<v1::Batch>> JetStreamWorkQueue::ListBatches(const Lis
   std::vector<v1::Batch> batches;
   const auto add = [&](const std::string&, const std::string& id) -> absl::Status {
     if (!IsBefore(id, filter)) return absl::OkStatus();
-    absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(id);
-    if (absl::IsNotFound(batch.status())) return absl::OkStatus();
-    if (!batch.ok()) return batch.status();
+    ASSIGN_OR_RETURN(std::optional<RevisedBatch> batch, IfFound(parts_->GetBatch(id)));
+    if (!batch.has_value()) return absl::OkStatus();
     batches.push_back(std::move(*batch->value.mutable_batch()));
     return absl::OkStatus();
   };
@@ -142,9 +137,7 @@ absl::Status JetStreamWorkQueue::VisitRequests(
       if (!more()) break;
       const std::string key(parts_->requests.KeyOf(message.subject));
       if (TokenAt(key, kKindToken) == kDeleting) continue;
-      if (absl::Status status = visit(std::string(TokenAt(key, kKindToken)), message.content); !status.ok()) {
-        return status;
-      }
+      RETURN_IF_ERROR(visit(std::string(TokenAt(key, kKindToken)), message.content));
     }
     end = first;
   }
@@ -206,9 +199,8 @@ absl::StatusOr<bool> JetStreamWorkQueue::OwnsArtifact(const std::string& owner, 
 }
 
 absl::StatusOr<std::optional<v1::ArtifactRef>> JetStreamWorkQueue::FindResult(const std::string& key) {
-  const absl::StatusOr<Bucket::Entry> entry = parts_->index.Get("result." + key);
-  if (absl::IsNotFound(entry.status())) return std::nullopt;
-  if (!entry.ok()) return entry.status();
+  ASSIGN_OR_RETURN(const std::optional<Bucket::Entry> entry, IfFound(parts_->index.Get("result." + key)));
+  if (!entry.has_value()) return std::nullopt;
   v1::ArtifactRef artifact;
   if (!artifact.ParseFromString(entry->value)) return absl::DataLossError("the queue's index of results is damaged");
   return artifact;
@@ -219,12 +211,12 @@ absl::StatusOr<std::optional<v1::ArtifactRef>> JetStreamWorkQueue::FindResult(co
 absl::StatusOr<EndedPage> JetStreamWorkQueue::EndedBefore(absl::Time time, const std::string& after, int limit) {
   uint64_t first = 0;
   if (!after.empty() && !absl::SimpleAtoi(after, &first)) return absl::InternalError("no page of a queue begins there");
-  const auto requests =
-      parts_->streams.Read(parts_->requests.stream(), parts_->requests.SubjectOf("*.*.*"), first + 1, limit);
-  if (!requests.ok()) return requests.status();
+  ASSIGN_OR_RETURN(
+      const std::vector<StoredMessage> requests,
+      parts_->streams.Read(parts_->requests.stream(), parts_->requests.SubjectOf("*.*.*"), first + 1, limit));
   EndedPage page;
   std::vector<std::string> alone;
-  for (const StoredMessage& request : *requests) {
+  for (const StoredMessage& request : requests) {
     const std::string key(parts_->requests.KeyOf(request.subject));
     if (TokenAt(key, 1) == "single") alone.push_back(request.content);
     if (TokenAt(key, 1) != "batch") continue;
@@ -233,34 +225,31 @@ absl::StatusOr<EndedPage> JetStreamWorkQueue::EndedBefore(absl::Time time, const
   }
   const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(alone);
   for (size_t i = 0; i < alone.size(); ++i) {
-    const absl::StatusOr<RevisedJob> job = parts_->ParseJob(alone[i], entries[i]);
-    if (absl::IsNotFound(job.status())) continue;
-    if (!job.ok()) return job.status();
+    ASSIGN_OR_RETURN(const std::optional<RevisedJob> job, IfFound(parts_->ParseJob(alone[i], entries[i])));
+    if (!job.has_value()) continue;
     if (HasEnded(job->value) && ToTime(job->value.job().end_time()) < time) page.job_ids.push_back(alone[i]);
   }
-  if (static_cast<int>(requests->size()) == limit) page.next = std::to_string(requests->back().sequence);
+  if (static_cast<int>(requests.size()) == limit) page.next = std::to_string(requests.back().sequence);
   return page;
 }
 
 absl::StatusOr<bool> JetStreamWorkQueue::BatchEndedBefore(absl::Time time, const std::string& batch_id) {
-  const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(batch_id);
-  if (absl::IsNotFound(batch.status())) return false;
-  if (!batch.ok()) return batch.status();
+  ASSIGN_OR_RETURN(const std::optional<RevisedBatch> batch, IfFound(parts_->GetBatch(batch_id)));
+  if (!batch.has_value()) return false;
   if (batch->value.has_deleted_job_count()) return true;
   if (batch->value.batch().open()) return false;
   absl::Time last_end = ToTime(batch->value.batch().create_time());
   ASSIGN_OR_RETURN(const std::string last_job, ends_.LastOf(batch_id));
   if (!last_job.empty()) {
-    const absl::StatusOr<RevisedJob> job = parts_->GetJob(last_job);
-    if (!job.ok() && !absl::IsNotFound(job.status())) return job.status();
+    ASSIGN_OR_RETURN(const std::optional<RevisedJob> job, IfFound(parts_->GetJob(last_job)));
     // Retried, or just ended.
-    if (job.ok() && !HasEnded(job->value)) return false;
-    if (job.ok()) last_end = ToTime(job->value.job().end_time());
+    if (job.has_value() && !HasEnded(job->value)) return false;
+    if (job.has_value()) last_end = ToTime(job->value.job().end_time());
   }
   if (last_end >= time) return false;
-  const absl::StatusOr<bool> ended = BatchHasEnded(batch_id);
+  ASSIGN_OR_RETURN(const std::optional<bool> ended, IfFound(BatchHasEnded(batch_id)));
   // Somebody else may have deleted it just now.
-  return absl::IsNotFound(ended.status()) ? absl::StatusOr<bool>(false) : ended;
+  return ended.value_or(false);
 }
 
 }  // namespace flair::orchestrator

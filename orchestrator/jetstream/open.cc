@@ -109,11 +109,8 @@ class JetStreamArtifacts final : public ArtifactStore {
 
  private:
   absl::StatusOr<std::string> Read(const std::string& id) {
-    absl::StatusOr<Bucket::Entry> entry = artifacts_.Get(id);
-    if (absl::IsNotFound(entry.status())) {
-      return absl::NotFoundError(fmt::format("artifact {}: not in this store", id));
-    }
-    if (!entry.ok()) return entry.status();
+    ASSIGN_OR_RETURN(const std::optional<Bucket::Entry> entry, IfFound(artifacts_.Get(id)));
+    if (!entry.has_value()) return absl::NotFoundError(fmt::format("artifact {}: not in this store", id));
     std::string_view value = entry->value;
     if (value.starts_with(kWhole)) return std::string(value.substr(kWhole.size()));
     int count = 0;
@@ -123,9 +120,9 @@ class JetStreamArtifacts final : public ArtifactStore {
     }
     std::string bytes;
     for (int i = 0; i < count; ++i) {
-      const absl::StatusOr<Bucket::Entry> piece = artifacts_.Get(PieceKey(id, static_cast<size_t>(i)));
-      if (absl::IsNotFound(piece.status())) return Damaged(id);
-      if (!piece.ok()) return piece.status();
+      ASSIGN_OR_RETURN(const std::optional<Bucket::Entry> piece,
+                       IfFound(artifacts_.Get(PieceKey(id, static_cast<size_t>(i)))));
+      if (!piece.has_value()) return Damaged(id);
       bytes += piece->value;
     }
     return bytes;

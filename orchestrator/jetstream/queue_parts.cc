@@ -32,16 +32,14 @@ absl::StatusOr<Revised<Message>> ChangeRecord(Bucket& bucket, const std::string&
                                               const std::function<absl::StatusOr<Revised<Message>>()>& get,
                                               const std::function<absl::StatusOr<bool>(Message&)>& change) {
   while (true) {
-    absl::StatusOr<Revised<Message>> record = get();
-    if (!record.ok()) return record;
-    ASSIGN_OR_RETURN(const bool changed, change(record->value));
+    ASSIGN_OR_RETURN(Revised<Message> record, get());
+    ASSIGN_OR_RETURN(const bool changed, change(record.value));
     if (!changed) return record;
-    const absl::StatusOr<uint64_t> revision =
-        bucket.Update(id, runtime::CanonicalBytes(record->value), record->revision);
+    const absl::StatusOr<uint64_t> revision = bucket.Update(id, runtime::CanonicalBytes(record.value), record.revision);
     // Somebody else was faster.
     if (absl::IsAborted(revision.status())) continue;
-    if (!revision.ok()) return revision.status();
-    record->revision = *revision;
+    RETURN_IF_ERROR(revision.status());
+    record.revision = *revision;
     return record;
   }
 }

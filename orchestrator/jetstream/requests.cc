@@ -4,44 +4,21 @@
 
 #include <algorithm>
 
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
-#include "orchestrator/jetstream/job_record.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-namespace {
-
-absl::Status CheckPlaces(std::span<const v1::Job> jobs, const v1::Batch& batch) {
-  int64_t place = batch.job_count();
-  for (const v1::Job& job : jobs) {
-    if (job.batch_index() < place) continue;
-    if (job.batch_index() > place) {
-      return absl::FailedPreconditionError(
-          fmt::format("first_index: {} leaves a gap: batch {} has {} jobs; add from {} on", job.batch_index(),
-                      batch.id(), place, place));
-    }
-    if (!batch.open()) {
-      return absl::FailedPreconditionError(
-          fmt::format("batch_id: {} is closed with {} jobs; make another batch", batch.id(), batch.job_count()));
-    }
-    ++place;
-  }
-  return absl::OkStatus();
-}
-
-}  // namespace
-
 // The id under a request's key, which is made to be `id` when there is none.
 absl::StatusOr<std::string> JetStreamWorkQueue::IdOfRequest(const std::string& key, const std::string& id) {
   while (true) {
     const absl::StatusOr<uint64_t> made = parts_->requests.Update(key, id, 0);
     if (made.ok()) return id;
     if (!absl::IsAborted(made.status())) return made.status();
-    const absl::StatusOr<Bucket::Entry> known = parts_->requests.Get(key);
+    ASSIGN_OR_RETURN(const std::optional<Bucket::Entry> known, IfFound(parts_->requests.Get(key)));
     // What it made has been forgotten just now.
-    if (absl::IsNotFound(known.status())) continue;
-    if (!known.ok()) return known.status();
+    if (!known.has_value()) continue;
     return known->value;
   }
 }
@@ -98,7 +75,8 @@ absl::StatusOr<bool> JetStreamWorkQueue::HasRequest(RequestKind kind, const std:
 absl::StatusOr<v1::Batch> JetStreamWorkQueue::AddJobs(const std::string& batch_id, std::span<const v1::Job> jobs,
                                                       bool last) {
   ASSIGN_OR_RETURN(const RevisedBatch before, parts_->GetBatch(batch_id));
-  RETURN_IF_ERROR(CheckPlaces(jobs, before.value.batch()));
+  v1::Batch grown = before.value.batch();
+  RETURN_IF_ERROR(GrowBatch(jobs, last, grown).status());
   const auto counted = static_cast<size_t>(std::ranges::count_if(
       jobs, [&](const v1::Job& job) { return job.batch_index() < before.value.batch().job_count(); }));
   RETURN_IF_ERROR(CompareSpecs(jobs.first(counted)));
@@ -106,20 +84,10 @@ absl::StatusOr<v1::Batch> JetStreamWorkQueue::AddJobs(const std::string& batch_i
   RETURN_IF_ERROR(AddRecords(batch_id, added));
   RETURN_IF_ERROR(PutIntoQueue(added));
   // Last, so that what a batch counts is there.
-  const absl::StatusOr<RevisedBatch> after =
-      parts_->ChangeBatch(batch_id, [&](store::v1::BatchRecord& record) -> absl::StatusOr<bool> {
-        v1::Batch& batch = *record.mutable_batch();
-        RETURN_IF_ERROR(CheckPlaces(jobs, batch));
-        const int64_t count = jobs.empty() ? 0 : jobs.back().batch_index() + 1;
-        const bool open = batch.open() && !last;
-        if (batch.job_count() >= count && batch.open() == open) return false;
-        batch.set_job_count(static_cast<int>(std::max<int64_t>(batch.job_count(), count)));
-        batch.set_open(open);
-        return true;
-      });
-  if (!after.ok()) return after.status();
+  const auto grow = [&](store::v1::BatchRecord& record) { return GrowBatch(jobs, last, *record.mutable_batch()); };
+  ASSIGN_OR_RETURN(const RevisedBatch after, parts_->ChangeBatch(batch_id, grow));
   parts_->Notify(Notice::Kind::kBatch, batch_id);
-  return after->value.batch();
+  return after.value.batch();
 }
 
 absl::Status JetStreamWorkQueue::AddRecords(const std::string& batch_id, std::span<const v1::Job> jobs) {
@@ -149,9 +117,7 @@ absl::Status JetStreamWorkQueue::CompareSpecs(std::span<const v1::Job> jobs) {
   const std::vector<absl::StatusOr<Bucket::Entry>> entries = parts_->jobs.GetAll(ids);
   for (size_t i = 0; i < jobs.size(); ++i) {
     ASSIGN_OR_RETURN(const RevisedJob known, parts_->ParseJob(ids[i], entries[i]));
-    if (runtime::CanonicalBytes(known.value.job().spec()) == runtime::CanonicalBytes(jobs[i].spec())) continue;
-    return absl::AlreadyExistsError(fmt::format("specs: place {} of batch {} has another spec; make another batch",
-                                                jobs[i].batch_index(), jobs[i].batch_id()));
+    RETURN_IF_ERROR(CheckSameSpec(known.value.job(), jobs[i]));
   }
   return absl::OkStatus();
 }
@@ -167,26 +133,7 @@ absl::Status JetStreamWorkQueue::PutIntoQueue(std::span<const v1::Job> jobs) {
 // ---- Jobs and batches are cancelled, paused, retried.
 
 absl::Status JetStreamWorkQueue::Cancel(const std::string& job_id, absl::Time now) {
-  bool ended = false;
-  const absl::StatusOr<RevisedJob> job =
-      parts_->ChangeJob(job_id, [&](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
-        ended = false;
-        if (HasEnded(record) || record.cancel_requested()) return false;
-        record.set_cancel_requested(true);
-        ended = record.job().state() == v1::JOB_STATE_QUEUED;
-        if (ended) EndJob(record, CancelledEnd(now));
-        return true;
-      });
-  if (!job.ok()) return job.status();
-  const v1::Job& changed = job->value.job();
-  if (ended) {
-    // Its message stays until it is delivered to somebody.
-    RETURN_IF_ERROR(ends_.Publish(std::span(&changed, 1)));
-    parts_->NotifyJob(changed);
-  } else {
-    parts_->Notify(Notice::Kind::kHold, job_id);
-  }
-  return absl::OkStatus();
+  return repair_.CancelJob(job_id, now);
 }
 
 absl::StatusOr<bool> JetStreamWorkQueue::Retry(const std::string& job_id) {
@@ -201,21 +148,16 @@ absl::StatusOr<bool> JetStreamWorkQueue::Retry(const std::string& job_id) {
   // given back; see BatchRepair.
   RETURN_IF_ERROR(ends_.Remove(job));
   bool retried = false;
-  const absl::StatusOr<RevisedJob> now =
-      parts_->ChangeJob(job_id, [&](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
-        retried = record.job().state() == v1::JOB_STATE_FAILED;
-        if (retried) RetryJob(record);
-        return retried;
-      });
-  if (!now.ok()) return now.status();
-  const v1::Job& waiting = now->value.job();
+  const auto retry = [&](store::v1::JobRecord& record) { return retried = RetryJob(record); };
+  ASSIGN_OR_RETURN(const RevisedJob now, parts_->ChangeJob(job_id, retry));
+  const v1::Job& waiting = now.value.job();
   if (!retried) {
     // Somebody else did, and the end that was removed may have been of the run after that.
-    if (!HasEnded(now->value)) return false;
+    if (!HasEnded(waiting)) return false;
     RETURN_IF_ERROR(ends_.Publish(std::span(&waiting, 1)));
     return false;
   }
-  const NatsRequest message = parts_->QueueMessage(waiting, fmt::format("{}-retry-{}", job_id, now->revision));
+  const NatsRequest message = parts_->QueueMessage(waiting, fmt::format("{}-retry-{}", job_id, now.revision));
   RETURN_IF_ERROR(parts_->streams.Publish(message).status());
   Queued(message.subject);
   parts_->NotifyJob(waiting);
@@ -223,33 +165,18 @@ absl::StatusOr<bool> JetStreamWorkQueue::Retry(const std::string& job_id) {
 }
 
 absl::Status JetStreamWorkQueue::SetBatchState(const std::string& batch_id, v1::BatchState state) {
-  const absl::StatusOr<RevisedBatch> changed =
-      parts_->ChangeBatch(batch_id, [&](store::v1::BatchRecord& record) -> absl::StatusOr<bool> {
-        v1::Batch& batch = *record.mutable_batch();
-        if (batch.state() == v1::BATCH_STATE_CANCELLED) {
-          if (state != v1::BATCH_STATE_ACTIVE) return false;
-          return absl::FailedPreconditionError(fmt::format("batch_id: {} is cancelled; make another batch", batch_id));
-        }
-        if (batch.state() == state) return false;
-        batch.set_state(state);
-        return true;
-      });
-  if (!changed.ok()) return changed.status();
+  const auto set = [state](store::v1::BatchRecord& record) {
+    return orchestrator::SetBatchState(state, *record.mutable_batch());
+  };
+  RETURN_IF_ERROR(parts_->ChangeBatch(batch_id, set).status());
   parts_->Notify(Notice::Kind::kBatch, batch_id);
   return absl::OkStatus();
 }
 
 absl::Status JetStreamWorkQueue::CancelBatch(const std::string& batch_id, absl::Time now) {
-  const absl::StatusOr<RevisedBatch> changed =
-      parts_->ChangeBatch(batch_id, [](store::v1::BatchRecord& record) -> absl::StatusOr<bool> {
-        v1::Batch& batch = *record.mutable_batch();
-        if (batch.state() == v1::BATCH_STATE_CANCELLED && !batch.open()) return false;
-        batch.set_state(v1::BATCH_STATE_CANCELLED);
-        batch.set_open(false);
-        return true;
-      });
-  if (!changed.ok()) return changed.status();
-  const absl::Status status = repair_.CancelJobs(batch_id, changed->value.batch().job_count(), now);
+  const auto cancel = [](store::v1::BatchRecord& record) { return orchestrator::CancelBatch(*record.mutable_batch()); };
+  ASSIGN_OR_RETURN(const RevisedBatch changed, parts_->ChangeBatch(batch_id, cancel));
+  const absl::Status status = repair_.CancelJobs(batch_id, changed.value.batch().job_count(), now);
   // Its messages go when the last of its jobs has ended; see LookOnce.
   ScheduleRepair(batch_id);
   parts_->Notify(Notice::Kind::kBatch, batch_id);

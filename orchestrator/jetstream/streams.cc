@@ -7,12 +7,12 @@
 #include <atomic>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <system_error>
 #include <unordered_map>
 #include <utility>
 
 #include "absl/strings/escaping.h"
 #include "absl/synchronization/mutex.h"
+#include "worker_runtime/executor/parallel.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -20,7 +20,7 @@ namespace {
 
 // How long one answer may take; the limit of calls allows for several.
 constexpr absl::Duration kOneAnswer = absl::Seconds(2);
-constexpr size_t kCallsAtOnce = 8;
+constexpr int kCallsAtOnce = 8;
 // Consumers that nobody removed, because their process died, go after this.
 constexpr absl::Duration kConsumerLife = absl::Seconds(30);
 // A consumer may have any number of unacknowledged messages.
@@ -193,25 +193,12 @@ absl::Status Streams::Repeated(const Call& call) {
 template <typename T, typename Call>
 std::vector<absl::StatusOr<T>> Streams::ForEach(size_t count, const Call& call) {
   std::vector<absl::StatusOr<T>> results(count, absl::StatusOr<T>(connection_.Unreachable("no answer in time")));
-  std::atomic<size_t> next = 0;
   std::atomic<bool> gave_up = false;
-  const auto work = [&] {
-    for (size_t i = next++; i < count && !gave_up; i = next++) {
-      results[i] = call(i);
-      if (absl::IsUnavailable(results[i].status())) gave_up = true;
-    }
-  };
-  std::vector<std::jthread> helpers;
-  while (helpers.size() + 1 < std::min(count, kCallsAtOnce)) {
-    try {
-      helpers.emplace_back(work);
-    } catch (const std::system_error&) {
-      // The machine gives no more threads.
-      break;
-    }
-  }
-  work();
-  helpers.clear();
+  (void)runtime::ForEach({.thread_count = kCallsAtOnce, .check_alive = {}}, static_cast<int>(count), [&](int i) {
+    if (gave_up) return;
+    absl::StatusOr<T>& result = results[static_cast<size_t>(i)] = call(static_cast<size_t>(i));
+    if (absl::IsUnavailable(result.status())) gave_up = true;
+  });
   return results;
 }
 
@@ -349,9 +336,9 @@ absl::StatusOr<std::vector<StoredMessage>> Streams::Read(const std::string& stre
                                                          uint64_t first_sequence, int limit) {
   std::vector<StoredMessage> read;
   while (static_cast<int>(read.size()) < limit) {
-    absl::StatusOr<StoredMessage> next = Next(stream, filter, read.empty() ? first_sequence : read.back().sequence + 1);
-    if (absl::IsNotFound(next.status())) break;
-    if (!next.ok()) return next.status();
+    ASSIGN_OR_RETURN(std::optional<StoredMessage> next,
+                     IfFound(Next(stream, filter, read.empty() ? first_sequence : read.back().sequence + 1)));
+    if (!next.has_value()) break;
     read.push_back(*std::move(next));
   }
   return read;

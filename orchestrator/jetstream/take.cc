@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "absl/strings/numbers.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/lease.h"
 #include "orchestrator/jetstream/artifact_users.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/job_ends.h"
-#include "orchestrator/jetstream/job_record.h"
 #include "orchestrator/jetstream/lease_keeper.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "worker_runtime/files/files.h"
@@ -36,13 +36,11 @@ class JetStreamLease final : public Lease {
  public:
   // `record` says that `hold` has the job. `parts`, `ends` and `keeper` outlive it.
   JetStreamLease(QueueParts& parts, JobEnds& ends, LeaseKeeper& keeper, std::shared_ptr<Hold> hold, RevisedJob record)
-      : parts_(parts),
+      : Lease(record.value),
+        parts_(parts),
         ends_(ends),
         keeper_(keeper),
         hold_(std::move(hold)),
-        job_(record.value.job()),
-        history_(record.value.events().begin(), record.value.events().end()),
-        lost_run_count_(record.value.lost_run_count() - 1),
         users_(parts),
         record_(std::move(record)) {
     hold_->cancel_requested = record_.value.cancel_requested();
@@ -53,10 +51,6 @@ class JetStreamLease final : public Lease {
     if (!done_ && !hold_->lost) (void)Return(absl::ZeroDuration(), "");
     keeper_.Remove(*hold_);
   }
-
-  const v1::Job& job() const override { return job_; }
-  const std::vector<v1::JobEvent>& history() const override { return history_; }
-  int lost_run_count() const override { return lost_run_count_; }
 
   absl::Status Announce(std::span<const StageRecord> records) override {
     std::lock_guard lock(mutex_);
@@ -72,7 +66,7 @@ class JetStreamLease final : public Lease {
       RETURN_IF_ERROR(Write([&](store::v1::JobRecord& job) { AddStageRecords(job, records); },
                             [this] { return !hold_->lost && !hold_->cancellation.cancelled(); }));
     }
-    parts_.NotifyJob(job_);
+    parts_.NotifyJob(job());
     return absl::OkStatus();
   }
 
@@ -106,8 +100,8 @@ class JetStreamLease final : public Lease {
         delay > absl::ZeroDuration() ? fmt::format("-NAK {{\"delay\": {}}}", absl::ToInt64Nanoseconds(delay)) : "-NAK";
     // Without it, the job waits until its lease would have ended.
     (void)parts_.connection->Publish({hold_->acknowledge, refusal, {}});
-    parts_.NotifyJob(job_);
-    parts_.Notify(Notice::Kind::kWork, parts_.SubjectOf(job_));
+    parts_.NotifyJob(job());
+    parts_.Notify(Notice::Kind::kWork, parts_.SubjectOf(job()));
     return absl::OkStatus();
   }
 
@@ -122,7 +116,7 @@ class JetStreamLease final : public Lease {
       store::v1::JobRecord changed = record_.value;
       change(changed);
       const absl::StatusOr<uint64_t> revision =
-          parts_.jobs.Update(job_.id(), runtime::CanonicalBytes(changed), record_.revision, more);
+          parts_.jobs.Update(job().id(), runtime::CanonicalBytes(changed), record_.revision, more);
       if (revision.ok()) {
         record_ = {std::move(changed), *revision};
         return absl::OkStatus();
@@ -143,10 +137,9 @@ class JetStreamLease final : public Lease {
 
   // Takes over what others wrote into the record, which is no more than that they want the end.
   absl::Status ReadAgain() {
-    absl::StatusOr<RevisedJob> now = parts_.GetJob(job_.id());
+    ASSIGN_OR_RETURN(std::optional<RevisedJob> now, IfFound(parts_.GetJob(job().id())));
     // It was cancelled, and forgotten with its batch.
-    if (absl::IsNotFound(now.status())) return Refused();
-    if (!now.ok()) return now.status();
+    if (!now.has_value()) return Refused();
     if (now->value.holder() != hold_->holder) return Refused();
     record_ = *std::move(now);
     if (!record_.value.cancel_requested()) return absl::OkStatus();
@@ -157,7 +150,7 @@ class JetStreamLease final : public Lease {
 
   absl::Status Refused() {
     hold_->Lose();
-    return absl::AbortedError(fmt::format("job {}: another run has it", job_.id()));
+    return absl::AbortedError(fmt::format("job {}: another run has it", job().id()));
   }
 
   // Nobody deletes these artifacts from now on. What is to be used again and has no user is going just now.
@@ -169,8 +162,8 @@ class JetStreamLease final : public Lease {
     }
     if (uses.empty()) return absl::OkStatus();
     ArtifactUsers::User user;
-    user.set_id(job_.batch_id().empty() ? job_.id() : job_.batch_id());
-    user.set_owner_token(OwnerToken(job_.owner()));
+    user.set_id(job().batch_id().empty() ? job().id() : job().batch_id());
+    user.set_owner_token(OwnerToken(job().owner()));
     ASSIGN_OR_RETURN(const std::vector<std::string> unused, users_.Add(uses, user));
     for (const StageRecord& record : records) {
       const std::string& id = record.event.artifact().id();
@@ -199,9 +192,6 @@ class JetStreamLease final : public Lease {
   LeaseKeeper& keeper_;
   // Shared with the keeper.
   const std::shared_ptr<Hold> hold_;
-  const v1::Job job_;
-  const std::vector<v1::JobEvent> history_;
-  const int lost_run_count_;
   ArtifactUsers users_;
 
   std::mutex mutex_;
@@ -259,9 +249,8 @@ absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::TakeFrom(const Consum
 
 absl::StatusOr<v1::BatchState> JetStreamWorkQueue::BatchStateOf(const Consumer& consumer) {
   if (consumer.batch_id.empty()) return v1::BATCH_STATE_ACTIVE;
-  const absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(consumer.batch_id);
-  if (absl::IsNotFound(batch.status())) return v1::BATCH_STATE_ACTIVE;
-  if (!batch.ok()) return batch.status();
+  ASSIGN_OR_RETURN(const std::optional<RevisedBatch> batch, IfFound(parts_->GetBatch(consumer.batch_id)));
+  if (!batch.has_value()) return v1::BATCH_STATE_ACTIVE;
   return batch->value.batch().state();
 }
 
@@ -313,16 +302,15 @@ absl::StatusOr<bool> JetStreamWorkQueue::MayRun(const Delivery& delivery, const 
     return false;
   }
   if (!record.cancel_requested() && !batch_cancelled) return true;
-  const absl::StatusOr<RevisedJob> ended =
-      parts_->ChangeJob(delivery.job_id, [&](store::v1::JobRecord& now) -> absl::StatusOr<bool> {
-        if (HasEnded(now)) return false;
-        EndJob(now, CancelledEnd(parts_->clock.Now()));
-        return true;
-      });
-  if (!ended.ok()) return ended.status();
-  RETURN_IF_ERROR(ends_.Publish(std::span(&ended->value.job(), 1)));
+  const auto end = [&](store::v1::JobRecord& now) {
+    if (HasEnded(now)) return false;
+    EndJob(now, CancelledEnd(parts_->clock.Now()));
+    return true;
+  };
+  ASSIGN_OR_RETURN(const RevisedJob ended, parts_->ChangeJob(delivery.job_id, end));
+  RETURN_IF_ERROR(ends_.Publish(std::span(&ended.value.job(), 1)));
   Acknowledge(delivery, "+ACK");
-  parts_->NotifyJob(ended->value.job());
+  parts_->NotifyJob(ended.value.job());
   return false;
 }
 
@@ -331,18 +319,16 @@ absl::StatusOr<bool> JetStreamWorkQueue::OtherMessageRuns(const Delivery& delive
                                                           const store::v1::JobRecord& record) {
   const uint64_t sequence = SequenceOf(record.holder());
   if (record.job().state() != v1::JOB_STATE_RUNNING || sequence == 0 || sequence == delivery.sequence) return false;
-  const absl::Status found = parts_->streams.Get(parts_->names.queue_stream(), sequence).status();
-  if (absl::IsNotFound(found)) return false;
-  if (!found.ok()) return found;
-  return true;
+  ASSIGN_OR_RETURN(const std::optional<StoredMessage> found,
+                   IfFound(parts_->streams.Get(parts_->names.queue_stream(), sequence)));
+  return found.has_value();
 }
 
 // Gives the jobs that wait, and are asked for by their ids, a message that is delivered to who asks so.
 absl::Status JetStreamWorkQueue::WantNamed(const std::set<std::string>& job_ids) {
   for (const std::string& id : job_ids) {
-    const absl::StatusOr<RevisedJob> job = parts_->GetJob(id);
-    if (absl::IsNotFound(job.status())) continue;
-    if (!job.ok()) return job.status();
+    ASSIGN_OR_RETURN(const std::optional<RevisedJob> job, IfFound(parts_->GetJob(id)));
+    if (!job.has_value()) continue;
     const v1::Job& wanted = job->value.job();
     if (wanted.state() != v1::JOB_STATE_QUEUED) continue;
     const std::string subject = parts_->names.Named(OwnerToken(wanted.owner()), id);

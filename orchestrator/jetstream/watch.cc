@@ -178,11 +178,11 @@ absl::Status JetStreamWorkQueue::ReportStatus(const v1::OrchestratorStatus& stat
 }
 
 absl::StatusOr<std::vector<v1::OrchestratorStatus>> JetStreamWorkQueue::Orchestrators() {
-  const auto messages =
-      parts_->streams.Read(parts_->statuses.stream(), parts_->statuses.SubjectOf(">"), 1, kMostOrchestrators);
-  if (!messages.ok()) return messages.status();
+  ASSIGN_OR_RETURN(
+      const std::vector<StoredMessage> messages,
+      parts_->streams.Read(parts_->statuses.stream(), parts_->statuses.SubjectOf(">"), 1, kMostOrchestrators));
   std::vector<v1::OrchestratorStatus> statuses;
-  for (const StoredMessage& message : *messages) {
+  for (const StoredMessage& message : messages) {
     if (!statuses.emplace_back().ParseFromString(message.content)) statuses.pop_back();
   }
   return statuses;

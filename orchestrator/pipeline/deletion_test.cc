@@ -5,6 +5,7 @@
 
 #include <future>
 
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/job_runner.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/store/artifact_files.h"
@@ -96,7 +97,9 @@ TEST_F(RunsAndDeletion, AJobThatTakesItsProcessWithItTwentyTimesIsNotBegunAgain)
   ASSERT_TRUE(queue_->CreateJob(BedroomJob("job-1"), "r1").ok());
   const auto store = *JobStore::Open(folder_.path());
   for (int i = 0; i < 20; ++i) {
-    ASSERT_TRUE(store->jobs().Claim("job-1", "died").value());
+    store::v1::JobRecord record = *store->jobs().Load("job-1");
+    BeginRun(record, "died");
+    ASSERT_TRUE(store->jobs().Save(record, record.events_size()).ok());
     ASSERT_TRUE(store->jobs().Release("died").ok());
   }
   std::promise<void> ended;

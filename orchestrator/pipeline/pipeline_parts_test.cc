@@ -102,9 +102,7 @@ TEST(WaitUnlessCancelled, ReturnsAtOnceWhenCancelled) {
 // Remembers what is stored by its stages, a write "brief room".
 class RememberingLease final : public Lease {
  public:
-  const v1::Job& job() const override { return job_; }
-  const std::vector<v1::JobEvent>& history() const override { return history_; }
-  int lost_run_count() const override { return 0; }
+  RememberingLease() : Lease({}) {}
   absl::Status Announce(std::span<const StageRecord>) override { return absl::OkStatus(); }
   absl::Status RecordAll(std::span<const StageRecord> records) override {
     if (!answer.ok() || records.empty()) return answer;
@@ -123,8 +121,6 @@ class RememberingLease final : public Lease {
   absl::Status answer;
 
  private:
-  const v1::Job job_;
-  const std::vector<v1::JobEvent> history_;
   runtime::Cancellation cancellation_;
 };
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <google/protobuf/util/time_util.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +11,8 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/store/v1/job_record.pb.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/work_queue.h"
-#include "orchestrator/store/batch_table.h"
 #include "orchestrator/store/database.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -69,13 +68,16 @@ class BatchTable {
         "SELECT state, failure_kind, count(*) FROM jobs WHERE batch_id != '' AND batch_id = ? "
         "GROUP BY state, failure_kind",
         id);
+    EndCounts ends;
     while (true) {
       ASSIGN_OR_RETURN(const bool row, count.Step());
       if (!row) break;
-      AddCount(static_cast<v1::JobState>(count.Int(0)), static_cast<v1::FailureKind>(count.Int(1)),
-               static_cast<int>(count.Int(2)), batch);
+      const auto state = static_cast<v1::JobState>(count.Int(0));
+      const auto jobs = static_cast<int>(count.Int(2));
+      if (state == v1::JOB_STATE_RUNNING) batch.set_running_count(jobs);
+      ends[{state, static_cast<v1::FailureKind>(count.Int(1))}] = jobs;
     }
-    std::ranges::stable_sort(*batch.mutable_failures(), std::greater(), &v1::FailureCount::job_count);
+    SetCounts(ends, batch);
     return batch;
   }
 
@@ -90,12 +92,10 @@ class BatchTable {
         ReadBatch);
   }
 
-  absl::Status SetState(const std::string& id, v1::BatchState state) {
-    return database_.Run("UPDATE batches SET state = ? WHERE id = ?", state, id);
-  }
-
-  absl::Status SetJobs(const std::string& id, int64_t job_count, bool open) {
-    return database_.Run("UPDATE batches SET job_count = ?, open = ? WHERE id = ?", job_count, open, id);
+  // Stores what a rule made of a batch.
+  absl::Status Save(const v1::Batch& batch) {
+    return database_.Run("UPDATE batches SET state = ?, job_count = ?, open = ? WHERE id = ?", batch.state(),
+                         batch.job_count(), batch.open(), batch.id());
   }
 
   // Puts the end of a job behind all others; forgets it.
@@ -131,27 +131,6 @@ class BatchTable {
     *batch.mutable_create_time() = google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(row.Int(5));
     batch.set_owner(row.Text(6));
     return batch;
-  }
-
-  static void AddCount(v1::JobState state, v1::FailureKind kind, int jobs, v1::Batch& batch) {
-    switch (state) {
-      case v1::JOB_STATE_SUCCEEDED:
-        batch.set_succeeded_count(batch.succeeded_count() + jobs);
-        break;
-      case v1::JOB_STATE_FAILED: {
-        batch.set_failed_count(batch.failed_count() + jobs);
-        v1::FailureCount& count = *batch.add_failures();
-        count.set_kind(kind);
-        count.set_job_count(jobs);
-        break;
-      }
-      case v1::JOB_STATE_CANCELLED:
-        batch.set_cancelled_count(batch.cancelled_count() + jobs);
-        break;
-      default:
-        if (state == v1::JOB_STATE_RUNNING) batch.set_running_count(batch.running_count() + jobs);
-        batch.set_open_count(batch.open_count() + jobs);
-    }
   }
 
   Database& database_;

@@ -10,7 +10,6 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "orchestrator/store/database.h"
-#include "orchestrator/store/deletion_table.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -66,6 +65,14 @@ class DeletionTable {
   absl::Status SetDeleted(const std::string& artifact_id) {
     // With a new sequence: later than the beginning of every run there is.
     return database_.Run("INSERT OR REPLACE INTO deleted_artifacts (artifact_id, pending) VALUES (?, 0)", artifact_id);
+  }
+
+  // A run of the job begins: what is deleted from now on, it may miss.
+  absl::Status BeginRun(const std::string& job_id) {
+    return database_.Run(
+        "UPDATE jobs SET deletions_seen = (SELECT coalesce(max(seq), 0) FROM sqlite_sequence WHERE name = "
+        "'deleted_artifacts') WHERE id = ?",
+        job_id);
   }
 
   // Whether there is any tombstone; most of the time there is none. No transaction needed.

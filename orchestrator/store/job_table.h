@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <google/protobuf/util/time_util.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "flair/store/v1/job_record.pb.h"
 #include "flair/v1/artifact.pb.h"
 #include "flair/v1/job.pb.h"
 #include "orchestrator/batch/work_queue.h"
@@ -21,21 +23,10 @@
 
 namespace flair::orchestrator {
 
-// One run of a job: who runs it, and the how manyth run it is. Writes for a run that has been superseded do not match
-// any more.
-struct JobHold {
-  std::string job_id;
-  std::string owner;
-  int attempt = 0;
-};
-
 // The columns that Read reads, in its order.
 #define JOB_COLUMNS                                                                                               \
   "id, spec, state, stage, error, error_code, create_time_us, end_time_us, batch_id, batch_index, failure_kind, " \
   "attempt_count, caller"
-
-// Of the run that holds the job.
-#define IF_HELD " WHERE id = ? AND state = 2 AND owner = ? AND attempt_count = ?"
 
 // Queries about jobs, their events and artifacts, and what stages made before. Each call is one step for other
 // processes; to join several, hold a Transaction. A Job read here has its artifacts too. Thread-safe.
@@ -49,8 +40,7 @@ class JobTable {
         "INSERT INTO jobs (id, request_id, spec, state, create_time_us, batch_id, batch_index, caller) "
         "VALUES (?, nullif(?, ''), ?, ?, ?, ?, ?, ?)",
         job.id(), request_id, Blob{runtime::CanonicalBytes(job.spec())}, v1::JOB_STATE_QUEUED,
-        google::protobuf::util::TimeUtil::TimestampToMicroseconds(job.create_time()), job.batch_id(), job.batch_index(),
-        job.owner());
+        ToMicroseconds(job.create_time()), job.batch_id(), job.batch_index(), job.owner());
   }
 
   // NOT_FOUND when unknown.
@@ -60,6 +50,52 @@ class JobTable {
     ASSIGN_OR_RETURN(const bool found, select.Step());
     if (!found) return absl::NotFoundError(fmt::format("job_id: no job \"{}\" in this store", id.substr(0, 80)));
     return Read(select);
+  }
+
+  // All that is known of a job but the request that made it. NOT_FOUND when unknown.
+  absl::StatusOr<store::v1::JobRecord> Load(const std::string& id) {
+    const auto lock = database_.lock();
+    store::v1::JobRecord record;
+    ASSIGN_OR_RETURN(*record.mutable_job(), Get(id));
+    Statement select =
+        database_.Prepare("SELECT owner, cancel_requested, not_before_us, lost_run_count FROM jobs WHERE id = ?", id);
+    RETURN_IF_ERROR(select.Step().status());
+    record.set_holder(select.Text(0));
+    record.set_cancel_requested(select.Int(1) != 0);
+    if (select.Int(2) != 0) *record.mutable_not_before_time() = ToTimestamp(select.Int(2));
+    record.set_lost_run_count(static_cast<int>(select.Int(3)));
+    Statement stages =
+        database_.Prepare("SELECT stage_index FROM job_artifacts WHERE job_id = ? ORDER BY stage_index", id);
+    while (true) {
+      ASSIGN_OR_RETURN(const bool row, stages.Step());
+      if (!row) break;
+      record.add_artifact_stages(static_cast<int>(stages.Int(0)));
+    }
+    ASSIGN_OR_RETURN(const std::vector<v1::JobEvent> events, EventsAfter(id, 0, std::numeric_limits<int>::max()));
+    record.mutable_events()->Assign(events.begin(), events.end());
+    return record;
+  }
+
+  // Stores what a rule made of a record that was loaded, with so many events, in the same transaction.
+  absl::Status Save(const store::v1::JobRecord& record, int stored_events) {
+    const auto lock = database_.lock();
+    const v1::Job& job = record.job();
+    RETURN_IF_ERROR(database_.Run(
+        "UPDATE jobs SET state = ?, stage = ?, error = ?, error_code = ?, failure_kind = ?, end_time_us = ?, "
+        "attempt_count = ?, owner = ?, cancel_requested = ?, not_before_us = ?, lost_run_count = ? WHERE id = ?",
+        job.state(), job.stage(), job.error(), job.error_code(), job.failure_kind(), ToMicroseconds(job.end_time()),
+        job.attempt_count(), record.holder(), record.cancel_requested(), ToMicroseconds(record.not_before_time()),
+        record.lost_run_count(), job.id()));
+    for (int i = 0; i < job.artifacts_size(); ++i) {
+      const v1::ArtifactRef& artifact = job.artifacts(i);
+      RETURN_IF_ERROR(database_.Run("INSERT OR REPLACE INTO job_artifacts VALUES (?, ?, ?, ?, ?)", job.id(),
+                                    record.artifact_stages(i), artifact.id(), artifact.kind(), artifact.size_bytes()));
+    }
+    for (int i = stored_events; i < record.events_size(); ++i) {
+      RETURN_IF_ERROR(database_.Run("INSERT INTO events VALUES (?, ?, ?)", job.id(), record.events(i).sequence(),
+                                    Blob{runtime::CanonicalBytes(record.events(i))}));
+    }
+    return absl::OkStatus();
   }
 
   // Id of the job that a request made; empty when none.
@@ -126,16 +162,6 @@ class JobTable {
                             absl::ToUnixMicros(now));
   }
 
-  // Makes a QUEUED job RUNNING by `owner` in a new run; false when it is not QUEUED.
-  absl::StatusOr<bool> Claim(const std::string& id, const std::string& owner) {
-    return ChangesOne(
-        "UPDATE jobs SET state = 2, owner = ?, attempt_count = attempt_count + 1, not_before_us = 0, "
-        "lost_run_count = lost_run_count + 1, "
-        "deletions_seen = (SELECT coalesce(max(seq), 0) FROM sqlite_sequence WHERE name = 'deleted_artifacts') "
-        "WHERE id = ? AND state = 1",
-        owner, id);
-  }
-
   // Owners of RUNNING jobs.
   absl::StatusOr<std::vector<std::string>> Owners() {
     return database_.Texts("SELECT DISTINCT owner FROM jobs WHERE state = 2 ORDER BY owner");
@@ -146,71 +172,8 @@ class JobTable {
     return database_.Run("UPDATE jobs SET state = 1, owner = '' WHERE state = 2 AND owner = ?", owner);
   }
 
-  // Consecutive runs before the one that goes on whose process died and that stored nothing.
-  absl::StatusOr<int64_t> LostRunCount(const std::string& id) {
-    return database_.FirstInt("SELECT lost_run_count - (state = 2) FROM jobs WHERE id = ?", id);
-  }
-
-  // For the run that holds a RUNNING job; false, and nothing done, when another one does or none: its stage; QUEUED
-  // again, not before some time; ended with job.state(), stage, error, failure_kind and end_time.
-  absl::StatusOr<bool> SetStage(const JobHold& hold, const std::string& stage, bool made_something) {
-    // 1: this run, which counts as lost until it says otherwise.
-    return ChangesOne("UPDATE jobs SET stage = ?, lost_run_count = iif(?, 1, lost_run_count)" IF_HELD, stage,
-                      made_something, hold.job_id, hold.owner, hold.attempt);
-  }
-
-  absl::StatusOr<bool> Requeue(const JobHold& hold, absl::Time not_before) {
-    const int64_t not_before_us = not_before == absl::InfinitePast() ? 0 : absl::ToUnixMicros(not_before);
-    return ChangesOne(
-        "UPDATE jobs SET state = 1, owner = '', lost_run_count = lost_run_count - 1, not_before_us = ?" IF_HELD,
-        not_before_us, hold.job_id, hold.owner, hold.attempt);
-  }
-
-  absl::StatusOr<bool> End(const JobHold& hold, const v1::Job& job) {
-    return ChangesOne(
-        "UPDATE jobs SET state = ?, stage = ?, error = ?, error_code = ?, failure_kind = ?, end_time_us = ?, "
-        "owner = ''" IF_HELD,
-        job.state(), job.stage(), job.error(), job.error_code(), job.failure_kind(),
-        google::protobuf::util::TimeUtil::TimestampToMicroseconds(job.end_time()), hold.job_id, hold.owner,
-        hold.attempt);
-  }
-
-  // Ends a QUEUED job as CANCELLED; false when it is not QUEUED.
-  absl::StatusOr<bool> CancelWaiting(const std::string& id, absl::Time time) {
-    return ChangesOne("UPDATE jobs SET state = 5, cancel_requested = 1, end_time_us = ? WHERE id = ? AND state = 1",
-                      absl::ToUnixMicros(time), id);
-  }
-
-  // Makes a FAILED job QUEUED again; false when it is not FAILED.
-  absl::StatusOr<bool> Retry(const std::string& id) {
-    return ChangesOne(
-        "UPDATE jobs SET state = 1, error = '', error_code = 0, failure_kind = 0, end_time_us = 0, not_before_us = 0, "
-        "cancel_requested = 0, lost_run_count = 0 WHERE id = ? AND state = 4",
-        id);
-  }
-
-  // Remembers that a job, or all RUNNING ones of a batch, are to be cancelled.
-  absl::Status RequestCancel(const std::string& id) {
-    return database_.Run("UPDATE jobs SET cancel_requested = 1 WHERE id = ?", id);
-  }
-
-  absl::Status RequestCancelOfBatch(const std::string& batch_id) {
-    return database_.Run("UPDATE jobs SET cancel_requested = 1 WHERE batch_id != '' AND batch_id = ? AND state = 2",
-                         batch_id);
-  }
-
   absl::StatusOr<bool> CancelRequested(const std::string& id) {
     return database_.Exists("SELECT 1 FROM jobs WHERE id = ? AND cancel_requested != 0", id);
-  }
-
-  // Stores an event under the job's next sequence number.
-  absl::Status AppendEvent(v1::JobEvent event) {
-    const auto lock = database_.lock();
-    ASSIGN_OR_RETURN(const int64_t last,
-                     database_.FirstInt("SELECT max(sequence) FROM events WHERE job_id = ?", event.job_id()));
-    event.set_sequence(last + 1);
-    return database_.Run("INSERT INTO events VALUES (?, ?, ?)", event.job_id(), event.sequence(),
-                         Blob{runtime::CanonicalBytes(event)});
   }
 
   // At most `limit` events after a sequence number, in order.
@@ -227,18 +190,13 @@ class JobTable {
         read);
   }
 
-  // The artifacts of a job, in stage order; a stage's new artifact replaces its old one.
+  // The artifacts of a job, in stage order.
   absl::StatusOr<std::vector<v1::ArtifactRef>> ArtifactsOf(const std::string& job_id) {
     const auto lock = database_.lock();
     return ReadRows<v1::ArtifactRef>(
         database_.Prepare(
             "SELECT artifact_id, kind, size_bytes FROM job_artifacts WHERE job_id = ? ORDER BY stage_index", job_id),
         ReadRef);
-  }
-
-  absl::Status Attach(const std::string& job_id, int stage_index, const v1::ArtifactRef& artifact) {
-    return database_.Run("INSERT OR REPLACE INTO job_artifacts VALUES (?, ?, ?, ?, ?)", job_id, stage_index,
-                         artifact.id(), artifact.kind(), artifact.size_bytes());
   }
 
   // What was made under a key of ResultKey(); nothing when nothing was. The latest result wins.
@@ -256,6 +214,13 @@ class JobTable {
   }
 
  private:
+  static google::protobuf::Timestamp ToTimestamp(int64_t microseconds) {
+    return google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(microseconds);
+  }
+  static int64_t ToMicroseconds(const google::protobuf::Timestamp& time) {
+    return google::protobuf::util::TimeUtil::TimestampToMicroseconds(time);
+  }
+
   static absl::StatusOr<v1::ArtifactRef> ReadRef(const Statement& row) {
     v1::ArtifactRef ref;
     ref.set_id(row.Text(0));
@@ -274,9 +239,8 @@ class JobTable {
     job.set_stage(row.Text(3));
     job.set_error(row.Text(4));
     job.set_error_code(static_cast<int>(row.Int(5)));
-    *job.mutable_create_time() = google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(row.Int(6));
-    if (row.Int(7) != 0)
-      *job.mutable_end_time() = google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(row.Int(7));
+    *job.mutable_create_time() = ToTimestamp(row.Int(6));
+    if (row.Int(7) != 0) *job.mutable_end_time() = ToTimestamp(row.Int(7));
     job.set_batch_id(row.Text(8));
     job.set_batch_index(row.Int(9));
     job.set_failure_kind(static_cast<v1::FailureKind>(row.Int(10)));
@@ -287,17 +251,9 @@ class JobTable {
     return job;
   }
 
-  template <typename... Values>
-
-  absl::StatusOr<bool> ChangesOne(std::string_view sql, const Values&... values) {
-    ASSIGN_OR_RETURN(const int64_t changed, database_.RunAndCount(sql, values...));
-    return changed == 1;
-  }
-
   Database& database_;
 };
 
 #undef JOB_COLUMNS
-#undef IF_HELD
 
 }  // namespace flair::orchestrator

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -51,12 +52,13 @@ absl::StatusOr<Deleted> SqliteWorkQueue::DeleteBatch(const std::string& batch_id
 // The jobs at the last places, so that what is left is a batch too; and the batch when none is left.
 absl::StatusOr<Deleted> SqliteWorkQueue::RemoveLastJobs(const std::string& batch_id, int64_t limit) {
   ASSIGN_OR_RETURN(auto transaction, BeginDurable());
-  ASSIGN_OR_RETURN(const v1::Batch batch, store_->batches().Get(batch_id));
+  ASSIGN_OR_RETURN(v1::Batch batch, store_->batches().Get(batch_id));
   ASSIGN_OR_RETURN(const bool ended, BatchHasEnded(batch_id));
   RETURN_IF_ERROR(CheckDeletable(batch, ended));
-  Deleted removed{.job_count = std::min<int64_t>(batch.job_count(), limit)};
-  const int64_t left = batch.job_count() - removed.job_count;
-  for (int64_t i = left; i < batch.job_count(); ++i) {
+  const int64_t all = batch.job_count();
+  Deleted removed{.job_count = std::min(all, limit)};
+  const int64_t left = all - removed.job_count;
+  for (int64_t i = left; i < all; ++i) {
     RETURN_IF_ERROR(store_->deletions().RemoveJob(BatchJobId(batch_id, i)));
   }
   removed.done = left == 0;
@@ -64,8 +66,9 @@ absl::StatusOr<Deleted> SqliteWorkQueue::RemoveLastJobs(const std::string& batch
     RETURN_IF_ERROR(store_->deletions().RemoveBatch(batch_id));
   } else {
     // None of those that are left is run again.
-    RETURN_IF_ERROR(store_->batches().SetState(batch_id, v1::BATCH_STATE_CANCELLED));
-    RETURN_IF_ERROR(store_->batches().SetJobs(batch_id, left, false));
+    orchestrator::CancelBatch(batch);
+    batch.set_job_count(static_cast<int>(left));
+    RETURN_IF_ERROR(store_->batches().Save(batch));
   }
   RETURN_IF_ERROR(transaction.Commit());
   return removed;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Requests to the queue in a folder: jobs and batches are made, cancelled, retried.
-#include <fmt/format.h>
-#include <google/protobuf/util/time_util.h>
+#include <limits>
 
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -12,17 +11,6 @@ namespace {
 
 // Jobs ended in one transaction when a batch is cancelled: others write in between.
 constexpr int kCancelledAtOnce = 500;
-
-absl::Status CheckPlace(const v1::Job& job, const v1::Batch& batch) {
-  if (job.batch_index() > batch.job_count()) {
-    return absl::FailedPreconditionError(
-        fmt::format("first_index: {} leaves a gap: batch {} has {} jobs; add from {} on", job.batch_index(), batch.id(),
-                    batch.job_count(), batch.job_count()));
-  }
-  if (batch.open()) return absl::OkStatus();
-  return absl::FailedPreconditionError(
-      fmt::format("batch_id: {} is closed with {} jobs; make another batch", batch.id(), batch.job_count()));
-}
 
 }  // namespace
 
@@ -62,12 +50,18 @@ absl::StatusOr<v1::Batch> SqliteWorkQueue::AddJobs(const std::string& batch_id, 
   {
     ASSIGN_OR_RETURN(auto transaction, BeginDurable());
     ASSIGN_OR_RETURN(batch, store_->batches().Get(batch_id));
-    ASSIGN_OR_RETURN(const int64_t job_count, AddNewJobs(batch, jobs));
-    const bool open = batch.open() && !last;
-    if (job_count == batch.job_count() && open == batch.open()) return batch;
-    batch.set_job_count(static_cast<int>(job_count));
-    batch.set_open(open);
-    RETURN_IF_ERROR(store_->batches().SetJobs(batch_id, job_count, open));
+    const int64_t known_count = batch.job_count();
+    ASSIGN_OR_RETURN(const bool changed, GrowBatch(jobs, last, batch));
+    for (const v1::Job& job : jobs) {
+      if (job.batch_index() >= known_count) {
+        RETURN_IF_ERROR(store_->jobs().Insert(job, ""));
+      } else {
+        ASSIGN_OR_RETURN(const v1::Job known, store_->jobs().Get(job.id()));
+        RETURN_IF_ERROR(CheckSameSpec(known, job));
+      }
+    }
+    if (!changed) return batch;
+    RETURN_IF_ERROR(store_->batches().Save(batch));
     RETURN_IF_ERROR(transaction.Commit());
   }
   NotifyWork();
@@ -75,52 +69,11 @@ absl::StatusOr<v1::Batch> SqliteWorkQueue::AddJobs(const std::string& batch_id, 
   return batch;
 }
 
-// The number of jobs that the batch then has.
-absl::StatusOr<int64_t> SqliteWorkQueue::AddNewJobs(const v1::Batch& batch, std::span<const v1::Job> jobs) {
-  v1::Batch grown = batch;
-  for (const v1::Job& job : jobs) {
-    if (job.batch_index() < grown.job_count()) {
-      ASSIGN_OR_RETURN(const v1::Job known, store_->jobs().Get(job.id()));
-      if (runtime::CanonicalBytes(known.spec()) == runtime::CanonicalBytes(job.spec())) continue;
-      return absl::AlreadyExistsError(fmt::format("specs: place {} of batch {} has another spec; make another batch",
-                                                  job.batch_index(), batch.id()));
-    }
-    RETURN_IF_ERROR(CheckPlace(job, grown));
-    RETURN_IF_ERROR(store_->jobs().Insert(job, ""));
-    grown.set_job_count(grown.job_count() + 1);
-  }
-  return grown.job_count();
-}
-
-absl::Status SqliteWorkQueue::AppendEnded(const v1::Job& job) {
-  v1::JobEvent event;
-  event.set_job_id(job.id());
-  event.set_kind(v1::JOB_EVENT_KIND_ENDED);
-  event.set_message(job.error());
-  event.set_state(job.state());
-  RETURN_IF_ERROR(store_->jobs().AppendEvent(event));
-  return job.batch_id().empty() ? absl::OkStatus() : store_->batches().AddEnd(job.batch_id(), job.id());
-}
-
-absl::StatusOr<bool> SqliteWorkQueue::EndWaitingJob(const std::string& job_id, const std::string& batch_id,
-                                                    absl::Time time) {
-  ASSIGN_OR_RETURN(const bool ended, store_->jobs().CancelWaiting(job_id, time));
-  if (!ended) return false;
-  v1::Job job;
-  job.set_id(job_id);
-  job.set_batch_id(batch_id);
-  job.set_state(v1::JOB_STATE_CANCELLED);
-  RETURN_IF_ERROR(AppendEnded(job));
-  return true;
-}
-
 absl::Status SqliteWorkQueue::Cancel(const std::string& job_id, absl::Time now) {
   {
     ASSIGN_OR_RETURN(auto transaction, BeginDurable());
-    ASSIGN_OR_RETURN(const v1::Job job, store_->jobs().Get(job_id));
-    if (job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING) return absl::OkStatus();
-    ASSIGN_OR_RETURN(const bool ended, EndWaitingJob(job_id, job.batch_id(), now));
-    if (!ended) RETURN_IF_ERROR(store_->jobs().RequestCancel(job_id));
+    const auto cancel = [now](store::v1::JobRecord& record) { return CancelJob(record, now); };
+    RETURN_IF_ERROR(ChangeJob(job_id, cancel).status());
     RETURN_IF_ERROR(transaction.Commit());
   }
   CancelHeld(job_id);
@@ -132,19 +85,17 @@ absl::Status SqliteWorkQueue::Cancel(const std::string& job_id, absl::Time now) 
 absl::StatusOr<bool> SqliteWorkQueue::Retry(const std::string& job_id) {
   {
     ASSIGN_OR_RETURN(auto transaction, BeginDurable());
-    ASSIGN_OR_RETURN(const v1::Job job, store_->jobs().Get(job_id));
-    if (!job.batch_id().empty()) {
-      ASSIGN_OR_RETURN(const v1::Batch batch, store_->batches().Get(job.batch_id()));
-      if (batch.state() == v1::BATCH_STATE_CANCELLED) return false;
-    }
-    ASSIGN_OR_RETURN(const bool waits, store_->jobs().Retry(job_id));
+    bool waits = false;
+    const auto retry = [&](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
+      if (!record.job().batch_id().empty()) {
+        ASSIGN_OR_RETURN(const v1::Batch batch, store_->batches().Get(record.job().batch_id()));
+        if (batch.state() == v1::BATCH_STATE_CANCELLED) return false;
+      }
+      waits = RetryJob(record);
+      return waits;
+    };
+    RETURN_IF_ERROR(ChangeJob(job_id, retry).status());
     if (!waits) return false;
-    v1::JobEvent event;
-    event.set_job_id(job_id);
-    event.set_kind(v1::JOB_EVENT_KIND_RETRIED);
-    event.set_state(v1::JOB_STATE_QUEUED);
-    RETURN_IF_ERROR(store_->jobs().AppendEvent(event));
-    RETURN_IF_ERROR(store_->batches().RemoveEnd(job_id));
     RETURN_IF_ERROR(transaction.Commit());
   }
   NotifyChanged(job_id);
@@ -152,39 +103,37 @@ absl::StatusOr<bool> SqliteWorkQueue::Retry(const std::string& job_id) {
   return true;
 }
 
+absl::Status SqliteWorkQueue::ChangeBatch(const std::string& batch_id,
+                                          const std::function<absl::StatusOr<bool>(v1::Batch&)>& change) {
+  ASSIGN_OR_RETURN(auto transaction, BeginDurable());
+  ASSIGN_OR_RETURN(v1::Batch batch, store_->batches().Get(batch_id));
+  ASSIGN_OR_RETURN(const bool changed, change(batch));
+  if (!changed) return absl::OkStatus();
+  RETURN_IF_ERROR(store_->batches().Save(batch));
+  return transaction.Commit();
+}
+
 absl::Status SqliteWorkQueue::SetBatchState(const std::string& batch_id, v1::BatchState state) {
-  {
-    ASSIGN_OR_RETURN(auto transaction, BeginDurable());
-    ASSIGN_OR_RETURN(const v1::Batch batch, store_->batches().Get(batch_id));
-    if (batch.state() == v1::BATCH_STATE_CANCELLED) {
-      if (state != v1::BATCH_STATE_ACTIVE) return absl::OkStatus();
-      return absl::FailedPreconditionError(fmt::format("batch_id: {} is cancelled; make another batch", batch_id));
-    }
-    RETURN_IF_ERROR(store_->batches().SetState(batch_id, state));
-    RETURN_IF_ERROR(transaction.Commit());
-  }
+  RETURN_IF_ERROR(
+      ChangeBatch(batch_id, [state](v1::Batch& batch) { return orchestrator::SetBatchState(state, batch); }));
   NotifyWork();
   return absl::OkStatus();
 }
 
-absl::Status SqliteWorkQueue::CloseCancelled(const std::string& batch_id) {
-  ASSIGN_OR_RETURN(auto transaction, BeginDurable());
-  ASSIGN_OR_RETURN(const v1::Batch batch, store_->batches().Get(batch_id));
-  RETURN_IF_ERROR(store_->batches().SetState(batch_id, v1::BATCH_STATE_CANCELLED));
-  RETURN_IF_ERROR(store_->batches().SetJobs(batch_id, batch.job_count(), false));
-  RETURN_IF_ERROR(store_->jobs().RequestCancelOfBatch(batch_id));
-  return transaction.Commit();
-}
-
 absl::Status SqliteWorkQueue::CancelBatch(const std::string& batch_id, absl::Time now) {
-  // First nobody takes its jobs any more; then those that wait are ended, as many at once as others can wait for.
-  RETURN_IF_ERROR(CloseCancelled(batch_id));
-  for (bool more = true; more;) {
-    ASSIGN_OR_RETURN(auto transaction, BeginDurable());
-    ASSIGN_OR_RETURN(const auto ids, store_->jobs().IdsOf(batch_id, v1::JOB_STATE_QUEUED, kCancelledAtOnce));
-    for (const std::string& id : ids) RETURN_IF_ERROR(EndWaitingJob(id, batch_id, now).status());
-    RETURN_IF_ERROR(transaction.Commit());
-    more = static_cast<int>(ids.size()) == kCancelledAtOnce;
+  // First nobody takes its jobs any more; then those that run are told; then those that wait are ended, as many at once
+  // as others can wait for.
+  RETURN_IF_ERROR(ChangeBatch(batch_id, [](v1::Batch& batch) { return orchestrator::CancelBatch(batch); }));
+  const auto cancel = [now](store::v1::JobRecord& record) { return CancelJob(record, now); };
+  for (const v1::JobState state : {v1::JOB_STATE_RUNNING, v1::JOB_STATE_QUEUED}) {
+    const int limit = state == v1::JOB_STATE_QUEUED ? kCancelledAtOnce : std::numeric_limits<int>::max();
+    for (bool more = true; more;) {
+      ASSIGN_OR_RETURN(auto transaction, BeginDurable());
+      ASSIGN_OR_RETURN(const auto ids, store_->jobs().IdsOf(batch_id, state, limit));
+      for (const std::string& id : ids) RETURN_IF_ERROR(ChangeJob(id, cancel).status());
+      RETURN_IF_ERROR(transaction.Commit());
+      more = static_cast<int>(ids.size()) == limit;
+    }
   }
   HonourCancelRequests();
   NotifyChanged("");

@@ -2,9 +2,7 @@
 #include "orchestrator/store/sqlite_work_queue.h"
 
 #include <fmt/format.h>
-#include <google/protobuf/util/time_util.h>
 
-#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -12,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/lease.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -25,71 +24,40 @@ constexpr absl::Duration kStatusLife = absl::Seconds(10);
 // A run of a job in a store. Every write asks in its own transaction whether the run still holds the job.
 class SqliteLease final : public Lease {
  public:
-  SqliteLease(SqliteWorkQueue& queue, v1::Job job, std::vector<v1::JobEvent> history, int lost_run_count,
-              std::shared_ptr<runtime::Cancellation> cancellation)
-      : queue_(queue),
-        store_(*queue.store_),
-        job_(std::move(job)),
-        history_(std::move(history)),
-        lost_run_count_(lost_run_count),
-        cancellation_(std::move(cancellation)),
-        hold_{job_.id(), store_.owner(), job_.attempt_count()} {}
+  SqliteLease(SqliteWorkQueue& queue, store::v1::JobRecord taken, std::shared_ptr<runtime::Cancellation> cancellation)
+      : Lease(std::move(taken)), queue_(queue), store_(*queue.store_), cancellation_(std::move(cancellation)) {}
 
   ~SqliteLease() override {
     if (!done_ && !lost_) (void)Return(absl::ZeroDuration(), "");
-    queue_.Forget(job_.id());
+    queue_.Forget(job().id());
   }
 
-  const v1::Job& job() const override { return job_; }
-  const std::vector<v1::JobEvent>& history() const override { return history_; }
-  int lost_run_count() const override { return lost_run_count_; }
   // Nothing to do: RecordAll and deletions exclude each other.
   absl::Status Announce(std::span<const StageRecord>) override { return absl::OkStatus(); }
 
   absl::Status RecordAll(std::span<const StageRecord> records) override {
     if (records.empty()) return absl::OkStatus();
-    RETURN_IF_ERROR(Write(Transaction::Durability::kProcessCrash, records, [&]() -> absl::Status {
-      const bool made_something = std::ranges::any_of(records, [](const auto& it) { return it.event.has_artifact(); });
-      RETURN_IF_ERROR(CheckHeld(store_.jobs().SetStage(hold_, records.back().event.stage(), made_something)));
-      return Append(records);
-    }));
-    queue_.NotifyChanged(job_.id());
+    RETURN_IF_ERROR(Write(Transaction::Durability::kProcessCrash, records,
+                          [&](store::v1::JobRecord& record) { AddStageRecords(record, records); }));
+    queue_.NotifyChanged(job().id());
     return absl::OkStatus();
   }
 
   absl::Status End(const JobEnd& end) override {
-    v1::Job job = job_;
-    job.set_state(end.state);
-    job.set_stage(end.stage);
-    job.set_error(std::string(end.error.message()));
-    job.set_error_code(static_cast<int>(end.error.code()));
-    job.set_failure_kind(end.failure_kind);
-    *job.mutable_end_time() = google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(end.time));
-    RETURN_IF_ERROR(Write(Transaction::Durability::kPowerLoss, end.records, [&]() -> absl::Status {
-      RETURN_IF_ERROR(CheckHeld(store_.jobs().End(hold_, job)));
-      RETURN_IF_ERROR(Append(end.records));
-      return queue_.AppendEnded(job);
-    }));
+    RETURN_IF_ERROR(Write(Transaction::Durability::kPowerLoss, end.records,
+                          [&](store::v1::JobRecord& record) { EndJob(record, end); }));
     done_ = true;
-    queue_.NotifyChanged(job_.id());
-    if (!job_.batch_id().empty()) queue_.NotifyBatchChanged(job_.batch_id());
+    queue_.NotifyChanged(job().id());
+    if (!job().batch_id().empty()) queue_.NotifyBatchChanged(job().batch_id());
     return absl::OkStatus();
   }
 
   absl::Status Return(absl::Duration delay, const std::string& reason) override {
     const absl::Time not_before = delay > absl::ZeroDuration() ? queue_.clock_.Now() + delay : absl::InfinitePast();
-    RETURN_IF_ERROR(Write(Transaction::Durability::kProcessCrash, {}, [&] {
-      absl::Status held = CheckHeld(store_.jobs().Requeue(hold_, not_before));
-      if (!held.ok() || reason.empty()) return held;
-      v1::JobEvent event;
-      event.set_job_id(job_.id());
-      event.set_kind(v1::JOB_EVENT_KIND_WAITING);
-      event.set_message(reason);
-      event.set_state(v1::JOB_STATE_QUEUED);
-      return store_.jobs().AppendEvent(event);
-    }));
+    RETURN_IF_ERROR(Write(Transaction::Durability::kProcessCrash, {},
+                          [&](store::v1::JobRecord& record) { ReturnJob(record, not_before, reason); }));
     done_ = true;
-    queue_.NotifyChanged(job_.id());
+    queue_.NotifyChanged(job().id());
     queue_.NotifyWork();
     return absl::OkStatus();
   }
@@ -97,47 +65,39 @@ class SqliteLease final : public Lease {
   runtime::Cancellation& cancellation() override { return *cancellation_; }
 
   bool cancel_requested() override {
-    const absl::StatusOr<bool> requested = store_.jobs().CancelRequested(job_.id());
+    const absl::StatusOr<bool> requested = store_.jobs().CancelRequested(job().id());
     return requested.ok() && *requested;
   }
 
   bool lost() override { return lost_; }
 
  private:
+  using Change = std::function<void(store::v1::JobRecord&)>;
+
   // Makes a change in one transaction; when that fails since one of the artifacts was deleted, settles their deletions.
-  absl::Status Write(Transaction::Durability durability, std::span<const StageRecord> records,
-                     const std::function<absl::Status()>& change) {
-    absl::Status status;
-    {
-      ASSIGN_OR_RETURN(auto transaction, Transaction::Begin(store_.database(), durability));
-      status = change();
-      if (status.ok()) status = transaction.Commit();
-    }
+  absl::Status Write(Transaction::Durability durability, std::span<const StageRecord> records, const Change& change) {
+    const absl::Status status = WriteOnce(durability, records, change);
     if (IsArtifactGone(status)) SettleDeletions(records);
     return status;
   }
 
-  // `changed`: whether the run still held the job. ABORTED when not.
-  absl::Status CheckHeld(const absl::StatusOr<bool>& changed) {
-    if (!changed.ok()) return changed.status();
-    if (*changed) return absl::OkStatus();
-    lost_ = true;
-    return absl::AbortedError(fmt::format("job {}: another run has it", job_.id()));
-  }
-
-  // In a transaction of the caller's. ArtifactIsGone when one of the artifacts may have been deleted.
-  absl::Status Append(std::span<const StageRecord> records) {
-    if (records.empty()) return absl::OkStatus();
+  // ABORTED when another run has the job, ArtifactIsGone when one of the artifacts may have been deleted.
+  absl::Status WriteOnce(Transaction::Durability durability, std::span<const StageRecord> records,
+                         const Change& change) {
+    ASSIGN_OR_RETURN(auto transaction, Transaction::Begin(store_.database(), durability));
+    const auto if_held = [&](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
+      lost_ = record.holder() != taken().holder() || record.job().attempt_count() != job().attempt_count();
+      if (lost_) return absl::AbortedError(fmt::format("job {}: another run has it", job().id()));
+      change(record);
+      return true;
+    };
+    RETURN_IF_ERROR(queue_.ChangeJob(job().id(), if_held).status());
     RETURN_IF_ERROR(CheckNotDeleted(records));
     for (const StageRecord& record : records) {
-      const v1::ArtifactRef& artifact = record.event.artifact();
-      RETURN_IF_ERROR(store_.jobs().AppendEvent(record.event));
-      if (record.event.has_artifact()) {
-        RETURN_IF_ERROR(store_.jobs().Attach(job_.id(), record.stage_index, artifact));
-      }
-      if (!record.result_key.empty()) RETURN_IF_ERROR(store_.jobs().SetResult(record.result_key, artifact));
+      if (record.result_key.empty()) continue;
+      RETURN_IF_ERROR(store_.jobs().SetResult(record.result_key, record.event.artifact()));
     }
-    return absl::OkStatus();
+    return transaction.Commit();
   }
 
   absl::Status CheckNotDeleted(std::span<const StageRecord> records) {
@@ -146,7 +106,7 @@ class SqliteLease final : public Lease {
     for (const StageRecord& record : records) {
       if (!record.event.has_artifact()) continue;
       const std::string& id = record.event.artifact().id();
-      ASSIGN_OR_RETURN(const bool deleted, store_.deletions().WasDeleted(id, job_.id()));
+      ASSIGN_OR_RETURN(const bool deleted, store_.deletions().WasDeleted(id, job().id()));
       if (deleted) return ArtifactIsGone(id);
     }
     return absl::OkStatus();
@@ -156,19 +116,15 @@ class SqliteLease final : public Lease {
   void SettleDeletions(std::span<const StageRecord> records) {
     for (const StageRecord& record : records) {
       const std::string& id = record.event.artifact().id();
-      const absl::StatusOr<bool> deleted = store_.deletions().WasDeleted(id, job_.id());
+      const absl::StatusOr<bool> deleted = store_.deletions().WasDeleted(id, job().id());
       if (deleted.ok() && *deleted) (void)store_.deletions().SetDeleted(id);
     }
   }
 
   SqliteWorkQueue& queue_;
   JobStore& store_;
-  const v1::Job job_;
-  const std::vector<v1::JobEvent> history_;
-  const int lost_run_count_;
   // Shared with the queue, which cancels it.
   const std::shared_ptr<runtime::Cancellation> cancellation_;
-  const JobHold hold_;
   std::atomic<bool> lost_ = false;
   bool done_ = false;
 };
@@ -186,29 +142,41 @@ SqliteWorkQueue::SqliteWorkQueue(std::unique_ptr<JobStore> store, const runtime:
 
 SqliteWorkQueue::~SqliteWorkQueue() { monitor_.reset(); }
 
+absl::StatusOr<store::v1::JobRecord> SqliteWorkQueue::ChangeJob(
+    const std::string& job_id, const std::function<absl::StatusOr<bool>(store::v1::JobRecord&)>& change) {
+  ASSIGN_OR_RETURN(store::v1::JobRecord record, store_->jobs().Load(job_id));
+  const bool had_ended = HasEnded(record);
+  const int stored_events = record.events_size();
+  ASSIGN_OR_RETURN(const bool changed, change(record));
+  if (!changed) return record;
+  RETURN_IF_ERROR(store_->jobs().Save(record, stored_events));
+  if (record.job().batch_id().empty() || HasEnded(record) == had_ended) return record;
+  RETURN_IF_ERROR(had_ended ? store_->batches().RemoveEnd(job_id)
+                            : store_->batches().AddEnd(record.job().batch_id(), job_id));
+  return record;
+}
+
 absl::StatusOr<std::unique_ptr<Lease>> SqliteWorkQueue::Take(const TakeFilter& filter) {
-  std::string id;
-  v1::Job job;
-  std::vector<v1::JobEvent> history;
-  int64_t lost_run_count = 0;
+  store::v1::JobRecord taken;
   {
     ASSIGN_OR_RETURN(auto transaction, Transaction::Begin(store_->database()));
-    ASSIGN_OR_RETURN(id, ChooseJob(filter));
+    ASSIGN_OR_RETURN(const std::string id, ChooseJob(filter));
     if (id.empty()) return nullptr;
-    RETURN_IF_ERROR(store_->jobs().Claim(id, store_->owner()).status());
-    ASSIGN_OR_RETURN(job, store_->jobs().Get(id));
-    ASSIGN_OR_RETURN(history, store_->jobs().EventsAfter(id, 0, 10000));
-    ASSIGN_OR_RETURN(lost_run_count, store_->jobs().LostRunCount(id));
+    const auto begin = [this](store::v1::JobRecord& record) {
+      BeginRun(record, store_->owner());
+      return true;
+    };
+    ASSIGN_OR_RETURN(taken, ChangeJob(id, begin));
+    RETURN_IF_ERROR(store_->deletions().BeginRun(id));
     RETURN_IF_ERROR(transaction.Commit());
   }
   auto cancellation = std::make_shared<runtime::Cancellation>();
   {
     std::lock_guard lock(mutex_);
-    held_[id] = cancellation;
-    if (!job.batch_id().empty()) last_batch_ = job.batch_id();
+    held_[taken.job().id()] = cancellation;
+    if (!taken.job().batch_id().empty()) last_batch_ = taken.job().batch_id();
   }
-  auto lease = std::make_unique<SqliteLease>(*this, std::move(job), std::move(history),
-                                             static_cast<int>(lost_run_count), cancellation);
+  auto lease = std::make_unique<SqliteLease>(*this, std::move(taken), cancellation);
   if (lease->cancel_requested()) cancellation->Cancel();
   return lease;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -85,11 +86,11 @@ class SqliteWorkQueue final : public WorkQueue {
   absl::StatusOr<std::string> ChooseJob(const TakeFilter& filter);
   absl::StatusOr<std::string> ChooseOfAnyBatch();
   absl::StatusOr<bool> BatchIsActive(const std::string& batch_id);
-  absl::StatusOr<int64_t> AddNewJobs(const v1::Batch& batch, std::span<const v1::Job> jobs);
-  // In a transaction of the caller's.
-  absl::StatusOr<bool> EndWaitingJob(const std::string& job_id, const std::string& batch_id, absl::Time time);
-  absl::Status CloseCancelled(const std::string& batch_id);
-  absl::Status AppendEnded(const v1::Job& job);
+  // In a transaction of the caller's. Saves what `change` makes of the record, unless it returns false or an error, and
+  // keeps the ends of batches' jobs in step.
+  absl::StatusOr<store::v1::JobRecord> ChangeJob(
+      const std::string& job_id, const std::function<absl::StatusOr<bool>(store::v1::JobRecord&)>& change);
+  absl::Status ChangeBatch(const std::string& batch_id, const std::function<absl::StatusOr<bool>(v1::Batch&)>& change);
   absl::Status DeleteUnlessUsed(const std::string& artifact_id, ArtifactStore& artifacts, int64_t& deleted_count);
   absl::StatusOr<Deleted> RemoveLastJobs(const std::string& batch_id, int64_t limit);
 

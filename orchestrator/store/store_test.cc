@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <fstream>
 #include <latch>
+#include <span>
 #include <thread>
 #include <vector>
 
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/artifact_id.h"
 #include "orchestrator/store/job_store.h"
+#include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/files/files.h"
 
@@ -125,6 +128,18 @@ TEST_F(ArtifactFilesTest, NoticesEveryDamagedByteAndMendsItWhenPutAgain) {
 
 class JobStoreTest : public ::testing::Test {
  protected:
+  // Lets `change` make something of a stored job.
+  template <typename Change>
+  void ChangeJob(const std::string& id, const Change& change) {
+    store::v1::JobRecord record = *jobs_.Load(id);
+    const int stored_events = record.events_size();
+    change(record);
+    ASSERT_TRUE(jobs_.Save(record, stored_events).ok());
+  }
+  void Claim(const std::string& id, const std::string& owner) {
+    ChangeJob(id, [&](store::v1::JobRecord& record) { BeginRun(record, owner); });
+  }
+
   TemporaryFolder folder_;
   std::unique_ptr<JobStore> store_ = *JobStore::Open(folder_.path());
   JobTable& jobs_ = store_->jobs();
@@ -148,15 +163,36 @@ TEST_F(JobStoreTest, RefusesASecondJobOfOneRequest) {
   EXPECT_TRUE(jobs_.Insert(NewJob("j4"), "").ok());
 }
 
-TEST_F(JobStoreTest, ClaimsTheOldestOnceEach) {
+TEST_F(JobStoreTest, FindsTheOldestThatWaits) {
   ASSERT_TRUE(jobs_.Insert(NewJob("j2"), "").ok());
   ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
   EXPECT_EQ(*jobs_.CountQueued(), 2);
   EXPECT_EQ(*jobs_.OldestWaiting("", absl::Now()), "j1");
-  EXPECT_TRUE(*jobs_.Claim("j1", "me"));
-  EXPECT_FALSE(*jobs_.Claim("j1", "other"));
-  EXPECT_TRUE(*jobs_.Claim("j2", "other"));
+  Claim("j1", "me");
+  EXPECT_EQ(*jobs_.OldestWaiting("", absl::Now()), "j2");
+  Claim("j2", "other");
   EXPECT_EQ(*jobs_.OldestWaiting("", absl::Now()), "");
+}
+
+TEST_F(JobStoreTest, LoadsARecordAsItWasSaved) {
+  ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
+  StageRecord stage;
+  stage.event.set_kind(v1::JOB_EVENT_KIND_STAGE_FINISHED);
+  stage.event.set_stage("room");
+  stage.event.mutable_artifact()->set_id(std::string(64, 'a'));
+  stage.event.mutable_artifact()->set_kind(v1::ARTIFACT_KIND_ROOM);
+  stage.stage_index = 3;
+  store::v1::JobRecord changed = *jobs_.Load("j1");
+  BeginRun(changed, "me");
+  AddStageRecords(changed, std::span(&stage, 1));
+  ASSERT_TRUE(jobs_.Save(changed, 0).ok());
+  EXPECT_EQ(jobs_.Load("j1")->SerializeAsString(), changed.SerializeAsString());
+  const int stored_events = changed.events_size();
+  ReturnJob(changed, absl::FromUnixSeconds(1'800'000'000), "no worker");
+  changed.set_cancel_requested(true);
+  ASSERT_TRUE(jobs_.Save(changed, stored_events).ok());
+  EXPECT_EQ(jobs_.Load("j1")->SerializeAsString(), changed.SerializeAsString());
+  EXPECT_EQ(jobs_.Load("j2").status().code(), absl::StatusCode::kNotFound);
 }
 
 TEST_F(JobStoreTest, ListsNewestFirstByPages) {
@@ -170,10 +206,9 @@ TEST_F(JobStoreTest, ListsNewestFirstByPages) {
 }
 
 TEST_F(JobStoreTest, NumbersEventsWithinAJob) {
+  for (const char* id : {"j1", "j2"}) ASSERT_TRUE(jobs_.Insert(NewJob(id), "").ok());
   for (const char* id : {"j1", "j1", "j2"}) {
-    v1::JobEvent event;
-    event.set_job_id(id);
-    ASSERT_TRUE(store_->jobs().AppendEvent(event).ok());
+    ChangeJob(id, [](store::v1::JobRecord& record) { ReturnJob(record, absl::InfinitePast(), "again"); });
   }
   EXPECT_EQ(store_->jobs().EventsAfter("j1", 0, 10)->size(), 2u);
   EXPECT_EQ(store_->jobs().EventsAfter("j1", 1, 10)->at(0).sequence(), 2);
@@ -193,18 +228,21 @@ TEST_F(JobStoreTest, CountsABatch) {
   record.mutable_batch()->set_id("b1");
   record.set_request_id("r1");
   ASSERT_TRUE(store_->batches().Insert(record).ok());
-  ASSERT_TRUE(store_->batches().SetJobs("b1", 3, false).ok());
+  record.mutable_batch()->set_job_count(3);
+  ASSERT_TRUE(store_->batches().Save(record.batch()).ok());
   for (const char* id : {"j1", "j2", "j3"}) {
     v1::Job job = NewJob(id);
     job.set_batch_id("b1");
     ASSERT_TRUE(jobs_.Insert(job, "").ok());
   }
-  v1::Job done = NewJob("j1");
-  done.set_state(v1::JOB_STATE_FAILED);
-  done.set_failure_kind(v1::FAILURE_KIND_WORKER);
-  ASSERT_TRUE(*jobs_.Claim("j1", "me"));
-  ASSERT_TRUE(*jobs_.End({"j1", "me", 1}, done));
-  ASSERT_TRUE(*jobs_.Claim("j2", "me"));
+  ChangeJob("j1", [](store::v1::JobRecord& job) {
+    JobEnd end;
+    end.state = v1::JOB_STATE_FAILED;
+    end.failure_kind = v1::FAILURE_KIND_WORKER;
+    end.time = absl::FromUnixSeconds(1'800'000'000);
+    EndJob(job, end);
+  });
+  Claim("j2", "me");
   const v1::Batch batch = *store_->batches().GetWithCounts("b1");
   EXPECT_EQ(batch.job_count(), 3);
   EXPECT_EQ(batch.open_count(), 2);
@@ -219,8 +257,8 @@ TEST_F(JobStoreTest, LeavesJobsOfLivingOwnersAloneAndTakesThoseOfDeadOnes) {
   ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
   ASSERT_TRUE(jobs_.Insert(NewJob("j2"), "").ok());
   auto other = *JobStore::Open(folder_.path());
-  ASSERT_TRUE(*other->jobs().Claim("j1", other->owner()));
-  ASSERT_TRUE(*other->jobs().Claim("j2", "died-without-a-lock-file"));
+  Claim("j1", other->owner());
+  Claim("j2", "died-without-a-lock-file");
   ASSERT_TRUE(store_->ReleaseDeadOwners().ok());
   EXPECT_EQ(jobs_.Get("j1")->state(), v1::JOB_STATE_RUNNING);
   EXPECT_EQ(jobs_.Get("j2")->state(), v1::JOB_STATE_QUEUED);
@@ -231,13 +269,24 @@ TEST_F(JobStoreTest, LeavesJobsOfLivingOwnersAloneAndTakesThoseOfDeadOnes) {
 
 TEST_F(JobStoreTest, RefusesWritesOfARunThatHasBeenSuperseded) {
   ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
-  ASSERT_TRUE(*jobs_.Claim("j1", "me"));
-  ASSERT_TRUE(*jobs_.Requeue({"j1", "me", 1}, absl::InfinitePast()));
-  ASSERT_TRUE(*jobs_.Claim("j1", "me"));
-  EXPECT_FALSE(*jobs_.SetStage({"j1", "me", 1}, "room", true));
-  EXPECT_FALSE(*jobs_.End({"j1", "me", 1}, NewJob("j1")));
-  EXPECT_FALSE(*jobs_.SetStage({"j1", "other", 2}, "room", true));
-  EXPECT_TRUE(*jobs_.SetStage({"j1", "me", 2}, "room", true));
+  const auto queue = *SqliteWorkQueue::Open(folder_.path(), runtime::SystemClock());
+  const std::unique_ptr<Lease> first = *queue->Take({});
+  ASSERT_NE(first, nullptr);
+  ChangeJob("j1", [](store::v1::JobRecord& record) { ReturnJob(record, absl::InfinitePast(), ""); });
+  StageRecord room;
+  room.event.set_stage("room");
+  EXPECT_EQ(first->Record(room).code(), absl::StatusCode::kAborted) << "nobody has it";
+  const std::unique_ptr<Lease> second = *queue->Take({});
+  ASSERT_NE(second, nullptr);
+  EXPECT_EQ(first->Record(room).code(), absl::StatusCode::kAborted);
+  EXPECT_EQ(first->End({}).code(), absl::StatusCode::kAborted);
+  EXPECT_TRUE(first->lost());
+  Claim("j1", "other");
+  EXPECT_EQ(second->Record(room).code(), absl::StatusCode::kAborted) << "another process has it";
+  ChangeJob("j1", [](store::v1::JobRecord& record) { ReturnJob(record, absl::InfinitePast(), ""); });
+  const std::unique_ptr<Lease> third = *queue->Take({});
+  ASSERT_NE(third, nullptr);
+  EXPECT_TRUE(third->Record(room).ok());
 }
 
 TEST(JobStore, BringsAStoreOfTheFirstVersionUpToDate) {
