@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages in order, and how each asks its worker.
 #include <fmt/format.h>
-#include <google/protobuf/arena.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
+#include "absl/strings/strip.h"
 #include "orchestrator/pipeline/stage.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
@@ -16,82 +15,34 @@
 namespace flair::orchestrator {
 namespace {
 
-// A request whose large parts are artifacts that somebody else keeps, lent for the time of the call instead of copied.
-// Who answers only reads it. One thread at a time.
-template <typename Request>
-class LentRequest {
- public:
-  explicit LentRequest(const StageRun& run) : request_(google::protobuf::Arena::CreateMessage<Request>(&arena_)) {
-    // The same whenever the stage is run again for the same job.
-    request_->set_request_id(fmt::format("{}/{}", run.job_id, run.stage));
-  }
-  LentRequest(const LentRequest&) = delete;
-  LentRequest& operator=(const LentRequest&) = delete;
-
-  Request& operator*() { return *request_; }
-  Request* operator->() { return request_; }
-
-  // `set`: the field's unsafe_arena_set_allocated_… function. `part` outlives this and does not change meanwhile;
-  // serializing it, by several threads too, writes nothing but sizes that are always the same.
-  template <typename Part>
-  void Lend(void (Request::*set)(Part*), const Part& part) {
-    (request_->*set)(const_cast<Part*>(&part));
-  }
-
- private:
-  // A message of an arena does not free its parts.
-  google::protobuf::Arena arena_;
-  Request* const request_;
-};
-
-const v1::Artifact* FindInput(const StageRun& run, v1::ArtifactKind kind) {
-  const auto found = std::ranges::find(run.inputs, kind, [](const v1::Artifact* input) { return KindOf(*input); });
-  return found == run.inputs.end() ? nullptr : *found;
-}
-
 // The input of that kind; it is there because the stage's table entry says so.
 const v1::Artifact& Input(const StageRun& run, v1::ArtifactKind kind) {
-  const v1::Artifact* input = FindInput(run, kind);
-  return input != nullptr ? *input : v1::Artifact::default_instance();
+  const auto found = std::ranges::find(run.inputs, kind, [](const v1::Artifact* input) { return KindOf(*input); });
+  return found == run.inputs.end() ? v1::Artifact::default_instance() : **found;
 }
 
-// Lends a request of language or translator what it has a field for of the stage's inputs, and gives it what is left of
-// the job's budget.
+// A stage's request with what it has a field for of the stage's inputs, and with what is left of the job's budget.
 template <typename Request>
-void LendInputs(const StageRun& run, LentRequest<Request>& request) {
-  if constexpr (requires(Request r) { r.brief(); }) {
-    if (const v1::Artifact* input = FindInput(run, v1::ARTIFACT_KIND_BRIEF)) {
-      request.Lend(&Request::unsafe_arena_set_allocated_brief, input->brief());
-    }
+Request RequestOf(const StageRun& run) {
+  Request request;
+  // The same whenever the stage is run again for the same job.
+  request.set_request_id(fmt::format("{}/{}", run.job_id, run.stage));
+  static const google::protobuf::OneofDescriptor* const kContent =
+      v1::Artifact::descriptor()->FindOneofByName("content");
+  for (const v1::Artifact* input : run.inputs) {
+    const google::protobuf::Reflection& of_artifact = *input->GetReflection();
+    const google::protobuf::FieldDescriptor* content = of_artifact.GetOneofFieldDescriptor(*input, kContent);
+    if (content == nullptr) continue;
+    // What is to be cleaned is a list of constraints as well.
+    const std::string name(absl::StripPrefix(content->name(), "raw_"));
+    const google::protobuf::FieldDescriptor* field = Request::descriptor()->FindFieldByName(name);
+    if (field == nullptr) continue;
+    request.GetReflection()->MutableMessage(&request, field)->CopyFrom(of_artifact.GetMessage(*input, content));
   }
-  if constexpr (requires(Request r) { r.room(); }) {
-    if (const v1::Artifact* input = FindInput(run, v1::ARTIFACT_KIND_ROOM)) {
-      request.Lend(&Request::unsafe_arena_set_allocated_room, input->room());
-    }
+  if constexpr (requires { request.mutable_model_options(); }) {
+    *request.mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
   }
-  if constexpr (requires(Request r) { r.zone_plan(); }) {
-    if (const v1::Artifact* input = FindInput(run, v1::ARTIFACT_KIND_ZONE_PLAN)) {
-      request.Lend(&Request::unsafe_arena_set_allocated_zone_plan, input->zone_plan());
-    }
-  }
-  if constexpr (requires(Request r) { r.object_list(); }) {
-    if (const v1::Artifact* input = FindInput(run, v1::ARTIFACT_KIND_OBJECT_LIST)) {
-      request.Lend(&Request::unsafe_arena_set_allocated_object_list, input->object_list());
-    }
-  }
-  if constexpr (requires(Request r) { r.style_sheet(); }) {
-    if (const v1::Artifact* input = FindInput(run, v1::ARTIFACT_KIND_STYLE_SHEET)) {
-      request.Lend(&Request::unsafe_arena_set_allocated_style_sheet, input->style_sheet());
-    }
-  }
-  if constexpr (requires(Request r) { r.constraint_list(); }) {
-    if (const v1::Artifact* input = FindInput(run, v1::ARTIFACT_KIND_CONSTRAINT_LIST)) {
-      request.Lend(&Request::unsafe_arena_set_allocated_constraint_list, input->constraint_list());
-    } else if (const v1::Artifact* raw = FindInput(run, v1::ARTIFACT_KIND_RAW_CONSTRAINT_LIST)) {
-      request.Lend(&Request::unsafe_arena_set_allocated_constraint_list, raw->raw_constraint_list());
-    }
-  }
-  *request->mutable_model_options() = OptionsLeft(run.spec.model_options(), run.model_usage);
+  return request;
 }
 
 // The artifact with `from` of the answer as its content `to`.
@@ -112,9 +63,7 @@ template <typename Request, typename Response, typename Part>
 absl::StatusOr<v1::Artifact> AskLanguage(const StageRun& run,
                                          absl::StatusOr<Response> (StageClients::*method)(const Request&, StageCall&),
                                          Part* (Response::*from)(), Part* (v1::Artifact::*to)()) {
-  LentRequest<Request> request(run);
-  LendInputs(run, request);
-  return ArtifactOf((run.clients.*method)(*request, run.call), from, to);
+  return ArtifactOf((run.clients.*method)(RequestOf<Request>(run), run.call), from, to);
 }
 
 // A stage's function: asks the language worker by `kMethod`.
@@ -154,10 +103,9 @@ absl::StatusOr<StageOptions> TranslationOptions(const StageRun& run) {
 }
 
 absl::StatusOr<v1::Artifact> RunTranslation(const StageRun& run) {
-  LentRequest<v1::TranslateRequest> request(run);
-  request.Lend(&v1::TranslateRequest::unsafe_arena_set_allocated_catalog, run.catalog->catalog);
-  LendInputs(run, request);
-  return ArtifactOf(run.clients.Translate(*request, run.call), &v1::TranslateResponse::mutable_layout_graph,
+  auto request = RequestOf<v1::TranslateRequest>(run);
+  *request.mutable_catalog() = run.catalog->catalog;
+  return ArtifactOf(run.clients.Translate(request, run.call), &v1::TranslateResponse::mutable_layout_graph,
                     &v1::Artifact::mutable_layout_graph);
 }
 
@@ -170,28 +118,24 @@ std::string AskedOfSolver(const v1::JobSpec& spec) {
 }
 
 absl::StatusOr<v1::Artifact> RunSolve(const StageRun& run) {
-  LentRequest<v1::SolveRequest> request(run);
-  request.Lend(&v1::SolveRequest::unsafe_arena_set_allocated_layout_graph,
-               Input(run, v1::ARTIFACT_KIND_LAYOUT_GRAPH).layout_graph());
-  request->mutable_options()->ParseFromArray(run.options.data(), static_cast<int>(run.options.size()));
+  auto request = RequestOf<v1::SolveRequest>(run);
+  request.mutable_options()->ParseFromArray(run.options.data(), static_cast<int>(run.options.size()));
   if (run.spec.solve_options().has_thread_count()) {
-    request->mutable_options()->set_thread_count(run.spec.solve_options().thread_count());
+    request.mutable_options()->set_thread_count(run.spec.solve_options().thread_count());
   }
-  return ArtifactOf(run.clients.Solve(*request, run.call), &v1::SolveResponse::mutable_solved_layout,
+  return ArtifactOf(run.clients.Solve(request, run.call), &v1::SolveResponse::mutable_solved_layout,
                     &v1::Artifact::mutable_solved_layout);
 }
 
 absl::StatusOr<v1::Artifact> Draw(const StageRun& run, const v1::RenderOptions& options) {
-  const v1::Artifact& layout = Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT);
-  LentRequest<v1::RenderRequest> request(run);
-  request.Lend(&v1::RenderRequest::unsafe_arena_set_allocated_solved_layout, layout.solved_layout());
-  *request->mutable_options() = options;
+  auto request = RequestOf<v1::RenderRequest>(run);
+  *request.mutable_options() = options;
   // Not the job's own id: the same layout must give the same picture, whoever asks for it. The layout's id leads to it.
-  request->set_job_id(layout.id());
+  request.set_job_id(Input(run, v1::ARTIFACT_KIND_SOLVED_LAYOUT).id());
   // The ids that lead from the layout to its brief cover both.
-  request->set_brief_text(run.spec.brief().text());
-  request->set_brief_seed(run.spec.brief().seed());
-  return ArtifactOf(run.clients.Render(*request, run.call), &v1::RenderResponse::mutable_preview,
+  request.set_brief_text(run.spec.brief().text());
+  request.set_brief_seed(run.spec.brief().seed());
+  return ArtifactOf(run.clients.Render(request, run.call), &v1::RenderResponse::mutable_preview,
                     &v1::Artifact::mutable_preview);
 }
 
@@ -221,11 +165,11 @@ Stage FurtherViewStage() {
 // What the optimizer finds in its layout, looking at it as at anybody's; what it said when it solved, when that is all
 // it can tell.
 absl::StatusOr<v1::EvaluateResponse> Evaluate(const StageRun& run, const v1::SolvedLayout& layout) {
-  LentRequest<v1::EvaluateRequest> request(run);
-  request.Lend(&v1::EvaluateRequest::unsafe_arena_set_allocated_layout_graph, layout.graph());
-  *request->mutable_placements() = layout.placements();
-  *request->mutable_options() = run.spec.solve_options();
-  absl::StatusOr<v1::EvaluateResponse> response = run.clients.Evaluate(*request, run.call);
+  auto request = RequestOf<v1::EvaluateRequest>(run);
+  *request.mutable_layout_graph() = layout.graph();
+  *request.mutable_placements() = layout.placements();
+  *request.mutable_options() = run.spec.solve_options();
+  absl::StatusOr<v1::EvaluateResponse> response = run.clients.Evaluate(request, run.call);
   if (!absl::IsUnimplemented(response.status())) return response;
   v1::EvaluateResponse said;
   *said.mutable_edge_outcomes() = layout.edge_outcomes();
