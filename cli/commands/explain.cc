@@ -6,6 +6,7 @@
 #include "cli/explain/layout_note.h"
 #include "cli/input/artifact_source.h"
 #include "cli/output/artifact_text.h"
+#include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/status/status_macros.h"
@@ -21,6 +22,7 @@ struct ExplainArguments : Options {
   std::string& object = Text("--object", "Only this one, by id or name such as \"dining chair 2\", in full");
   bool& all = Flag("--all", "Every demand of every object, held or not; else what has a reason and what is not met");
   bool& json = Flag("--json", "As JSON, with every demand");
+  std::string& optimizer = Text("--optimizer HOST:PORT", "Word constraints as this server does, not as ours");
 };
 
 absl::Status Explain(const ExplainArguments& arguments) {
@@ -30,7 +32,8 @@ absl::Status Explain(const ExplainArguments& arguments) {
     return absl::InvalidArgumentError(fmt::format("{}: a {}; expected a solved layout{}", arguments.file,
                                                   KindName(orchestrator::KindOf(artifact)), advice));
   }
-  const absl::StatusOr<Note> note = MakeLayoutNote(artifact.solved_layout());
+  ASSIGN_OR_RETURN(const v1::ConstraintCatalog catalog, CallListConstraintTypes(arguments.optimizer));
+  const absl::StatusOr<Note> note = MakeLayoutNote(artifact.solved_layout(), catalog);
   if (!note.ok()) {
     return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.file, std::string(note.status().message())));
   }

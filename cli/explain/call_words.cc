@@ -4,26 +4,18 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
-#include <optional>
 #include <string_view>
 
 #include "cli/explain/standing.h"
 #include "fmt/format.h"
-#include "optimizer_worker/constraints/facts.h"
-#include "optimizer_worker/constraints/registry.h"
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/shortfall.h"
+#include "room/geometry/pose.h"
 
 namespace flair::cli {
 namespace {
 
 using optimizer::Arguments;
-using optimizer::ConstraintFacts;
-
-std::string SpacedOut(std::string_view words) {
-  std::string text(words);
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
 
 std::string ObjectNames(const std::vector<int>& objects, const Scene& scene) {
   std::vector<std::string> names;
@@ -51,22 +43,17 @@ std::string ValueInWords(const v1::ParameterSpec& spec, const Arguments& argumen
       for (const Side side : arguments.Sides(name)) sides.emplace_back(SideName(side));
       return Joined(sides);
     }
-    case v1::PARAMETER_KIND_CORNER:
-      return SpacedOut(CornerName(arguments.OneCorner(name)));
+    case v1::PARAMETER_KIND_CORNER: {
+      std::string corner(CornerName(arguments.OneCorner(name)));
+      std::replace(corner.begin(), corner.end(), '_', ' ');
+      return corner;
+    }
+    case v1::PARAMETER_KIND_BOOLEAN:
+      return arguments.Flag(name) ? "yes" : "no";
     default:
-      return fmt::format("{:.2f} m", arguments.Number(name));
+      return spec.unit() == "rad" ? MeasureText(arguments.Number(name) * 180 / kPi, "deg")
+                                  : MeasureText(arguments.Number(name), spec.unit());
   }
-}
-
-// One {...} of a template.
-std::string Filled(std::string_view slot, const ConstraintFacts& facts, const Arguments& arguments,
-                   const Scene& scene) {
-  const size_t bar = slot.find('|');
-  const std::string_view name = slot.substr(0, bar);
-  const auto spec = std::find_if(facts.type.parameters().begin(), facts.type.parameters().end(),
-                                 [&](const v1::ParameterSpec& parameter) { return parameter.name() == name; });
-  if (spec != facts.type.parameters().end() && arguments.Has(name)) return ValueInWords(*spec, arguments, scene);
-  return std::string(bar == std::string_view::npos ? name : slot.substr(bar + 1));
 }
 
 // A text with what stands between `open` and `close` replaced.
@@ -83,48 +70,84 @@ std::string WithSlots(std::string_view text, char open, char close,
   return words + std::string(text);
 }
 
-struct ReadCall {
-  const ConstraintFacts& facts;
-  Arguments arguments;
-};
-
-std::optional<ReadCall> Read(const v1::ConstraintEdge& edge, const Scene& scene) {
-  const ConstraintFacts* const facts = optimizer::FindConstraint(edge.type());
-  if (facts == nullptr) return std::nullopt;
-  absl::StatusOr<Arguments> arguments = Arguments::Resolve(*facts, edge, scene);
-  if (!arguments.ok()) return std::nullopt;
-  return ReadCall{*facts, *std::move(arguments)};
-}
-
 }  // namespace
 
-std::string CallInWords(const v1::ConstraintEdge& edge, const Scene& scene) {
-  const std::optional<ReadCall> call = Read(edge, scene);
-  if (!call) return fmt::format("meets {}", edge.type());
-  const auto value = [&](std::string_view slot) { return Filled(slot, call->facts, call->arguments, scene); };
-  if (!call->facts.phrase.empty()) return WithSlots(call->facts.phrase, '{', '}', value);
+// `type` is null when the call cannot be read.
+struct CallWords::Call {
+  const v1::ConstraintType* type = nullptr;
+  Arguments arguments = {};
+};
+
+CallWords::Call CallWords::Read(const v1::ConstraintEdge& edge) const {
+  for (const v1::ConstraintType& type : catalog_.types()) {
+    if (type.name() != edge.type() && std::ranges::count(type.aliases(), edge.type()) == 0) continue;
+    absl::StatusOr<Arguments> arguments = Arguments::Resolve(type, edge, scene_);
+    return arguments.ok() ? Call{&type, *std::move(arguments)} : Call{};
+  }
+  return {};
+}
+
+std::string CallWords::Filled(const std::string& words, const Call& call, const std::string& missed_by) const {
+  const bool is_summary = words == call.type->summary();
+  return WithSlots(words, is_summary ? '`' : '{', is_summary ? '`' : '}', [&](std::string_view slot) {
+    const size_t bar = slot.find('|');
+    const std::string name(slot.substr(0, bar));
+    if (name == "missed_by") return missed_by;
+    const auto spec = std::ranges::find(call.type->parameters(), name, &v1::ParameterSpec::name);
+    if (spec != call.type->parameters().end() && call.arguments.Has(name)) {
+      return ValueInWords(*spec, call.arguments, scene_);
+    }
+    return bar == std::string_view::npos ? name : std::string(slot.substr(bar + 1));
+  });
+}
+
+std::string CallWords::Asked(const v1::ConstraintEdge& edge) const {
+  const Call call = Read(edge);
+  if (call.type == nullptr) return fmt::format("meets {}", edge.type());
+  if (!call.type->phrase().empty()) return Filled(call.type->phrase(), call, "");
   // A type without words of its own: "Daylight falls on `object`." becomes "is so that daylight falls on the desk".
-  std::string words = WithSlots(call->facts.type.summary(), '`', '`', value);
+  std::string words = Filled(call.type->summary(), call, "");
   if (words.ends_with('.')) words.pop_back();
   if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
   return "is so that " + words;
 }
 
-std::vector<int> SubjectsOf(const v1::ConstraintEdge& edge, const Scene& scene) {
-  const std::optional<ReadCall> call = Read(edge, scene);
-  if (!call) return {};
-  for (const v1::ParameterSpec& spec : call->facts.type.parameters()) {
-    if (spec.kind() == v1::PARAMETER_KIND_OBJECTS) return call->arguments.Objects(spec.name());
-  }
-  for (const v1::ParameterSpec& spec : call->facts.type.parameters()) {
-    if (spec.kind() == v1::PARAMETER_KIND_OBJECT) return {call->arguments.Object(spec.name())};
+std::string CallWords::Missed(const v1::ConstraintEdge& edge, const v1::EdgeOutcome& outcome) const {
+  const Call call = Read(edge);
+  if (call.type == nullptr || call.type->shortfall().empty() || !outcome.has_missed_by()) return "";
+  const std::string words = Filled(call.type->shortfall(), call, MeasureText(outcome.missed_by(), outcome.unit()));
+  return fmt::format("{} {}", ObjectNames(Subjects(edge), scene_), words);
+}
+
+std::vector<int> CallWords::Subjects(const v1::ConstraintEdge& edge) const {
+  const Call call = Read(edge);
+  if (call.type == nullptr) return {};
+  for (const v1::ParameterKind kind : {v1::PARAMETER_KIND_OBJECTS, v1::PARAMETER_KIND_OBJECT}) {
+    const auto spec = std::ranges::find(call.type->parameters(), kind, &v1::ParameterSpec::kind);
+    if (spec != call.type->parameters().end() && call.arguments.Has(spec->name())) {
+      return call.arguments.Objects(spec->name());
+    }
   }
   return {};
 }
 
-std::vector<int> AllNamedIn(const v1::ConstraintEdge& edge, const Scene& scene) {
-  const std::optional<ReadCall> call = Read(edge, scene);
-  return call ? call->arguments.AllObjects() : std::vector<int>{};
+std::vector<int> CallWords::Anchors(const v1::ConstraintEdge& edge) const {
+  const Call call = Read(edge);
+  std::vector<int> anchors;
+  if (call.type == nullptr) return anchors;
+  for (const std::string& name : call.type->anchors()) {
+    if (!call.arguments.Has(name)) continue;
+    const std::vector<int>& objects = call.arguments.Objects(name);
+    anchors.insert(anchors.end(), objects.begin(), objects.end());
+  }
+  return anchors;
+}
+
+std::vector<int> CallWords::Named(const v1::ConstraintEdge& edge) const { return Read(edge).arguments.AllObjects(); }
+
+std::string MeasureText(double value, const std::string& unit) {
+  if (unit == "deg") return fmt::format("{:.0f} degrees", value);
+  return fmt::format("{:.2f}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
 std::string Joined(const std::vector<std::string>& items) {

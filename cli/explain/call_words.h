@@ -4,21 +4,43 @@
 #include <string>
 #include <vector>
 
-#include "flair/v1/layout_graph.pb.h"
+#include "flair/v1/constraint_catalog.pb.h"
+#include "flair/v1/solved_layout.pb.h"
 #include "room/scene/scene.h"
 
 namespace flair::cli {
 
-// What a call asks of its subject, for calls that come from no sentence: "has its back flush on a wall". Begins with
-// the verb, no full stop. A call that cannot be read gives "meets TYPE".
-std::string CallInWords(const v1::ConstraintEdge& edge, const Scene& scene);
+// The calls of a scene, read by the catalogue of the optimizer that placed it: another optimizer has other types and
+// words. Of a call that the catalogue does not have, or whose arguments do not fit, only the type is known. Borrows
+// both.
+class CallWords {
+ public:
+  CallWords(const v1::ConstraintCatalog& catalog, const Scene& scene) : catalog_(catalog), scene_(scene) {}
 
-// Indices of the objects that a call places: its first object, or all of its group. Empty when it names none that the
-// scene has.
-std::vector<int> SubjectsOf(const v1::ConstraintEdge& edge, const Scene& scene);
+  // What a call asks of its subject: "has its back flush on a wall". Begins with the verb, no full stop; "meets TYPE"
+  // of a call that cannot be read.
+  std::string Asked(const v1::ConstraintEdge& edge) const;
+  // By how much it is missed: "the desk is 0.42 m too far from the bed". Empty when there are no words or no measure.
+  std::string Missed(const v1::ConstraintEdge& edge, const v1::EdgeOutcome& outcome) const;
 
-// Indices of all objects that a call names, in its order.
-std::vector<int> AllNamedIn(const v1::ConstraintEdge& edge, const Scene& scene);
+  // Indices of objects, in the call's order. Those that it places: its first object, or all of its group.
+  std::vector<int> Subjects(const v1::ConstraintEdge& edge) const;
+  // Those by which it places them.
+  std::vector<int> Anchors(const v1::ConstraintEdge& edge) const;
+  // All that it names.
+  std::vector<int> Named(const v1::ConstraintEdge& edge) const;
+
+ private:
+  struct Call;
+  Call Read(const v1::ConstraintEdge& edge) const;
+  std::string Filled(const std::string& words, const Call& call, const std::string& missed_by) const;
+
+  const v1::ConstraintCatalog& catalog_;
+  const Scene& scene_;
+};
+
+// "0.42 m", "12 degrees".
+std::string MeasureText(double value, const std::string& unit);
 
 // "a, b and c".
 std::string Joined(const std::vector<std::string>& items);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The words: calls, places.
 #include <gmock/gmock.h>
+#include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
 #include "cli/explain/call_words.h"
@@ -24,33 +25,80 @@ std::string Placed(const std::string& text, const std::string& object) {
   return Standing(scene->scene, where, scene->scene.IndexOf(object));
 }
 
-TEST(CallInWords, EveryTypeOfCallHasWords) {
+TEST(CallWords, EveryTypeOfOursHasWords) {
   for (const optimizer::ConstraintFacts& facts : optimizer::AllConstraints()) {
     if (facts.type.built_in()) continue;
     for (const optimizer::LayoutExample& example : facts.layouts) {
       const absl::StatusOr<SceneText> scene = ParseScene(example.scene);
       ASSERT_TRUE(scene.ok()) << scene.status();
       const v1::ConstraintEdge edge = optimizer::EdgeFromText(facts.name(), example.call);
-      const std::string words = CallInWords(edge, scene->scene);
+      const CallWords calls(optimizer::MakeCatalog(), scene->scene);
+      const std::string words = calls.Asked(edge);
       EXPECT_THAT(words, Not(StartsWith("meets "))) << facts.name();
       EXPECT_THAT(words, Not(HasSubstr("_m"))) << words;
       EXPECT_THAT(words, Not(HasSubstr("{"))) << words;
-      EXPECT_FALSE(SubjectsOf(edge, scene->scene).empty()) << facts.name();
+      EXPECT_FALSE(calls.Subjects(edge).empty()) << facts.name();
+      v1::EdgeOutcome outcome;
+      outcome.set_missed_by(0.12);
+      outcome.set_unit("m");
+      const std::string missed = calls.Missed(edge, outcome);
+      EXPECT_THAT(missed, HasSubstr(" 0.12 m ")) << facts.name();
+      EXPECT_THAT(missed, Not(HasSubstr("{"))) << facts.name();
     }
   }
 }
 
-TEST(CallInWords, FillsInValuesAndDefaults) {
+TEST(CallWords, FillsInValuesAndDefaults) {
   const absl::StatusOr<SceneText> scene = ParseScene("6x4 room; desk 1x1 at 1,1,0; bed 1x2 at 4,2,0");
   ASSERT_TRUE(scene.ok());
   const auto words = [&](const char* type, const char* call) {
-    return CallInWords(optimizer::EdgeFromText(type, call), scene->scene);
+    return CallWords(optimizer::MakeCatalog(), scene->scene).Asked(optimizer::EdgeFromText(type, call));
   };
   EXPECT_EQ(words("away_from", "object=desk target=bed min_distance_m=0.5"), "keeps at least 0.50 m from the bed");
   EXPECT_EQ(words("against_wall", "object=bed"), "has its back flush on a wall");
   EXPECT_EQ(words("against_wall", "object=bed side=left wall=north"), "has its left flush on the north wall");
   EXPECT_EQ(words("against_wall", "object=nobody"), "meets against_wall");
   EXPECT_EQ(words("levitate", "object=bed"), "meets levitate");
+}
+
+TEST(CallWords, SpeakOfTheTypesOfAnotherOptimizer) {
+  constexpr char kFloating[] = R"pb(
+    library: "another 1"
+    types {
+      name: "levitate"
+      aliases: "float"
+      summary: "`object` floats above `ground`."
+      parameters { name: "object" kind: PARAMETER_KIND_OBJECT required: true }
+      parameters { name: "ground" kind: PARAMETER_KIND_OBJECT required: true }
+      parameters { name: "tilt_rad" kind: PARAMETER_KIND_NUMBER unit: "rad" }
+      phrase: "floats above {ground}, {tilt_rad|not} tilted"
+      shortfall: "floats {missed_by} too low"
+      anchors: "ground"
+    }
+    types {
+      name: "glow"
+      summary: "A light falls on `object`."
+      parameters { name: "object" kind: PARAMETER_KIND_OBJECT required: true }
+    }
+  )pb";
+  v1::ConstraintCatalog catalog;
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(kFloating, &catalog));
+  const absl::StatusOr<SceneText> scene = ParseScene("6x4 room; desk 1x1 at 1,1,0; bed 1x2 at 4,2,0");
+  ASSERT_TRUE(scene.ok());
+  const CallWords calls(catalog, scene->scene);
+  v1::ConstraintEdge call = optimizer::EdgeFromText("float", "object=bed ground=desk");
+  EXPECT_EQ(calls.Asked(call), "floats above the desk, not tilted");
+  EXPECT_EQ(calls.Subjects(call), std::vector<int>{1});
+  EXPECT_EQ(calls.Anchors(call), std::vector<int>{0});
+  v1::EdgeOutcome outcome;
+  EXPECT_EQ(calls.Missed(call, outcome), "");
+  outcome.set_missed_by(14);
+  outcome.set_unit("deg");
+  EXPECT_EQ(calls.Missed(call, outcome), "the bed floats 14 degrees too low");
+  call = optimizer::EdgeFromText("levitate", "object=bed ground=desk tilt_rad=0.5");
+  EXPECT_EQ(calls.Asked(call), "floats above the desk, 29 degrees tilted");
+  EXPECT_EQ(calls.Asked(optimizer::EdgeFromText("glow", "object=bed")), "is so that a light falls on the bed");
+  EXPECT_EQ(calls.Asked(optimizer::EdgeFromText("near", "object=bed target=desk")), "meets near");
 }
 
 TEST(Standing, NamesWallsCornersAndNeighbours) {

@@ -2,7 +2,6 @@
 #include "cli/explain/layout_note.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <string_view>
@@ -52,15 +51,6 @@ void Append(const std::vector<int>& from, std::vector<int>& to) {
   }
 }
 
-// Whether a call of that type ties its object's place to another object's.
-bool DrawsNear(const std::string& type) {
-  static constexpr std::array<std::string_view, 15> kTypes = {
-      "between",      "ceiling_above",    "in_front_of",       "near",          "next_to",
-      "on",           "on_top_center",    "on_top_corner",     "on_wall_above", "on_wall_facing",
-      "on_wall_near", "rug_under_center", "rug_under_forward", "surround",      "under_center"};
-  return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
-}
-
 std::string RoleName(v1::ObjectRole role) {
   if (role == v1::OBJECT_ROLE_PRIMARY) return "primary";
   return role == v1::OBJECT_ROLE_TERTIARY ? "tertiary" : "secondary";
@@ -78,8 +68,9 @@ Note Pruned(const Note& json, const std::set<std::string_view>& kept) {
 
 class NoteMaker {
  public:
-  NoteMaker(const v1::SolvedLayout& layout, const Scene& scene, const PartialLayout& where)
-      : layout_(layout), scene_(scene), where_(where) {}
+  NoteMaker(const v1::SolvedLayout& layout, const v1::ConstraintCatalog& catalog, const Scene& scene,
+            const PartialLayout& where)
+      : layout_(layout), scene_(scene), where_(where), calls_(catalog, scene) {}
 
   Note Make() {
     note_ = {{"room", RoomInWords(layout_.graph().room(), scene_.room)},
@@ -147,11 +138,10 @@ class NoteMaker {
 
   void AddSentence(const v1::Sentence& sentence, const std::vector<int>& edges) {
     Note demand = DemandOf(sentence, WithoutStop(sentence.text()));
-    std::vector<int> subjects, named;
+    std::vector<int> subjects;
     for (const int e : edges) {
       AddOutcome(e, demand);
-      Append(SubjectsOf(layout_.graph().edges(e), scene_), subjects);
-      Append(AllNamedIn(layout_.graph().edges(e), scene_), named);
+      Append(calls_.Subjects(layout_.graph().edges(e)), subjects);
     }
     // Who the sentence says it is about knows better than a call that may be written either way round.
     const int first = sentence.subject_ids_size() > 0 ? scene_.IndexOf(sentence.subject_ids(0)) : -1;
@@ -162,14 +152,14 @@ class NoteMaker {
       const auto why = std::ranges::find(remarks, sentence.id(), &v1::Diagnostic::subject_id);
       if (why != remarks.end()) demand["shortfall"] = why->message();
     }
-    Assign(subjects, named, demand);
+    Assign(subjects, edges, demand);
   }
 
   void AddCall(int e) {
     const v1::ConstraintEdge& edge = layout_.graph().edges(e);
-    Note demand = DemandOf({}, fmt::format("It {}", CallInWords(edge, scene_)));
+    Note demand = DemandOf({}, fmt::format("It {}", calls_.Asked(edge)));
     AddOutcome(e, demand);
-    Assign(SubjectsOf(edge, scene_), AllNamedIn(edge, scene_), demand);
+    Assign(calls_.Subjects(edge), {e}, demand);
   }
 
   // The worst of its calls decides; among equally bad ones the first has the word.
@@ -184,12 +174,15 @@ class NoteMaker {
     if (!is_worse) return;
     demand["fate"] = is_missed ? "missed" : "dropped";
     demand["shortfall"] = outcome.reason();
+    if (is_missed && outcome.reason().empty()) demand["shortfall"] = calls_.Missed(layout_.graph().edges(e), outcome);
     demand.erase("missed_by");
     demand.erase("unit");
     if (outcome.has_missed_by()) demand.update({{"missed_by", outcome.missed_by()}, {"unit", outcome.unit()}});
   }
 
-  void Assign(const std::vector<int>& subjects, const std::vector<int>& named, const Note& demand) {
+  void Assign(const std::vector<int>& subjects, const std::vector<int>& edges, const Note& demand) {
+    std::vector<int> named;
+    for (const int e : edges) Append(calls_.Named(layout_.graph().edges(e)), named);
     Note& count = note_["demand_count"][demand["fate"] == "not understood" ? "not_understood" : demand["fate"]];
     count = count.get<int>() + 1;
     for (const int object : subjects.empty() ? std::vector<int>{-1} : subjects) {
@@ -197,22 +190,24 @@ class NoteMaker {
       for (const int other : named) {
         if (other != object) own["other_object_ids"].push_back(scene_.objects[static_cast<size_t>(other)].id);
       }
-      if (object >= 0) AddFollower(objects_[static_cast<size_t>(object)], own);
+      if (object >= 0 && demand["fate"] == "holds") AddFollower(object, edges);
       (object < 0 ? note_["demands_of_no_object"] : objects_[static_cast<size_t>(object)]["demands"])
           .push_back(Pruned(own, {"edge_ids", "types"}));
     }
   }
 
-  // Notes at the objects that a demand names that its own object has its place because of where they are.
-  void AddFollower(const Note& follower, const Note& demand) {
-    if (demand["fate"] != "holds" || std::ranges::none_of(demand["types"], DrawsNear)) return;
-    const Note& others = demand["other_object_ids"];
-    const bool is_group = std::ranges::find(demand["types"], "surround") != demand["types"].end();
-    for (const Note& id : others) {
-      Note* const leader = Of(id);
-      if (leader == nullptr || (is_group && id != others.front()) || (*leader)["role"] == "tertiary") continue;
-      Note& names = (*leader)["followers"];
-      if (std::ranges::find(names, follower["name"]) == names.end()) names.push_back(follower["name"]);
+  // Notes at the anchors of a demand's calls that its own object has its place because of where they are.
+  void AddFollower(int object, const std::vector<int>& edges) {
+    const Note name = objects_[static_cast<size_t>(object)]["name"];
+    for (const int e : edges) {
+      std::vector<int> leaders = calls_.Anchors(layout_.graph().edges(e));
+      // A sentence may be about the anchor of its call: then what the call places leads it.
+      if (std::ranges::count(leaders, object) > 0) Append(calls_.Subjects(layout_.graph().edges(e)), leaders);
+      for (const int leader : leaders) {
+        Note& told = objects_[static_cast<size_t>(leader)];
+        if (leader == object || told["role"] == "tertiary") continue;
+        if (std::ranges::find(told["followers"], name) == told["followers"].end()) told["followers"].push_back(name);
+      }
     }
   }
 
@@ -262,19 +257,20 @@ class NoteMaker {
   const v1::SolvedLayout& layout_;
   const Scene& scene_;
   const PartialLayout& where_;
+  const CallWords calls_;
   std::vector<Note> objects_;
   Note note_;
 };
 
 }  // namespace
 
-absl::StatusOr<Note> MakeLayoutNote(const v1::SolvedLayout& layout) {
+absl::StatusOr<Note> MakeLayoutNote(const v1::SolvedLayout& layout, const v1::ConstraintCatalog& catalog) {
   RETURN_IF_ERROR(Validate(layout));
   ASSIGN_OR_RETURN(Scene scene, SceneFromProto(layout.graph()));
   // Names are read by people here: "towel_rack" is written "towel rack".
   for (Object& object : scene.objects) std::replace(object.name.begin(), object.name.end(), '_', ' ');
   ASSIGN_OR_RETURN(const PartialLayout where, PosesFromPlacements(scene, layout.placements()));
-  return NoteMaker(layout, scene, where).Make();
+  return NoteMaker(layout, catalog, scene, where).Make();
 }
 
 absl::StatusOr<Note> FindObject(const Note& note, const std::string& key) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "absl/status/statusor.h"
+#include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "nlohmann/json.hpp"
 
@@ -13,8 +14,8 @@ namespace flair::cli {
 // As `flair explain --json` writes it; docs/explain.md lists the fields. Text is made of the same.
 using Note = nlohmann::ordered_json;
 
-// INVALID_ARGUMENT names the field when the layout is not valid.
-absl::StatusOr<Note> MakeLayoutNote(const v1::SolvedLayout& layout);
+// Calls are told as `catalog` words them. INVALID_ARGUMENT names the field when the layout is not valid.
+absl::StatusOr<Note> MakeLayoutNote(const v1::SolvedLayout& layout, const v1::ConstraintCatalog& catalog);
 
 // One object of the note. `key` is an id, or a name such as "dining chair 2"; NOT_FOUND lists the ids.
 absl::StatusOr<Note> FindObject(const Note& note, const std::string& key);

@@ -36,9 +36,7 @@ std::string Bullet(char mark, const std::string& text, const NoteStyle& style) {
 std::string MissedBy(const Note& demand) {
   if (!demand.contains("missed_by")) return "";
   const double missed_by = demand["missed_by"];
-  const std::string unit = Text(demand, "unit");
-  const std::string figure =
-      unit == "deg" ? fmt::format("{:.0f} degrees", missed_by) : fmt::format("{:.2f} {}", missed_by, unit);
+  const std::string figure = MeasureText(missed_by, Text(demand, "unit"));
   return Text(demand, "shortfall").find(figure) == std::string::npos ? fmt::format(", {} short of it", figure) : "";
 }
 

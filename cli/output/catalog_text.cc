@@ -49,6 +49,8 @@ std::string TypeMarkdown(const v1::ConstraintType& type) {
                     RangeText(parameter), parameter.doc()});
   }
   text += "\n" + MarkdownTable({"parameter", "kind", "default", "range", "meaning"}, rows);
+  if (!type.phrase().empty()) text += fmt::format("\nTold as \"{}\".\n", type.phrase());
+  if (!type.shortfall().empty()) text += fmt::format("Missed: \"{}\".\n", type.shortfall());
   for (const v1::CallExample& example : type.examples()) {
     text += fmt::format("\n> {}  \n> `{}`\n", example.sentence(), CallText(type.name(), example.arguments()));
   }

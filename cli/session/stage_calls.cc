@@ -7,6 +7,7 @@
 #include "cli/embedded/embedded_services.h"
 #include "cli/embedded/remote_stage.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
+#include "optimizer_worker/constraints/registry.h"
 #include "renderer_worker/service/make_renderer_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -132,6 +133,15 @@ absl::StatusOr<Response> Call(const Request& request, const StageName& name, con
 absl::StatusOr<v1::SolveResponse> CallSolve(const v1::SolveRequest& request, const std::string& address) {
   return Call<v1::OptimizerService>(request, kOptimizerStage, address, &orchestrator::StageChannels::optimizer,
                                     &v1::OptimizerService::StubInterface::Solve);
+}
+
+absl::StatusOr<v1::ConstraintCatalog> CallListConstraintTypes(const std::string& address) {
+  if (address.empty()) return optimizer::MakeCatalog();
+  ASSIGN_OR_RETURN(v1::ListConstraintTypesResponse response,
+                   Call<v1::OptimizerService>(v1::ListConstraintTypesRequest(), kOptimizerStage, address,
+                                              &orchestrator::StageChannels::optimizer,
+                                              &v1::OptimizerService::StubInterface::ListConstraintTypes));
+  return std::move(*response.mutable_catalog());
 }
 
 absl::StatusOr<v1::ResolveResponse> CallResolve(const v1::ResolveRequest& request, const std::string& address) {

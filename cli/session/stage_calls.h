@@ -69,6 +69,8 @@ class ContactSheetCall {
 
 // `address` empty: a worker in this process.
 absl::StatusOr<v1::SolveResponse> CallSolve(const v1::SolveRequest& request, const std::string& address);
+// The catalogue of that worker; of ours without asking.
+absl::StatusOr<v1::ConstraintCatalog> CallListConstraintTypes(const std::string& address);
 absl::StatusOr<v1::ResolveResponse> CallResolve(const v1::ResolveRequest& request, const std::string& address);
 
 }  // namespace flair::cli

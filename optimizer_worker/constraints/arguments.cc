@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "optimizer_worker/constraints/facts.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
@@ -82,21 +81,21 @@ absl::StatusOr<double> NumberOf(const ParameterSpec& spec, const ArgumentValue& 
   return x;
 }
 
-const ParameterSpec* SpecOf(const ConstraintFacts& facts, const std::string& name) {
-  for (const ParameterSpec& spec : facts.type.parameters()) {
+const ParameterSpec* SpecOf(const v1::ConstraintType& type, const std::string& name) {
+  for (const ParameterSpec& spec : type.parameters()) {
     if (spec.name() == name) return &spec;
   }
   return nullptr;
 }
 
 // Every argument is known and given once.
-absl::Status CheckNames(const ConstraintFacts& facts, const v1::ConstraintEdge& edge) {
+absl::Status CheckNames(const v1::ConstraintType& type, const v1::ConstraintEdge& edge) {
   for (int i = 0; i < edge.arguments_size(); ++i) {
     const std::string& name = edge.arguments(i).name();
-    if (SpecOf(facts, name) == nullptr) {
+    if (SpecOf(type, name) == nullptr) {
       std::string known;
-      for (const ParameterSpec& spec : facts.type.parameters()) known += (known.empty() ? "" : ", ") + spec.name();
-      return absl::InvalidArgumentError(fmt::format("{} has no argument {}; it takes {}", facts.name(), name, known));
+      for (const ParameterSpec& spec : type.parameters()) known += (known.empty() ? "" : ", ") + spec.name();
+      return absl::InvalidArgumentError(fmt::format("{} has no argument {}; it takes {}", type.name(), name, known));
     }
     for (int j = 0; j < i; ++j) {
       if (edge.arguments(j).name() == name) {
@@ -180,18 +179,18 @@ absl::StatusOr<Arguments::Value> Arguments::ResolveOne(const ParameterSpec& spec
   return resolved;
 }
 
-absl::StatusOr<Arguments> Arguments::Resolve(const ConstraintFacts& facts, const v1::ConstraintEdge& edge,
+absl::StatusOr<Arguments> Arguments::Resolve(const v1::ConstraintType& type, const v1::ConstraintEdge& edge,
                                              const Scene& scene) {
-  RETURN_IF_ERROR(CheckNames(facts, edge));
+  RETURN_IF_ERROR(CheckNames(type, edge));
   Arguments arguments;
-  for (const ParameterSpec& spec : facts.type.parameters()) {
+  for (const ParameterSpec& spec : type.parameters()) {
     const ArgumentValue* value = spec.has_default_value() ? &spec.default_value() : nullptr;
     for (const v1::Argument& argument : edge.arguments()) {
       if (argument.name() == spec.name()) value = &argument.value();
     }
     if (value == nullptr) {
       if (!spec.required()) continue;
-      return absl::InvalidArgumentError(fmt::format("{} needs argument {}", facts.name(), spec.name()));
+      return absl::InvalidArgumentError(fmt::format("{} needs argument {}", type.name(), spec.name()));
     }
     ASSIGN_OR_RETURN(Value resolved, ResolveOne(spec, *value, scene));
     arguments.values_.push_back(std::move(resolved));

@@ -15,8 +15,6 @@
 
 namespace flair::optimizer {
 
-struct ConstraintFacts;
-
 // What a call may point at in a room besides its walls.
 enum class FeatureKind { kDoor, kWindow, kSocket };
 std::string_view FeatureName(FeatureKind kind);
@@ -24,7 +22,7 @@ std::string_view FeatureName(FeatureKind kind);
 class Arguments {
  public:
   // Checks all arguments of `edge` against the parameters of its type. Unset optional ones without default stay unset.
-  static absl::StatusOr<Arguments> Resolve(const ConstraintFacts& facts, const v1::ConstraintEdge& edge,
+  static absl::StatusOr<Arguments> Resolve(const v1::ConstraintType& type, const v1::ConstraintEdge& edge,
                                            const Scene& scene);
 
   // Only for parameters that the type declares with that kind and that are required or have a default.

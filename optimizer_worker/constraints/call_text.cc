@@ -18,8 +18,8 @@ v1::ParameterKind KindByLooks(const std::string& text) {
   return text.find(',') == std::string::npos ? v1::PARAMETER_KIND_OBJECT : v1::PARAMETER_KIND_OBJECTS;
 }
 
-v1::ParameterKind KindOf(const ConstraintFacts& facts, const std::string& name) {
-  for (const v1::ParameterSpec& spec : facts.type.parameters()) {
+v1::ParameterKind KindOf(const v1::ConstraintType& type, const std::string& name) {
+  for (const v1::ParameterSpec& spec : type.parameters()) {
     if (spec.name() == name) return spec.kind();
   }
   return v1::PARAMETER_KIND_UNSPECIFIED;
@@ -47,7 +47,7 @@ v1::ArgumentValue ValueFromText(v1::ParameterKind kind, const std::string& text)
   return value;
 }
 
-std::vector<v1::Argument> Parse(const ConstraintFacts* facts, std::string_view call) {
+std::vector<v1::Argument> Parse(const v1::ConstraintType* type, std::string_view call) {
   std::vector<v1::Argument> arguments;
   std::istringstream words{std::string(call)};
   for (std::string word; words >> word;) {
@@ -56,15 +56,15 @@ std::vector<v1::Argument> Parse(const ConstraintFacts* facts, std::string_view c
     argument.set_name(word.substr(0, equals));
     const std::string text = equals == std::string::npos ? "" : word.substr(equals + 1);
     *argument.mutable_value() =
-        ValueFromText(facts != nullptr ? KindOf(*facts, argument.name()) : KindByLooks(text), text);
+        ValueFromText(type != nullptr ? KindOf(*type, argument.name()) : KindByLooks(text), text);
   }
   return arguments;
 }
 
 }  // namespace
 
-std::vector<v1::Argument> ArgumentsFromText(const ConstraintFacts& facts, std::string_view call) {
-  return Parse(&facts, call);
+std::vector<v1::Argument> ArgumentsFromText(const v1::ConstraintType& type, std::string_view call) {
+  return Parse(&type, call);
 }
 
 v1::ConstraintEdge EdgeFromText(std::string_view type, std::string_view call) {
@@ -72,7 +72,10 @@ v1::ConstraintEdge EdgeFromText(std::string_view type, std::string_view call) {
   edge.set_id("e1");
   edge.set_type(std::string(type));
   edge.set_weight(1);
-  for (const v1::Argument& argument : Parse(FindConstraint(type), call)) *edge.add_arguments() = argument;
+  const ConstraintFacts* const facts = FindConstraint(type);
+  for (v1::Argument& argument : Parse(facts != nullptr ? &facts->type : nullptr, call)) {
+    *edge.add_arguments() = std::move(argument);
+  }
   return edge;
 }
 

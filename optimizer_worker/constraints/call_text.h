@@ -12,10 +12,8 @@
 
 namespace flair::optimizer {
 
-struct ConstraintFacts;
-
 // Arguments typed as the type's parameters say; an unknown name becomes a text, so that the checks can report it.
-std::vector<v1::Argument> ArgumentsFromText(const ConstraintFacts& facts, std::string_view call);
+std::vector<v1::Argument> ArgumentsFromText(const v1::ConstraintType& type, std::string_view call);
 
 // An edge of that type with those arguments and weight 1. The type may be an alias; of one that only another optimizer
 // knows, the arguments are what they look like: a number, true or false, several names with commas between, or a name.

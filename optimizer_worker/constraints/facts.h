@@ -41,8 +41,6 @@ struct LayoutExample {
 struct ConstraintFacts {
   // As published.
   v1::ConstraintType type = {};
-  // For `explain`; empty: the summary is used. See the record.
-  std::string phrase = {};
   std::vector<LayoutExample> layouts = {};
   // Empty, or why the cost is not the same in a room that is turned by a quarter.
   std::string tied_to_axes = {};

@@ -38,7 +38,7 @@ int LinkedPairs::CountAbove(int target) const {
 void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
   const ConstraintFacts* facts = FindConstraint(edge.type());
   if (facts == nullptr) return;
-  const absl::StatusOr<Arguments> resolved = Arguments::Resolve(*facts, edge, scene);
+  const absl::StatusOr<Arguments> resolved = Arguments::Resolve(facts->type, edge, scene);
   if (!resolved.ok()) return;
   const Arguments& a = *resolved;
   const std::string& type = facts->name();

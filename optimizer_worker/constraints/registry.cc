@@ -31,12 +31,12 @@ ConstraintLibrary SortedLibrary() {
 }
 
 ConstraintFacts FactsOf(const constraints::v1::ConstraintRecord& record, const ConstraintCode& code) {
-  ConstraintFacts facts{
-      .type = record.type(), .phrase = record.phrase(), .tied_to_axes = record.tied_to_axes(), .code = code};
+  ConstraintFacts facts{.type = record.type(), .tied_to_axes = record.tied_to_axes(), .code = code};
   for (const auto& sentence : record.sentences()) {
     v1::CallExample& example = *facts.type.add_examples();
     example.set_sentence(sentence.text());
-    for (const v1::Argument& argument : ArgumentsFromText(facts, sentence.call())) *example.add_arguments() = argument;
+    for (const v1::Argument& argument : ArgumentsFromText(facts.type, sentence.call()))
+      *example.add_arguments() = argument;
   }
   for (const auto& layout : record.satisfied()) facts.layouts.push_back({true, layout.scene(), layout.call()});
   for (const auto& layout : record.violated()) facts.layouts.push_back({false, layout.scene(), layout.call()});
@@ -106,14 +106,14 @@ absl::StatusOr<std::unique_ptr<Cost>> Bind(const v1::ConstraintEdge& edge, const
   if (facts == nullptr) {
     return absl::InvalidArgumentError(fmt::format("there is no constraint type \"{}\" in the catalogue", edge.type()));
   }
-  ASSIGN_OR_RETURN(Arguments arguments, Arguments::Resolve(*facts, edge, context.scene));
+  ASSIGN_OR_RETURN(Arguments arguments, Arguments::Resolve(facts->type, edge, context.scene));
   return facts->code.bind(arguments, context);
 }
 
 std::vector<int> NamedObjects(const v1::ConstraintEdge& edge, const Scene& scene) {
   const ConstraintFacts* facts = FindConstraint(edge.type());
   if (facts == nullptr) return {};
-  const absl::StatusOr<Arguments> arguments = Arguments::Resolve(*facts, edge, scene);
+  const absl::StatusOr<Arguments> arguments = Arguments::Resolve(facts->type, edge, scene);
   if (!arguments.ok()) return {};
   std::vector<int> objects = arguments->AllObjects();
   std::sort(objects.begin(), objects.end());

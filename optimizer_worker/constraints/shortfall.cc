@@ -36,7 +36,7 @@ std::string AllNamed(const v1::ConstraintEdge& edge, const Scene& scene) {
 std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished& where) {
   const ConstraintFacts* const facts = FindConstraint(edge.type());
   if (facts == nullptr) return std::nullopt;
-  const absl::StatusOr<Arguments> arguments = Arguments::Resolve(*facts, edge, where.scene);
+  const absl::StatusOr<Arguments> arguments = Arguments::Resolve(facts->type, edge, where.scene);
   if (!arguments.ok()) return std::nullopt;
   const PlacedCall call(edge, *arguments, where);
   const double missed = call.CostRoot();

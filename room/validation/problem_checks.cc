@@ -63,6 +63,9 @@ void Check(const v1::ConstraintType& type, const Known&, const Field& at) {
       arguments[k]["name"].Refers(type.examples(i).arguments(k).name(), parameters, "a parameter");
     }
   }
+  for (int i = 0; i < type.anchors_size(); ++i) {
+    at["anchors"][i].Refers(type.anchors(i), parameters, "a parameter");
+  }
 }
 
 void Check(const v1::ConstraintCatalog& catalog, const Known&, const Field& at) {

@@ -11,6 +11,7 @@
 #include "cli/explain/call_words.h"
 #include "nlohmann/json.hpp"
 #include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/shortfall.h"
 #include "room/text_format/scene_text.h"
 #include "tests/fixtures/programs.h"
@@ -66,7 +67,7 @@ TEST(AddAConstraint, ItIsToldByItsPhraseAndByHowMuchItIsMissed) {
   const absl::StatusOr<SceneText> text = ParseScene("4x3 room; window south 1 1; desk 1.2x0.6 at 1.5,1.2,0");
   ASSERT_TRUE(text.ok()) << text.status();
   const v1::ConstraintEdge edge = optimizer::EdgeFromText("daylight_from_side", "object=desk");
-  EXPECT_EQ(cli::CallInWords(edge, text->scene), "has daylight from its left or right");
+  EXPECT_EQ(cli::CallWords(optimizer::MakeCatalog(), text->scene).Asked(edge), "has daylight from its left or right");
   const auto shortfall = optimizer::Explain(edge, {text->scene, text->layout, text->zone_centers});
   ASSERT_TRUE(shortfall.has_value());
   EXPECT_EQ(shortfall->sentence, "what is asked of the desk is missed by 0.87 m");
@@ -114,6 +115,11 @@ TEST_F(OwnConstraint, TheCommandsOfThePageEndInAPlanThatShowsIt) {
                                       "edge daylight_from_side object=desk max_distance_m=1.5", "--optimizer",
                                       optimizer_.address(), "--out", folder_ / "asked_later.pb"});
   ASSERT_EQ(asked_later.exit_code, 0) << asked_later.err;
+  const std::vector<std::string> explain = {"explain", folder_ / "asked_later.pb", "--object", "desk"};
+  EXPECT_THAT(Flair(explain).out, HasSubstr("meets daylight_from_side"));
+  std::vector<std::string> explain_by_its_words = explain;
+  explain_by_its_words.insert(explain_by_its_words.end(), {"--optimizer", optimizer_.address()});
+  EXPECT_THAT(Flair(explain_by_its_words).out, HasSubstr("has daylight from its left or right"));
   EXPECT_EQ(OutcomeOf(Read("asked_later.pb"), "daylight_from_side")["status"], "OUTCOME_STATUS_VIOLATED");
   // The optimizer that knows nothing of it leaves it out and says so.
   const Finished ours = Flair({"solve", folder_ / "out/office/asked.json", "--out", folder_ / "ours.pb"});
