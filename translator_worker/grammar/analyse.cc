@@ -116,9 +116,7 @@ class Reader {
         break;
       }
       case english::v1::WORD_CLASS_FILLER:
-        if (IsBothAsSubject()) {
-          BecomeReference(RefKind::kPronoun, "both", raw);
-        } else if (IsBothOfSeveral()) {
+        if (IsBothOfSeveral()) {
           raw.role = RawTerm::Role::kEach;
         } else {
           BecomeWord("keep_clear", raw);
@@ -162,7 +160,7 @@ class Reader {
         ++at_;
         return true;
       case english::v1::WORD_CLASS_FILLER:
-        if (EndsSideClear(Context(), phrase) || IsBothAsSubject() || IsBothOfSeveral()) return false;
+        if (EndsSideClear(Context(), phrase) || IsBothOfSeveral()) return false;
         if (phrase.length > 1 && IsOneOf(tokens_[at_], {"so", "such"})) EndFact();
         break;
       case english::v1::WORD_CLASS_WISH:
@@ -196,11 +194,6 @@ class Reader {
     comma.term.lemma = ",";
     comma.term.begin = comma.term.end = tokens_[at_].begin;
     terms_.push_back(std::move(comma));
-  }
-
-  // "..., and both should": the two that were spoken of last.
-  bool IsBothAsSubject() const {
-    return tokens_[at_].IsWord("both") && at_ + 1 < tokens_.size() && IsOneOf(tokens_[at_ + 1], {"should", "must"});
   }
 
   // "Both armchairs".

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,9 +32,8 @@ class BracketReader {
       return {Bracket::Kind::kOpened, at_ + 1, end_};
     }
     // "0.4 m (ideally 0.5 m)": how much was said.
-    const bool said = !terms_.empty() && terms_.back().role == RawTerm::Role::kNone &&
-                      terms_.back().term.kind == Term::Kind::kDistance;
-    if (said && (Is(at_ + 1, "ideally") || Is(at_ + 1, "preferably")) && closed) {
+    const bool said = !terms_.empty() && terms_.back().term.kind == Term::Kind::kDistance;
+    if (said && IsOneOf(first, {"ideally", "preferably"}) && closed) {
       return {Bracket::Kind::kSkipped, end_ + 1, 0};
     }
     if (IsLength() || TakeNames() || TakeSide() || (adds && closed && TakeFigure()) || Explains()) {
@@ -48,25 +46,20 @@ class BracketReader {
   bool Is(size_t i, std::string_view word) const { return i < tokens_.size() && tokens_[i].IsWord(word); }
 
   // "(length)".
-  bool IsDimension() const {
-    return end_ == at_ + 2 && (Is(at_ + 1, "length") || Is(at_ + 1, "width") || Is(at_ + 1, "depth"));
-  }
+  bool IsDimension() const { return end_ == at_ + 2 && IsOneOf(tokens_[at_ + 1], {"length", "width", "depth"}); }
 
   // "(1.5m)", "(2 m side)": how long a thing is.
   bool IsSize() const {
     const Token& first = tokens_[at_ + 1];
-    const bool edge = end_ == at_ + 3 && (Is(at_ + 2, "edge") || Is(at_ + 2, "side") || Is(at_ + 2, "each") ||
-                                          Is(at_ + 2, "width") || Is(at_ + 2, "length"));
+    const bool edge = end_ == at_ + 3 && IsOneOf(tokens_[at_ + 2], {"edge", "side", "each", "width", "length"});
     return IsDimension() || (first.kind == Token::Kind::kLength && first.length.exact && (end_ == at_ + 2 || edge));
   }
 
   bool Explains() const {
-    static constexpr std::array<std::string_view, 6> kOpenings = {"eg",   "ie",      "preferably",
-                                                                  "left", "ideally", "including"};
+    const Token& first = tokens_[at_ + 1];
     // "(left side)" says which one.
-    if (Is(at_ + 1, "left") && (Is(at_ + 2, "side") || Is(at_ + 2, "hand"))) return false;
-    return tokens_[at_ + 1].IsMark(')') || IsSize() ||
-           std::any_of(kOpenings.begin(), kOpenings.end(), [&](std::string_view word) { return Is(at_ + 1, word); });
+    if (first.IsWord("left") && (Is(at_ + 2, "side") || Is(at_ + 2, "hand"))) return false;
+    return first.IsMark(')') || IsSize() || IsOneOf(first, {"eg", "ie", "preferably", "left", "ideally", "including"});
   }
 
   // Whether this sentence has said that something is kept free, so that a bare figure is how much.
@@ -74,9 +67,8 @@ class BracketReader {
     for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
       const Term& term = terms_[i - 1].term;
       const bool way = term.kind == Term::Kind::kMention && term.mention.references.front().name == "paths";
-      if (way || term.IsWord("space") || term.IsWord("pull_out") || term.IsWord("keep_clear") ||
-          term.IsWord("accessible") || term.IsWord("away_from") || term.IsWord("clear_of") || term.IsWord("around") ||
-          term.IsWord("all_sides") || term.IsWord("in_front") || term.IsWord("behind") || term.IsWord("swing_open")) {
+      if (way || term.IsAnyWord({"space", "pull_out", "keep_clear", "accessible", "away_from", "clear_of", "around",
+                                 "all_sides", "in_front", "behind", "swing_open"})) {
         return true;
       }
     }
@@ -105,21 +97,13 @@ class BracketReader {
     return true;
   }
 
-  // The side word of this sentence that leaves open which one is meant; null when there is none. Only the last word
-  // counts, unless the bracket says what is usual: "one side is accessible for seating (typically the front)".
+  // The side word just before that leaves open which one is meant; null when there is none.
   std::string* OpenSide() {
-    const auto leaves_open = [](const RawTerm& raw) {
-      const std::string& side = raw.term.lemma;
-      return raw.role == RawTerm::Role::kSide && (side == "side" || side == "long_one" || side == "short_one" ||
-                                                  side == "two_any" || side == "opposite_two");
-    };
-    const bool anywhere =
-        Is(at_ + 1, "typically") || Is(at_ + 1, "usually") || Is(at_ + 1, "preferably") || Is(at_ + 1, "ideally");
-    for (size_t i = terms_.size(); i > 0 && terms_[i - 1].term.kind != Term::Kind::kStop; --i) {
-      if (leaves_open(terms_[i - 1])) return &terms_[i - 1].term.lemma;
-      if (!anywhere) break;
-    }
-    return nullptr;
+    if (terms_.empty() || terms_.back().role != RawTerm::Role::kSide) return nullptr;
+    std::string& side = terms_.back().term.lemma;
+    const bool open =
+        side == "side" || side == "long_one" || side == "short_one" || side == "two_any" || side == "opposite_two";
+    return open ? &side : nullptr;
   }
 
   // "The front (1 m side)": how long the side is.
@@ -149,8 +133,8 @@ class BracketReader {
     std::vector<Reference> named;
     for (size_t i = at_ + 1; i < end_;) {
       const SceneNames::Found name = names_.Find(tokens_, i);
-      const bool joins = tokens_[i].IsMark(',') || tokens_[i].IsMark('/') || Is(i, "and") || Is(i, "the") ||
-                         Is(i, "or") || Is(i, "eg") || Is(i, "like") || Is(i, "such") || Is(i, "as");
+      const bool joins = tokens_[i].IsMark(',') || tokens_[i].IsMark('/') ||
+                         IsOneOf(tokens_[i], {"and", "the", "or", "eg", "like", "such", "as"});
       if (name.length == 0 && !joins) return false;
       if (name.length > 0) named.push_back(name.reference);
       i += std::max<size_t>(name.length, 1);

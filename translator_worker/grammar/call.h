@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,18 @@ struct Call {
   Call&& MaybeText(const std::string& name, const std::string& value) {
     if (!value.empty()) Add(name).set_text(value);
     return std::move(*this);
+  }
+
+  // The argument of that name; null when it has none.
+  const v1::ArgumentValue* Find(std::string_view name) const {
+    for (const v1::Argument& argument : arguments) {
+      if (argument.name() == name) return &argument.value();
+    }
+    return nullptr;
+  }
+  const std::string& TextOf(std::string_view name) const {
+    const v1::ArgumentValue* const value = Find(name);
+    return value != nullptr ? value->text() : v1::ArgumentValue::default_instance().text();
   }
 
  private:

@@ -17,25 +17,18 @@ Composer::Composer(const v1::TranslateRequest& request, const SceneNames& names,
       if (object(i).id() == subject) subjects_.push_back({i, ""});
     }
   }
-  // A bare distance in a sentence about two things, or two kinds of them, is kept between them.
-  std::vector<Placed> others;
-  for (const Placed& placed : subjects_) {
-    if (object(placed.object).name() != object(subjects_.front().object).name()) others.push_back(placed);
-  }
-  const bool two_kinds = !others.empty() && std::all_of(others.begin(), others.end(), [&](const Placed& other) {
-    return object(other.object).name() == object(others.front().object).name();
-  });
-  const bool two = subjects_.size() == 2;
-  if (sentence.scope() == v1::SENTENCE_SCOPE_INTER && (two || two_kinds)) {
-    std::vector<Placed> first = two ? std::vector<Placed>{subjects_[0]} : subjects_;
-    if (!two)
-      std::erase_if(first,
-                    [&](const Placed& one) { return object(one.object).name() == object(others[0].object).name(); });
-    SetPair(std::move(first), two ? std::vector<Placed>{subjects_[1]} : others);
-  }
   // Of a heading that names several kinds of things the first is what moves.
-  for (const Placed& placed : subjects_) {
-    if (object(placed.object).name() == object(subjects_.front().object).name()) topic_.push_back(placed);
+  std::vector<Placed> others;
+  for (const Placed& placed : subjects_) (IsLike(placed, subjects_.front()) ? topic_ : others).push_back(placed);
+  if (sentence.scope() != v1::SENTENCE_SCOPE_INTER) return;
+  // A bare distance in a sentence about two things, or two kinds of them, is kept between them.
+  const bool two_kinds = !others.empty() && std::all_of(others.begin(), others.end(), [&](const Placed& other) {
+    return IsLike(other, others.front());
+  });
+  if (subjects_.size() == 2) {
+    SetPair({subjects_[0]}, {subjects_[1]});
+  } else if (two_kinds) {
+    SetPair(topic_, others);
   }
 }
 

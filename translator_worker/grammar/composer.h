@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -21,6 +22,11 @@ struct Placed {
   int object = -1;
   std::string side;
 };
+
+// Whether the object is in the list.
+inline bool Contains(const std::vector<Placed>& list, int object) {
+  return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
+}
 
 // One thing that a fact relates to: objects, or a part of the room.
 struct Target {
@@ -105,12 +111,17 @@ class Composer {
   std::vector<int> Choose(const Reference& reference, const std::vector<Placed>& movers);
   // The primary objects, when there are few enough to be spoken of together.
   std::vector<Placed> Primaries() const;
+  // Whether the two bear one name.
+  bool IsLike(const Placed& a, const Placed& b) const { return object(a.object).name() == object(b.object).name(); }
   // "One chair on the left of the table and the other on the right": on the table's right.
   bool IsLikePairMover(const Placed& mover) const;
   // Those that the heading names, when there are any.
   void KeepSubjects(std::vector<int>& objects) const;
   // "The chairs" under a heading of chairs are these, under one of a table those that belong to it.
   void KeepThoseSpokenOf(const Reference& reference, std::vector<int>& objects) const;
+  bool IsInZoneOf(int index, const Placed& placed) const {
+    return object(index).zone_id() == object(placed.object).zone_id();
+  }
   void KeepZone(std::vector<int>& objects, const Placed& mover) const;
   // "Each chair near a desk", as many desks as chairs: one each.
   void PairUp(const std::vector<Placed>& movers, const std::vector<Placed>& targets);

@@ -23,83 +23,69 @@ bool Includes(const Call& call, const Call& part) {
          });
 }
 
-const v1::ArgumentValue* Find(const Call& call, std::string_view name) {
-  for (const v1::Argument& argument : call.arguments) {
-    if (argument.name() == name) return &argument.value();
+// Whether both are of that type and about one object, and one target if they have any.
+bool BothAre(std::string_view type, const Call& a, const Call& b) {
+  return a.type == type && b.type == type && a.TextOf("object") == b.TextOf("object") &&
+         a.TextOf("target") == b.TextOf("target");
+}
+
+// Adds the sides that a call about free space does not have; false when it had them all.
+template <typename Sides>
+bool AddSidesTo(Call& space, const Sides& more) {
+  auto& sides = *space.arguments[1].mutable_value()->mutable_texts()->mutable_items();
+  const int before = sides.size();
+  for (const std::string& side : more) {
+    if (std::find(sides.begin(), sides.end(), side) == sides.end()) *sides.Add() = side;
   }
-  return nullptr;
+  return sides.size() > before;
 }
 
 // Whether both keep space at one object, `vague` without a figure or with a lesser one ("drawers extend 0.5 m, so keep
 // 0.9 m"), at some of the sides of `precise`.
 bool IsSameSpace(const Call& vague, const Call& precise) {
-  if (vague.type != "accessible" || precise.type != "accessible") return false;
-  const v1::ArgumentValue* const little = Find(vague, "min_clearance_m");
-  const v1::ArgumentValue* const much = Find(precise, "min_clearance_m");
-  if (much == nullptr || (little != nullptr && little->number() >= much->number())) return false;
-  const v1::ArgumentValue* const few = Find(vague, "sides");
-  const v1::ArgumentValue* const many = Find(precise, "sides");
-  if (few == nullptr || many == nullptr || vague.arguments[0].value().text() != precise.arguments[0].value().text()) {
-    return false;
-  }
-  return std::all_of(few->texts().items().begin(), few->texts().items().end(), [&](const std::string& side) {
-    return std::find(many->texts().items().begin(), many->texts().items().end(), side) != many->texts().items().end();
-  });
+  const v1::ArgumentValue* const little = vague.Find("min_clearance_m");
+  const v1::ArgumentValue* const much = precise.Find("min_clearance_m");
+  if (!BothAre("accessible", vague, precise) || much == nullptr || vague.Find("sides") == nullptr) return false;
+  Call all = precise;
+  return (little == nullptr || little->number() < much->number()) &&
+         !AddSidesTo(all, vague.Find("sides")->texts().items());
 }
 
 // "In front of it and at its sides": one space, when neither has a figure or one fact says both. Adds the sides of
 // `more` to `call`.
 bool JoinSides(Call& call, const Call& more, bool one_fact) {
-  if (call.type != "accessible" || more.type != "accessible" || call.arguments.size() != more.arguments.size() ||
-      call.arguments[0].value().text() != more.arguments[0].value().text() ||
-      (call.arguments.size() > 2 && !one_fact)) {
+  if (!BothAre("accessible", call, more) || call.arguments.size() != more.arguments.size() ||
+      (call.arguments.size() > 2 && !one_fact))
     return false;
-  }
-  auto& sides = *call.arguments[1].mutable_value()->mutable_texts()->mutable_items();
-  for (const std::string& side : more.arguments[1].value().texts().items()) {
-    if (std::find(sides.begin(), sides.end(), side) == sides.end()) *sides.Add() = side;
-  }
+  AddSidesTo(call, more.arguments[1].value().texts().items());
   return true;
-}
-
-const std::string& TextOf(const Call& call, std::string_view name) {
-  static const std::string kNone;
-  const v1::ArgumentValue* const value = Find(call, name);
-  return value != nullptr ? value->text() : kNone;
 }
 
 // "On the right of the stand, so that its left side touches it": one contact. Adds the side of `more` to `call`.
 bool JoinContacts(Call& call, const Call& more) {
-  if (call.type != "next_to" || more.type != "next_to" || call.arguments.size() != 3 || more.arguments.size() != 3 ||
-      TextOf(call, "object") != TextOf(more, "object") || TextOf(call, "target") != TextOf(more, "target") ||
-      call.arguments[2].name() == more.arguments[2].name()) {
+  if (!BothAre("next_to", call, more) || call.arguments.size() != 3 || more.arguments.size() != 3 ||
+      call.arguments[2].name() == more.arguments[2].name())
     return false;
-  }
   call.arguments.push_back(more.arguments[2]);
   return true;
 }
 
 // Whether both put a piece beside the same other, at sides of it that differ.
 bool TouchOtherSides(const Call& a, const Call& b) {
-  return a.type == "next_to" && b.type == "next_to" && TextOf(a, "object") == TextOf(b, "object") &&
-         TextOf(a, "target") == TextOf(b, "target") && !TextOf(a, "target_side").empty() &&
-         !TextOf(b, "target_side").empty() && TextOf(a, "target_side") != TextOf(b, "target_side");
-}
-
-// A part of the room instead of a place at some piece.
-bool TellsOnlyWhereabouts(const Call& call) {
-  return call.type == "on_wall_in_zone" || call.type == "ceiling_center" || call.type == "in_zone";
+  const std::string& side = a.TextOf("target_side");
+  const std::string& other = b.TextOf("target_side");
+  return BothAre("next_to", a, b) && !side.empty() && !other.empty() && side != other;
 }
 
 // Whether `plain` only says that two are apart, without a figure, which `call` asks to be near or touching: "the
 // distance between them is minimal (0 m)".
 bool Contradicts(const Call& call, const Call& plain) {
-  if (plain.type != "away_from" || Find(plain, "min_distance_m") != nullptr) return false;
-  if (call.type != "next_to" && (call.type != "near" || Find(call, "max_distance_m") == nullptr)) return false;
-  const std::string& a = TextOf(plain, "object");
-  const std::string& b = TextOf(plain, "target");
-  return (TextOf(call, "object") == a && TextOf(call, "target") == b) ||
-         (TextOf(call, "object") == b && TextOf(call, "target") == a);
+  if (plain.type != "away_from" || plain.Find("min_distance_m") != nullptr) return false;
+  if (call.type != "next_to" && (call.type != "near" || call.Find("max_distance_m") == nullptr)) return false;
+  const std::string& a = plain.TextOf("object");
+  const std::string& b = plain.TextOf("target");
+  return (call.TextOf("object") == a && call.TextOf("target") == b) ||
+         (call.TextOf("object") == b && call.TextOf("target") == a);
 }
 
 }  // namespace
@@ -123,7 +109,7 @@ void Composer::CompleteSide(const std::string& side) {
 bool Composer::CompleteClearance(double least_m) {
   // "The chairs need space behind them (0.6 m)": of each of them.
   size_t first = calls_.size();
-  while (first > 0 && calls_[first - 1].type == "accessible" && Find(calls_[first - 1], "min_clearance_m") == nullptr) {
+  while (first > 0 && calls_[first - 1].type == "accessible" && calls_[first - 1].Find("min_clearance_m") == nullptr) {
     --first;
   }
   for (size_t i = first; i < calls_.size(); ++i) calls_[i].Number("min_clearance_m", least_m);
@@ -132,17 +118,14 @@ bool Composer::CompleteClearance(double least_m) {
 
 bool Composer::AddSides(const std::vector<std::string>& sides) {
   if (calls_.empty() || calls_.back().type != "accessible" || calls_.back().arguments.size() < 2) return false;
-  auto& named = *calls_.back().arguments[1].mutable_value()->mutable_texts()->mutable_items();
-  for (const std::string& side : sides) {
-    if (std::find(named.begin(), named.end(), side) == named.end()) *named.Add() = side;
-  }
+  AddSidesTo(calls_.back(), sides);
   return true;
 }
 
 bool Composer::TellsLittle(const Call& call) const {
-  if (TellsOnlyWhereabouts(call)) return true;
+  if (call.type == "on_wall_in_zone" || call.type == "ceiling_center" || call.type == "in_zone") return true;
   // "On the runner, on the table": the table is what stands there.
-  const std::string& host = TextOf(call, "host");
+  const std::string& host = call.TextOf("host");
   return !host.empty() && std::any_of(request_.object_list().objects().begin(), request_.object_list().objects().end(),
                                       [&](const v1::Object& other) {
                                         return other.id() == host && other.kind() != v1::OBJECT_KIND_FLOOR;
@@ -152,7 +135,7 @@ bool Composer::TellsLittle(const Call& call) const {
 bool Composer::IsPlacedCloser(const Call& call) const {
   if (scope() != v1::SENTENCE_SCOPE_TERTIARY || !TellsLittle(call)) return false;
   return std::any_of(calls_.begin(), calls_.end(), [&](const Call& other) {
-    return !TellsLittle(other) && TextOf(other, "object") == TextOf(call, "object");
+    return !TellsLittle(other) && other.TextOf("object") == call.TextOf("object");
   });
 }
 
@@ -203,7 +186,7 @@ bool Composer::Emit(Call call) {
   if (IsPlacedCloser(call)) return true;
   if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !TellsLittle(call)) {
     std::erase_if(calls_, [&](const Call& other) {
-      return TellsLittle(other) && TextOf(other, "object") == TextOf(call, "object");
+      return TellsLittle(other) && other.TextOf("object") == call.TextOf("object");
     });
   }
   if (!calls_.empty() && (JoinSides(calls_.back(), call, false) || JoinContacts(calls_.back(), call))) return true;

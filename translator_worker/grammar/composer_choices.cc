@@ -10,8 +10,12 @@
 namespace flair::translator {
 namespace {
 
-bool Has(const std::vector<Placed>& list, int object) {
-  return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
+// Keeps those that the test is true of, when there are that many.
+template <typename Wanted>
+void KeepWhere(std::vector<int>& objects, Wanted&& wanted, size_t least = 1) {
+  std::vector<int> kept;
+  std::copy_if(objects.begin(), objects.end(), std::back_inserter(kept), wanted);
+  if (kept.size() >= least) objects = kept;
 }
 
 }  // namespace
@@ -34,7 +38,7 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
            fmt::format("there is no {}. {}; there are {}", reference.ordinal, reference.name, candidates.size()));
     return {};
   }
-  const auto weak_subject = [&](int index) { return Has(subjects_, index); };
+  const auto weak_subject = [&](int index) { return Contains(subjects_, index); };
   if ((!reference.full || (scope() == v1::SENTENCE_SCOPE_INTRA && movers.empty())) &&
       std::none_of(candidates.begin(), candidates.end(), weak_subject)) {
     for (const int index : reference.weak_candidates) {
@@ -44,13 +48,9 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
   if (reference.plural || reference.each) KeepThoseSpokenOf(reference, candidates);
   if (candidates.size() < 2 || ((reference.plural || reference.each) && !any)) return candidates;
   // Singular with several of the name: those that the sentence is about, then those of one name, then of the same zone.
-  const auto keep = [&](auto&& wanted) {
-    std::vector<int> kept;
-    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept), wanted);
-    if (!kept.empty()) candidates = kept;
-  };
-  keep([&](int index) { return !Has(movers, index); });
-  keep([&](int index) { return Has(subjects_, index); });
+  const auto keep = [&](auto&& wanted) { KeepWhere(candidates, wanted); };
+  keep([&](int index) { return !Contains(movers, index); });
+  KeepSubjects(candidates);
   const auto one_name = [&] {
     return std::all_of(candidates.begin(), candidates.end(),
                        [&](int i) { return object(i).name() == object(candidates[0]).name(); });
@@ -59,10 +59,9 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
   if (subjects_.empty()) keep([&](int index) { return object(index).role() == v1::OBJECT_ROLE_PRIMARY; });
   const std::vector<Placed>& speaker = movers.empty() ? topic_ : movers;
   if (!speaker.empty()) {
-    const std::string& zone = object(speaker.front().object).zone_id();
     const std::string& host = object(speaker.front().object).host_id();
     keep([&](int index) { return object(index).id() == host; });
-    if (candidates.size() > 1) keep([&](int index) { return object(index).zone_id() == zone; });
+    if (candidates.size() > 1) KeepZone(candidates, speaker.front());
   }
   keep([&](int index) { return object(index).role() != v1::OBJECT_ROLE_TERTIARY; });
   // "They face the table" of a zone with a main table and a side table.
@@ -84,7 +83,7 @@ std::vector<int> Composer::Group(const std::string& name, const std::vector<Plac
       continue;
     const bool seat = PlacedIs("seats", {i, ""});
     const bool hot = PlacedIs("hot-things", {i, ""});
-    if (name == "others" && (Has(movers, i) || Has(topic_, i))) continue;
+    if (name == "others" && (Contains(movers, i) || Contains(topic_, i))) continue;
     if (name == "primary" && candidate.role() != v1::OBJECT_ROLE_PRIMARY) continue;
     if (name == "seating" && !seat) continue;
     if (name == "heat" && !hot) continue;
@@ -105,17 +104,13 @@ std::vector<Placed> Composer::Primaries() const {
 }
 
 void Composer::KeepSubjects(std::vector<int>& objects) const {
-  std::vector<int> kept;
-  for (const int index : objects) {
-    if (Has(subjects_, index)) kept.push_back(index);
-  }
-  if (!kept.empty()) objects = kept;
+  KeepWhere(objects, [&](int index) { return Contains(subjects_, index); });
 }
 
 void Composer::KeepThoseSpokenOf(const Reference& reference, std::vector<int>& objects) const {
   std::vector<int> kept = objects;
   KeepSubjects(kept);
-  const bool named = std::any_of(objects.begin(), objects.end(), [&](int index) { return Has(subjects_, index); });
+  const bool named = std::any_of(objects.begin(), objects.end(), [&](int index) { return Contains(subjects_, index); });
   if (named) {
     // "Each chair" under a heading that names one of them: the kind, not this one.
     if (kept.size() > 1 || !reference.each) objects = kept;
@@ -135,22 +130,15 @@ void Composer::KeepThoseSpokenOf(const Reference& reference, std::vector<int>& o
     }
   }
   // "The chairs" under a heading of a table are its own, else those of its zone.
-  const auto keep = [&](auto&& wanted) {
-    std::vector<int> chosen;
-    std::copy_if(objects.begin(), objects.end(), std::back_inserter(chosen), wanted);
-    if (chosen.size() > 1) objects = chosen;
-  };
   const std::string& host = id(subjects_.front());
-  keep([&](int index) { return object(index).host_id() == host; });
-  keep([&](int index) { return object(index).zone_id() == object(subjects_.front().object).zone_id(); });
+  KeepWhere(
+      objects, [&](int index) { return object(index).host_id() == host; }, 2);
+  KeepWhere(
+      objects, [&](int index) { return IsInZoneOf(index, subjects_.front()); }, 2);
 }
 
 void Composer::KeepZone(std::vector<int>& objects, const Placed& mover) const {
-  std::vector<int> same;
-  for (const int index : objects) {
-    if (object(index).zone_id() == object(mover.object).zone_id()) same.push_back(index);
-  }
-  if (!same.empty()) objects = same;
+  KeepWhere(objects, [&](int index) { return IsInZoneOf(index, mover); });
 }
 
 }  // namespace flair::translator

@@ -6,14 +6,6 @@
 #include "translator_worker/grammar/composer.h"
 
 namespace flair::translator {
-namespace {
-
-bool Contains(const std::vector<Placed>& list, int object) {
-  return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
-}
-
-}  // namespace
-
 std::vector<Placed> Composer::Movers(const Mention* mention) {
   if (mention == nullptr) return topic_;
   // "Hang a clock on the wall", "eye level on the wall" under the heading "Clock": it is what the heading names.
@@ -189,8 +181,7 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
 }
 
 bool Composer::IsLikePairMover(const Placed& mover) const {
-  return !pair_movers_.empty() && !Contains(pair_targets_, mover.object) &&
-         object(pair_movers_.front().object).name() == object(mover.object).name();
+  return !pair_movers_.empty() && !Contains(pair_targets_, mover.object) && IsLike(pair_movers_.front(), mover);
 }
 
 }  // namespace flair::translator

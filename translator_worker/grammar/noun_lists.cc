@@ -223,8 +223,7 @@ class ListJoiner {
       }
       if (!joined || !Peek(next) || !IsMention(in_[next]) || !SameSort(in_[i].term, in_[next].term)) return i;
       // "... near the desk and the armchair should face the sofa": a new clause, not a list.
-      if (relation_seen && !after_between_ && !BeginsClause(i) && Peek(next + 1) && in_[next + 1].role == Role::kModal)
-        return i;
+      if (relation_seen && !after_between_ && Peek(next + 1) && in_[next + 1].role == Role::kModal) return i;
       if (relation_seen && (BeginsFact(next) || IsNewSubject(next) || IsOwnSideAfterFeature(i, next))) return i;
       Mention merged = std::move(in_[i].term.mention);
       for (Reference reference : in_[next].term.mention.references) {
@@ -242,13 +241,6 @@ class ListJoiner {
       in_[next].term.begin = in_[i].term.begin;
       i = next;
     }
-  }
-
-  // "..., so the wardrobe and the desk should": what a clause speaks of, not what the one before relates to.
-  bool BeginsClause(size_t i) const {
-    if (i == 0) return true;
-    const Term& before = in_[i - 1].term;
-    return in_[i - 1].role == Role::kNone && (before.kind == Term::Kind::kSoft || before.kind == Term::Kind::kStop);
   }
 
   // "Not in front of windows, and it does not block doors".

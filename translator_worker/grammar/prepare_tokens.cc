@@ -55,13 +55,6 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
   }
 }
 
-bool SpaceBefore(const std::vector<Token>& tokens, size_t end) {
-  constexpr size_t kFar = 12;
-  const auto last = tokens.begin() + static_cast<long>(end);
-  return std::any_of(last - static_cast<long>(std::min(end, kFar)), last,
-                     [](const Token& token) { return IsIn("spaces", token); });
-}
-
 // "At least one accessible side" is at least one side accessible.
 void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
   for (size_t i = 0; i + 1 < tokens.size(); ++i) {
@@ -70,15 +63,8 @@ void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
     size_t side = i + 1;
     while (side < tokens.size() && (tokens[side].IsWord("long") || tokens[side].IsWord("short"))) ++side;
     if (!adjective || side >= tokens.size() || (side + 1 < tokens.size() && tokens[side + 1].IsMark(':'))) continue;
-    // "Space on one accessible side", "near the accessible side": which side, not that it is to be got at.
-    const bool at_side =
-        i > 1 && (tokens[i - 2].IsWord("on") || tokens[i - 2].IsWord("at") || tokens[i - 2].IsWord("along"));
-    const bool to_side =
-        i > 1 && (tokens[i - 2].IsWord("to") || tokens[i - 2].IsWord("near")) && tokens[i - 1].IsWord("the");
-    const bool begins =
-        i > 1 && i < 5 && tokens[i - 2].IsWord("along") && (i == 2 || tokens[i - 3].kind == Token::Kind::kSign);
-    const bool after_space = to_side || begins || (at_side && SpaceBefore(tokens, i));
-    if (after_space) {
+    // "Near the accessible side": which side, not that it is to be got at.
+    if (i > 1 && tokens[i - 1].IsWord("the") && !tokens[i - 2].IsMark('.')) {
       tokens.erase(tokens.begin() + static_cast<long>(i));
       continue;
     }

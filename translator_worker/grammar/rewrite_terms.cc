@@ -7,6 +7,8 @@
 namespace flair::translator {
 namespace {
 
+bool IsTo(const Term& term) { return term.kind == Term::Kind::kPurpose && term.lemma == "to"; }
+
 // "not" itself; "to avoid" begins a reason all the same.
 bool IsPlainNot(const Term& term) { return term.IsWord("not") && term.end - term.begin == 3; }
 
@@ -14,10 +16,9 @@ bool IsPlainNot(const Term& term) { return term.IsWord("not") && term.end - term
 void DropToBesideNot(std::vector<Term>& terms) {
   std::vector<Term> kept;
   for (size_t i = 0; i < terms.size(); ++i) {
-    const bool to = terms[i].kind == Term::Kind::kPurpose && terms[i].lemma == "to";
     const bool beside_not =
         (!kept.empty() && IsPlainNot(kept.back())) || (i + 1 < terms.size() && IsPlainNot(terms[i + 1]));
-    if (!to || !beside_not) kept.push_back(std::move(terms[i]));
+    if (!IsTo(terms[i]) || !beside_not) kept.push_back(std::move(terms[i]));
   }
   terms = std::move(kept);
 }
@@ -25,9 +26,8 @@ void DropToBesideNot(std::vector<Term>& terms) {
 // "Close to, but not in front of, the shelf", "beside and parallel to the desk": both are said of it.
 void ShareTarget(std::vector<Term>& terms) {
   const auto relates = [](const Term& term) {
-    return term.IsWord("near") || term.IsWord("next_to") || term.IsWord("behind") || term.IsWord("in_front_of") ||
-           term.IsWord("facing") || term.IsWord("opposite") || term.IsWord("parallel") || term.IsWord("left_of") ||
-           term.IsWord("right_of") || term.IsWord("perpendicular") || term.IsWord("to_side") || term.IsWord("against");
+    return term.IsAnyWord({"near", "next_to", "behind", "in_front_of", "facing", "opposite", "parallel", "left_of",
+                           "right_of", "perpendicular", "to_side", "against"});
   };
   const auto soft = [](const Term& term) { return term.kind == Term::Kind::kSoft; };
   std::vector<Term> shared;
@@ -62,28 +62,24 @@ void DropRepeatedWords(std::vector<Term>& terms) {
   };
   std::vector<Term> kept;
   for (size_t i = 0; i < terms.size(); ++i) {
-    const bool choice = (terms[i].IsWord("or") || (terms[i].kind == Term::Kind::kSoft && terms[i].lemma == "and")) &&
-                        !kept.empty() && i + 1 < terms.size() && repeated(kept.back(), terms[i + 1]);
+    const bool choice = (terms[i].IsWord("or") || terms[i].IsSoft("and")) && !kept.empty() && i + 1 < terms.size() &&
+                        repeated(kept.back(), terms[i + 1]);
     if (choice) continue;
     if (kept.empty() || !repeated(kept.back(), terms[i])) kept.push_back(std::move(terms[i]));
   }
   terms = std::move(kept);
 }
 
-bool SaysSomething(const Term& term) {
-  return term.kind == Term::Kind::kWord && !term.IsWord("not") && !term.IsWord("or") && !term.IsWord("of");
-}
+bool SaysSomething(const Term& term) { return term.kind == Term::Kind::kWord && !term.IsAnyWord({"not", "or", "of"}); }
 
 // "Against a wall: place it against a wall", "Accessible front: ...": what stands before the colon says it twice. Names
 // stay, since "Bed: ..." tells what moves, and so do figures: "Distance from the bed: 0.5 m".
 void DropLabel(std::vector<Term>& terms) {
   constexpr size_t kLongestLabel = 6;
-  const auto is_colon = [](const Term& term) { return term.kind == Term::Kind::kSoft && term.lemma == ":"; };
+  const auto is_colon = [](const Term& term) { return term.IsSoft(":"); };
   const auto is_purpose = [](const Term& term) { return term.kind == Term::Kind::kPurpose; };
   const auto is_stop = [](const Term& term) { return term.kind == Term::Kind::kStop; };
-  const auto is_object = [](const Term& term) {
-    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kObjects;
-  };
+  const auto is_object = [](const Term& term) { return term.Mentions(RefKind::kObjects); };
   const auto colon = std::find_if(terms.begin(), terms.end(), is_colon);
   if (colon == terms.end() || colon == terms.begin() || colon - terms.begin() > static_cast<long>(kLongestLabel))
     return;
@@ -94,31 +90,16 @@ void DropLabel(std::vector<Term>& terms) {
   if (names && (!std::any_of(terms.begin(), colon, SaysSomething) || !std::any_of(colon, reason, is_object))) return;
   if (!std::any_of(colon, reason, SaysSomething)) return;
   // "Back side: against a wall": the side is what stands there.
-  const auto is_own_side = [](const Term& term) {
-    return term.kind == Term::Kind::kMention && term.mention.references.front().kind == RefKind::kPronoun &&
-           !term.mention.references.front().side.empty();
-  };
+  const auto is_own_side = [](const Term& term) { return term.IsOwnSide(); };
   const bool of_side = colon - terms.begin() == 1 && is_own_side(terms.front()) &&
                        !std::any_of(colon, std::find_if(colon, reason, is_stop), is_own_side);
   terms.erase(of_side ? colon : terms.begin(), colon + 1);
 }
 
-// "Placement: behind the desk", "ideally, behind the desk": what opens a sentence leaves no comma behind.
-void DropLeadingCommas(std::vector<Term>& terms) {
-  std::vector<Term> kept;
-  for (Term& term : terms) {
-    const bool opens = kept.empty() || kept.back().kind == Term::Kind::kStop;
-    const bool comma = term.kind == Term::Kind::kSoft && (term.lemma == "," || term.lemma == ":");
-    if (!opens || !comma) kept.push_back(std::move(term));
-  }
-  terms = std::move(kept);
-}
-
 // "Not in front of windows or over sockets": both are denied.
 void SpreadDenial(std::vector<Term>& terms) {
   const auto relates = [](const Term& term) {
-    return term.kind == Term::Kind::kWord && term.lemma != "not" && term.lemma != "or" && term.lemma != "accessible" &&
-           term.lemma != "access_to" && term.lemma != "allow_access_to" && term.lemma != "accessible_from";
+    return SaysSomething(term) && !term.IsAnyWord({"accessible", "access_to", "allow_access_to", "accessible_from"});
   };
   bool denied = false;
   for (size_t i = 0; i < terms.size(); ++i) {
@@ -134,12 +115,8 @@ void SpreadDenial(std::vector<Term>& terms) {
 // "Not with their backs against the wall": the backs are not.
 void JoinNotToSide(std::vector<Term>& terms) {
   for (size_t i = 0; i + 2 < terms.size(); ++i) {
-    const bool with = terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kSoft && terms[i + 1].lemma == "with";
-    const Term& side = terms[i + 2];
-    if (with && side.kind == Term::Kind::kMention && side.mention.references.front().kind == RefKind::kPronoun &&
-        !side.mention.references.front().side.empty()) {
+    if (terms[i].IsWord("not") && terms[i + 1].IsSoft("with") && terms[i + 2].IsOwnSide())
       terms.erase(terms.begin() + static_cast<long>(i) + 1);
-    }
   }
 }
 
@@ -150,16 +127,14 @@ void DenyEachOfChoice(std::vector<Term>& terms) {
   }
 }
 
-bool IsTo(const Term& term) { return term.kind == Term::Kind::kPurpose && term.lemma == "to"; }
-
 // "Avoid [X] in front of windows" and "X not in front of windows" are one form: the second.
 void MoveNotBehindSubject(std::vector<Term>& terms) {
   for (size_t i = 0; i + 2 < terms.size(); ++i) {
-    const bool relates = terms[i + 2].kind == Term::Kind::kWord ||
-                         (terms[i + 2].kind == Term::Kind::kDistance && i + 3 < terms.size() &&
-                          (terms[i + 3].IsWord("of") || terms[i + 3].IsWord("near") ||
-                           terms[i + 3].IsWord("away_from") || terms[i + 3].IsWord("at_sides") ||
-                           terms[i + 3].IsWord("in_front") || terms[i + 3].IsWord("behind") || IsTo(terms[i + 3])));
+    const bool figure = terms[i + 2].kind == Term::Kind::kDistance && i + 3 < terms.size();
+    const bool relates =
+        terms[i + 2].kind == Term::Kind::kWord ||
+        (figure &&
+         (IsTo(terms[i + 3]) || terms[i + 3].IsAnyWord({"of", "near", "away_from", "at_sides", "in_front", "behind"})));
     if (terms[i].IsWord("not") && terms[i + 1].kind == Term::Kind::kMention && relates && !terms[i + 2].IsWord("not")) {
       std::swap(terms[i], terms[i + 1]);
     }
@@ -176,7 +151,6 @@ void RewriteDenials(std::vector<Term>& terms) {
 }  // namespace
 
 void RewriteTerms(std::vector<Term>& terms) {
-  DropLeadingCommas(terms);
   DropRepeatedWords(terms);
   DropLabel(terms);
   ShareTarget(terms);

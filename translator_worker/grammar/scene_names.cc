@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "absl/strings/str_join.h"
 #include "english/lexicon.h"
@@ -156,45 +158,30 @@ SceneNames::Found SceneNames::FindOwnerOfPart(const std::vector<Token>& tokens, 
 SceneNames::Found SceneNames::FindObject(const std::vector<Token>& tokens, size_t at) const {
   Found found = FindObjectByWords(tokens, at);
   if (found.length == 0) found = FindOwnerOfPart(tokens, at);
-  TakeNumber(tokens, at, found);
+  TakeNumbers(tokens, at, found);
   return found;
 }
 
-void SceneNames::TakeNumber(const std::vector<Token>& tokens, size_t at, Found& found) const {
-  const size_t next = at + found.length;
-  if (found.reference.kind != RefKind::kObjects || found.length == 0 || next >= tokens.size()) return;
-  if (tokens[next].kind != Token::Kind::kNumber || NumberOf(tokens[next].text) == 0) return;
-  const int number = NumberOf(tokens[next].text);
+void SceneNames::TakeNumbers(const std::vector<Token>& tokens, size_t at, Found& found) const {
+  if (found.reference.kind != RefKind::kObjects || found.length == 0) return;
   std::vector<int>& candidates = found.reference.candidates;
-  const std::vector<int> all = candidates;
-  const auto bears_it = [&](int object) { return numbers_[object] == number; };
-  if (std::any_of(candidates.begin(), candidates.end(), bears_it)) {
-    std::erase_if(candidates, [&](int object) { return !bears_it(object); });
-  } else if (number <= static_cast<int>(candidates.size())) {
-    candidates = {candidates[number - 1]};
+  const std::vector<int> all = std::exchange(candidates, {});
+  for (size_t next = at + found.length; next < tokens.size() && tokens[next].kind == Token::Kind::kNumber;) {
+    const int number = NumberOf(tokens[next].text);
+    const size_t before = candidates.size();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(candidates),
+                 [&](int object) { return number > 0 && numbers_[object] == number; });
+    const bool counted = candidates.size() == before && number > 0 && number <= static_cast<int>(all.size());
+    if (counted) candidates.push_back(all[number - 1]);
+    if (number == 0 || (before > 0 && candidates.size() == before)) break;
+    found.reference.plural = before > 0;
+    found.length = ++next - at;
+    // "Chairs 1 and 2", "1, 2, and 3".
+    if (next < tokens.size() && tokens[next].IsMark(',')) ++next;
+    if (next < tokens.size() && IsOneOf(tokens[next], {"and", "or"})) ++next;
+    if (next == at + found.length) break;
   }
-  found.reference.plural = false;
-  ++found.length;
-  TakeMoreNumbers(tokens, at, all, found);
-}
-
-void SceneNames::TakeMoreNumbers(const std::vector<Token>& tokens, size_t at, const std::vector<int>& all,
-                                 Found& found) const {
-  size_t next = at + found.length;
-  const auto joins = [&](size_t i) {
-    return tokens[i].IsWord("and") || tokens[i].IsMark(',') || tokens[i].IsWord("or");
-  };
-  while (next + 1 < tokens.size() && joins(next)) {
-    const size_t number_at = next + (tokens[next].IsMark(',') && tokens[next + 1].IsWord("and") ? 2 : 1);
-    if (number_at >= tokens.size() || tokens[number_at].kind != Token::Kind::kNumber) return;
-    const int number = NumberOf(tokens[number_at].text);
-    const auto bears_it = std::find_if(all.begin(), all.end(), [&](int object) { return numbers_[object] == number; });
-    if (bears_it == all.end() && (number < 1 || number > static_cast<int>(all.size()))) return;
-    found.reference.candidates.push_back(bears_it != all.end() ? *bears_it : all[number - 1]);
-    found.reference.plural = true;
-    next = number_at + 1;
-    found.length = next - at;
-  }
+  if (candidates.empty()) candidates = all;
 }
 
 // "The warm bench", "the reading area's chair": of several of the name those of the zone.

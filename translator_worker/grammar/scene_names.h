@@ -51,10 +51,8 @@ class SceneNames {
   Found FindObject(const std::vector<Token>& tokens, size_t at) const;
   Found FindOwnerOfPart(const std::vector<Token>& tokens, size_t at) const;
   Found FindInZone(const std::vector<Token>& tokens, size_t at) const;
-  // "Nightstand 2": keeps the one with that number.
-  void TakeNumber(const std::vector<Token>& tokens, size_t at, Found& found) const;
-  // "Chairs 1 and 2", of `all` that bear the name: more numbers after the first.
-  void TakeMoreNumbers(const std::vector<Token>& tokens, size_t at, const std::vector<int>& all, Found& found) const;
+  // "Nightstand 2", "chairs 1 and 2": keeps those with these numbers.
+  void TakeNumbers(const std::vector<Token>& tokens, size_t at, Found& found) const;
   // Length of the zone's name at tokens[at], 0 when another word stands there.
   size_t ZoneLength(const v1::Zone& zone, const std::vector<Token>& tokens, size_t at) const;
   Found FindObjectByWords(const std::vector<Token>& tokens, size_t at) const;

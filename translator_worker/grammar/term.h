@@ -99,6 +99,11 @@ struct Term {
   size_t end = 0;
 
   bool IsWord(std::string_view word) const { return kind == Kind::kWord && lemma == word; }
+  bool IsSoft(std::string_view word) const { return kind == Kind::kSoft && lemma == word; }
+  // Whether it is a noun phrase whose first member is of that kind.
+  bool Mentions(RefKind sort) const { return kind == Kind::kMention && mention.references.front().kind == sort; }
+  // "Its back", "the front": a side of what is spoken of.
+  bool IsOwnSide() const { return Mentions(RefKind::kPronoun) && !mention.references.front().side.empty(); }
   bool IsAnyWord(std::initializer_list<std::string_view> words) const {
     return kind == Kind::kWord && std::find(words.begin(), words.end(), lemma) != words.end();
   }

@@ -32,11 +32,6 @@ bool SideFollows(const TokenContext& context, size_t at) {
 
 Phrase FindPhrase(const TokenContext& context) {
   const Phrase phrase = Lexicon::Get().Find(context.tokens, context.at);
-  // "It is to the right of ..." says where it is, not what is to be done.
-  const bool to_place = phrase.word_class == english::v1::WORD_CLASS_MODAL && phrase.length == 2 &&
-                        IsOneOf(context.tokens[context.at], {"is", "are"}) && context.at + 2 < context.tokens.size() &&
-                        IsOneOf(context.tokens[context.at + 2], {"the", "its", "either", "one", "each"});
-  if (to_place) return Lexicon::Get().Find(context.tokens, context.at, 1);
   // "0.6 m should be left open": kept so, it does not open.
   const size_t after = context.at + phrase.length;
   if (phrase.word_class == english::v1::WORD_CLASS_MODAL && phrase.length > 1 &&
@@ -47,11 +42,6 @@ Phrase FindPhrase(const TokenContext& context) {
   if (phrase.length > 1 && phrase.word_class == english::v1::WORD_CLASS_RELATION &&
       context.tokens[after - 1].IsWord("with") && after < context.tokens.size() &&
       (IsOneOf(context.tokens[after], {"no", "at"}) || context.tokens[after].kind == Token::Kind::kLength))
-    return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
-  // "Stands parallel to ensure ...": the last word begins the reason.
-  const size_t last = context.at + phrase.length - 1;
-  if (phrase.length > 1 && phrase.word_class == english::v1::WORD_CLASS_RELATION && context.tokens[last].IsWord("to") &&
-      BeginsReason(context.tokens, last))
     return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
   for (size_t k = 1; k < phrase.length; ++k) {
     const SceneNames::Found name = context.names.Find(context.tokens, context.at + k);
@@ -175,9 +165,7 @@ std::optional<size_t> LeaveOutCondition(const std::vector<Token>& tokens, size_t
   });
   size_t next = at;
   while (next + 1 < tokens.size() && !BeginsClause(tokens, next)) ++next;
-  // "It does not have to be against a wall, but must ...": what is not asked for goes, the rest stays.
-  const bool needless = IsOneOf(tokens[at], {"do", "does", "not", "need", "no"});
-  if ((!main_clause && !needless) || next + 2 >= tokens.size()) return std::nullopt;
+  if (!main_clause || next + 2 >= tokens.size()) return std::nullopt;
   terms.resize(begin);
   return next;
 }

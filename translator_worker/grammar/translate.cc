@@ -125,10 +125,9 @@ class Walk {
     const Term& joint = terms_[next - 2];
     const bool joined = joint.kind == Term::Kind::kSoft && joint.lemma != "(" && joint.lemma != ")";
     const Term& relation = terms_[next];
-    const bool relates = relation.IsWord("away_from") || relation.IsWord("in_front_of") || relation.IsWord("behind") ||
-                         relation.IsWord("left_of") || relation.IsWord("right_of") || relation.IsWord("to_side");
+    const bool relates = relation.IsAnyWord({"away_from", "in_front_of", "behind", "left_of", "right_of", "to_side"});
     return joined && relates && terms_[next + 1].kind == Term::Kind::kMention &&
-           terms_[next + 1].mention.references.front().kind != RefKind::kPronoun;
+           !terms_[next + 1].Mentions(RefKind::kPronoun);
   }
 
   // "Against a wall and its front needs 0.8 m", "against the wall with the front facing the room": of the side comes
@@ -136,18 +135,14 @@ class Walk {
   bool EndsInNextSubject(size_t length) const {
     const size_t next = at_ + length;
     if (length < 3 || next >= terms_.size() || terms_[next - 2].kind != Term::Kind::kSoft) return false;
-    const Term& side = terms_[next - 1];
-    const bool own = side.kind == Term::Kind::kMention && side.mention.references.front().kind == RefKind::kPronoun &&
-                     !side.mention.references.front().side.empty();
     const Term& verb = terms_[next];
     // "Along a wall with the long side against it": of that wall.
     const bool of_it = next + 1 < terms_.size() && verb.IsAnyWord({"against", "facing", "along"}) &&
-                       terms_[next + 1].kind == Term::Kind::kMention &&
-                       terms_[next + 1].mention.references.front().kind == RefKind::kPronoun;
+                       terms_[next + 1].Mentions(RefKind::kPronoun);
     if (of_it) return false;
     const bool goes_on = verb.kind == Term::Kind::kDistance ||
                          (verb.kind == Term::Kind::kWord && !verb.IsWord("or") && !verb.IsWord("of"));
-    return own && goes_on;
+    return terms_[next - 1].IsOwnSide() && goes_on;
   }
 
   // "overshadowed by the bed": what happens to it, not where it is.
@@ -160,10 +155,7 @@ class Walk {
   // "So that its left side touches the stand": what touches what, no reason.
   bool TellsOwnSide() const {
     if (at_ + 2 >= terms_.size() || terms_[at_].lemma != "so") return false;
-    const Term& side = terms_[at_ + 1];
-    const bool own = side.kind == Term::Kind::kMention && side.mention.references.front().kind == RefKind::kPronoun &&
-                     !side.mention.references.front().side.empty();
-    return own && (terms_[at_ + 2].IsWord("against") || terms_[at_ + 2].IsWord("next_to"));
+    return terms_[at_ + 1].IsOwnSide() && terms_[at_ + 2].IsAnyWord({"against", "next_to"});
   }
 
   // Objects that are named as movers are spoken of from then on.
@@ -196,11 +188,8 @@ class Walk {
         break;
       case Term::Kind::kMention:
         if (in_reason_) break;
-        if (at_ > 0 && terms_[at_ - 1].kind == Term::Kind::kSoft && terms_[at_ - 1].lemma == "(" &&
-            term.mention.references.front().kind == RefKind::kPronoun &&
-            !term.mention.references.front().side.empty()) {
+        if (at_ > 0 && terms_[at_ - 1].IsSoft("(") && term.IsOwnSide())
           composer_.CompleteSide(term.mention.references.front().side);
-        }
         if (clause_begins_) TakeTopic(term.mention);
         if (term.mention.references.front().kind == RefKind::kObjects && composer_.topic().empty())
           TakeTopic(term.mention);
