@@ -12,10 +12,6 @@
 namespace flair::english {
 namespace {
 
-bool IsIn(std::string_view list, const Token& token) {
-  return token.kind == Token::Kind::kWord && Language::Get().IsIn(list, token.text);
-}
-
 const Token* Peek(const std::vector<Token>& tokens, size_t i) { return i < tokens.size() ? &tokens[i] : nullptr; }
 bool WordAt(const std::vector<Token>& tokens, size_t i, std::string_view word) {
   return i < tokens.size() && tokens[i].IsWord(word);

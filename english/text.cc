@@ -216,6 +216,10 @@ bool IsOneOf(const Token& token, std::initializer_list<std::string_view> words) 
   return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return token.IsWord(word); });
 }
 
+bool IsIn(std::string_view list, const Token& token) {
+  return token.kind == Token::Kind::kWord && Language::Get().IsIn(list, token.text);
+}
+
 std::vector<Token> Tokenize(std::string_view text) { return Tokenizer(text).Run(); }
 
 std::vector<Token> KeepClauseMarks(const std::vector<Token>& tokens) {

@@ -41,6 +41,9 @@ struct Token {
 
 bool IsOneOf(const Token& token, std::initializer_list<std::string_view> words);
 
+// Whether it is a word of that list of Language::Get().
+bool IsIn(std::string_view list, const Token& token);
+
 // Splits any bytes, in linear time; never fails. Words are letters, also beyond ASCII (é, è, ê become e); every other
 // printable ASCII character is a sign. Typographic quotes, dashes, primes, fractions and crosses become their plain
 // forms: "½" is the number 0.5. "Doesn't" is "does" "not", "it's" is "it" "is", "the bed's" is "the" "bed" "'s". A

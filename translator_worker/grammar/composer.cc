@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "absl/strings/ascii.h"
 #include "english/language.h"
 #include "english/words.h"
+#include "translator_worker/grammar/noun_phrases.h"
 #include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {
@@ -53,10 +53,7 @@ bool Composer::PlacedIs(std::string_view kind, const Placed& placed) const {
     return scope() == v1::SENTENCE_SCOPE_INTRA && subjects_.size() == 1 && subjects_.front().object != placed.object &&
            IsChair(placed) && !IsChair(subjects_.front());
   }
-  // "Bed 1", "bed1".
-  std::string name = it.name();
-  while (!name.empty() && (name.back() == ' ' || name.back() == '_' || absl::ascii_isdigit(name.back())))
-    name.pop_back();
+  const std::string_view name = WithoutNumber(it.name());
   const std::string last = english::Singular(name.substr(name.find_last_of(" _") + 1));
   const english::Language& language = english::Language::Get();
   // "Armchair", but not "workbench".

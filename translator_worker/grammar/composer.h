@@ -135,8 +135,6 @@ class Composer {
   bool IsBesideTheRug(const std::string& type) const;
   // Whether the call tells of a small thing only in what part of the room it is, or on what other small thing.
   bool TellsLittle(const Call& call) const;
-  // Whether the call tells little of a thing that another call has placed.
-  bool IsPlacedCloser(const Call& call) const;
   std::vector<int> Group(const std::string& name, const std::vector<Placed>& movers) const;
 
   const v1::TranslateRequest& request_;

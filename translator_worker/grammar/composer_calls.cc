@@ -77,17 +77,6 @@ bool TouchOtherSides(const Call& a, const Call& b) {
   return BothAre("next_to", a, b) && !side.empty() && !other.empty() && side != other;
 }
 
-// Whether `plain` only says that two are apart, without a figure, which `call` asks to be near or touching: "the
-// distance between them is minimal (0 m)".
-bool Contradicts(const Call& call, const Call& plain) {
-  if (plain.type != "away_from" || plain.Find("min_distance_m") != nullptr) return false;
-  if (call.type != "next_to" && (call.type != "near" || call.Find("max_distance_m") == nullptr)) return false;
-  const std::string& a = plain.TextOf("object");
-  const std::string& b = plain.TextOf("target");
-  return (call.TextOf("object") == a && call.TextOf("target") == b) ||
-         (call.TextOf("object") == b && call.TextOf("target") == a);
-}
-
 }  // namespace
 
 bool Composer::IsBesideTheRug(const std::string& type) const {
@@ -132,13 +121,6 @@ bool Composer::TellsLittle(const Call& call) const {
                                       });
 }
 
-bool Composer::IsPlacedCloser(const Call& call) const {
-  if (scope() != v1::SENTENCE_SCOPE_TERTIARY || !TellsLittle(call)) return false;
-  return std::any_of(calls_.begin(), calls_.end(), [&](const Call& other) {
-    return !TellsLittle(other) && other.TextOf("object") == call.TextOf("object");
-  });
-}
-
 bool Composer::IsOfAnother(const std::string& mover, const std::string& target) const {
   const auto partner = partners_.find(mover);
   return partner != partners_.end() && partner->second != target;
@@ -177,13 +159,12 @@ bool Composer::Emit(Call call) {
     return true;
   }
   // "Space around it (at least 0.3 m on all sides)": the one with the figure stays.
-  std::erase_if(calls_, [&](const Call& other) { return IsSameSpace(other, call) || Contradicts(call, other); });
+  std::erase_if(calls_, [&](const Call& other) { return IsSameSpace(other, call); });
   // "In the living area, under the sofa": the sofa says where the rug lies.
   if (call.type == "rug_under_center" || call.type == "rug_under_forward") {
     std::erase_if(calls_, [](const Call& other) { return other.type == "in_zone"; });
   }
-  // "On the wall in the study area, above the desk": the desk says it all, whichever comes first.
-  if (IsPlacedCloser(call)) return true;
+  // "On the wall in the study area, above the desk": the desk says it all.
   if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !TellsLittle(call)) {
     std::erase_if(calls_, [&](const Call& other) {
       return TellsLittle(other) && other.TextOf("object") == call.TextOf("object");

@@ -81,13 +81,11 @@ std::vector<int> Composer::Group(const std::string& name, const std::vector<Plac
     if (candidate.kind() != v1::OBJECT_KIND_FLOOR || candidate.role() == v1::OBJECT_ROLE_TERTIARY ||
         candidate.walk_over())
       continue;
-    const bool seat = PlacedIs("seats", {i, ""});
-    const bool hot = PlacedIs("hot-things", {i, ""});
-    if (name == "others" && (Contains(movers, i) || Contains(topic_, i))) continue;
-    if (name == "primary" && candidate.role() != v1::OBJECT_ROLE_PRIMARY) continue;
-    if (name == "seating" && !seat) continue;
-    if (name == "heat" && !hot) continue;
-    result.push_back(i);
+    const bool meant = name == "others"    ? !Contains(movers, i) && !Contains(topic_, i)
+                       : name == "primary" ? candidate.role() == v1::OBJECT_ROLE_PRIMARY
+                       : name == "seating" ? PlacedIs("seats", {i, ""})
+                                           : name != "heat" || PlacedIs("hot-things", {i, ""});
+    if (meant) result.push_back(i);
   }
   return result;
 }

@@ -170,12 +170,11 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
     if (!target || !Contains(movers, index) || movers.size() > 1) result.push_back({index, reference.side});
   }
   if (target && result.size() == 1) named_ = result;
-  if (result.empty() && reference.kind == RefKind::kObjects && !objects.empty()) {
+  const bool named = reference.kind == RefKind::kObjects;
+  if (result.empty() && (!named || !objects.empty())) {
     Refuse("names_absent_object",
-           fmt::format("the room has no \"{}\" but what is to be placed itself", reference.name));
-  }
-  if (result.empty() && reference.kind != RefKind::kObjects) {
-    Refuse("names_absent_object", fmt::format("nothing in the room is meant by \"{}\"", reference.name));
+           fmt::format("{} \"{}\"{}", named ? "the room has no" : "nothing in the room is meant by", reference.name,
+                       named ? " but what is to be placed itself" : ""));
   }
   return result;
 }

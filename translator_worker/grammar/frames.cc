@@ -53,14 +53,6 @@ Match Form::At(std::span<const Term> terms) const {
   return best;
 }
 
-std::vector<std::vector<std::string>> Form::RequiredWords() const {
-  std::vector<std::vector<std::string>> required;
-  for (const Element& element : elements_) {
-    if (element.slot == 0 && !element.optional) required.push_back(element.words);
-  }
-  return required;
-}
-
 bool Form::Fits(const Element& element, const Term& term, const Match& match) const {
   switch (element.slot) {
     case 0:
@@ -105,35 +97,15 @@ const FrameBook& FrameBook::Get() {
 
 FrameBook::FrameBook() {
   for (const english::v1::Frame& frame : english::Language::Get().data().frames()) {
-    for (const std::string& text : frame.forms()) {
-      Entry& entry = forms_.emplace_back(Entry{Form(text), frame.meaning(), frame.detail(), {}});
-      for (const std::vector<std::string>& choice : entry.form.RequiredWords()) {
-        Lemmas bits;
-        for (const std::string& lemma : choice) bits.set(bits_.try_emplace(lemma, bits_.size()).first->second);
-        entry.required.push_back(bits);
-      }
-    }
+    for (const std::string& text : frame.forms()) forms_.push_back({Form(text), &frame});
   }
-}
-
-FrameBook::Lemmas FrameBook::Among(std::span<const Term> terms) const {
-  Lemmas lemmas;
-  for (const Term& term : terms) {
-    const auto bit = bits_.find(term.lemma);
-    if (bit != bits_.end()) lemmas.set(bit->second);
-  }
-  return lemmas;
 }
 
 FrameBook::Hit FrameBook::Find(std::span<const Term> terms) const {
   Hit best;
-  const Lemmas present = Among(terms);
   for (const Entry& entry : forms_) {
-    const bool possible = std::all_of(entry.required.begin(), entry.required.end(),
-                                      [&](const Lemmas& choice) { return (choice & present).any(); });
-    if (!possible) continue;
     const Match match = entry.form.At(terms);
-    if (match.length > best.match.length) best = {entry.meaning, entry.detail, match};
+    if (match.length > best.match.length) best = {entry.frame->meaning(), entry.frame->detail(), match};
   }
   return best;
 }

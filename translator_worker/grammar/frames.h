@@ -2,13 +2,12 @@
 // Forms of facts (the frames of english/data) and what becomes of them.
 #pragma once
 
-#include <bitset>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "flair/english/v1/language.pb.h"
 #include "translator_worker/grammar/composer.h"
 #include "translator_worker/grammar/term.h"
 
@@ -40,9 +39,6 @@ class Form {
 
   // The longest match that begins at the first term.
   Match At(std::span<const Term> terms) const;
-
-  // The choices of lemmas of which one each must be among the terms for a match.
-  std::vector<std::vector<std::string>> RequiredWords() const;
 
  private:
   struct Element {
@@ -84,19 +80,11 @@ class FrameBook {
  private:
   FrameBook();
 
-  // One bit a lemma that some form requires.
-  using Lemmas = std::bitset<256>;
   struct Entry {
     Form form;
-    std::string_view meaning;
-    std::string_view detail;
-    // Choices of lemmas: without one of each it cannot match.
-    std::vector<Lemmas> required;
+    const english::v1::Frame* frame;
   };
-  Lemmas Among(std::span<const Term> terms) const;
-
   std::vector<Entry> forms_;
-  std::unordered_map<std::string, size_t> bits_;
 };
 
 }  // namespace flair::translator

@@ -146,12 +146,6 @@ std::vector<RawTerm> AttachQuantities(std::vector<RawTerm> raws) {
 
 namespace {
 
-// "nightstand 2" is a nightstand.
-std::string WithoutNumber(std::string name) {
-  while (!name.empty() && (name.back() == ' ' || (name.back() >= '0' && name.back() <= '9'))) name.pop_back();
-  return name;
-}
-
 class ListJoiner {
  public:
   explicit ListJoiner(std::vector<RawTerm> in) : in_(std::move(in)) {}

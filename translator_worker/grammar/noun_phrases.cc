@@ -106,15 +106,6 @@ class Grouper {
     return reference.kind == RefKind::kObjects && reference.candidates.size() == 2 && !reference.plural;
   }
 
-  // "The front of the captain's desk": whose it is, at either of its two terms.
-  bool IsPossessor(size_t i) const {
-    const auto unknown = [&](size_t at) {
-      return Peek(at) && in_[at].role == Role::kNone && in_[at].term.kind == Term::Kind::kUnknown;
-    };
-    const auto ending = [&](size_t at) { return Peek(at) && in_[at].role == Role::kPossessive; };
-    return (unknown(i) && ending(i + 1)) || (ending(i) && i > 0 && unknown(i - 1));
-  }
-
   bool IsComma(size_t i) const {
     return Peek(i) && in_[i].role == Role::kNone && in_[i].term.kind == Term::Kind::kSoft && in_[i].term.lemma == ",";
   }
@@ -154,8 +145,7 @@ class Grouper {
     raw.term.end = in_[next - 1].term.end;
     size_t owner = next + 1;
     while (Peek(next) && IsOf(in_[next]) && Peek(owner) &&
-           (in_[owner].role == Role::kEach || in_[owner].role == Role::kOrdinal || IsLeftOrRightOne(owner) ||
-            IsPossessor(owner))) {
+           (in_[owner].role == Role::kEach || in_[owner].role == Role::kOrdinal || IsLeftOrRightOne(owner))) {
       ++owner;
     }
     if (Peek(next) && IsOf(in_[next]) && Peek(owner) && (IsThing(in_[owner]) || IsMention(in_[owner]))) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,13 @@ std::vector<RawTerm> AttachQuantities(std::vector<RawTerm> raws);
 // Makes several wordings of one meaning one: labels before a colon go, what two relations share is said to both, "not"
 // stands behind what it denies.
 void RewriteTerms(std::vector<Term>& terms);
+
+// "nightstand 2" is a nightstand.
+inline std::string_view WithoutNumber(std::string_view name) {
+  while (!name.empty() && (name.back() == ' ' || name.back() == '_' || (name.back() >= '0' && name.back() <= '9')))
+    name.remove_suffix(1);
+  return name;
+}
 
 inline void BecomeWord(std::string lemma, RawTerm& raw) {
   raw.term.kind = Term::Kind::kWord;

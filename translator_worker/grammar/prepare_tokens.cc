@@ -10,13 +10,9 @@
 namespace flair::translator {
 namespace {
 
-bool IsIn(const char* list, const Token& token) {
-  return token.kind == Token::Kind::kWord && english::Language::Get().IsIn(list, token.text);
-}
-
 // "Backed directly onto": adverbs that say nothing of places do not come between the words of a phrase.
 void DropAdverbs(std::vector<Token>& tokens) {
-  std::erase_if(tokens, [](const Token& token) { return IsIn("idle adverbs", token); });
+  std::erase_if(tokens, [](const Token& token) { return english::IsIn("idle adverbs", token); });
 }
 
 Token WordLike(const Token& token, std::string_view text) {
@@ -58,8 +54,8 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
 // "At least one accessible side" is at least one side accessible.
 void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
   for (size_t i = 0; i + 1 < tokens.size(); ++i) {
-    const bool open = IsIn("open adjectives", tokens[i]);
-    const bool adjective = open || IsIn("access adjectives", tokens[i]);
+    const bool open = english::IsIn("open adjectives", tokens[i]);
+    const bool adjective = open || english::IsIn("access adjectives", tokens[i]);
     size_t side = i + 1;
     while (side < tokens.size() && (tokens[side].IsWord("long") || tokens[side].IsWord("short"))) ++side;
     if (!adjective || side >= tokens.size() || (side + 1 < tokens.size() && tokens[side + 1].IsMark(':'))) continue;
@@ -103,8 +99,8 @@ void JoinBounds(std::vector<Token>& tokens) {
 void TakeRoomAsSpace(std::vector<Token>& tokens) {
   for (size_t i = 0; i + 1 < tokens.size(); ++i) {
     const bool begins = i == 0 && (tokens[1].IsWord("for") || tokens[1].IsWord("to"));
-    if (tokens[i].IsWord("room") && (begins || (i > 0 && IsIn("before space", tokens[i - 1]))) &&
-        IsIn("after space", tokens[i + 1]))
+    if (tokens[i].IsWord("room") && (begins || (i > 0 && english::IsIn("before space", tokens[i - 1]))) &&
+        english::IsIn("after space", tokens[i + 1]))
       tokens[i].text = "space";
   }
 }
@@ -112,7 +108,7 @@ void TakeRoomAsSpace(std::vector<Token>& tokens) {
 }  // namespace
 
 bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
-  return tokens[at].IsWord("to") && at + 1 < tokens.size() && IsIn("reason verbs", tokens[at + 1]);
+  return tokens[at].IsWord("to") && at + 1 < tokens.size() && english::IsIn("reason verbs", tokens[at + 1]);
 }
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {

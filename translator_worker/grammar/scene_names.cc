@@ -2,7 +2,6 @@
 #include "translator_worker/grammar/scene_names.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
@@ -36,27 +35,25 @@ bool IsNumber(const std::string& word) {
 
 int NumberOf(const std::string& word) { return IsNumber(word) ? std::atoi(word.c_str()) : 0; }
 
+bool IsIn(std::string_view list, std::string_view word) { return english::Language::Get().IsIn(list, word); }
+
 // "bench" of a workbench, "table" of a worktable; empty for other words.
 std::string HeadOfCompound(const std::string& word) {
-  static constexpr std::array<std::string_view, 9> kHeads = {"bench", "table", "shelf", "desk", "case",
-                                                             "stand", "rack",  "chest", "bed"};
-  for (const std::string_view head : kHeads) {
-    if (word.size() > head.size() + 2 && word.ends_with(head)) return std::string(head);
+  constexpr size_t kShortestFirstPart = 3;
+  for (size_t cut = kShortestFirstPart; cut < word.size(); ++cut) {
+    if (IsIn("heads of compounds", word.substr(cut))) return word.substr(cut);
   }
   return "";
 }
 
 // "Toy storage" of a toy storage unit, "vanity" of a vanity with sink: enough of a name.
 bool NamesByItself(const std::vector<std::string>& words, size_t length) {
-  const auto joint = [&](size_t i) { return english::Language::Get().IsIn("name joints", words[i]); };
+  const auto joint = [&](size_t i) { return IsIn("name joints", words[i]); };
   return joint(length) || (length > 1 && !joint(length - 1));
 }
 
-// What is named for where it is used, not for what it carries: "counter stool", "desk lamp".
-bool IsSeatOrLamp(const std::string& word) { return english::Language::Get().IsIn("things named for a place", word); }
-
 // "nightstand 2" is a nightstand.
-std::vector<std::string> WithoutNumber(std::vector<std::string> words) {
+std::vector<std::string> WithoutLastNumber(std::vector<std::string> words) {
   if (words.size() > 1 && IsNumber(words.back())) words.pop_back();
   return words;
 }
@@ -87,9 +84,10 @@ SceneNames::SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1
   }
   // "TV" alone means the TV stand when there is no television, but no counter is a counter stool.
   for (int i = 0; i < objects.objects_size(); ++i) {
-    const std::vector<std::string> words = WithoutNumber(SingularWords(objects.objects(i).name()));
-    if (words.empty() || IsSeatOrLamp(words.back())) continue;
-    for (size_t length = words.size() - (words.empty() ? 0 : 1); length > 0; --length) {
+    const std::vector<std::string> words = WithoutLastNumber(SingularWords(objects.objects(i).name()));
+    // "Counter stool", "desk lamp": what is named for where it is used, not for what it carries.
+    if (words.empty() || IsIn("things named for a place", words.back())) continue;
+    for (size_t length = words.size() - 1; length > 0; --length) {
       const std::vector<std::string> front(words.begin(), words.begin() + static_cast<long>(length));
       const bool furniture = names_.count(absl::StrJoin(front, " ")) != 0 && front.front() != "storage";
       if (!furniture && !NamesByItself(words, length)) continue;
@@ -102,7 +100,7 @@ SceneNames::SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1
 void SceneNames::AddNamesOf(int i, int rank) {
   const v1::Object& object = objects_.objects(i);
   const std::vector<std::string> all = SingularWords(object.name());
-  const std::vector<std::string> words = WithoutNumber(all);
+  const std::vector<std::string> words = WithoutLastNumber(all);
   if (words.size() < all.size()) numbers_[i] = NumberOf(all.back());
   Add(SingularWords(object.id()), i, rank);
   joined_names_[absl::StrJoin(words, "")].push_back({i, rank});
@@ -138,26 +136,8 @@ SceneNames::Found SceneNames::Find(const std::vector<Token>& tokens, size_t at) 
   return best.length > 0 ? best : FindZoneByUse(tokens, at);
 }
 
-// "Locker doors", "kiln door": a part of what its name begins with that word.
-SceneNames::Found SceneNames::FindOwnerOfPart(const std::vector<Token>& tokens, size_t at) const {
-  Found found;
-  if (at + 1 >= tokens.size() || !english::Language::Get().IsIn("parts of furniture", tokens[at + 1].text))
-    return found;
-  for (int i = 0; i < objects_.objects_size(); ++i) {
-    const std::vector<std::string> words = SingularWords(objects_.objects(i).name());
-    if (words.size() > 1 && words.front() == english::Singular(tokens[at].text))
-      found.reference.candidates.push_back(i);
-  }
-  if (found.reference.candidates.empty()) return found;
-  found.reference.kind = RefKind::kObjects;
-  found.reference.name = tokens[at].text;
-  found.length = 1;
-  return found;
-}
-
 SceneNames::Found SceneNames::FindObject(const std::vector<Token>& tokens, size_t at) const {
   Found found = FindObjectByWords(tokens, at);
-  if (found.length == 0) found = FindOwnerOfPart(tokens, at);
   TakeNumbers(tokens, at, found);
   return found;
 }

@@ -49,7 +49,6 @@ class SceneNames {
   void Add(const std::vector<std::string>& words, int object, int rank);
   void AddNamesOf(int object, int rank);
   Found FindObject(const std::vector<Token>& tokens, size_t at) const;
-  Found FindOwnerOfPart(const std::vector<Token>& tokens, size_t at) const;
   Found FindInZone(const std::vector<Token>& tokens, size_t at) const;
   // "Nightstand 2", "chairs 1 and 2": keeps those with these numbers.
   void TakeNumbers(const std::vector<Token>& tokens, size_t at, Found& found) const;

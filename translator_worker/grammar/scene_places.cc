@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of SceneNames that finds zones and walls.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "english/lexicon.h"
@@ -43,11 +42,6 @@ double WallLength(const v1::Room& room, int wall) {
 size_t SceneNames::ZoneLength(const v1::Zone& zone, const std::vector<Token>& tokens, size_t at) const {
   const std::vector<std::string> words = NameWords(zone.name().empty() ? zone.id() : zone.name());
   if (words.empty() || at >= tokens.size()) return 0;
-  // "The bathing area" of "Shower/Bath".
-  const bool one_of = words.size() > 1 && tokens[at].kind == Token::Kind::kWord && IsAreaWord(tokens, at + 1) &&
-                      std::any_of(words.begin(), words.end(),
-                                  [&](const std::string& word) { return english::BeginAlike(tokens[at].text, word); });
-  if (one_of) return 1;
   size_t next = at;
   for (const std::string& word : words) {
     // "Shower/Bath", "Cooking and Eating".

@@ -240,16 +240,6 @@ Analysis WithoutUnknown(const Analysis& analysis) {
   return known;
 }
 
-// "When not in use, it can be pushed under the desk": a place of certain times. A wall that it stands at then is one
-// that it may stand at.
-bool IsStowedAtTimes(const Analysis& analysis) {
-  const auto says = [&](std::string_view lemma) {
-    return std::any_of(analysis.terms.begin(), analysis.terms.end(),
-                       [&](const Term& term) { return term.IsWord(lemma); });
-  };
-  return says("under_when_unused") && (says("pushed_under") || says("pull_out") || says("under"));
-}
-
 }  // namespace
 
 Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
@@ -262,9 +252,7 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
   }
   Translation result;
   result.weight_factor = analysis.wish ? 0.5 : 1;
-  if (analysis.conditional || IsStowedAtTimes(analysis)) {
-    composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");
-  } else {
+  if (!analysis.conditional) {
     Walk walk(analysis, composer, sentence.text(), false);
     walk.Run();
     const auto nothing_yet = [&] { return composer.calls().empty() && composer.refusals().empty(); };
@@ -281,10 +269,7 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
       if (nothing_yet()) Walk(known, composer, sentence.text(), true).Run();
     }
     walk.RefuseVague();
-    if (analysis.partly_conditional) {
-      composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");
-    }
-    if (composer.calls().empty() && composer.refusals().empty()) {
+    if (nothing_yet() && !analysis.partly_conditional) {
       composer.Refuse(
           "unknown_sentence",
           "no relation was understood; say for example \"the X is against a wall\", \"the X is 0.5 m in front of "
@@ -297,6 +282,8 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
                                                          walk.left_over().begin() + static_cast<long>(shown), ", ")));
     }
   }
+  if (analysis.conditional || analysis.partly_conditional)
+    composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");
   result.calls = composer.calls();
   for (v1::Diagnostic refusal : composer.refusals()) {
     if (!result.calls.empty()) refusal.set_code("partial");

@@ -44,12 +44,6 @@ std::vector<Placed> OneAtEach(const Mention* mention, const Mention* place, Comp
   return composer.Movers(&all);
 }
 
-bool IsOwnPart(const Mention& mention, const Composer& composer) {
-  if (composer.topic().size() != 1 || mention.references.size() != 1) return false;
-  const Reference& reference = mention.references.front();
-  return reference.kind == RefKind::kObjects && reference.Names(composer.topic().front().object);
-}
-
 bool MentionIs(const std::string& kind, const Mention& mention, const Composer& composer) {
   const Reference& first = mention.references.front();
   if (kind == "in-room") return composer.HasFeature(first.name);
@@ -60,7 +54,10 @@ bool MentionIs(const std::string& kind, const Mention& mention, const Composer& 
                        [](const Reference& one) { return one.kind == RefKind::kFeature; });
   }
   if (kind == "bare") return first.kind == RefKind::kPronoun && first.name.empty();
-  if (kind == "own-part") return IsOwnPart(mention, composer);
+  if (kind == "own-part") {
+    return composer.topic().size() == 1 && mention.references.size() == 1 && first.kind == RefKind::kObjects &&
+           first.Names(composer.topic().front().object);
+  }
   if (kind == "own-sides") return AreOwnSides(mention, composer);
   if (kind == "sided") {
     return std::any_of(mention.references.begin(), mention.references.end(),
@@ -81,7 +78,7 @@ bool MayBeOwnSpace(const Match& match, const Composer& composer) {
                           composer.scope() == v1::SENTENCE_SCOPE_INTER && !composer.pair_targets().empty() &&
                           !composer.calls().empty() && match.b->references.front().name == "it";
   // "One can stand in front of the wardrobe" that is spoken of.
-  const bool of_topic = composer.scope() == v1::SENTENCE_SCOPE_INTRA && IsOwnPart(*match.b, composer);
+  const bool of_topic = composer.scope() == v1::SENTENCE_SCOPE_INTRA && MentionIs("own-part", *match.b, composer);
   return of_topic || (match.distance != nullptr && !of_partner);
 }
 

@@ -47,12 +47,10 @@ Groups TwoGroups(const Mention* mention, Composer& composer);
 Groups AllAndFirst(const Mention* mention, Composer& composer);
 // The movers; "one chair on each side" means all chairs, where the place, unless it is null, names several sides.
 std::vector<Placed> OneAtEach(const Mention* mention, const Mention* place, Composer& composer);
-// Whether the noun phrase means just what is spoken of.
-bool IsOwnPart(const Mention& mention, const Composer& composer);
 // Whether the noun phrase is of that kind: "in-room" (a feature that the room has), "area" ("the shower area"), "many"
 // (a list), "some-feature" (with a feature in it), "sided" (with a side in it), "bare" (a side of what is spoken of),
-// "own-part", "own-sides" (AreOwnSides), "several-things" (two that are named, or several of a name), or a sort of
-// forms.
+// "own-part" (just what is spoken of), "own-sides" (AreOwnSides), "several-things" (two that are named, or several of a
+// name), or a sort of forms.
 bool MentionIs(const std::string& kind, const Mention& mention, const Composer& composer);
 // Whether the place of the fact may be at what is spoken of itself: free space, when nobody else is.
 bool MayBeOwnSpace(const Match& match, const Composer& composer);
