@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Families of wordings: what means one thing gives one call, and what only explains changes nothing.
+#include <set>
 #include <string>
 #include <vector>
 
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_replace.h"
 #include "gtest/gtest.h"
+#include "translator_worker/grammar/meaning_tables.h"
 #include "translator_worker/grammar/meanings.h"
 #include "translator_worker/grammar/testing/labelled_rooms.h"
 #include "translator_worker/grammar/testing/scorer.h"
@@ -66,6 +68,26 @@ void ExpectAll(const std::string& subject, const std::string& calls, const std::
   for (const std::string& wording : wordings) {
     EXPECT_EQ(Read(wording, subject.empty() ? std::vector<std::string>{} : std::vector<std::string>{subject}), calls)
         << wording;
+  }
+}
+
+TEST(Families, EveryTestAndCallOfTheTablesIsKnown) {
+  const std::set<std::string> subjects = {"A",       "B",       "C",       "D",      "mover", "target",
+                                          "topic",   "subject", "pair",    "detail", "scope", "calls",
+                                          "feature", "laid",    "several", "same",   "own",   "opposed"};
+  std::set<std::string> types = {"detail"};
+  const v1::TranslateRequest request = Flat();
+  for (const v1::ConstraintType& type : request.catalog().types()) types.insert(type.name());
+  for (const auto& [name, table] : Tables()) {
+    std::vector<Case> cases = table.first;
+    cases.insert(cases.end(), table.cases.begin(), table.cases.end());
+    for (const Case& one : cases) {
+      for (const Condition& test : one.tests)
+        EXPECT_TRUE(subjects.contains(test.subject)) << name << ": " << test.subject;
+      for (const auto& alternatives : one.calls) {
+        for (const Template& call : alternatives) EXPECT_TRUE(types.contains(call.type)) << name << ": " << call.type;
+      }
+    }
   }
 }
 

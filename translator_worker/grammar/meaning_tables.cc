@@ -15,7 +15,7 @@ Words Split(std::string_view text, char separator) {
   return absl::StrSplit(std::string(text), separator, absl::SkipEmpty());
 }
 
-Test::Test(std::string_view text) {
+Condition::Condition(std::string_view text) {
   denied = text.front() == '!';
   if (denied) text.remove_prefix(1);
   const size_t end = std::min(text.find_first_of(":=."), text.size());

@@ -16,14 +16,14 @@ using Words = std::vector<std::string>;
 
 Words Split(std::string_view text, char separator);
 
-// One test of a case, "!mover.side=front|back".
-struct Test {
+// One condition of a case, "!mover.side=front|back".
+struct Condition {
   bool denied = false;
   std::string subject;
   char about = 0;  // ':', '=', '.' for sides, or 0 for being there
   Words values;
 
-  explicit Test(std::string_view text);
+  explicit Condition(std::string_view text);
 };
 
 // A call to be, "near object=A target=B".
@@ -40,7 +40,7 @@ struct Template {
 };
 
 struct Case {
-  std::vector<Test> tests;
+  std::vector<Condition> tests;
   std::vector<std::vector<Template>> calls;  // of each the first that can be made
   const english::v1::Case* data;
 

@@ -2,14 +2,9 @@
 #include "translator_worker/grammar/meanings.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
-#include "absl/strings/match.h"
-#include "absl/strings/str_split.h"
-#include "english/language.h"
 #include "translator_worker/grammar/meaning_tables.h"
 #include "translator_worker/grammar/rules/shared.h"
 
@@ -190,6 +185,7 @@ class Fact {
     if (value == "detail") return {std::string(detail_)};
     if (value == "C.sides") {
       std::vector<std::string> all;
+      if (match_.c == nullptr || pair.mover == nullptr) return all;
       for (const Reference& reference : match_.c->references) {
         for (const std::string& side : SidesOf(composer_, {pair.mover->object, reference.side})) all.push_back(side);
       }
@@ -204,10 +200,10 @@ class Fact {
 
   bool Holds(const Case& one, const Pair& pair) {
     return std::all_of(one.tests.begin(), one.tests.end(),
-                       [&](const Test& test) { return Holds(test, pair) != test.denied; });
+                       [&](const Condition& test) { return Holds(test, pair) != test.denied; });
   }
 
-  bool Holds(const Test& test, const Pair& pair) {
+  bool Holds(const Condition& test, const Pair& pair) {
     const std::string& subject = test.subject;
     if (subject == "A") return OfMention(test, match_.a);
     if (subject == "B") return OfMention(test, match_.b);
@@ -227,10 +223,11 @@ class Fact {
     if (subject == "several") return Movers().size() > 1;
     if (subject == "same") return pair.mover && pair.object && pair.mover->object == pair.object->object;
     if (subject == "own") return Moves(pair.object);
-    return subject == "opposed" && !pair.mover->side.empty() && pair.mover->side == OppositeSide(pair.object->side);
+    return subject == "opposed" && pair.mover && pair.object && !pair.mover->side.empty() &&
+           pair.mover->side == OppositeSide(pair.object->side);
   }
 
-  bool OfAny(const Test& test, const std::vector<Placed>& list) const {
+  bool OfAny(const Condition& test, const std::vector<Placed>& list) const {
     return std::any_of(list.begin(), list.end(), [&](const Placed& one) { return OfPlaced(test, &one); });
   }
 
@@ -254,7 +251,7 @@ class Fact {
     return kind == "exact" ? match_.distance->exact : match_.distance->Nominal() == 0;
   }
 
-  bool OfMention(const Test& test, const Mention* mention) const {
+  bool OfMention(const Condition& test, const Mention* mention) const {
     if (mention == nullptr || test.about == 0) return mention != nullptr;
     const Reference& first = mention->references.front();
     if (test.about == '=') return Has(test.values, first.name);
@@ -268,7 +265,7 @@ class Fact {
     return kind == "wall" || kind == "feature" || kind == "room" || kind == "zone" || kind == "object";
   }
 
-  bool OfTarget(const Test& test, const Pair& pair) {
+  bool OfTarget(const Condition& test, const Pair& pair) {
     if (pair.target == nullptr) {  // of a fact as a whole
       for (const Target& target : Targets()) {
         if (!target.objects.empty()) return OfPlaced(test, &target.objects.front());
@@ -285,7 +282,7 @@ class Fact {
     return OfPlaced(test, pair.object);
   }
 
-  bool OfPlaced(const Test& test, const Placed* placed) const {
+  bool OfPlaced(const Condition& test, const Placed* placed) const {
     if (placed == nullptr || test.about == 0) return placed != nullptr;
     if (test.about == '.') return test.values.empty() ? !placed->side.empty() : Has(test.values, placed->side);
     return std::any_of(test.values.begin(), test.values.end(),
@@ -326,9 +323,10 @@ class Fact {
   std::vector<Target> FindTargets(const std::vector<Placed>& movers) {
     if (table_ == nullptr || table_->targets.empty()) return {};
     const Words& how = table_->targets;
-    const Mention& mention = *(how.front() == "C" ? match_.c : match_.b);
+    const Mention* const mention = how.front() == "C" ? match_.c : match_.b;
+    if (mention == nullptr) return {};
     const bool alone = Has(how, "alone") || (Has(how, "own") && MayBeOwnSpace(match_, composer_));
-    std::vector<Target> targets = composer_.Targets(mention, alone ? std::vector<Placed>{} : movers, !Has(how, "any"));
+    std::vector<Target> targets = composer_.Targets(*mention, alone ? std::vector<Placed>{} : movers, !Has(how, "any"));
     for (Target& target : targets) target.objects = AtSides(target.objects, how);
     for (size_t i = 1; Has(how, "shared") && i < targets.size(); ++i) {
       std::vector<Placed>& all = targets.front().objects;
@@ -375,7 +373,8 @@ void MakeCallsOf(std::string_view meaning, const std::vector<Placed>& movers, co
                  const Distance* distance, Composer& composer) {
   Match match;
   match.distance = distance;
-  Fact(match, "", composer).ReadPairs(Tables().find(meaning)->second, movers, target);
+  const auto table = Tables().find(meaning);
+  if (table != Tables().end()) Fact(match, "", composer).ReadPairs(table->second, movers, target);
 }
 
 }  // namespace flair::translator

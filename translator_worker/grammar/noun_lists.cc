@@ -209,8 +209,7 @@ class ListJoiner {
       bool joined = false;
       bool either = in_[i].term.mention.either;
       while (Peek(next) && (in_[next].role == Role::kAnd || in_[next].role == Role::kOr ||
-                            (in_[next].role == Role::kNone && in_[next].term.kind == Term::Kind::kSoft &&
-                             in_[next].term.lemma == ","))) {
+                            (in_[next].role == Role::kNone && in_[next].term.IsSoft(",")))) {
         if (in_[next].role == Role::kOr) either = true;
         joined = joined || in_[next].role == Role::kAnd || in_[next].role == Role::kOr || ListGoesOn(next);
         ++next;
@@ -267,7 +266,7 @@ class ListJoiner {
     if (comma > 0 && Peek(comma + 1) && IsFeature(in_[comma - 1]) && IsFeature(in_[comma + 1])) return true;
     for (size_t i = comma + 1, seen = 0; Peek(i) && seen < 12; ++i, ++seen) {
       if (in_[i].role == Role::kAnd || in_[i].role == Role::kOr) return i > comma + 1;
-      if (!IsMention(in_[i]) && !(in_[i].term.kind == Term::Kind::kSoft && in_[i].term.lemma == ",")) return false;
+      if (!IsMention(in_[i]) && !in_[i].term.IsSoft(",")) return false;
     }
     return false;
   }

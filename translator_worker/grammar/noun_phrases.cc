@@ -106,9 +106,7 @@ class Grouper {
     return reference.kind == RefKind::kObjects && reference.candidates.size() == 2 && !reference.plural;
   }
 
-  bool IsComma(size_t i) const {
-    return Peek(i) && in_[i].role == Role::kNone && in_[i].term.kind == Term::Kind::kSoft && in_[i].term.lemma == ",";
-  }
+  bool IsComma(size_t i) const { return Peek(i) && in_[i].role == Role::kNone && in_[i].term.IsSoft(","); }
 
   // The side that a list goes on with at `next`, 0 when it does not: "front, left and right" needs its "and".
   size_t NextSide(size_t next) const {
