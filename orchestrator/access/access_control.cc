@@ -17,9 +17,9 @@ namespace flair::orchestrator {
 
 absl::Status Caller::CheckOpenJobs(int64_t open, int64_t more) const {
   if (open_job_limit == 0 || open + more <= open_job_limit) return absl::OkStatus();
-  return absl::ResourceExhaustedError(
-      fmt::format("{} of your jobs wait or run, {} more would be over the limit of {} for \"{}\"; try again later",
-                  open, more, open_job_limit, name));
+  return absl::ResourceExhaustedError(fmt::format(
+      "{} of your jobs are waiting or running; {} more would exceed the limit of {} for \"{}\"; try again later", open,
+      more, open_job_limit, name));
 }
 
 absl::Status Caller::CheckOperator(std::string_view what) const {
@@ -72,8 +72,7 @@ absl::StatusOr<Caller> AccessControl::Admit(std::optional<std::string_view> auth
   }
   const config::v1::TokenEntry* entry = Find(token);
   if (entry == nullptr) {
-    return absl::UnauthenticatedError(
-        "the token that was sent is none of this orchestrator's; it may have been replaced");
+    return absl::UnauthenticatedError("this orchestrator does not know the token; it may have been replaced");
   }
   const int limit = entry->calls_per_minute_limit();
   if (limit == 0) return CallerOf(*entry);
@@ -81,8 +80,9 @@ absl::StatusOr<Caller> AccessControl::Admit(std::optional<std::string_view> auth
   if (rate->second.per_minute() != limit) rate->second = RateLimit(limit, clock_.Elapsed());
   const absl::Duration wait = rate->second.Take(clock_.Elapsed());
   if (wait == absl::ZeroDuration()) return CallerOf(*entry);
-  return absl::ResourceExhaustedError(fmt::format("\"{}\" may make {} calls a minute and has; try again in {} s",
-                                                  entry->name(), limit, std::ceil(absl::ToDoubleSeconds(wait))));
+  return absl::ResourceExhaustedError(
+      fmt::format("\"{}\" has made the {} calls a minute that it may; try again in {} s", entry->name(), limit,
+                  std::ceil(absl::ToDoubleSeconds(wait))));
 }
 
 // Every entry is looked at, wherever the right one is.
@@ -103,11 +103,11 @@ void AccessControl::Reload() {
   stamp_ = stamp;
   absl::StatusOr<config::v1::TokenList> list = ReadTokenList(path_);
   if (!list.ok()) {
-    logger_->error("tokens_path: the tokens known before go on: {}", std::string(list.status().message()));
+    logger_->error("tokens_path: the previous tokens stay in use: {}", std::string(list.status().message()));
     return;
   }
   list_ = *std::move(list);
-  logger_->info("tokens_path: {} tokens read anew from {}", list_.tokens_size(), path_);
+  logger_->info("tokens_path: reloaded {} tokens from {}", list_.tokens_size(), path_);
 }
 
 namespace {
@@ -162,8 +162,7 @@ void Check(const config::v1::TokenList& list, runtime::ConfigChecker& checker) {
     const auto [same, new_name] = names.try_emplace(entry.name(), i);
     if (!new_name && !SameRights(entry, list.tokens(same->second))) {
       checker.Report(path,
-                     fmt::format("has other limits or rights than tokens[{}], but tokens of one name are one caller",
-                                 same->second));
+                     fmt::format("has other limits or rights than tokens[{}], which has the same name", same->second));
     }
   }
 }

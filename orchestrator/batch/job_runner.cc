@@ -93,8 +93,8 @@ void JobRunner::Work() {
     if (lease.ok() && *lease != nullptr) RunJob(**lease);
     const bool idle = !lease.ok() || *lease == nullptr;
     if (!lease.ok()) {
-      Complain(fmt::format("cannot take a job from the queue: {}; tries again until it can",
-                           std::string(lease.status().message())));
+      Complain(
+          fmt::format("cannot take a job from the queue: {}; will keep trying", std::string(lease.status().message())));
       (void)WaitBeforeRepeat();
     }
     // The lease ends before the thread sleeps.
@@ -123,7 +123,7 @@ void JobRunner::RunJob(Lease& lease) {
   const int lost = lease.lost_run_count();
   if (lost >= kLostRunLimit) {
     const absl::Status error = absl::InternalError(
-        fmt::format("{} runs of the job in a row ended with the process that ran it; it is not begun again", lost));
+        fmt::format("{} runs of the job in a row died with their process; it is not started again", lost));
     End(lease, {v1::JOB_STATE_FAILED, lease.job().stage(), error, v1::FAILURE_KIND_WORKER, clock_.Now()});
   } else {
     Settle(lease, pipeline_.Run(lease));
@@ -157,13 +157,12 @@ void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
   const absl::Duration delay = DelayAfterFailure(failed, lease.job().id());
   absl::Status returned = lease.Return(delay, reason);
   while (!returned.ok() && !lease.lost()) {
-    Complain(fmt::format("cannot give a job back to the queue: {}; tries again until it can",
-                         std::string(returned.message())));
+    Complain(fmt::format("cannot return a job to the queue: {}; will keep trying", std::string(returned.message())));
     if (!WaitBeforeRepeat()) break;
     returned = lease.Return(delay, reason);
   }
   if (!returned.ok()) {
-    logger_.error("job {}: cannot be given back: {}", lease.job().id(), std::string(returned.message()));
+    logger_.error("job {}: cannot be returned to the queue: {}", lease.job().id(), std::string(returned.message()));
     return;
   }
   std::lock_guard lock(mutex_);
@@ -174,7 +173,7 @@ void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
 void JobRunner::End(Lease& lease, const JobEnd& end) {
   absl::Status stored = lease.End(end);
   while (!stored.ok() && !lease.lost() && !IsArtifactGone(stored)) {
-    Complain(fmt::format("cannot store how a job ended: {}; tries again until it can", std::string(stored.message())));
+    Complain(fmt::format("cannot store how a job ended: {}; will keep trying", std::string(stored.message())));
     if (!WaitBeforeRepeat()) return;
     stored = lease.End(end);
   }

@@ -31,7 +31,7 @@ absl::Status CheckAddress(const config::v1::QueueConfig& config, const config::v
     const bool encrypted = server.starts_with("tls://");
     if (!encrypted && !server.starts_with("nats://")) {
       return absl::InvalidArgumentError(
-          fmt::format("queue.address: \"{}\" is no server; expected nats://HOST:PORT or tls://HOST:PORT",
+          fmt::format("queue.address: \"{}\" is not a server; expected nats://HOST:PORT or tls://HOST:PORT",
                       WithoutCredentials(server).substr(0, 200)));
     }
     if (encrypted && (tls == nullptr || tls->authority_path().empty())) {

@@ -42,7 +42,7 @@ void Sweeper::Run() {
     const absl::StatusOr<Deleted> step = Step();
     // Once per outage.
     if (!step.ok() && !failed) {
-      logger_.warn("cannot delete what has ended: {}; tries again until it can", std::string(step.status().message()));
+      logger_.warn("cannot delete what has ended: {}; will keep trying", std::string(step.status().message()));
     }
     failed = !step.ok();
     const absl::Duration pause = step.ok() && !step->done ? kPause : rest;

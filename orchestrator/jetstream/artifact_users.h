@@ -94,7 +94,7 @@ class ArtifactUsers {
     if (!entry.has_value()) return Known();
     Known known{{}, entry->revision};
     if (known.users.ParseFromString(entry->value)) return known;
-    return absl::DataLossError(fmt::format("the queue's record of who has artifact {} is damaged", artifact_id));
+    return absl::DataLossError(fmt::format("the queue's record of the users of artifact {} is damaged", artifact_id));
   }
 
   // False when somebody else has changed it meanwhile.

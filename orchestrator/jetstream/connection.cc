@@ -85,7 +85,7 @@ absl::StatusOr<OptionsPtr> MakeOptions(const config::v1::QueueConfig& config, co
   for (const std::string& server : servers) urls.push_back(server.c_str());
   if (natsOptions_SetServers(made, urls.data(), static_cast<int>(urls.size())) != NATS_OK) {
     return absl::InvalidArgumentError(
-        fmt::format("queue.address: \"{}\" is no list of servers; expected nats://HOST:PORT, with commas between",
+        fmt::format("queue.address: \"{}\" is not a list of servers; expected nats://HOST:PORT, separated by commas",
                     ShownAddress(config).substr(0, 200)));
   }
   natsOptions_SetName(made, "flair");
@@ -141,8 +141,8 @@ std::string CertificateFault(const config::v1::TlsConfig& tls, const std::string
         servers);
   }
   return fmt::format(
-      "runtime.tls.certificate_path: {} refuses {}; its authority must have signed it, and it must hold today", servers,
-      tls.certificate_path());
+      "runtime.tls.certificate_path: {} refuses {}; its authority must have signed it, and it must be valid now",
+      servers, tls.certificate_path());
 }
 
 // We do not take theirs; `why` in the words of OpenSSL.
@@ -154,7 +154,7 @@ std::string ServerFault(const config::v1::TlsConfig& tls, const std::string& ser
         servers);
   }
   if (absl::StrContains(why, "expired") || absl::StrContains(why, "not yet valid")) {
-    return fmt::format("queue.address: the certificate of {} does not hold today", servers);
+    return fmt::format("queue.address: the certificate of {} has expired or is not valid yet", servers);
   }
   return fmt::format("runtime.tls.authority_path: {} has not signed the certificate of {}", tls.authority_path(),
                      servers);
@@ -166,12 +166,12 @@ std::string TrustFault(const config::v1::QueueConfig& config, const config::v1::
   const std::string servers = ShownAddress(config);
   if (status == NATS_CONNECTION_AUTH_FAILED || status == NATS_NOT_PERMITTED) return CredentialsFault(config, servers);
   if (status == NATS_SECURE_CONNECTION_WANTED) {
-    return fmt::format("queue.address: {} is without TLS; give the server a certificate, or say nats://", servers);
+    return fmt::format("queue.address: {} does not use TLS; give the server a certificate, or use nats://", servers);
   }
   if (tls == nullptr || !absl::StrContains(servers, "tls://")) {
     // cnats tries TLS by itself when a server insists, and knows no authority.
     if (status != NATS_SSL_ERROR && status != NATS_SECURE_CONNECTION_REQUIRED) return "";
-    return fmt::format("queue.address: {} takes no plain text; say tls:// and set runtime.tls", servers);
+    return fmt::format("queue.address: {} refuses plain text; use tls:// and set runtime.tls", servers);
   }
   if (status == NATS_SSL_ERROR) {
     return absl::StrContains(why, "alert") ? CertificateFault(*tls, servers) : ServerFault(*tls, servers, why);
@@ -240,14 +240,14 @@ NatsConnection::~NatsConnection() {
 
 absl::Status NatsConnection::Unreachable(const std::string& why) const {
   return absl::UnavailableError(fmt::format(
-      "the queue at {} does not answer ({}); is nats-server running there, and may it be reached?", address_, why));
+      "the queue at {} does not answer ({}); is nats-server running there, and is it reachable?", address_, why));
 }
 
 absl::Status NatsConnection::CheckSize(const NatsRequest& request) const {
   const auto size_bytes = static_cast<int64_t>(request.content.size());
   if (size_bytes + 1024 <= max_payload_bytes()) return absl::OkStatus();
   return absl::InvalidArgumentError(
-      fmt::format("{} bytes are too much for one message of the queue at {}; its servers take {} (max_payload)",
+      fmt::format("{} bytes are too many for one message of the queue at {}; its servers accept {} (max_payload)",
                   size_bytes, address_, max_payload_bytes()));
 }
 
@@ -260,7 +260,7 @@ absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, 
   const natsStatus status = natsConnection_RequestMsg(&answer, connection_, message.get(), Milliseconds(limit));
   const NatsMessagePtr owned(answer);
   if (status == NATS_OK) return Read(answer);
-  if (status == NATS_NO_RESPONDERS) return Unreachable("JetStream is off there, or has no leader just now");
+  if (status == NATS_NO_RESPONDERS) return Unreachable("JetStream is off there, or has no leader at the moment");
   return Unreachable(natsStatus_GetText(status));
 }
 

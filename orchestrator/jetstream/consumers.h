@@ -221,7 +221,7 @@ class Consumers {
     const absl::StatusOr<NatsMessage> message = inbox->Next(kDeliveryLimit);
     if (!message.ok()) return parts_.connection->Unreachable("no answer in time");
     if (message->status == 503)
-      return parts_.connection->Unreachable("the consumer is gone, or has no leader just now");
+      return parts_.connection->Unreachable("the consumer is gone, or has no leader at the moment");
     // No message now; or the consumer goes or moves just now, which the next look sees.
     if (message->status != 0 || message->reply.empty()) return std::nullopt;
     Delivery delivery{message->content, message->reply};

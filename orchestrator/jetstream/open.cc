@@ -38,7 +38,8 @@ constexpr std::string_view kPieces = "pieces ";
 std::string PieceKey(const std::string& id, size_t number) { return fmt::format("{}.{}", id, number); }
 
 absl::Status Damaged(const std::string& id) {
-  return absl::DataLossError(fmt::format("artifact {}: damaged: what the queue's servers have is not it", id));
+  return absl::DataLossError(
+      fmt::format("artifact {}: damaged: the bytes on the queue's servers do not match the id", id));
 }
 
 // Artifacts in a bucket of NATS servers. A small one is one value under its id, "whole\n" and its bytes; a large one is

@@ -149,7 +149,7 @@ absl::Status Streams::ToStatus(int nats_status, int error_code, const char* said
   const std::string& address = connection_.address();
   if (nats_status == NATS_NOT_FOUND || kMissing.contains(error_code)) return absl::NotFoundError(text);
   if (nats_status == NATS_NO_RESPONDERS) {
-    return connection_.Unreachable("JetStream is off there, or has no leader just now");
+    return connection_.Unreachable("JetStream is off there, or has no leader at the moment");
   }
   if (error_code == 0) return connection_.Unreachable(text);
   if (error_code == JSStreamWrongLastSequenceErr) return absl::AbortedError(text);
@@ -324,7 +324,7 @@ absl::StatusOr<StoredMessage> Streams::Next(const std::string& stream, const std
   const auto message = parsed.find("message");
   StoredMessage found;
   if (message == parsed.end() || !absl::Base64Unescape(message->value("data", ""), &found.content)) {
-    return absl::InternalError(fmt::format("stream {} gives a message that cannot be read", stream));
+    return absl::InternalError(fmt::format("stream {} holds a message that cannot be read", stream));
   }
   found.subject = message->value("subject", "");
   found.sequence = message->value("seq", uint64_t{0});

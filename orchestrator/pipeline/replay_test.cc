@@ -145,7 +145,7 @@ TEST_F(ReplayTest, SaysWhichArtifactIsGoneOrDamaged) {
   const PipelineResult gone = Run(stages, NewJob("third", SpecOfReplay("first", "solve")));
   EXPECT_EQ(gone.status.code(), absl::StatusCode::kNotFound);
   EXPECT_THAT(std::string(gone.status.message()),
-              HasSubstr("it was to be taken from job first: run that again from \"objects\" or an earlier stage"));
+              HasSubstr("it should have come from job first: run that job again from \"objects\" or an earlier stage"));
 }
 
 TEST_F(ReplayTest, IsRefusedWhenItCannotBeDone) {

@@ -149,10 +149,11 @@ absl::StatusOr<StageRunner::Output> StageRunner::TakeFromEarlierJob(int stage_in
   ASSIGN_OR_RETURN(const v1::ArtifactRef ref, ArtifactToTake(replay, stage_index, queue_));
   absl::StatusOr<Output> taken = Reuse(stage_index, ref);
   if (taken.ok()) return taken;
-  return absl::Status(taken.status().code(),
-                      fmt::format("{}; it was to be taken from job {}: run that again from \"{}\" or an earlier stage",
-                                  std::string(taken.status().message()), replay.job_id(),
-                                  Stages()[static_cast<size_t>(stage_index)].name));
+  return absl::Status(
+      taken.status().code(),
+      fmt::format("{}; it should have come from job {}: run that job again from \"{}\" or an earlier stage",
+                  std::string(taken.status().message()), replay.job_id(),
+                  Stages()[static_cast<size_t>(stage_index)].name));
 }
 
 absl::StatusOr<StageRunner::Output> StageRunner::MakeAndStore(int stage_index, const StageRun& run,
@@ -222,7 +223,7 @@ absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, const StageRu
   };
   absl::StatusOr<v1::Artifact> artifact = Retry<v1::Artifact>(make, run);
   if (absl::IsDeadlineExceeded(artifact.status())) {
-    return absl::DeadlineExceededError(fmt::format("stage \"{}\" did not end within {} (stage_deadline_seconds)",
+    return absl::DeadlineExceededError(fmt::format("stage \"{}\" did not finish within {} (stage_deadline_seconds)",
                                                    stage.name, absl::FormatDuration(options_.stage_deadline)));
   }
   return artifact;

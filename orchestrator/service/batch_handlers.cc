@@ -172,7 +172,7 @@ absl::Status OrchestratorHandlers::RetryJobs(std::span<const v1::Job> jobs, cons
   }
   if (*granted == static_cast<int64_t>(jobs.size())) return absl::OkStatus();
   return absl::ResourceExhaustedError(
-      fmt::format("{} of the failed jobs wait again; more would be over the limit of jobs that wait; try again later",
+      fmt::format("{} of the failed jobs wait again; more would exceed the limit of waiting jobs; try again later",
                   response.retried_count()));
 }
 

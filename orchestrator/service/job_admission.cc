@@ -51,8 +51,8 @@ absl::StatusOr<JobAdmission::Entry::Counts> JobAdmission::Entry::Keep(int64_t jo
 absl::Status JobAdmission::Entry::Check(const Counts& counts, int64_t job_count) const {
   if (counts.queued + job_count <= admission_.queued_job_limit_) return caller_.CheckOpenJobs(counts.open, job_count);
   return absl::ResourceExhaustedError(
-      fmt::format("{} jobs wait, {} more would be over the limit of {}; try again later", counts.queued, job_count,
-                  admission_.queued_job_limit_));
+      fmt::format("{} jobs are waiting; {} more would exceed the limit of {}; try again later", counts.queued,
+                  job_count, admission_.queued_job_limit_));
 }
 
 absl::Status JobAdmission::Entry::Grant(int64_t job_count) {

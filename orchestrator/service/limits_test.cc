@@ -119,7 +119,7 @@ TEST_F(FullQueueTest, ARepeatedJobIsReturned) {
   ASSERT_TRUE(orchestrator_->CreateJob("r2", Spec()).ok());
   const absl::Status third = orchestrator_->CreateJob("r3", Spec()).status();
   EXPECT_EQ(third.code(), absl::StatusCode::kResourceExhausted);
-  EXPECT_THAT(std::string(third.message()), HasSubstr("2 jobs wait, 1 more would be over the limit of 2"));
+  EXPECT_THAT(std::string(third.message()), HasSubstr("2 jobs are waiting; 1 more would exceed the limit of 2"));
   const auto again = orchestrator_->CreateJob("r1", Spec());
   ASSERT_TRUE(again.ok()) << again.status();
   EXPECT_EQ(again->id(), first.id());

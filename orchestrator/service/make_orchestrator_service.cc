@@ -109,11 +109,11 @@ absl::StatusOr<std::unique_ptr<ArtifactStore>> OpenArtifactStore(const config::v
   if (address.empty() && !config.has_queue()) return LocalArtifacts::Open(config.store_path() + "/artifacts");
   if (!address.empty() && address != "jetstream:") {
     return absl::InvalidArgumentError(
-        fmt::format("artifact_store: \"{}\" is no store; expected \"folder:PATH\" or \"jetstream:\"", address));
+        fmt::format("artifact_store: \"{}\" is not a store; expected \"folder:PATH\" or \"jetstream:\"", address));
   }
   if (!config.has_queue()) {
     return absl::InvalidArgumentError(
-        "artifact_store: \"jetstream:\" keeps artifacts in the queue's servers; set queue");
+        "artifact_store: \"jetstream:\" keeps artifacts on the queue's servers; set queue");
   }
   return Nats().open_artifacts(config.queue(), TlsOf(config), clock);
 }

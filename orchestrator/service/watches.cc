@@ -144,13 +144,13 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
     {
       std::lock_guard lock(mutex_);
       writing_ = false;
-      if (!ok) return EndLocked(absl::CancelledError("the watcher has gone"));
+      if (!ok) return EndLocked(absl::CancelledError("the watcher is gone"));
     }
     // gRPC's thread does not wait for the queue.
     const std::shared_ptr<Stream> self = this->shared_from_this();
     if (!owner_.worker_.executor.TrySubmit([self] { self->Pump(); })) Pump();
   }
-  void OnCancel() override { End(absl::CancelledError("the watcher has gone")); }
+  void OnCancel() override { End(absl::CancelledError("the watcher is gone")); }
   void OnDone() override {
     if (subscription_ != 0) owner_.hub_.Unsubscribe(subscription_);
     owner_.Remove(this->shared_from_this());

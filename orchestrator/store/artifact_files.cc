@@ -72,7 +72,7 @@ absl::Status ArtifactFiles::PutOne(const SealedArtifact& artifact) const {
   const std::string folder = std::filesystem::path(path).parent_path();
   std::error_code error;
   if (!std::filesystem::exists(folder, error)) std::filesystem::create_directories(folder, error);
-  if (error) return absl::UnavailableError(fmt::format("{}: cannot make its folder: {}", path, error.message()));
+  if (error) return absl::UnavailableError(fmt::format("{}: cannot create its folder: {}", path, error.message()));
   return runtime::WriteFileAtomically(path, artifact.bytes, runtime::Durability::kProcessCrash);
 }
 
@@ -87,7 +87,7 @@ absl::Status ArtifactFiles::Flush(std::span<const v1::ArtifactRef> artifacts) {
 absl::StatusOr<int64_t> ArtifactFiles::Mark() {
   std::string path = folder_ + "/mark-XXXXXX";
   const int file = ::mkstemp(path.data());
-  if (file < 0) return absl::UnavailableError(fmt::format("{}: cannot be made: {}", path, std::strerror(errno)));
+  if (file < 0) return absl::UnavailableError(fmt::format("{}: cannot be created: {}", path, std::strerror(errno)));
   ::unlink(path.c_str());
   // The clock of a file system stands still for some milliseconds; of two files with one time nobody knows the order.
   struct stat info = {};

@@ -118,7 +118,7 @@ absl::StatusOr<std::unique_ptr<Database>> Database::Open(const std::string& path
   absl::Status status = code == SQLITE_OK ? database->Configure() : ToStatus(connection, code);
   if (status.ok()) status = database->Migrate(schema);
   if (status.ok()) return database;
-  const char* advice = absl::IsDataLoss(status) ? "; put a good copy in its place, or move it away to begin anew" : "";
+  const char* advice = absl::IsDataLoss(status) ? "; restore a good copy, or move it away to start afresh" : "";
   return absl::Status(status.code(), fmt::format("{}: {}{}", path, std::string(status.message()), advice));
 }
 
@@ -152,7 +152,7 @@ absl::Status Database::Migrate(Schema schema) {
   ASSIGN_OR_RETURN(const int64_t version, FirstInt("PRAGMA user_version"));
   if (version > newest) {
     return absl::FailedPreconditionError(
-        fmt::format("the store has version {}, this program knows up to {}; use the newer Flair", version, newest));
+        fmt::format("the store has version {}, this program knows up to {}; use a newer Flair", version, newest));
   }
   if (version == newest) return absl::OkStatus();
   for (const std::string_view step : schema.subspan(static_cast<size_t>(version))) {

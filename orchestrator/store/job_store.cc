@@ -24,7 +24,7 @@ absl::StatusOr<OwnerLock> OwnerLock::Acquire(const std::string& folder) {
   if (file < 0 || ::flock(file, LOCK_EX | LOCK_NB) != 0) {
     const int code = errno;
     if (file >= 0) ::close(file);
-    return absl::UnavailableError(fmt::format("{}: cannot make and lock: {}", path, std::strerror(code)));
+    return absl::UnavailableError(fmt::format("{}: cannot create and lock: {}", path, std::strerror(code)));
   }
   return OwnerLock(std::move(id), std::move(path), file);
 }
@@ -53,7 +53,7 @@ absl::StatusOr<std::unique_ptr<JobStore>> JobStore::Open(const std::string& path
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) {
-    return absl::UnavailableError(fmt::format("store_path: cannot make the folder {}: {}", path, error.message()));
+    return absl::UnavailableError(fmt::format("store_path: cannot create the folder {}: {}", path, error.message()));
   }
   ASSIGN_OR_RETURN(auto database, Database::Open(path + "/jobs.db"));
   ASSIGN_OR_RETURN(OwnerLock owner, OwnerLock::Acquire(path + "/owners"));

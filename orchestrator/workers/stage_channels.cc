@@ -46,10 +46,10 @@ absl::StatusOr<StageAddresses> ParseStageAddresses(const std::string& text) {
     const std::string host_port = name ? part.substr(std::strlen(kDns)) : part;
     const std::optional<int> port = PortOf(host_port);
     if (!unix_socket && (!port.has_value() || (!name && part.find('/') != std::string::npos))) {
-      return absl::InvalidArgumentError(fmt::format(
-          "address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535], or several of "
-          "these with commas between",
-          part));
+      return absl::InvalidArgumentError(
+          fmt::format("address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535], or "
+                      "several of these, separated by commas",
+                      part));
     }
     if (name) {
       addresses.names.push_back({host_port.substr(0, host_port.rfind(':')), *port});
@@ -67,7 +67,8 @@ absl::StatusOr<std::vector<std::string>> LookUpHost(const std::string& host) {
   hints.ai_flags = AI_ADDRCONFIG;
   addrinfo* found = nullptr;
   const int error = getaddrinfo(host.c_str(), nullptr, &hints, &found);
-  if (error != 0) return absl::UnavailableError(fmt::format("the name {} is not known: {}", host, gai_strerror(error)));
+  if (error != 0)
+    return absl::UnavailableError(fmt::format("the name {} cannot be resolved: {}", host, gai_strerror(error)));
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, freeaddrinfo);
   std::set<std::string> addresses;
   for (const addrinfo* entry = found; entry != nullptr; entry = entry->ai_next) {
@@ -129,7 +130,7 @@ void CheckStageConfig(const config::v1::OrchestratorConfig& config, runtime::Con
   for (const auto& [path, addresses] : stages) {
     if (addresses.empty()) {
       checker.Report(path,
-                     "missing; expected HOST:PORT, unix:PATH or dns:///NAME:PORT, or several with commas between");
+                     "missing; expected HOST:PORT, unix:PATH or dns:///NAME:PORT, or several, separated by commas");
     } else if (const absl::Status status = ParseStageAddresses(addresses).status(); !status.ok()) {
       checker.Report(path, std::string(status.message()));
     }

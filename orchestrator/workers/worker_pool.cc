@@ -209,7 +209,7 @@ void WorkerPool::ServeLine() {
         waiter->end = NoneIsThere();
       } else if (wait == WaitFor::kTrial && waiter->openings.has_value() && openings_ > *waiter->openings) {
         waiter->end = absl::UnavailableError(
-            fmt::format("no {} worker works: calls to all that are there fail ({})", options_.stage, options_.setting));
+            fmt::format("no {} worker is usable: calls to all of them fail ({})", options_.stage, options_.setting));
       } else if (wait == WaitFor::kTrial && !waiter->openings.has_value()) {
         waiter->openings = openings_;
       }
@@ -308,7 +308,7 @@ absl::Status WorkerPool::NoneIsThere() const {
   if (workers_.empty()) {
     const std::string why = lookup_->ok() ? "its name has no address" : std::string(lookup_->message());
     return absl::UnavailableError(
-        fmt::format("no {} worker is there: {}; start one or fix {}", options_.stage, why, options_.setting));
+        fmt::format("there is no {} worker: {}; start one or fix {}", options_.stage, why, options_.setting));
   }
   // A reason that no patience mends is for those who can mend it.
   for (const auto& [id, worker] : workers_) {
@@ -320,8 +320,9 @@ absl::Status WorkerPool::NoneIsThere() const {
     return absl::UnavailableError(fmt::format("{} worker at {} is not reachable: {}; start it or fix {}",
                                               options_.stage, first.address, reason, options_.setting));
   }
-  return absl::UnavailableError(fmt::format("none of {} {} workers is reachable: that at {}: {}; start them or fix {}",
-                                            workers_.size(), options_.stage, first.address, reason, options_.setting));
+  return absl::UnavailableError(
+      fmt::format("none of the {} {} workers is reachable; the one at {}: {}; start them or fix {}", workers_.size(),
+                  options_.stage, first.address, reason, options_.setting));
 }
 
 absl::Duration WorkerPool::NextChange(absl::Duration now) const {

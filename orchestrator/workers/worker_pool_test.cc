@@ -155,7 +155,7 @@ TEST_F(WorkerPoolTest, SaysWhoIsNotReachableAndWhatToDo) {
   const WorkerId b = pool_.Add("b:1");
   pool_.SetGone(b, absl::UnavailableError("no route"));
   EXPECT_THAT(std::string(pool_.Take({}, call_).status().message()),
-              HasSubstr("none of 2 optimizer workers is reachable: that at a:1: connection refused"));
+              HasSubstr("none of the 2 optimizer workers is reachable; the one at a:1: connection refused"));
   pool_.SetGone(b, absl::UnimplementedError("speaks flair.v2"));
   EXPECT_EQ(pool_.Take({}, call_).status(), absl::UnimplementedError("speaks flair.v2"));
   pool_.Remove(a);

@@ -127,7 +127,7 @@ TEST_F(NatsWithTls, AServerWithoutTlsIsNotSpokenToInPlainText) {
   const config::v1::TlsConfig tls = Friend();
   const absl::Status status = OpenQueue(OfAddress(plain.address(), "tls://"), &tls);
   EXPECT_TRUE(absl::IsUnauthenticated(status)) << status;
-  EXPECT_THAT(Message(status), HasSubstr("without TLS"));
+  EXPECT_THAT(Message(status), HasSubstr("does not use TLS"));
 }
 
 constexpr char kSecret[] = "s3cret-Pa55";

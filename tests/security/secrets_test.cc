@@ -55,7 +55,7 @@ TEST(Secrets, AreInNoLogErrorArtifactOrArgument) {
   std::ranges::copy(programs.Flags(wrong_file), std::back_inserter(jobs));
   const Finished refused = RunProgram("flair", jobs);
   EXPECT_NE(refused.exit_code, 0);
-  EXPECT_THAT(refused.err, HasSubstr("the token that was sent is none of this orchestrator's"));
+  EXPECT_THAT(refused.err, HasSubstr("this orchestrator does not know the token"));
 
   std::vector<std::string> said = {designed.out + designed.err, refused.out + refused.err};
   for (ServerProgram* program : programs.programs()) {

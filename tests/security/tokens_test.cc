@@ -141,7 +141,7 @@ TEST(Quota, CallsAMinuteAndOpenJobsAreLimitedPerCaller) {
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(calls.ListJobs().ok()) << i;
   const absl::Status fourth = calls.ListJobs().status();
   EXPECT_EQ(fourth.code(), absl::StatusCode::kResourceExhausted);
-  EXPECT_THAT(std::string(fourth.message()), HasSubstr("\"calls\" may make 3 calls a minute"));
+  EXPECT_THAT(std::string(fourth.message()), HasSubstr("\"calls\" has made the 3 calls a minute that it may"));
 
   OrchestratorCaller jobs(programs.orchestrator(), programs.With(kBob));
   const absl::Status two = jobs.CreateBatch(kText, "two", 2).status();

@@ -38,7 +38,7 @@ absl::Status CheckAddress(const std::string& address, const ChannelOptions& opti
   }
   if (options.tls.has_value() || options.allow_insecure || IsLocalAddress(address)) return absl::OkStatus();
   return absl::InvalidArgumentError(
-      fmt::format("address \"{}\": on another machine, and{} plain text can be read and changed on the way; use TLS "
+      fmt::format("address \"{}\": on another machine, and{} plain text can be read and changed in transit; use TLS "
                   "(tls), or allow it "
                   "(allow_insecure)",
                   address, options.token.empty() ? "" : " the token in"));

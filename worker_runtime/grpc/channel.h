@@ -12,24 +12,24 @@
 
 namespace flair::runtime {
 
-// How a server is called.
+// Options of a channel to a server.
 struct ChannelOptions {
   // Largest message, MiB; 32 when 0.
   int max_message_mib = 0;
-  // Whom we believe and who we are (MakeChannelCredentials). Unset: plain text.
+  // Trusted authorities and our own certificate (MakeChannelCredentials). Unset: plain text.
   std::optional<config::v1::TlsConfig> tls;
   // Sent with every call, as "authorization: Bearer TOKEN".
   std::string token = "";
-  // Sends plain text, and the token in it, to other machines too.
+  // Allows plain text, token included, to other machines.
   bool allow_insecure = false;
-  // Whom the server's certificate must name, when that is not the host of the address.
+  // The name in the server's certificate, if it is not the host of the address.
   std::string server_name = "";
-  // Does not call a server that says that it does not serve, such as one that is about to stop: such a channel is not
-  // READY. Holds for "dns:///" anyway.
+  // Watches the server's health: the channel is not READY while the server reports NOT_SERVING, for example because it
+  // is stopping. Always on for "dns:///".
   bool only_while_serving = false;
 };
 
-// How a program's config says that others are called.
+// The options that a program's config sets for its calls.
 ChannelOptions ChannelOptionsOf(const config::v1::RuntimeConfig& runtime);
 
 // A channel to "HOST:PORT", "unix:PATH" or "dns:///NAME:PORT"; the last spreads calls over all healthy addresses that

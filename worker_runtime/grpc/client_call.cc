@@ -12,46 +12,46 @@
 namespace flair::runtime {
 namespace {
 
-// gRPC's sentence holds `sign`; {0} in `words` is the address.
-struct Trouble {
+// If gRPC's message contains `sign`, ours is `words`, where {0} is the address.
+struct Translation {
   std::string_view sign;
   std::string_view words;
 };
 
-// Of connections: the first whose sign is there.
-constexpr std::array kTroubles = {
-    Trouble{"Connection refused", "connection refused, nothing listens on {0}"},
-    Trouble{"No such file or directory", "there is no socket {0}"},
-    Trouble{"Permission denied", "permission denied for {0}"},
-    Trouble{"No route to host", "no route to {0}"},
-    Trouble{"Network is unreachable", "the network of {0} cannot be reached"},
-    Trouble{"wrong version number", "TLS was tried, but {0} does not speak it"},
-    Trouble{"certificate verify failed",
-            "{0} shows a certificate that is not of an authority that we believe, or has expired"},
-    Trouble{"Hostname Verification Check failed", "{0} shows a certificate for another name than the one called"},
-    Trouble{"Failed parsing HTTP/2", "{0} is no gRPC server"},
-    Trouble{"timed out before receiving SETTINGS",
-            "{0} takes connections but says nothing; is it a gRPC server, and does it expect TLS?"},
-    Trouble{"Handshake read failed", "{0} takes connections but says nothing; is it a gRPC server with TLS?"},
-    Trouble{"Timeout occurred", "{0} does not answer"},
-    Trouble{"Connection timed out", "{0} does not answer"},
-    Trouble{"Socket closed", "{0} closed the connection at once; does it expect TLS, or another certificate?"},
-    Trouble{"Connection reset by peer",
-            "{0} closed the connection at once; does it expect TLS, or another certificate?"},
+// Errors of connections; the first match counts.
+constexpr std::array kConnectionErrors = {
+    Translation{"Connection refused", "connection refused, nothing listens on {0}"},
+    Translation{"No such file or directory", "there is no socket {0}"},
+    Translation{"Permission denied", "permission denied for {0}"},
+    Translation{"No route to host", "no route to {0}"},
+    Translation{"Network is unreachable", "the network of {0} is unreachable"},
+    Translation{"wrong version number", "{0} does not use TLS"},
+    Translation{"certificate verify failed",
+                "the certificate of {0} has expired, or no trusted authority has signed it"},
+    Translation{"Hostname Verification Check failed", "the certificate of {0} is for another name"},
+    Translation{"Failed parsing HTTP/2", "{0} is not a gRPC server"},
+    Translation{"timed out before receiving SETTINGS",
+                "{0} accepts connections but does not respond; is it a gRPC server, and does it expect TLS?"},
+    Translation{"Handshake read failed", "{0} accepts connections but does not respond; is it a gRPC server with TLS?"},
+    Translation{"Timeout occurred", "{0} does not answer"},
+    Translation{"Connection timed out", "{0} does not answer"},
+    Translation{"Socket closed", "{0} closed the connection at once; does it expect TLS, or another certificate?"},
+    Translation{"Connection reset by peer",
+                "{0} closed the connection at once; does it expect TLS, or another certificate?"},
 };
 
-// Whole messages that say nothing of where.
-constexpr std::array kBrief = {
-    Trouble{"Deadline Exceeded", "no answer in time"},
-    Trouble{"Socket closed", "the connection was closed during the call"},
+// Whole messages without an address.
+constexpr std::array kWholeMessages = {
+    Translation{"Deadline Exceeded", "no answer in time"},
+    Translation{"Socket closed", "the connection was closed during the call"},
 };
 
-// Signs of names; {0} is the name with its port.
-constexpr std::array kNameTroubles = {
-    Trouble{"Domain name not found", "no machine of the name {0} is known"},
-    Trouble{"DNS server returned answer with no data", "the name {0} has no address"},
-    Trouble{"Could not contact DNS servers", "the address of {0} is not known, since no DNS server answers"},
-    Trouble{"Timeout while contacting DNS servers", "the address of {0} is not known, since no DNS server answers"},
+// Errors of name resolution; {0} is the name with its port.
+constexpr std::array kNameErrors = {
+    Translation{"Domain name not found", "the host name {0} is unknown"},
+    Translation{"DNS server returned answer with no data", "the name {0} has no address"},
+    Translation{"Could not contact DNS servers", "{0} cannot be resolved: no DNS server answers"},
+    Translation{"Timeout while contacting DNS servers", "{0} cannot be resolved: no DNS server answers"},
 };
 
 bool Holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
@@ -74,16 +74,16 @@ std::string ConnectionWords(std::string_view message, std::string_view reason) {
   if (end == std::string_view::npos) return std::string(message);
   const std::string address = PlainAddress(reason.substr(start + 2, end - start - 2));
   const std::string_view what = reason.substr(end + 2);
-  for (const Trouble& trouble : kTroubles) {
-    if (Holds(what, trouble.sign)) return fmt::format(fmt::runtime(trouble.words), address);
+  for (const Translation& error : kConnectionErrors) {
+    if (Holds(what, error.sign)) return fmt::format(fmt::runtime(error.words), address);
   }
   return fmt::format("no connection to {}: {}", address, what);
 }
 
 std::string NameWords(std::string_view message, std::string_view rest) {
   const std::string_view name = rest.substr(0, rest.find(": "));
-  for (const Trouble& trouble : kNameTroubles) {
-    if (Holds(rest, trouble.sign)) return fmt::format(fmt::runtime(trouble.words), name);
+  for (const Translation& error : kNameErrors) {
+    if (Holds(rest, error.sign)) return fmt::format(fmt::runtime(error.words), name);
   }
   return std::string(message);
 }
@@ -99,17 +99,17 @@ std::string InPlainWords(std::string_view message) {
   if (message.starts_with(kNameStart)) return NameWords(message, message.substr(kNameStart.size()));
   constexpr std::string_view kWebStart = "Received http2 header with status: ";
   if (message.starts_with(kWebStart)) {
-    return fmt::format("a web server or proxy answers there (status {}), no gRPC server", After(message, kWebStart));
+    return fmt::format("a web server or proxy answers there (status {}), not a gRPC server", After(message, kWebStart));
   }
-  for (const Trouble& trouble : kBrief) {
-    if (message == trouble.sign) return std::string(trouble.words);
+  for (const Translation& error : kWholeMessages) {
+    if (message == error.sign) return std::string(error.words);
   }
   return std::string(message);
 }
 
 bool SaidNoHello(const absl::Status& status) {
   const std::string_view message(status.message().data(), status.message().size());
-  return absl::IsUnavailable(status) && Holds(message, " takes connections but says nothing; ");
+  return absl::IsUnavailable(status) && Holds(message, " accepts connections but does not respond; ");
 }
 
 grpc::Status ToGrpcStatus(const absl::Status& status) {
@@ -127,7 +127,7 @@ namespace {
 constexpr int kProtocolsNamed = 4;
 constexpr size_t kNameLength = 60;
 
-// Another program's words go into our messages and to people's terminals.
+// Text from another program, cut and made safe for our messages and for terminals.
 std::string Printable(const std::string& text) {
   std::string shown = text.substr(0, kNameLength);
   for (char& c : shown) {

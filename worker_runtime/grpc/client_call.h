@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How another program is called, and what is made of its errors.
+// Calling other programs, and making their errors readable.
 #pragma once
 
 #include <grpcpp/client_context.h>
@@ -21,28 +21,27 @@ class GetWorkerResponse;
 
 namespace flair::runtime {
 
-// The same code and message on the other side, but what gRPC itself says of connections in plain words (InPlainWords).
+// Conversions that keep code and message; gRPC's own messages about connections are translated (InPlainWords).
 grpc::Status ToGrpcStatus(const absl::Status& status);
 absl::Status FromGrpcStatus(const grpc::Status& status);
 
-// What gRPC 1.51 says of a connection that did not come about, or of an answer that did not come, as a person would:
-// what happened, at which address, and what to look at. Every other message stays as it is.
+// Translates messages of gRPC 1.51 about failed connections and missing answers: what happened, at which address, and
+// what to check. Every other message stays as it is.
 std::string InPlainWords(std::string_view message);
 
-// Whether a call ended, as told in plain words, because the server took the connection and did not say hello in time,
-// as one that is very busy may not: it has not heard of the call.
+// Whether a call failed (with a message of InPlainWords) because the server accepted the connection but did not finish
+// the handshake in time, for example because it is very busy. The server has not seen the call.
 bool SaidNoHello(const absl::Status& status);
 
 // The package of messages and services that this program speaks; see GetWorkerResponse.protocols.
 inline constexpr char kProtocol[] = "flair.v1";
 
-// What keeps this program from talking to a worker, such as "their-optimizer speaks flair.v2, this program flair.v1";
-// empty when nothing does. A worker that names no protocol speaks ours. What it says of itself is cut short and
-// printable.
+// Why this program cannot talk to a worker, such as "their-optimizer speaks flair.v2, this program flair.v1"; empty if
+// it can. A worker that names no protocol speaks ours. Text from the worker is shortened and made printable.
 std::string ProtocolFault(const v1::GetWorkerResponse& worker);
 
-// Calls `method` of a generated stub and waits. The deadline is the earlier of `deadline` and the caller's own; a
-// cancel of the caller cancels the call. Use: UnaryRequest(stub, &v1::OptimizerService::StubInterface::Solve, request,
+// Calls `method` of a generated stub and waits. The deadline is the earlier of `deadline` and the caller's own; if the
+// caller cancels, the call is cancelled. Use: UnaryRequest(stub, &v1::OptimizerService::StubInterface::Solve, request,
 // call).
 template <typename Stub, typename Interface, typename Request, typename Response>
 absl::StatusOr<Response> UnaryRequest(

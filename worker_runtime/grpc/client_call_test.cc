@@ -49,7 +49,7 @@ absl::Status Call(const std::string& address, absl::Duration within = absl::Seco
       .status();
 }
 
-TEST(ConnectionTrouble, IsToldByTheAddressWhereNothingListens) {
+TEST(ConnectionErrors, NamesTheAddressWhereNothingListens) {
   const HeldPort port;
   const auto words =
       absl::UnavailableError(fmt::format("connection refused, nothing listens on 127.0.0.1:{}", port.port()));
@@ -58,7 +58,7 @@ TEST(ConnectionTrouble, IsToldByTheAddressWhereNothingListens) {
   EXPECT_EQ(Call("unix:/nowhere/socket"), absl::UnavailableError("there is no socket unix:/nowhere/socket"));
 }
 
-TEST(ConnectionTrouble, IsToldOfAServerThatSaysNothing) {
+TEST(ConnectionErrors, ASilentServerGivesNoAnswerInTime) {
   HeldPort port;
   port.Listen();
   EXPECT_EQ(Call(fmt::format("127.0.0.1:{}", port.port()), absl::Milliseconds(50)),
@@ -66,26 +66,26 @@ TEST(ConnectionTrouble, IsToldOfAServerThatSaysNothing) {
 }
 
 // Sentences that gRPC 1.51.1 ended calls with.
-TEST(ConnectionTrouble, OfTlsNamesAndOtherServersIsToldInPlainWords) {
+TEST(ConnectionErrors, TlsNamesAndOtherServersAreNamedInPlainWords) {
   const std::string tried = "failed to connect to all addresses; last error: ";
   EXPECT_EQ(InPlainWords(tried + "UNKNOWN: ipv6:%5B::1%5D:59999: Failed to connect to remote host: Connection refused"),
             "connection refused, nothing listens on [::1]:59999");
   EXPECT_EQ(InPlainWords(tried + "UNKNOWN: ipv4:10.0.0.1:7: Tls handshake failed: SSL_ERROR_SSL: "
                                  "error:0A00010B:SSL routines::wrong version number"),
-            "TLS was tried, but 10.0.0.1:7 does not speak it");
+            "10.0.0.1:7 does not use TLS");
   EXPECT_EQ(InPlainWords(tried + "UNKNOWN: ipv4:10.0.0.1:7: Custom verification check failed with error: "
                                  "UNAUTHENTICATED: Hostname Verification Check failed."),
-            "10.0.0.1:7 shows a certificate for another name than the one called");
+            "the certificate of 10.0.0.1:7 is for another name");
   EXPECT_EQ(InPlainWords(tried + "UNAVAILABLE: ipv4:10.0.0.1:7: Socket closed"),
             "10.0.0.1:7 closed the connection at once; does it expect TLS, or another certificate?");
   EXPECT_EQ(InPlainWords("DNS resolution failed for no.such:80: C-ares status is not ARES_SUCCESS qtype=A name=no.such "
                          "is_balancer=0: Domain name not found"),
-            "no machine of the name no.such:80 is known");
+            "the host name no.such:80 is unknown");
   EXPECT_EQ(InPlainWords("Received http2 header with status: 404"),
-            "a web server or proxy answers there (status 404), no gRPC server");
+            "a web server or proxy answers there (status 404), not a gRPC server");
 }
 
-TEST(ConnectionTrouble, AServerThatSaysNoHelloIsToldFromOneThatIsNotThere) {
+TEST(ConnectionErrors, HandshakeTimeoutsDifferFromRefusedConnections) {
   const std::string tried = "failed to connect to all addresses; last error: UNKNOWN: ipv4:10.0.0.1:7: ";
   const auto ends = [&](const std::string& what) {
     return SaidNoHello(absl::UnavailableError(InPlainWords(tried + what)));
@@ -96,7 +96,7 @@ TEST(ConnectionTrouble, AServerThatSaysNoHelloIsToldFromOneThatIsNotThere) {
   EXPECT_FALSE(SaidNoHello(absl::OkStatus()));
 }
 
-TEST(ConnectionTrouble, KeepsWhatItDoesNotKnow) {
+TEST(ConnectionErrors, KeepsWhatItDoesNotKnow) {
   const std::string tried = "failed to connect to all addresses; last error: ";
   EXPECT_EQ(InPlainWords(tried + "UNKNOWN: ipv4:10.0.0.1:7: the moon is full"),
             "no connection to 10.0.0.1:7: the moon is full");

@@ -43,7 +43,7 @@ Response Answer(http::status status, std::string body) {
 Response Answer(const Request& request, const PrometheusMetrics& metrics) {
   const std::string_view target(request.target().data(), request.target().size());
   if (target.substr(0, target.find('?')) != "/metrics") {
-    return Answer(http::status::not_found, "There is only /metrics.\n");
+    return Answer(http::status::not_found, "Not found; try /metrics.\n");
   }
   if (request.method() != http::verb::get) {
     Response response = Answer(http::status::method_not_allowed, "Only GET.\n");
@@ -73,7 +73,7 @@ class Connection final : public std::enable_shared_from_this<Connection> {
         self->Send(Answer(self->parser_.get(), self->metrics_));
       } else if (error.category() == http::make_error_code(http::error::bad_method).category() &&
                  error != http::error::end_of_stream) {
-        self->Send(Answer(http::status::bad_request, "Not a request that is understood here.\n"));
+        self->Send(Answer(http::status::bad_request, "Bad request.\n"));
       }
     });
   }

@@ -162,7 +162,7 @@ absl::Status CheckKey(const Source& source, const X509* certificate, const std::
   RETURN_IF_ERROR(source.Open(file));
   bool asked = false;
   const Key key(PEM_read_PrivateKey(file.get(), nullptr, &NoPassphrase, &asked));
-  if (asked) return source.Fault("the key has a passphrase, which nobody could type; expected one without");
+  if (asked) return source.Fault("the key has a passphrase; expected a key without one");
   if (key == nullptr) return source.Fault("holds no private key in PEM (\"-----BEGIN PRIVATE KEY-----\")");
   if (certificate == nullptr || X509_check_private_key(certificate, key.get()) == 1) return absl::OkStatus();
   return source.Fault(fmt::format("is not the key of the certificate in {}", certificate_path));

@@ -305,7 +305,7 @@ TEST_F(JetStreamFailures, WrongAddressesAndConfigsAreNamed) {
   const auto open = [&] { return orchestrator::OpenJetStreamQueue(config_, nullptr, runtime::SystemClock()).status(); };
   EXPECT_THAT(std::string(open().message()), HasSubstr("queue.address: missing"));
   config_.set_address("http://127.0.0.1:1");
-  EXPECT_THAT(std::string(open().message()), HasSubstr("queue.address: \"http://127.0.0.1:1\" is no server"));
+  EXPECT_THAT(std::string(open().message()), HasSubstr("queue.address: \"http://127.0.0.1:1\" is not a server"));
   config_.set_address("tls://127.0.0.1:1");
   EXPECT_THAT(std::string(open().message()), HasSubstr("runtime.tls.authority_path"));
   config_.set_address("nats://127.0.0.1:1");
