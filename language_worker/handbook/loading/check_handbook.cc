@@ -222,8 +222,7 @@ class Checker {
     if (known.contains(text)) return;
     if (kind == "word for drawing") {
       findings_.notes.push_back(Place(line_, where) +
-                                fmt::format(": no piece of the handbook is a \"{}\"{}; it is drawn "
-                                            "as a labelled block",
+                                fmt::format(": no piece of the handbook is a \"{}\"; it is drawn as a labelled block{}",
                                             text, Meant(known, text)));
       return;
     }
@@ -232,7 +231,7 @@ class Checker {
 
   static std::string Meant(const std::set<std::string>& known, const std::string& text) {
     const auto meant = std::ranges::find_if(known, [&](const std::string& one) { return IsOneEditAway(one, text); });
-    return meant == known.end() || meant->empty() ? "" : fmt::format("; \"{}\" would be right", *meant);
+    return meant == known.end() || meant->empty() ? "" : fmt::format("; did you mean \"{}\"?", *meant);
   }
 
   void CheckSentence(const pb::Message& message, const std::string& text, const std::string& where) {
@@ -243,7 +242,8 @@ class Checker {
       const std::size_t close = text.find('}', open);
       const std::string name = text.substr(open + 1, close == std::string::npos ? close : close - open - 1);
       if (close != std::string::npos && kPlaceholders.contains(name)) continue;
-      Fault(line_, where, fmt::format("{{{}}} is no placeholder; {{{}}} are", name, fmt::join(kPlaceholders, "}, {")));
+      Fault(line_, where,
+            fmt::format("{{{}}} is not a placeholder; expected one of {{{}}}", name, fmt::join(kPlaceholders, "}, {")));
     }
     if (!file_->last) return;
     SentenceTemplate sentence{Place(line_, where), text, owner_, ""};

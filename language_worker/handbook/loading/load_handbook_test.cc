@@ -98,10 +98,11 @@ furniture {
   const std::vector<std::string> faults = Check().faults;
   EXPECT_THAT(faults, Contains(at(5, "width_m: 1.2 (min 0, max 1) must be")));
   EXPECT_THAT(faults, Contains(at(2, "height_m: is missing")));
-  EXPECT_THAT(faults, Contains(at(7, "material_group: there is no material group \"woood\"; \"wood\" would be right")));
+  EXPECT_THAT(faults, Contains(at(7, "material_group: there is no material group \"woood\"; did you mean \"wood\"?")));
   EXPECT_THAT(faults, Contains(at(8, "zone_hints[1]: there is no zone \"no such zone\"")));
-  EXPECT_THAT(faults, Contains(at(10, "relations[0].text: {somewhere} is no placeholder")));
-  EXPECT_THAT(faults, Contains(at(11, "relations[0].targets[0]: there is no furniture \"soffa\"; \"sofa\" would")));
+  EXPECT_THAT(faults, Contains(at(10, "relations[0].text: {somewhere} is not a placeholder")));
+  EXPECT_THAT(faults,
+              Contains(at(11, "relations[0].targets[0]: there is no furniture \"soffa\"; did you mean \"sofa\"?")));
   EXPECT_THAT(faults, Contains(at(12, "relations[0].condition.rooms[0]: there is no archetype \"attic bar\"")));
   EXPECT_THAT(faults, Contains(at(12, "relations[0].condition.with[0]: there is no furniture")));
   EXPECT_THAT(faults, Contains(at(12, "relations[0].condition: min_count is above max_count")));
@@ -123,7 +124,7 @@ TEST_F(LoadHandbookTest, ACategoryOfNobodyIsANote) {
   Write("pieces.textproto", text);
   const HandbookFindings findings = Check();
   EXPECT_THAT(findings.faults, IsEmpty());
-  EXPECT_THAT(findings.notes, ElementsAre(HasSubstr("\"cabinet\" would be right")));
+  EXPECT_THAT(findings.notes, ElementsAre(HasSubstr("did you mean \"cabinet\"?")));
   ASSERT_EQ(findings.sentences.size(), 1u);
   EXPECT_EQ(findings.sentences[0].object, "record cabinet");
 }

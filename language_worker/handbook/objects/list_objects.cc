@@ -231,7 +231,7 @@ class ObjectLister {
     v1::Diagnostic& remark = *list_.add_diagnostics();
     remark.set_severity(v1::SEVERITY_WARNING);
     remark.set_code("people_without_place");
-    remark.set_message(fmt::format("The brief speaks of {} people; the room has places for {}.", *people_, places));
+    remark.set_message(fmt::format("The brief mentions {} people; the room has places for {}.", *people_, places));
   }
 
   void TellLeftOut(const std::vector<LeftOut>& left_out) {

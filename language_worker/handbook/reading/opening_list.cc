@@ -74,7 +74,7 @@ void OpeningList::Join(const OpeningNoun& noun, const OpeningSite& site, Opening
     if (!there.side.empty() && !site.sides.empty() && there.side != site.sides[0]) {
       if (!(wish.door && there.definite && wish.definite)) continue;
       openings_.not_read.push_back(
-          fmt::format("The brief says both \"{}\" and \"{}\"; the first holds.", there.said, wish.said));
+          fmt::format("The brief says both \"{}\" and \"{}\"; the first counts.", there.said, wish.said));
       wish.count = 0;
       return;
     }
@@ -127,7 +127,7 @@ void OpeningList::SettleContradictions() {
     return;
   }
   openings_.not_read.push_back(
-      fmt::format("The brief asks for no windows and for \"{}\"; the latter holds.", window->said));
+      fmt::format("The brief asks for no windows and for \"{}\"; the latter counts.", window->said));
   openings_.no_windows = false;
 }
 

@@ -109,11 +109,10 @@ class OpeningReader {
     if (after && own_side && shared_from_ && site.sides[0] != "near" && IsJoinedByAnd(begin)) ShareWithTheLast(site);
     shared_from_ = site.sides.empty() && !noun.related && !openings_.wishes.empty();
     if (!site.not_read.empty()) {
-      openings_.not_read.push_back(fmt::format(
-          "\"{}\": where an opening is can be told by walls, corners, doors and windows, not by furniture or lengths; "
-          "it stands where "
-          "it fits.",
-          wish.said));
+      openings_.not_read.push_back(
+          fmt::format("\"{}\": openings can be placed by walls, corners, doors and windows, not by furniture or "
+                      "lengths; it is placed where it fits.",
+                      wish.said));
     }
     const std::size_t before = openings_.wishes.size();
     if (!site.by_side.empty()) AddTheOther(site, !wish.door);
@@ -145,9 +144,8 @@ class OpeningReader {
 
   void NoteOverhead(const OpeningNoun& noun) {
     if (noun.none) return Use(noun.begin, noun.end);
-    openings_.not_read.push_back(
-        fmt::format("\"{}\" is in the ceiling, which has no openings here; nothing was made of it.",
-                    words_.Quote(noun.begin, noun.end)));
+    openings_.not_read.push_back(fmt::format("\"{}\" is in the ceiling, which has no openings here; it was left out.",
+                                             words_.Quote(noun.begin, noun.end)));
     Use(noun.begin, noun.end);
   }
 

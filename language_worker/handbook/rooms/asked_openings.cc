@@ -263,8 +263,8 @@ void AskedOpenings::NoteNarrower(const OpeningWish& wish, int wall, double width
     remarks_.push_back(fmt::format("\"{}\": {:g} m wide instead of {:g} m; the {}, {:g} m long, has room for no more.",
                                    wish.said, width_m, *wish.width_m, NameOf(room_, wall), WallLength(room_, wall)));
   } else if (moved) {
-    remarks_.push_back(fmt::format("\"{}\": it stands elsewhere in the {}, where there is room for it.", wish.said,
-                                   NameOf(room_, wall)));
+    remarks_.push_back(
+        fmt::format("\"{}\": it is placed elsewhere in the {}, where there is room.", wish.said, NameOf(room_, wall)));
   }
 }
 

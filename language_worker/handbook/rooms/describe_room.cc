@@ -84,22 +84,20 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
   RemarkOnKind(facts, archetype, room);
   if (!facts.other_rooms.empty()) {
     Remark(v1::SEVERITY_WARNING, "other_rooms_named",
-           fmt::format("One room is designed ({}); nothing was made of \"{}\", {}.", archetype.name(),
+           fmt::format("One room is designed ({}); \"{}\" was left out, {}.", archetype.name(),
                        fmt::join(facts.other_rooms, "\", \""),
                        facts.other_rooms.size() > 1 ? "rooms of their own" : "a room of its own"),
            room);
   }
   for (const hb::Furniture* furniture : facts.too_many) {
     Remark(v1::SEVERITY_WARNING, "too_many_asked",
-           fmt::format("More of \"{}\" are asked for than the {} of a kind that the handbook takes; {} are taken.",
+           fmt::format("More of \"{}\" are asked for than the handbook's limit of {} of a kind; {} are placed.",
                        furniture->name(), kMostOfAKind, kMostOfAKind),
            room);
   }
   for (const std::string& said : facts.places_not_known) {
-    Remark(
-        v1::SEVERITY_WARNING, "place_not_understood",
-        fmt::format("Where the brief wants a piece was not understood: \"{}\". Nothing was made of these words.", said),
-        room);
+    Remark(v1::SEVERITY_WARNING, "place_not_understood",
+           fmt::format("The position of a piece was not understood: \"{}\". These words were ignored.", said), room);
   }
   for (const Correction& correction : facts.corrections) {
     Remark(v1::SEVERITY_NOTE, "word_corrected", fmt::format("Read \"{}\" as {}.", correction.written, correction.read),
@@ -107,14 +105,13 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
   }
   if (!facts.not_known.empty()) {
     Remark(v1::SEVERITY_WARNING, "words_not_known",
-           fmt::format("The handbook has no word for \"{}\"; nothing was made of it. A language model may.",
+           fmt::format("The handbook does not know \"{}\"; it was left out. A language model may know it.",
                        fmt::join(facts.not_known, "\", \"")),
            room);
   }
   if (!facts.unheard.empty()) {
     Remark(v1::SEVERITY_WARNING, "words_not_heard",
-           fmt::format("Not understood, and nothing was made of it: \"{}\".", fmt::join(facts.unheard, "\", \"")),
-           room);
+           fmt::format("Not understood, and ignored: \"{}\".", fmt::join(facts.unheard, "\", \"")), room);
   }
 }
 
@@ -130,8 +127,8 @@ void RemarkOnOpenings(const BriefFacts& facts, const std::vector<std::string>& n
            fmt::format("\"{}\": a {} is drawn as a plain window of its width.", wish.said, wish.kind), room);
   }
   if (facts.openings.no_doors) {
-    Remark(v1::SEVERITY_NOTE, "opening_simplified",
-           "The brief asks for no door; the one way in that a room has is an open passage.", room);
+    Remark(v1::SEVERITY_NOTE, "opening_simplified", "The brief asks for no door; the entrance is an open passage.",
+           room);
   }
   const auto doors = std::ranges::count_if(room.openings(),
                                            [](const v1::Opening& one) { return one.kind() == v1::OPENING_KIND_DOOR; });
@@ -139,7 +136,7 @@ void RemarkOnOpenings(const BriefFacts& facts, const std::vector<std::string>& n
     const bool opening = place.asked->relation().text().find(" door") != std::string::npos;
     if (!opening || place.side.empty()) continue;
     Remark(v1::SEVERITY_NOTE, "door_taken",
-           fmt::format("\"{}\" is read as the room's {}: doors are not told apart.", place.said,
+           fmt::format("\"{}\" is read as the room's {}: doors are not distinguished.", place.said,
                        doors > 1 ? "nearest door" : "door"),
            room);
   }

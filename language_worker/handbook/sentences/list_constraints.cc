@@ -289,7 +289,7 @@ class ConstraintLister {
         return fmt::format("there is no {} in the room", piece->name());
       }
     }
-    if (place.asked->relation().condition().min_count() > 1) return "the room has not that many of them";
+    if (place.asked->relation().condition().min_count() > 1) return "the room does not have that many of them";
     return "the room has no such wall or pair of pieces";
   }
 
