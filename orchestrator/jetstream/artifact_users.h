@@ -19,15 +19,15 @@
 
 namespace flair::orchestrator {
 
-// Who has which artifact. A user is a job without a batch, or a batch for all of its jobs, since those are forgotten
-// together. Whoever is about to store or take an artifact becomes a user of it first; whoever forgets one deletes it
-// only after nobody was its user, and then only what was stored before (ArtifactStore::Mark). What is found again under
-// a key of results has a user that names the key. Errors as Streams. Thread-safe.
+// The users of each artifact. A user is a job without a batch, or a batch on behalf of all its jobs, which are deleted
+// together. A run becomes a user of an artifact before it stores or reuses it. A deletion removes the user, and then
+// deletes only what has no user and was stored before that (ArtifactStore::Mark). An artifact that is cached under a
+// key of results has a user that names the key. Errors as Streams. Thread-safe.
 class ArtifactUsers {
  public:
   explicit ArtifactUsers(QueueParts& parts) : parts_(parts) {}
 
-  // An artifact and the key of results under which it is to be found; empty: under none.
+  // An artifact and the key of results under which it is cached; empty if it is not.
   struct Use {
     std::string artifact_id;
     std::string result_key;
@@ -41,7 +41,7 @@ class ArtifactUsers {
     return Select(ids, [&](size_t i) { return AddUser(uses[i], user); });
   }
 
-  // Takes the user away from these. Returns those that nobody uses then; they are not found again any more. Again, it
+  // Removes the user from these. Returns those without any user left, which are no longer cached. A repeated call
   // returns them again.
   absl::StatusOr<std::vector<std::string>> Remove(std::span<const std::string> artifact_ids,
                                                   const std::string& user_id) {
@@ -56,9 +56,9 @@ class ArtifactUsers {
   }
 
  private:
-  // Above so many users an artifact is kept for good: the value would outgrow a message.
+  // Above this many users an artifact is never deleted: the value would not fit into a message.
   static constexpr int kMostUsers = 1000;
-  // Artifacts that are asked about at once.
+  // Artifacts that are looked up at once.
   static constexpr int kAtOnce = 8;
 
   static std::string UsersKey(const std::string& artifact_id) { return "users." + artifact_id; }
@@ -97,7 +97,7 @@ class ArtifactUsers {
     return absl::DataLossError(fmt::format("the queue's record of the users of artifact {} is damaged", artifact_id));
   }
 
-  // False when somebody else has changed it meanwhile.
+  // False if another process has changed it meanwhile.
   absl::StatusOr<bool> Write(const std::string& artifact_id, const Known& known) {
     const absl::Status written =
         parts_.index.Update(UsersKey(artifact_id), runtime::CanonicalBytes(known.users), known.revision).status();
@@ -145,7 +145,7 @@ class ArtifactUsers {
         if (written) return false;
         continue;
       }
-      // First nobody finds it any more; whoever found it before that becomes its user, or sees that it has none.
+      // First it leaves the cache; a run that found it before becomes its user, or sees that it has none.
       RETURN_IF_ERROR(RemoveResults(artifact_id, known));
       ASSIGN_OR_RETURN(const bool removed, parts_.index.Remove({UsersKey(artifact_id), known.revision}));
       if (removed) return true;

@@ -24,9 +24,9 @@
 
 namespace flair::orchestrator {
 
-// Sees to it that batches come to their end even when a process died between two steps: jobs of cancelled ones are
-// ended, jobs whose message or end is missing get it, and a batch whose jobs have all ended takes nothing of the
-// servers any more but its records. Everything here may be done by several processes at once and again. Thread-safe.
+// Completes batches even if a process died between two steps: ends the jobs of cancelled batches, restores missing
+// messages and ends, and removes everything but the records of a batch whose jobs have all ended. Several processes may
+// do all of this at the same time and repeatedly. Thread-safe.
 class BatchRepair {
  public:
   BatchRepair(QueueParts& parts, JobEnds& ends, Consumers& consumers)
@@ -48,15 +48,15 @@ class BatchRepair {
                      [&](std::vector<RevisedJob> jobs) { return CancelThese(std::move(jobs), now); });
   }
 
-  // Removes the consumer of a batch that has come to its end. When it has not, although it is closed and nothing of it
-  // is in the queue stream (`waits`: something is), repairs what is missing. Returns whether to look again without
-  // being asked to: at a cancelled one, whose running jobs have yet to end.
+  // Removes the consumer of a batch that has ended. Repairs one that is closed and has no messages in the queue stream
+  // (`waits`: it has some) but has not ended. Returns whether to check again unasked: a cancelled one, whose running
+  // jobs have not ended yet.
   absl::StatusOr<bool> Close(const std::string& batch_id, bool waits) {
     ASSIGN_OR_RETURN(const std::optional<RevisedBatch> record, IfFound(parts_.GetBatch(batch_id)));
     if (!record.has_value()) return false;
     const v1::Batch& batch = record->value.batch();
     const bool cancelled = batch.state() == v1::BATCH_STATE_CANCELLED;
-    // Who adds to an open one repeats what was not answered.
+    // The caller that adds to an open one repeats what was not answered.
     if (batch.open() || (waits && !cancelled)) return false;
     // Taken first: what comes later is of a job that was retried.
     ASSIGN_OR_RETURN(const uint64_t last, parts_.streams.LastSequence(parts_.names.queue_stream()));

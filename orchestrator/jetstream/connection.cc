@@ -20,9 +20,9 @@ namespace {
 
 constexpr int64_t kConnectMs = 2000;
 constexpr int64_t kReconnectWaitMs = 200;
-// A server that is gone without saying so is noticed after two of these.
+// A server that vanished is noticed after two of these.
 constexpr int64_t kPingMs = 4000;
-// Little is kept for a server that is away: calls say that it is.
+// Little is buffered while no server is connected: calls fail instead.
 constexpr int kReconnectBufferBytes = 64 * 1024;
 
 struct OptionsDeleter {
@@ -101,7 +101,7 @@ absl::StatusOr<OptionsPtr> MakeOptions(const config::v1::QueueConfig& config, co
     RETURN_IF_ERROR(SetTls(made, *tls));
   }
   if (!config.credentials_path().empty()) {
-    // cnats reads it when it connects, and then says no more than that it could not.
+    // cnats reads it only when it connects, and then does not say why that failed.
     if (::access(config.credentials_path().c_str(), R_OK) != 0) {
       return absl::InvalidArgumentError(
           fmt::format("queue.credentials_path: cannot read {}: {}", config.credentials_path(), std::strerror(errno)));
@@ -132,7 +132,7 @@ std::string CredentialsFault(const config::v1::QueueConfig& config, const std::s
       servers);
 }
 
-// The servers do not take our certificate, or miss one.
+// The servers reject our certificate, or require one.
 std::string CertificateFault(const config::v1::TlsConfig& tls, const std::string& servers) {
   if (tls.certificate_path().empty()) {
     return fmt::format(
@@ -145,7 +145,7 @@ std::string CertificateFault(const config::v1::TlsConfig& tls, const std::string
       servers, tls.certificate_path());
 }
 
-// We do not take theirs; `why` in the words of OpenSSL.
+// We reject the servers' certificate; `why` is OpenSSL's message.
 std::string ServerFault(const config::v1::TlsConfig& tls, const std::string& servers, const std::string& why) {
   if (absl::StrContains(why, "mismatch")) {
     return fmt::format(
@@ -169,14 +169,14 @@ std::string TrustFault(const config::v1::QueueConfig& config, const config::v1::
     return fmt::format("queue.address: {} does not use TLS; give the server a certificate, or use nats://", servers);
   }
   if (tls == nullptr || !absl::StrContains(servers, "tls://")) {
-    // cnats tries TLS by itself when a server insists, and knows no authority.
+    // cnats switches to TLS by itself when a server requires it, and then has no authority.
     if (status != NATS_SSL_ERROR && status != NATS_SECURE_CONNECTION_REQUIRED) return "";
     return fmt::format("queue.address: {} refuses plain text; use tls:// and set runtime.tls", servers);
   }
   if (status == NATS_SSL_ERROR) {
     return absl::StrContains(why, "alert") ? CertificateFault(*tls, servers) : ServerFault(*tls, servers, why);
   }
-  // With TLS 1.3 a server looks at our certificate when our side is content, and hangs up.
+  // With TLS 1.3 a server checks our certificate after our side has finished, and then hangs up.
   const bool unreachable = status == NATS_NO_SERVER || status == NATS_TIMEOUT;
   return unreachable ? "" : CertificateFault(*tls, servers);
 }
@@ -217,7 +217,7 @@ absl::StatusOr<NatsMessage> NatsInbox::Next(absl::Duration limit) {
   const natsStatus status = natsSubscription_NextMsg(&message, subscription_, Milliseconds(limit));
   const NatsMessagePtr owned(message);
   if (status == NATS_OK) return Read(message);
-  // Messages that were dropped because nobody read them are like messages lost on the way.
+  // Messages dropped because nobody read them are like messages lost in transit.
   if (status == NATS_TIMEOUT || status == NATS_SLOW_CONSUMER) return absl::DeadlineExceededError("nothing came");
   return absl::CancelledError(natsStatus_GetText(status));
 }

@@ -20,7 +20,7 @@ typedef struct __natsSubscription natsSubscription;
 
 namespace flair::orchestrator {
 
-// What goes to a server.
+// A message to a server.
 struct NatsRequest {
   std::string subject;
   std::string content;
@@ -34,7 +34,7 @@ using NatsMessagePtr = std::unique_ptr<natsMsg, NatsMessageDeleter>;
 // The message as cnats has it; null without memory.
 NatsMessagePtr MakeNatsMessage(const NatsRequest& request, const std::string& reply = "");
 
-// What comes from one.
+// A message from a server.
 struct NatsMessage {
   std::string subject;
   std::string content;
@@ -44,7 +44,7 @@ struct NatsMessage {
   int status = 0;
 };
 
-// What arrives for a subject, read by one thread.
+// A subscription to a subject, read by one thread.
 class NatsInbox {
  public:
   NatsInbox(natsSubscription* subscription, std::string subject)
@@ -57,7 +57,7 @@ class NatsInbox {
   const std::string& subject() const { return subject_; }
   // DEADLINE_EXCEEDED when nothing came, CANCELLED after Close.
   absl::StatusOr<NatsMessage> Next(absl::Duration limit);
-  // Ends a Next that waits and all later ones.
+  // Ends a waiting Next and all later ones.
   void Close();
 
  private:
@@ -65,7 +65,7 @@ class NatsInbox {
   const std::string subject_;
 };
 
-// One connection to NATS servers, made again for ever when it breaks. Thread-safe.
+// One connection to NATS servers, which reconnects for ever. Thread-safe.
 class NatsConnection {
  public:
   // Errors as OpenJetStreamQueue, but for those that concern JetStream.
@@ -83,9 +83,9 @@ class NatsConnection {
   // Sends without waiting. With `reply`, an answer goes there.
   absl::Status Publish(const NatsRequest& request, const std::string& reply = "");
 
-  // A new subject of one's own and what comes there.
+  // An inbox: a new subject and the subscription to it.
   absl::StatusOr<std::unique_ptr<NatsInbox>> OpenInbox();
-  // What comes to `subject`, which may have wildcards.
+  // Subscribes to `subject`, which may have wildcards.
   absl::StatusOr<std::unique_ptr<NatsInbox>> Subscribe(const std::string& subject);
 
   bool connected() const;
@@ -95,9 +95,9 @@ class NatsConnection {
   int64_t max_payload_bytes() const;
   // INVALID_ARGUMENT when the servers take no message of that size.
   absl::Status CheckSize(const NatsRequest& request) const;
-  // UNAVAILABLE, in words for whoever runs the servers.
+  // UNAVAILABLE, with a message for the operator of the servers.
   absl::Status Unreachable(const std::string& why) const;
-  // The addresses, for people: without what may be secret in them.
+  // The addresses for messages, without secrets.
   const std::string& address() const { return address_; }
   natsConnection* handle() const { return connection_; }
 

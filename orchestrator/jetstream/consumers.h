@@ -31,18 +31,18 @@ struct Consumer {
   std::string batch_id;
 };
 
-// A job that a consumer delivered to this process alone, until it is not told of progress for the time of a lease.
+// A job that a consumer delivered to this process. It is delivered again if no progress is reported for a lease.
 struct Delivery {
   std::string job_id;
-  // Where acknowledgements go.
+  // The subject of acknowledgements.
   std::string acknowledge;
   // Of its message in the stream; 0 when unknown.
   uint64_t sequence = 0;
   int64_t delivery_count = 0;
 };
 
-// Which consumers there are, and what is next in each. Knows of them by Want and See, asks only those that may have
-// something. Thread-safe.
+// The consumers of the queue and the next job of each. Learns of consumers by Want and See, and polls only those that
+// may have jobs. Thread-safe.
 class Consumers {
  public:
   explicit Consumers(QueueParts& parts) : parts_(parts) {}
@@ -67,19 +67,19 @@ class Consumers {
     ++state.wanted;
   }
 
-  // Forgets that it asked the batch's consumer.
+  // Forgets that the batch's consumer was polled.
   void WantBatch(const std::string& batch_id) {
     std::lock_guard lock(mutex_);
     const auto found = consumers_.find("batch-" + batch_id);
     if (found != consumers_.end()) ++found->second.wanted;
   }
 
-  // Messages by subject, as the stream counts them: who waits or runs.
+  // Messages by subject, as the stream counts them: waiting and running jobs.
   absl::StatusOr<std::map<std::string, int64_t>> Look(const std::string& filter) {
     return parts_.streams.Subjects(parts_.names.queue_stream(), filter);
   }
 
-  // Wants all consumers of those and returns the ones that have no messages any more.
+  // Wants all consumers of those, and returns the consumers without messages left.
   std::vector<Consumer> See(const std::map<std::string, int64_t>& messages_by_subject) {
     std::set<std::string> there = {kSingle};
     for (const auto& [subject, count] : messages_by_subject) {
@@ -138,7 +138,7 @@ class Consumers {
     std::lock_guard lock(mutex_);
     const auto found = consumers_.find(consumer.name);
     if (found == consumers_.end()) return delivery;
-    // Nobody answers for a consumer that is gone, since the batch had ended once: the next question makes it again.
+    // A consumer that is gone, because its batch had ended before, does not answer: the next poll creates it again.
     found->second.has_consumer = delivery.ok();
     if (delivery.ok() && !delivery->has_value()) found->second.asked = wanted;
     return delivery;
@@ -151,8 +151,8 @@ class Consumers {
     last_turn_ = consumer.name;
   }
 
-  // Ends the consumer: its consumer goes, and its messages up to that sequence, whose jobs have ended. A job that is
-  // retried just now has a later one, and whoever asks for it makes the consumer again.
+  // Removes the consumer and its messages up to that sequence, whose jobs have ended. A job that is being retried has a
+  // later message, and polling for it creates the consumer again.
   absl::Status Remove(const Consumer& consumer, uint64_t ended_sequence) {
     const std::string stream = parts_.names.queue_stream();
     RETURN_IF_ERROR(parts_.streams.Purge(stream, consumer.filter, ended_sequence + 1));
@@ -172,7 +172,7 @@ class Consumers {
     const auto depths = parts_.streams.DepthOfEach(parts_.names.queue_stream(), names);
     Streams::Depth all;
     for (size_t i = 0; i < names.size(); ++i) {
-      // Nobody has ever asked for what a missing consumer has.
+      // A missing consumer was never polled.
       const bool missing = absl::IsNotFound(depths[i].status());
       if (!missing && !depths[i].ok()) return depths[i].status();
       all.waiting += missing ? messages[names[i]] : depths[i]->waiting;
@@ -183,8 +183,8 @@ class Consumers {
 
  private:
   static constexpr absl::Duration kDeliveryLimit = absl::Seconds(2);
-  // One message, at most 0.1 s later. Without an end, the server keeps a question that it has nothing for although it
-  // counts something, and hands the next message to who asked it, who has long gone. "no_wait" alone has no end.
+  // One message, within 0.1 s. Without an expiry the server keeps a pull request that it cannot answer, and delivers
+  // the next message to a requester that is long gone. "no_wait" alone has no expiry.
   static constexpr char kQuestion[] = R"({"batch":1,"expires":100000000})";
   static constexpr char kSingle[] = "single";
 
@@ -204,16 +204,16 @@ class Consumers {
 
   struct State {
     Consumer consumer;
-    // Counts reasons to ask; asked when it differs from what it was at the last vain question.
+    // Counts reasons to poll; polled when it differs from its value at the last poll without a message.
     int64_t wanted = 1;
     int64_t asked = 0;
-    // This process made sure that the consumer is there.
+    // This process has ensured that the consumer exists.
     bool has_consumer = false;
   };
 
   absl::StatusOr<std::optional<Delivery>> Ask(const Consumer& consumer) {
-    // An inbox for this question alone: what is delivered keeps the subject under which it was queued, so that nothing
-    // in it says which of several questions it answers.
+    // An inbox for this request alone: delivered messages keep the subject under which they were queued, so they do not
+    // say which request they answer.
     ASSIGN_OR_RETURN(auto inbox, parts_.connection->OpenInbox());
     RETURN_IF_ERROR(parts_.connection->Publish(
         {"$JS.API.CONSUMER.MSG.NEXT." + parts_.names.queue_stream() + "." + consumer.name, kQuestion, {}},
@@ -222,7 +222,7 @@ class Consumers {
     if (!message.ok()) return parts_.connection->Unreachable("no answer in time");
     if (message->status == 503)
       return parts_.connection->Unreachable("the consumer is gone, or has no leader at the moment");
-    // No message now; or the consumer goes or moves just now, which the next look sees.
+    // No message now, or the consumer is being removed or moved, which the next poll notices.
     if (message->status != 0 || message->reply.empty()) return std::nullopt;
     Delivery delivery{message->content, message->reply};
     ReadPosition(message->reply, delivery);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What has ended is forgotten, in steps that may be repeated by anybody. Of a job without a batch: it is noted that it
-// is to go (kDeleting in the bucket of requests), nobody sees it any more, its artifacts go, its request, its record,
-// the note. Of a batch: it is cancelled, so that nothing of it runs again; its jobs go from the last place on, some at
-// a time, and what they had is noted (doomed.BATCH.PLACE in the index); when no job is left, those artifacts go; then
-// the batch.
+// Deletes ended jobs and batches, in steps that any process may repeat. For a job without a batch: a note that it is
+// being deleted (kDeleting in the bucket of requests), which hides it; then its artifacts, its request, its record and
+// the note go. For a batch: it is cancelled, so that none of its jobs runs again; its jobs go from the last place on,
+// some at a time, and their artifacts are noted (doomed.BATCH.PLACE in the index); when no job is left, those artifacts
+// go, then the batch.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,12 +18,12 @@
 namespace flair::orchestrator {
 namespace {
 
-// Jobs whose records go at once. Never to be changed: the places of notes follow from it.
+// Jobs whose records are deleted together. Never change it: the places of notes depend on it.
 constexpr int64_t kForgottenAtOnce = 200;
 
 constexpr int kNotesAtOnce = 1000;
 
-// What the note says of what it is about.
+// The state that the note records.
 constexpr char kJobNote[] = "job";
 constexpr char kBatchNote[] = "batch";
 
@@ -31,7 +31,7 @@ std::string TombstoneKey(const std::string& batch_id, int64_t first) {
   return fmt::format("doomed.{}.{}", batch_id, first);
 }
 
-// All that the job ever had.
+// All artifacts of the job, from all of its runs.
 std::vector<std::string> ArtifactsOf(std::span<const store::v1::JobRecord> records) {
   std::set<std::string> ids;
   for (const store::v1::JobRecord& record : records) {
@@ -45,7 +45,7 @@ std::vector<std::string> ArtifactsOf(std::span<const store::v1::JobRecord> recor
 
 }  // namespace
 
-// The key of a note that a job or batch is to go.
+// The key of the note that a job or batch is being deleted.
 std::string JetStreamWorkQueue::NoteKey(const std::string& owner, const std::string& id) const {
   return OwnerToken(owner) + "." + kDeleting + "." + id;
 }
@@ -61,7 +61,7 @@ absl::Status JetStreamWorkQueue::RemoveNote(const std::string& owner, const std:
   return RemoveRequest(NoteKey(owner, id), "");
 }
 
-// Deletes those of the artifacts that nobody but `user_id` has.
+// Deletes those of the artifacts whose only user is `user_id`.
 absl::StatusOr<int64_t> JetStreamWorkQueue::DeleteArtifacts(std::span<const std::string> ids,
                                                             const std::string& user_id, ArtifactStore& artifacts) {
   if (ids.empty()) return 0;
@@ -106,7 +106,7 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::ForgetJob(const std::string& job_id,
   return deleted;
 }
 
-// The batch, in the middle of its deletion.
+// A batch that is being deleted.
 absl::StatusOr<RevisedBatch> JetStreamWorkQueue::BeginToDelete(const std::string& batch_id) {
   absl::StatusOr<RevisedBatch> batch = parts_->GetBatch(batch_id);
   if (!batch.ok() || batch->value.has_deleted_job_count()) return batch;
@@ -126,7 +126,7 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteBatch(const std::string& batch
   ASSIGN_OR_RETURN(RevisedBatch batch, BeginToDelete(batch_id));
   const int64_t all = batch.value.deleted_job_count();
   Deleted deleted;
-  // Those that whoever came so far may not have ended with.
+  // Those that an earlier, interrupted deletion may have left.
   int64_t left = batch.value.batch().job_count();
   if (left < all) {
     ASSIGN_OR_RETURN(deleted.job_count, ForgetPlaces(batch_id, left, std::min(all, left + kForgottenAtOnce)));
@@ -151,12 +151,12 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::DeleteBatch(const std::string& batch
   return deleted;
 }
 
-// Forgets the jobs at these places, and notes what they had. Returns how many there were.
+// Deletes the jobs at these places, and notes their artifacts. Returns how many there were.
 absl::StatusOr<int64_t> JetStreamWorkQueue::ForgetPlaces(const std::string& batch_id, int64_t first, int64_t end) {
   int64_t forgotten = 0;
   std::vector<std::string> ids;
   for (int64_t i = first; i < end; ++i) ids.push_back(BatchJobId(batch_id, i));
-  // Again for those that a run that goes on in spite of all has changed meanwhile.
+  // Repeat for those that a run, which continues in spite of this, has changed meanwhile.
   while (!ids.empty()) {
     std::vector<store::v1::JobRecord> records;
     std::vector<Bucket::Revision> revisions;
@@ -171,7 +171,7 @@ absl::StatusOr<int64_t> JetStreamWorkQueue::ForgetPlaces(const std::string& batc
     for (std::string& id : ArtifactsOf(records)) tombstones.add_ids(std::move(id));
     const absl::Status noted =
         parts_->index.Update(TombstoneKey(batch_id, first), runtime::CanonicalBytes(tombstones), 0).status();
-    // Who came so far before noted as much or more.
+    // An earlier deletion that came this far noted as much or more.
     if (!noted.ok() && !absl::IsAborted(noted)) return noted;
     for (const store::v1::JobRecord& record : records) {
       RETURN_IF_ERROR(parts_->streams.Purge(parts_->names.ends_stream(), ends_.SubjectOf(record.job())));
@@ -187,7 +187,7 @@ absl::StatusOr<int64_t> JetStreamWorkQueue::ForgetPlaces(const std::string& batc
   return forgotten;
 }
 
-// Deletes what the jobs of a batch had of which none is left; of so many jobs at a time.
+// Deletes the noted artifacts of a batch without jobs, of so many jobs at a time.
 absl::Status JetStreamWorkQueue::DeleteTombstoned(const std::string& batch_id, int64_t all, int64_t job_limit,
                                                   ArtifactStore& artifacts, Deleted& deleted) {
   std::vector<std::string> keys;
@@ -246,7 +246,7 @@ absl::StatusOr<Deleted> JetStreamWorkQueue::FinishDeletions(ArtifactStore& artif
       ASSIGN_OR_RETURN(const std::optional<RevisedBatch> batch, IfFound(parts_->GetBatch(id)));
       RETURN_IF_ERROR(batch.has_value() ? ForgetBatch(batch->value) : absl::OkStatus());
     }
-    // Also where nothing else is left that would say whose it was.
+    // Also if nothing else is left that names its owner.
     RETURN_IF_ERROR(RemoveRequest(key, note.content));
   }
   return all;

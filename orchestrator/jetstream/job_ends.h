@@ -26,12 +26,12 @@ class JobEnds {
  public:
   explicit JobEnds(QueueParts& parts) : parts_(parts) {}
 
-  // Jobs that have ended; those that stand alone, and those that are there already, are passed over.
+  // Records ended jobs; single jobs and those already recorded are skipped.
   absl::Status Publish(std::span<const v1::Job> jobs) {
     std::vector<NatsRequest> messages;
     for (const v1::Job& job : jobs) {
       if (job.batch_id().empty()) continue;
-      // Only where there is none yet, so that watchers are not told twice.
+      // Only where there is none yet, so that watchers are not notified twice.
       messages.push_back(WithExpected(SubjectOf(job), "", 0));
     }
     absl::Status failed;

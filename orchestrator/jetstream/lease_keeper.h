@@ -26,19 +26,19 @@ struct Hold {
   runtime::Cancellation cancellation;
   std::atomic<bool> cancel_requested = false;
   std::atomic<bool> lost = false;
-  // The run itself gives the job away or ends it: a record without its name is no loss then.
+  // The run itself returns or ends the job: a record without its name is then no loss of the lease.
   std::atomic<bool> closing = false;
 
-  // Another run may have the job: tells the run.
+  // Another run may have the job; notifies the run.
   void Lose() {
     lost = true;
     cancellation.Cancel();
   }
 };
 
-// Keeps the holds of a process alive: reports every third of a lease that each job makes progress, and looks whether
-// another process has it or wants its end. A hold whose progress the servers did not confirm for the time of a lease is
-// lost, since they may have given its job to another. One thread. Thread-safe.
+// Keeps the holds of a process alive: reports progress of each job every third of a lease, and checks whether another
+// process has taken the job or wants to end it. A hold is lost if the servers did not confirm progress for a whole
+// lease, since they may have delivered its job to another process. One thread. Thread-safe.
 class LeaseKeeper {
  public:
   // `parts` outlives it.
@@ -65,7 +65,7 @@ class LeaseKeeper {
     std::erase_if(kept_, [&](const Kept& kept) { return kept.hold.get() == &hold; });
   }
 
-  // Looks at the job now; at all, after the connection was gone, when the id is empty.
+  // Checks the job now; all jobs if the id is empty, after the connection was lost.
   void Look(const std::string& job_id) {
     std::lock_guard lock(mutex_);
     for (Kept& kept : kept_) {
@@ -110,7 +110,7 @@ class LeaseKeeper {
       const auto kept = std::ranges::find(kept_, hold, &Kept::hold);
       if (kept == kept_.end() || !confirmed) continue;
       kept->confirmed = now;
-      // Unless somebody asked for another look meanwhile.
+      // Unless another check was requested meanwhile.
       if (kept->due != absl::ZeroDuration()) kept->due = now + parts_.lease / 3;
     }
   }

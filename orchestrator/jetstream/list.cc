@@ -248,7 +248,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::BatchEndedBefore(absl::Time time, const
   }
   if (last_end >= time) return false;
   ASSIGN_OR_RETURN(const std::optional<bool> ended, IfFound(BatchHasEnded(batch_id)));
-  // Somebody else may have deleted it just now.
+  // Another process may have deleted it just now.
   return ended.value_or(false);
 }
 

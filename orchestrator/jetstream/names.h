@@ -57,7 +57,7 @@ class QueueNames {
   std::string name_;
 };
 
-// An owner's name as one token of a subject: itself where it can be, else a digest.
+// An owner's name as one token of a subject: the name if possible, else a digest.
 std::string OwnerToken(std::string_view owner);
 
 // Whether it can be one token of a subject: 1 to 128 letters, digits, "-", "_".
@@ -69,26 +69,26 @@ std::string_view TokenAt(std::string_view subject, int place);
 // The kind of a note in the bucket of requests; see delete.cc.
 inline constexpr char kDeleting[] = "deleting";
 
-// The key of a request in its bucket. What nobody asked for by a request is its own: by its id.
+// The key of a request in its bucket; the id where there is no request.
 std::string RequestKey(const std::string& owner, RequestKind kind, const std::string& request_id,
                        const std::string& id);
 
 absl::Duration LeaseOf(const config::v1::QueueConfig& config);
 
-// What the processes of a queue tell each other: hints on what to look at, never the data itself. They may be lost, so
-// every process also looks now and then. On the wire: the letter of the kind, subject and batch, with spaces between.
+// Notices between the processes of a queue: hints on what to check, never data. They may be lost, so every process also
+// polls. On the wire: the letter of the kind, subject and batch, separated by spaces.
 struct Notice {
   enum class Kind : char {
     // `subject`, of the queue stream, may have a job to take.
     kWork = 'w',
     // Something happened to the job `subject`; it ended when `batch_id` is set.
     kJob = 'j',
-    // The same, and the process that runs it should look whether it still does.
+    // The same, and the process that runs it should check whether it still holds it.
     kHold = 'h',
     // The batch `subject` was paused, resumed, cancelled or got jobs.
     kBatch = 'b',
   };
-  // Another letter is passed over.
+  // Other letters are ignored.
   Kind kind = Kind::kWork;
   std::string subject;
   std::string batch_id;

@@ -36,7 +36,7 @@ absl::StatusOr<Revised<Message>> ChangeRecord(Bucket& bucket, const std::string&
     ASSIGN_OR_RETURN(const bool changed, change(record.value));
     if (!changed) return record;
     const absl::StatusOr<uint64_t> revision = bucket.Update(id, runtime::CanonicalBytes(record.value), record.revision);
-    // Somebody else was faster.
+    // Another process was faster.
     if (absl::IsAborted(revision.status())) continue;
     RETURN_IF_ERROR(revision.status());
     record.revision = *revision;
@@ -105,7 +105,7 @@ void QueueParts::Notify(Notice::Kind kind, const std::string& subject, const std
 }
 
 void QueueParts::NotifyJob(const v1::Job& job) {
-  // Whoever watches the batch wants to know of ends only.
+  // Watchers of the batch are only interested in ends.
   const bool open = job.state() == v1::JOB_STATE_QUEUED || job.state() == v1::JOB_STATE_RUNNING;
   Notify(Notice::Kind::kJob, job.id(), open ? "" : job.batch_id());
 }

@@ -26,7 +26,7 @@ struct Revised {
 using RevisedJob = Revised<store::v1::JobRecord>;
 using RevisedBatch = Revised<store::v1::BatchRecord>;
 
-// What all parts of a queue share: the connection and what is kept behind it. Thread-safe.
+// What all parts of a queue share: the connection and the streams and buckets behind it. Thread-safe.
 class QueueParts {
  public:
   // `config` is checked; `connection` is open, and the streams are there.
@@ -52,7 +52,7 @@ class QueueParts {
   // The subject under which the job waits.
   std::string SubjectOf(const v1::Job& job) const;
 
-  // Tells the other processes, which may miss it: see Notice.
+  // Notifies the other processes, which may miss it: see Notice.
   void Notify(Notice::Kind kind, const std::string& subject, const std::string& batch_id = "");
   // Something happened to the job.
   void NotifyJob(const v1::Job& job);

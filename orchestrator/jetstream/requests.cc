@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Jobs and batches are made in steps, each of which may be repeated: by whoever asked and got no answer.
+// Jobs and batches are created in steps, each of which a caller that got no answer may repeat.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ absl::StatusOr<std::string> JetStreamWorkQueue::IdOfRequest(const std::string& k
     if (made.ok()) return id;
     if (!absl::IsAborted(made.status())) return made.status();
     ASSIGN_OR_RETURN(const std::optional<Bucket::Entry> known, IfFound(parts_->requests.Get(key)));
-    // What it made has been forgotten just now.
+    // What it created has just been deleted.
     if (!known.has_value()) continue;
     return known->value;
   }
@@ -38,10 +38,10 @@ absl::StatusOr<v1::Job> JetStreamWorkQueue::CreateJob(const v1::Job& job, const 
       break;
     }
     if (!absl::IsNotFound(known.status())) return known.status();
-    // It is being forgotten: the request may make another one.
+    // It is being deleted: the request may create another one.
     RETURN_IF_ERROR(RemoveRequest(key, id));
   }
-  // Again for a job that was made before and has never run: who made it may not have come so far.
+  // Again for a job that was created before and has never run: its creation may have stopped before this step.
   if (record.job().state() == v1::JOB_STATE_QUEUED && record.job().attempt_count() == 0) {
     RETURN_IF_ERROR(PutIntoQueue(std::span(&record.job(), 1)));
   }
@@ -60,7 +60,7 @@ absl::StatusOr<store::v1::BatchRecord> JetStreamWorkQueue::CreateBatch(const sto
     if (!absl::IsAborted(made.status())) return made.status();
     absl::StatusOr<RevisedBatch> known = parts_->GetBatch(id);
     if (known.ok()) return std::move(known->value);
-    // The last step of its deletion is being made just now.
+    // The last step of its deletion is running.
     if (!absl::IsNotFound(known.status())) return known.status();
   }
 }
@@ -153,7 +153,7 @@ absl::StatusOr<bool> JetStreamWorkQueue::Retry(const std::string& job_id) {
   ASSIGN_OR_RETURN(const RevisedJob now, parts_->ChangeJob(job_id, retry));
   const v1::Job& waiting = now.value.job();
   if (!retried) {
-    // Somebody else did, and the end that was removed may have been of the run after that.
+    // Another process did, and the removed end may have been that of the next run.
     if (!HasEnded(waiting)) return false;
     RETURN_IF_ERROR(ends_.Publish(std::span(&waiting, 1)));
     return false;

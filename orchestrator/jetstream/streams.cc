@@ -21,7 +21,7 @@ namespace {
 // How long one answer may take; the limit of calls allows for several.
 constexpr absl::Duration kOneAnswer = absl::Seconds(2);
 constexpr int kCallsAtOnce = 8;
-// Consumers that nobody removed, because their process died, go after this.
+// Consumers of processes that died are removed after this.
 constexpr absl::Duration kConsumerLife = absl::Seconds(30);
 // A consumer may have any number of unacknowledged messages.
 constexpr int64_t kNoLimit = 1'000'000'000;
@@ -37,7 +37,7 @@ const std::set<int> kPassing = {JSClusterIncompleteErr, JSClusterNotActiveErr, J
                                 JSRaftGeneralErr,       JSStreamAssignmentErr, JSStreamCreateErr,
                                 JSStreamGeneralError,   JSPeerRemapErr,        JSTempStorageFailedErr};
 
-// Destroys what cnats made.
+// Destroys objects of cnats.
 template <auto Destroy>
 struct Deleter {
   template <typename T>
@@ -210,7 +210,7 @@ absl::Status Streams::Make(const StreamOptions& options) {
   config.Subjects = &subject;
   config.SubjectsLen = 1;
   config.Replicas = options.replica_count;
-  // Nothing that a stream holds is thrown away for something new.
+  // A full stream refuses new messages and keeps the old ones.
   config.Discard = js_DiscardNew;
   if (options.work_queue) config.Retention = js_WorkQueuePolicy;
   if (options.latest_only) config.MaxMsgsPerSubject = 1;
@@ -228,7 +228,7 @@ absl::Status Streams::Make(const StreamOptions& options) {
   if (!absl::IsNotFound(known)) return known;
   const absl::Status made =
       Repeated([&](jsOptions* o, jsErrCode* code) { return js_AddStream(nullptr, context_, &config, o, code); });
-  // Another process may have made it just now.
+  // Another process may have created it just now.
   return made.ok() || !Repeated(look).ok() ? made : absl::OkStatus();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a job comes to a run: a consumer delivers its message, the run claims the record, and holds it by a lease.
+// How a run gets its job: a consumer delivers the message, the run claims the record and holds it by a lease.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace flair::orchestrator {
 
 namespace {
 
-// What a run that only goes away waits for the servers.
+// How long a run that only releases its job waits for the servers.
 constexpr absl::Duration kReturnLimit = absl::Seconds(2);
 
 // A run of a job of a queue in JetStream. Every write replaces the record as this run knows it, so that it fails when
@@ -80,7 +80,7 @@ class JetStreamLease final : public Lease {
       ended = record_.value.job();
     }
     keeper_.Remove(*hold_);
-    // It has ended. What follows from that is repeated by whoever is delivered the message again, if it fails here.
+    // It has ended. If the steps that follow fail here, the process that gets the message again repeats them.
     if (ends_.Publish(std::span(&ended, 1)).ok()) (void)parts_.connection->Publish({hold_->acknowledge, "+ACK", {}});
     parts_.NotifyJob(ended);
     return absl::OkStatus();
@@ -135,10 +135,10 @@ class JetStreamLease final : public Lease {
     return status;
   }
 
-  // Takes over what others wrote into the record, which is no more than that they want the end.
+  // Takes over changes by others to the record, which can only be requests to end the job.
   absl::Status ReadAgain() {
     ASSIGN_OR_RETURN(std::optional<RevisedJob> now, IfFound(parts_.GetJob(job().id())));
-    // It was cancelled, and forgotten with its batch.
+    // It was cancelled, and deleted with its batch.
     if (!now.has_value()) return Refused();
     if (now->value.holder() != hold_->holder) return Refused();
     record_ = *std::move(now);
@@ -153,7 +153,7 @@ class JetStreamLease final : public Lease {
     return absl::AbortedError(fmt::format("job {}: another run has it", job().id()));
   }
 
-  // Nobody deletes these artifacts from now on. What is to be used again and has no user is going just now.
+  // From now on nobody deletes these artifacts. One that is to be reused and has no user is just being deleted.
   absl::Status BecomeUser(std::span<const StageRecord> records) {
     std::vector<ArtifactUsers::Use> uses;
     for (const StageRecord& record : records) {
@@ -201,9 +201,9 @@ class JetStreamLease final : public Lease {
   bool done_ = false;
 };
 
-// Messages of jobs that need no run, passed over before others have a turn.
+// Messages of jobs that need no run, skipped in one go before others have a turn.
 constexpr int kPassedOverAtOnce = 100;
-// A message whose record is not there is shown so often, a second apart, before it is thrown away.
+// A message without a record is delivered this often, a second apart, before it is dropped.
 constexpr int64_t kPatience = 10;
 
 // Holders are called PROCESS/RUN@SEQUENCE after the message that they were delivered.

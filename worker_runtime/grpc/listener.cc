@@ -69,7 +69,7 @@ void ConnectionGate::Forget(int file) {
 }
 
 void ConnectionGate::Sweep(const std::string& peer, absl::Duration now) {
-  // It takes a while: nobody may ask for it by every connection that is refused.
+  // It takes a while, so it must not run for every connection that is refused.
   if (now - swept_at_ < kSweepEvery) return;
   swept_at_ = now;
   const std::unordered_set<int>& files = files_of_peers_[peer];

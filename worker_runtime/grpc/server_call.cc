@@ -52,7 +52,7 @@ void RpcRecord::End(const absl::Status& status, int64_t message_count) {
   const std::string error(Cut(std::string_view(status.message().data(), status.message().size()), kLongestError));
   LogField messages{"messages", {}};
   if (message_count >= 0) messages.value = message_count;
-  // Callers who leave are nobody's fault: watchers do when they have seen enough.
+  // Callers that leave are no failure: watchers do when they have seen enough.
   const bool good = status.ok() || absl::IsCancelled(status);
   Log(*worker_.logger, good ? spdlog::level::info : spdlog::level::warn, fmt::format("{} {}", rpc_, code),
       {{"rpc", rpc_},
