@@ -7,7 +7,6 @@
 
 #include "fmt/format.h"
 #include "language_worker/handbook/reading/opening_parts.h"
-#include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 
@@ -25,11 +24,12 @@ void Inherit(const OpeningWish& from, OpeningWish& to) {
   if (to.kind.empty()) to.kind = from.kind;
   if (to.swing == v1::DOOR_SWING_UNSPECIFIED) to.swing = from.swing;
   to.to_ceiling = to.to_ceiling || from.to_ceiling;
+  to.outside = to.outside || from.outside;
 }
 
 }  // namespace
 
-void OpeningList::AddOnSides(const OpeningNoun& noun, const OpeningSite& site) {
+void OpeningList::Add(const OpeningNoun& noun, const OpeningSite& site) {
   OpeningWish wish = noun.wish;
   Join(noun, site, wish);
   if (site.sides.empty()) return Add(wish);
@@ -40,6 +40,10 @@ void OpeningList::AddOnSides(const OpeningNoun& noun, const OpeningSite& site) {
     wish.count = walls == 1 ? all : each ? 1 : all / walls + (w < all % walls ? 1 : 0);
     Add(wish);
   }
+}
+
+void OpeningList::Add(const OpeningWish& wish) {
+  if (wish.count > 0 && openings_.wishes.size() < kMostWishes) openings_.wishes.push_back(wish);
 }
 
 // A wall that goes by the opening of the same kind that was named before.
@@ -60,12 +64,11 @@ void OpeningList::Join(const OpeningNoun& noun, const OpeningSite& site, Opening
   if (!wish.definite && !noun.part) return;
   for (std::size_t i = 0; i < openings_.wishes.size(); ++i) {
     OpeningWish& there = openings_.wishes[i];
-    const bool same_kind =
-        there.door == wish.door &&
-        (there.leads_to == wish.leads_to || (wish.outside && there.outside) || (wish.leads_to.empty() && !wish.door));
-    if (!same_kind || there.outside != wish.outside || there.of_many) continue;
-    const bool plural = words_.At(noun.noun).ends_with('s') && noun.noun > 0;
-    if (there.side.empty() && there.count > wish.count && !plural) {
+    const bool same_place = there.leads_to == wish.leads_to || (wish.outside && there.outside) ||
+                            (wish.leads_to.empty() && !wish.door) || (noun.part && there.leads_to.empty());
+    const bool same_side = there.outside == wish.outside || (noun.part && !there.outside);
+    if (there.door != wish.door || !same_place || !same_side || there.of_many) continue;
+    if (there.side.empty() && there.count > wish.count && !noun.plural) {
       // One of several.
       there.count -= wish.count;
       wish.counted = there.counted;
@@ -80,7 +83,7 @@ void OpeningList::Join(const OpeningNoun& noun, const OpeningSite& site, Opening
     }
     if (noun.part && !there.side.empty()) continue;
     Inherit(there, wish);
-    if (plural || !wish.counted) {
+    if (noun.plural || !wish.counted) {
       wish.count = std::max(wish.counted ? wish.count : 1, there.count);
       wish.counted = wish.counted || there.counted;
     }
@@ -90,10 +93,7 @@ void OpeningList::Join(const OpeningNoun& noun, const OpeningSite& site, Opening
   }
 }
 
-void OpeningList::Add(const OpeningWish& wish) {
-  if (wish.count > 0 && openings_.wishes.size() < kMostWishes) openings_.wishes.push_back(wish);
-}
-
+// A door that goes by the window: where that has no wall either it is across from the door, or beside it.
 void OpeningList::SettleRelations() {
   std::vector<OpeningWish>& all = openings_.wishes;
   for (std::size_t d = 0; d < all.size(); ++d) {
@@ -106,19 +106,17 @@ void OpeningList::SettleRelations() {
       continue;
     }
     all[d].side.clear();
-    if (window != all.end()) {
-      window->side = across ? "far" : "near";
-      continue;
-    }
-    OpeningWish added;
-    added.side = across ? "far" : "near";
-    added.said = all[d].said;
-    added.of_many = true;
-    Add(added);
+    OpeningWish usual;
+    usual.said = all[d].said;
+    usual.of_many = true;
+    OpeningWish& beside = window != all.end() ? *window : usual;
+    beside.side = across ? "far" : "near";
+    if (window == all.end()) Add(usual);
   }
 }
 
-void OpeningList::SettleContradictions() {
+void OpeningList::Settle() {
+  SettleRelations();
   const auto is_window = [](const OpeningWish& one) { return !one.door; };
   const auto window = std::ranges::find_if(openings_.wishes, is_window);
   if (!openings_.no_windows || (window == openings_.wishes.end() && !openings_.window_meant)) return;

@@ -1,311 +1,353 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The words for one opening or several: number, kind, names and what is said of them before and behind.
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "language_worker/handbook/reading/opening_parts.h"
-#include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 
 namespace {
 
 constexpr int kMostOpenings = 40;
+constexpr double kLarge = 1.5, kSmall = 0.6;
+constexpr double kPairM = 1.5;       // a pair of leaves
+constexpr double kWholeWallM = 100;  // "a wall of windows": cut to the wall
+
+// A measure that words for an opening stand for where no number tells it.
+struct Trait {
+  const char* words;  // a list
+  bool door;
+  std::optional<double> OpeningWish::*measure;
+  double value_m;
+};
+constexpr std::array kTraits = std::to_array<Trait>({
+    {"high_windows", false, &OpeningWish::sill_m, 1.6},
+    {"clerestory_windows", false, &OpeningWish::sill_m, 1.9},
+    {"low_windows", false, &OpeningWish::sill_m, 0.4},
+    {"tall_windows", false, &OpeningWish::height_m, 2.0},
+    {"very_wide_doors", true, &OpeningWish::width_m, 2.4},
+    {"patio_doors", true, &OpeningWish::width_m, 1.8},
+    {"wide_doors", true, &OpeningWish::width_m, 1.5},
+});
+
+// Takes what one word before a door or window says of it: "large", "sliding", "bay", "north". `wish.door` must be set.
+void Describe(std::string_view word, OpeningWish& wish) {
+  for (const Trait& trait : kTraits) {
+    std::optional<double>& measure = wish.*trait.measure;
+    if (trait.door == wish.door && IsIn(trait.words, word)) measure = measure.value_or(trait.value_m);
+  }
+  if (IsIn("large", word)) wish.width_factor = kLarge;
+  if (IsIn("small", word)) wish.width_factor = kSmall;
+  if (!wish.door) {
+    if (IsIn("compass", word) && wish.side.empty()) wish.side = word;
+    if (word == "corner") wish.along.at = AlongWall::At::kEnd;
+    if (!IsIn("windows_built_out", word)) return;
+    wish.kind = std::string(word) + " window";
+    wish.width_factor = kLarge;
+    return;
+  }
+  if (IsIn("sliding", word)) wish.swing = v1::DOOR_SWING_SLIDING;
+  if (word == "open") wish.swing = v1::DOOR_SWING_NONE;
+  wish.outside = wish.outside || IsIn("open_air", word) || word == "french";
+  if (IsIn("open_air", word)) wish.leads_to = word;
+  if (IsIn("inner_rooms", word)) wish.leads_to = std::string(word) + (wish.leads_to.empty() ? "" : " ") + wish.leads_to;
+}
 
 class NounReader {
  public:
   NounReader(const BriefText& words, const std::vector<bool>& things, std::size_t noun)
-      : words_(words), things_(things) {
-    found_.noun = found_.begin = noun;
+      : words_(words), things_(things), noun_(noun) {
+    found_.begin = noun;
     found_.end = noun + 1;
   }
 
   OpeningNoun Read() {
-    const std::size_t noun = found_.noun;
-    const std::string_view head = words_.At(noun);
-    const bool door = IsIn("doors", head), window = IsIn("windows", head);
-    const bool overhead = IsIn("skylights", head) || (window && words_.At(noun - 1) == "roof");
-    if (things_[noun] || !(door || window || overhead)) return {};
-    const std::size_t behind = words_.IsHyphen(noun + 1) ? noun + 2 : noun + 1;
-    if (behind < words_.size() && (things_[behind] || words_.Is(behind, "not_openings"))) return {};
-    if (noun > 0 && words_.Is(noun - 1, "doors_of_other_kinds")) return {};
-    OpeningWish& wish = found_.wish;
-    wish.door = door;
-    ReadBack();
+    const std::string_view head = words_.At(noun_);
+    const bool window = IsIn("windows", head);
+    const bool overhead = IsIn("skylights", head) || (window && words_.At(noun_ - 1) == "roof");
+    if (things_[noun_] || !(overhead || window || IsIn("doors", head))) return {};
+    if (noun_ + 1 < words_.size() && (things_[noun_ + 1] || words_.Is(noun_ + 1, "not_openings"))) return {};
+    if (noun_ > 0 && words_.Is(noun_ - 1, "doors_of_other_kinds")) return {};
+    found_.kind = overhead ? OpeningNoun::Kind::kOverhead : OpeningNoun::Kind::kOpening;
+    found_.plural = head.ends_with('s');
     // French windows are doors.
-    if (window && wish_french_) {
-      wish.door = true;
-      Describe("french", wish);
-    }
-    if (found_.kind == OpeningNoun::Kind::kNone) return {};
-    if (overhead) found_.kind = OpeningNoun::Kind::kOverhead;
-    if (head == "archway") wish.swing = v1::DOOR_SWING_NONE;
-    if (head.starts_with("porthole")) wish = Porthole(wish);
-    SetMeasures();
-    const bool plural = head.ends_with('s');
-    const bool one_pair =
-        wish.door && plural && (!wish.counted || pair_) &&
-        (wish.width_m || wish.swing != v1::DOOR_SWING_UNSPECIFIED || wish.outside || glazed_ || pair_);
-    if (one_pair) {
-      wish.count = 1;
-      wish.counted = true;
-      wish.width_m = wish.width_m.value_or(1.5);
-    } else if (plural && !wish.counted) {
-      wish.count = 2;
-    }
+    found_.wish.door = !window || words_.At(noun_ - 1) == "french";
+    found_.bare = !ReadBack();
+    ReadDenial();
+    if (IsOfACupboard()) return {};
+    const std::size_t before = words_.At(found_.begin - 1) == "all" ? found_.begin - 1 : found_.begin;
+    found_.related = before > 0 && words_.Is(before - 1, "relating");
+    if (head == "archway") found_.wish.swing = v1::DOOR_SWING_NONE;
+    if (head.starts_with("porthole")) MakePorthole();
+    SetCount();
     return found_;
   }
 
  private:
-  static OpeningWish Porthole(OpeningWish wish) {
-    wish.kind = "porthole";
-    wish.width_m = 0.4;
-    wish.height_m = 0.4;
-    wish.sill_m = 1.3;
-    return wish;
-  }
-
-  // Over what describes the opening, back to its article or number.
-  void ReadBack() {
+  // Over what describes the opening, back to its article or number, if there is one.
+  bool ReadBack() {
     constexpr std::size_t kMostBack = 10;
-    found_.kind = OpeningNoun::Kind::kOpening;
-    found_.bare = true;
-    OpeningWish& wish = found_.wish;
-    std::size_t at = found_.noun;
+    std::size_t& at = found_.begin;
     for (std::size_t steps = 0; at > 0 && steps < kMostBack; ++steps) {
-      const std::size_t before = at - 1;
-      const std::string_view word = words_.At(before);
-      if (words_.IsHyphen(before)) {
-        at = before;
-        continue;
+      const std::string_view word = words_.At(at - 1);
+      if (TakeMeasure() || TakeFloorToCeiling()) continue;
+      if (word == "of" && TakeQuantity()) return true;
+      const bool name = things_[at - 1] && !IsIn("inner_rooms", word);
+      if (words_.IsSign(at - 1) || name) return false;
+      found_.part = found_.part || word == "one" || IsIn("one_of_several", word);
+      if (TakeDeterminer()) return true;
+      const bool aspect = word == "facing" && at > 1 && words_.Is(at - 2, "compass");
+      if (!aspect && (IsIn("relating", word) || IsIn("opening_stops", word))) return false;
+      if (IsIn("one_of_several", word)) {
+        found_.wish.count = 1;
+        found_.wish.counted = true;
       }
-      if (TakeMeasureBefore(at)) continue;
-      if (words_.At(before) == "of" && before > 0 && TakeQuantity(before)) return Determined(found_.begin);
-      if (words_.IsSign(before) || (things_[before] && !IsIn("inner_rooms", word))) break;
-      if (word == "no" || word == "without" || (word == "any" && before > 0 && words_.At(before - 1) == "without") ||
-          word == "zero") {
-        found_.none = true;
-        return Determined(word == "any" ? before - 1 : before);
-      }
-      if (word == "one" || IsIn("one_of_several", word)) found_.part = true;
-      if (IsIn("any_of_them", word)) {
-        found_.any = true;
-        return Determined(before);
-      }
-      if (word == "only" || word == "single" || word == "just") {
-        wish.counted = wish.counted || word == "single";
-        at = before;
-        continue;
-      }
-      if (IsIn("definite", word)) {
+      double_ = double_ || IsIn("two_leaves", word);
+      full_height_ += IsIn("full_height", word) ? 1 : 0;
+      Describe(word, found_.wish);
+      --at;
+    }
+    return false;
+  }
+
+  // "no", "each", "the two", "three", "several" before the words read so far.
+  bool TakeDeterminer() {
+    std::size_t& at = found_.begin;
+    OpeningWish& wish = found_.wish;
+    const std::string_view word = words_.At(at - 1);
+    const std::optional<int> number = NumberAt(at - 1);
+    found_.none = word == "no" || word == "without" || word == "zero";
+    found_.any = IsIn("any_of_them", word);
+    wish.definite = IsIn("definite", word);
+    if (number) {
+      wish.count = *number;
+      wish.counted = true;
+      if (at > 1 && words_.Is(at - 2, "definite")) {
         wish.definite = true;
-        if (word == "both") {
-          wish.count = 2;
-          wish.counted = true;
-        }
-        return Determined(before);
+        --at;
       }
-      if (const std::optional<int> number = NumberAt(before)) {
-        wish.count = *number;
-        wish.counted = true;
-        // "the two windows"
-        if (before > 0 && words_.Is(before - 1, "definite")) {
-          wish.definite = true;
-          return Determined(before - 1);
-        }
-        return Determined(before);
-      }
-      if (IsIn("several", word)) {
-        wish.count = 3;
-        return Determined(before);
-      }
-      // "a south-facing window"
-      if (word == "facing" && TakeAspect(before)) {
-        at = before;
-        continue;
-      }
-      if (IsIn("relating", word) || IsIn("opening_stops", word)) {
-        if (!(word == "to" && TakeFloorToCeiling(at))) break;
-        continue;
-      }
-      Word(word);
-      at = before;
+    } else if (IsIn("several", word)) {
+      wish.count = 3;
+    } else if (!found_.none && !found_.any && !wish.definite) {
+      return false;
     }
-    found_.begin = at;
-    Relate();
+    --at;
+    return true;
   }
 
-  void Determined(std::size_t begin) {
-    found_.bare = false;
-    found_.begin = begin;
-    if (begin > 0 && words_.At(begin - 1) == "only") found_.begin = begin - 1;
-    Relate();
-  }
-
-  void Relate() {
-    std::size_t at = found_.begin;
-    TakeDenial(at);
-    if (at > 0 && words_.At(at - 1) == "all") --at;
-    found_.related = at > 0 && words_.Is(at - 1, "relating") && !IsOfACupboard(at);
-    if (IsOfACupboard(at)) found_.kind = OpeningNoun::Kind::kNone;
-  }
-
-  // "without a window", "does not have any windows".
-  void TakeDenial(std::size_t& at) {
-    std::size_t before = at;
-    if (before > 1 && words_.Is(before - 1, "have")) --before;
-    if (before == 0) return;
-    const bool without = before == at && words_.At(before - 1) == "without";
-    const bool has_not = before < at && (words_.At(before - 1) == "not" || words_.At(before - 1) == "t");
-    if (!without && !has_not) return;
-    found_.none = true;
-    found_.any = false;
-    at = found_.begin = before - 1;
-  }
-
-  // "a wardrobe with two sliding doors".
-  bool IsOfACupboard(std::size_t at) const {
-    if (!found_.wish.door || at < 2) return false;
-    return words_.Is(at - 1, "of_a_cupboard") && things_[at - 2];
-  }
-
-  void Word(std::string_view word) {
-    if (word == "french") wish_french_ = true;
-    if (IsOneOf(word, {"glass", "glazed"})) glazed_ = true;
-    if (IsOneOf(word, {"ceiling"})) ceiling_ = true;
-    if (IsIn("full_height", word) && !found_.wish.door) ++full_;
-    if (word == "high" && !measured_) high_ = true;
-    if (word == "low" && !measured_) low_ = true;
-    if (word == "tall" && !measured_) tall_ = true;
-    if (word == "open" && found_.wish.door) found_.wish.swing = v1::DOOR_SWING_NONE;
-    if (IsIn("one_of_several", word)) {
-      found_.wish.count = 1;
-      found_.wish.counted = true;
+  std::optional<int> NumberAt(std::size_t i) const {
+    if (!words_.IsNumber(i)) {
+      const std::optional<int> named = NumberWord(words_.At(i));
+      return named ? std::optional<int>(std::min(*named, kMostOpenings)) : std::nullopt;
     }
-    Describe(word, found_.wish);
+    const double number = words_.NumberAt(i);
+    if (number != static_cast<int>(std::min(number, 100.0)) || number < 1) return std::nullopt;
+    return std::min(static_cast<int>(number), kMostOpenings);
   }
 
-  // "1.2 m" before a token, perhaps with "wide" behind it: the last one said comes first.
-  bool TakeMeasureBefore(std::size_t& at) {
-    for (const std::size_t length : {2u, 3u}) {
-      if (at < length) continue;
+  // "a pair of windows", "a set of patio doors", "a wall of windows", "lots of windows".
+  bool TakeQuantity() {
+    std::size_t& at = found_.begin;
+    if (at < 2) return false;
+    const std::string_view word = words_.At(at - 2);
+    OpeningWish& wish = found_.wish;
+    const bool wall = word == "wall" && !wish.door;
+    if (IsIn("two_leaves", word)) {
+      double_ = wish.door;
+      wish.count = word == "pair" && !wish.door ? 2 : 1;
+    } else if (IsIn("rows_of", word)) {
+      wish.count = 3;
+    } else if (wall || word == "couple") {
+      wish.count = wall ? 1 : 2;
+      if (wall) wish.width_m = kWholeWallM;
+    } else {
+      return false;
+    }
+    wish.counted = true;
+    at -= at > 2 && words_.Is(at - 3, "whole") ? 3 : 2;
+    return true;
+  }
+
+  // "1.2 m", "1.2 m wide", "1.2 m x 1.5 m", "1.2 x 1.5 m" before the words read so far.
+  bool TakeMeasure() {
+    std::size_t& at = found_.begin;
+    OpeningWish& wish = found_.wish;
+    for (std::size_t length = 2; length <= std::min<std::size_t>(at, 4); ++length) {
       std::size_t end = 0;
       const std::optional<double> metres = words_.LengthAt(at - length, end);
       if (!metres || end != at) continue;
-      measured_ = true;
-      measures_.push_back({*metres, std::string(words_.At(at))});
+      const bool second = at > length + 1 && words_.Says(at - length - 1, {"x", "by"});
+      if (second || words_.Is(at, "heights")) {
+        wish.height_m = metres;
+        wish.sill_m.reset();  // "1.5 m high" is not high in the wall
+      } else {
+        wish.width_m = metres;
+      }
+      wish.width_factor = 1;
       at -= length;
-      // "1.2 m x 1.5 m", "1.2 x 1.5 m".
-      if (at >= 2 && words_.Says(at - 1, {"x", "by"})) {
+      if (second && words_.IsNumber(at - 2)) {
+        // Of both numbers only the last may have a unit.
+        wish.width_m = words_.NumberAt(at - 2) * *metres / words_.NumberAt(at);
+        at -= 2;
+      } else if (second) {
         --at;
-        measures_.back().dimension = "high";
-        if (words_.IsNumber(at - 1)) {
-          const double number = words_.NumberAt(at - 1);
-          measures_.push_back({number * (*metres / words_.NumberAt(at + 1)), "wide"});
-          --at;
-        }
       }
       return true;
     }
     return false;
   }
 
-  // "a pair of windows", "a set of patio doors", "a wall of windows", "lots of windows".
-  bool TakeQuantity(std::size_t of) {
-    const std::string_view word = words_.At(of - 1);
-    OpeningWish& wish = found_.wish;
-    std::size_t begin = of - 1;
-    if (IsOneOf(word, {"pair", "set"})) {
-      pair_ = found_.wish.door;
-      wish.count = word == "pair" && !wish.door ? 2 : 1;
-    } else if (IsOneOf(word, {"couple"})) {
-      wish.count = 2;
-    } else if (IsIn("rows_of", word)) {
-      wish.count = 3;
-    } else if (IsOneOf(word, {"wall"}) && !wish.door) {
-      wish.count = 1;
-      wish.width_m = 100;
-    } else {
-      return false;
-    }
-    wish.counted = true;
-    if (begin > 0 && words_.Is(begin - 1, "whole")) --begin;
-    found_.begin = begin;
+  bool TakeFloorToCeiling() {
+    constexpr std::size_t kWords = 3;
+    std::size_t& at = found_.begin;
+    if (at < kWords || words_.BehindPhrase(at - kWords, "floor_to_ceiling") != at) return false;
+    full_height_ = 2;
+    at -= kWords;
     return true;
   }
 
-  bool TakeAspect(std::size_t facing) {
-    std::size_t at = facing;
-    if (at > 0 && words_.IsHyphen(at - 1)) --at;
-    return at > 0 && words_.Is(at - 1, "compass");
+  // "without a window", "does not have any windows".
+  void ReadDenial() {
+    std::size_t before = found_.begin;
+    if (before > 1 && words_.Is(before - 1, "have")) --before;
+    if (before == 0) return;
+    const bool without = before == found_.begin && words_.At(before - 1) == "without";
+    if (!without && !(before < found_.begin && words_.At(before - 1) == "not")) return;
+    found_.none = true;
+    found_.any = false;
+    found_.begin = before - 1;
   }
 
-  // "floor to ceiling windows"
-  bool TakeFloorToCeiling(std::size_t& at) {
-    if (at < 2 || words_.At(at - 1) != "to") return false;
-    std::size_t floor = at - 2;
-    if (words_.IsHyphen(floor) && floor > 0) --floor;
-    if (words_.At(floor) != "floor" || !ceiling_) return false;
-    full_ = 2;
-    at = floor;
-    return true;
+  // "a wardrobe with two sliding doors".
+  bool IsOfACupboard() const {
+    const std::size_t at = found_.begin;
+    return found_.wish.door && at > 1 && words_.Is(at - 1, "of_a_cupboard") && things_[at - 2];
   }
 
-  std::optional<int> NumberAt(std::size_t i) const {
-    if (words_.IsNumber(i)) {
-      const double number = words_.NumberAt(i);
-      if (number != static_cast<int>(std::min(number, 100.0)) || number < 1) return std::nullopt;
-      return std::min(static_cast<int>(number), kMostOpenings);
-    }
-    const std::optional<int> named = NumberWord(words_.At(i));
-    return named ? std::optional<int>(std::min(*named, kMostOpenings)) : std::nullopt;
-  }
-
-  void SetMeasures() {
+  void MakePorthole() {
     OpeningWish& wish = found_.wish;
-    for (const Measured& one : measures_) {
-      const bool high = IsOneOf(one.dimension, {"high", "tall", "height"});
-      if (high) {
-        wish.height_m = one.metres;
-      } else {
-        wish.width_m = one.metres;
-      }
-    }
-    // "1.2 m wide" is not wide.
-    if (wish.width_m) wish.width_factor = 1;
-    if (!wish.door && full_ >= 2) {
+    wish.kind = "porthole";
+    wish.width_m = 0.4;
+    wish.height_m = 0.4;
+    wish.sill_m = 1.3;
+  }
+
+  void SetCount() {
+    OpeningWish& wish = found_.wish;
+    if (!wish.door && full_height_ >= 2) {
       wish.sill_m = 0;
-      wish.to_ceiling = ceiling_ || full_ >= 2;
+      wish.to_ceiling = true;
     }
-    if (!wish.door && high_) wish.sill_m = 1.6;
-    if (!wish.door && low_) wish.sill_m = 0.4;
-    if (!wish.door && tall_ && !wish.sill_m) {
-      wish.sill_m = 0.4;
-      wish.height_m = wish.height_m.value_or(2.0);
+    const bool leaves = wish.width_m || wish.swing != v1::DOOR_SWING_UNSPECIFIED || wish.outside || double_;
+    if (wish.door && found_.plural && (!wish.counted || double_) && leaves) {
+      wish.count = 1;
+      wish.counted = true;
+      wish.width_m = wish.width_m.value_or(kPairM);
+    } else if (found_.plural && !wish.counted) {
+      wish.count = std::max(wish.count, 2);
     }
   }
-
-  struct Measured {
-    double metres = 0;
-    std::string dimension;  // the word behind it
-  };
 
   const BriefText& words_;
   const std::vector<bool>& things_;
+  const std::size_t noun_;
   OpeningNoun found_;
-  std::vector<Measured> measures_;
-  bool wish_french_ = false, glazed_ = false, ceiling_ = false, high_ = false, low_ = false, tall_ = false;
-  bool measured_ = false, pair_ = false;
-  int full_ = 0;
+  bool double_ = false;  // its plural is a pair of leaves
+  int full_height_ = 0;  // words for "floor to ceiling"
 };
+
+// "to the kitchen", "leading out to the garden", "onto the balcony".
+bool TakeLeads(const BriefText& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i;
+  if (words.Says(at, {"that", "which"})) ++at;
+  if (words.Is(at, "leading")) ++at;
+  if (words.Says(at, {"out", "on", "through"}) && words.Says(at + 1, {"to", "onto", "into"})) ++at;
+  if (!words.Is(at, "leads_to")) return false;
+  at = words.BehindArticle(at + 1);
+  const auto leads = [&](std::size_t k) {
+    return words.Is(k, "open_air") || words.Is(k, "inner_rooms") || words.Is(k, "ways_in") || words.At(k) == "room";
+  };
+  if (words.Is(at, "before_other_rooms") && leads(at + 1)) ++at;
+  // "a door to the side wall" is none that leads to a side.
+  if (!leads(at) || words.Is(at, "sides_of_a_house")) return false;
+  std::size_t end = at + 1;
+  if (words.Is(end, "room_endings")) ++end;
+  if (words.Is(at, "open_air")) {
+    wish.outside = true;
+    if (words.At(at) != "balcony") wish.width_m = wish.width_m.value_or(wish.count == 1 ? 0.9 : kPairM);
+  }
+  if (!words.Is(at, "ways_in")) wish.leads_to = words.Quote(at, end);
+  i = end;
+  return true;
+}
+
+// "1.2 m wide", "of 1.2 m x 1.5 m", "(90 cm)", "with a sill at 1.1 m".
+bool TakeLengths(const BriefText& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i;
+  if (words.At(at) == ",") ++at;
+  const bool bracket = words.At(at) == "(";
+  if (bracket) ++at;
+  bool sill = false;
+  for (int over = 0; over < 6 && words.Is(at, "before_opening_sizes"); ++over) sill = words.At(at++) == "sill" || sill;
+  std::size_t end = 0;
+  const std::optional<double> first = words.LengthAt(at, end);
+  if (!first || *first <= 0 || words.Is(end, "after_distances")) return false;
+  const std::optional<std::size_t> above = words.BehindPhrase(end, "above_the_floor");
+  if (sill || above) {
+    wish.sill_m = first;
+    i = above.value_or(end);
+    return true;
+  }
+  (words.Is(end, "heights") ? wish.height_m : wish.width_m) = first;
+  wish.width_factor = 1;
+  at = words.Is(end, "opening_dimensions") ? end + 1 : end;
+  const std::optional<double> second = words.Says(at, {"x", "by", "and"}) ? words.LengthAt(at + 1, end) : std::nullopt;
+  if (second && *second > 0) {
+    wish.height_m = second;
+    at = words.Is(end, "heights") ? end + 1 : end;
+  }
+  i = bracket && words.At(at) == ")" ? at + 1 : at;
+  return true;
+}
+
+// "opening outwards", "that swings into the room", "reaching the floor".
+bool TakeSwing(const BriefText& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i;
+  for (int over = 0; over < 3 && words.Is(at, "before_swings"); ++over) ++at;
+  if (!wish.door) {
+    const auto full = words.BehindPhrase(at, "floor_to_ceiling");
+    if (!full) return false;
+    wish.sill_m = 0;
+    wish.to_ceiling = words.At(*full - 1) == "ceiling";
+    i = *full;
+    return true;
+  }
+  if (!words.Is(at, "swinging")) return false;
+  const auto out = words.BehindPhrase(at + 1, "outwards"), in = words.BehindPhrase(at + 1, "inwards");
+  const auto behind = out ? out : in;
+  // "opening out to the garden" tells where it leads.
+  if (!behind || words.Says(*behind, {"to", "onto", "the"})) return false;
+  wish.swing = out ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
+  i = *behind;
+  return true;
+}
 
 }  // namespace
 
 OpeningNoun OpeningNounAt(const BriefText& words, const std::vector<bool>& things, std::size_t i) {
-  const std::string_view word = words.At(i);
-  if (!IsIn("doors", word) && !IsIn("windows", word) && !IsIn("skylights", word)) return {};
   return NounReader(words, things, i).Read();
+}
+
+std::size_t ReadMeasures(const BriefText& words, std::size_t i, OpeningWish& wish) {
+  constexpr int kMostParts = 4;
+  for (int part = 0; part < kMostParts; ++part) {
+    if (!(wish.door && TakeLeads(words, i, wish)) && !TakeLengths(words, i, wish) && !TakeSwing(words, i, wish)) break;
+  }
+  return i;
 }
 
 }  // namespace flair::language

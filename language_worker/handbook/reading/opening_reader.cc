@@ -2,127 +2,177 @@
 #include "language_worker/handbook/reading/opening_reader.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
-#include <string_view>
 
 #include "fmt/format.h"
 #include "language_worker/handbook/reading/opening_parts.h"
-#include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 
 namespace {
 
+// "south-west" as two words; `places` are where its tokens were.
+std::vector<Token> WithoutHyphens(const BriefText& text, std::vector<std::size_t>& places) {
+  std::vector<Token> tokens;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.IsHyphen(i)) continue;
+    tokens.push_back(text.tokens()[i]);
+    places.push_back(i);
+  }
+  return tokens;
+}
+
 class OpeningReader {
  public:
   OpeningReader(const std::vector<Token>& tokens, const std::vector<bool>& room, std::vector<bool>& used,
                 OpeningWishes& openings)
-      : words_(tokens),
-        sites_(words_),
-        list_(words_, openings),
-        room_(room),
+      : text_(tokens),
+        tokens_(WithoutHyphens(text_, places_)),
+        words_(tokens_),
+        list_(openings),
         used_(used),
-        things_(used),
         openings_(openings) {
-    for (std::size_t i = 0; i < things_.size(); ++i) things_[i] = used[i] && !room[i];
+    for (const std::size_t place : places_) {
+      room_.push_back(room[place]);
+      things_.push_back(used[place] && !room[place]);
+    }
   }
 
   void Read() {
-    for (std::size_t i = 0; i < words_.size(); ++i) {
-      if (i < read_to_) continue;
-      if (words_.At(i) == "windowless") {
-        openings_.no_windows = true;
-        Use(i, i + 1);
-      } else if (const auto dark = words_.BehindPhrase(i, "no_daylight")) {
+    for (std::size_t i = 0; i < words_.size(); i = std::max(i + 1, read_to_)) {
+      if (const auto dark = words_.BehindPhrase(i, "no_daylight")) {
         openings_.no_windows = true;
         Use(i, *dark);
-      } else if (!ReadAspect(i) && !ReadTheOther(i) && !room_[i]) {
-        ReadOpening(i);
+      } else if (!ReadAspect(i) && !ReadOneOfThem(i) && !room_[i]) {
+        ReadNamed(i);
       }
     }
-    list_.SettleRelations();
-    list_.SettleContradictions();
+    list_.Settle();
   }
 
  private:
+  // What was read last, as far as the next one may go by it.
+  struct Last {
+    std::size_t end = 0;
+    bool door = false;
+    bool open = false;               // it has no wall yet
+    std::vector<std::string> sides;  // said before it: "On the south wall a door and a window"
+  };
+
   // "a south-facing room", "a bedroom facing south": windows look that way, whatever others there are.
   bool ReadAspect(std::size_t i) {
-    std::size_t compass = 0, end = 0;
     const auto room_at = [&](std::size_t k) {
       return k < words_.size() && (room_[k] || words_.Is(k, "rooms_that_face"));
     };
-    if (words_.Is(i, "compass") && words_.Behind(i, std::string(words_.At(i)) + " facing")) {
-      compass = i;
-      end = *words_.Behind(i, std::string(words_.At(i)) + " facing");
-      if (!room_at(end) && !room_at(end + 1)) return false;
-    } else if (i > 0 && room_at(i - 1) && words_.Is(i, "looking") && words_.Is(i + 1, "compass")) {
-      compass = i + 1;
-      end = i + 2;
-    } else {
-      return false;
-    }
-    OpeningWish wish;
-    wish.side = words_.At(compass);
-    wish.of_many = true;
-    wish.said = words_.Quote(i, end);
-    Use(i, end);
-    list_.Add(wish);
+    const bool before = words_.Is(i, "compass") && words_.At(i + 1) == "facing" && (room_at(i + 2) || room_at(i + 3));
+    const bool behind = i > 0 && room_at(i - 1) && words_.Is(i, "looking") && words_.Is(i + 1, "compass");
+    if (!before && !behind) return false;
+    OpeningNoun noun;
+    noun.wish.of_many = true;
+    noun.wish.said = Quote(i, i + 2);
+    OpeningSite site;
+    site.sides = {std::string(words_.At(before ? i : i + 1))};
+    list_.Add(noun, site);
+    Use(i, i + 2);
     return true;
   }
 
-  void ReadOpening(std::size_t i) {
+  void ReadNamed(std::size_t i) {
     OpeningNoun noun = OpeningNounAt(words_, things_, i);
     if (noun.kind == OpeningNoun::Kind::kNone || noun.any) return;
     if (noun.kind == OpeningNoun::Kind::kOverhead) return NoteOverhead(noun);
-    OpeningWish& wish = noun.wish;
-    std::size_t end = ReadMeasures(words_, noun.end, wish);
     OpeningSite site;
-    const bool after = sites_.ReadAfter(end, wish.door, !noun.related, site);
-    if (after && (!noun.related || site.not_read.empty())) end = ReadMeasures(words_, site.end, wish);
+    std::size_t end = ReadBehind(noun, noun.end, site);
     if (noun.related && (site.sides.empty() || !site.not_read.empty())) return NoteRelated(noun);
     if (noun.none) return NoteNone(noun, site, end);
+    Place(noun, site, end);
+  }
+
+  // "one on the north wall and one on the east wall", "the other is on the west wall", right behind openings.
+  bool ReadOneOfThem(std::size_t i) {
+    constexpr std::size_t kMostLinks = 3;
+    if (!last_ || i < last_->end || i > last_->end + kMostLinks) return false;
+    for (std::size_t k = last_->end; k < i; ++k) {
+      if (!words_.Is(k, "share_links")) return false;
+    }
+    std::size_t at = words_.At(i) == "the" ? i + 1 : i;
+    OpeningNoun noun;
+    noun.wish.door = last_->door;
+    noun.wish.counted = noun.part = true;
+    const std::optional<int> number = NumberWord(words_.At(at));
+    if (number == 2 || number == 3) noun.wish.count = *number;
+    if (noun.wish.count == 1 && !words_.Is(at, "shares")) return false;
+    while (words_.Is(++at, "of_them")) {
+    }
+    noun.begin = i;
+    OpeningSite site;
+    const std::size_t end = ReadBehind(noun, at, site);
+    if (site.sides.empty() || !site.not_read.empty()) return false;
+    noun.wish.along = site.along;
+    noun.wish.said = Quote(i, end);
+    list_.Add(noun, site);
+    Use(i, end);
+    last_->end = end;
+    return true;
+  }
+
+  // What stands behind a noun: measures, then places, then measures again.
+  std::size_t ReadBehind(OpeningNoun& noun, std::size_t at, OpeningSite& site) const {
+    const std::size_t end = ReadMeasures(words_, at, noun.wish);
+    if (!ReadSiteAfter(words_, end, noun.wish.door, /*verbs=*/!noun.related, site)) return end;
+    return noun.related && !site.not_read.empty() ? end : ReadMeasures(words_, site.end, noun.wish);
+  }
+
+  // Settles where an opening is by what stands before it and by what was named last, and lists it.
+  void Place(OpeningNoun& noun, OpeningSite& site, std::size_t end) {
+    OpeningWish& wish = noun.wish;
+    const bool behind = !site.sides.empty(), own = behind || !wish.side.empty();
     std::size_t begin = noun.begin;
-    const bool own_side = !site.sides.empty() || !wish.side.empty();
-    if (!own_side && !noun.related) {
-      const OpeningSite before = sites_.ReadBefore(begin);
-      site.sides = before.sides;
+    std::vector<std::string> listed;
+    if (!own && !noun.related) {
+      const OpeningSite before = ReadSiteBefore(words_, begin);
+      site.sides = listed = before.sides;
       if (!before.sides.empty()) begin = before.end;
       if (site.along.at == AlongWall::At::kAny) site.along = before.along;
-      // "On the south wall a door and a window."
-      if (before.sides.empty() && listed_ && IsJoined(begin)) site.sides = *listed_;
+      if (before.sides.empty() && last_ && Joins(begin)) site.sides = listed = last_->sides;
     }
-    if (!site.sides.empty()) {
-      wish.side.clear();
-    } else if (!wish.side.empty()) {
-      site.sides = {wish.side};
-    }
+    if (site.sides.empty() && !wish.side.empty()) site.sides = {wish.side};
+    wish.side.clear();
     if (site.along.at != AlongWall::At::kAny) wish.along = site.along;
-    wish.said = words_.Quote(begin, end);
-    if (site.sides.empty() && wish.count > 1 && wish.counted && TakeShares(wish, end)) return Use(begin, last_end_);
+    wish.said = Quote(begin, end);
     if (!Says(noun, site)) return;
-    listed_.reset();
-    if (begin < noun.begin || (!own_side && !site.sides.empty())) listed_ = site.sides;
+    const bool anded = last_ && begin == last_->end + 1 && words_.At(last_->end) == "and";
     // "a door and a window on the same wall"
-    if (site.sides == std::vector<std::string>{"same"}) {
-      site.sides = {last_end_ > 0 && IsJoinedByAnd(begin) && last_door_ && !wish.door ? "near" : "far"};
+    if (site.sides == std::vector<std::string>{"same"})
+      site.sides = {anded && last_->door && !wish.door ? "near" : "far"};
+    // "a door and a window on the north wall": both.
+    if (anded && behind && last_->open && site.sides.size() == 1 && site.sides[0] != "near") {
+      OpeningWish& other = openings_.wishes.back();
+      if (other.side.empty() && other.count == 1) other.side = site.sides[0];
     }
-    if (after && own_side && shared_from_ && site.sides[0] != "near" && IsJoinedByAnd(begin)) ShareWithTheLast(site);
-    shared_from_ = site.sides.empty() && !noun.related && !openings_.wishes.empty();
     if (!site.not_read.empty()) {
       openings_.not_read.push_back(
           fmt::format("\"{}\": openings can be placed by walls, corners, doors and windows, not by furniture or "
                       "lengths; it is placed where it fits.",
                       wish.said));
     }
-    const std::size_t before = openings_.wishes.size();
     if (!site.by_side.empty()) AddTheOther(site, !wish.door);
-    if (site.pair && !wish.counted) wish.counted = true;
-    if (site.pair) wish.count = std::max(wish.count, 2);
-    list_.AddOnSides(noun, site);
-    shared_from_ = site.sides.empty() && openings_.wishes.size() > before;
+    if (site.pair) {
+      wish.count = std::max(wish.count, 2);
+      wish.counted = true;
+    }
+    const std::size_t before = openings_.wishes.size();
+    list_.Add(noun, site);
     Use(begin, end);
-    last_door_ = wish.door;
-    last_end_ = end;
+    last_ = Last{end, wish.door, site.sides.empty() && openings_.wishes.size() > before, listed};
+  }
+
+  // Whether nothing but commas and "and" is between the last one and this.
+  bool Joins(std::size_t begin) const {
+    std::size_t at = last_->end;
+    while (at < begin && words_.Says(at, {",", "and", "also"})) ++at;
+    return at == begin;
   }
 
   // Whether the words ask for something, or tell something of an opening.
@@ -132,31 +182,28 @@ class OpeningReader {
                       wish.along.at != AlongWall::At::kAny || wish.outside || !wish.leads_to.empty() ||
                       !wish.kind.empty();
     if (!site.sides.empty() || !site.not_read.empty()) return true;
-    if (wish.definite) {
-      openings_.window_meant = openings_.window_meant || !wish.door;
-      return told;
-    }
-    if (!noun.bare || told) return true;
-    // "with large windows"; a door there is anyway.
+    if (!wish.definite && (!noun.bare || told)) return true;
     openings_.window_meant = openings_.window_meant || !wish.door;
-    return !wish.door && words_.At(noun.noun).ends_with('s');
+    // "with large windows"; a door there is anyway.
+    return wish.definite ? told : !wish.door && noun.plural;
   }
 
   void NoteOverhead(const OpeningNoun& noun) {
-    if (noun.none) return Use(noun.begin, noun.end);
-    openings_.not_read.push_back(fmt::format("\"{}\" is in the ceiling, which has no openings here; it was left out.",
-                                             words_.Quote(noun.begin, noun.end)));
+    if (!noun.none) {
+      openings_.not_read.push_back(
+          fmt::format("\"{}\" is in the ceiling, which has no openings here; it was left out.",
+                      Quote(noun.begin, noun.end)));
+    }
     Use(noun.begin, noun.end);
   }
 
   // "a desk under the window", "near the kitchen door".
-  void NoteRelated(const OpeningNoun& noun) {
+  void NoteRelated(OpeningNoun& noun) {
     openings_.window_meant = openings_.window_meant || !noun.wish.door;
     if (!noun.wish.door || (!noun.wish.outside && noun.wish.leads_to.empty())) return;
-    OpeningNoun door = noun;
-    door.wish.definite = true;
-    door.wish.said = words_.Quote(noun.begin, noun.end);
-    list_.AddOnSides(door, {});
+    noun.wish.definite = true;
+    noun.wish.said = Quote(noun.begin, noun.end);
+    list_.Add(noun, {});
   }
 
   void NoteNone(const OpeningNoun& noun, const OpeningSite& site, std::size_t end) {
@@ -168,118 +215,36 @@ class OpeningReader {
     }
   }
 
-  // "two windows, one on the north wall and one on the east wall".
-  bool TakeShares(const OpeningWish& all, std::size_t end) {
-    constexpr std::size_t kMostShares = 4;
-    std::size_t at = end;
-    std::vector<OpeningWish> shares;
-    while (shares.size() < kMostShares) {
-      std::size_t next = at;
-      for (int over = 0; over < 3 && words_.Is(next, "share_links"); ++over) ++next;
-      if (words_.At(next) == "the") ++next;
-      int count = 1;
-      if (const std::optional<int> number = NumberWord(words_.At(next)); number && *number > 1 && *number < 4) {
-        count = *number;
-      } else if (!words_.Is(next, "shares")) {
-        break;
-      }
-      ++next;
-      for (int over = 0; over < 2 && (words_.Says(next, {"one", "of", "them"}) ||
-                                      words_.At(next).starts_with(all.door ? "door" : "window"));
-           ++over) {
-        ++next;
-      }
-      OpeningSite site;
-      OpeningWish share = all;
-      next = ReadMeasures(words_, next, share);
-      if (!sites_.ReadAfter(next, all.door, /*verbs=*/true, site) || site.sides.empty()) break;
-      share.count = count;
-      share.side = site.sides[0];
-      share.along = site.along;
-      share.said = words_.Quote(next, site.end);
-      shares.push_back(share);
-      at = site.end;
-    }
-    if (shares.empty()) return false;
-    int left = all.count;
-    for (OpeningWish& share : shares) {
-      share.said = fmt::format("{}: {}", all.said, share.said);
-      left -= share.count;
-      list_.Add(share);
-    }
-    if (left > 0) {
-      OpeningWish rest = all;
-      rest.count = left;
-      list_.Add(rest);
-    }
-    last_end_ = at;
-    last_door_ = all.door;
-    return true;
-  }
-
-  // "the other is on the east wall", "another on the west side", behind one that was read.
-  bool ReadTheOther(std::size_t i) {
-    constexpr std::size_t kFarthest = 4;
-    if (!last_end_ || i > last_end_ + kFarthest || !words_.Says(i, {"other", "another", "second"})) return false;
-    const std::size_t next = words_.At(i + 1) == "one" ? i + 2 : i + 1;
-    OpeningNoun noun;
-    noun.wish.door = last_door_;
-    noun.wish.counted = true;
-    noun.part = true;
-    OpeningSite site;
-    if (!sites_.ReadAfter(next, last_door_, /*verbs=*/true, site) || site.sides.empty() || !site.not_read.empty()) {
-      return false;
-    }
-    noun.wish.along = site.along;
-    noun.wish.said = words_.Quote(i, site.end);
-    list_.AddOnSides(noun, site);
-    Use(i, site.end);
-    last_end_ = site.end;
-    return true;
-  }
-
-  bool IsJoined(std::size_t begin) const {
-    std::size_t at = last_end_;
-    while (at < begin && words_.Says(at, {",", "and", "also"})) ++at;
-    return at == begin;
-  }
-  bool IsJoinedByAnd(std::size_t begin) const { return begin == last_end_ + 1 && words_.At(last_end_) == "and"; }
-
-  // "a door and a window on the north wall": both.
-  void ShareWithTheLast(const OpeningSite& site) {
-    OpeningWish& last = openings_.wishes.back();
-    if (last.side.empty() && last.count == 1 && site.sides.size() == 1) last.side = site.sides[0];
-  }
-
   // "opposite the window on the east wall" tells of a window, too.
   void AddTheOther(const OpeningSite& site, bool door) {
     OpeningNoun other;
     other.wish.door = door;
-    other.wish.definite = true;
-    other.wish.counted = true;
+    other.wish.definite = other.wish.counted = true;
     other.wish.said = site.by_side;
     OpeningSite there;
     there.sides = {site.by_side};
-    list_.AddOnSides(other, there);
+    list_.Add(other, there);
+  }
+
+  // The brief's own words, with their hyphens.
+  std::string Quote(std::size_t begin, std::size_t end) const {
+    return begin < end ? text_.Quote(places_[begin], places_[end - 1] + 1) : "";
   }
 
   void Use(std::size_t begin, std::size_t end) {
-    end = std::min(end, used_.size());
-    for (std::size_t i = begin; i < end; ++i) used_[i] = true;
+    for (std::size_t i = places_[begin]; i <= places_[end - 1]; ++i) used_[i] = true;
     read_to_ = std::max(read_to_, end);
   }
 
+  const BriefText text_;
+  std::vector<std::size_t> places_;
+  const std::vector<Token> tokens_;
   const BriefText words_;
-  const OpeningSiteReader sites_;
   OpeningList list_;
-  const std::vector<bool>& room_;
+  std::vector<bool> room_, things_;
   std::vector<bool>& used_;
-  std::vector<bool> things_;
   OpeningWishes& openings_;
-  std::optional<std::vector<std::string>> listed_;  // walls of the last one, when they were said before it
-  bool shared_from_ = false;                        // the last one has no wall yet
-  bool last_door_ = false;
-  std::size_t last_end_ = 0;
+  std::optional<Last> last_;
   std::size_t read_to_ = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which wall an opening is in: by its name, by other openings, by the way in, and by furniture.
+// Where openings are: a wall, an end or corner of one, by other openings, by the way in, and by furniture.
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "language_worker/handbook/reading/opening_parts.h"
@@ -9,281 +11,360 @@ namespace flair::language {
 
 namespace {
 
-void AddSide(const std::string& side, OpeningSite& site) {
-  if (std::find(site.sides.begin(), site.sides.end(), side) == site.sides.end()) site.sides.push_back(side);
-}
-
-}  // namespace
-
-// "both long walls", "two sides", "all four walls".
-bool OpeningSiteReader::TakeSeveralSides(std::size_t& i, OpeningSite& site) const {
-  std::size_t at = i;
-  if (const auto facing = words_.BehindPhrase(at, "the_other_wall")) {
-    site.sides = {"opposite"};
-    i = *facing;
-    return true;
-  }
-  if (const auto same = words_.BehindPhrase(at, "the_same_wall")) {
-    site.sides = {"same"};
-    i = *same;
-    return true;
-  }
-  const std::string_view how = words_.At(at);
-  if (!IsIn("several_walls", how)) return false;
-  ++at;
-  while (words_.Is(at, "numbers_of_walls")) ++at;
-  std::string_view which;
-  if (words_.Is(at, "long_or_short")) which = words_.At(at++);
-  const bool end = words_.Says(at, {"end", "ends"});
-  if (!end && !words_.Is(at, "wall_or_side")) return false;
-  const auto says = [&](std::string_view word) {
-    for (std::size_t k = i; k < at; ++k) {
-      if (words_.At(k) == word) return true;
-    }
-    return false;
-  };
-  if (!which.empty() || end) {
-    const std::string side = which.starts_with("long") ? "long" : "short";
-    site.sides = {side, "across " + side};
-  } else if (says("all") || says("four") || how == "every" || (how == "each" && words_.At(at) == "wall")) {
-    site.sides = {"far", "left", "right", "near"};
-  } else if (says("three")) {
-    site.sides = {"far", "left", "right"};
-  } else if (says("opposite") || how == "both" || how == "either" || how == "each") {
-    site.sides = {"left", "right"};
-  } else {
-    site.sides = {"far", "left"};
-  }
-  i = at + 1;
-  return true;
-}
-
-// One wall's words at a token, behind an article: "the left-hand", "north", "longer"; `noun` says whether "wall"
-// followed.
-std::string OpeningSiteReader::SideAt(std::size_t i, std::size_t& end, bool& noun) const {
-  std::size_t at = words_.BehindArticle(i);
-  if (!words_.Is(at, "wall_sides")) return "";
-  std::string side(words_.At(at++));
-  if (words_.IsHyphen(at) && words_.At(at + 1) == "hand") {
-    at += 2;
-  } else if (words_.At(at) == "hand") {
-    ++at;
-  }
-  if (side == "narrow") side = "short";
-  noun = words_.Is(at, "wall_nouns") || (words_.At(at) == "end" && IsIn("far_or_near", side));
-  if (noun) ++at;
-  if (const auto room = words_.BehindPhrase(at, "of_the_room")) at = *room;
-  end = at;
-  return side;
-}
-
-// "on the north wall", "facing south", "to the left", "on the north and east walls"; `bare`: without "on".
-bool OpeningSiteReader::TakeSides(std::size_t& i, bool bare, OpeningSite& site) const {
-  constexpr int kMostSides = 4;
-  std::size_t at = i;
-  const bool into = words_.Is(at, "into");
-  if (into) ++at;
-  if (const auto whole = words_.BehindPhrase(words_.BehindArticle(at), "whole_length"); whole && into) at = *whole;
-  const bool several = TakeSeveralSides(at, site);
-  if (several) {
-    i = at;
-    return into || bare;
-  }
-  // "in the 4 m wall"
-  std::size_t behind_length = 0;
-  if (into && words_.LengthAt(words_.BehindArticle(at), behind_length) &&
-      words_.Says(behind_length, {"wall", "side"})) {
-    site.not_read = words_.Quote(i, behind_length + 1);
-    i = behind_length + 1;
-    return true;
-  }
-  // "A window north and a door south" has no "on" either.
-  const bool terse = words_.Is(at, "compass");
-  if (!into && !bare && !terse) return false;
-  std::vector<std::string> sides;
-  std::size_t end = at;
-  bool any_noun = false;
-  for (int n = 0; n < kMostSides; ++n) {
-    std::size_t next = at, behind = 0;
-    if (n > 0) {
-      while (next < at + 2 && words_.Is(next, "and_signs")) ++next;
-      if (next == at) break;
-      if (words_.Is(next, "into")) ++next;
-    }
-    bool noun = false;
-    const std::string side = SideAt(next, behind, noun);
-    if (side.empty()) break;
-    const std::string_view follows = words_.At(behind);
-    const bool closes = words_.IsSign(behind) || behind >= words_.size() || IsIn("after_a_wall", follows);
-    // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.
-    if (n > 0 && !(noun && closes) && !(closes && !any_noun && IsIn("compass", side))) break;
-    if (!noun && follows == "of") break;
-    if (!noun && n == 0 && !closes && !into) break;
-    if (!noun && !closes && !IsIn("compass", side)) break;
-    if (!noun && IsIn("sides_with_a_noun", side)) break;
-    sides.push_back(side);
-    any_noun = any_noun || noun;
-    at = end = behind;
-  }
-  if (sides.empty()) return false;
-  for (const std::string& side : sides) AddSide(side, site);
-  i = end;
-  return true;
-}
-
-// "opposite the door", "either side of the door", "next to the window", "opposite each other".
-bool OpeningSiteReader::TakeFeature(std::size_t& i, bool door, OpeningSite& site) const {
-  std::size_t at = i;
-  const auto across = words_.BehindPhrase(at, "opposite_openings");
-  const auto beside = words_.BehindPhrase(at, "beside_openings");
-  if (!across && !beside) return false;
-  // The wall that was said holds.
-  OpeningSite kept;
-  if (!site.sides.empty()) kept = site;
-  at = words_.BehindArticle(across ? *across : *beside);
-  if (across && words_.Behind(at, "each other")) {
-    site.sides = {"left", "right"};
-    i = at + 2;
-    return true;
-  }
-  // "two windows opposite", "a door beside it": of what was named last.
-  const bool closes = at >= words_.size() || words_.IsSign(at) || words_.Says(at, {"and", "with"});
-  if ((across && closes) || words_.At(at) == "it") {
-    site.sides = {across ? "opposite" : "beside"};
-    i = words_.At(at) == "it" ? at + 1 : at;
-    return true;
-  }
-  if (words_.At(at) == "other") ++at;
-  if (words_.Is(at, "which_door") && words_.Is(at + 1, "openings")) ++at;
-  if (!words_.Is(at, "openings")) return false;
-  const bool window = words_.At(at).starts_with("window");
-  site.pair = beside && words_.BehindPhrase(i, "on_both_sides").has_value();
-  i = at + 1;
-  OpeningSite of_it;
-  if (window == door && TakeSides(i, /*bare=*/false, of_it) && of_it.sides.size() == 1) {
-    site.by_side = of_it.sides[0];
-    site.sides = {across ? "across " + site.by_side : site.by_side};
-  } else if (window != door) {
-    // A window by a window, a door by a door.
-    site.sides = {across ? "across same" : "same"};
-  } else {
-    site.sides = {window ? (across ? "across window" : "window") : (across ? "far" : "near")};
-  }
-  if (!kept.sides.empty()) {
-    site.sides = kept.sides;
-    site.by_side.clear();
-  }
-  return true;
-}
-
-// "on the left as you enter", "straight ahead when you come in"; alone "as you enter" tells nothing but is passed over.
-bool OpeningSiteReader::TakeEntering(std::size_t& i, OpeningSite& site) const {
-  std::size_t at = i;
-  const auto first = words_.BehindPhrase(at, "entering");
-  if (first) at = *first;
-  if (first && words_.At(at) == ",") ++at;
-  if (first && (words_.Behind(at, "the room") || words_.Behind(at, "the space"))) at += 2;
-  const auto ahead = words_.BehindPhrase(at, "ahead");
-  const auto left = words_.BehindPhrase(at, "on_the_left");
-  const auto right = words_.BehindPhrase(at, "on_the_right");
-  const auto behind = words_.Behind(at, "behind you");
-  const auto way = ahead ? ahead : left ? left : right ? right : behind;
-  if (!way) {
-    if (first && !site.sides.empty()) i = at;
-    return first && !site.sides.empty();
-  }
-  if (words_.At(*way) == "of" || words_.Is(*way, "wall_nouns") || words_.Says(*way, {"hand", "end", "corner"}) ||
-      words_.IsHyphen(*way)) {
-    return false;
-  }
-  if (!site.sides.empty()) {
-    if (ahead || behind) return false;
-    site.along = {AlongWall::At::kEnd, left ? "left" : "right", {}};
-  } else {
-    site.sides = {ahead ? "far" : left ? "left" : right ? "right" : "near"};
-  }
-  at = *way;
-  if (const auto then = words_.BehindPhrase(words_.At(at) == "," ? at + 1 : at, "entering")) at = *then;
-  i = at;
-  return true;
-}
-
-// "above the sink", "behind the sofa": a place that goes by a piece of furniture.
-bool OpeningSiteReader::TakeThing(std::size_t& i, OpeningSite& site) const {
-  constexpr std::size_t kMostWords = 4;
-  const auto by = words_.BehindPhrase(i, "by_a_thing");
-  if (!by) return false;
-  std::size_t at = *by;
-  while (at < *by + kMostWords && at < words_.size() && !words_.IsSign(at) && !words_.Is(at, "thing_stops")) {
-    ++at;
-  }
-  if (at == *by) return false;
-  site.not_read = words_.Quote(i, at);
-  i = at;
-  return true;
-}
-
-namespace {
-
 using At = AlongWall::At;
+using Sides = std::vector<std::string>;
+
+// Reads one place after the other from `i` on; each Take moves it behind what it has read.
+class SiteReader {
+ public:
+  SiteReader(const BriefText& words, std::size_t i, OpeningSite& site) : words_(words), i_(i), site_(site) {}
+
+  std::size_t end() const { return i_; }
+
+  // "door on the south wall, near the corner", "door: south wall", "window (north)".
+  bool TakeAll(bool door, bool verbs) {
+    constexpr int kMostParts = 6, kMostVerbs = 4;
+    bool any = false;
+    for (int part = 0; part < kMostParts; ++part) {
+      const std::size_t start = i_;
+      const bool pause = words_.At(i_) == ",";
+      const bool list = !any && words_.Says(i_, {":", "(", "-"});
+      if (pause || list) ++i_;
+      for (int over = 0; over < kMostVerbs && verbs && !pause && SaysNoPlace(); ++over) ++i_;
+      // Behind a comma a wall may be that of something else.
+      if (!TakeEntering() && !TakeFromEnd() && !TakeMiddle() && !(!pause && TakeOpening(door)) &&
+          !TakeWall({.bare = list, .part = pause}) && !(!any && !pause && TakeThing())) {
+        i_ = start;
+        break;
+      }
+      if (list && words_.At(i_) == ")") ++i_;
+      any = true;
+      site_.end = i_;
+    }
+    return any;
+  }
+
+  struct Form {
+    bool bare = false;  // without a preposition
+    bool part = false;  // only an end or a corner of a wall
+  };
+
+  // "on the north wall", "facing south", "on the north and east walls"; "at the west end of the north wall", "in the
+  // north-east corner", "near a corner"; "in the 4 m wall".
+  bool TakeWall(Form form) {
+    const auto close = words_.BehindPhrase(i_, "close_to");
+    const bool into = words_.Is(i_, "into"), near = close || words_.Is(i_, "at_or_near");
+    std::size_t at = close ? *close : into || near ? i_ + 1 : i_;
+    const auto whole = words_.BehindPhrase(words_.BehindArticle(at), "whole_length");
+    if (into && whole) at = *whole;
+    if ((into || near) && TakePart(at)) return true;
+    if (form.part) return false;
+    if (into && TakeWallOfLength(at)) return true;
+    // "A window north and a door south" has no "on" either.
+    if (!into && !form.bare && !words_.Is(at, "compass")) return false;
+    const Sides sides = WallsAt(at, /*alone=*/!into, at);
+    if (sides.empty()) return false;
+    for (const std::string& side : sides) {
+      if (!Includes(site_.sides, side)) site_.sides.push_back(side);
+    }
+    i_ = at;
+    return true;
+  }
+
+  // "in the middle of the west wall", "centred on it", "midway along the north wall"; not of the room.
+  bool TakeMiddle() {
+    const auto centred = words_.BehindPhrase(i_, "centred"), middle = words_.BehindPhrase(i_, "in_the_middle");
+    if (!centred && !middle) return false;
+    std::size_t at = centred ? *centred : *middle;
+    if (centred ? words_.Is(at, "centred_on") : words_.At(at) == "of") {
+      const auto that = words_.BehindPhrase(++at, "that_wall");
+      const Sides sides = WallsAt(at, /*alone=*/true, at);
+      if (sides.empty() && !that) return false;
+      if (sides.empty()) at = *that;
+      if (!sides.empty()) site_.sides = sides;
+    }
+    site_.along.at = At::kMiddle;
+    i_ = at;
+    return true;
+  }
+
+ private:
+  // What is named behind a preposition: a wall, or an end or corner of one, with the words that say which.
+  struct Target {
+    Sides sides;
+    bool wall = false, end_of_wall = false, corner = false;  // the noun, if there is one
+    std::size_t end = 0;
+  };
+
+  Target TargetAt(std::size_t at) const {
+    Target target;
+    at = words_.BehindArticle(at);
+    while (target.sides.size() < 2 && (words_.Is(at, "wall_sides") || words_.Is(at, "compass_corners"))) {
+      const std::string side(words_.At(at));
+      constexpr std::size_t kNorth = 5;  // letters of "north" and "south"
+      if (words_.Is(at, "compass_corners")) {
+        target.sides = {side.substr(0, kNorth), side.substr(kNorth)};
+      } else {
+        target.sides.push_back(side == "narrow" ? "short" : side);
+      }
+      at += words_.At(at + 1) == "hand" ? 2 : 1;
+    }
+    target.corner = words_.Says(at, {"corner", "corners"});
+    target.end_of_wall = words_.Is(at, "wall_ends");
+    target.wall = words_.Is(at, "wall_nouns");
+    if (target.corner || target.end_of_wall || target.wall) ++at;
+    target.end = words_.BehindPhrase(at, "of_the_room").value_or(at);
+    return target;
+  }
+
+  // The walls named from `at` on, `end` behind them; none when the words tell none. `alone`: no preposition says that a
+  // wall follows, so that one without its noun must end its phrase ("left sofa").
+  Sides WallsAt(std::size_t at, bool alone, std::size_t& end) const {
+    constexpr std::size_t kMostSides = 4;
+    if (Sides several = SeveralWallsAt(at, end); !several.empty()) return several;
+    Sides sides;
+    bool any_noun = false;
+    while (sides.size() < kMostSides) {
+      std::size_t next = at;
+      while (!sides.empty() && next < at + 2 && words_.Is(next, "and_signs")) ++next;
+      if (!sides.empty() && next == at) break;
+      if (!sides.empty() && words_.Is(next, "into")) ++next;
+      const Target target = TargetAt(next);
+      const bool noun = target.wall || (target.end_of_wall && target.sides.size() == 1);
+      if (target.sides.size() != 1 || target.corner) break;
+      const std::string& side = target.sides[0];
+      const bool compass = IsIn("compass", side);
+      const bool closes =
+          words_.IsSign(target.end) || target.end >= words_.size() || words_.Is(target.end, "after_a_wall");
+      // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.
+      if (!sides.empty() && !(noun && closes) && !(closes && !any_noun && compass)) break;
+      if (!noun && (words_.At(target.end) == "of" || IsIn("sides_with_a_noun", side))) break;
+      if (!noun && !closes && (alone || !compass)) break;
+      sides.push_back(side);
+      any_noun = any_noun || noun;
+      at = end = target.end;
+    }
+    return sides;
+  }
+
+  // "both long walls", "two sides", "all four walls"; "the wall opposite" and "the same wall" go by others.
+  Sides SeveralWallsAt(std::size_t i, std::size_t& end) const {
+    const auto other = words_.BehindPhrase(i, "the_other_wall"), same = words_.BehindPhrase(i, "the_same_wall");
+    if (other || same) {
+      end = other ? *other : *same;
+      return {other ? "opposite" : "same"};
+    }
+    if (!words_.Is(i, "several_walls")) return {};
+    std::size_t at = i;
+    std::string length;
+    for (; words_.Is(at, "numbers_of_walls") || words_.Is(at, "several_walls") || words_.Is(at, "long_or_short");
+         ++at) {
+      if (words_.Is(at, "long_or_short")) length = words_.At(at).starts_with("long") ? "long" : "short";
+    }
+    const bool ends = words_.Says(at, {"end", "ends"});
+    if (!ends && !words_.Is(at, "wall_or_side")) return {};
+    end = at + 1;
+    const auto says = [&](std::string_view list) {
+      for (std::size_t k = i; k < at; ++k) {
+        if (words_.Is(k, list)) return true;
+      }
+      return false;
+    };
+    if (ends && length.empty()) length = "short";
+    if (!length.empty()) return {length, "across " + length};
+    if (says("all_walls") || (words_.At(i) == "each" && words_.At(at) == "wall"))
+      return {"far", "left", "right", "near"};
+    if (says("three_walls")) return {"far", "left", "right"};
+    return says("facing_walls") ? Sides{"left", "right"} : Sides{"far", "left"};
+  }
+
+  // "in the 4 m wall": no wall is known by its length.
+  bool TakeWallOfLength(std::size_t at) {
+    std::size_t end = 0;
+    if (!words_.LengthAt(words_.BehindArticle(at), end) || !words_.Says(end, {"wall", "side"})) return false;
+    site_.not_read = words_.Quote(i_, end + 1);
+    i_ = end + 1;
+    return true;
+  }
+
+  // "the west end of the north wall", "the north-east corner", "a corner", "the left of the south wall".
+  bool TakePart(std::size_t at) {
+    Target target = TargetAt(at);
+    std::size_t end = target.end;
+    bool of_wall = false;
+    if (words_.At(end) == "of") {
+      const auto that = words_.BehindPhrase(end + 1, "that_wall");
+      std::size_t behind = 0;
+      const Sides walls = WallsAt(end + 1, /*alone=*/true, behind);
+      of_wall = !walls.empty() || (that && !site_.sides.empty());
+      if (!walls.empty()) site_.sides = walls;
+      if (of_wall) end = walls.empty() ? *that : behind;
+    }
+    const bool named = target.corner || target.end_of_wall || !target.sides.empty();
+    if (of_wall && !named) return false;
+    if (!of_wall) {
+      const bool known = target.corner || (target.end_of_wall && !site_.sides.empty());
+      // The wall itself, or "a window at the north end" of a room.
+      if (!known) return false;
+      if (target.corner && target.sides.size() == 2 && site_.sides.empty()) {
+        site_.sides = {target.sides[0]};
+        target.sides.erase(target.sides.begin());
+      }
+    }
+    site_.along = {At::kEnd, "", {}};
+    // Of "the north-east corner of the north wall" the east one.
+    for (const std::string& one : target.sides) {
+      if (site_.sides.empty() || one != site_.sides[0]) site_.along.end = one;
+    }
+    const std::size_t begin = i_;
+    i_ = end;
+    if (words_.At(end) == "of" && TakeWallOfLength(end + 1)) site_.not_read = words_.Quote(begin, i_);
+    return true;
+  }
+
+  // "50 cm from the left corner", "1 m from the west wall".
+  bool TakeFromEnd() {
+    std::size_t at = 0;
+    const std::optional<double> length_m = words_.LengthAt(i_, at);
+    const std::optional<std::size_t> from = length_m ? words_.BehindPhrase(at, "measured_from") : std::nullopt;
+    if (!from) return false;
+    const Target target = TargetAt(*from);
+    if (!target.wall && !target.corner && !target.end_of_wall && target.sides.empty()) return false;
+    site_.along = {At::kEnd, target.sides.empty() ? "" : target.sides[0], length_m};
+    i_ = target.end;
+    if (words_.At(i_) != "of") return true;
+    std::size_t end = 0;
+    const Sides walls = WallsAt(i_ + 1, /*alone=*/true, end);
+    if (walls.empty()) return true;
+    site_.sides = walls;
+    i_ = end;
+    return true;
+  }
+
+  // "opposite the door", "either side of the door", "next to the window", "opposite each other". Where a wall was said
+  // already it holds.
+  bool TakeOpening(bool door) {
+    const auto across = words_.BehindPhrase(i_, "opposite_openings");
+    const auto beside = words_.BehindPhrase(i_, "beside_openings");
+    if (!across && !beside) return false;
+    std::size_t at = words_.BehindArticle(across ? *across : *beside);
+    Sides sides;
+    std::string of_it;
+    if (across && words_.Behind(at, "each other")) {
+      site_.sides = {"left", "right"};
+      i_ = at + 2;
+      return true;
+    }
+    // "two windows opposite", "a door beside it": of what was named last.
+    const bool closes = at >= words_.size() || words_.IsSign(at) || words_.Says(at, {"and", "with"});
+    if ((across && closes) || words_.At(at) == "it") {
+      site_.sides = {across ? "opposite" : "beside"};
+      i_ = words_.At(at) == "it" ? at + 1 : at;
+      return true;
+    }
+    if (words_.At(at) == "other") ++at;
+    if (words_.Is(at, "which_door") && words_.Is(at + 1, "openings")) ++at;
+    if (!words_.Is(at, "openings")) return false;
+    const bool window = words_.At(at).starts_with("window");
+    site_.pair = beside && words_.BehindPhrase(i_, "on_both_sides").has_value();
+    i_ = at + 1;
+    OpeningSite its;
+    SiteReader wall(words_, i_, its);
+    if (window == door && words_.Is(i_, "into") && wall.TakeWall({}) && its.sides.size() == 1) {
+      i_ = wall.end();
+      of_it = its.sides[0];
+    }
+    // A window by a window and a door by a door go by the last one of their kind, a window by the door by the way in.
+    const std::string wall_of_it = !of_it.empty() ? of_it : window != door ? "same" : window ? "window" : "near";
+    if (!site_.sides.empty()) return true;
+    site_.by_side = of_it;
+    site_.sides = {!across ? wall_of_it : wall_of_it == "near" ? "far" : "across " + wall_of_it};
+    return true;
+  }
+
+  // "on the left as you enter", "straight ahead when you come in"; alone "as you enter" tells nothing but is passed
+  // over.
+  bool TakeEntering() {
+    std::size_t at = i_;
+    const auto first = words_.BehindPhrase(at, "entering");
+    if (first) at = words_.At(*first) == "," ? *first + 1 : *first;
+    if (first && words_.Behind(words_.BehindArticle(at), "room")) at = words_.BehindArticle(at) + 1;
+    const char* side = "";
+    std::optional<std::size_t> way;
+    for (const auto& [list, wall] : {std::pair("ahead", "far"), std::pair("on_the_left", "left"),
+                                     std::pair("on_the_right", "right"), std::pair("behind_you", "near")}) {
+      way = words_.BehindPhrase(at, list);
+      side = wall;
+      if (way) break;
+    }
+    if (!way) {
+      if (first && !site_.sides.empty()) i_ = at;
+      return first && !site_.sides.empty();
+    }
+    // "on the left of", "on the left-hand wall".
+    if (words_.Is(*way, "wall_nouns") || words_.Says(*way, {"of", "hand", "end", "corner"})) return false;
+    const bool hand = IsOneOf(side, {"left", "right"});
+    if (!site_.sides.empty() && !hand) return false;
+    if (site_.sides.empty()) {
+      site_.sides = {side};
+    } else {
+      site_.along = {At::kEnd, side, {}};
+    }
+    i_ = words_.BehindPhrase(words_.At(*way) == "," ? *way + 1 : *way, "entering").value_or(*way);
+    return true;
+  }
+
+  // "above the sink", "behind the sofa": a place that goes by a piece of furniture.
+  bool TakeThing() {
+    constexpr std::size_t kMostWords = 4;
+    const auto by = words_.BehindPhrase(i_, "by_a_thing");
+    if (!by) return false;
+    std::size_t at = *by;
+    while (at < *by + kMostWords && at < words_.size() && !words_.IsSign(at) && !words_.Is(at, "thing_stops")) ++at;
+    if (at == *by) return false;
+    site_.not_read = words_.Quote(i_, at);
+    i_ = at;
+    return true;
+  }
+
+  // "is", "to be", the "right" of "right opposite": before the words for a place.
+  bool SaysNoPlace() const {
+    if (words_.At(i_) == "to") return words_.At(i_ + 1) == "be";
+    if (words_.At(i_) == "right") return words_.Is(i_ + 1, "right_before_places");
+    return words_.Is(i_, "site_verbs");
+  }
+
+  const BriefText& words_;
+  std::size_t i_;
+  OpeningSite& site_;
+};
 
 }  // namespace
 
-bool OpeningSiteReader::ReadAfter(std::size_t i, bool door, bool verbs, OpeningSite& site) const {
-  constexpr int kMostParts = 6;
-  bool any = false;
-  for (int part = 0; part < kMostParts; ++part) {
-    std::size_t at = i;
-    // "door on the south wall, near the corner", "door: south wall", "window (north)".
-    const bool pause = words_.At(at) == ",";
-    const bool list =
-        !any && (words_.At(at) == ":" || words_.At(at) == "(" || (words_.At(at) == "-" && !words_.IsHyphen(at)));
-    if (pause || list) ++at;
-    for (int over = 0; over < 4 && verbs && !pause && SaysNoPlace(at); ++over) ++at;
-    const bool entering = TakeEntering(at, site);
-    const bool taken = entering || TakeFromEnd(at, site) || TakeMiddle(at, site) ||
-                       (!pause && TakeFeature(at, door, site)) || TakeEnd(at, site) ||
-                       (!pause && TakeSides(at, list, site)) || (!any && !pause && TakeThing(at, site));
-    if (!taken) break;
-    if (list && words_.At(at) == ")") ++at;
-    any = true;
-    i = site.end = at;
-  }
-  return any;
+bool ReadSiteAfter(const BriefText& words, std::size_t i, bool door, bool verbs, OpeningSite& site) {
+  return SiteReader(words, i, site).TakeAll(door, verbs);
 }
 
-// "is", "to be", the "right" of "right opposite": before the words for a place.
-bool OpeningSiteReader::SaysNoPlace(std::size_t i) const {
-  if (words_.At(i) == "to") return words_.At(i + 1) == "be";
-  if (words_.At(i) == "right") return words_.Is(i + 1, "right_before_places");
-  return words_.Is(i, "site_verbs");
-}
-
-OpeningSite OpeningSiteReader::ReadBefore(std::size_t begin) const {
+OpeningSite ReadSiteBefore(const BriefText& words, std::size_t begin) {
   constexpr std::size_t kMostWords = 10;
-  OpeningSite best;
   for (std::size_t start = begin - std::min(begin, kMostWords); start < begin; ++start) {
-    const bool opens = start == 0 ||
-                       (words_.IsSign(start - 1) && !words_.IsHyphen(start - 1) && words_.At(start - 1) != "'") ||
-                       words_.Is(start - 1, "clause_starts");
+    const bool opens =
+        start == 0 || (words.IsSign(start - 1) && words.At(start - 1) != "'") || words.Is(start - 1, "clause_starts");
     if (!opens) continue;
     OpeningSite site;
-    std::size_t at = start;
-    const bool into = words_.Is(at, "into");
-    if (!(TakeMiddle(at, site) || TakeEnd(at, site) || TakeSides(at, /*bare=*/true, site))) continue;
-    if (site.sides.empty()) continue;
-    bool linked = at == begin && into;
-    bool has = false;
-    while (at < begin && (words_.Is(at, "there_is") || words_.Says(at, {",", ":", "-", "s", "'"}))) {
-      has = has || words_.Says(at, {"has", "have", "with", ":"});
-      ++at;
-      linked = at == begin && (into || has);
+    SiteReader reader(words, start, site);
+    if (!(reader.TakeMiddle() || reader.TakeWall({.bare = true})) || site.sides.empty()) continue;
+    // "On the south wall there is", "the south wall has".
+    bool linked = words.Is(start, "into");
+    std::size_t at = reader.end();
+    for (; at < begin && (words.Is(at, "there_is") || words.Says(at, {",", ":", "-", "'s", "'"})); ++at) {
+      linked = linked || words.Says(at, {"has", "have", "with", ":"});
     }
-    if (!linked) continue;
+    if (!linked || at < begin) continue;
     site.end = start;
     return site;
   }
-  return best;
+  return {};
 }
 
 }  // namespace flair::language
