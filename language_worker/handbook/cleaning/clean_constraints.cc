@@ -320,6 +320,9 @@ Stance StanceOf(const v1::Sentence& sentence) {
   const bool pair = sentence.subject_ids_size() > 1;
   stance.subject = sentence.subject_ids(0);
   stance.partner = pair ? sentence.subject_ids(1) : feature;
+  for (const char* side : {"left", "right"}) {
+    if (stance.kind == Kind::kAtWall && Phrase(side).Occurs(tokens)) stance.side = side;
+  }
   if (stance.kind == Kind::kNear) stance.distance_m = FirstNumber(tokens, pair ? kNearObjectM : kNearFeatureM);
   if (stance.kind == Kind::kAway) stance.distance_m = FirstNumber(tokens, kAwayM);
   return stance;
@@ -329,7 +332,7 @@ bool Contradict(const Stance& a, const Stance& b) {
   if (a.kind == Kind::kNone || b.kind == Kind::kNone || a.subject != b.subject) return false;
   if ((AtTheWalls(a.kind) && OffTheWalls(b.kind)) || (AtTheWalls(b.kind) && OffTheWalls(a.kind))) return true;
   const bool named = a.partner != "wall" && b.partner != "wall";
-  if (a.kind == Kind::kAtWall && b.kind == Kind::kAtWall) return named && a.partner != b.partner;
+  if (a.kind == Kind::kAtWall && b.kind == Kind::kAtWall) return named && a.partner != b.partner && a.side == b.side;
   if (a.partner != b.partner || a.partner.empty()) return false;
   const auto either = [&](Kind first, Kind second) {
     return (a.kind == first && b.kind == second) || (a.kind == second && b.kind == first);

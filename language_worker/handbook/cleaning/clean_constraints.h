@@ -30,6 +30,8 @@ struct Stance {
   std::string subject;
   // Of what: "window", "door", "socket", a named wall such as "north wall", or the id of the second subject.
   std::string partner;
+  // Of kAtWall the side that is there, when it is none of back and front: in a corner two sides are at two walls.
+  std::string side;
   // Largest distance for kNear, least for kAway, metres.
   double distance_m = 0;
 };

@@ -69,6 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
         PairCase{"wall_and_centre", "The desk is against a wall.", "The desk is in the centre of the room.", true},
         PairCase{"corner_and_off_walls", "The desk is in a corner.", "The desk is not against a wall.", true},
         PairCase{"two_walls", "The desk is against the north wall.", "The desk is against the south wall.", true},
+        PairCase{"a_named_corner", "The desk's back is against the north wall.",
+                 "The desk's left side is against the west wall.", false},
         PairCase{"wall_and_named_wall", "The desk is against a wall.", "The desk is against the south wall.", false},
         PairCase{"near_and_away", "The desk is near the window.", "The desk is away from the window.", true},
         PairCase{"other_features", "The desk is near the window.", "The desk is away from the door.", false},

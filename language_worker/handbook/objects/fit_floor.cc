@@ -29,6 +29,12 @@ class FloorFitter {
       asked_[item.furniture->name()] += item.count;
     }
     MarkPrimaries();
+    for (SizedItem& sized : items_) {
+      const PieceSize& asked = sized.item.size;
+      sized.width_m = asked.width_m.value_or(sized.width_m);
+      sized.depth_m = asked.depth_m.value_or(sized.depth_m);
+      sized.height_m = asked.height_m.value_or(sized.height_m);
+    }
   }
 
   std::vector<SizedItem> Fit() {
@@ -121,8 +127,8 @@ class FloorFitter {
     const auto towards = [&](double now_m, double least_m) {
       return least_m < now_m ? ToCentimetre(now_m + share * (least_m - now_m)) : now_m;
     };
-    sized.width_m = towards(sized.width_m, LeastOf(furniture.width_m()));
-    sized.depth_m = towards(sized.depth_m, LeastOf(furniture.depth_m()));
+    if (!sized.item.size.width_m) sized.width_m = towards(sized.width_m, LeastOf(furniture.width_m()));
+    if (!sized.item.size.depth_m) sized.depth_m = towards(sized.depth_m, LeastOf(furniture.depth_m()));
   }
 
   void ShrinkAll() {
@@ -135,7 +141,7 @@ class FloorFitter {
 
   bool Replace(SizedItem& sized) {
     const hb::Furniture* smaller = handbook_.FindFurniture(sized.item.furniture->smaller());
-    if (smaller == nullptr) return false;
+    if (smaller == nullptr || sized.item.size.any()) return false;
     const hb::Furniture* wanted = sized.wanted != nullptr ? sized.wanted : sized.item.furniture;
     sized.item.furniture = smaller;
     const bool primary = sized.primary;

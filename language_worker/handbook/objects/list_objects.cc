@@ -294,6 +294,10 @@ class ObjectLister {
     } else if (!piece.item->zone.empty()) {
       object.set_zone_id(ZoneId(piece.item->zone));
     }
+    const PieceSize& asked = piece.item->size;
+    object.set_width_m(asked.width_m.value_or(object.width_m()));
+    object.set_depth_m(asked.depth_m.value_or(object.depth_m()));
+    object.set_height_m(std::min(asked.height_m.value_or(object.height_m()), room_.height_m()));
     FitToRoom(object);
     object.set_elevation_m(ElevationOf(furniture, piece.host, object));
   }

@@ -23,6 +23,7 @@ struct ProgramItem {
   int seats = 0;                           // at each, as far as it is known how many
   const hb::Furniture* seat_of = nullptr;  // what it is pulled up to, in the same zone; null for what stands by itself
   bool optional = false;                   // asked for only if there is room
+  PieceSize size = {};                     // as asked for
 };
 
 // What the room is to be, from the archetype, the needs, the themes and the wishes of a brief.

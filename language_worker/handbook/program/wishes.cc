@@ -30,6 +30,7 @@ class WishMaker {
       if (TakesAPlaceOnTheWall(wish)) return;
       program_.tertiary_items.insert(program_.tertiary_items.begin(),
                                      {wish.furniture, nullptr, wish.count, "", true, 0});
+      program_.tertiary_items.front().size = wish.size;
       return;
     }
     const hb::ZoneSpec& makes = wish.furniture->makes_zone();
@@ -41,6 +42,7 @@ class WishMaker {
     program_.floor_items.insert(program_.floor_items.begin(),
                                 {wish.furniture, nullptr, wish.count, zone, true, 0, wish.seats});
     program_.floor_items.front().optional = wish.optional;
+    program_.floor_items.front().size = wish.size;
     SeatAt(*wish.furniture, wish.count, wish.seats, zone);
     for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
       if (Lists(program_, companion.furniture())) continue;
@@ -59,6 +61,7 @@ class WishMaker {
       if (!same || item.requested || wish.furniture->kind() != hb::FURNITURE_KIND_WALL) continue;
       item.furniture = wish.furniture;
       item.count = wish.count;
+      item.size = wish.size;
       item.requested = true;
       return true;
     }
@@ -72,6 +75,7 @@ class WishMaker {
     item->requested = true;
     item->optional = wish.optional;
     item->seats = wish.seats;
+    item->size = wish.size;
     if (&items == &program_.floor_items) {
       SeatAt(*wish.furniture, item->count, wish.seats, std::string(item->zone));
     } else {

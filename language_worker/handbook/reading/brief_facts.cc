@@ -33,6 +33,7 @@ class BriefReader {
     ReadArchetype();
     const std::vector<bool> room_words = used_;
     const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
+    ReadPieceSizes(pieces.mentions, size_words);
     ReadOtherRooms();
     ReadOpenings(tokens_, room_words, used_, facts_.openings);
     ReadPlaces(handbook_, tokens_, pieces.mentions, used_, facts_);
@@ -82,6 +83,28 @@ class BriefReader {
       if (!own) facts_.also.push_back({one.archetype, kCorner});
       if (own) facts_.other_rooms.push_back(Quote(one));
       Use(one.begin, one.end - one.begin);
+    }
+  }
+
+  // Sizes far from what the class can be are those of something else, or a slip.
+  void ReadPieceSizes(const std::vector<Mention>& mentions, std::vector<bool> taken) {
+    const auto fits = [](const std::optional<double>& side, const hb::Extent& extent) {
+      return !side || (*side >= 0.5 * LeastOf(extent) && *side <= 1.7 * MostOf(extent));
+    };
+    for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = taken[i] || used_[i];
+    for (const Mention& mention : mentions) {
+      const PieceSize size = ReadPieceSize(tokens_, mention.begin, mention.end, taken).For(*mention.furniture);
+      if (!size.any()) continue;
+      Use(size.begin, size.end - size.begin);
+      const hb::Furniture& furniture = *mention.furniture;
+      if (!fits(size.width_m, furniture.width_m()) || !fits(size.depth_m, furniture.depth_m()) ||
+          !fits(size.height_m, furniture.height_m())) {
+        facts_.sizes_not_had.push_back(furniture.name() + ": " + BriefText(tokens_).Quote(size.begin, size.end));
+        continue;
+      }
+      for (Wish& wish : facts_.wishes) {
+        if (wish.furniture == &furniture && !wish.size.any()) wish.size = size;
+      }
     }
   }
 

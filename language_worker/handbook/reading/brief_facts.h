@@ -22,6 +22,7 @@ struct Wish {
   int seats = 0;          // "a table for eight": that many can sit at each; 0 when it is not said
   bool counted = true;    // false: a plural without a number, so that `count` is the least
   bool optional = false;  // "if there is room"
+  PieceSize size = {};    // of each; within what the class can be
 };
 
 // Where the brief wants a piece.
@@ -54,6 +55,7 @@ struct BriefFacts {
   std::vector<Wish> wishes;                    // in the order of the text, one per class
   std::vector<const hb::Furniture*> too_many;  // of which more than kMostOfAKind are asked for
   std::vector<const hb::Furniture*> refusals;
+  std::vector<std::string> sizes_not_had;  // "9 m desk": sizes of pieces that none of their class has
   std::vector<Place> places;
   std::vector<std::string> places_not_known;  // words for places of which nothing could be made
   OpeningWishes openings;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "english/language.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -33,7 +34,7 @@ bool EndsNounPhrase(const Token& token) {
 // Whether what stands before a noun leaves open which one it is.
 bool SaysLooks(const Token& token) {
   return EndsNounPhrase(token) || token.kind == Token::Kind::kNumber || NumberWord(token.text) ||
-         IsIn("looks", token.text);
+         IsIn("looks", token.text) || IsIn("piece_measures", token.text);
 }
 
 // What words for several classes mean in one kind of room: the "chair" of an office is none of a dining room. The
@@ -276,7 +277,12 @@ class FurnitureReader {
   void Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
     PieceCount count = CountBefore(handbook_, tokens_, furniture, i, length);
     for (std::size_t k = i - std::min<std::size_t>(i, 3); k < i; ++k) {
-      if (tokens_[k].kind == Token::Kind::kNumber || NumberWord(tokens_[k].text)) counts_.push_back(k);
+      const bool number = tokens_[k].kind == Token::Kind::kNumber || NumberWord(tokens_[k].text);
+      // Of a length something has to be made as well.
+      std::size_t unit = k + 1;
+      if (unit < i && tokens_[unit].text == "-") ++unit;
+      const bool length = unit < i && english::Language::Get().FindUnit(tokens_[unit].text) != nullptr;
+      if (number && !length) counts_.push_back(k);
     }
     if (const Rows rows = RowsAround(tokens_, i, length); rows.number > 0) {
       count = {rows.number};

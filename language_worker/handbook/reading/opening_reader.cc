@@ -78,7 +78,16 @@ class OpeningReader {
     return true;
   }
 
+  // "a four-door cabinet", "a window-seat".
+  bool IsPartOfAName(std::size_t i) const {
+    const std::size_t place = places_[i];
+    const bool counted =
+        i > 0 && (words_.IsNumber(i - 1) || NumberWord(words_.At(i - 1))) && places_[i - 1] + 1 < place;
+    return text_.IsHyphen(place + 1) || counted;
+  }
+
   void ReadNamed(std::size_t i) {
+    if (IsPartOfAName(i)) return;
     OpeningNoun noun = OpeningNounAt(words_, things_, i);
     if (noun.kind == OpeningNoun::Kind::kNone || noun.any) return;
     if (noun.kind == OpeningNoun::Kind::kOverhead) return NoteOverhead(noun);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -116,6 +117,47 @@ double GuessUnit(double value) {
   return value < 1000 ? 0.01 : 0.001;
 }
 
+// Width and depth as found in the text.
+struct SidePair {
+  double width_m = 0;
+  double depth_m = 0;
+  std::size_t end = 0;  // first token after them
+};
+
+// A measure with a sign before it taken as part of it; its unit may come later ("4 x 5 m").
+std::optional<english::Measure> MeasureAt(const BriefText& text, std::size_t i) {
+  const bool article = text.Is(i, "articles");
+  std::optional<english::Measure> measure = article ? std::nullopt : english::MeasureAt(text.tokens(), i);
+  const bool minus = i > 0 && text.At(i - 1) == "-" && text.tokens()[i].glued && !(i > 1 && text.tokens()[i - 1].glued);
+  if (measure && minus) measure->value *= -1;
+  return measure;
+}
+
+// "4m x 5m" and "8m long, 4m wide" from token i on.
+std::optional<SidePair> PairAt(const BriefText& text, std::size_t i) {
+  const std::optional<english::Measure> first = MeasureAt(text, i);
+  if (!first) return std::nullopt;
+  std::size_t next = first->end;
+  const bool swapped = text.At(next) == "long";
+  if (swapped || text.At(next) == "wide") {
+    ++next;
+    while (text.Says(next, {",", "and"})) ++next;
+  } else if (text.Says(next, {"x", "by", "*"})) {
+    ++next;
+  } else {
+    return std::nullopt;
+  }
+  if (text.At(next) == "-") ++next;
+  const std::optional<english::Measure> second = MeasureAt(text, next);
+  if (!second) return std::nullopt;
+  const double guessed = GuessUnit(std::max(first->value, second->value));
+  const double unit = second->unit > 0 ? second->unit : first->unit > 0 ? first->unit : guessed;
+  const auto metres = [&](const english::Measure& one) { return one.unit > 0 ? one.value : one.value * unit; };
+  SidePair sides{metres(*first), metres(*second), second->end};
+  if (swapped) std::swap(sides.width_m, sides.depth_m);
+  return sides;
+}
+
 class SizeReader {
  public:
   SizeReader(const std::vector<Token>& tokens, const Handbook& handbook, std::vector<bool>& used)
@@ -123,7 +165,7 @@ class SizeReader {
 
   SizeRequest Read() {
     for (std::size_t i = 0; i < text_.size() && !size_.in_numbers(); ++i) {
-      if (const std::optional<Sides> sides = PairAt(i)) {
+      if (const std::optional<SidePair> sides = PairAt(text_, i)) {
         if (owner_.IsOfAThing(i, sides->end)) {
           i = sides->end - 1;
           continue;
@@ -140,7 +182,7 @@ class SizeReader {
     const bool sides_known = size_.in_numbers();
     for (std::size_t i = 0; i < text_.size(); ++i) {
       const SizeRequest single = SingleAt(i);
-      if (single.height_m || ((single.width_m || single.depth_m) && !sides_known)) Use(i, MeasureAt(i)->end + 1);
+      if (single.height_m || ((single.width_m || single.depth_m) && !sides_known)) Use(i, MeasureAt(text_, i)->end + 1);
       if (single.height_m && !size_.height_m) size_.height_m = single.height_m;
       if (sides_known) continue;
       if (single.width_m && !size_.width_m) size_.width_m = single.width_m;
@@ -153,48 +195,6 @@ class SizeReader {
  private:
   void Use(std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < std::min(end, used_.size()); ++i) used_[i] = true;
-  }
-
-  // Width and depth as found in the text.
-  struct Sides {
-    double width_m = 0;
-    double depth_m = 0;
-    std::size_t end = 0;  // first token after them
-  };
-
-  // A measure with a sign before it taken as part of it; its unit may come later ("4 x 5 m").
-  std::optional<english::Measure> MeasureAt(std::size_t i) const {
-    const bool article = text_.Is(i, "articles");
-    std::optional<english::Measure> measure = article ? std::nullopt : english::MeasureAt(text_.tokens(), i);
-    const bool minus =
-        i > 0 && text_.At(i - 1) == "-" && text_.tokens()[i].glued && !(i > 1 && text_.tokens()[i - 1].glued);
-    if (measure && minus) measure->value *= -1;
-    return measure;
-  }
-
-  // "4m x 5m" and "8m long, 4m wide" from token i on.
-  std::optional<Sides> PairAt(std::size_t i) const {
-    const std::optional<english::Measure> first = MeasureAt(i);
-    if (!first) return std::nullopt;
-    std::size_t next = first->end;
-    const bool swapped = text_.At(next) == "long";
-    if (swapped || text_.At(next) == "wide") {
-      ++next;
-      while (text_.Says(next, {",", "and"})) ++next;
-    } else if (text_.Says(next, {"x", "by", "*"})) {
-      ++next;
-    } else {
-      return std::nullopt;
-    }
-    if (text_.At(next) == "-") ++next;
-    const std::optional<english::Measure> second = MeasureAt(next);
-    if (!second) return std::nullopt;
-    const double guessed = GuessUnit(std::max(first->value, second->value));
-    const double unit = second->unit > 0 ? second->unit : first->unit > 0 ? first->unit : guessed;
-    const auto metres = [&](const english::Measure& one) { return one.unit > 0 ? one.value : one.value * unit; };
-    Sides sides{metres(*first), metres(*second), second->end};
-    if (swapped) std::swap(sides.width_m, sides.depth_m);
-    return sides;
   }
 
   // "height 2.4 m", "room height: 2.4 m", "a ceiling of 2.4 m", "the ceiling is at 2.4 m". The height of a shelf is
@@ -212,7 +212,7 @@ class SizeReader {
   // A single length with what it belongs to: "5 m square", "12-foot room", "6 m long", "2.7m ceiling".
   SizeRequest SingleAt(std::size_t i) const {
     SizeRequest size;
-    const std::optional<english::Measure> measure = MeasureAt(i);
+    const std::optional<english::Measure> measure = MeasureAt(text_, i);
     if (!measure || measure->unit == 0) return size;
     const std::size_t end = measure->end;
     const bool ceiling = text_.Says(end, {"ceiling", "ceilings"});
@@ -292,7 +292,65 @@ absl::Status Check(const SizeRequest& size) {
   return absl::OkStatus();
 }
 
+// The size of a piece whose words begin at a token: a pair of sides, or one length with what it is the length of.
+PieceSize PieceSizeAt(const BriefText& text, std::size_t i) {
+  PieceSize size;
+  size.begin = i;
+  if (const std::optional<SidePair> sides = PairAt(text, i)) {
+    size.long_m = std::max(sides->width_m, sides->depth_m);
+    size.short_m = std::min(sides->width_m, sides->depth_m);
+    size.end = text.Is(sides->end, "dimensions") ? sides->end + 1 : sides->end;
+    return size;
+  }
+  const std::optional<english::Measure> measure = MeasureAt(text, i);
+  if (!measure || measure->unit == 0 || text.Is(measure->end, "after_distances")) return {};
+  size.end = text.IsHyphen(measure->end) ? measure->end + 1 : measure->end;
+  // The inches of a screen are its diagonal.
+  const bool said = text.Is(size.end, "dimensions");
+  if (!said && text.tokens()[measure->end - 1].text.starts_with("inch")) return {};
+  std::optional<double>& side = text.Is(size.end, "heights")              ? size.height_m
+                                : text.Says(size.end, {"deep", "depth"})  ? size.depth_m
+                                : text.Says(size.end, {"long", "length"}) ? size.long_m
+                                                                          : size.width_m;
+  side = measure->value;
+  if (text.Says(size.end, {"square", "diameter"})) size.depth_m = measure->value;
+  if (said) ++size.end;
+  return size;
+}
+
 }  // namespace
+
+PieceSize PieceSize::For(const hb::Furniture& furniture) const {
+  PieceSize size = *this;
+  const bool wide = furniture.width_m().typical() >= furniture.depth_m().typical();
+  for (const std::optional<double>& side : {long_m, short_m}) {
+    if (side) ((&side == &long_m) == wide ? size.width_m : size.depth_m) = side;
+  }
+  return size;
+}
+
+PieceSize ReadPieceSize(const std::vector<Token>& tokens, std::size_t begin, std::size_t end,
+                        const std::vector<bool>& taken) {
+  constexpr std::size_t kMostBefore = 9, kMostAdjectives = 3, kMostLinks = 4;
+  const BriefText text(tokens);
+  const auto free = [&](const PieceSize& size) {
+    return size.any() && std::none_of(taken.begin() + static_cast<std::ptrdiff_t>(size.begin),
+                                      taken.begin() + static_cast<std::ptrdiff_t>(size.end), std::identity());
+  };
+  for (std::size_t i = begin - std::min(begin, kMostBefore); i < begin; ++i) {
+    const PieceSize size = PieceSizeAt(text, i);
+    if (!free(size) || size.end > begin || begin - size.end > kMostAdjectives) continue;
+    bool adjectives = true;
+    for (std::size_t k = size.end; k < begin; ++k) {
+      adjectives = adjectives && !taken[k] && (text.IsHyphen(k) || (text.IsWord(k) && !text.Is(k, "noun_phrase_ends")));
+    }
+    if (adjectives) return size;
+  }
+  std::size_t at = end;
+  while (at < end + kMostLinks && (text.Is(at, "size_links") || text.At(at) == ",")) ++at;
+  const PieceSize behind = PieceSizeAt(text, at);
+  return at > end && free(behind) ? behind : PieceSize();
+}
 
 absl::StatusOr<SizeRequest> ReadSize(const std::vector<Token>& tokens, const Handbook& handbook,
                                      std::vector<bool>& used) {
