@@ -15,6 +15,7 @@
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
 #include "language_worker/handbook/objects/fit_floor.h"
+#include "language_worker/handbook/parts/brief_parts.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
@@ -176,7 +177,7 @@ class ObjectLister {
         handbook_(handbook),
         style_(facts, handbook, choice),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
-        people_(facts.people) {}
+        facts_(facts) {}
 
   void ListFloor() {
     std::vector<LeftOut> left_out;
@@ -204,6 +205,8 @@ class ObjectLister {
     TellLeftOut(left_out);
   }
 
+  void TellDifferences() { TellNotAsAsked(facts_, handbook_, list_); }
+
   v1::ObjectList& list() { return list_; }
 
  private:
@@ -217,7 +220,7 @@ class ObjectLister {
 
   // Says so when fewer can sit, or sleep, than the brief speaks of.
   void TellPlaces(const std::vector<SizedItem>& fitting) {
-    if (!people_) return;
+    if (!facts_.people) return;
     const std::string& name = program_.archetype->per_person();
     int places = 0, beds = 0;
     for (const SizedItem& sized : fitting) {
@@ -227,11 +230,10 @@ class ObjectLister {
       if (furniture.category() == "bed") beds += sized.item.count * each;
     }
     if (beds > 0) places = beds;
-    if (places >= *people_) return;
-    v1::Diagnostic& remark = *list_.add_diagnostics();
-    remark.set_severity(v1::SEVERITY_WARNING);
-    remark.set_code("people_without_place");
-    remark.set_message(fmt::format("The brief mentions {} people; the room has places for {}.", *people_, places));
+    if (places >= *facts_.people) return;
+    AddDiagnostic(v1::SEVERITY_WARNING, "people_without_place",
+                  fmt::format("The brief mentions {} people; the room has places for {}.", *facts_.people, places),
+                  list_);
   }
 
   void TellLeftOut(const std::vector<LeftOut>& left_out) {
@@ -354,7 +356,7 @@ class ObjectLister {
   const Handbook& handbook_;
   const StyleChoice style_;
   const RoomProgram program_;
-  const std::optional<int> people_;
+  const BriefFacts& facts_;
   v1::ObjectList list_;
   int drawn_ = 0;
 };
@@ -377,6 +379,7 @@ absl::StatusOr<v1::ObjectList> ListObjects(const v1::Brief& brief, const v1::Roo
   return Listed(brief, room, zones, handbook, [](ObjectLister& lister) {
     lister.ListFloor();
     lister.ListTertiaries(v1::ObjectList(lister.list()), {});
+    lister.TellDifferences();
   });
 }
 

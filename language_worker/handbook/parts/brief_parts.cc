@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
 #include "worker_runtime/status/status_macros.h"
@@ -70,6 +71,30 @@ std::string PlainName(std::string_view name) {
   }
   if (!plain.empty() && plain.back() == ' ') plain.pop_back();
   return plain;
+}
+
+void TellNotAsAsked(const BriefFacts& facts, const Handbook& handbook, v1::ObjectList& list) {
+  const auto count = [&](const hb::Furniture& furniture) {
+    return static_cast<int>(std::ranges::count(list.objects(), furniture.name(), &v1::Object::name));
+  };
+  const auto tell_fewer = [&](const hb::Furniture& furniture, int asked) {
+    const int there = count(furniture);
+    const bool told = std::ranges::count(list.omissions(), furniture.name(), &v1::Omission::name) > 0;
+    if (there >= asked || told) return;
+    AddDiagnostic(v1::SEVERITY_WARNING, "fewer_than_asked",
+                  fmt::format("Of \"{}\" the brief asks for {}; the room has {}.", furniture.name(), asked, there),
+                  list);
+  };
+  for (const Wish& wish : facts.wishes) {
+    tell_fewer(*wish.furniture, wish.count);
+    const hb::Furniture* seat = wish.seats > 0 ? SeatOf(*wish.furniture, handbook) : nullptr;
+    if (seat != nullptr) tell_fewer(*seat, wish.count * wish.seats);
+  }
+  for (const hb::Furniture* refusal : facts.refusals) {
+    if (count(*refusal) == 0) continue;
+    AddDiagnostic(v1::SEVERITY_WARNING, "refused_but_there",
+                  fmt::format("The brief wants no {}; the room has one.", refusal->name()), list);
+  }
 }
 
 std::vector<std::string> WantedZones(const v1::Brief& brief) {

@@ -15,6 +15,7 @@
 #include "flair/v1/room.pb.h"
 #include "flair/v1/zone_plan.pb.h"
 #include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/brief_facts.h"
 
 namespace flair::language {
 
@@ -29,6 +30,10 @@ void AddDiagnostic(v1::Severity severity, std::string code, std::string message,
 
 // The words of a name in lower case, one space between them, without other signs.
 std::string PlainName(std::string_view name);
+
+// Compares what a brief asks for with what is listed: whatever was lost between the two, and was not left out with its
+// reason, becomes a remark.
+void TellNotAsAsked(const BriefFacts& facts, const Handbook& handbook, v1::ObjectList& list);
 
 // Ids of the zones that the brief's own objects are in, in the order of the objects.
 std::vector<std::string> WantedZones(const v1::Brief& brief);

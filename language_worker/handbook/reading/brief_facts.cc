@@ -44,8 +44,11 @@ class BriefReader {
       for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
       for (const std::size_t i : pieces.counts) used_[i] = true;
       for (const std::size_t i : facts_.told) used_[i] = true;
-      for (std::size_t i = 0; i < used_.size(); ++i) used_[i] = used_[i] || size_words[i];
-      facts_.unheard = UnheardWords(tokens_, used_);
+      for (std::size_t i = 0; i < used_.size(); ++i) {
+        const bool only = facts_.nothing_else && IsOneOf(tokens_[i].text, {"nothing", "else"});
+        used_[i] = used_[i] || size_words[i] || only;
+      }
+      facts_.unheard = UnheardWords(tokens_, used_, handbook_.vocabulary());
     }
     return std::move(facts_);
   }

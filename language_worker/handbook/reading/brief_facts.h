@@ -57,7 +57,8 @@ struct BriefFacts {
   std::vector<const hb::Furniture*> refusals;
   std::vector<std::string> sizes_not_had;  // "9 m desk": sizes of pieces that none of their class has
   std::vector<Place> places;
-  std::vector<std::string> places_not_known;  // words for places of which nothing could be made
+  std::vector<std::string> places_loosely_kept;  // "desk to the left of the window: is near the window."
+  std::vector<std::string> places_not_known;     // words for places of which nothing could be made
   OpeningWishes openings;
   bool nothing_else = false;  // "only a bed and a wardrobe"
   std::vector<const hb::Theme*> themes;

@@ -100,5 +100,48 @@ TEST(ReadBrief, TheSquareOfSquareMetresIsNoShape) {
   EXPECT_TRUE(FactsOf("A square bedroom").size.side_ratio.has_value());
 }
 
+struct SizeCase {
+  const char* text;
+  double width_m;
+  double depth_m;
+};
+
+// Of the first piece that is asked for; 0 where nothing is said.
+TEST(PieceSizes, AreReadBeforeAndBehindTheirPiece) {
+  const SizeCase kCases[] = {
+      {"A study with a 1.6 m x 0.8 m oak desk.", 1.6, 0.8},
+      {"A study with a desk of 80 cm by 160 cm.", 1.6, 0.8},
+      {"A bedroom with a bed (1.6 x 2 m).", 1.6, 2},
+      {"A dining room with a ten-foot table.", 3.048, 0},
+      {"A living room with a sofa 2.2 m long, and a rug.", 2.2, 0},
+      {"A bedroom with a 160 cm wide bed.", 1.6, 0},
+      {"A living room with a bookcase 35 cm deep.", 0, 0.35},
+      {"A study with a desk, 3 x 4 m.", 0, 0},
+      {"A study with a desk 2 m from the window.", 0, 0},
+      {"A living room with a sofa 40 m long.", 0, 0},
+  };
+  for (const auto& [text, width_m, depth_m] : kCases) {
+    const BriefFacts facts = FactsOf(text);
+    ASSERT_FALSE(facts.wishes.empty()) << text;
+    EXPECT_NEAR(facts.wishes[0].size.width_m.value_or(0), width_m, 1e-9) << text;
+    EXPECT_NEAR(facts.wishes[0].size.depth_m.value_or(0), depth_m, 1e-9) << text;
+  }
+  EXPECT_EQ(FactsOf("A living room with a sofa 40 m long.").sizes_not_had.size(), 1u);
+}
+
+// Whatever no reader took: things, colours, materials, numbers and directions that nothing was made of.
+TEST(UnheardWords, AreAllThatAskForSomething) {
+  for (const char* text : {"A bedroom, the zither of my aunt must stay.", "A study where the door is made of oak.",
+                           "A living room, so keep furniture off that wall.", "A den for 65 of those.",
+                           "A bedroom with a bed, nothing against the windows."}) {
+    const BriefFacts facts = FactsOf(text);
+    EXPECT_FALSE(facts.unheard.empty() && facts.not_known.empty() && !facts.people) << text;
+  }
+  for (const char* text : {"Please make me a very nice study with a desk.", "A bedroom of 3 x 4 m with a bed.",
+                           "I would like a living room where the door is on the south wall."}) {
+    EXPECT_TRUE(FactsOf(text).unheard.empty()) << text << ": " << FactsOf(text).unheard[0];
+  }
+}
+
 }  // namespace
 }  // namespace flair::language

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "english/language.h"
+#include "english/quantities.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -174,17 +174,17 @@ class FurnitureReader {
         i += other - 1;
         continue;
       }
-      for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i && IsRefused(tokens_, i); ++k) {
+      const bool refused = IsRefused(tokens_, i);
+      for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i && refused; ++k) {
         if (IsIn("refusing", tokens_[k].text)) counts_.push_back(k);
       }
       const hb::Furniture* furniture = nouns_.Modified(tokens_, i, name_length, named);
       const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
       if (length == 0) {
-        if (tokens_[i].kind == Token::Kind::kWord && IsRefused(tokens_, i))
-          used_[i] = RefuseKind(handbook_, tokens_, i, facts_);
+        if (tokens_[i].kind == Token::Kind::kWord && refused) used_[i] = RefuseKind(handbook_, tokens_, i, facts_);
         continue;
       }
-      if (IsRefused(tokens_, i)) {
+      if (refused) {
         AddOnce(facts_.refusals, furniture);
         if (length == 1) RefuseKind(handbook_, tokens_, i, facts_);
         last_.reset();
@@ -200,7 +200,7 @@ class FurnitureReader {
     std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
       return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == refusal; });
     });
-    if (!facts_.wishes.empty() && AsksForNothingElse(handbook_, tokens_)) facts_.nothing_else = true;
+    facts_.nothing_else = !facts_.wishes.empty() && AsksForNothingElse(handbook_, tokens_);
     return {std::move(mentions_), std::move(counts_)};
   }
 
@@ -278,11 +278,8 @@ class FurnitureReader {
     PieceCount count = CountBefore(handbook_, tokens_, furniture, i, length);
     for (std::size_t k = i - std::min<std::size_t>(i, 3); k < i; ++k) {
       const bool number = tokens_[k].kind == Token::Kind::kNumber || NumberWord(tokens_[k].text);
-      // Of a length something has to be made as well.
-      std::size_t unit = k + 1;
-      if (unit < i && tokens_[unit].text == "-") ++unit;
-      const bool length = unit < i && english::Language::Get().FindUnit(tokens_[unit].text) != nullptr;
-      if (number && !length) counts_.push_back(k);
+      const std::optional<english::Measure> measure = english::MeasureAt(tokens_, k);
+      if (number && measure && measure->unit == 0) counts_.push_back(k);
     }
     if (const Rows rows = RowsAround(tokens_, i, length); rows.number > 0) {
       count = {rows.number};

@@ -46,7 +46,7 @@ class SiteReader {
 
   struct Form {
     bool bare = false;  // without a preposition
-    bool part = false;  // only an end or a corner of a wall
+    bool part = false;  // behind a comma: an end or corner of a wall, or a wall that ends its phrase
   };
 
   // "on the north wall", "facing south", "on the north and east walls"; "at the west end of the north wall", "in the
@@ -58,12 +58,12 @@ class SiteReader {
     const auto whole = words_.BehindPhrase(words_.BehindArticle(at), "whole_length");
     if (into && whole) at = *whole;
     if ((into || near) && TakePart(at)) return true;
-    if (form.part) return false;
+    if (form.part && !words_.Is(i_, "into_a_wall")) return false;
     if (into && TakeWallOfLength(at)) return true;
     // "A window north and a door south" has no "on" either.
     if (!into && !form.bare && !words_.Is(at, "compass")) return false;
     const Sides sides = WallsAt(at, /*alone=*/!into, at);
-    if (sides.empty()) return false;
+    if (sides.empty() || (form.part && !(words_.Is(at - 1, "wall_nouns") && Closes(at)))) return false;
     for (const std::string& side : sides) {
       if (!Includes(site_.sides, side)) site_.sides.push_back(side);
     }
@@ -117,6 +117,8 @@ class SiteReader {
     return target;
   }
 
+  bool Closes(std::size_t i) const { return words_.IsSign(i) || i >= words_.size() || words_.Is(i, "after_a_wall"); }
+
   // The walls named from `at` on, `end` behind them; none when the words tell none. `alone`: no preposition says that a
   // wall follows, so that one without its noun must end its phrase ("left sofa").
   Sides WallsAt(std::size_t at, bool alone, std::size_t& end) const {
@@ -134,8 +136,7 @@ class SiteReader {
       if (target.sides.size() != 1 || target.corner) break;
       const std::string& side = target.sides[0];
       const bool compass = IsIn("compass", side);
-      const bool closes =
-          words_.IsSign(target.end) || target.end >= words_.size() || words_.Is(target.end, "after_a_wall");
+      const bool closes = Closes(target.end);
       // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.
       if (!sides.empty() && !(noun && closes) && !(closes && !any_noun && compass)) break;
       if (!noun && (words_.At(target.end) == "of" || IsIn("sides_with_a_noun", side))) break;

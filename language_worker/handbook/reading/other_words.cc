@@ -13,6 +13,7 @@ constexpr std::size_t kMostThings = 8;
 constexpr std::size_t kMostWords = 5;
 constexpr std::size_t kMostBareWords = 3;
 constexpr std::size_t kShortText = 4;
+constexpr std::size_t kShortestName = 4;
 
 // "readers", "gardeners": of whom an unknown word in "for six ..." most likely speaks.
 bool SoundsLikePersons(std::string_view word) {
@@ -132,7 +133,8 @@ class ThingFinder {
     }
     const std::string& first = tokens_[i + 1].text;
     const std::string& last = tokens_[end - 1].text;
-    const bool none = IsFormIn("no_things", first) || IsFormIn("no_things", last) || CountsPeople(last);
+    const bool none =
+        IsFormIn("no_things", first) || IsFormIn("no_things", last) || CountsPeople(last) || IsIn("openings", last);
     return none ? Found() : Found{i + 1, end};
   }
 
@@ -172,6 +174,11 @@ class ThingFinder {
   const std::vector<Token>& tokens_;
   const std::vector<bool>& used_;
 };
+
+// Whether it asks for nothing by itself, in whatever form.
+bool IsIdle(std::string_view word) {
+  return std::ranges::any_of(WordsOf("idle_lists"), [&](const std::string& list) { return IsFormIn(list, word); });
+}
 
 }  // namespace
 
@@ -214,15 +221,26 @@ bool IsForeign(const std::vector<Token>& tokens) {
   return has("foreign") && !has("small_words");
 }
 
-std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const std::vector<bool>& used) {
+std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const std::vector<bool>& used,
+                                      const Vocabulary& vocabulary) {
   constexpr std::size_t kMostAround = 3;
   const BriefText text(tokens);
+  const auto names = [&](std::size_t i) {
+    return LongestAt(vocabulary.names, tokens, i, true).second > 0 ||
+           LongestAt(vocabulary.rooms, tokens, i, true).second > 0 ||
+           LongestAt(vocabulary.colours, tokens, i, false).second > 0;
+  };
+  const auto asks = [&](std::size_t i) {
+    const bool people = CountsPeople(text.At(i)) && !IsFormIn("seats_and_places", text.At(i));
+    if (people || text.IsNumber(i) || text.Is(i, "asking_words")) return true;
+    const bool idle = text.At(i).size() < kShortestName || IsIdle(text.At(i)) || vocabulary.speller.Knows(text.At(i));
+    return text.IsWord(i) && (names(i) || !idle);
+  };
   const auto ends = [&](std::size_t i) { return text.IsSign(i) && !text.IsHyphen(i); };
   std::vector<std::string> all;
   std::size_t told_to = 0;
   for (std::size_t i = 0; i < tokens.size() && all.size() < kMostThings; ++i) {
-    const bool people = CountsPeople(text.At(i)) && !IsFormIn("seats_and_places", text.At(i));
-    if (used[i] || i < told_to || !(people || text.IsNumber(i) || text.Is(i, "asking_words"))) continue;
+    if (used[i] || i < told_to || !asks(i)) continue;
     std::size_t begin = i, end = i + 1;
     while (begin > told_to && i - begin < kMostAround && !ends(begin - 1)) --begin;
     while (end < tokens.size() && end - i <= kMostAround && !ends(end)) ++end;

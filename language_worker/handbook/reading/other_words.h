@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "language_worker/handbook/reading/words.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 
@@ -31,8 +31,10 @@ bool IsForeign(const std::vector<Token>& tokens);
 // word is one for things ("vending machine"); else it may be an adjective. Marks their tokens.
 std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, std::vector<bool>& used);
 
-// The other words that ask for something and that nobody has used, each with its neighbours: materials, directions,
-// numbers, "both" and "no", people; in the order of the text, eight at most.
-std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const std::vector<bool>& used);
+// The other words that ask for something and that nobody has used, each with its neighbours: what names a piece, a room
+// or a colour, materials, directions, numbers, "both" and "no", people, and words that nobody knows; in the order of
+// the text, eight at most.
+std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const std::vector<bool>& used,
+                                      const Vocabulary& vocabulary);
 
 }  // namespace flair::language

@@ -8,17 +8,13 @@
 #include <string_view>
 #include <utility>
 
+#include "fmt/format.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/landmark.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 namespace {
-
-bool EndsSentence(const Token& token) {
-  return token.kind == Token::Kind::kSign &&
-         (token.text == "." || token.text == ";" || token.text == "!" || token.text == "?");
-}
 
 // Whether the sentence of a place speaks of that slot: "{target}".
 bool AskedNames(const hb::AskedPlace& asked, std::string_view slot) {
@@ -80,8 +76,7 @@ class PlaceReader {
   struct Subject {
     const hb::Furniture* furniture = nullptr;
     std::size_t mention = 0;
-    int which = -1;         // of several: the first, the second; -1 for all
-    std::size_t begin = 0;  // of the words that name it
+    int which = -1;  // of several: the first, the second; -1 for all
   };
   // What was read last: its subject, and where it ends.
   struct Last {
@@ -152,41 +147,40 @@ class PlaceReader {
   bool Fits(const Pattern& pattern, const Landmark& landmark) const {
     using Kind = Landmark::Kind;
     const std::string& slot = pattern.slot;
-    if (slot == "door") return landmark.kind == Kind::kDoor;
-    if (slot == "window") return landmark.kind == Kind::kWindow;
-    if (slot == "wall") return landmark.kind == Kind::kWall;
-    if (slot == "corner") return landmark.kind == Kind::kCorner;
-    if (slot == "target") return landmark.kind == Kind::kPiece || landmark.kind == Kind::kPronoun;
+    const Kind kind = landmark.kind;
+    for (const auto& [name, feature] : {std::pair("door", Kind::kDoor), std::pair("window", Kind::kWindow),
+                                        std::pair("wall", Kind::kWall), std::pair("corner", Kind::kCorner)}) {
+      if (slot == name) return kind == feature;
+    }
+    const bool piece = kind == Kind::kPiece || kind == Kind::kPronoun;
     const bool two = landmark.second != nullptr || landmark.plural;
-    return slot == "targets" && two && (landmark.kind == Kind::kPiece || landmark.kind == Kind::kPronoun);
+    return piece && (slot == "target" || (slot == "targets" && two));
   }
+
+  Subject SubjectOf(std::size_t mention, int which) const { return {mentions_[mention].furniture, mention, which}; }
 
   // What stands right before the place, over verbs, commas and what was said of its place before.
   std::optional<Subject> SubjectBefore(std::size_t i) const {
     constexpr std::size_t kMostFillers = 10;
-    const auto of = [&](std::size_t m, int which, std::size_t begin) {
-      return Subject{mentions_[m].furniture, m, which, begin};
-    };
     bool joined = false;
     for (std::size_t at = i; at > 0 && at + kMostFillers > i; --at) {
       if (last_ && last_->end == at) {
         const std::optional<std::size_t> m = MentionEndingAt(at);
         if (!m || joined) return last_->subject;
       }
-      if (const std::optional<std::size_t> m = MentionEndingAt(at))
-        return of(*m, mentions_[*m].which, mentions_[*m].begin);
+      if (const std::optional<std::size_t> m = MentionEndingAt(at)) return SubjectOf(*m, mentions_[*m].which);
       const Token& before = tokens_[at - 1];
       const std::optional<std::size_t> earlier = LastMentionBefore(at - 1);
       const bool other = before.text == "other" || before.text == "another" || before.text == "second";
       if (earlier && (before.text == "one" || other) && mentions_[*earlier].count > 1) {
         const bool again = last_ && last_->subject.which == 0 && last_->subject.mention == *earlier;
-        return of(*earlier, other || again ? 1 : 0, at - 1);
+        return SubjectOf(*earlier, other || again ? 1 : 0);
       }
       if (earlier && (IsIn("singular_pronouns", before.text) || IsIn("plural_pronouns", before.text))) {
-        return of(*earlier, mentions_[*earlier].which, mentions_[*earlier].begin);
+        return SubjectOf(*earlier, mentions_[*earlier].which);
       }
       joined = joined || before.text == "," || before.text == "and" || before.text == "but";
-      const bool sign = before.kind == Token::Kind::kSign && !EndsSentence(before) && before.text != "(";
+      const bool sign = before.kind == Token::Kind::kSign && !text_.EndsSentence(at - 1) && before.text != "(";
       const bool filler = IsIn("place_fillers", before.text) || IsIn("group_fillers", before.text) ||
                           before.text == "and" || before.text == "but" || before.text == "the" || before.text == "of";
       if (!sign && !filler && before.kind != Token::Kind::kNumber) return std::nullopt;
@@ -197,7 +191,7 @@ class PlaceReader {
   // "Under the window a desk", "next to the bed there is a nightstand".
   std::optional<Subject> SubjectAfter(std::size_t begin, std::size_t end) const {
     constexpr std::size_t kMostBetween = 6;
-    const bool first = begin == 0 || EndsSentence(tokens_[begin - 1]) || tokens_[begin - 1].text == ":";
+    const bool first = begin == 0 || text_.EndsSentence(begin - 1) || tokens_[begin - 1].text == ":";
     const bool aside = begin > 1 && text_.At(begin - 1) == "," && IsIn("place_openers", text_.At(begin - 2));
     const bool opens = first || tokens_[begin - 1].text == "," || IsIn("place_openers", tokens_[begin - 1].text);
     if (!opens || end >= tokens_.size()) return std::nullopt;
@@ -207,15 +201,14 @@ class PlaceReader {
       if (mention_at_[i] < mentions_.size()) {
         const std::size_t m = mention_at_[i];
         if (!first && !noun_phrase) return std::nullopt;
-        return Subject{mentions_[m].furniture, m, mentions_[m].which, mentions_[m].begin};
+        return SubjectOf(m, mentions_[m].which);
       }
       const Token& token = tokens_[i];
       if (token.kind == Token::Kind::kSign && !((first || aside) && token.text == ",")) return std::nullopt;
       if (token.text == "and" || token.text == "with" || token.text == "or") return std::nullopt;
       const bool known =
           IsIn("before_subjects", token.text) || token.kind == Token::Kind::kSign || NumberWord(token.text);
-      noun_phrase =
-          noun_phrase || NumberWord(token.text) || token.text == "the" || token.kind == Token::Kind::kNumber;
+      noun_phrase = noun_phrase || NumberWord(token.text) || token.text == "the" || token.kind == Token::Kind::kNumber;
       // Words for its looks.
       if (!known && (!noun_phrase || ++others > 2)) return std::nullopt;
     }
@@ -226,10 +219,10 @@ class PlaceReader {
   std::optional<Subject> LooseSubjectBefore(std::size_t i) const {
     constexpr std::size_t kMostWords = 12;
     for (std::size_t at = i; at > 0 && at + kMostWords > i; --at) {
-      if (EndsSentence(tokens_[at - 1])) return std::nullopt;
+      if (text_.EndsSentence(at - 1)) return std::nullopt;
       if (const std::optional<std::size_t> m = MentionEndingAt(at)) {
         if (by_landmark_[*m]) return std::nullopt;
-        return Subject{mentions_[*m].furniture, *m, mentions_[*m].which, mentions_[*m].begin};
+        return SubjectOf(*m, mentions_[*m].which);
       }
       // A window or some other thing of its own: the place is that thing's.
       const std::string& word = tokens_[at - 1].text;
@@ -308,11 +301,14 @@ class PlaceReader {
       if (!subject) subject = SubjectBefore(i);
       if (!subject) subject = LooseSubjectBefore(i);
       if (!subject || !IsFor(*match.pattern->asked, *subject->furniture)) continue;
-      Place place{subject->furniture, match.pattern->asked};
+      Place place;
+      place.furniture = subject->furniture;
+      place.asked = match.pattern->asked;
       place.which = subject->which;
       if (!Resolve(*subject, match, place)) continue;
       place.said = text_.Quote(i, match.end);
       facts_.places.push_back(place);
+      NoteLoosely(place, i, i + match.length);
       // "A lamp on either side" makes two of one.
       for (Wish& wish : facts_.wishes) {
         const int least = match.pattern->asked->relation().condition().min_count();
@@ -328,6 +324,17 @@ class PlaceReader {
       return true;
     }
     return false;
+  }
+
+  // Directions that the sentence does not have: of "to the left of the window" only "near the window" is left.
+  void NoteLoosely(const Place& place, std::size_t begin, std::size_t end) {
+    const std::string& text = place.asked->relation().text();
+    for (std::size_t k = begin; k < end; ++k) {
+      if (!IsIn("exact_directions", text_.At(k)) || text.find(text_.At(k)) != std::string::npos) continue;
+      facts_.places_loosely_kept.push_back(
+          fmt::format("\"{} {}\": it {}", place.furniture->name(), place.said, text.substr(text.find('}') + 2)));
+      return;
+    }
   }
 
   // Words for a place of which nothing could be made, so that they do not go unheard.
@@ -346,7 +353,7 @@ class PlaceReader {
     std::size_t end = i + 1;
     constexpr std::size_t kMostWords = 8;
     while (end < tokens_.size() && end < i + kMostWords && tokens_[end].text != "," && tokens_[end].text != "and" &&
-           tokens_[end].text != "with" && !EndsSentence(tokens_[end])) {
+           tokens_[end].text != "with" && !text_.EndsSentence(end)) {
       ++end;
     }
     read_to_ = end;

@@ -128,7 +128,8 @@ struct SidePair {
 std::optional<english::Measure> MeasureAt(const BriefText& text, std::size_t i) {
   const bool article = text.Is(i, "articles");
   std::optional<english::Measure> measure = article ? std::nullopt : english::MeasureAt(text.tokens(), i);
-  const bool minus = i > 0 && text.At(i - 1) == "-" && text.tokens()[i].glued && !(i > 1 && text.tokens()[i - 1].glued);
+  const bool minus = i > 0 && i < text.size() && text.At(i - 1) == "-" && text.tokens()[i].glued &&
+                     !(i > 1 && text.tokens()[i - 1].glued);
   if (measure && minus) measure->value *= -1;
   return measure;
 }
@@ -306,8 +307,9 @@ PieceSize PieceSizeAt(const BriefText& text, std::size_t i) {
   if (!measure || measure->unit == 0 || text.Is(measure->end, "after_distances")) return {};
   size.end = text.IsHyphen(measure->end) ? measure->end + 1 : measure->end;
   // The inches of a screen are its diagonal.
+  constexpr double kInchM = 0.0254;
   const bool said = text.Is(size.end, "dimensions");
-  if (!said && text.tokens()[measure->end - 1].text.starts_with("inch")) return {};
+  if (!said && measure->unit == kInchM) return {};
   std::optional<double>& side = text.Is(size.end, "heights")              ? size.height_m
                                 : text.Says(size.end, {"deep", "depth"})  ? size.depth_m
                                 : text.Says(size.end, {"long", "length"}) ? size.long_m
@@ -323,9 +325,8 @@ PieceSize PieceSizeAt(const BriefText& text, std::size_t i) {
 PieceSize PieceSize::For(const hb::Furniture& furniture) const {
   PieceSize size = *this;
   const bool wide = furniture.width_m().typical() >= furniture.depth_m().typical();
-  for (const std::optional<double>& side : {long_m, short_m}) {
-    if (side) ((&side == &long_m) == wide ? size.width_m : size.depth_m) = side;
-  }
+  if (long_m) (wide ? size.width_m : size.depth_m) = long_m;
+  if (short_m) (wide ? size.depth_m : size.width_m) = short_m;
   return size;
 }
 
@@ -349,7 +350,9 @@ PieceSize ReadPieceSize(const std::vector<Token>& tokens, std::size_t begin, std
   std::size_t at = end;
   while (at < end + kMostLinks && (text.Is(at, "size_links") || text.At(at) == ",")) ++at;
   const PieceSize behind = PieceSizeAt(text, at);
-  return at > end && free(behind) ? behind : PieceSize();
+  // "a couch, 2 m table": a comma alone does not join them.
+  const bool said = behind.long_m || text.Is(behind.end - 1, "dimensions") || text.At(at - 1) != ",";
+  return said && free(behind) ? behind : PieceSize();
 }
 
 absl::StatusOr<SizeRequest> ReadSize(const std::vector<Token>& tokens, const Handbook& handbook,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/handbook/reading/vocabulary.h"
 
+#include <array>
 #include <set>
 
 #include "english/words.h"
@@ -84,13 +85,17 @@ void Speller::Learn(std::string_view phrase, bool corrects) {
   }
 }
 
+bool Speller::Knows(std::string_view word) const {
+  if (IsRight(std::string(word)) || IsRight(english::Singular(word)) || IsRight(english::British(word))) return true;
+  // Forms of words that are right: "painted", "lovely".
+  constexpr std::array<std::string_view, 9> kEndings = {"es", "ed", "d", "ing", "ly", "er", "y", "n", "r"};
+  return std::ranges::any_of(kEndings, [&](std::string_view ending) {
+    return word.ends_with(ending) && IsRight(std::string(word.substr(0, word.size() - ending.size())));
+  });
+}
+
 std::string Speller::MeantBy(std::string_view word) const {
-  if (word.size() < kShortest || word.size() > kLongest || IsRight(std::string(word))) return "";
-  // Forms of words that are right: "tables", "painted", "shelves".
-  if (IsRight(english::Singular(word)) || IsRight(english::British(word))) return "";
-  for (const std::string_view ending : {"es", "ed", "d", "ing", "ly", "er", "y", "n", "r"}) {
-    if (word.ends_with(ending) && IsRight(std::string(word.substr(0, word.size() - ending.size())))) return "";
-  }
+  if (word.size() < kShortest || word.size() > kLongest || Knows(word)) return "";
   std::string meant;
   for (const std::string& key : {FirstKey(word), LastKey(word)}) {
     const auto words = by_ends_.find(key);

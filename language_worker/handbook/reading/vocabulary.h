@@ -66,6 +66,9 @@ class Speller {
   // The word that is meant; empty when none or more than one is near, or the word is right as it is.
   std::string MeantBy(std::string_view word) const;
 
+  // Whether it is a word of the handbook, or a common one, in any form.
+  bool Knows(std::string_view word) const;
+
   // Replaces misspelt words. Linear in the number of tokens. Returns what it has replaced, each once.
   std::vector<Correction> Correct(std::vector<Token>& tokens) const;
 

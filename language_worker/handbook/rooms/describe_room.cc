@@ -99,6 +99,9 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
     Remark(v1::SEVERITY_WARNING, "piece_size_not_had",
            fmt::format("\"{}\" is far from what such a piece can be; it has its usual size.", said), room);
   }
+  for (const std::string& said : facts.places_loosely_kept) {
+    Remark(v1::SEVERITY_NOTE, "place_loosely_kept", fmt::format("Not just as asked: {}", said), room);
+  }
   for (const std::string& said : facts.places_not_known) {
     Remark(v1::SEVERITY_WARNING, "place_not_understood",
            fmt::format("The position of a piece was not understood: \"{}\". These words were ignored.", said), room);
