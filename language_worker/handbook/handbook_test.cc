@@ -239,6 +239,34 @@ TEST(HandbookPeople, MakeARoomLargerWhenItsSizeIsNotGiven) {
   EXPECT_NEAR(FloorArea(Ask("A dining room of 20 m2 for 12 people.").room), 20, 0.5);
 }
 
+TEST(Handbook, GivesPiecesTheSizeThatIsAskedFor) {
+  const Answers a = Ask("A study of 4 m x 5 m with a 1.4 m x 0.7 m desk.");
+  for (const v1::Object& object : a.objects.objects()) {
+    if (object.name() != "desk") continue;
+    EXPECT_DOUBLE_EQ(object.width_m(), 1.4);
+    EXPECT_DOUBLE_EQ(object.depth_m(), 0.7);
+  }
+  EXPECT_EQ(a.Count("desk"), 1);
+}
+
+TEST(Handbook, PutsAPieceIntoTheCornerThatIsNamed) {
+  const Answers a = Ask("A living room of 5 m x 4 m with an armchair in the far right corner.");
+  const auto at_walls = std::ranges::count_if(a.cleaned.sentences(), [](const v1::Sentence& sentence) {
+    return sentence.text().starts_with("The armchair's") &&
+           sentence.text().find(" is against the ") != std::string::npos;
+  });
+  EXPECT_EQ(at_walls, 2) << "its back and a side";
+}
+
+TEST(Handbook, TellsWhatIsNotInTheRoomAsAsked) {
+  for (const char* text :
+       {"A study, 3 m x 3 m, with a desk and nine table lamps.", "A bedroom, 3 m x 3 m, with a bed and thirty books.",
+        "A dining room, 3 m x 3 m, with two tables for eight."}) {
+    const Answers a = Ask(text);
+    EXPECT_GT(a.objects.omissions_size() + a.objects.diagnostics_size(), 0) << text;
+  }
+}
+
 TEST(Handbook, SaysWhatItDidNotUnderstand) {
   const auto codes = [](const Answers& a) {
     std::set<std::string> codes;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "absl/strings/ascii.h"
+#include "language_worker/recorded/object_names.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::language {
@@ -109,15 +110,6 @@ OutlineLine ReadLine(std::string_view raw) {
   return line;
 }
 
-// "---", "```" and the like say nothing.
-bool SaysNothing(const OutlineLine& line) {
-  const std::string all = line.All();
-  return std::all_of(all.begin(), all.end(), [](char c) {
-    const bool word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || absl::ascii_isdigit(c) || (c & 0x80) != 0;
-    return !word;
-  });
-}
-
 }  // namespace
 
 std::string OutlineLine::All() const {
@@ -135,7 +127,8 @@ std::vector<OutlineLine> ReadOutline(std::string_view text) {
     text.remove_prefix(std::min(end + 1, text.size()));
     ++number;
     OutlineLine line = ReadLine(raw);
-    if (SaysNothing(line)) continue;
+    // "---", "```" and the like say nothing.
+    if (ReadWords(line.All()).empty()) continue;
     line.number = number;
     while (!open.empty() && lines[static_cast<size_t>(open.back())].depth >= line.depth) open.pop_back();
     // Plain text closes a list but is no title of the next one unless it says so.

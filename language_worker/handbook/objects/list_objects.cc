@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -23,22 +22,13 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
+namespace {
 
 // A tertiary to be made: its class and the floor object that it belongs to (null: the room itself).
 struct HostedPiece {
   const ProgramItem* item = nullptr;
   const v1::Object* host = nullptr;
 };
-
-// Shares the tertiaries of a program out over the floor objects that can carry them, most wanted first, at most
-// `program.max_tertiaries` and every requested one. Pieces whose host is missing or full are left out.
-std::vector<HostedPiece> ShareOut(const RoomProgram& program, const v1::ObjectList& floor_objects, const v1::Room& room,
-                                  const Handbook& handbook);
-
-// Where a class may be put when the entry says nothing: its hosts, else the partners of its first sentence.
-std::vector<std::string> HostClasses(const ProgramItem& item, const RoomProgram& program);
-
-namespace {
 
 // Share of a top that things on it may cover.
 constexpr double kMostCovered = 0.45;
@@ -47,6 +37,16 @@ constexpr double kSmallM2 = 0.025;
 
 bool IsRoomWord(const std::string& word) {
   return word == "wall" || word == "ceiling" || word == "floor" || word == "window";
+}
+
+// Where a class may be put when the entry says nothing: its hosts, else the partners of its first sentence.
+std::vector<std::string> HostClasses(const ProgramItem& item, const RoomProgram& program) {
+  if (item.entry != nullptr && item.entry->hosts_size() > 0) return WithSubstitutes(item.entry->hosts(), program);
+  if (item.furniture->hosts_size() > 0) return WithSubstitutes(item.furniture->hosts(), program);
+  for (const hb::Relation& relation : item.furniture->relations()) {
+    if (relation.targets_size() > 0) return WithSubstitutes(relation.targets(), program);
+  }
+  return {};
 }
 
 class Sharer {
@@ -141,17 +141,8 @@ class Sharer {
   std::map<std::string, double> hung_m_;
 };
 
-}  // namespace
-
-std::vector<std::string> HostClasses(const ProgramItem& item, const RoomProgram& program) {
-  if (item.entry != nullptr && item.entry->hosts_size() > 0) return WithSubstitutes(item.entry->hosts(), program);
-  if (item.furniture->hosts_size() > 0) return WithSubstitutes(item.furniture->hosts(), program);
-  for (const hb::Relation& relation : item.furniture->relations()) {
-    if (relation.targets_size() > 0) return WithSubstitutes(relation.targets(), program);
-  }
-  return {};
-}
-
+// Shares the tertiaries of a program out over the floor objects that can carry them, most wanted first, at most
+// `program.max_tertiaries` and every requested one. Pieces whose host is missing or full are left out.
 std::vector<HostedPiece> ShareOut(const RoomProgram& program, const v1::ObjectList& floor_objects, const v1::Room& room,
                                   const Handbook& handbook) {
   Sharer sharer(program, floor_objects, room, handbook);
@@ -163,8 +154,6 @@ std::vector<HostedPiece> ShareOut(const RoomProgram& program, const v1::ObjectLi
   }
   return pieces;
 }
-
-namespace {
 
 double Clamp(double value, const hb::Extent& extent) { return std::clamp(value, LeastOf(extent), MostOf(extent)); }
 

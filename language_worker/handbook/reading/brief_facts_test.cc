@@ -114,6 +114,7 @@ TEST(PieceSizes, AreReadBeforeAndBehindTheirPiece) {
       {"A bedroom with a bed (1.6 x 2 m).", 1.6, 2},
       {"A dining room with a ten-foot table.", 3.048, 0},
       {"A living room with a sofa 2.2 m long, and a rug.", 2.2, 0},
+      {"A living room with a bookcase, 40 cm deep, and a rug.", 0, 0.4},
       {"A bedroom with a 160 cm wide bed.", 1.6, 0},
       {"A living room with a bookcase 35 cm deep.", 0, 0.35},
       {"A study with a desk, 3 x 4 m.", 0, 0},

@@ -151,8 +151,7 @@ class FurnitureReader {
         used_(used),
         facts_(facts),
         nouns_(handbook, facts),
-        names_(nouns_.names()),
-        colours_(handbook.vocabulary().colours) {}
+        names_(nouns_.names()) {}
 
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -253,8 +252,7 @@ class FurnitureReader {
   const Wish* MeantBefore(std::size_t i, std::size_t length) const {
     if (length != 1 || i == 0 || !IsIn("known_before", tokens_[i - 1].text)) return nullptr;
     for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) {
-      const std::string& name = wish->furniture->name();
-      const std::string last = LastWord(name);
+      const std::string last = LastWord(wish->furniture->name());
       const bool compound = last.ends_with("chair") && MatchesWord(tokens_[i].text, "chair");
       if (MatchesWord(tokens_[i].text, last) || compound) return &*wish;
     }
@@ -355,7 +353,7 @@ class FurnitureReader {
   void TakeColourBefore(std::size_t i, const hb::Furniture& furniture) {
     for (std::size_t back = 3; back >= 1; --back) {
       if (back > i || used_[i - back]) continue;
-      const auto [colour, length] = LongestAt(colours_, tokens_, i - back, /*plural=*/false);
+      const auto [colour, length] = LongestAt(handbook_.vocabulary().colours, tokens_, i - back, /*plural=*/false);
       if (length == 0 || length > back) continue;
       for (std::size_t k = i - back + length; k < i; ++k) {
         if (tokens_[k].kind != Token::Kind::kWord || tokens_[k].text == "and" || tokens_[k].text == "with") return;
@@ -376,7 +374,6 @@ class FurnitureReader {
   BriefFacts& facts_;
   const NounBook nouns_;
   const std::vector<Saying<hb::Furniture>>& names_;
-  const std::vector<Saying<hb::NamedColour>>& colours_;
   std::optional<Last> last_;
   std::vector<Mention> mentions_;
   std::vector<std::size_t> counts_;                     // tokens

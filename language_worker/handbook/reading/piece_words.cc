@@ -15,13 +15,20 @@ namespace flair::language {
 
 namespace {
 
+// "6", "six"; 0 for articles and other words.
+int CountAt(const std::vector<Token>& tokens, std::size_t i) {
+  constexpr double kMost = 1e6;
+  if (i >= tokens.size() || IsArticle(tokens[i].text)) return 0;
+  const bool digits = tokens[i].kind == Token::Kind::kNumber;
+  return digits ? static_cast<int>(std::clamp(std::ceil(tokens[i].number), 0.0, kMost))
+                : NumberWord(tokens[i].text).value_or(0);
+}
+
 // "three-seat", "2 seater", "six-drawer", "ten-foot", "65-inch", "2 m long": how large a piece is, not how many of it.
 bool MeasuresThePiece(const std::vector<Token>& tokens, std::size_t i) {
-  if (tokens[i].kind != Token::Kind::kNumber && !NumberWord(tokens[i].text)) return false;
   std::size_t next = i + 1;
   if (next < tokens.size() && tokens[next].text == "-" && tokens[next].glued) ++next;
-  const bool one = tokens[i].text == "a" || tokens[i].text == "an";
-  return !one && next < tokens.size() && IsIn("piece_measures", tokens[next].text);
+  return CountAt(tokens, i) > 0 && next < tokens.size() && IsIn("piece_measures", tokens[next].text);
 }
 
 }  // namespace
@@ -56,20 +63,15 @@ bool IsMeasure(const std::vector<Token>& tokens, std::size_t i) {
 }
 
 bool SeatsFollow(const std::vector<Token>& tokens, std::size_t i) {
-  if (i + 1 >= tokens.size() || (tokens[i].text != "for" && tokens[i].text != "with")) return false;
-  const bool number =
-      tokens[i + 1].kind == Token::Kind::kNumber || (!IsArticle(tokens[i + 1].text) && NumberWord(tokens[i + 1].text));
-  if (!number) return false;
-  return tokens[i].text == "for" || (i + 2 < tokens.size() && (MatchesWord(tokens[i + 2].text, "chair") ||
-                                                               MatchesWord(tokens[i + 2].text, "seat")));
+  if (CountAt(tokens, i + 1) == 0) return false;
+  const bool seats =
+      i + 2 < tokens.size() && (MatchesWord(tokens[i + 2].text, "chair") || MatchesWord(tokens[i + 2].text, "seat"));
+  return tokens[i].text == "for" || (tokens[i].text == "with" && seats);
 }
 
 int SeatsAfter(const std::vector<Token>& tokens, std::size_t i) {
-  if (i + 1 >= tokens.size() || tokens[i].text != "for") return 0;
-  const Token& token = tokens[i + 1];
-  if (IsArticle(token.text)) return 0;
-  const int number = token.kind == Token::Kind::kNumber ? static_cast<int>(std::min(token.number, 1e6))
-                                                        : NumberWord(token.text).value_or(0);
+  const int number = CountAt(tokens, i + 1);
+  if (number == 0 || tokens[i].text != "for") return 0;
   // What may follow: "for six by the window". A number with another behind it is a size.
   const bool by_size = i + 3 < tokens.size() && tokens[i + 3].kind == Token::Kind::kNumber;
   const bool ends = i + 2 == tokens.size() || tokens[i + 2].kind == Token::Kind::kSign ||
@@ -79,10 +81,7 @@ int SeatsAfter(const std::vector<Token>& tokens, std::size_t i) {
 
 Rows RowsAround(const std::vector<Token>& tokens, std::size_t i, std::size_t length) {
   constexpr std::size_t kMostWords = 4, kPhrase = 4;
-  const auto number = [&](std::size_t k) {
-    if (tokens[k].kind == Token::Kind::kNumber) return static_cast<int>(std::clamp(tokens[k].number, 0.0, 100.0));
-    return IsArticle(tokens[k].text) ? 0 : NumberWord(tokens[k].text).value_or(0);
-  };
+  const auto number = [&](std::size_t k) { return std::min(CountAt(tokens, k), 100); };
   const auto rows_at = [&](std::size_t k) {
     if (k + kPhrase > tokens.size() || !MatchesWord(tokens[k + 1].text, "row") || tokens[k + 2].text != "of") return 0;
     return number(k) * number(k + 3);

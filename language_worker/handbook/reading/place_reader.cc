@@ -125,10 +125,7 @@ class PlaceReader {
     return matches;
   }
 
-  // "not", "never", the rest of "isn't".
-  bool Denies(std::size_t i) const {
-    return text_.At(i) == "not" || text_.At(i) == "never" || (text_.At(i) == "t" && i > 1 && text_.At(i - 1) == "'");
-  }
+  bool Denies(std::size_t i) const { return text_.Says(i, {"not", "never"}); }
 
   bool IsDenied(std::size_t i) const {
     constexpr std::size_t kMostWords = 4;

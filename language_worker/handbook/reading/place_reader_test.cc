@@ -143,7 +143,7 @@ TEST(PlaceReader, APieceThatWasNamedIsMeantAgain) {
   EXPECT_THAT(PlacesIn("A bedroom with two single beds and a nightstand between the beds."),
               ElementsAre("The nightstand is between the single bed and the single bed."));
   EXPECT_THAT(PlacesIn("A bedroom with a king bed and a storage trunk at the foot of the bed."),
-              ElementsAre("The storage trunk is in front of the king bed."));
+              ElementsAre("The storage trunk is next to the front of the king bed."));
 }
 
 TEST(PlaceReader, WhatIsNotUnderstoodIsKept) {

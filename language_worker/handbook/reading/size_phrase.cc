@@ -27,10 +27,12 @@ class SizeOwner {
   // Whether the size in tokens [start, end) is that of a thing, as far as the words around it say.
   bool IsOfAThing(std::size_t start, std::size_t end) const { return ThingFollows(end) || ThingPrecedes(start); }
 
-  // "lamps 30 cm high": a single length right behind a thing.
-  bool IsBehindAThing(std::size_t start) const {
-    for (std::size_t length = 1; length <= std::min<std::size_t>(start, 4); ++length) {
-      if (ThingAt(start - length) == length && !RoomAt(start - length)) return true;
+  // "lamps 30 cm high": a single length right behind a thing; "a shelf, 40 cm deep": one that no room has.
+  bool IsBehindAThing(std::size_t start, double metres) const {
+    constexpr double kLeastRoomM = 2.5;
+    const std::size_t end = metres < kLeastRoomM && text_.At(start - 1) == "," ? start - 1 : start;
+    for (std::size_t length = 1; length <= std::min<std::size_t>(end, 4); ++length) {
+      if (ThingAt(end - length) == length && !RoomAt(end - length)) return true;
     }
     return false;
   }
@@ -220,7 +222,7 @@ class SizeReader {
     if (IsHeightBefore(i)) {
       size.height_m = measure->value;
     } else if (!ceiling && text_.At(end + 1) != "ceiling" &&
-               (owner_.IsOfAThing(i, end + 1) || owner_.IsBehindAThing(i))) {
+               (owner_.IsOfAThing(i, end + 1) || owner_.IsBehindAThing(i, measure->value))) {
       return size;
     } else if (ceiling || text_.Says(end, {"high", "tall"})) {
       size.height_m = measure->value;

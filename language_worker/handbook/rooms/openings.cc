@@ -27,11 +27,7 @@ class OpeningMaker {
  public:
   OpeningMaker(const OpeningPlan& plan, const Choice& choice, v1::Room& room)
       : plan_(plan), choice_(choice), room_(room), asked_(plan, choice, room) {
-    const auto& corners = room.floor().vertices();
-    for (int i = 0; i < corners.size(); ++i) {
-      const v1::Point2 &from = corners[i], &to = corners[(i + 1) % corners.size()];
-      lengths_.push_back(std::abs(to.x_m() - from.x_m()) + std::abs(to.y_m() - from.y_m()));
-    }
+    for (int i = 0; i < room.floor().vertices_size(); ++i) lengths_.push_back(WallLength(room, i));
   }
 
   std::vector<std::string> Make() {
@@ -103,22 +99,10 @@ class OpeningMaker {
     return at_m == 0 || at_m == (along_x ? depth_m : width_m);
   }
 
-  // Whether the room goes round the corner at that vertex: a door there would open into the way.
-  bool IsReentrant(std::size_t vertex) const {
-    const v1::Point2 &before = CornerAt(vertex + lengths_.size() - 1), &here = CornerAt(vertex),
-                     &after = CornerAt(vertex + 1);
-    return (here.x_m() - before.x_m()) * (after.y_m() - here.y_m()) <
-           (here.y_m() - before.y_m()) * (after.x_m() - here.x_m());
-  }
-
   // Quarter turns, counter-clockwise, from the door's wall to another: 2 for one that faces it.
   std::size_t TurnsTo(std::size_t wall) const {
-    const auto heading = [&](std::size_t i) {
-      const double dx_m = CornerAt(i + 1).x_m() - CornerAt(i).x_m(), dy_m = CornerAt(i + 1).y_m() - CornerAt(i).y_m();
-      if (std::abs(dx_m) > std::abs(dy_m)) return dx_m > 0 ? 0u : 2u;
-      return dy_m > 0 ? 1u : 3u;
-    };
-    return (heading(wall) + 4 - heading(door_wall_)) % 4;
+    const int turns = HeadingOf(room_, static_cast<int>(wall)) - HeadingOf(room_, static_cast<int>(door_wall_));
+    return static_cast<std::size_t>((turns + 4) % 4);
   }
 
   void AddDoor() {
@@ -135,7 +119,9 @@ class OpeningMaker {
     double offset_m = std::min(near_m, (wall_m - width_m) / 2);
     if (plan_.rules.door_central() && wall_m > width_m + 2) offset_m = (wall_m - width_m) / 2;
     bool at_end = choice_.Index("door.end", 2) == 1;
-    if (IsReentrant(door_wall_) != IsReentrant(door_wall_ + 1)) at_end = IsReentrant(door_wall_);
+    // A door at a corner that the room goes round would open into the way.
+    const bool round_start = IsReentrant(room_, static_cast<int>(door_wall_));
+    if (round_start != IsReentrant(room_, static_cast<int>(door_wall_ + 1))) at_end = round_start;
     if (at_end) offset_m = wall_m - width_m - offset_m;
     v1::Opening& door = *room_.add_openings();
     SetDoor(plan_, room_, door);

@@ -44,14 +44,6 @@ const v1::Point2& CornerAt(const v1::Room& room, int i) {
   return room.floor().vertices((i + Count(room)) % Count(room));
 }
 
-// 0 for a wall in the south, which runs east, 1 for one in the east, and so on.
-int HeadingOf(const v1::Room& room, int wall) {
-  const double dx_m = CornerAt(room, wall + 1).x_m() - CornerAt(room, wall).x_m();
-  const double dy_m = CornerAt(room, wall + 1).y_m() - CornerAt(room, wall).y_m();
-  if (std::abs(dx_m) > std::abs(dy_m)) return dx_m > 0 ? 0 : 2;
-  return dy_m > 0 ? 1 : 3;
-}
-
 // The wall of the first opening of a kind.
 std::optional<int> WallWith(const v1::Room& room, v1::OpeningKind kind) {
   for (const v1::Opening& opening : room.openings()) {
@@ -127,10 +119,8 @@ std::optional<int> CornerTowards(const v1::Room& room, const std::vector<int>& h
   std::optional<int> best;
   double best_m = 0;
   for (int i = 0; i < Count(room); ++i) {
-    const v1::Point2 &before = CornerAt(room, i - 1), &here = CornerAt(room, i), &after = CornerAt(room, i + 1);
-    const double turn_m2 = (here.x_m() - before.x_m()) * (after.y_m() - here.y_m()) -
-                           (here.y_m() - before.y_m()) * (after.x_m() - here.x_m());
-    if (turn_m2 <= 0) continue;
+    const v1::Point2& here = CornerAt(room, i);
+    if (IsReentrant(room, i)) continue;
     double out_m = 0;
     for (const int heading : headings) {
       const auto& way = kOutward[static_cast<std::size_t>(heading)];
@@ -145,6 +135,20 @@ std::optional<int> CornerTowards(const v1::Room& room, const std::vector<int>& h
 }
 
 }  // namespace
+
+int HeadingOf(const v1::Room& room, int wall) {
+  const double dx_m = CornerAt(room, wall + 1).x_m() - CornerAt(room, wall).x_m();
+  const double dy_m = CornerAt(room, wall + 1).y_m() - CornerAt(room, wall).y_m();
+  if (std::abs(dx_m) > std::abs(dy_m)) return dx_m > 0 ? 0 : 2;
+  return dy_m > 0 ? 1 : 3;
+}
+
+bool IsReentrant(const v1::Room& room, int corner) {
+  const v1::Point2 &before = CornerAt(room, corner - 1), &here = CornerAt(room, corner),
+                   &after = CornerAt(room, corner + 1);
+  return (here.x_m() - before.x_m()) * (after.y_m() - here.y_m()) <
+         (here.y_m() - before.y_m()) * (after.x_m() - here.x_m());
+}
 
 double WallLength(const v1::Room& room, int wall) {
   return std::hypot(CornerAt(room, wall + 1).x_m() - CornerAt(room, wall).x_m(),
@@ -174,21 +178,17 @@ std::optional<int> WallOf(const v1::Room& room, std::string_view words) {
 std::optional<int> CornerOf(const v1::Room& room, std::string_view words) {
   if (Count(room) < 3 || room.walls_size() != Count(room)) return std::nullopt;
   std::vector<int> headings;
-  bool far = false;
   for (const std::string& word : SideWords(words)) {
-    far = far || word.starts_with("far") || word == "furthest" || word == "opposite";
     if (const std::optional<int> heading = HeadingNamed(room, word)) headings.push_back(*heading);
   }
   if (headings.empty()) return std::nullopt;
-  const std::optional<int> door = WallWith(room, v1::OPENING_KIND_DOOR);
-  if (far && headings.size() == 1 && door) {
-    // Away from the door along its wall, too.
-    for (const v1::Opening& opening : room.openings()) {
-      if (opening.kind() != v1::OPENING_KIND_DOOR) continue;
-      const bool near_start = opening.offset_m() + opening.width_m() / 2 < WallLength(room, *door) / 2;
-      headings.push_back((HeadingOf(room, *door) + (near_start ? 1 : 3)) % 4);
-      break;
-    }
+  const auto door = std::ranges::find(room.openings(), v1::OPENING_KIND_DOOR, &v1::Opening::kind);
+  const std::optional<int> wall = door == room.openings().end() ? std::nullopt : WallNamed(room, door->wall());
+  // Of two corners the one away from the door: across from its wall, or along it.
+  if (headings.size() == 1 && wall) {
+    const bool near_start = door->offset_m() + door->width_m() / 2 < WallLength(room, *wall) / 2;
+    const bool beside = (headings[0] - HeadingOf(room, *wall)) % 2 != 0;
+    headings.push_back((HeadingOf(room, *wall) + (beside ? 2 : near_start ? 1 : 3)) % 4);
   }
   return CornerTowards(room, headings);
 }

@@ -26,6 +26,12 @@ std::optional<int> WallNamed(const v1::Room& room, std::string_view name);
 // Length of a wall, metres.
 double WallLength(const v1::Room& room, int wall);
 
+// 0 for a wall in the south, which runs east, 1 for one in the east, and so on.
+int HeadingOf(const v1::Room& room, int wall);
+
+// Whether the room goes round the corner at that vertex, instead of ending in it.
+bool IsReentrant(const v1::Room& room, int corner);
+
 // A part of a wall, from its start, metres.
 struct WallSpan {
   double offset_m = 0;
