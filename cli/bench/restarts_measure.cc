@@ -8,7 +8,7 @@
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/stage.h"
 #include "worker_runtime/text/counted.h"
 

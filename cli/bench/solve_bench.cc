@@ -8,7 +8,7 @@
 #include "cli/bench/statistics.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "worker_runtime/text/counted.h"
 

@@ -12,7 +12,7 @@
 #include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
-#include "optimizer_worker/resolve/edit_text.h"
+#include "optimizer_worker/resolve/resolve_layout.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"

@@ -9,7 +9,7 @@
 #include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "room/validation/validate.h"
 

@@ -16,7 +16,7 @@
 #include "cli/output/text.h"
 #include "cli/progress/progress.h"
 #include "fmt/format.h"
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/status/status_macros.h"

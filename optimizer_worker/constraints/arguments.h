@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arguments of a call after checking: names resolved to indices, defaults filled in.
+// The arguments of a call: after checking, with names resolved to indices and defaults filled in; and as short text.
 #pragma once
 
 #include <optional>
@@ -66,5 +66,15 @@ class Arguments {
 
 // What is on the walls of that kind, in the room's order: empty when there is none.
 std::vector<Segment> FeatureSegments(const Room& room, FeatureKind kind);
+
+// Calls as short text, for the examples in facts and for tests: "object=bed side=back", "center=table objects=a,b,c",
+// "object=sofa distance_m=0.5 parallel=false".
+
+// Arguments typed as the type's parameters say; an unknown name becomes a text, so that the checks can report it.
+std::vector<v1::Argument> ArgumentsFromText(const v1::ConstraintType& type, std::string_view call);
+
+// An edge of that type with those arguments and weight 1. The type may be an alias; of one that only another optimizer
+// knows, the arguments are what they look like: a number, true or false, several names with commas between, or a name.
+v1::ConstraintEdge EdgeFromText(std::string_view type, std::string_view call);
 
 }  // namespace flair::optimizer

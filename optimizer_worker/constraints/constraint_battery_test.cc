@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "room/geometry/pose.h"

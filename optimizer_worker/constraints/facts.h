@@ -31,7 +31,7 @@ struct ConstraintCode {
 };
 
 // A layout where the call holds or does not, for the battery: a scene as room/text_format writes it, and the call
-// (call_text.h).
+// (arguments.h).
 struct LayoutExample {
   bool satisfied = false;
   std::string scene;

@@ -9,7 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "room/geometry/pose.h"

@@ -10,7 +10,6 @@
 
 #include "flair/constraints/v1/constraint_record.pb.h"
 #include "optimizer_worker/constraints/arguments.h"
-#include "optimizer_worker/constraints/call_text.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "worker_runtime/status/status_macros.h"
 

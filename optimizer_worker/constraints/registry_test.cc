@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "room/text_format/scene_text.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/shortfall.h"
@@ -15,7 +15,7 @@
 namespace flair::optimizer {
 namespace {
 
-// As in stages/outcomes.h: up to this a call counts as satisfied.
+// As in stages/solved_layout.h: up to this a call counts as satisfied.
 constexpr double kSatisfiedCost = 1e-3;
 
 double Uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }

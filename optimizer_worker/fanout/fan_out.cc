@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "fmt/format.h"
-#include "optimizer_worker/stages/placements.h"
+#include "optimizer_worker/stages/solved_layout.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {

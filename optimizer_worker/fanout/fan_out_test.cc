@@ -10,7 +10,7 @@
 #include <mutex>
 #include <thread>
 
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 #include "worker_runtime/testing/fakes.h"

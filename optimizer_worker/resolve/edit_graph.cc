@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/resolve/edit_graph.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "absl/status/statusor.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
+#include "optimizer_worker/resolve/resolve_layout.h"
 #include "room/conversion/conversion.h"
 #include "room/geometry/pose.h"
 #include "room/validation/validate.h"

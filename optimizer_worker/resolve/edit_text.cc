@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/resolve/edit_text.h"
-
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -9,7 +7,8 @@
 #include <vector>
 
 #include "fmt/format.h"
-#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/arguments.h"
+#include "optimizer_worker/resolve/resolve_layout.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

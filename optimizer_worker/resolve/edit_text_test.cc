@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/resolve/edit_text.h"
-
 #include <gtest/gtest.h>
 
+#include "optimizer_worker/resolve/resolve_layout.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

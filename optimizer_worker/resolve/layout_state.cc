@@ -6,10 +6,9 @@
 #include <string_view>
 
 #include "optimizer_worker/constraints/registry.h"
-#include "optimizer_worker/stages/exact_step.h"
-#include "optimizer_worker/stages/fit_diagnostics.h"
-#include "optimizer_worker/stages/outcomes.h"
-#include "optimizer_worker/stages/polish.h"
+#include "optimizer_worker/stages/floor_stages.h"
+#include "optimizer_worker/stages/infeasible.h"
+#include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
 

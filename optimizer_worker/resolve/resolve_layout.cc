@@ -5,11 +5,9 @@
 #include <map>
 
 #include "fmt/format.h"
-#include "optimizer_worker/resolve/edit_graph.h"
 #include "optimizer_worker/resolve/warm_search.h"
 #include "optimizer_worker/stages/driver.h"
-#include "optimizer_worker/stages/leave_out.h"
-#include "optimizer_worker/stages/placements.h"
+#include "optimizer_worker/stages/infeasible.h"
 #include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/conversion/conversion.h"

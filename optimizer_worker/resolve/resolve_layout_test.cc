@@ -7,8 +7,7 @@
 #include <set>
 
 #include "google/protobuf/text_format.h"
-#include "optimizer_worker/resolve/edit_text.h"
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 #include "room/geometry/pose.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "optimizer_worker/resolve/layout_state.h"
-#include "optimizer_worker/stages/placements.h"
-#include "optimizer_worker/stages/polish.h"
+#include "optimizer_worker/stages/floor_stages.h"
+#include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/stage.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"

@@ -8,7 +8,7 @@
 #include "fmt/format.h"
 #include "optimizer_worker/fanout/fan_out.h"
 #include "optimizer_worker/service/optimizer_handlers.h"
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/server_call.h"
 #include "worker_runtime/logging/log.h"

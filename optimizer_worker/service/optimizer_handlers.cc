@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/fanout/fan_out.h"
@@ -77,7 +77,8 @@ v1::PlacedExample ToMessage(SceneText text, const ConstraintFacts& facts, const 
   *message.mutable_zone_plan() = std::move(*graph.mutable_zone_plan());
   *message.mutable_object_list() = std::move(*graph.mutable_object_list());
   *message.mutable_placements() = PlacementsFromPoses(text.scene, text.layout);
-  for (v1::Argument& argument : ArgumentsFromText(facts.type, example.call)) *message.add_arguments() = std::move(argument);
+  for (v1::Argument& argument : ArgumentsFromText(facts.type, example.call))
+    *message.add_arguments() = std::move(argument);
   message.set_satisfied(example.satisfied);
   return message;
 }

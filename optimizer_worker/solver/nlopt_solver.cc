@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/solver/nlopt_solver.h"
-
 #include <nlopt.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <limits>
 #include <memory>
 #include <vector>
+
+#include "optimizer_worker/solver/solver.h"
 
 namespace flair::optimizer {
 namespace {

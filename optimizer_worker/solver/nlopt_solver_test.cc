@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/solver/nlopt_solver.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "optimizer_worker/solver/solver.h"
 
 namespace flair::optimizer {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/contradictions.h"
-
 #include <algorithm>
 #include <optional>
 
@@ -9,10 +7,9 @@
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/stages/driver.h"
-#include "optimizer_worker/stages/fit_diagnostics.h"
-#include "optimizer_worker/stages/leave_out.h"
-#include "optimizer_worker/stages/outcomes.h"
-#include "optimizer_worker/stages/scene_costs.h"
+#include "optimizer_worker/stages/infeasible.h"
+#include "optimizer_worker/stages/solved_layout.h"
+#include "optimizer_worker/stages/stage.h"
 
 namespace flair::optimizer {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/contradictions.h"
-
 #include <gtest/gtest.h>
 
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
+#include "optimizer_worker/stages/infeasible.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 

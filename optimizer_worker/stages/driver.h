@@ -4,6 +4,9 @@
 // differ visibly.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -72,5 +75,19 @@ class Driver {
   const SolveInput& input_;
   const RestartRunner& runner_;
 };
+
+// When two layouts of a problem differ so much that a person sees two.
+
+// The objects that make the difference: the primaries that may move; all floor objects that may move when no primary
+// may. Tertiaries make none.
+std::vector<int> LeadingObjects(const SolveInput& input);
+
+// Whether one of `objects` stands more than 0.5 m away or is turned by more than 30 degrees. Symmetric copies differ.
+bool DifferVisibly(std::span<const int> objects, const Layout& a, const Layout& b);
+
+// Of `count` things, up to `most` that are all different from each other; those of least score come first and are
+// preferred, equal scores by number.
+std::vector<size_t> BestDistinct(size_t count, size_t most, const std::function<double(size_t)>& score,
+                                 const std::function<bool(size_t, size_t)>& differ);
 
 }  // namespace flair::optimizer

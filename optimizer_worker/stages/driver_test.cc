@@ -8,7 +8,7 @@
 #include <atomic>
 #include <limits>
 
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/testing/graphs.h"

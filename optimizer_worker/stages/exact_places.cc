@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/exact_places.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "optimizer_worker/constraints/measure/hanging.h"
+#include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/fit_diagnostics.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
 
 #include "fmt/format.h"
+#include "optimizer_worker/stages/infeasible.h"
 #include "room/geometry/polygon.h"
 
 namespace flair::optimizer {

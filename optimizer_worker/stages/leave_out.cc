@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/leave_out.h"
-
 #include <algorithm>
 #include <map>
 
 #include "fmt/format.h"
-#include "optimizer_worker/stages/fit_diagnostics.h"
-#include "optimizer_worker/stages/placements.h"
-#include "optimizer_worker/stages/polish.h"
+#include "optimizer_worker/stages/floor_stages.h"
+#include "optimizer_worker/stages/infeasible.h"
+#include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/stage.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "worker_runtime/status/status_macros.h"

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/driver.h"
-#include "optimizer_worker/stages/exact_step.h"
-#include "optimizer_worker/stages/scene_costs.h"
+#include "optimizer_worker/stages/floor_stages.h"
 #include "optimizer_worker/stages/solve_layout.h"
+#include "optimizer_worker/stages/stage.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 
 namespace flair::optimizer {

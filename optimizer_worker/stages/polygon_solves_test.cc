@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 #include "room/geometry/polygon.h"

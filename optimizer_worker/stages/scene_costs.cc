@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/scene_costs.h"
-
 #include <algorithm>
 #include <utility>
 

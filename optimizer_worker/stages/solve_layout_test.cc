@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 #include "room/geometry/pose.h"
 

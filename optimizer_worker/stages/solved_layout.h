@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The account of a solve as a message.
+// A solve as messages: poses, the outcome of every constraint, and the account of it all.
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <vector>
 
+#include "absl/status/status.h"
+#include "flair/v1/placement.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "optimizer_worker/stages/driver.h"
 #include "optimizer_worker/stages/solve_input.h"
@@ -13,25 +13,34 @@
 
 namespace flair::optimizer {
 
+// Poses as messages and back.
+
+// The poses of what is placed, with the heights at which the objects stand or hang.
+std::vector<v1::Placement> MakePlacements(const SolveInput& input, const PartialLayout& state);
+
+// Places the objects named. INVALID_ARGUMENT names the entry of `placements` that is wrong.
+absl::Status ReadPlacements(const SolveInput& input,
+                            const google::protobuf::RepeatedPtrField<v1::Placement>& placements, PartialLayout& state);
+
+// What a layout amounts to: the outcome of every edge and whole-room term, and zone areas.
+
+// A cost up to this counts as zero: a distance missed by 3 cm, a direction missed by 3 degrees.
+inline constexpr double kSatisfiedCost = 1e-3;
+
+// One per edge of the graph, in its order.
+std::vector<v1::EdgeOutcome> EdgeOutcomes(const SolveInput& input, const SceneCosts& costs, const PartialLayout& state);
+
+// One per kind of whole-room term, sorted by name, over all placed objects.
+std::vector<v1::TermOutcome> TermOutcomes(const SolveInput& input, const SceneCosts& costs, const PartialLayout& state);
+
+// The Voronoi areas of the zones.
+std::vector<v1::ZoneRegion> MakeZoneRegions(const SolveInput& input, const PartialLayout& state);
+
 // The first of `branches` (not empty) as the layout, the others as runners-up: complete ones in full, others with their
 // placements only.
 v1::SolvedLayout MakeSolvedLayout(const SolveInput& input, const std::vector<Branch>& branches);
 
 // What the settings ended early or could not have, as diagnostics: the time limit, fewer variants than asked for.
 std::vector<v1::Diagnostic> SolveDiagnostics(const SolveInput& input, const std::vector<Branch>& branches);
-
-// When two layouts of a problem differ so much that a person sees two.
-
-// The objects that make the difference: the primaries that may move; all floor objects that may move when no primary
-// may. Tertiaries make none.
-std::vector<int> LeadingObjects(const SolveInput& input);
-
-// Whether one of `objects` stands more than 0.5 m away or is turned by more than 30 degrees. Symmetric copies differ.
-bool DifferVisibly(std::span<const int> objects, const Layout& a, const Layout& b);
-
-// Of `count` things, up to `most` that are all different from each other; those of least score come first and are
-// preferred, equal scores by number.
-std::vector<size_t> BestDistinct(size_t count, size_t most, const std::function<double(size_t)>& score,
-                                 const std::function<bool(size_t, size_t)>& differ);
 
 }  // namespace flair::optimizer

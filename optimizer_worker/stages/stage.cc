@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "optimizer_worker/stages/placements.h"
-#include "optimizer_worker/stages/polish.h"
+#include "optimizer_worker/stages/floor_stages.h"
+#include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
 #include "worker_runtime/executor/parallel.h"

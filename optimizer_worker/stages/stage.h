@@ -3,12 +3,13 @@
 // numbered, so they can run on any thread or machine.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "optimizer_worker/solver/problem.h"
 #include "optimizer_worker/solver/search.h"
-#include "optimizer_worker/stages/scene_costs.h"
 #include "optimizer_worker/stages/solve_input.h"
 
 namespace flair::optimizer {
@@ -67,6 +68,23 @@ absl::StatusOr<std::vector<RestartResult>> RunRestarts(const SolveInput& input, 
 
 // Index of the best by (score, restart); `results` is not empty.
 size_t BestOf(const std::vector<RestartResult>& results);
+
+// All terms of a scene: the graph's edges and the whole-room terms, with their weights.
+struct SceneCosts {
+  std::vector<Term> terms;
+  // Per edge: why it could not be bound; empty when it was.
+  std::vector<std::string> dropped;
+};
+
+// Binds everything against the zones' present centres.
+SceneCosts BindCosts(const SolveInput& input, std::span<const Vec2<double>> zone_centers);
+
+// The same, where the zones are in a layout.
+SceneCosts BindCosts(const SolveInput& input, const PartialLayout& state);
+
+// Whether a stage counts a term at all: the balance of the room is the primaries' business, zones begin with the
+// secondaries.
+bool CountsIn(const Term& term, StageKind stage);
 
 // The terms that a stage counts, among `costs`.
 Problem MakeProblem(const SolveInput& input, const SceneCosts& costs, const StageSpec& stage,

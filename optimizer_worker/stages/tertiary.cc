@@ -9,7 +9,6 @@
 #include "optimizer_worker/constraints/measure/hanging.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "optimizer_worker/solver/separation.h"
-#include "optimizer_worker/stages/tertiary_packing.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

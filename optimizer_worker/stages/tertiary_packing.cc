@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/tertiary_packing.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "optimizer_worker/constraints/whole_room.h"
-#include "optimizer_worker/stages/exact_places.h"
 #include "optimizer_worker/stages/tertiary.h"
 
 namespace flair::optimizer {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/tertiary_packing.h"
-
 #include <gtest/gtest.h>
 
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
+#include "optimizer_worker/stages/tertiary.h"
 #include "optimizer_worker/stages/testing/graphs.h"
 
 namespace flair::optimizer {

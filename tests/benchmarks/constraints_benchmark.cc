@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "room/text_format/scene_text.h"

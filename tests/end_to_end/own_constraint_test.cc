@@ -10,7 +10,7 @@
 
 #include "cli/explain/call_words.h"
 #include "nlohmann/json.hpp"
-#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/shortfall.h"
 #include "room/text_format/scene_text.h"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "fmt/format.h"
-#include "optimizer_worker/solver/nlopt_solver.h"
+#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "room/validation/validate.h"
 #include "tests/fuzz/random_problem.h"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "optimizer_worker/constraints/call_text.h"
+#include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "room/text_format/scene_text.h"
 
