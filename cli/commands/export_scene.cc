@@ -14,7 +14,7 @@
 #include "fmt/format.h"
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/scene_state/write_scene_state.h"
-#include "renderer_worker/service/furnishing_choice.h"
+#include "renderer_worker/service/make_renderer_service.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 

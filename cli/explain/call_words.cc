@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/explain/call_words.h"
-
 #include <algorithm>
 #include <cctype>
 #include <functional>
 #include <string_view>
 
-#include "cli/explain/standing.h"
+#include "cli/explain/in_words.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/shortfall.h"

@@ -6,8 +6,7 @@
 #include <set>
 #include <string_view>
 
-#include "cli/explain/call_words.h"
-#include "cli/explain/standing.h"
+#include "cli/explain/in_words.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "optimizer_worker/constraints/shortfall.h"

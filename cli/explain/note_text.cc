@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "absl/strings/ascii.h"
-#include "cli/explain/call_words.h"
+#include "cli/explain/in_words.h"
 #include "cli/explain/layout_note.h"
 #include "cli/output/text.h"
 #include "english/words.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/explain/standing.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "cli/explain/call_words.h"
+#include "cli/explain/in_words.h"
 #include "fmt/format.h"
-#include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/measure/walls.h"
 #include "optimizer_worker/constraints/shortfall.h"
+#include "room/geometry/gap.h"
 #include "room/geometry/pose.h"
 
 namespace flair::cli {
@@ -59,10 +57,10 @@ class Place {
   const Object& At(int object) const { return scene_.objects[static_cast<size_t>(object)]; }
   bool IsPlaced(int object) const { return where_.placed[static_cast<size_t>(object)]; }
   Frame<double> FrameAt(int object) const { return FrameOf(where_.layout[static_cast<size_t>(object)]); }
-  optimizer::Box<double> BoxAt(int object) const { return {At(object).footprint, FrameAt(object)}; }
-  double GapTo(int other) const { return optimizer::Gap<double>(BoxAt(index_), BoxAt(other)); }
+  Box<double> BoxAt(int object) const { return {At(object).footprint, FrameAt(object)}; }
+  double GapTo(int other) const { return Gap<double>(BoxAt(index_), BoxAt(other)); }
   bool StandsSolid(int object) const {
-    return object != index_ && IsPlaced(object) && At(object).kind == ObjectKind::kFloor && !At(object).walk_over;
+    return object != index_ && IsPlaced(object) && IsSolid(At(object));
   }
 
   // Sides that lie on a wall: back first.
@@ -152,7 +150,7 @@ class Place {
     double least_m = std::numeric_limits<double>::infinity();
     const Wall* nearest = &scene_.room.walls.front();
     for (const Wall& wall : scene_.room.walls) {
-      const double gap_m = optimizer::Gap<double>(BoxAt(index_), optimizer::ConvexPiece(Segment{wall.start, wall.end}));
+      const double gap_m = Gap<double>(BoxAt(index_), ConvexPiece(Segment{wall.start, wall.end}));
       if (gap_m < least_m) least_m = gap_m, nearest = &wall;
     }
     return fmt::format("stands free in the room, {:.2f} m from {}, looking {}", std::max(0.0, least_m),

@@ -1,12 +1,194 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluation/metrics/layout_metrics.h"
 
-#include "evaluation/metrics/overlap.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
 #include "evaluation/metrics/pathway.h"
 #include "evaluation/metrics/routes.h"
+#include "flair/v1/report.pb.h"
+#include "flair/v1/solved_layout.pb.h"
 #include "room/conversion/conversion.h"
+#include "room/geometry/footprint.h"
+#include "room/geometry/polygon.h"
+#include "room/scene/room.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::evaluation {
+
+namespace {
+
+constexpr double kLeastArea_m2 = 1e-12;
+constexpr int kArcPieces = 32;
+constexpr double kHeightSlack_m = 1e-9;
+// A picture may begin where a wardrobe or another picture ends, to the centimetre.
+constexpr double kAboveSlack_m = 0.01;
+// A runner, a tray, a throw: flat enough for other things to stand on.
+constexpr double kFlat_m = 0.05;
+// A wall object further than this from its wall hangs nowhere; it is then no matter of openings.
+constexpr double kNearWall_m = 0.3;
+
+std::array<Vec2<double>, 4> CornersOf(const LayoutView& view, size_t i) {
+  return Corners(view.scene.objects[i].footprint, view.layout[i]);
+}
+
+bool HeightsOverlap(double low_a, double high_a, double low_b, double high_b, double slack_m = kHeightSlack_m) {
+  return std::min(high_a, high_b) - std::max(low_a, low_b) > slack_m;
+}
+
+// A piece on the wall behind furniture that reaches up to it.
+bool HangsBehind(const Scene& scene, int on_wall, int on_floor) {
+  const Object& a = scene.objects[static_cast<size_t>(on_wall)];
+  const Object& b = scene.objects[static_cast<size_t>(on_floor)];
+  return a.kind == ObjectKind::kWall && IsSolid(b) && !scene.Carries(on_floor, on_wall) &&
+         HeightsOverlap(scene.BottomOf(on_wall), scene.TopOf(on_wall), scene.BottomOf(on_floor), scene.TopOf(on_floor),
+                        kAboveSlack_m);
+}
+
+bool CanCollide(const Scene& scene, size_t i, size_t k) {
+  const Object& a = scene.objects[i];
+  const Object& b = scene.objects[k];
+  const int ia = static_cast<int>(i), ib = static_cast<int>(k);
+  if (a.kind != b.kind) return HangsBehind(scene, ia, ib) || HangsBehind(scene, ib, ia);
+  if (a.kind == ObjectKind::kFloor) return IsSolid(a) && IsSolid(b);
+  if (scene.Carries(ia, ib) || scene.Carries(ib, ia)) return false;
+  if (a.kind == ObjectKind::kSurface && std::min(a.height_m, b.height_m) <= kFlat_m) return false;
+  return HeightsOverlap(scene.BottomOf(ia), scene.TopOf(ia), scene.BottomOf(ib), scene.TopOf(ib), kAboveSlack_m);
+}
+
+void AddPairs(const LayoutView& view, std::vector<Overlap>& overlaps) {
+  const size_t count = view.scene.objects.size();
+  for (size_t i = 0; i < count; ++i) {
+    if (!view.Has(i)) continue;
+    for (size_t k = i + 1; k < count; ++k) {
+      if (!view.Has(k) || !CanCollide(view.scene, i, k)) continue;
+      const double area = ConvexIntersectionArea(CornersOf(view, i), CornersOf(view, k));
+      if (area > kLeastArea_m2) overlaps.push_back({view.scene.objects[i].id, view.scene.objects[k].id, area});
+    }
+  }
+}
+
+void AddDoorSwings(const LayoutView& view, std::vector<Overlap>& overlaps) {
+  for (const Opening& door : view.scene.room.openings) {
+    const std::vector<Polygon> swing = ConvexSwingAreas(view.scene.room, door, kArcPieces);
+    for (size_t i = 0; i < view.scene.objects.size(); ++i) {
+      if (!view.Has(i) || !IsSolid(view.scene.objects[i])) continue;
+      double area = 0;
+      for (const Polygon& piece : swing) area += ConvexIntersectionArea(CornersOf(view, i), piece.vertices);
+      if (area > kLeastArea_m2) overlaps.push_back({view.scene.objects[i].id, door.id, area});
+    }
+  }
+}
+
+// Metres of the opening that the object's footprint, seen along the wall, covers; 0 when it hangs elsewhere.
+double CoveredLength(const LayoutView& view, size_t i, const Opening& opening) {
+  const Wall& wall = view.scene.room.walls[static_cast<size_t>(opening.wall)];
+  const double half_depth = view.scene.objects[i].footprint.depth_m / 2;
+  if (std::abs(wall.Height(Center(view.layout[i]))) > half_depth + kNearWall_m) return 0;
+  double low = 1e300, high = -1e300;
+  for (const Vec2<double>& corner : CornersOf(view, i)) {
+    low = std::min(low, wall.Offset(corner));
+    high = std::max(high, wall.Offset(corner));
+  }
+  // A thing on the neighbouring wall is seen end on, next to the opening or beyond this wall's end.
+  const Vec2<double> front = Front(view.layout[i]);
+  if (Dot(front, wall.inward_normal) < 0.7) return 0;
+  return std::max(0.0, std::min(high, opening.offset_m + opening.width_m) - std::max(low, opening.offset_m));
+}
+
+void AddCoveredOpenings(const LayoutView& view, std::vector<Overlap>& overlaps) {
+  for (size_t i = 0; i < view.scene.objects.size(); ++i) {
+    const Object& object = view.scene.objects[i];
+    if (!view.Has(i) || object.kind != ObjectKind::kWall) continue;
+    const int index = static_cast<int>(i);
+    for (const Opening& opening : view.scene.room.openings) {
+      if (!HeightsOverlap(view.scene.BottomOf(index), view.scene.TopOf(index), opening.sill_height_m,
+                          opening.head_height_m)) {
+        continue;
+      }
+      const double area = CoveredLength(view, i, opening) * object.footprint.depth_m;
+      if (area > kLeastArea_m2) overlaps.push_back({object.id, opening.id, area});
+    }
+  }
+}
+
+// Widest gap between two convex shapes along the outward normals of `a`; negative when none parts them.
+double WidestGap(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b) {
+  double widest = -std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < a.size(); ++i) {
+    const Vec2<double> edge = a[(i + 1) % a.size()] - a[i];
+    const double length = Norm(edge);
+    if (length == 0) continue;
+    const Vec2<double> normal = (-1 / length) * Perpendicular(edge);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec2<double>& p : b) nearest = std::min(nearest, Dot(normal, p - a[i]));
+    widest = std::max(widest, nearest);
+  }
+  return widest;
+}
+
+double Penetration_m(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b) {
+  return std::max(0.0, -std::max(WidestGap(a, b), WidestGap(b, a)));
+}
+
+}  // namespace
+
+std::vector<Overlap> FindOverlaps(const LayoutView& view) {
+  std::vector<Overlap> overlaps;
+  AddPairs(view, overlaps);
+  AddDoorSwings(view, overlaps);
+  AddCoveredOpenings(view, overlaps);
+  return overlaps;
+}
+
+std::vector<Outside> FindOutside(const LayoutView& view) {
+  std::vector<Outside> outside;
+  for (size_t i = 0; i < view.scene.objects.size(); ++i) {
+    if (!view.Has(i)) continue;
+    const Polygon inside = ClipByConvex(view.scene.room.floor, CornersOf(view, i));
+    const double area = view.scene.objects[i].footprint.area_m2() - std::abs(SignedArea(inside.vertices));
+    if (area > kLeastArea_m2) outside.push_back({view.scene.objects[i].id, area});
+  }
+  return outside;
+}
+
+double OobPercent(const LayoutView& view) {
+  double area = 0;
+  for (const Outside& outside : FindOutside(view)) area += outside.area_m2;
+  return 100 * area / Area(view.scene.room.floor);
+}
+
+double OorPercent(const LayoutView& view) {
+  double area = 0;
+  for (const Overlap& overlap : FindOverlaps(view)) area += overlap.area_m2;
+  return 100 * area / Area(view.scene.room.floor);
+}
+
+double DeepestOverlap_m(const LayoutView& view) {
+  const Scene& scene = view.scene;
+  double deepest = 0;
+  std::vector<std::array<Vec2<double>, 4>> solids;
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!view.Has(i)) continue;
+    const std::array<Vec2<double>, 4> corners = Corners(scene.objects[i].footprint, view.layout[i]);
+    for (const Vec2<double>& corner : corners) {
+      deepest = std::max(deepest, -SignedDistance(scene.room.floor, corner));
+    }
+    if (!IsSolid(scene.objects[i])) continue;
+    for (const auto& other : solids) deepest = std::max(deepest, Penetration_m(corners, other));
+    solids.push_back(corners);
+  }
+  for (const Opening& door : scene.room.openings) {
+    for (const Polygon& piece : ConvexSwingAreas(scene.room, door, kArcPieces)) {
+      for (const auto& corners : solids) deepest = std::max(deepest, Penetration_m(corners, piece.vertices));
+    }
+  }
+  return deepest;
+}
 
 v1::LayoutMetrics MeasureLayout(const LayoutView& view) {
   const Reach reach = MeasureReach(view);
@@ -21,11 +203,9 @@ v1::LayoutMetrics MeasureLayout(const LayoutView& view) {
 }
 
 absl::StatusOr<v1::LayoutMetrics> MeasureLayout(const v1::SolvedLayout& layout) {
-  const absl::StatusOr<Scene> scene = SceneFromProto(layout.graph());
-  if (!scene.ok()) return scene.status();
-  const absl::StatusOr<PartialLayout> partial = PosesFromPlacements(*scene, layout.placements());
-  if (!partial.ok()) return partial.status();
-  return MeasureLayout({*scene, partial->layout, partial->placed});
+  ASSIGN_OR_RETURN(const Scene scene, SceneFromProto(layout.graph()));
+  ASSIGN_OR_RETURN(const PartialLayout partial, PosesFromPlacements(scene, layout.placements()));
+  return MeasureLayout({scene, partial.layout, partial.placed});
 }
 
 }  // namespace flair::evaluation

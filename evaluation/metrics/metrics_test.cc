@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "evaluation/metrics/layout_metrics.h"
-#include "evaluation/metrics/overlap.h"
 #include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/furnished.h"
 

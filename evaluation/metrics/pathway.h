@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "evaluation/metrics/layout_view.h"
+#include "evaluation/metrics/layout_metrics.h"
 #include "room/geometry/vec2.h"
 
 namespace flair::evaluation {

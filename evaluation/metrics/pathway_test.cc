@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "evaluation/metrics/overlap.h"
+#include "evaluation/metrics/layout_metrics.h"
 #include "evaluation/metrics/testing/furnished.h"
 #include "fmt/format.h"
 

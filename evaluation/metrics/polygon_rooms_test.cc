@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "evaluation/metrics/overlap.h"
+#include "evaluation/metrics/layout_metrics.h"
 #include "evaluation/metrics/pathway.h"
 #include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/furnished.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "absl/strings/str_split.h"
-#include "evaluation/metrics/overlap.h"
+#include "evaluation/metrics/layout_metrics.h"
 #include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/oor_paper.h"
 #include "room/text_format/scene_text.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/metrics/layout_view.h"
+#include "evaluation/metrics/layout_metrics.h"
 
 namespace flair::evaluation {
 

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/walls.h"
+#include "room/autodiff/smooth.h"
 #include "room/geometry/footprint.h"
 #include "room/scene/room.h"
 

@@ -13,8 +13,8 @@
 #include <memory>
 #include <utility>
 
-#include "optimizer_worker/autodiff/dual.h"
 #include "optimizer_worker/constraints/cost.h"
+#include "room/autodiff/dual.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

@@ -13,7 +13,7 @@
 #include "flair/v1/layout_graph.pb.h"
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/linked_pairs.h"
-#include "optimizer_worker/constraints/measure/gap.h"
+#include "room/geometry/gap.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "optimizer_worker/constraints/measure/gap.h"
+#include "room/geometry/gap.h"
 
 namespace flair::optimizer {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimizer_worker/constraints/measure/gap.h"
+#include "room/geometry/gap.h"
 
 namespace flair::optimizer {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "optimizer_worker/constraints/measure/floor_shape.h"
-#include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/whole_room.h"
+#include "room/geometry/gap.h"
 
 namespace flair::optimizer {
 namespace {

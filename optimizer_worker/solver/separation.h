@@ -7,10 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "evaluation/metrics/layout_view.h"
-#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/solver/solver.h"
+#include "room/geometry/convex_piece.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {
@@ -62,7 +61,5 @@ std::vector<LinearInequality> SeparationRows(const Scene& scene, const KeepOut& 
 // Moves the objects `free` as little as needed so that `rows` hold: repeated projection, each on the worst row. Returns
 // the largest violation left.
 double ProjectOntoRows(std::span<const LinearInequality> rows, std::span<double> x, int max_rounds);
-
-using evaluation::IsSolid;
 
 }  // namespace flair::optimizer

@@ -26,7 +26,7 @@ Room LShapedRoom() {
 
 TEST(Separate, MeasuresDistanceAndPenetrationOfRectangles) {
   const auto box = [](const Footprint& footprint, double x, double y) {
-    return flair::optimizer::Box<double>(footprint, FrameOf(Pose<double>{x, y, 0}));
+    return flair::Box<double>(footprint, FrameOf(Pose<double>{x, y, 0}));
   };
   EXPECT_NEAR(Separate(box({2, 1}, 0, 0), box({1, 1}, 2, 0)).gap_m, 0.5, 1e-12);
   EXPECT_NEAR(Separate(box({2, 1}, 0, 0), box({1, 1}, 1.4, 0.1)).gap_m, -0.1, 1e-12);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/measure/hanging.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "optimizer_worker/solver/separation.h"
+#include "room/geometry/gap.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

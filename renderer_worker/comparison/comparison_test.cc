@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "renderer_worker/comparison/draw_comparison.h"
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 
 namespace flair::renderer {
 namespace {

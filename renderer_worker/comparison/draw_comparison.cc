@@ -10,7 +10,6 @@
 
 #include "absl/status/statusor.h"
 #include "renderer_worker/comparison/comparison.h"
-#include "renderer_worker/comparison/marks.h"
 #include "renderer_worker/drawing/canvas.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/panel.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/comparison/marks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
 
+#include "renderer_worker/comparison/draw_comparison.h"
 #include "renderer_worker/drawing/labels.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/text.h"

@@ -8,8 +8,7 @@
 
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/drawing/plan_sheet.h"
-#include "renderer_worker/drawing/testing/read_geometry.h"
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 
 namespace flair::renderer {
 namespace {

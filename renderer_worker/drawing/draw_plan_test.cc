@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "renderer_worker/drawing/layers.h"
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 
 namespace flair::renderer {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/drawing/plan.h"
-#include "renderer_worker/drawing/testing/read_geometry.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 
 namespace flair::renderer {
 namespace {

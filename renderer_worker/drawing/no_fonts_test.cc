@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "renderer_worker/drawing/draw_plan.h"
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 
 namespace flair::renderer {
 namespace {

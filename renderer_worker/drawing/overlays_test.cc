@@ -10,7 +10,7 @@
 #include "renderer_worker/drawing/dimensions.h"
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/drawing/layers.h"
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 
 namespace flair::renderer {
 namespace {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer_worker/gltf/pattern_image.h"
-#include "renderer_worker/gltf/testing/make_glb.h"
+#include "renderer_worker/gltf/testing/glb_files.h"
 #include "renderer_worker/gltf/write_glb.h"
 
 namespace flair::renderer {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the sample layouts against stored ones, and what a written file says of itself.
 // Our own headers first: OpenImageIO redefines byte-swapping names that protobuf's headers use.
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/images/image_writer.h"
 // clang-format off
 #include <OpenImageIO/filesystem.h>

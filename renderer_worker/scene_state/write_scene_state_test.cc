@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "renderer_worker/gltf/testing/read_model.h"
+#include "renderer_worker/gltf/testing/glb_files.h"
 
 namespace flair::renderer {
 namespace {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 
 namespace flair::renderer {
 namespace {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/service/handlers.h"
 

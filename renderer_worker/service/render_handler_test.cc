@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/service/handlers.h"
 #include "worker_runtime/files/files.h"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Planes instead of pixels, and loops along rows without branches: the compiler makes vectors of them.
-#include "renderer_worker/tracing/denoise.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 #include <utility>
 
+#include "renderer_worker/tracing/compose.h"
 #include "renderer_worker/tracing/plane.h"
 #include "renderer_worker/tracing/sampling.h"
 

@@ -9,10 +9,7 @@
 
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/scene/testing/sample_rooms.h"
-#include "renderer_worker/tracing/denoise.h"
 #include "renderer_worker/tracing/lighting.h"
-#include "renderer_worker/tracing/look.h"
-#include "renderer_worker/tracing/patterns.h"
 
 namespace flair::renderer {
 namespace {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/tracing/look.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "renderer_worker/tracing/lighting.h"
 #include "renderer_worker/tracing/frame.h"
-#include "renderer_worker/tracing/patterns.h"
 
 namespace flair::renderer {
 namespace {

@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/tracing/patterns.h"
-
+// The colours of materials, a function for each family of them.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "renderer_worker/scene/mesh.h"
 #include "renderer_worker/tracing/sampling.h"
+#include "renderer_worker/tracing/world.h"
 
 namespace flair::renderer {
+namespace {
 
 // A number in [0, 1) for a cell of the plane.
-inline float CellValue(int x, int y, uint32_t salt) {
+float CellValue(int x, int y, uint32_t salt) {
   return static_cast<float>(
              Mix(static_cast<uint32_t>(x) * 0x8da6b343U + static_cast<uint32_t>(y) * 0xd8163841U + salt) >> 8) *
          0x1p-24F;
 }
 
 // Largest whole number not above `value`, for coordinates of a room.
-inline int FloorOf(float value) { return static_cast<int>(std::floor(std::clamp(value, -1e8F, 1e8F))); }
+int FloorOf(float value) { return static_cast<int>(std::floor(std::clamp(value, -1e8F, 1e8F))); }
 
-inline float Smooth(float t) { return t * t * (3 - 2 * t); }
+float Smooth(float t) { return t * t * (3 - 2 * t); }
 
 // 0 below `low`, 1 above `high`, smooth between.
-inline float Step(float low, float high, float value) {
-  return Smooth(std::clamp((value - low) / (high - low), 0.0F, 1.0F));
-}
+float Step(float low, float high, float value) { return Smooth(std::clamp((value - low) / (high - low), 0.0F, 1.0F)); }
 
-inline Vec3 Lerp(Vec3 a, Vec3 b, float share) { return a * (1 - share) + b * share; }
+Vec3 Lerp(Vec3 a, Vec3 b, float share) { return a * (1 - share) + b * share; }
 
 // Smooth noise in [0, 1] with features of size 1.
-inline float Noise(float x, float y, uint32_t salt) {
+float Noise(float x, float y, uint32_t salt) {
   const int i = FloorOf(x), k = FloorOf(y);
   const float u = Smooth(x - static_cast<float>(i)), v = Smooth(y - static_cast<float>(k));
   const float low = CellValue(i, k, salt) * (1 - u) + CellValue(i + 1, k, salt) * u;
@@ -39,11 +39,11 @@ inline float Noise(float x, float y, uint32_t salt) {
 }
 
 // How much is left of features of `size` when seen through a filter of width `filter`.
-inline float Kept(float size, float filter) { return std::clamp(2 * size / std::max(filter, 1e-6F) - 1, 0.0F, 1.0F); }
+float Kept(float size, float filter) { return std::clamp(2 * size / std::max(filter, 1e-6F) - 1, 0.0F, 1.0F); }
 
 // Noise of several sizes about 0, in [-1, 1], features of `size` and halves of it; what the filter swallows is left
 // out.
-inline float FractalNoise(Vec2 p, float size, int octaves, float filter, uint32_t salt) {
+float FractalNoise(Vec2 p, float size, int octaves, float filter, uint32_t salt) {
   float sum = 0, weight = 0.5F;
   for (int i = 0; i < octaves; ++i, size *= 0.5F, weight *= 0.5F) {
     const float kept = Kept(size, filter);
@@ -54,15 +54,13 @@ inline float FractalNoise(Vec2 p, float size, int octaves, float filter, uint32_
 }
 
 // The share of a filter `filter` wide that lies in a line `line` wide, at `distance` from the line's middle.
-inline float LineCover(float distance, float line, float filter) {
+float LineCover(float distance, float line, float filter) {
   const float half = std::max(filter, 1e-6F) / 2;
   const float low = std::max(-line / 2, distance - half), high = std::min(line / 2, distance + half);
   return std::clamp((high - low) / (2 * half), 0.0F, 1.0F);
 }
 
 // Stone: flags and rubble where `pattern_size_m` is that of stones, clouded and veined surfaces where it is metres.
-
-namespace {
 
 // Clouds, and veins where two folds of noise meet.
 Vec3 Veined(const Material& m, Vec2 uv, float filter, float contrast) {
@@ -75,8 +73,6 @@ Vec3 Veined(const Material& m, Vec2 uv, float filter, float contrast) {
   const float share = std::clamp(0.35F + 0.9F * clouds + contrast * vein, 0.0F, 1.0F);
   return Lerp(m.colour, m.second_colour, share);
 }
-
-}  // namespace
 
 Vec3 StoneColour(const Material& m, Vec2 uv, float filter) {
   const float size = m.pattern_size_m;
@@ -134,8 +130,6 @@ Vec3 FabricColour(const Material& m, Vec2 uv, float filter) {
 
 // What is laid piece by piece: `colour` is that of the pieces, `second_colour` that of the joints.
 
-namespace {
-
 struct Piece {
   int column, row;
   float edge;  // distance to the nearest joint, metres
@@ -155,8 +149,6 @@ float JointCover(float edge, float joint, float filter, float width, float heigh
   const float wide = Step(0.4F, 1.2F, filter / std::min(width, height));
   return LineCover(edge, joint, filter) * (1 - wide) + of_all * wide;
 }
-
-}  // namespace
 
 // Square tiles with clouds of their own.
 Vec3 TilesColour(const Material& m, Vec2 uv, float filter) {
@@ -181,8 +173,6 @@ Vec3 BricksColour(const Material& m, Vec2 uv, float filter) {
 // Wallpaper: a damask of leaves in ogee rows, `colour` the ground, `second_colour` the figure, `pattern_size_m` the
 // repeat.
 
-namespace {
-
 // Below 0 inside a figure about (0, 0) that is one unit wide and 1.5 high: a palmette of lobes on a stem.
 float Figure(float x, float y) {
   const float side = std::abs(x);
@@ -199,8 +189,6 @@ float Ogee(float x, float y) {
   const float at = x - std::floor(x);
   return std::min(std::abs(at - wave), std::abs(at - (1 - wave)));
 }
-
-}  // namespace
 
 Vec3 WallpaperColour(const Material& m, Vec2 uv, float filter) {
   const float repeat = std::max(m.pattern_size_m, 0.02F);
@@ -220,8 +208,6 @@ Vec3 WallpaperColour(const Material& m, Vec2 uv, float filter) {
 
 // Wood: `colour` is that of the wood, `second_colour` that of its grain and joints.
 
-namespace {
-
 // Grain along u: pores stretched twenty times, under them the broad bands of the years.
 Vec3 Grain(const Material& m, Vec2 p, float filter, uint32_t board) {
   const float shift = 17 * CellValue(static_cast<int>(board), 3, 91);
@@ -239,8 +225,6 @@ Vec3 Board(const Material& m, Vec2 along, float filter, uint32_t board) {
   const float light = 0.86F + 0.28F * tone;
   return {wood.x * light * (0.98F + 0.04F * warmth), wood.y * light, wood.z * light * (1.03F - 0.06F * warmth)};
 }
-
-}  // namespace
 
 Vec3 WoodColour(const Material& m, Vec2 uv, float filter) { return Grain(m, uv, filter, 5); }
 
@@ -282,8 +266,6 @@ Vec3 HerringboneColour(const Material& m, Vec2 uv, float filter) {
   const float edge = std::min({across, 1 - across, along, kLong - along}) * width;
   return Lerp(wood, m.second_colour * 0.4F, 0.7F * LineCover(edge, 0.003F, filter));
 }
-
-namespace {
 
 Vec3 Clamped(Vec3 c) { return {std::clamp(c.x, 0.0F, 1.0F), std::clamp(c.y, 0.0F, 1.0F), std::clamp(c.z, 0.0F, 1.0F)}; }
 

@@ -11,7 +11,6 @@
 
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/tracing/compose.h"
-#include "renderer_worker/tracing/denoise.h"
 #include "renderer_worker/tracing/frame.h"
 #include "renderer_worker/tracing/lighting.h"
 #include "renderer_worker/tracing/radiosity.h"

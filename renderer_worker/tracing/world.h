@@ -22,6 +22,13 @@ struct Surface {
   Vec3 mean_colour;  // of the material's pattern
 };
 
+// The colour of a material at texture coordinates in metres, as the mean over about `filter_m` (the width of a pixel on
+// the surface): what is finer is blurred away instead of flickering. Linear RGB in [0, 1]. Pure; no pattern repeats.
+Vec3 PatternColour(const Material& material, Vec2 uv_m, float filter_m);
+
+// Its mean over a large surface.
+Vec3 MeanPatternColour(const Material& material);
+
 // Of all meshes together, each counted once.
 inline constexpr int64_t kMaxTriangles = 20'000'000;
 

@@ -40,6 +40,9 @@ struct Object {
   int host = -1;
 };
 
+// Stands on the floor and is in the way.
+inline bool IsSolid(const Object& object) { return object.kind == ObjectKind::kFloor && !object.walk_over; }
+
 struct Scene {
   Room room;
   std::vector<Zone> zones;

@@ -11,7 +11,6 @@
 #include <memory>
 
 #include "evaluation/metrics/layout_metrics.h"
-#include "evaluation/metrics/overlap.h"
 #include "evaluation/metrics/pathway.h"
 #include "evaluation/metrics/routes.h"
 #include "evaluation/readers/flairgpt_room.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "renderer_worker/drawing/testing/read_layout.h"
+#include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/tracing/radiosity.h"

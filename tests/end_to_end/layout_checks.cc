@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evaluation/metrics/overlap.h"
+#include "evaluation/metrics/layout_metrics.h"
 #include "fmt/format.h"
 #include "room/conversion/conversion.h"
 #include "room/geometry/footprint.h"
@@ -59,7 +59,7 @@ void CheckLandings(const evaluation::LayoutView& view, Faults& faults) {
     if (door.kind != OpeningKind::kDoor) continue;
     const Polygon landing = PassageArea(view.scene.room, door, 0.3, -0.05);
     for (size_t i = 0; i < view.scene.objects.size(); ++i) {
-      if (!evaluation::IsSolid(view.scene.objects[i])) continue;
+      if (!IsSolid(view.scene.objects[i])) continue;
       const auto corners = Corners(view.scene.objects[i].footprint, view.layout[i]);
       if (ConvexIntersectionArea(corners, landing.vertices) > 1e-4) {
         faults.push_back(fmt::format("{} stands before {}", view.scene.objects[i].id, door.id));
@@ -72,7 +72,7 @@ void CheckBeds(const evaluation::LayoutView& view, Faults& faults) {
   for (size_t i = 0; i < view.scene.objects.size(); ++i) {
     const Object& object = view.scene.objects[i];
     const bool bed = (HasWord(object, "bed") || HasWord(object, "crib") || object.name.ends_with(" bed")) &&
-                     evaluation::IsSolid(object) && object.footprint.area_m2() > 0.5;
+                     IsSolid(object) && object.footprint.area_m2() > 0.5;
     if (!bed || HasWord(object, "bench") || HasWord(object, "table")) continue;
     const SideEdge<double> head = EdgeOf(object.footprint, view.layout[i], Side::kBack);
     const bool at_wall = std::any_of(view.scene.room.walls.begin(), view.scene.room.walls.end(), [&](const Wall& wall) {
@@ -96,7 +96,7 @@ bool LooksAt(const evaluation::LayoutView& view, size_t chair, size_t table) {
 void CheckChairs(const evaluation::LayoutView& view, Faults& faults) {
   for (size_t i = 0; i < view.scene.objects.size(); ++i) {
     const Object& chair = view.scene.objects[i];
-    if (!evaluation::IsSolid(chair) || !chair.name.ends_with("chair") || chair.name.ends_with("armchair")) continue;
+    if (!IsSolid(chair) || !chair.name.ends_with("chair") || chair.name.ends_with("armchair")) continue;
     if (HasWord(chair, "reading") || HasWord(chair, "accent") || HasWord(chair, "easy") || HasWord(chair, "rocking") ||
         HasWord(chair, "nursing") || HasWord(chair, "lounge")) {
       continue;
@@ -104,7 +104,7 @@ void CheckChairs(const evaluation::LayoutView& view, Faults& faults) {
     bool has_table = false, faces_one = false;
     for (size_t k = 0; k < view.scene.objects.size(); ++k) {
       const Object& table = view.scene.objects[k];
-      if (k == i || table.zone != chair.zone || !evaluation::IsSolid(table)) continue;
+      if (k == i || table.zone != chair.zone || !IsSolid(table)) continue;
       if (!HasWord(table, "table") && !HasWord(table, "desk")) continue;
       if (HasWord(table, "bedside") || HasWord(table, "side") || HasWord(table, "coffee")) continue;
       has_table = true;

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "evaluation/metrics/layout_view.h"
+#include "evaluation/metrics/layout_metrics.h"
 #include "room/text_format/scene_text.h"
 
 namespace flair::evaluation {

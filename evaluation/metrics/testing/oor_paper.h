@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "evaluation/metrics/layout_view.h"
+#include "evaluation/metrics/layout_metrics.h"
 #include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
 #include "room/scene/room.h"

@@ -5,10 +5,12 @@
 #include <limits>
 #include <span>
 #include <type_traits>
+#include <vector>
 
-#include "optimizer_worker/autodiff/dual.h"
-#include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/formula_cost.h"
+#include "room/autodiff/dual.h"
+#include "room/autodiff/smooth.h"
+#include "room/geometry/gap.h"
 
 namespace flair::optimizer {
 
@@ -30,6 +32,22 @@ T LeastOf(const Ways& ways, const std::array<Frame<T>, K>& frames, const WayCost
     return least == 0 ? T(0.0) : way_cost(ways[best], frames);
   }
 }
+
+// Sum over areas of the squared depth of an object in each [m2], which is the shortest push out of it.
+struct ClearOfAreas {
+  static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
+  Footprint footprint;
+  std::vector<ConvexPiece> areas;
+
+  template <typename T>
+  T operator()(const Frames<T, 1>& frames) const {
+    const Box<T> box(footprint, frames[0]);
+    T sum(0.0);
+    for (const ConvexPiece& area : areas) sum += SquaredPenetration<T>(box, area);
+    return sum;
+  }
+};
 
 // Sums over many objects are differentiated one object at a time: three partials, whatever the number of objects.
 

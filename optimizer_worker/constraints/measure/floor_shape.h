@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "optimizer_worker/constraints/measure/convex_piece.h"
-#include "optimizer_worker/constraints/measure/gap.h"
+#include "room/geometry/convex_piece.h"
+#include "room/geometry/gap.h"
 #include "room/scene/room.h"
 
 namespace flair::optimizer {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/constraints/measure/gap.h"
+#include "room/geometry/gap.h"
 
 #include <gtest/gtest.h>
 

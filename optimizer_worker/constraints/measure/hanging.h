@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/measure/walls.h"
+#include "room/autodiff/smooth.h"
 #include "room/geometry/footprint.h"
 #include "room/scene/scene.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "optimizer_worker/autodiff/smooth.h"
-#include "optimizer_worker/constraints/measure/convex_piece.h"
+#include "room/autodiff/smooth.h"
+#include "room/geometry/convex_piece.h"
 #include "room/geometry/footprint.h"
 
 namespace flair::optimizer {

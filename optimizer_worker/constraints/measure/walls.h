@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "optimizer_worker/autodiff/smooth.h"
+#include "room/autodiff/smooth.h"
 #include "room/geometry/footprint.h"
 #include "room/scene/room.h"
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
+#include "room/autodiff/smooth.h"
 #include "room/geometry/footprint.h"
 #include "room/geometry/pose.h"
 

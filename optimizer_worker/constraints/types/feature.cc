@@ -8,11 +8,11 @@
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
-#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
-#include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/measure/walls.h"
+#include "room/geometry/convex_piece.h"
 #include "room/geometry/footprint.h"
+#include "room/geometry/gap.h"
 #include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 #include "room/scene/room.h"
@@ -60,21 +60,6 @@ BoundCost BindAwayFromFeature(const Arguments& a, const BindContext& context) {
 //   0.1 m depth  shortest push out of the area that does not go through the wall
 // Zero exactly when nothing is blocked. An object of known height that ends below a window's sill never blocks it. The
 // released ind_not_block_fixed_object jumps at contact, ignores sockets and knows no heights (SEMANTICS.md section 3).
-struct ClearOfFeature {
-  static constexpr int kObjects = 1;
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  std::vector<ConvexPiece> areas;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    const Box<T> box(footprint, frames[0]);
-    T sum(0.0);
-    for (const ConvexPiece& area : areas) sum += SquaredPenetration<T>(box, area);
-    return sum;
-  }
-};
-
 constexpr double kWindowDepth_m = 0.5;
 constexpr double kSocketWidth_m = 0.15;
 constexpr double kSocketDepth_m = 0.1;
@@ -123,7 +108,7 @@ std::optional<Shortfall> ClearOfFeatureShortfall(const PlacedCall& call) {
 
 BoundCost BindClearOfFeature(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  return MakeCost(ClearOfFeature{FootprintOf(context, object), AreasOf(context.scene, object, a.Feature("feature"))},
+  return MakeCost(ClearOfAreas{FootprintOf(context, object), AreasOf(context.scene, object, a.Feature("feature"))},
                   {object});
 }
 

@@ -5,12 +5,12 @@
 #include <array>
 #include <vector>
 
-#include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/walls.h"
+#include "room/autodiff/smooth.h"
 #include "room/geometry/pose.h"
 #include "room/scene/scene.h"
 

@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
-#include "optimizer_worker/constraints/measure/convex_piece.h"
-#include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/measure/walls.h"
+#include "room/autodiff/smooth.h"
+#include "room/geometry/convex_piece.h"
 #include "room/geometry/footprint.h"
+#include "room/geometry/gap.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

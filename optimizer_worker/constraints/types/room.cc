@@ -5,11 +5,11 @@
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
-#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
-#include "optimizer_worker/constraints/measure/gap.h"
 #include "optimizer_worker/constraints/whole_room.h"
+#include "room/geometry/convex_piece.h"
 #include "room/geometry/footprint.h"
+#include "room/geometry/gap.h"
 #include "room/geometry/vec2.h"
 #include "room/scene/scene.h"
 
@@ -114,6 +114,8 @@ BoundCost BindBalanced(const Arguments& a, const BindContext& context) {
   return Balanced(context.scene, a.Objects("objects"));
 }
 
+}  // namespace
+
 // Keeps an object out of the way of doors.
 //   cost = sum over doors of  depth(swing)^2 + depth(passage)^2                                   [m2]
 //   swing    the sector that the leaf really sweeps, hinge and angle as given (doors that open inwards)
@@ -121,23 +123,6 @@ BoundCost BindBalanced(const Arguments& a, const BindContext& context) {
 //   depth    the shortest push out of the area that does not go through the wall
 // Zero exactly when swings and passages are free. The paper's door term uses a square twice as wide as the door in one
 // function and three different zones in all (SEMANTICS.md section 10).
-struct DoorClearFormula {
-  static constexpr int kObjects = 1;
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  std::vector<ConvexPiece> areas;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    const Box<T> box(footprint, frames[0]);
-    T sum(0.0);
-    for (const ConvexPiece& area : areas) sum += SquaredPenetration<T>(box, area);
-    return sum;
-  }
-};
-
-}  // namespace
-
 std::unique_ptr<Cost> DoorClear(const Scene& scene, int object) {
   const Object& o = scene.objects[static_cast<size_t>(object)];
   std::vector<ConvexPiece> areas = DoorAreas(scene.room);
@@ -146,7 +131,7 @@ std::unique_ptr<Cost> DoorClear(const Scene& scene, int object) {
   const bool out_of_the_way = o.walk_over || o.kind == ObjectKind::kSurface ||
                               (o.kind != ObjectKind::kFloor && scene.BottomOf(object) >= kHeadroom_m);
   if (areas.empty() || out_of_the_way || o.kind == ObjectKind::kCeiling) return nullptr;
-  return MakeCost(DoorClearFormula{o.footprint, std::move(areas)}, {object});
+  return MakeCost(ClearOfAreas{o.footprint, std::move(areas)}, {object});
 }
 
 namespace {
@@ -190,7 +175,7 @@ BoundCost BindInBounds(const Arguments& a, const BindContext& context) {
 
 // Keeps two objects out of each other.
 //   cost = max(-gap(A, B), 0)^2                                                                   [m2]
-//   gap  signed gap of the two rectangles (measure/gap.h): minus the length of the shortest push that parts them
+//   gap  signed gap of the two rectangles (room/geometry/gap.h): minus the length of the shortest push that parts them
 // Zero exactly when they are apart or touch; continuously differentiable at contact; pushes apart in the cheapest
 // direction. The paper's Eq. no_overlap sums squared edge lengths of the intersection, which jumps from 0 to 10 at
 // contact and has no usable slope (SEMANTICS.md section 5).

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <vector>
 
-#include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
-#include "optimizer_worker/constraints/measure/convex_piece.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/outside.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/whole_room.h"
+#include "room/autodiff/smooth.h"
+#include "room/geometry/convex_piece.h"
 #include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 #include "room/geometry/vec2.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "optimizer_worker/autodiff/smooth.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/outside.h"
 #include "optimizer_worker/constraints/measure/walls.h"
+#include "room/autodiff/smooth.h"
 #include "room/geometry/footprint.h"
 #include "room/geometry/pose.h"
 #include "room/geometry/vec2.h"

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "optimizer_worker/autodiff/dual.h"
+#include "room/autodiff/dual.h"
 #include "room/geometry/vec2.h"
 
-namespace flair::optimizer {
+namespace flair {
 
 template <typename T>
 T Square(const T& x) {
@@ -68,4 +68,4 @@ T SmoothMin(const T& a, const T& b, double width) {
   return -SmoothMax(-a, -b, width);
 }
 
-}  // namespace flair::optimizer
+}  // namespace flair

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include "optimizer_worker/autodiff/dual.h"
+#include "room/autodiff/dual.h"
 #include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 
-namespace flair::optimizer {
+namespace flair {
 
 // A fixed convex area, counter-clockwise, with the outward unit normal of each edge (edge i from vertex i to i + 1).
 // `exits[i]` says whether an object may be pushed out over edge i: edges that lie behind a wall are no way out.
@@ -99,4 +99,4 @@ class Box {
   std::array<Vec2<double>, 4> value_normals_;
 };
 
-}  // namespace flair::optimizer
+}  // namespace flair

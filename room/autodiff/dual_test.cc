@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/autodiff/dual.h"
+#include "room/autodiff/dual.h"
 
 #include <gtest/gtest.h>
 
-#include "optimizer_worker/autodiff/smooth.h"
+#include "room/autodiff/smooth.h"
 
-namespace flair::optimizer {
+namespace flair {
 namespace {
 
 // Uses every operation once.
@@ -49,4 +49,4 @@ TEST(Smooth, LengthOfTheZeroVectorHasZeroSlope) {
 }
 
 }  // namespace
-}  // namespace flair::optimizer
+}  // namespace flair

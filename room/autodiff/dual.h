@@ -9,7 +9,7 @@
 
 #include "room/geometry/pose.h"
 
-namespace flair::optimizer {
+namespace flair {
 
 // N numbers kept two by two, as every x86-64 and ARM64 adds and multiplies them. Each lane is worked out like a double
 // on its own, so that results do not depend on the machine. An odd N has a last lane that stays 0 or is never read.
@@ -142,4 +142,4 @@ std::array<Frame<double>, K> ValuesOf(const std::array<Frame<T>, K>& frames) {
   return values;
 }
 
-}  // namespace flair::optimizer
+}  // namespace flair

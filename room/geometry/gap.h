@@ -12,10 +12,10 @@
 #include <cmath>
 #include <limits>
 
-#include "optimizer_worker/autodiff/smooth.h"
-#include "optimizer_worker/constraints/measure/convex_piece.h"
+#include "room/autodiff/smooth.h"
+#include "room/geometry/convex_piece.h"
 
-namespace flair::optimizer {
+namespace flair {
 
 // What decides a gap between two shapes: edge `edge` of one against vertex `vertex` of the other, or two vertices.
 struct Witness {
@@ -235,4 +235,4 @@ T SquaredPenetration(const A& a, const B& b) {
   return Square(Along<T>(a, b, axis));
 }
 
-}  // namespace flair::optimizer
+}  // namespace flair
