@@ -73,6 +73,10 @@ std::vector<Segment> FeatureSegments(const Room& room, FeatureKind kind);
 // Arguments typed as the type's parameters say; an unknown name becomes a text, so that the checks can report it.
 std::vector<v1::Argument> ArgumentsFromText(const v1::ConstraintType& type, std::string_view call);
 
+// The type of call that "near", as a word of somebody who edits a layout, stands for; its arguments are object and
+// target.
+inline constexpr char kNearCall[] = "near";
+
 // An edge of that type with those arguments and weight 1. The type may be an alias; of one that only another optimizer
 // knows, the arguments are what they look like: a number, true or false, several names with commas between, or a name.
 v1::ConstraintEdge EdgeFromText(std::string_view type, std::string_view call);

@@ -13,6 +13,17 @@
 
 namespace flair::optimizer {
 
+// What the terms are called, in the catalogue and in outcomes; and the call that asks for what kZoneTerm does.
+inline constexpr char kNoOverlapTerm[] = "no_overlap";
+inline constexpr char kInBoundsTerm[] = "in_bounds";
+inline constexpr char kDoorClearTerm[] = "door_clear";
+inline constexpr char kAlignedTerm[] = "aligned";
+inline constexpr char kWallAttractionTerm[] = "wall_attraction";
+inline constexpr char kBalancedTerm[] = "balanced";
+inline constexpr char kOnWallTerm[] = "on_wall";
+inline constexpr char kZoneTerm[] = "zone";
+inline constexpr char kInZoneCall[] = "in_zone";
+
 // Whether two objects can be in each other's way: same storey of the room, none to walk over, none carrying the other.
 bool CanCollide(const Scene& scene, int a, int b);
 

@@ -99,7 +99,7 @@ Edit Add(const Words& words, const v1::LayoutGraph& graph) {
   object.set_requested(true);
   object.set_zone_id(ZoneOf(graph, words.size() == 5 ? words[4] : ""));
   if (words.size() == 5) {
-    v1::ConstraintEdge edge = EdgeFromText("near", fmt::format("object={} target={}", words[1], words[4]));
+    v1::ConstraintEdge edge = EdgeFromText(kNearCall, fmt::format("object={} target={}", words[1], words[4]));
     edge.clear_id();
     *add.add_edges() = std::move(edge);
   }

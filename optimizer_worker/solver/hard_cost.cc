@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimizer_worker/constraints/whole_room.h"
 #include "room/geometry/gap.h"
 
 namespace flair::optimizer {
@@ -27,9 +28,9 @@ HardCost::HardCost(const Scene& scene, const KeepOut& keep_out, const Problem& p
     const Term& term = problem.terms()[t];
     if (!term.hard) continue;
     const int first = term.required.front();
-    if (term.name == "in_bounds") weights_[first].bounds = term.weight;
-    if (term.name == "door_clear") weights_[first].doors = term.weight;
-    if (term.name != "no_overlap") continue;
+    if (term.name == kInBoundsTerm) weights_[first].bounds = term.weight;
+    if (term.name == kDoorClearTerm) weights_[first].doors = term.weight;
+    if (term.name != kNoOverlapTerm) continue;
     weights_[first].others.emplace_back(term.required.back(), term.weight);
     weights_[term.required.back()].others.emplace_back(first, term.weight);
   }

@@ -13,7 +13,7 @@ namespace flair::optimizer {
 
 class HardCost {
  public:
-  // Reads the weights of "in_bounds", "door_clear" and "no_overlap" among the problem's terms. Borrows all.
+  // Reads the weights of bounds, doors and overlaps among the problem's terms. Borrows all.
   HardCost(const Scene& scene, const KeepOut& keep_out, const Problem& problem);
 
   // Fixes the others' poses; to be called before At whenever one of them has moved.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fmt/format.h"
+#include "optimizer_worker/constraints/whole_room.h"
 #include "optimizer_worker/stages/infeasible.h"
 #include "room/geometry/polygon.h"
 
@@ -22,11 +23,11 @@ Misfit OnTheFloor(const Violation& violation) {
 
 // What a hard term about something that does not stand on the floor says; all are squared metres.
 Misfit OffTheFloor(const Term& term, double cost) {
-  const bool pair = term.name == "no_overlap";
-  const std::string what = pair                        ? "overlaps"
-                           : term.name == "on_wall"    ? "does not fit on a wall beside doors and windows"
-                           : term.name == "door_clear" ? "stands in the way of a door"
-                                                       : "reaches out of the room";
+  const bool pair = term.name == kNoOverlapTerm;
+  const std::string what = pair                          ? "overlaps"
+                           : term.name == kOnWallTerm    ? "does not fit on a wall beside doors and windows"
+                           : term.name == kDoorClearTerm ? "stands in the way of a door"
+                                                         : "reaches out of the room";
   const int first = std::min(term.required.front(), term.required.back());
   const int last = std::max(term.required.front(), term.required.back());
   return {last, pair ? first : -1, what, std::sqrt(cost)};

@@ -43,16 +43,16 @@ class Collector {
     for (int i = 0; i < Count(); ++i) {
       const Object& object = scene.objects[i];
       if (object.kind != ObjectKind::kFloor || object.walk_over) continue;
-      Hard("in_bounds", lambdas.in_bounds, InBounds(scene, i));
-      Hard("door_clear", lambdas.no_overlap * lambdas.door_overlap, DoorClear(scene, i));
-      Soft("aligned", 1, Aligned(scene, i));
+      Hard(kInBoundsTerm, lambdas.in_bounds, InBounds(scene, i));
+      Hard(kDoorClearTerm, lambdas.no_overlap * lambdas.door_overlap, DoorClear(scene, i));
+      Soft(kAlignedTerm, 1, Aligned(scene, i));
       if (lambdas.wall_attraction_divisor > 0) {
-        Soft("wall_attraction", 1 / lambdas.wall_attraction_divisor, WallAttraction(scene, i));
+        Soft(kWallAttractionTerm, 1 / lambdas.wall_attraction_divisor, WallAttraction(scene, i));
       }
-      if (object.role != ObjectRole::kTertiary) Soft("zone", lambdas.zone, ZoneAffinity(scene, i, zone_centers));
+      if (object.role != ObjectRole::kTertiary) Soft(kZoneTerm, lambdas.zone, ZoneAffinity(scene, i, zone_centers));
       if (object.role == ObjectRole::kPrimary) primaries.push_back(i);
     }
-    if (primaries.size() > 1) Soft("balanced", lambdas.balanced, Balanced(scene, primaries));
+    if (primaries.size() > 1) Soft(kBalancedTerm, lambdas.balanced, Balanced(scene, primaries));
   }
 
   void Tertiaries() {
@@ -61,9 +61,9 @@ class Collector {
     for (int i = 0; i < Count(); ++i) {
       const Object& object = scene.objects[i];
       if (object.kind == ObjectKind::kFloor && !object.walk_over) continue;
-      Hard("in_bounds", lambdas.tertiary_in_bounds, InBounds(scene, i));
-      Hard("on_wall", lambdas.on_wall, OnWall(scene, i));
-      Soft("aligned", 1, Aligned(scene, i));
+      Hard(kInBoundsTerm, lambdas.tertiary_in_bounds, InBounds(scene, i));
+      Hard(kOnWallTerm, lambdas.on_wall, OnWall(scene, i));
+      Soft(kAlignedTerm, 1, Aligned(scene, i));
     }
   }
 
@@ -72,7 +72,7 @@ class Collector {
       for (int b = a + 1; b < Count(); ++b) {
         std::unique_ptr<Cost> cost = NoOverlapPair(input_.scene, a, b);
         if (!cost) continue;
-        Hard("no_overlap", input_.settings.lambdas.no_overlap, std::move(cost));
+        Hard(kNoOverlapTerm, input_.settings.lambdas.no_overlap, std::move(cost));
         costs_.terms.back().reach_m = ReachOf(a, b);
       }
     }
@@ -98,7 +98,7 @@ class Collector {
     term.hard = hard;
     term.name = name;
     // A crooked piece is missed like a wish.
-    term.wish = term.name == "aligned";
+    term.wish = term.name == kAlignedTerm;
   }
 
   const SolveInput& input_;
@@ -122,8 +122,8 @@ SceneCosts BindCosts(const SolveInput& input, const PartialLayout& state) {
 }
 
 bool CountsIn(const Term& term, StageKind stage) {
-  if (term.name == "balanced") return stage == StageKind::kPrimary;
-  if (term.name == "zone" || term.name == "in_zone") return stage != StageKind::kPrimary;
+  if (term.name == kBalancedTerm) return stage == StageKind::kPrimary;
+  if (term.name == kZoneTerm || term.name == kInZoneCall) return stage != StageKind::kPrimary;
   return true;
 }
 
