@@ -8,7 +8,7 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/solved_layout.pb.h"
-#include "renderer_worker/images/image_writer.h"
+#include "renderer_worker/images/image_files.h"
 
 namespace flair::cli {
 

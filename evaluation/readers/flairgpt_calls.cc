@@ -91,10 +91,9 @@ absl::StatusOr<v1::ConstraintEdge> EdgeOf(const Call& call, const FlairGptArgume
   edge.set_weight(1);
   for (size_t p = 0; p < call.values.size(); ++p) {
     const std::string object_id = edge.arguments_size() > 0 ? edge.arguments(0).value().text() : "";
-    absl::StatusOr<std::optional<v1::Argument>> argument =
-        arguments.Read(call.function->parameters[p], call.values[p], object_id);
-    if (!argument.ok()) return argument.status();
-    if (argument->has_value()) *edge.add_arguments() = **std::move(argument);
+    ASSIGN_OR_RETURN(std::optional<v1::Argument> argument,
+                     arguments.Read(call.function->parameters[p], call.values[p], object_id));
+    if (argument.has_value()) *edge.add_arguments() = *std::move(argument);
   }
   return edge;
 }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/assets/asset_index.h"
-
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "fmt/format.h"
+#include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/furniture/classes.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -148,19 +147,18 @@ class FtsIndex final : public AssetIndex {
         "CREATE VIRTUAL TABLE asset USING fts5(name, tags, text, content='', tokenize='porter unicode61'); BEGIN";
     if (sqlite3_exec(opened, kSchema, nullptr, nullptr, nullptr) != SQLITE_OK)
       return Failed(opened, "make the table of assets");
-    absl::StatusOr<Statement> insert =
-        Prepare(opened, "INSERT INTO asset(rowid, name, tags, text) VALUES (?, ?, ?, ?)");
-    if (!insert.ok()) return insert.status();
+    ASSIGN_OR_RETURN(Statement insert,
+                     Prepare(opened, "INSERT INTO asset(rowid, name, tags, text) VALUES (?, ?, ?, ?)"));
     for (const AssetEntry& entry : entries) {
       known_.push_back(KnownOf(entry));
-      sqlite3_bind_int64(insert->get(), 1, static_cast<sqlite3_int64>(known_.size()));
-      Bind(insert->get(), 2, entry.name);
-      Bind(insert->get(), 3, entry.tags);
-      Bind(insert->get(), 4, entry.text);
-      if (sqlite3_step(insert->get()) != SQLITE_DONE) return Failed(opened, "enter an asset");
-      sqlite3_reset(insert->get());
+      sqlite3_bind_int64(insert.get(), 1, static_cast<sqlite3_int64>(known_.size()));
+      Bind(insert.get(), 2, entry.name);
+      Bind(insert.get(), 3, entry.tags);
+      Bind(insert.get(), 4, entry.text);
+      if (sqlite3_step(insert.get()) != SQLITE_DONE) return Failed(opened, "enter an asset");
+      sqlite3_reset(insert.get());
     }
-    insert->reset();
+    insert.reset();
     if (sqlite3_exec(opened, "COMMIT", nullptr, nullptr, nullptr) != SQLITE_OK)
       return Failed(opened, "enter the assets");
     ASSIGN_OR_RETURN(search_, Prepare(opened,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/assets/manifest.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "renderer_worker/assets/asset_library.h"
 
 namespace flair::renderer {
 namespace {

@@ -85,14 +85,13 @@ absl::StatusOr<Comparison> ReadComparison(const v1::RenderRequest& request) {
     }
     ComparisonPanel panel{*std::move(plan), other.caption(), other.remark(), {}, {}};
     for (int j = 0; j < other.changes_size(); ++j) {
-      absl::StatusOr<PlanChange> change =
-          ReadChange(other.changes(j), fmt::format("beside[{}].changes[{}]", i, j), request.solved_layout(),
-                     comparison.panels.front().plan, other.solved_layout(), panel.plan);
-      if (!change.ok()) return change.status();
-      change->number = ++comparison.change_count;
-      if (change->kind == ChangeKind::kRemoved) comparison.panels.front().removed.push_back(*change);
-      if (!IsSameRoom(comparison.panels.front().plan, panel.plan)) change->before.reset();
-      panel.changes.push_back(*std::move(change));
+      ASSIGN_OR_RETURN(PlanChange change, ReadChange(other.changes(j), fmt::format("beside[{}].changes[{}]", i, j),
+                                                     request.solved_layout(), comparison.panels.front().plan,
+                                                     other.solved_layout(), panel.plan));
+      change.number = ++comparison.change_count;
+      if (change.kind == ChangeKind::kRemoved) comparison.panels.front().removed.push_back(change);
+      if (!IsSameRoom(comparison.panels.front().plan, panel.plan)) change.before.reset();
+      panel.changes.push_back(std::move(change));
     }
     comparison.panels.push_back(std::move(panel));
   }

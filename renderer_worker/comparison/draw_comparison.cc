@@ -232,9 +232,9 @@ absl::StatusOr<Made> Make(const v1::RenderRequest& request) {
 absl::StatusOr<DrawnPlan> DrawComparison(const v1::RenderRequest& request) {
   ASSIGN_OR_RETURN(const Made made, Make(request));
   ASSIGN_OR_RETURN(const double px_per_mm, PixelsPerMm(made.sheet.paper, request.options()));
-  absl::StatusOr<Pixels> pixels = DrawOnPixels(made.sheet.paper, px_per_mm, [&](Canvas& canvas) { made.Draw(canvas); });
-  if (!pixels.ok()) return pixels.status();
-  return DrawnPlan{.pixels = *std::move(pixels),
+  ASSIGN_OR_RETURN(Pixels pixels,
+                   DrawOnPixels(made.sheet.paper, px_per_mm, [&](Canvas& canvas) { made.Draw(canvas); }));
+  return DrawnPlan{.pixels = std::move(pixels),
                    .title = made.comparison.title,
                    .scale = made.sheet.paper.scale,
                    .paper = made.sheet.paper.paper};

@@ -158,10 +158,10 @@ absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::Ren
   const Sheet& sheet = made.sheet;
   ASSIGN_OR_RETURN(const double px_per_mm, PixelsPerMm(sheet, options));
   DrawnPlan drawn;
-  absl::StatusOr<Pixels> pixels =
-      DrawOnPixels(sheet, px_per_mm, [&](Canvas& canvas) { drawn.labels = DrawSheet(canvas, made.plan, sheet); });
-  if (!pixels.ok()) return pixels.status();
-  drawn.pixels = *std::move(pixels);
+  ASSIGN_OR_RETURN(Pixels pixels, DrawOnPixels(sheet, px_per_mm, [&](Canvas& canvas) {
+                     drawn.labels = DrawSheet(canvas, made.plan, sheet);
+                   }));
+  drawn.pixels = std::move(pixels);
   drawn.title = made.plan.title;
   drawn.scale = sheet.scale;
   drawn.paper = sheet.paper;

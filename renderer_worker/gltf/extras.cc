@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/gltf/extras.h"
-
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
 #include "fmt/format.h"
 #include "renderer_worker/gltf/frame.h"
+#include "renderer_worker/gltf/mesh_book.h"
 
 namespace flair::renderer::gltf {
 namespace {

@@ -15,7 +15,6 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/room.pb.h"
 #include "fmt/format.h"
-#include "renderer_worker/gltf/extras.h"
 #include "renderer_worker/gltf/frame.h"
 #include "renderer_worker/gltf/mesh_book.h"
 #include "renderer_worker/scene/scene.h"

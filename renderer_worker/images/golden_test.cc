@@ -2,7 +2,7 @@
 // Pictures of the sample layouts against stored ones, and what a written file says of itself.
 // Our own headers first: OpenImageIO redefines byte-swapping names that protobuf's headers use.
 #include "renderer_worker/drawing/testing/read_drawing.h"
-#include "renderer_worker/images/image_writer.h"
+#include "renderer_worker/images/image_files.h"
 // clang-format off
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>

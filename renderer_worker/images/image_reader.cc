@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/images/image_reader.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
 
 #include "renderer_worker/images/file_header.h"
-#include "renderer_worker/images/image_writer.h"
+#include "renderer_worker/images/image_files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

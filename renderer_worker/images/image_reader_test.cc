@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/images/image_reader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer_worker/images/image_writer.h"
+#include "renderer_worker/images/image_files.h"
 
 namespace flair::renderer {
 namespace {

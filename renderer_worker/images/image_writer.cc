@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/images/image_writer.h"
-
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -10,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer_worker/images/image_files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

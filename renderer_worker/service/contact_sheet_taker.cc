@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "renderer_worker/drawing/draw_plan.h"
-#include "renderer_worker/images/image_reader.h"
+#include "renderer_worker/images/image_files.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -9,7 +9,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/renderer_service.pb.h"
 #include "renderer_worker/contact_sheet/contact_sheet.h"
-#include "renderer_worker/images/image_writer.h"
+#include "renderer_worker/images/image_files.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::renderer {

@@ -13,7 +13,7 @@
 #include "renderer_worker/comparison/draw_comparison.h"
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/gltf/write_glb.h"
-#include "renderer_worker/images/image_writer.h"
+#include "renderer_worker/images/image_files.h"
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/scene_state/write_scene_state.h"
 #include "renderer_worker/tracing/trace_view.h"
@@ -141,15 +141,14 @@ double DotsPerInch(const DrawnPlan& plan) {
 absl::Status FillWithPixels(const v1::RenderRequest& request, ImageWriter& writer, runtime::CallContext& call,
                             v1::Preview& preview) {
   const PrepareBeside prepare(writer);
-  absl::StatusOr<DrawnPlan> plan =
-      request.beside().empty() ? DrawPlan(request.solved_layout(), request.options()) : DrawComparison(request);
-  if (!plan.ok()) return plan.status();
+  ASSIGN_OR_RETURN(DrawnPlan plan, request.beside().empty() ? DrawPlan(request.solved_layout(), request.options())
+                                                            : DrawComparison(request));
   RETURN_IF_ERROR(call.CheckAlive());
-  ImageMetadata metadata = MetadataOf(request, plan->title);
-  metadata.emplace_back("flair:scale", fmt::format("1:{} at {}", plan->scale, plan->paper));
-  ASSIGN_OR_RETURN(std::string file, writer.Write(preview.format(), plan->pixels, metadata, DotsPerInch(*plan)));
-  preview.set_width_px(plan->pixels.width_px);
-  preview.set_height_px(plan->pixels.height_px);
+  ImageMetadata metadata = MetadataOf(request, plan.title);
+  metadata.emplace_back("flair:scale", fmt::format("1:{} at {}", plan.scale, plan.paper));
+  ASSIGN_OR_RETURN(std::string file, writer.Write(preview.format(), plan.pixels, metadata, DotsPerInch(plan)));
+  preview.set_width_px(plan.pixels.width_px);
+  preview.set_height_px(plan.pixels.height_px);
   preview.set_image(std::move(file));
   return absl::OkStatus();
 }

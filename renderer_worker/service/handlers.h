@@ -8,7 +8,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/renderer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
-#include "renderer_worker/images/image_writer.h"
+#include "renderer_worker/images/image_files.h"
 #include "renderer_worker/scene/furnishing.h"
 #include "worker_runtime/bootstrap/call_context.h"
 

@@ -21,7 +21,7 @@
 #include "renderer_worker/assets/asset_furniture.h"
 #include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "renderer_worker/images/image_writer.h"
+#include "renderer_worker/images/image_files.h"
 #include "renderer_worker/service/contact_sheet_taker.h"
 #include "renderer_worker/service/handlers.h"
 #include "worker_runtime/files/files.h"

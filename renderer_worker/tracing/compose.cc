@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/tracing/compose.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

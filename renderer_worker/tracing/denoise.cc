@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "renderer_worker/tracing/compose.h"
+#include "renderer_worker/tracing/lighting.h"
 #include "renderer_worker/tracing/plane.h"
 #include "renderer_worker/tracing/sampling.h"
 

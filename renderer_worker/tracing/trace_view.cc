@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "renderer_worker/scene/room_shape.h"
-#include "renderer_worker/tracing/compose.h"
 #include "renderer_worker/tracing/frame.h"
 #include "renderer_worker/tracing/lighting.h"
 #include "renderer_worker/tracing/radiosity.h"

@@ -6,8 +6,7 @@
 #include <set>
 
 #include "renderer_worker/assets/asset_furniture.h"
-#include "renderer_worker/assets/asset_index.h"
-#include "renderer_worker/assets/manifest.h"
+#include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/gltf/write_glb.h"
 #include "tests/fuzz/targets.h"
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -68,5 +69,15 @@ class PrepareBeside {
 // ../lib/flair of it, in $FLAIR_MODULE_DIR, or where it was built. UNAVAILABLE when it is not there or of another
 // version. Thread-safe.
 absl::StatusOr<const ImageModule*> LoadImageModule();
+
+// Largest side of a picture that is read.
+inline constexpr int kLargestReadSidePx = 8192;
+
+// Reads a PNG, JPEG or TIFF file that anybody may have written, told apart by its first bytes. The picture is shrunk
+// (each pixel the mean of those it covers), never enlarged, to fit the box while its rows are read, so that memory
+// stays bounded. What is transparent comes over white. INVALID_ARGUMENT says what is wrong with the bytes: no such
+// format, too large (before any pixel is decoded), truncated. UNAVAILABLE when the module cannot be loaded.
+// Thread-safe.
+absl::StatusOr<Pixels> ReadImage(std::string_view bytes, int box_width_px, int box_height_px);
 
 }  // namespace flair::renderer
