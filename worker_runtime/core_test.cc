@@ -74,8 +74,8 @@ TEST(BoundedExecutor, TakesNothingAfterStop) {
 
 TEST(BoundedExecutor, UsesAllItsThreads) {
   TestGate release;
-  BoundedExecutor executor(3, 1);
   TestGate running[3];
+  BoundedExecutor executor(3, 1);
   for (TestGate& gate : running) {
     ASSERT_TRUE(executor.TrySubmit([&] {
       gate.Open();

@@ -6,10 +6,9 @@
 #include <netdb.h>
 #include <sys/socket.h>
 
-#include <charconv>
+#include <array>
 #include <cstring>
 #include <memory>
-#include <optional>
 #include <set>
 
 #include "absl/strings/ascii.h"
@@ -18,22 +17,12 @@
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
+#include "worker_runtime/security/security.h"
 
 namespace flair::orchestrator {
 namespace {
 
 constexpr char kDns[] = "dns:///";
-
-// The port at the end of "HOST:PORT", [1, 65535].
-std::optional<int> PortOf(const std::string& address) {
-  const size_t colon = address.rfind(':');
-  if (colon == std::string::npos || colon == 0) return std::nullopt;
-  int port = 0;
-  const char* end = address.data() + address.size();
-  const auto [rest, error] = std::from_chars(address.data() + colon + 1, end, port);
-  if (error != std::errc() || rest != end || port < 1 || port > 65535) return std::nullopt;
-  return port;
-}
 
 }  // namespace
 
@@ -44,15 +33,15 @@ absl::StatusOr<StageAddresses> ParseStageAddresses(const std::string& text) {
     const bool unix_socket = part.starts_with("unix:") && part.size() > 5;
     const bool name = part.starts_with(kDns);
     const std::string host_port = name ? part.substr(std::strlen(kDns)) : part;
-    const std::optional<int> port = PortOf(host_port);
-    if (!unix_socket && (!port.has_value() || (!name && part.find('/') != std::string::npos))) {
+    const int port = runtime::PortOf(host_port).value_or(0);
+    if (!unix_socket && (port == 0 || (!name && part.find('/') != std::string::npos))) {
       return absl::InvalidArgumentError(
           fmt::format("address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535], or "
                       "several of these, separated by commas",
                       part));
     }
     if (name) {
-      addresses.names.push_back({host_port.substr(0, host_port.rfind(':')), *port});
+      addresses.names.push_back({host_port.substr(0, host_port.rfind(':')), port});
     } else {
       addresses.workers.push_back(part);
     }
@@ -94,45 +83,54 @@ ConnectWorker ConnectorTo(const std::string& service, const runtime::ChannelOpti
   };
 }
 
+namespace {
+
+// Where a config says that the workers of a stage are.
+struct StageSetting {
+  const char* name;
+  const std::string& addresses;
+  const char* service;
+  StageChannel StageChannels::*channel;
+};
+
+std::array<StageSetting, 4> SettingsOf(const config::v1::OrchestratorConfig& config) {
+  const auto& stages = config.stages();
+  return {{
+      {"stages.language", stages.language(), v1::LanguageService::service_full_name(), &StageChannels::language},
+      {"stages.translator", stages.translator(), v1::TranslatorService::service_full_name(),
+       &StageChannels::translator},
+      {"stages.optimizer", stages.optimizer(), v1::OptimizerService::service_full_name(), &StageChannels::optimizer},
+      {"stages.renderer", stages.renderer(), v1::RendererService::service_full_name(), &StageChannels::renderer},
+  }};
+}
+
+}  // namespace
+
 absl::StatusOr<StageChannels> ConnectStages(const config::v1::OrchestratorConfig& config) {
   StageChannels channels;
-  const struct {
-    const char* field;
-    const std::string& address;
-    const char* service;
-    StageChannel& channel;
-  } stages[] = {
-      {"language", config.stages().language(), v1::LanguageService::service_full_name(), channels.language},
-      {"translator", config.stages().translator(), v1::TranslatorService::service_full_name(), channels.translator},
-      {"optimizer", config.stages().optimizer(), v1::OptimizerService::service_full_name(), channels.optimizer},
-      {"renderer", config.stages().renderer(), v1::RendererService::service_full_name(), channels.renderer},
-  };
-  for (const auto& stage : stages) {
-    const std::string setting = fmt::format("stages.{}", stage.field);
-    absl::StatusOr<StageAddresses> addresses = ParseStageAddresses(stage.address);
+  for (const StageSetting& stage : SettingsOf(config)) {
+    absl::StatusOr<StageAddresses> addresses = ParseStageAddresses(stage.addresses);
     const ConnectWorker connect = ConnectorTo(stage.service, runtime::ChannelOptionsOf(config.runtime()));
     // What can be known now of a channel that cannot be made is said now.
     absl::Status status = addresses.status();
     for (size_t i = 0; status.ok() && i < addresses->workers.size(); ++i) {
       status = connect(addresses->workers[i], "").status();
     }
-    if (!status.ok()) return absl::InvalidArgumentError(fmt::format("{}: {}", setting, std::string(status.message())));
-    stage.channel = {nullptr, stage.address, setting, connect};
+    if (!status.ok()) {
+      return absl::InvalidArgumentError(fmt::format("{}: {}", stage.name, std::string(status.message())));
+    }
+    channels.*stage.channel = {nullptr, stage.addresses, stage.name, connect};
   }
   return channels;
 }
 
 void CheckStageConfig(const config::v1::OrchestratorConfig& config, runtime::ConfigChecker& checker) {
-  const std::pair<const char*, const std::string&> stages[] = {{"stages.language", config.stages().language()},
-                                                               {"stages.translator", config.stages().translator()},
-                                                               {"stages.optimizer", config.stages().optimizer()},
-                                                               {"stages.renderer", config.stages().renderer()}};
-  for (const auto& [path, addresses] : stages) {
-    if (addresses.empty()) {
-      checker.Report(path,
+  for (const StageSetting& stage : SettingsOf(config)) {
+    if (stage.addresses.empty()) {
+      checker.Report(stage.name,
                      "missing; expected HOST:PORT, unix:PATH or dns:///NAME:PORT, or several, separated by commas");
-    } else if (const absl::Status status = ParseStageAddresses(addresses).status(); !status.ok()) {
-      checker.Report(path, std::string(status.message()));
+    } else if (const absl::Status status = ParseStageAddresses(stage.addresses).status(); !status.ok()) {
+      checker.Report(stage.name, std::string(status.message()));
     }
   }
   const config::v1::StageCallConfig& calls = config.stage_calls();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <chrono>
 #include <map>
 #include <thread>
 
@@ -76,7 +77,8 @@ class BatchCommand : public ::testing::Test {
   }
   // Waits until a job has a folder; the process is running as long as it has not.
   void WaitForAJob(Process& process, const std::string& out) const {
-    while (Layouts(out).empty() && process.Running()) std::this_thread::yield();
+    // With pauses: the batch needs the processors.
+    while (Layouts(out).empty() && process.Running()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 
   TestFolder folder_;

@@ -11,7 +11,6 @@
 #include "absl/time/clock.h"
 #include "tests/security/attacks.h"
 #include "tests/security/secure_programs.h"
-#include "tests/security/sockets.h"
 
 namespace flair::testing {
 namespace {
@@ -89,33 +88,31 @@ TEST(Flood, AMessageBeyondTheLimitIsRefusedAndOneWithinItIsNot) {
   EXPECT_NE(SendMessage(optimizer.address(), kSolve, 31).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
 }
 
-TEST(Flood, HalfAHandshakeIsNotWaitedForLong) {
+// Both servers wait at the same time.
+TEST(Flood, HalfAHandshakeIsNotWaitedForLongWithTlsOrWithout) {
   PlainOptimizer optimizer;
+  SecureOptimizer secure("log_level: \"error\"");
   Sockets silent;
   Sockets slow;
+  Sockets slow_tls;
   for (int i = 0; i < 150; ++i) {
     // From other addresses: one has a share of the connections, which is small where few files may be open.
     ASSERT_TRUE(silent.Connect(optimizer.address(), "127.0.0.2"));
     ASSERT_TRUE(slow.Connect(optimizer.address(), "127.0.0.3"));
+    ASSERT_TRUE(slow_tls.Connect(secure.address()));
   }
-  // One says nothing at all, the other begins and leaves it at that.
+  // One says nothing at all, the others begin and leave it at that.
   EXPECT_EQ(slow.SendToAll(kPreface.substr(0, 10)), 150);
+  // The beginning of a ClientHello.
+  EXPECT_EQ(slow_tls.SendToAll(std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11)), 150);
   Innocent innocent(optimizer.address());
+  EXPECT_TRUE(AskWho(secure.address(), secure.Friend()).ok());
   EXPECT_EQ(silent.WaitForClose(60), 0);
   EXPECT_EQ(slow.WaitForClose(60), 0);
+  EXPECT_EQ(slow_tls.WaitForClose(60), 0);
+  EXPECT_TRUE(AskWho(secure.address(), secure.Friend()).ok());
   innocent.Stop();
   EXPECT_EQ(innocent.refused(), 0) << "of " << innocent.answered();
-}
-
-TEST(Flood, HalfAHandshakeOfTlsIsNotWaitedForLong) {
-  SecureOptimizer optimizer("log_level: \"error\"");
-  Sockets slow;
-  for (int i = 0; i < 150; ++i) ASSERT_TRUE(slow.Connect(optimizer.address()));
-  // The beginning of a ClientHello.
-  EXPECT_EQ(slow.SendToAll(std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11)), 150);
-  EXPECT_TRUE(AskWho(optimizer.address(), optimizer.Friend()).ok());
-  EXPECT_EQ(slow.WaitForClose(60), 0);
-  EXPECT_TRUE(AskWho(optimizer.address(), optimizer.Friend()).ok());
 }
 
 TEST(Flood, HeadersThatNeverEndTakeNoThread) {

@@ -2,10 +2,10 @@
 #include "worker_runtime/grpc/channel.h"
 
 #include <fmt/format.h>
+#include <grpc/grpc.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/support/channel_arguments.h>
 
-#include <charconv>
 #include <vector>
 
 #include "worker_runtime/grpc/credentials.h"
@@ -21,18 +21,9 @@ constexpr int kConnectWithinMs = 5000;
 constexpr int kKeepaliveMs = 30000;
 constexpr int kKeepaliveTimeoutMs = 20000;
 
-bool EndsInPort(const std::string& address) {
-  const size_t colon = address.rfind(':');
-  if (colon == std::string::npos || colon == 0) return false;
-  int port = 0;
-  const char* end = address.data() + address.size();
-  const auto [rest, error] = std::from_chars(address.data() + colon + 1, end, port);
-  return error == std::errc() && rest == end && port >= 1 && port <= 65535;
-}
-
 absl::Status CheckAddress(const std::string& address, const ChannelOptions& options) {
   const bool unix_socket = address.starts_with("unix:") && address.size() > 5;
-  if (!unix_socket && !EndsInPort(address)) {
+  if (!unix_socket && PortOf(address).value_or(0) == 0) {
     return absl::InvalidArgumentError(fmt::format(
         "address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535]", address));
   }
@@ -83,6 +74,9 @@ ChannelOptions ChannelOptionsOf(const config::v1::RuntimeConfig& runtime) {
 absl::StatusOr<std::shared_ptr<grpc::Channel>> MakeChannel(const std::string& address, const std::string& service,
                                                            const ChannelOptions& options) {
   RETURN_IF_ERROR(CheckAddress(address, options));
+  // Otherwise gRPC shuts itself down with the last channel, and version 1.51 then waits ten seconds for a thread that
+  // it started when a large message, such as one that is refused, did not fit into the socket at once.
+  [[maybe_unused]] static const bool never_shut_down = (grpc_init(), true);
   std::shared_ptr<grpc::ChannelCredentials> credentials = grpc::InsecureChannelCredentials();
   if (options.tls.has_value()) {
     ASSIGN_OR_RETURN(credentials, MakeChannelCredentials(*options.tls));

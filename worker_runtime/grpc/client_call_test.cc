@@ -2,6 +2,7 @@
 #include "worker_runtime/grpc/client_call.h"
 
 #include <gmock/gmock.h>
+#include <grpc/grpc.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -94,6 +95,11 @@ TEST(ConnectionErrors, HandshakeTimeoutsDifferFromRefusedConnections) {
   EXPECT_TRUE(ends("Handshake read failed"));
   EXPECT_FALSE(ends("Failed to connect to remote host: Connection refused"));
   EXPECT_FALSE(SaidNoHello(absl::OkStatus()));
+}
+
+TEST(Channel, TheLastOneDoesNotWaitForTheLibraryToEnd) {
+  ASSERT_TRUE(MakeChannel("127.0.0.1:1", "").ok());
+  EXPECT_EQ(grpc_is_initialized(), 1);
 }
 
 TEST(ConnectionErrors, KeepsWhatItDoesNotKnow) {

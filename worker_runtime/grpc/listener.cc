@@ -118,7 +118,7 @@ int ListenOn(const sockaddr* address, socklen_t size) {
   return -1;
 }
 
-in_port_t& PortOf(sockaddr* address) {
+in_port_t& PortIn(sockaddr* address) {
   return address->sa_family == AF_INET6 ? reinterpret_cast<sockaddr_in6*>(address)->sin6_port
                                         : reinterpret_cast<sockaddr_in*>(address)->sin_port;
 }
@@ -128,14 +128,14 @@ std::vector<int> ListenOnAll(addrinfo* first, in_port_t& port) {
   std::vector<int> files;
   for (addrinfo* one = first; one != nullptr; one = one->ai_next) {
     if (one->ai_family != AF_INET && one->ai_family != AF_INET6) continue;
-    PortOf(one->ai_addr) = port;
+    PortIn(one->ai_addr) = port;
     const int file = ListenOn(one->ai_addr, one->ai_addrlen);
     if (file < 0) continue;
     files.push_back(file);
     sockaddr_storage bound = {};
     socklen_t size = sizeof bound;
     ::getsockname(file, reinterpret_cast<sockaddr*>(&bound), &size);
-    port = PortOf(reinterpret_cast<sockaddr*>(&bound));
+    port = PortIn(reinterpret_cast<sockaddr*>(&bound));
   }
   return files;
 }

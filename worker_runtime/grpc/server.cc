@@ -22,6 +22,7 @@
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/credentials.h"
 #include "worker_runtime/grpc/listener.h"
+#include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
@@ -61,10 +62,7 @@ class WorkerInfo final : public v1::WorkerService::CallbackService {
 
 absl::Status CheckListenAddress(const std::string& address) {
   if (address.starts_with("unix:") && address.size() > 5) return absl::OkStatus();
-  const size_t colon = address.rfind(':');
-  const bool has_port = colon != std::string::npos && colon > 0 && colon + 1 < address.size() &&
-                        address.find_first_not_of("0123456789", colon + 1) == std::string::npos;
-  if (has_port && address.size() - colon <= 6 && std::stoi(address.substr(colon + 1)) <= 65535) return absl::OkStatus();
+  if (PortOf(address).has_value()) return absl::OkStatus();
   return absl::InvalidArgumentError(
       fmt::format("listen_address \"{}\": expected HOST:PORT with a port in [0, 65535], or unix:PATH", address));
 }

@@ -64,6 +64,16 @@ bool IsLocalAddress(std::string_view address) {
   return IN6_IS_ADDR_LOOPBACK(&six) || (IN6_IS_ADDR_V4MAPPED(&six) && six.s6_addr[12] == kLoopbackNet);
 }
 
+std::optional<int> PortOf(std::string_view address) {
+  const size_t colon = address.rfind(':');
+  if (colon == std::string_view::npos || colon == 0) return std::nullopt;
+  int port = -1;
+  const char* end = address.data() + address.size();
+  const auto [rest, error] = std::from_chars(address.data() + colon + 1, end, port);
+  if (error != std::errc() || rest != end || port < 0 || port > 65535) return std::nullopt;
+  return port;
+}
+
 namespace {
 
 bool Exposed(const std::string& address, const config::v1::RuntimeConfig& runtime) {
@@ -196,12 +206,8 @@ absl::Status CheckTlsFiles(const config::v1::TlsConfig& tls, absl::Time now, con
 }
 
 absl::Status CheckMetricsAddress(const std::string& address) {
-  const size_t colon = address.rfind(':');
-  int port = -1;
-  if (colon != std::string::npos && IsHost(std::string_view(address).substr(0, colon))) {
-    const char* end = address.data() + address.size();
-    const auto [rest, error] = std::from_chars(address.data() + colon + 1, end, port);
-    if (error == std::errc() && rest == end && port >= 0 && port <= 65535) return absl::OkStatus();
+  if (PortOf(address).has_value() && IsHost(std::string_view(address).substr(0, address.rfind(':')))) {
+    return absl::OkStatus();
   }
   return absl::InvalidArgumentError(
       fmt::format("\"{}\": expected HOST:PORT with a port in [0, 65535], such as 127.0.0.1:9090", address));

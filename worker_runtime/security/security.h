@@ -16,6 +16,9 @@ namespace flair::runtime {
 // is no address.
 bool IsLocalAddress(std::string_view address);
 
+// The port at the end of "HOST:PORT", in [0, 65535]; nothing when there is none, or no HOST before it.
+std::optional<int> PortOf(std::string_view address);
+
 // Why a program may not serve where its config says: other machines could reach it, and it would speak plain text or
 // not ask who calls. Names the fields that make it right; empty when it may. `asks_for_tokens`: its calls need a token,
 // which does in place of a client certificate; nullopt for programs that know no tokens.
